@@ -1,6 +1,7 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 import { core } from "./wasm-core/tools/vite_plugin.mjs";
+import { handsFiles } from "./web/hands_files.mjs";
 import { leanThree } from "./web/lean_three.mjs";
 import { offlineApp } from "./web/offline_app.mjs";
 
@@ -12,7 +13,7 @@ export default defineConfig({
 	publicDir: at("public"),
 	// Every address in the built pages is relative, so that dist/ works from any sub-path.
 	base: "./",
-	plugins: [core(), leanThree(), offlineApp()],
+	plugins: [core(), leanThree(), offlineApp(), handsFiles()],
 	worker: { format: "es" },
 	build: {
 		outDir: at("dist"),

@@ -3,6 +3,7 @@ import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { FACE, FIGURE, without, withoutPreloading } from "../wasm-core/tools/without_pages.mjs";
+import { HANDS } from "./hands_files.mjs";
 
 const SCRIPT = "service-worker.js";
 const source = (name) => fileURLToPath(new URL(`src/offline/${name}.ts`, import.meta.url));
@@ -29,7 +30,8 @@ async function bundle(name, define = {}) {
 }
 
 /**
- * What a folder of the built app consists of: `integrity` by path, the page itself as "", in the order of the alphabet.
+ * What a folder of the built app consists of: `integrity` by path, the page itself as "", in the order of the alphabet. What finds hands is
+ * none of it: it is for the camera alone, and larger than all else.
  * @param {string} folder
  */
 export function listFiles(folder) {
@@ -40,6 +42,7 @@ export function listFiles(folder) {
 				.slice(folder.length + 1)
 				.replaceAll("\\", "/"),
 		)
+		.filter((path) => !path.startsWith(`${HANDS}/`))
 		.sort();
 	const integrity = (path) => `sha256-${digest(readFileSync(join(folder, path))).toString("base64")}`;
 	return Object.fromEntries(paths.map((path) => [path === "index.html" ? "" : path, integrity(path)]));

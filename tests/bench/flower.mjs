@@ -5,18 +5,27 @@ import { microseconds, printTable } from "./statistics.mjs";
 const RUNS = 9;
 /** Seconds in 2012. */
 const FIGURE_28 = { tulip: 37.5, "water-lily": 120.4, bluebell: 56.3, poppy: 63.4 };
+/** A number that texts have and that only places their volumes, and what it may be. */
+const PLACES = ["length", 123];
 
 const milliseconds = (micro) => (micro / 1000).toFixed(1);
 
 export async function benchFlowers({ core, instance, source }) {
 	const { FLOWERS, flowerOf } = await source("tests/bench/flower_requests.ts");
-	const rows = [["", "volumes", "darts", "triangles", "map ms", "with skin ms", "aim ms", "thesis s"]];
+	const rows = [
+		["", "volumes", "darts", "triangles", "map ms", "with skin ms", "placed anew ms", "aim ms", "thesis s"],
+	];
 	for (const name of FLOWERS) {
 		const { columns } = instance.growBytes(flowerOf(name, true));
 		const counts = columns.words("counts");
-		const names = columns.text("counts.names").split(" ");
+		const names = columns.text("counts.names").split("\n");
 		const of = (what) => counts[names.indexOf(what)];
-		const times = [false, true].map((meshes) => microseconds(1, RUNS, grower(core, flowerOf(name, meshes))));
+		// The core keeps its last flower: of another seed it grows another, of another size it places the same.
+		const grown = [false, true].map((meshes) =>
+			inTurn([2, 3].map((seed) => grower(core, flowerOf(name, meshes, 1, { seed })))),
+		);
+		const placed = inTurn([{}, { number: PLACES }].map((of) => grower(core, flowerOf(name, true, 1, of))));
+		const times = [...grown, placed].map((run) => microseconds(2, RUNS, run));
 		rows.push([
 			name,
 			of("volumes"),
@@ -28,4 +37,12 @@ export async function benchFlowers({ core, instance, source }) {
 		]);
 	}
 	printTable("Flowers as wasm, text and all, rounded once", rows);
+}
+
+/** Runs one after the other. */
+function inTurn(runs) {
+	let turn = 0;
+	return (rounds) => {
+		for (let i = 0; i < rounds; i++) runs[turn++ % runs.length](1);
+	};
 }

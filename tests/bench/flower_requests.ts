@@ -2,16 +2,32 @@
 import { writeContainer } from "../../web/src/core/container";
 import { model } from "../../web/src/models/flower/index";
 import { encodeFlower } from "../../web/src/models/flower/request";
+import { fetchedText } from "../../web/src/models/flower/texts";
 import { fromPreset } from "../../web/src/specimen/from_preset";
 
 await model.prepare(fromPreset(model));
 
-/** The shelf's species. */
-export const FLOWERS = model.presets.list.filter(({ kind }) => kind === "species").map(({ name }) => name);
+/** The shelf's species and inflorescences. */
+export const FLOWERS = model.presets.list
+	.filter(({ kind }) => /^(?:species|inflorescences)$/.test(kind))
+	.map(({ name }) => name);
+
+/** What of a flower is another than what it is on the shelf. */
+export interface Changed {
+	seed?: number;
+	/** A variable’s number, read where the text first gives it. */
+	number?: [name: string, value: number];
+}
 
 /** A flower's map alone, or with its skin, rounded so often, and nothing else. */
-export function flowerOf(name: string, meshes: boolean, smooth = 1): Uint8Array {
+export function flowerOf(name: string, meshes: boolean, smooth = 1, { seed, number }: Changed = {}): Uint8Array {
 	const plain = fromPreset(model, name);
-	const specimen = { ...plain, parameters: { ...plain.parameters, smooth } };
+	const text = fetchedText(plain) ?? "";
+	const specimen = {
+		...plain,
+		seed: seed ?? plain.seed,
+		parameters: { ...plain.parameters, smooth },
+		...(number ? { grammar: text.replace(RegExp(`(#define ${number[0]}=)[\\d.]+`), `$1${number[1]}`) } : {}),
+	};
 	return writeContainer(encodeFlower(specimen, { meshes, sky: false, measures: false, map: false }));
 }

@@ -15,6 +15,7 @@ const MEGABYTE = 1e6;
 
 export async function benchStand() {
 	// What modules fetch later comes through the same server.
+	let memories;
 	const server = await createServer({
 		configFile: join(repository, "vite.config.ts"),
 		server: { middlewareMode: true, watch: null },
@@ -22,14 +23,14 @@ export async function benchStand() {
 		logLevel: "warn",
 	});
 	try {
-		await benchCores((path) => server.ssrLoadModule(join(repository, path)));
+		memories = await benchCores((path) => server.ssrLoadModule(join(repository, path)));
 	} finally {
 		await server.close();
 	}
-	await benchViews();
+	await benchViews(memories);
 }
 
-/** Milliseconds of wasm time a tree, all of its levels' meshes included. */
+/** Milliseconds of wasm time a tree, all of its levels' meshes included. @returns bytes that the cores of one worker take, by preset */
 async function benchCores(source) {
 	const { loadCoreFromBytes } = await source("web/src/core/loader.ts");
 	const loadCore = (wasm) => loadCoreFromBytes(readFileSync(join(repository, "build/core", wasm)));
@@ -37,6 +38,7 @@ async function benchCores(source) {
 	const { growPlant } = await source("web/src/files/growth.ts");
 	const { fromPreset } = await source("web/src/specimen/from_preset.ts");
 	const rows = [];
+	const memories = new Map();
 	for (const preset of PRESETS) {
 		const cores = new Map();
 		const times = [];
@@ -53,6 +55,7 @@ async function benchCores(source) {
 		await growPlant(model, fromPreset(model, preset), {}, run);
 		const whole = performance.now() - start;
 		const memory = [...cores.values()].reduce((sum, core) => sum + core.memoryBytes, 0);
+		memories.set(preset, memory);
 		const mean = times.reduce((sum, time) => sum + time, 0) / times.length;
 		rows.push([
 			preset,
@@ -68,6 +71,7 @@ async function benchCores(source) {
 		["", "plan, ms", "trees", "mean, ms", "median, ms", "all, s", "wasm memory, MB"],
 		...rows,
 	]);
+	return memories;
 }
 
 /** In the page, before its own scripts: counts what is asked of the graphics card, and times what frames take of the script. */
@@ -117,7 +121,7 @@ function counting() {
 		});
 }
 
-async function benchViews() {
+async function benchViews(memories) {
 	const server = await preview({
 		configFile: join(repository, "vite.config.ts"),
 		preview: { port: 0, host: "localhost" },
@@ -127,9 +131,26 @@ async function benchViews() {
 	try {
 		const rows = [];
 		for (const preset of PRESETS)
-			rows.push(await viewOf(browser, `${server.resolvedUrls.local[0]}?v=2&model=stand&preset=${preset}`, preset));
+			rows.push(
+				await viewOf(
+					browser,
+					`${server.resolvedUrls.local[0]}?v=2&model=stand&preset=${preset}`,
+					preset,
+					memories.get(preset),
+				),
+			);
 		printTable("stand: the page, drawing switched off", [
-			["", "grown, s", "calls", "triangles", "script a frame, ms", "buffers, MB", "heap, MB"],
+			[
+				"",
+				"grown, s",
+				"calls",
+				"triangles",
+				"script a frame, ms",
+				"buffers, MB",
+				"heap, MB",
+				"workers",
+				"all with wasm, MB",
+			],
 			...rows,
 		]);
 	} finally {
@@ -138,7 +159,7 @@ async function benchViews() {
 	}
 }
 
-async function viewOf(browser, address, preset) {
+async function viewOf(browser, address, preset, wasm) {
 	const page = await browser.newPage({ viewport: { width: 1024, height: 640 } });
 	await page.addInitScript(counting);
 	const start = Date.now();
@@ -155,11 +176,15 @@ async function viewOf(browser, address, preset) {
 	await page.getByRole("button", { name: "Walk through it" }).click();
 	for (let i = 0; i < FRAMES; i++) await page.getByRole("button", { name: "Walk forward" }).click();
 	const { frames, buffers } = await page.evaluate(() => window.standBench);
+	// Those that are needed no more end after a rest; the spare has grown nothing.
+	await page.waitForTimeout(6000);
+	const workers = page.workers().length;
 	const client = await page.context().newCDPSession(page);
 	await client.send("HeapProfiler.collectGarbage");
 	const { usedSize } = await client.send("Runtime.getHeapUsage");
 	const { backingStorageSize = 0 } = await client.send("Runtime.getHeapUsage");
 	await page.close();
+	const all = buffers + usedSize + backingStorageSize + workers * wasm;
 	const most = (k) => Math.max(...frames.map((frame) => frame[k]));
 	return [
 		preset,
@@ -169,5 +194,7 @@ async function viewOf(browser, address, preset) {
 		median(frames.map(([time]) => time)).toFixed(2),
 		(buffers / MEGABYTE).toFixed(0),
 		((usedSize + backingStorageSize) / MEGABYTE).toFixed(0),
+		workers,
+		(all / MEGABYTE).toFixed(0),
 	];
 }

@@ -163,7 +163,23 @@ test("what is off screen grows when it comes near, and turns only where it is se
 		await expect.poll(frames).toBe(0);
 		await page.evaluate(() => scrollTo(0, 0));
 		await expect.poll(frames).toBeGreaterThan(3);
+		await test.step("until its reader pauses it", async () => {
+			const pause = page.getByRole("button", { name: "Pause the wind" });
+			await page.getByRole("application").first().focus();
+			await page.keyboard.press("Tab");
+			await expect(pause).toBeFocused();
+			await page.keyboard.press("Space");
+			await expect(pause).toHaveAttribute("aria-pressed", "true");
+			await expect.poll(frames).toBe(0);
+			await pause.click();
+			await expect.poll(frames).toBeGreaterThan(3);
+			await page.emulateMedia({ reducedMotion: "reduce" });
+			await expect(pause).toHaveCount(0);
+			await page.emulateMedia({ reducedMotion: "no-preference" });
+			await pause.click();
+		});
 		await attributes("wind", "alt");
+		await expect(page.getByRole("button", { name: "Pause the wind" })).toHaveCount(0);
 		await expect.poll(frames).toBe(0);
 	});
 	await close();

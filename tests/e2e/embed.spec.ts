@@ -117,6 +117,8 @@ test("the dialog is within a small window, and says what whoever copies ought to
 		expect((box?.y ?? 0) + (box?.height ?? 0)).toBeLessThanOrEqual(height);
 		expect(await dialog.evaluate((element) => element.scrollWidth - element.clientWidth)).toBe(0);
 	}
+	await dialog.getByRole("checkbox", { name: "Sways in the wind" }).check();
+	await expect(dialog.getByRole("textbox", { name: "Code" })).toHaveValue(/" wind controls /);
 	await expect(dialog).toContainText("The leaf is a preview");
 	await expect(dialog).toContainText("The code names localhost");
 	await dialog.getByRole("button", { name: "Copy code" }).click();

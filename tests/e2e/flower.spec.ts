@@ -26,3 +26,51 @@ test("a flower's text is edited: it regrows, a mistake is told, undo and the lin
 	await page.goto("?v=2&model=flower&preset=table-3");
 	await expect(studio.fingerprint).toHaveText(grown ?? "");
 });
+
+test("a click on a volume shows its numbers; a figure of the text is dragged, undone, and changes how many sides there are", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=petal");
+	await studio.openGroup("Volume");
+	const { x, y, width, height } = (await page.getByRole("application", { name: /^Flower/ }).boundingBox())!;
+	await page.mouse.click(x + 0.5 * width, y + 0.45 * height);
+	const name = page.locator(".volume-name");
+	await expect(name).toHaveText(/^(?:VEIN|[RL][UML]\d)$/);
+	await expect(page.locator(".volume-values")).toContainText("atx");
+	// The way without a pointer: the first volume is the stem.
+	const number = page.getByLabel("Volume", { exact: true });
+	await number.fill("1");
+	await number.press("Enter");
+	await expect(name).toHaveText("STEM");
+	const before = await studio.fingerprint.textContent();
+	const length = page.getByRole("slider", { name: "H, Every STEM", exact: true });
+	await length.focus();
+	await studio.regrown(() => length.press("ArrowRight"));
+	await expect(page).toHaveURL(/#g=/);
+	await expect(studio.fingerprint).not.toHaveText(before ?? "");
+	await studio.regrown(() => page.keyboard.press("ControlOrMeta+z"));
+	await expect(studio.fingerprint).toHaveText(before ?? "");
+	// Another order is another map.
+	const darts = studio.readout("Darts");
+	const few = await darts.textContent();
+	const sides = page.getByRole("slider", { name: "N, Every STEM", exact: true });
+	await sides.focus();
+	await sides.press("ArrowRight");
+	await expect(darts).not.toHaveText(few ?? "");
+});
+
+test("a grammar as XML is dropped and grows; a mistake in one is told with its place", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=figure-16");
+	const volume = (category: string) => `<volume category="${category}"><name>STEM</name><degree>6</degree></volume>`;
+	const xml = `${volume("#define")}<axiom>STEM</axiom><rule><predecessor>${volume("").replace("6", "")}</predecessor>
+		<successor>${volume("root").replace("6", "")}<element>[</element>${volume("")}<element>]_</element><face>{E}</face></successor></rule>`;
+	await studio.regrown(() => studio.drop("stem.xml", Buffer.from(xml)));
+	await expect(studio.readout("Volumes")).toHaveText("11");
+	const grown = await studio.fingerprint.textContent();
+	await studio.drop("wrong.xml", Buffer.from(xml.replace("<axiom>", "<axiom>\n&")));
+	await expect(page.getByText("wrong.xml: Line 2, column 1").first()).toBeVisible();
+	expect(await studio.fingerprint.textContent()).toBe(grown);
+	const { name, bytes } = await studio.download("xml");
+	expect(name).toMatch(/\.xml$/);
+	expect(bytes.toString()).toContain("<axiom");
+});

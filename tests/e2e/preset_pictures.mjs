@@ -9,10 +9,11 @@ import { openSources } from "./sources_page.mjs";
  * @property {number} quality of the WebP, 0 … 1
  * @property {"light" | "dark"} theme
  * @property {("three-quarter" | "front" | "side")[]} views
+ * @property {number} [zoom] how many times as large as it is in the whole view
  */
 
 /** Runs in the page, where Vite serves the sources. */
-async function draw({ cores, model: called, name, size, oversampling, quality, theme, views }) {
+async function draw({ cores, model: called, name, size, oversampling, quality, theme, views, zoom = 1 }) {
 	const at = (path) => import(/* @vite-ignore */ `/src/${path}`);
 	const { Viewer } = await at("scene/viewer.ts");
 	const { partFigure } = await at("scene/part_figure.ts");
@@ -20,11 +21,15 @@ async function draw({ cores, model: called, name, size, oversampling, quality, t
 	const { compileCore } = await at("core/loader.ts");
 	const { fromPreset } = await at("specimen/from_preset.ts");
 	const { modelNamed } = await at("models/index.ts");
+	const { growPlant } = await at("files/growth.ts");
 	const model = await modelNamed(called);
-	globalThis.core ??= await Core.instantiate(await compileCore(`/@fs${cores}/${model.wasm}`));
 	const specimen = fromPreset(model, name);
-	await model.prepare?.(specimen);
-	const grown = model.read(globalThis.core.grow(model.encode(specimen)), specimen);
+	globalThis.cores ??= new Map();
+	const coreOf = async (wasm) => Core.instantiate(await compileCore(`/@fs${cores}/${wasm}`));
+	const grown = await growPlant(model, specimen, {}, async (wasm, blocks) => {
+		if (!globalThis.cores.has(wasm)) globalThis.cores.set(wasm, await coreOf(wasm));
+		return globalThis.cores.get(wasm).grow(blocks);
+	});
 	const [width, height] = [size.width * oversampling, size.height * oversampling];
 	// One view for all: building its programs takes longer than drawing.
 	if (!globalThis.view) {
@@ -36,6 +41,7 @@ async function draw({ cores, model: called, name, size, oversampling, quality, t
 	const pictures = {};
 	for (const view of views) {
 		globalThis.view.resetView(view);
+		globalThis.view.zoom(zoom);
 		const image = await createImageBitmap(await globalThis.view.snapshot(width, height));
 		const small = new OffscreenCanvas(size.width, size.height);
 		const context = small.getContext("2d");

@@ -14,7 +14,7 @@ test("a stand is laid, its plants told on the map, walked through, changed and b
 	await plan.getByRole("spinbutton", { name: "Plant" }).press("Enter");
 	await expect(plan.getByText(/^Plant 3: growth\//)).toBeVisible();
 	const alone = plan.getByRole("link", { name: "Open this plant alone" });
-	await expect(alone).toHaveAttribute("href", /model=growth.*seed=\d+/);
+	await expect(alone).toHaveAttribute("href", /model=growth.*seed=\d+.*&about=/);
 
 	await studio.button("Walk through it").click();
 	const picture = page.locator("canvas").first();
@@ -34,6 +34,17 @@ test("a stand is laid, its plants told on the map, walked through, changed and b
 	await expect(studio.fingerprint).toHaveText(before ?? "");
 	await page.goto(link);
 	await expect(studio.fingerprint).toHaveText(after ?? "");
+
+	await plan.getByRole("spinbutton", { name: "Plant" }).fill("3");
+	await plan.getByRole("spinbutton", { name: "Plant" }).press("Enter");
+	await alone.click();
+	await expect(page.getByText(/, among neighbours/).first()).toBeVisible();
+	const among = await studio.fingerprint.textContent();
+	await studio.button("Grow it without neighbours").click();
+	await expect(studio.fingerprint).not.toHaveText(among ?? "");
+	await expect(page).not.toHaveURL(/about=/);
+	await studio.button("Undo").click();
+	await expect(studio.fingerprint).toHaveText(among ?? "");
 });
 
 test("a plan is edited; what it asks for and there is not is told at its place, and the last stand stays", async ({
@@ -52,4 +63,26 @@ test("a plan is edited; what it asks for and there is not is told at its place, 
 	await page.keyboard.insertText(", share -1");
 	await expect(page.getByText(/A share is from 0/).first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(before);
+});
+
+test.describe("in the wind", () => {
+	test.use({ drawn: true, viewport: { width: 720, height: 450 } });
+
+	test("a stand sways frame by frame while it blows, and not where less motion is wished for", async ({ page }) => {
+		const studio = await new StudioPage(page).open("?v=2&model=stand&preset=vineyard&many=6");
+		await studio.stands();
+		const picture = async () => (await page.locator("canvas").first().screenshot()).toString("base64");
+		const moves = async () => {
+			const first = await picture();
+			await page.waitForTimeout(700);
+			return (await picture()) !== first;
+		};
+		const wind = studio.button("Wind");
+		await wind.click();
+		await expect(wind).toHaveAttribute("aria-pressed", "true");
+		await expect.poll(moves).toBe(true);
+		await page.emulateMedia({ reducedMotion: "reduce" });
+		await expect(wind).toHaveCount(0);
+		await expect.poll(moves).toBe(false);
+	});
 });

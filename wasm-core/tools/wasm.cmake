@@ -26,13 +26,15 @@ endif()
 # code, takes another 2 kB. Functions go into their only caller only where they are small: big ones there have so many locals
 # that most take two bytes to name, and small ones stay out of line in more places: 6 kB of 146, for a fiftieth of the time.
 # That nothing traps takes 2 kB: what cannot go on calls abort, which leaves through an import, and stays.
+# Memory begins with 4 MB instead of 16, and grows as it is asked for: a tree of seven steps takes 2, and each worker of a
+# stand has a module of each model for itself.
 # Sources are linked one by one in their libraries' order (panicle_library says why), of which nothing unused is kept.
 function(panicle_wasm name library exported)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE ${library})
   set_target_properties(${name} PROPERTIES SUFFIX .wasm)
   target_link_options(${name} PRIVATE
-    -O3 -sBINARYEN_EXTRA_PASSES=--flatten,--rereloop,-O3,-O3,--one-caller-inline-max-function-size=30,--flexible-inline-max-function-size=8,--traps-never-happen --no-entry -sMALLOC=emmalloc -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2147483648 ${stack_option}
+    -O3 -sBINARYEN_EXTRA_PASSES=--flatten,--rereloop,-O3,-O3,--one-caller-inline-max-function-size=30,--flexible-inline-max-function-size=8,--traps-never-happen --no-entry -sMALLOC=emmalloc -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=4194304 -sMAXIMUM_MEMORY=2147483648 ${stack_option}
     -sEXPORTED_FUNCTIONS=${exported})
 endfunction()
 

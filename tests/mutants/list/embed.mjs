@@ -55,6 +55,12 @@ export default [
 				breaks: "words with quotes end their attribute",
 			},
 			{
+				id: "embed-code-without-wind",
+				find: '["autorotate", "wind", "controls", "handles"]',
+				replace: '["autorotate", "controls", "handles"]',
+				breaks: "a plant that was to sway in its page stands still",
+			},
+			{
 				id: "embed-frame-keys-in-the-fragment",
 				find: "const { query, fragment } = linkParts(link);",
 				replace: 'const { query, fragment } = { query: link, fragment: "" };',

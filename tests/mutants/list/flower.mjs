@@ -2,7 +2,7 @@
 const SRC = "wasm-core/src/models/flower";
 const TESTS = "tests/core/models/flower";
 const DERIVATION = [`${TESTS}/derivation_test.cpp`];
-const WEB = ["tests/web/models/flower/grown.test.ts"];
+const AGAIN = [`${TESTS}/again_test.cpp`];
 
 export default [
 	{
@@ -48,9 +48,27 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/evaluation.cpp`,
+		suites: DERIVATION,
+		faults: [
+			{
+				id: "flower-calls-give-nothing",
+				find: "if (said != given.end()) {",
+				replace: "if (false) {",
+				breaks: "a module's variables keep their own values whatever a call gives them",
+			},
+		],
+	},
+	{
 		file: `${SRC}/reader.cpp`,
 		suites: DERIVATION,
 		faults: [
+			{
+				id: "flower-given-and-not-rebuilt",
+				find: "if (program_.variables[variable].rebuilds) rebuilds(uses);",
+				replace: ";",
+				breaks: "what a call gives to a variable that the map depends on only places it anew",
+			},
 			{
 				id: "flower-eight-numbers-with-translation",
 				find: "const bool translated = entries.size() == 9",
@@ -61,13 +79,103 @@ export default [
 	},
 	{
 		file: "wasm-core/src/generalized_map/boundary.cpp",
-		suites: WEB,
+		suites: AGAIN,
 		faults: [
 			{
 				id: "flower-inside-out",
-				find: "for (std::uint8_t& kind : kinds) kind = kind == 1;",
-				replace: "for (std::uint8_t& kind : kinds) kind = kind == 2;",
+				find: "(d - volume.first) % 2 == (d < end ? 1 : 0)",
+				replace: "(d - volume.first) % 2 == (d < end ? 0 : 1)",
 				breaks: "the skin faces inwards",
+			},
+		],
+	},
+	{
+		file: `${SRC}/reader.cpp`,
+		suites: AGAIN,
+		faults: [
+			{
+				id: "flower-orders-place-anew",
+				find: "if (of_map) pin(at_, end);",
+				replace: ";",
+				breaks: "another order in the text places the old map",
+			},
+			{
+				id: "flower-calls-place-anew",
+				find: "if (program_.variables[variable].rebuilds) pin(statement.begin, statement.end);",
+				replace: ";",
+				breaks: "what a call gives a variable that orders depend on places the old map",
+			},
+		],
+	},
+	{
+		file: `${SRC}/model.cpp`,
+		suites: AGAIN,
+		faults: [
+			{
+				id: "flower-keeps-its-seed",
+				find: " || rebuilds(program, last.given, given)",
+				replace: "",
+				breaks: "another seed has the last one's map",
+			},
+		],
+	},
+	{
+		file: `${SRC}/skin.cpp`,
+		suites: AGAIN,
+		faults: [
+			{
+				id: "flower-thin-tubes",
+				find: "shapes[v].width *= known->second;",
+				replace: ";",
+				breaks: "stems are thinner than the text says",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/paint.ts",
+		suites: ["tests/web/models/flower/paint.test.ts"],
+		faults: [
+			{
+				id: "flower-no-veins",
+				find: "return veins.count >= 1 ?",
+				replace: "return veins.count >= 99 ?",
+				breaks: "petals have no veins",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/tools/said.ts",
+		suites: ["tests/web/models/flower/said.test.ts"],
+		faults: [
+			{
+				id: "flower-figures-of-another-module",
+				find: "const end = modules[module + 1]?.at ?? pieces.length;",
+				replace: "const end = pieces.length;",
+				breaks: "a click shows the figures of other modules' volumes of the same name",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/xml/write.ts",
+		suites: ["tests/web/models/flower/xml.test.ts"],
+		faults: [
+			{
+				id: "flower-xml-short-lists",
+				find: 'said : [said[0] ?? "", "", ...said.slice(1)]',
+				replace: "said : said",
+				breaks: "lists without a translation are shifted in XML",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/xml/elements.ts",
+		suites: ["tests/web/models/flower/xml.test.ts"],
+		faults: [
+			{
+				id: "flower-xml-document-type",
+				find: '} else if (this.#on("<!")) {',
+				replace: '} else if (this.#on("<!") && false) {',
+				breaks: "a document type is no mistake of its own",
 			},
 		],
 	},

@@ -17,7 +17,9 @@ import embed from "./embed.mjs";
 import exporting from "./export.mjs";
 import files from "./files.mjs";
 import flower from "./flower.mjs";
+import flowerDesign from "./flower_design.mjs";
 import generalizedMap from "./generalized_map.mjs";
+import gestures from "./gestures.mjs";
 import grammar from "./grammar.mjs";
 import grammarEditor from "./grammar_editor.mjs";
 import growth from "./growth.mjs";
@@ -71,6 +73,7 @@ export const groups = [
 	...webCore,
 	...specimen,
 	...handles,
+	...gestures,
 	...bunchProfile,
 	...bunchExport,
 	...exporting,
@@ -82,6 +85,7 @@ export const groups = [
 	...lives,
 	...grammarEditor,
 	...flower,
+	...flowerDesign,
 	...growth,
 	...stand,
 	...growthShape,

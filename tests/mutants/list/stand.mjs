@@ -56,6 +56,12 @@ export default [
 				replace: "/ sincos_degrees(off).cosine);",
 				breaks: "small plants grow as if they had less room than they have",
 			},
+			{
+				id: "stand-surroundings-finer-than-links",
+				find: "horizon[k] = std::floor(horizon[k] + 0.5f);",
+				replace: "",
+				breaks: "a plant opened alone is another than the one in the stand",
+			},
 		],
 	},
 	{
@@ -64,8 +70,8 @@ export default [
 		faults: [
 			{
 				id: "stand-neighbours-are-not-told",
-				find: "...(surroundings && model.surroundings ? { surroundings } : {}),",
-				replace: "",
+				find: "...{ model: model.name, preset, seed, surroundings },",
+				replace: "...{ model: model.name, preset, seed },",
 				breaks: "plants grow as if each stood alone",
 			},
 			{
@@ -93,10 +99,28 @@ export default [
 		suites: [`${WEB}/crowd.test.ts`],
 		faults: [
 			{
-				id: "stand-coarse-for-ever",
-				find: "this.#modest = 1;",
+				id: "stand-draws-all-anew-in-each-frame",
+				find: "if (each.wanted !== each.shown) this.#set(each);",
+				replace: "this.#set(each);",
+				breaks: "every step of a walker sends all plants to the graphics card",
+			},
+			{
+				id: "stand-borne-sways-by-itself",
+				find: "const of = bearer[plant] < 0 ? plant : bearer[plant];",
+				replace: "const of = plant;",
+				breaks: "bunches come off their vines in the wind",
+			},
+			{
+				id: "stand-all-finest-at-once",
+				find: "if (nearing.length > NEAREST) nearing.length = NEAREST;",
 				replace: "",
-				breaks: "a view in which there was too much leaves all later ones coarse",
+				breaks: "where many trees are near there are too many draws",
+			},
+			{
+				id: "stand-lost-card-stays-empty",
+				find: "		this.#begin(stand);\n		this.show(stand);",
+				replace: "		this.show(stand);",
+				breaks: "when the graphics card comes back the plants do not",
 			},
 			{
 				id: "stand-counts-what-is-not-there",
@@ -112,9 +136,93 @@ export default [
 		faults: [
 			{
 				id: "stand-levels-pop",
-				find: "const share = Math.ceil((STEPS * (size - from)) / (BAND * from)) / STEPS;",
-				replace: "const share = 1 + 0 * STEPS * BAND;",
+				find: "const kept = Math.ceil((STEPS * (size - from)) / (BAND * from));",
+				replace: "const kept = STEPS + 0 * BAND;",
 				breaks: "trees jump from one level of detail to the next",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/figure/standing.ts",
+		suites: [`${WEB}/crowd.test.ts`],
+		faults: [
+			{
+				id: "stand-counts-what-is-out-of-sight",
+				find: "if (!cell.seen) continue;",
+				replace: "",
+				breaks: "plants behind the viewer make those before them coarse",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/figure/batch.ts",
+		suites: [`${WEB}/crowd.test.ts`],
+		faults: [
+			{
+				id: "stand-kept-beside-the-card",
+				find: "if (each instanceof BufferAttribute) shed(each);",
+				replace: "void (each instanceof BufferAttribute && shed);",
+				breaks: "all meshes of a stand are in memory twice",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/figure/shaded.ts",
+		suites: [`${WEB}/parts.test.ts`],
+		faults: [
+			{
+				id: "stand-shadows-stay-behind",
+				find: "const stepped = (value: number) => step * Math.round(value / step);",
+				replace: "const stepped = (value: number) => 0 * step * value;",
+				breaks: "who walks on comes to where nothing throws a shadow",
+			},
+		],
+	},
+	{
+		file: "web/src/specimen/surroundings.ts",
+		suites: ["tests/web/specimen/surroundings.test.ts"],
+		faults: [
+			{
+				id: "surroundings-not-in-links",
+				find: 'surroundings ? [["about", surroundings.join(",")]] : []',
+				replace: "[]",
+				breaks: "a plant opened alone grows as if it had no neighbours",
+			},
+		],
+	},
+	{
+		file: "web/src/core/pool.ts",
+		suites: ["tests/web/core/pool.test.ts"],
+		faults: [
+			{
+				id: "pool-keeps-all-workers",
+				find: "for (const seat of [...this.#seats.keys()].slice(1)) this.#leave(seat);",
+				replace: "",
+				breaks: "a page that has grown a stand keeps the memory of all its workers",
+			},
+		],
+	},
+	{
+		file: "web/src/export/gltf_document.ts",
+		suites: ["tests/web/export/lod_glb.test.ts"],
+		faults: [
+			{
+				id: "lod-without-coverage",
+				find: "MSFT_screencoverage: coverage",
+				replace: "",
+				breaks: "engines do not know when to change the levels",
+			},
+		],
+	},
+	{
+		file: "web/src/export/glb.ts",
+		suites: ["tests/web/export/lod_glb.test.ts"],
+		faults: [
+			{
+				id: "lod-levels-all-in-the-scene",
+				find: "children.splice(1)",
+				replace: "children.slice(1)",
+				breaks: "who knows no levels shows four trees in each other",
 			},
 		],
 	},

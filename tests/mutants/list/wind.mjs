@@ -1,6 +1,18 @@
 /** Wind: in the view and in files. */
 export default [
 	{
+		file: "web/src/scene/part_figure.ts",
+		suites: ["tests/web/scene/part_figure.test.ts"],
+		faults: [
+			{
+				id: "wind-lost-shadows-stay-away",
+				find: "this.#lights.restored();",
+				replace: "",
+				breaks: "when the graphics card comes back plants throw no shadows",
+			},
+		],
+	},
+	{
 		file: "web/src/plant/sway.ts",
 		suites: ["tests/web/plant/sway.test.ts"],
 		faults: [

@@ -38,6 +38,18 @@ describe("--grammar", () => {
 		);
 	});
 
+	it("reads a flower's grammar as XML, and tells where that is wrong", async () => {
+		const volume = (category: string) => `<volume category="${category}"><name>A</name></volume>`;
+		const rule = `<rule><predecessor>${volume("")}</predecessor><successor>${volume("root")}<element>[</element>${volume("")}<element>]_</element><face>{E}</face></successor></rule>`;
+		const files = { "a.xml": `${volume("#define")}\n<axiom>A</axiom>${rule}`, "b.xml": "<axiom>A</axiom>\n<rule/>" };
+		const { json } = await grow(["--grammar", "a.xml"], files);
+		expect(json).toMatchObject({ specimen: { model: "flower" }, counts: { volumes: 11 } });
+		expect(json.specimen.grammar).toBe("#define A\n#axiom: A\nA -> A[A]_{E}\n");
+		expect(await complaint(["--grammar", "b.xml"], files)).toBe(
+			"--grammar b.xml: Line 2, column 1: A rule has a <predecessor>.",
+		);
+	});
+
 	it("gives the derived string where it is asked for", async () => {
 		const { json } = await grow(["--grammar", "g.lsys", "--string"], { "g.lsys": TEXT });
 		expect(json.string).toBe("F(2)F(2)A(1)");

@@ -60,11 +60,12 @@ describe("what cannot be used", () => {
 		);
 		expect(await complaint(["--out", "x.PNG"])).toMatch(/^--out x.PNG: pictures take a graphics card/);
 		expect(await complaint(["--out", "x.glb", "--form", "tiny"])).toBe(
-			"--form tiny: the forms are detailed, web, low, instanced, growth, wind",
+			"--form tiny: the forms are detailed, web, low, instanced, growth, wind, lod",
 		);
 		expect(await complaint(["--set", "procedure=paper", "--out", "x.glb", "--form", "growth"])).toBe(
 			"--form growth: this plant has no ages to show",
 		);
+		expect(await complaint(["--out", "x.glb", "--form", "lod"])).toBe("--form lod: there are no levels of a bunch");
 		expect(await complaint(["--out", "x.obj", "--form", "web"])).toMatch(/^--form web: only a .glb has forms/);
 		expect(await complaint(["--out", "x.glb", "--triangles", "few"])).toBe(
 			"--triangles few: a whole number from 100 to 10000000",

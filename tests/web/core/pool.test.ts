@@ -35,6 +35,27 @@ describe("a pool of seats", () => {
 		expect((await Promise.all(all)).map(seedOf)).toEqual([1, 2, 3, 4]);
 	});
 
+	it("ends all seats but one after a rest, and makes others when they are asked for", async () => {
+		start({ seats: 3 });
+		const grow = async (seeds: number[]) => {
+			const all = seeds.map((seed) => pool.run(withSeed(seed)));
+			await settled();
+			for (const worker of FakeWorker.all.filter(({ seeds, terminated }) => seeds.length > 0 && !terminated))
+				worker.finish();
+			return (await Promise.all(all)).map(seedOf);
+		};
+		const alive = () => FakeWorker.all.filter(({ terminated }) => !terminated).length;
+		await grow([1, 2, 3]);
+		await vi.advanceTimersByTimeAsync(3000);
+		await grow([4]);
+		// With the spare.
+		await vi.advanceTimersByTimeAsync(3900);
+		expect(alive()).toBe(4);
+		await vi.advanceTimersByTimeAsync(200);
+		expect(alive()).toBe(2);
+		expect(await grow([5, 6, 7])).toEqual([5, 6, 7]);
+	});
+
 	it("gives each seat a module once, whatever models take turns on it", async () => {
 		const compiled: string[] = [];
 		start({

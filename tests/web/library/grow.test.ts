@@ -79,7 +79,7 @@ describe("files", () => {
 		for (const asked of [SMALL, { model: "leaf", n: 40 }, { model: "root", n: 40 }]) {
 			const grown = await grow(asked);
 			for (const { key, type } of await formats(grown.specimen.model)) {
-				if (key === "glb-growth" || (asked !== SMALL && common.includes(key))) continue;
+				if (["glb-growth", "glb-lod"].includes(key) || (asked !== SMALL && common.includes(key))) continue;
 				const file = await toFile(grown, key, { points: 100, triangles: 500, thickness: 4 });
 				expect([key, file.type, file.size > 100]).toEqual([key, type, true]);
 			}
@@ -122,6 +122,7 @@ describe("files", () => {
 		await expect(toFile(grown, "ply", { points: -1 })).rejects.toThrow("points: has to be a number from 1 to 2000000");
 		const paper = await grow("?v=1&preset=short-conical");
 		await expect(toGLB(paper, { form: "growth" })).rejects.toThrow("format: this bunch has no ages to show");
+		await expect(toGLB(grown, { form: "lod" })).rejects.toThrow("format: this bunch has no levels");
 	});
 });
 

@@ -170,7 +170,7 @@ describe("the figure of any plant", () => {
 		expect(lamps[0].position.x).toBeCloseTo(stage.light.rig.key.direction.x, 9);
 	});
 
-	it("throws the key light's shadow on itself, drawn again when the plant or the light has moved", () => {
+	it("throws the key light's shadow on itself, drawn again when the plant or the light has moved, or the card has lost it", () => {
 		const { stage, figure, meshes } = staged();
 		figure.show(plant, {});
 		expect(meshes().every(({ castShadow, receiveShadow }) => castShadow && receiveShadow)).toBe(true);
@@ -187,6 +187,8 @@ describe("the figure of any plant", () => {
 		expect([aimed(), aimed()]).toEqual([true, false]);
 		camera.rotation.y = 0.2;
 		expect([aimed(), aimed()]).toEqual([true, false]);
+		figure.restored?.();
+		expect(key.shadow.needsUpdate).toBe(true);
 		// All of the plant is before the shadow's camera.
 		const { left, right, near, far } = key.shadow.camera;
 		expect(right - left).toBeGreaterThan(0.18);

@@ -21,6 +21,7 @@ const choice: EmbedChoice = {
 	width: 320,
 	height: 480,
 	autorotate: false,
+	wind: false,
 	controls: false,
 	handles: false,
 	lazy: false,
@@ -46,13 +47,18 @@ describe("code to be copied", () => {
 	});
 
 	it("is a frame, its keys before the link’s fragment", () => {
-		const [frame, ...others] = tagsOf(embedCode(of, { ...choice, form: "frame", controls: true, lazy: true }));
+		const [frame, ...others] = tagsOf(
+			embedCode(of, { ...choice, form: "frame", wind: true, controls: true, lazy: true }),
+		);
 		expect(others).toEqual([]);
 		expect(frame).toMatchObject({ tag: "iframe", title: of.words, width: "320", height: "480", loading: "lazy" });
 		const { search, hash } = new URL((frame as unknown as { src: string }).src);
 		expect(frameSettings({ search, hash })).toEqual({
 			link: "?v=2&preset=riesling&p3=80%2C76#g=Ab-_9",
-			attributes: [["controls", ""]],
+			attributes: [
+				["wind", ""],
+				["controls", ""],
+			],
 			allowed: undefined,
 		});
 	});

@@ -28,6 +28,15 @@ Programs& programs() {
   return kept;
 }
 
+// What a model keeps from its last growth. Natively several are linked, and it is that of the one asked for last.
+Keeping& kept_of(const Model& model) {
+  static const Model* whose = nullptr;
+  static Keeping kept;
+  if (whose != &model) kept.reset();
+  whose = &model;
+  return kept;
+}
+
 // The last plant, whose large arrays its answer only refers to: until the answer is released, or another asked for.
 struct Answered {
   Plant plant;
@@ -51,9 +60,9 @@ Result<std::uint32_t> compile(std::string_view text) {
 Result<Plant> grow(std::span<const std::uint8_t> bytes) {
   const auto blocks = read_container(bytes);
   if (!blocks) return blocks.error();
-  Request request(blocks.value(), &programs());
-  const Model* const model = find_model(request.text("model"));
+  const Model* const model = find_model(Request(blocks.value(), nullptr).text("model"));
   if (model == nullptr) return Diagnostic{Reason::bad_request, "The request asks for a model that is not here.", 0, 0};
+  Request request(blocks.value(), &programs(), &kept_of(*model));
   request.read_grammars_as(model->notation, model->lineages);
   return model->grow(request, Limits{});
 }

@@ -6,6 +6,16 @@ namespace {
 // Which darts run counter-clockwise seen from outside of their volume: 1 those that do. What neighbours see from the
 // other side runs the other way, as every involution leads to a dart of the other kind.
 std::vector<std::uint8_t> turning(const Map& map) {
+  // Of prisms it stands in how their darts are numbered; what has been cut has others between.
+  if (map.cuts().empty()) {
+    std::vector<std::uint8_t> forward(map.darts());
+    for (std::uint32_t v = 0; v < map.volumes(); ++v) {
+      const Volume& volume = map.volume(v);
+      const std::uint32_t end = volume.first + 2 * volume.order, all = volume.first + prism_darts(volume.order);
+      for (std::uint32_t d = volume.first; d < all; ++d) forward[d] = (d - volume.first) % 2 == (d < end ? 1 : 0);
+    }
+    return forward;
+  }
   std::vector<std::uint8_t> kinds(map.darts(), 0);  // 0 unseen, 1 and 2
   std::vector<std::uint32_t> waiting;
   for (std::uint32_t v = 0; v < map.volumes(); ++v) {

@@ -1,11 +1,12 @@
 #include "geometry/subdivision.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 namespace panicle {
 
-ClosedSurface subdivided(const ClosedSurface& surface) {
+ClosedSurface refined(const ClosedSurface& surface) {
   const std::uint32_t halves = surface.half_edges();
   const auto vertices = static_cast<std::uint32_t>(surface.positions.size());
   ClosedSurface fine;
@@ -14,39 +15,15 @@ ClosedSurface subdivided(const ClosedSurface& surface) {
   fine.next.resize(4 * halves);
   fine.twin.resize(4 * halves);
   fine.face.resize(4 * halves);
-  fine.positions.resize(vertices + halves / 2 + surface.faces, glm::vec3(0));
-  glm::vec3* const of_vertex = fine.positions.data();
-  glm::vec3* const of_edge = of_vertex + vertices;
-  glm::vec3* const of_face = of_edge + halves / 2;
+  fine.positions.resize(vertices + halves / 2 + surface.faces);
 
-  std::vector<std::uint32_t> before(halves), edge(halves), degree(surface.faces, 0);
+  std::vector<std::uint32_t> before(halves), edge(halves);
   std::uint32_t edges = 0;
   for (std::uint32_t h = 0; h < halves; ++h) {
     before[surface.next[h]] = h;
     const std::uint32_t twin = surface.twin[h];
     edge[h] = h < twin ? edges++ : edge[twin];
-    of_face[surface.face[h]] += surface.positions[surface.origin[h]];
-    ++degree[surface.face[h]];
   }
-  for (std::uint32_t f = 0; f < surface.faces; ++f) of_face[f] /= static_cast<float>(degree[f]);
-
-  // Of a vertex with n edges: the mean of its faces' points, twice that of its edges' middles, n − 3 times itself.
-  std::vector<std::uint32_t> valence(vertices, 0);
-  std::vector<glm::vec3> middles(vertices, glm::vec3(0));
-  for (std::uint32_t h = 0; h < halves; ++h) {
-    const std::uint32_t from = surface.origin[h], twin = surface.twin[h], to = surface.origin[twin];
-    const glm::vec3 middle = 0.5f * (surface.positions[from] + surface.positions[to]);
-    if (h < twin) of_edge[edge[h]] = 0.25f * (2.0f * middle + of_face[surface.face[h]] + of_face[surface.face[twin]]);
-    of_vertex[from] += of_face[surface.face[h]];
-    middles[from] += middle;
-    ++valence[from];
-  }
-  for (std::uint32_t v = 0; v < vertices; ++v) {
-    if (valence[v] == 0) continue;
-    const auto n = static_cast<float>(valence[v]);
-    of_vertex[v] = (of_vertex[v] / n + 2.0f * middles[v] / n + (n - 3) * surface.positions[v]) / n;
-  }
-
   for (std::uint32_t h = 0; h < halves; ++h) {
     const std::uint32_t first = 4 * h, last = before[h];
     fine.origin[first] = surface.origin[h];
@@ -62,6 +39,48 @@ ClosedSurface subdivided(const ClosedSurface& surface) {
       fine.face[first + i] = h;
     }
   }
+  return fine;
+}
+
+void place_refined(const ClosedSurface& surface, ClosedSurface& fine) {
+  const std::uint32_t halves = surface.half_edges();
+  const auto vertices = static_cast<std::uint32_t>(surface.positions.size());
+  std::fill(fine.positions.begin(), fine.positions.end(), glm::vec3(0));
+  glm::vec3* const of_vertex = fine.positions.data();
+  glm::vec3* const of_edge = of_vertex + vertices;
+  glm::vec3* const of_face = of_edge + halves / 2;
+
+  std::vector<std::uint32_t> degree(surface.faces, 0);
+  for (std::uint32_t h = 0; h < halves; ++h) {
+    of_face[surface.face[h]] += surface.positions[surface.origin[h]];
+    ++degree[surface.face[h]];
+  }
+  for (std::uint32_t f = 0; f < surface.faces; ++f) of_face[f] /= static_cast<float>(degree[f]);
+
+  // Of a vertex with n edges: the mean of its faces' points, twice that of its edges' middles, n − 3 times itself.
+  std::vector<std::uint32_t> valence(vertices, 0);
+  std::vector<glm::vec3> middles(vertices, glm::vec3(0));
+  for (std::uint32_t h = 0; h < halves; ++h) {
+    const std::uint32_t from = surface.origin[h], twin = surface.twin[h], to = surface.origin[twin];
+    const glm::vec3 middle = 0.5f * (surface.positions[from] + surface.positions[to]);
+    if (h < twin) {
+      const std::uint32_t edge = fine.origin[4 * h + 1] - vertices;
+      of_edge[edge] = 0.25f * (2.0f * middle + of_face[surface.face[h]] + of_face[surface.face[twin]]);
+    }
+    of_vertex[from] += of_face[surface.face[h]];
+    middles[from] += middle;
+    ++valence[from];
+  }
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    if (valence[v] == 0) continue;
+    const auto n = static_cast<float>(valence[v]);
+    of_vertex[v] = (of_vertex[v] / n + 2.0f * middles[v] / n + (n - 3) * surface.positions[v]) / n;
+  }
+}
+
+ClosedSurface subdivided(const ClosedSurface& surface) {
+  ClosedSurface fine = refined(surface);
+  place_refined(surface, fine);
   return fine;
 }
 

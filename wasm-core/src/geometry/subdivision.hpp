@@ -17,8 +17,13 @@ struct ClosedSurface {
   std::uint32_t half_edges() const { return static_cast<std::uint32_t>(origin.size()); }
 };
 
-// Each half-edge becomes a quad, with its number: from its origin over its own middle and the face's to the middle of
-// the half-edge before. Vertices keep their numbers; those of edges and faces come behind them.
+// How a finer surface hangs together; its vertices have no places yet. Each half-edge becomes a quad, with its number:
+// from its origin over its own middle and the face's to the middle of the half-edge before. Vertices keep their
+// numbers; those of edges and faces come behind them.
+ClosedSurface refined(const ClosedSurface& surface);
+// Where its vertices are, by where those of the surface are that it is refined from.
+void place_refined(const ClosedSurface& surface, ClosedSurface& fine);
+// Both.
 ClosedSurface subdivided(const ClosedSurface& surface);
 
 // Unit normals of the vertices: of the faces about them, by their area.

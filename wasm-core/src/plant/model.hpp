@@ -12,8 +12,9 @@ namespace panicle {
 
 struct Model {
   std::string_view name;  // as requests and links have it
-  // No files, no clock, no state: the same request gives the same plant. What the request leaves out has its default;
-  // what is out of range is brought into it, with a note. Errors are values, with line and column for a grammar.
+  // No files, no clock, no state but what makes it quicker (plant/kept.hpp): the same request gives the same plant.
+  // What the request leaves out has its default; what is out of range is brought into it, with a note. Errors are
+  // values, with line and column for a grammar.
   Result<Plant> (*grow)(Request& request, const Limits& limits);
   // That of texts which do not say theirs.
   lsystem::Notation notation = lsystem::Notation::huang;

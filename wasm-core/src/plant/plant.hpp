@@ -23,7 +23,11 @@ class Columns {
  public:
   template <class Value>
   void add(std::string_view name, std::vector<Value> values, std::uint32_t width = 1) {
-    auto kept = std::make_shared<const std::vector<Value>>(std::move(values));
+    share(name, std::make_shared<const std::vector<Value>>(std::move(values)), width);
+  }
+  // Values that others hold, too.
+  template <class Value>
+  void share(std::string_view name, std::shared_ptr<const std::vector<Value>> kept, std::uint32_t width = 1) {
     const std::span<const Value> all(*kept);
     keep({name, element_of<Value>(), width, static_cast<std::uint32_t>(all.size() / width),
           reinterpret_cast<const std::uint8_t*>(all.data())},

@@ -14,8 +14,8 @@ Value first(std::span<const Value> values, Value otherwise) {
 
 }  // namespace
 
-Request::Request(std::span<const ColumnView> blocks, const Programs* programs)
-    : blocks_(blocks), programs_(programs), read_(blocks.size()) {}
+Request::Request(std::span<const ColumnView> blocks, const Programs* programs, Keeping* kept)
+    : blocks_(blocks), programs_(programs), kept_(kept), read_(blocks.size()) {}
 
 const ColumnView* Request::find(std::string_view name, Element element, std::uint32_t most) {
   const ColumnView* found = nullptr;

@@ -14,6 +14,7 @@
 #include "foundation/result.hpp"
 #include "lsystem/lsystem.hpp"
 #include "plant/flat_leaf.hpp"
+#include "plant/kept.hpp"
 #include "plant/programs.hpp"
 
 namespace panicle {
@@ -25,8 +26,8 @@ class Request {
  public:
   static constexpr std::uint32_t most_numbers = 100'000;  // of one block
 
-  // Both must outlive the request. `programs` may be null where no handles are known.
-  Request(std::span<const ColumnView> blocks, const Programs* programs);
+  // All must outlive the request. `programs` may be null where no handles are known, `kept` where nothing is kept.
+  Request(std::span<const ColumnView> blocks, const Programs* programs, Keeping* kept = nullptr);
 
   // The notation of grammars that do not say theirs, and whether their modules keep lineages.
   void read_grammars_as(lsystem::Notation notation, lsystem::Lineages lineages) {
@@ -53,6 +54,8 @@ class Request {
   // That one, or what `grammar` compiles to. Errors: those of lsystem::compile; bad_request where the
   // request has neither.
   Result<std::shared_ptr<const lsystem::Program>> program(const Limits& limits);
+  // Where its model keeps what it likes between growths; null where it cannot.
+  Keeping* kept() { return kept_; }
   // Once everything has been read: the first thing that was wrong, or a block that nobody has asked for.
   Diagnostic trouble() const;
 
@@ -61,6 +64,7 @@ class Request {
 
   std::span<const ColumnView> blocks_;
   const Programs* programs_;
+  Keeping* kept_;
   lsystem::Notation notation_ = lsystem::Notation::huang;
   lsystem::Lineages lineages_ = lsystem::Lineages::always;
   std::vector<bool> read_;

@@ -48,7 +48,7 @@ export interface Grown {
 
 /** Every kind of file, by its key. */
 export const formatsOf = ({ formats = [] }: Pick<Model, "formats">): string[] => [
-	...[...PLANT_FILES.filter(({ life }) => !life).map(({ key }) => key), "obj", "json"],
+	...[...PLANT_FILES.filter(({ life, levelled }) => !life && !levelled).map(({ key }) => key), "obj", "json"],
 	...formats.map(({ key }) => key),
 ];
 

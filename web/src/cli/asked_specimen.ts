@@ -5,7 +5,7 @@
 
 import { basename } from "node:path";
 import { type Read as Asked, linkIn, readSource as readPresetOrLink, readTyped, SpecimenError } from "../library/asked";
-import { modelForText } from "../models/for_text";
+import { modelForText, readText } from "../models/for_text";
 import { modelNamed } from "../models/index";
 import type { Model } from "../models/model";
 import { fromPreset } from "../specimen/from_preset";
@@ -15,13 +15,15 @@ import { type Note, Notes } from "../specimen/notes";
 import { readNumbers } from "../specimen/read_values";
 import type { Specimen } from "../specimen/specimen";
 import { onStep } from "../specimen/table";
+import { TextError } from "../specimen/text_error";
 import type { Call } from "./arguments";
 import type { Surroundings } from "./surroundings";
 import { UsageError } from "./usage";
 
 /** @throws UsageError */
 export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings, "readFile">): Promise<Asked> {
-	const grammar = call.grammarFile === undefined ? undefined : await readGrammar(call.grammarFile, readFile);
+	const said = call.grammarFile === undefined ? undefined : await readGrammar(call.grammarFile, readFile);
+	const grammar = said === undefined ? undefined : await translated(said, call.grammarFile);
 	const { model, specimen: start, notes } = await readStart(call.source, grammar);
 	let specimen = start;
 	const seed = { seed: call.seed };
@@ -158,6 +160,16 @@ async function readBoundary(
 	return model.bounded(specimen, file).catch((error: Error) => {
 		throw new UsageError(`--boundary ${path}: ${error.message}`);
 	});
+}
+
+/** A text that is in another form than its model's grammars, as one of those. */
+async function translated(said: string, file: string | undefined): Promise<string> {
+	try {
+		return (await readText(said)).text;
+	} catch (error) {
+		if (error instanceof TextError) throw new UsageError(`--grammar ${file}: ${error.message}`);
+		throw error;
+	}
 }
 
 async function readGrammar(file: string, readFile: Surroundings["readFile"]): Promise<string> {

@@ -1,10 +1,9 @@
 /** What the command can write of a plant. */
 import { basename, dirname, join } from "node:path";
 import { aboutPlant } from "../export/about_plant";
-import type { Aged } from "../export/growth_glb";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
-import { type FileOptions, PLANT_FILES, plantFile } from "../export/plant_files";
+import { type FileOptions, type Further, PLANT_FILES, plantFile } from "../export/plant_files";
 import { swayed } from "../files/swayed";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
@@ -40,7 +39,7 @@ export function ownFormat({ formats }: Pick<Model, "formats">, ending: string) {
 
 /**
  * The files of a plant by the ending of the name that was asked for; an OBJ has its materials and their pictures beside it.
- * @param aged the same plant at other ages, where it has any
+ * @param further the same plant at other ages and for other distances, where it has such
  */
 export async function filesOf(
 	file: string,
@@ -49,7 +48,7 @@ export async function filesOf(
 	grown: Plant,
 	specimen: Specimen,
 	{ form, ...options }: FileOptions & { form?: string } = {},
-	aged?: Aged,
+	further: Omit<Further, "sway"> = {},
 ): Promise<File[]> {
 	if (ending === "json") return [[file, jsonOf(model, grown, specimen)]];
 	const format = ownFormat(model, ending);
@@ -57,7 +56,7 @@ export async function filesOf(
 	const about = await aboutPlant(model, grown, specimen);
 	const meshes = plantFile(ending, form);
 	const parts = model.parts(grown, specimen);
-	if (meshes) return [[file, await meshes.make(parts, about, options, { aged, sway: swayed(model, grown) })]];
+	if (meshes) return [[file, await meshes.make(parts, about, options, { ...further, sway: swayed(model, grown) })]];
 	const stem = file.slice(0, -".obj".length);
 	const { obj, mtl, pictures } = exportObj(parts, about, basename(stem));
 	return [

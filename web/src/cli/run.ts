@@ -5,6 +5,7 @@ import { CoreError } from "../core/errors";
 import { FORMS, plantFile } from "../export/plant_files";
 import { agedOf, hasAges } from "../files/aged";
 import { growPlant } from "../files/growth";
+import { levelledOf } from "../files/levelled";
 import { models, presets } from "../library/catalogue";
 import { modelNames } from "../models/index";
 import type { GrowthOptions, Model } from "../models/model";
@@ -55,7 +56,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	if (out?.toLowerCase().endsWith(".png"))
 		throw new UsageError(`--out ${out}: pictures take a graphics card; take them in the page, from its Download menu`);
 	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
-	checkForm(call, ending, hasAges(model, from));
+	checkForm(call, ending, model, from);
 	if (call.string && !(model.strings && ending === "json"))
 		throw new UsageError(
 			model.strings ? "--string: the string stands in JSON" : `--string: the ${model.noun} is not grown by any text`,
@@ -93,9 +94,10 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		world.print(jsonOf(model, all, specimen));
 		return;
 	}
-	const aged = agedOf(model, specimen, (younger) => grow(younger, { measures: false }));
+	const again = (other: Specimen, wanted?: GrowthOptions) => grow(other, { measures: false, ...wanted });
+	const further = { aged: agedOf(model, specimen, again), levels: levelledOf(model, specimen, again) };
 	const options = { ...call.files, form: call.form };
-	for (const [file, data] of await filesOf(out, ending, model, all, specimen, options, aged)) {
+	for (const [file, data] of await filesOf(out, ending, model, all, specimen, options, further)) {
 		await world.writeFile(file, data).catch((error: unknown) => {
 			throw new UsageError(`--out ${file}: ${reasonOf(error)}`);
 		});
@@ -118,10 +120,11 @@ async function found(
 	return answer.specimen;
 }
 
-/** @throws UsageError where there is no such form of the file, or the plant has no ages for it to show */
-function checkForm({ form, out }: Call, ending: string, ages: boolean): void {
+/** @throws UsageError where there is no such form of the file, or the plant has no ages or levels for it to show */
+function checkForm({ form, out }: Call, ending: string, model: Model, specimen: Specimen): void {
 	const file = plantFile(ending, form);
-	if (file?.life && !ages) throw new UsageError(`--form ${form}: this plant has no ages to show`);
+	if (file?.life && !hasAges(model, specimen)) throw new UsageError(`--form ${form}: this plant has no ages to show`);
+	if (file?.levelled && !model.levels) throw new UsageError(`--form ${form}: there are no levels of a ${model.noun}`);
 	if (form === undefined || file) return;
 	const known = out !== undefined && plantFile(ending)?.form !== undefined;
 	const say = known ? `the forms are ${FORMS.join(", ")}` : "only a .glb has forms; see --help";

@@ -15,6 +15,8 @@ export interface PickHost {
 	readonly name: string;
 	/** What is at a point of the canvas, in CSS pixels from its top left corner, by a number of its own. */
 	at(x: number, y: number): number | undefined;
+	/** Whether what it is over is marked; absent: it is. */
+	readonly hovers?: false;
 	mark(id: number | undefined): void;
 	take(id: number): void;
 }
@@ -75,6 +77,7 @@ export class PickPointer {
 	readonly #onMove = (event: PointerEvent): void => {
 		if (!this.#enabled) return;
 		if (this.#press && !near(this.#press, event)) this.#press = undefined;
+		if (this.#host.hovers === false) return;
 		if (event.buttons === 0 && event.pointerType !== "touch" && this.#view.orbiting) this.#host.mark(this.#at(event));
 	};
 

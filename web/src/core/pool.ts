@@ -44,6 +44,8 @@ interface Job extends Order {
 const MOST_ATTEMPTS = 2;
 /** The spare starts this long after a growth, in milliseconds: not before the first picture. */
 const SPARE_DELAY = 400;
+/** All seats but one end when nothing has been asked for so long, ms: a core keeps the memory that its largest plant took. */
+const REST = 4000;
 
 export class Pool {
 	readonly #options: Required<PoolOptions>;
@@ -53,6 +55,7 @@ export class Pool {
 	readonly #waiting: Job[] = [];
 	#spare: Seat | undefined;
 	#spareTimer: ReturnType<typeof setTimeout> | undefined;
+	#restTimer: ReturnType<typeof setTimeout> | undefined;
 	#lastId = 0;
 
 	constructor(options: PoolOptions) {
@@ -88,6 +91,7 @@ export class Pool {
 	/** Ends all workers. What is under way rejects with Superseded. */
 	close(): void {
 		clearTimeout(this.#spareTimer);
+		clearTimeout(this.#restTimer);
 		this.#spareTimer = undefined;
 		const jobs = [...this.#seats.values(), ...this.#waiting.splice(0)];
 		for (const seat of this.#seats.keys()) seat.end();
@@ -226,8 +230,19 @@ export class Pool {
 	/** A seat is free, or may be made: those who wait come on, oldest first. */
 	#next(): void {
 		const job = this.#waiting.shift();
-		if (job) this.#begin(job);
-		else this.#scheduleSpare();
+		if (job) {
+			this.#begin(job);
+			return;
+		}
+		this.#scheduleSpare();
+		clearTimeout(this.#restTimer);
+		this.#restTimer = setTimeout(() => this.#rest(), REST);
+	}
+
+	/** Those at work may be asked again soon. */
+	#rest(): void {
+		if ([...this.#seats.values()].some((job) => job)) return;
+		for (const seat of [...this.#seats.keys()].slice(1)) this.#leave(seat);
 	}
 
 	#scheduleSpare(): void {

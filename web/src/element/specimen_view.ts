@@ -22,6 +22,7 @@ export class SpecimenView {
 	#frame = 0;
 	#grasped = false;
 	#windy = false;
+	#paused = false;
 	readonly #reduced: MediaQueryList;
 	/** What lies over the picture, and is told when that has been drawn. */
 	readonly #above: Set<() => void>;
@@ -102,6 +103,12 @@ export class SpecimenView {
 		this.#blow();
 	}
 
+	/** Whether its reader has the wind wait. */
+	setPaused(paused: boolean): void {
+		this.#paused = paused;
+		this.#blow();
+	}
+
 	/** Whether it may turn by itself: less motion is wished for where not. */
 	get turnsByItself(): boolean {
 		return !this.#reduced.matches;
@@ -173,9 +180,9 @@ export class SpecimenView {
 		if (activeElement !== this.#canvas) event.stopPropagation();
 	}
 
-	/** Only where it is seen, and nobody wishes for less motion. */
+	/** Only where it is seen, and nobody wishes for less motion or has paused it. */
 	#blow(): void {
-		this.#viewer.wind = this.#windy && this.#seen && !this.#reduced.matches;
+		this.#viewer.wind = this.#windy && !this.#paused && this.#seen && !this.#reduced.matches;
 	}
 
 	/** Begins or ends turning by itself. */

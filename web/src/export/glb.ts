@@ -33,6 +33,8 @@ export interface GlbOptions {
 	moments?: ReadonlyMap<string, Moment>;
 	/** How wind moves it, of parts without instances: an animation without end. */
 	sway?: Sway;
+	/** The parts are the same at so many levels of detail, from near to far: the least shares of the view's area that each covers (MSFT_lod). */
+	coverage?: readonly number[];
 	/** Whether light comes through flesh, which costs readers a pass of its own; without it flesh is as bright, and opaque. */
 	translucent?: boolean;
 }
@@ -62,6 +64,7 @@ class PartsWriter {
 	readonly #translucent: boolean;
 	readonly #moments: GlbOptions["moments"];
 	readonly #sway: Sway | undefined;
+	readonly #coverage: GlbOptions["coverage"];
 	/** The brightest colour of all vertices of a material. */
 	readonly #bases = new Map<Material, Colour>();
 	/** The same as a picture, where there is one. */
@@ -78,13 +81,14 @@ class PartsWriter {
 	constructor(
 		document: GltfDocument,
 		parts: readonly Part[],
-		{ instancing = false, translucent = false, moments, sway }: GlbOptions,
+		{ instancing = false, translucent = false, moments, sway, coverage }: GlbOptions,
 	) {
 		this.#document = document;
 		this.#instancing = instancing;
 		this.#translucent = translucent;
 		this.#moments = moments;
 		this.#sway = sway;
+		this.#coverage = coverage;
 		for (const { shape } of everyPart(parts)) {
 			const colours = shape && writtenColours(shape.mesh, shape.material);
 			if (!colours) continue;
@@ -109,6 +113,7 @@ class PartsWriter {
 		const root: Json = { name };
 		const roots = [this.#document.node(root)];
 		const children = parts.map((part) => this.#part(part, WORLD));
+		if (this.#coverage) this.#document.levels(children.splice(1), children[0], this.#coverage);
 		if (children.length > 0) root.children = children;
 		return this.#document.finish(roots, { link, ...extras });
 	}

@@ -13,6 +13,7 @@ import { quantised, quantisedNormals, quantisedTangents, relative, wholeBounds }
 export type Json = Record<string, unknown>;
 
 export const QUANTIZATION = "KHR_mesh_quantization";
+const LOD = "MSFT_lod";
 
 /** One view for each kind of data, shared by all meshes. Attributes of instances are not vertices: no target there. */
 const VIEWS: Record<string, ViewLayout> = {
@@ -142,6 +143,19 @@ export class GltfDocument {
 			input: this.#binary.add("times", Float32Array.from(times), "SCALAR", { bounds: true }),
 			output: this.#binary.add("weights", Float32Array.from(weights), "SCALAR"),
 		};
+	}
+
+	/**
+	 * Has a node be seen as others from afar (MSFT_lod).
+	 * @param others from near to far
+	 * @param coverage the least share of the view's area that it covers as each, its own first
+	 */
+	levels(others: readonly number[], index: number | undefined, coverage: readonly number[]): void {
+		if (index === undefined || others.length === 0) return;
+		const node = this.#nodes[index];
+		node.extensions = { [LOD]: { ids: others } };
+		node.extras = { ...(node.extras as Json), MSFT_screencoverage: coverage };
+		this.#used.add(LOD);
 	}
 
 	/** Attributes of instances: appends to the view of that name, returns the accessor. */

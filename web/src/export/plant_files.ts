@@ -3,6 +3,7 @@ import type { Part } from "../plant/part";
 import type { Sway } from "../plant/sway";
 import type { About } from "./about";
 import type { Aged } from "./growth_glb";
+import type { Levels } from "./lod_glb";
 
 /** What a person may say of a file; what a file does not heed changes nothing. */
 export interface FileOptions {
@@ -25,12 +26,14 @@ export const FILE_RANGES = {
 	points: [1, 2_000_000],
 } as const satisfies Partial<Record<keyof FileOptions, readonly [least: number, most: number]>>;
 
-/** How a plant changes, for files that move. */
-export interface Motion {
+/** What else of a plant there is than what is seen of it now, for files that move or are seen from afar. */
+export interface Further {
 	/** The plant at other ages, for what is of its `life`; absent where it has none. */
 	readonly aged?: Aged | undefined;
 	/** How wind moves it; absent where it stands still. */
 	readonly sway?: Sway | undefined;
+	/** The plant for several distances; absent of models that make none. */
+	readonly levels?: Levels | undefined;
 }
 
 export interface PlantFile {
@@ -55,8 +58,10 @@ export interface PlantFile {
 	readonly life?: true;
 	/** Whether it is of what wind moves: of what stands still it shows just that. */
 	readonly blown?: true;
+	/** Whether it is of the plant for several distances, and so of models that make such. */
+	readonly levelled?: true;
 	/** @param parts only read; the same parts and options give the same bytes */
-	make(parts: Iterable<Part>, about: About, options: FileOptions, motion?: Motion): Promise<Uint8Array<ArrayBuffer>>;
+	make(parts: Iterable<Part>, about: About, options: FileOptions, further?: Further): Promise<Uint8Array<ArrayBuffer>>;
 }
 
 /** Of the *wind* form, where nobody says otherwise. */
@@ -140,6 +145,19 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		slow: true,
 		make: async (parts, about, { triangles }, { sway } = {}) =>
 			(await import("./wind_glb")).windGlb(parts, about, sway, triangles),
+	},
+	{
+		...GLB,
+		key: "glb-lod",
+		form: "lod",
+		title: "GLB, levels",
+		about: "For four distances in one (MSFT_lod); readers that know no levels show the finest",
+		suffix: "-lod.glb",
+		levelled: true,
+		make: async (_, about, __, { levels } = {}) => {
+			if (!levels) throw new Error("This plant has no levels.");
+			return (await import("./lod_glb")).lodGlb(levels, about);
+		},
 	},
 	{
 		key: "usdz",

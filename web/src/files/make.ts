@@ -3,22 +3,23 @@ import { aboutPlant } from "../export/about_plant";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
 import { PLANT_FILES } from "../export/plant_files";
-import type { Model } from "../models/model";
+import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import { agedOf } from "./aged";
+import { levelledOf } from "./levelled";
 import type { FileRequest } from "./messages";
 import { swayed } from "./swayed";
 import { zip } from "./zip";
 
 const encoder = new TextEncoder();
 
-/** Grows a specimen with its meshes. */
-export type Growing = (specimen: Specimen) => Promise<Plant>;
+/** Grows a specimen, with its meshes where nothing else is wanted. */
+export type Growing = (specimen: Specimen, wanted?: GrowthOptions) => Promise<Plant>;
 
 /**
  * Makes a file. The same request gives the same bytes.
- * @param grow for files that show the plant at many ages
+ * @param grow for files that show the plant at many ages, or for many distances
  * @throws RangeError where neither every plant nor the model has such a file, and what the making throws
  */
 export async function makeFile(model: Model, request: FileRequest, grow?: Growing): Promise<Blob> {
@@ -31,9 +32,9 @@ export async function makeFile(model: Model, request: FileRequest, grow?: Growin
 	const parts = model.parts(grown, specimen);
 	if (file) {
 		const aged = file.life && grow ? agedOf(model, specimen, grow) : undefined;
-		return new Blob([await file.make(parts, about, options ?? {}, { aged, sway: swayed(model, grown) })], {
-			type: file.type,
-		});
+		const levels = file.levelled && grow ? levelledOf(model, specimen, grow) : undefined;
+		const further = { aged, levels, sway: swayed(model, grown) };
+		return new Blob([await file.make(parts, about, options ?? {}, further)], { type: file.type });
 	}
 	if (format !== "obj") throw new RangeError(`There is no file “${format}” of a ${model.noun}.`);
 	const { obj, mtl, pictures } = exportObj(parts, about, name);

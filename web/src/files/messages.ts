@@ -17,7 +17,7 @@ export interface FileRequest {
 	/** What the file is called, without extension. */
 	readonly name: string;
 	readonly options?: FileOptions;
-	/** Where the model's core lies, for files that show the plant at many ages. */
+	/** Where the model's core lies, for files that show the plant at many ages or for many distances. */
 	readonly core?: string;
 }
 

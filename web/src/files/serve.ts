@@ -23,8 +23,8 @@ export async function answerTo(request: FileRequest): Promise<FromExporter> {
 function growing(model: Model, { core: address }: FileRequest): Growing | undefined {
 	if (address === undefined) return undefined;
 	let core: Promise<Core> | undefined;
-	return (specimen) =>
-		growPlant(model, specimen, { measures: false }, async (_, blocks) => {
+	return (specimen, wanted) =>
+		growPlant(model, specimen, { measures: false, ...wanted }, async (_, blocks) => {
 			core ??= compileCore(address).then(Core.instantiate);
 			return (await core).grow(blocks);
 		});

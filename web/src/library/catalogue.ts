@@ -132,7 +132,7 @@ export async function measures(model?: string): Promise<MeasureInfo[]> {
 }
 
 /**
- * The kinds of file that `toFile` makes of a model's plants. Some suit not all of them: `glb-growth` those with an age.
+ * The kinds of file that `toFile` makes of a model's plants. Some suit not all of them: `glb-growth` those with an age, `glb-lod` those of models that make levels.
  *
  * @param model - its name; the default model's where absent
  * @throws SpecimenError where there is no such model

@@ -14,11 +14,11 @@ import { formats } from "./catalogue";
 import { type Grown, growHeld, type Specimen } from "./grow";
 
 /** The forms of a GLB: docs/export.md says what is in each. */
-export type GlbForm = "detailed" | "web" | "low" | "instanced" | "growth" | "wind";
+export type GlbForm = "detailed" | "web" | "low" | "instanced" | "growth" | "wind" | "lod";
 
 /** What may be said of a GLB. */
 export interface GlbOptions {
-	/** `detailed` where absent. `web` and `instanced` are for readers of extensions of glTF, `growth` is the plant's life as an animation, `wind` its swaying. */
+	/** `detailed` where absent. `web` and `instanced` are for readers of extensions of glTF, `growth` is the plant's life as an animation, `wind` its swaying, `lod` a tree of `growth` for four distances (MSFT_lod). */
 	readonly form?: GlbForm;
 	/** Of the form `low`, at the most, 20,000 where absent; and of the form `wind`, 40,000 where absent. */
 	readonly triangles?: number;
@@ -162,10 +162,13 @@ export async function toFile(grown: Grown, format: string, options: FileOptions 
 	if (own?.applies?.(grown.plant) === false) throw new SpecimenError("format", `this ${model.noun} has no ${format}`);
 	if (format === "glb-growth" && !hasAges(model, held))
 		throw new SpecimenError("format", `this ${model.noun} has no ages to show`);
+	if (format === "glb-lod" && !model.levels) throw new SpecimenError("format", `this ${model.noun} has no levels`);
 	const { link } = grown;
 	const plant = { ...grown.plant, notes: [...grown.notes] };
 	const request = { model: model.name, format, grown: plant, specimen: held, link, name: held.preset, options };
-	return makeFile(model, request, (younger) => growHeld(model, younger, { meshes: true, measures: false }));
+	return makeFile(model, request, (other, wanted) =>
+		growHeld(model, other, { meshes: true, measures: false, ...wanted }),
+	);
 }
 
 /**

@@ -10,3 +10,12 @@ export async function modelForText(text: string): Promise<Model | undefined> {
 	}
 	return undefined;
 }
+
+/**
+ * The same, and the text as that model's grammars are written, where it came in another form of them.
+ * @throws TextError where that form has a mistake
+ */
+export async function readText(text: string): Promise<{ model: Model | undefined; text: string }> {
+	const model = await modelForText(text);
+	return { model, text: (await model?.translated?.(text)) ?? text };
+}

@@ -19,8 +19,8 @@ export interface MemberAsked {
 	readonly seed: number;
 	/** By the keys of its model's table; choices by the names of their options. */
 	readonly values: Readonly<Record<string, number | string>>;
-	/** What stands about it (`GrowthOptions.surroundings`); absent: nothing. */
-	readonly surroundings?: Float32Array;
+	/** What stands about it (specimen/surroundings.ts), for models that heed it; absent: nothing. */
+	readonly surroundings?: readonly number[];
 	/** Where the text names it, and where each of its values. */
 	readonly place: Place;
 	readonly places: Readonly<Record<string, Place>>;
@@ -35,7 +35,7 @@ export interface MemberMesh {
 /** One that has grown. */
 export interface Member {
 	readonly specimen: Specimen;
-	/** Query and fragment that grow it alone, with nothing about it. */
+	/** Query and fragment that grow it by itself, as it is here. */
 	readonly link: string;
 	/** 16 hexadecimal digits. */
 	readonly fingerprint: string;

@@ -1,7 +1,7 @@
 /** What members look like, from near and from far. */
 import type { Material } from "../plant/material";
-import { PLACE_STEPS, packed } from "../plant/packed_mesh";
-import { everyPart, type Part } from "../plant/part";
+import { PLACE_STEPS, packed, reachOf } from "../plant/packed_mesh";
+import { everyPart, type Part, type Shape } from "../plant/part";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Member, MemberMesh } from "./member";
@@ -33,7 +33,11 @@ export async function levelsOf(
 	if (!meshes) return { levels: [], extent: extentOf(plant.segments.ends, 1) };
 	const own = model.levels?.(plant, specimen);
 	const parts = own ?? (await lighter(model.parts(plant, specimen)));
-	const levels = parts.map((level) => [...meshesOf(level, looks)]);
+	const shapes = parts.map(shapesOf);
+	const unit = reachOf(shapes.flat().map(({ mesh }) => mesh));
+	const levels = shapes.map((level) =>
+		level.map(({ mesh, material }): MemberMesh => ({ mesh: packed(mesh, unit), material: looks.of(material) })),
+	);
 	// What has nothing to draw takes no room.
 	const extents = (levels[0] ?? []).map(({ mesh }) => extentOf(mesh.positions, mesh.unit / PLACE_STEPS));
 	const whole = { low: 0, high: 0, out: 0 };
@@ -57,11 +61,8 @@ async function lighter(parts: Iterable<Part>): Promise<Part[][]> {
 	return levels;
 }
 
-function* meshesOf(parts: Iterable<Part>, looks: Looks): Generator<MemberMesh> {
-	for (const { shape } of everyPart(parts)) {
-		if (!shape || shape.mesh.indices.length === 0) continue;
-		yield { mesh: packed(shape.mesh), material: looks.of(shape.material) };
-	}
+function shapesOf(parts: Iterable<Part>): Shape[] {
+	return [...everyPart(parts)].flatMap(({ shape }) => (shape && shape.mesh.indices.length > 0 ? [shape] : []));
 }
 
 function extentOf(points: Float32Array | Int16Array, unit: number): Member["extent"] {

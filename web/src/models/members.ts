@@ -50,7 +50,7 @@ export class KeptMembers {
 }
 
 function keyOf({ model, preset, seed, values, surroundings }: MemberAsked, meshes: boolean): string {
-	return JSON.stringify([model, preset, seed, values, [...(surroundings ?? [])], meshes]);
+	return JSON.stringify([model, preset, seed, values, surroundings, meshes]);
 }
 
 /** What is told in between is told when so many more have grown, as a share of those there are. */
@@ -147,8 +147,11 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 		const model = models.get(each.model) ?? (await known(of, each));
 		models.set(each.model, model);
 		checked(model, each);
-		const { values, seed, preset } = each;
-		const restored = restore(model, { model: model.name, preset, seed, ...whole(model, values) });
+		const { values, seed, preset, surroundings } = each;
+		const restored = restore(model, {
+			...{ model: model.name, preset, seed, surroundings },
+			...whole(model, values),
+		});
 		for (const { text } of restored.notes) notes.add(`${each.model}/${preset}: ${text}`);
 		const { specimen } = restored;
 		read.push({ model, specimen });
@@ -214,7 +217,7 @@ function wrong(message: string, { line, column }: Place): CoreError {
 /** What is wrong with one is so of the line that asks for it: the place in its own text says nothing in this one. */
 async function memberOf(read: Read, asked: MemberAsked, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
 	try {
-		return await grownMember(read, asked, run, meshes, looks);
+		return await grownMember(read, run, meshes, looks);
 	} catch (error) {
 		if (!(error instanceof CoreError)) throw error;
 		const { model, preset, place } = asked;
@@ -222,19 +225,12 @@ async function memberOf(read: Read, asked: MemberAsked, run: RunCore, meshes: bo
 	}
 }
 
-async function grownMember(
-	{ model, specimen }: Read,
-	{ surroundings }: MemberAsked,
-	run: RunCore,
-	meshes: boolean,
-	looks: Looks,
-): Promise<Member> {
+async function grownMember({ model, specimen }: Read, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
 	const levels = meshes && model.levels !== undefined;
 	const options: GrowthOptions = {
 		meshes: meshes && !levels,
 		measures: false,
 		...(levels ? { levels } : {}),
-		...(surroundings && model.surroundings ? { surroundings } : {}),
 	};
 	const plant = model.read(await run(model.wasm, model.encode(specimen, options)), specimen);
 	const { fingerprint, notes } = plant;

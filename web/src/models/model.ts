@@ -37,11 +37,6 @@ export interface GrowthOptions {
 	chronicle?: ChronicleAsked;
 	/** Whether meshes for four distances are wanted, of models that make such (`levels`); the default is no. */
 	levels?: boolean;
-	/**
-	 * What stands about it, of models that heed it (`surroundings`): eight heights of the horizon in degrees, from +X to +Z, and eight
-	 * metres of free room. Absent: it stands alone.
-	 */
-	surroundings?: Float32Array;
 }
 
 /** Specimens of other models that a plant has in it. */
@@ -91,16 +86,14 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	/** The file of its core, beside the others: `bunch.wasm`; or a whole address, for a model from elsewhere. */
 	readonly wasm: string;
 
-	/** Whether wind leaves its plants alone. */
-	readonly still?: true;
+	/** Whether wind leaves its plants alone, everywhere or in files. */
+	readonly still?: true | "in files";
 	/** Whether its presets have pictures in public/gallery; absent where they have. */
 	readonly pictures?: false;
 	/** Whether it tells the string that its grammar has derived, where that is asked for. */
 	readonly strings?: true;
 	/** Whether it tells how its grammar is derived, step by step, where that is asked for. */
 	readonly chronicles?: true;
-	/** Whether it heeds what stands about a plant (`GrowthOptions.surroundings`). */
-	readonly surroundings?: true;
 
 	/**
 	 * Fetches what a specimen's request and plant need besides the core, where there is such: to be awaited before `encode`.
@@ -137,6 +130,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	record?(grown: G, specimen: S): object;
 	/** What files with meshes (glTF) say of it besides what they say of every plant, by key. */
 	extras?(grown: G, specimen: S): Record<string, unknown>;
+	/** A grammar's text out of another form that the model claims; undefined of what is one already. Rejects with a TextError. */
+	translated?(text: string): Promise<string> | undefined;
 	/** Files besides those of every plant. */
 	readonly formats?: readonly Format<S, G>[];
 

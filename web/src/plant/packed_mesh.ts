@@ -8,7 +8,7 @@ const COLOUR_STEPS = 65_535;
 
 /** Triangles as graphics cards take them, normalised. */
 export interface PackedMesh {
-	/** Metres that a place of 1 stands for. */
+	/** Metres that a place of 1 stands for; the same in all levels of a plant. */
 	readonly unit: number;
 	/** 3 × vertices. */
 	readonly positions: Int16Array<ArrayBuffer>;
@@ -22,10 +22,18 @@ export interface PackedMesh {
 	readonly indices: Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
 }
 
-/** Places to a 32,767th of how far it reaches, normals to half a degree. Texture coordinates are left out. */
-export function packed({ positions, normals, colours, sky, indices }: PartMesh): PackedMesh {
-	let unit = 1e-6;
-	for (const value of positions) unit = Math.max(unit, Math.abs(value));
+/** How far meshes reach along the axes, metres. */
+export function reachOf(meshes: Iterable<Pick<PartMesh, "positions">>): number {
+	let reach = 1e-6;
+	for (const { positions } of meshes) for (const value of positions) reach = Math.max(reach, Math.abs(value));
+	return reach;
+}
+
+/**
+ * Places to a 32,767th of `unit`, normals to half a degree. Texture coordinates are left out.
+ * @param unit how far it reaches, at the least
+ */
+export function packed({ positions, normals, colours, sky, indices }: PartMesh, unit: number): PackedMesh {
 	const vertices = positions.length / 3;
 	const steps = <T extends Int16Array | Int8Array | Uint16Array>(into: T, values: Float32Array, by: number): T => {
 		for (let i = 0; i < values.length; i++) into[i] = Math.round(by * values[i]);

@@ -13,6 +13,8 @@ export interface PartMesh extends Mesh {
 	colours?: Float32Array;
 	/** How much of the sky each vertex sees: 255 all, 0 none; all where absent. */
 	sky?: Uint8Array;
+	/** What each triangle is of, by the model's own numbers: it is picked and marked in place of the part. */
+	cells?: Uint32Array;
 	/** 3 × vertices: where each is held, of instances that have been put together and are to sway. */
 	feet?: Float32Array;
 }

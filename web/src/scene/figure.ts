@@ -57,6 +57,8 @@ export interface Figure<S, G> {
 	readonly elevation?: number;
 	/** Settles when nothing of what is shown is still being made; absent where `show` makes all of it. */
 	whenFinished?(): Promise<void>;
+	/** The graphics card has lost all that it was given: what the page has no copy of is made anew. */
+	restored?(): void;
 	/** Takes its objects off the stage and frees what they hold of the GPU. */
 	dispose(): void;
 }

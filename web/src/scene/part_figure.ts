@@ -1,4 +1,15 @@
-import { Color, InstancedMesh, Mesh, type MeshDepthMaterial, type PerspectiveCamera, Raycaster, Vector3 } from "three";
+import {
+	BufferGeometry,
+	Color,
+	InstancedMesh,
+	type Material,
+	Mesh,
+	MeshBasicMaterial,
+	type MeshDepthMaterial,
+	type PerspectiveCamera,
+	Raycaster,
+	Vector3,
+} from "three";
 import type { Picture } from "../plant/material";
 import type { Part } from "../plant/part";
 import type { Sway } from "../plant/sway";
@@ -13,10 +24,19 @@ import { type Drawn, Wardrobe } from "./wardrobe";
 
 /** The light that marks a part. */
 const MARK = new Color(0.22, 0.18, 0.12);
+/** What is laid over a cell, whatever is painted there: a colour that few plants have. */
+const CELL = {
+	color: 0x1f6fb0,
+	transparent: true,
+	opacity: 0.6,
+	polygonOffset: true,
+	polygonOffsetFactor: -1,
+	polygonOffsetUnits: -1,
+};
 
 /**
  * The figure of any model that gives parts: drawn in three's standard material under the stage's light. `pick` counts what
- * is drawn in the order of the parts, each instance by itself.
+ * is drawn in the order of the parts, each instance by itself; of meshes with `cells` it is those.
  */
 export class PartFigure<S, G> implements Figure<S, G> {
 	readonly modes = ["whole"];
@@ -33,7 +53,7 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 	/** 3 × points that the view is to hold besides. */
 	#about: Float32Array = new Float32Array(0);
-	#mark: PartObject | undefined;
+	#marks: Mesh<BufferGeometry, Material>[] = [];
 
 	/**
 	 * @param room points that the view is to hold besides the parts, metres
@@ -81,6 +101,10 @@ export class PartFigure<S, G> implements Figure<S, G> {
 		return this.#sway;
 	}
 
+	restored(): void {
+		this.#lights.restored();
+	}
+
 	prepare(camera: PerspectiveCamera): void {
 		this.#lights.aim(this.#stage.light, camera, this.#stage.wind);
 	}
@@ -89,6 +113,8 @@ export class PartFigure<S, G> implements Figure<S, G> {
 		const ray = new Raycaster(new Vector3(...origin), new Vector3(...direction).normalize());
 		const [hit] = ray.intersectObjects(this.#shown.objects, false);
 		if (!hit) return undefined;
+		const cells = cellsOf(hit.object as PartObject);
+		if (cells) return cells[hit.faceIndex ?? 0];
 		let before = 0;
 		for (const object of this.#shown.objects) {
 			if (object === hit.object) break;
@@ -99,24 +125,26 @@ export class PartFigure<S, G> implements Figure<S, G> {
 
 	mark(picked: number | undefined): void {
 		this.#unmark();
-		let left = picked ?? -1;
-		const found = this.#shown.objects.find((object) => {
-			if (left < countOf(object)) return true;
-			left -= countOf(object);
-			return false;
-		});
-		if (!found || left < 0) return;
-		const material = found.material.clone();
-		material.emissive.copy(MARK);
-		material.polygonOffset = true;
-		material.polygonOffsetFactor = -1;
-		material.polygonOffsetUnits = -1;
-		this.#mark = new Mesh(found.geometry, material);
-		if (found instanceof InstancedMesh) {
-			found.getMatrixAt(left, this.#mark.matrix);
-			this.#mark.matrix.decompose(this.#mark.position, this.#mark.quaternion, this.#mark.scale);
+		if (picked === undefined) return;
+		let left = picked;
+		for (const object of this.#shown.objects) {
+			const cells = cellsOf(object);
+			if (cells) this.#lightCell(object, cells, picked);
+			else if (left >= 0 && left < countOf(object)) this.#light(instanceOf(object, left));
+			if (!cells) left -= countOf(object);
 		}
-		this.#stage.root.add(this.#mark);
+	}
+
+	#lightCell({ geometry }: PartObject, cells: Uint32Array, cell: number): void {
+		if (!cells.includes(cell)) return;
+		const mark = new Mesh(onlyOf(geometry, cells, cell), new MeshBasicMaterial(CELL));
+		mark.userData.own = true;
+		this.#light(mark);
+	}
+
+	#light(mark: Mesh<BufferGeometry, Material>): void {
+		this.#marks.push(mark);
+		this.#stage.root.add(mark);
 	}
 
 	/** Lays another picture on a part that is drawn with one. */
@@ -143,10 +171,46 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	}
 
 	#unmark(): void {
-		this.#mark?.removeFromParent();
-		this.#mark?.material.dispose();
-		this.#mark = undefined;
+		for (const mark of this.#marks) {
+			mark.removeFromParent();
+			mark.material.dispose();
+			if (mark.userData.own) mark.geometry.dispose();
+		}
+		this.#marks = [];
 	}
+}
+
+const cellsOf = ({ userData }: PartObject): Uint32Array | undefined => userData.cells;
+
+function lightened(of: PartObject["material"]): PartObject["material"] {
+	const material = of.clone();
+	material.emissive.copy(MARK);
+	material.polygonOffset = true;
+	material.polygonOffsetFactor = -1;
+	material.polygonOffsetUnits = -1;
+	return material;
+}
+
+/** One of those that an object draws, by itself. */
+function instanceOf(object: PartObject, index: number): PartObject {
+	const mark: PartObject = new Mesh(object.geometry, lightened(object.material));
+	if (object instanceof InstancedMesh) {
+		object.getMatrixAt(index, mark.matrix);
+		mark.matrix.decompose(mark.position, mark.quaternion, mark.scale);
+	}
+	return mark;
+}
+
+/** The triangles of one cell. */
+function onlyOf(geometry: BufferGeometry, cells: Uint32Array, cell: number): BufferGeometry {
+	const only = new BufferGeometry();
+	for (const [name, attribute] of Object.entries(geometry.attributes)) only.setAttribute(name, attribute);
+	const indices = geometry.index?.array ?? [];
+	const own: number[] = [];
+	for (let t = 0; t < cells.length; t++)
+		if (cells[t] === cell) own.push(indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]);
+	only.setIndex(own);
+	return only;
 }
 
 function countOf(object: PartObject): number {

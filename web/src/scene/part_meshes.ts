@@ -64,6 +64,7 @@ export class PartMeshes {
 			const material = wardrobe.materialOf(shape.material, coloured);
 			const object = instances ? instanced(geometry, material, instances.transforms) : new Mesh(geometry, material);
 			object.name = name;
+			object.userData.cells = mesh.cells;
 			object.castShadow = true;
 			object.receiveShadow = true;
 			// A plant is in view; to find out would take longer, of many instances, than drawing them.

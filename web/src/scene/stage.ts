@@ -124,6 +124,11 @@ export class Stage<S, G> implements Drawable {
 		renderer.render(this.scene, camera);
 	}
 
+	/** The graphics card begins anew: three sends buffers, textures and programs again with the next draw, where the page still has them. */
+	restored(): void {
+		this.#figure?.restored?.();
+	}
+
 	/** Settles when the figure has nothing left to make. */
 	async whenFinished(): Promise<void> {
 		await this.#figure?.whenFinished?.();

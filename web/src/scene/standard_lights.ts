@@ -50,6 +50,11 @@ export class StandardLights {
 		camera.updateProjectionMatrix();
 	}
 
+	/** The graphics card has lost the shadow. */
+	restored(): void {
+		this.#key.shadow.needsUpdate = true;
+	}
+
 	/**
 	 * Brings the lamps to the light, which turns with the viewer.
 	 * @param wind what moves what throws shadows, where something does

@@ -256,7 +256,7 @@ export class Viewer<S, G> {
 	};
 
 	readonly #onRestored = () => {
-		// three sends its buffers, textures and programs again with the next draw.
+		this.#stage.restored();
 		this.#loop.request();
 		this.#events.contextRestored?.();
 	};

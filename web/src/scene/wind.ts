@@ -8,28 +8,30 @@ const RISE = 1.5;
 
 /**
  * For vertex shaders: `vec3 blown(vec3 point, vec3 held)` is where a point of the plant is, of what is held at `held`; without wind it
- * is the point to the bit.
+ * is the point to the bit. `swung` is the same of any foot, form (as `windForm`) and beat, where many plants stand.
  */
 export const WIND_CHUNK = /* glsl */ `
 uniform vec3 windFoot;
 uniform vec4 windForm;
 uniform vec2 windBeat;
-vec3 blown(vec3 point, vec3 held) {
-	if (windBeat == vec2(0.0)) return point;
-	vec3 d = held - windFoot;
-	float h = clamp(windForm.x * d.y / windForm.y, 0.0, 1.0);
-	float r = clamp(length(d.xz) / windForm.z, 0.0, 1.0);
-	float bend = ${float(TRUNK)} * windForm.y * h * h * (1.5 - 0.5 * h);
-	float bob = ${float(BRANCH)} * windForm.z * r * r * h * (2.0 - h);
-	float late = ${float(WAVE)} * dot(vec3(0.8, 0.5, 0.6), d) / windForm.w;
+vec3 swung(vec3 point, vec3 held, vec3 foot, vec4 form, vec2 beat) {
+	vec3 d = held - foot;
+	float h = clamp(form.x * d.y / form.y, 0.0, 1.0);
+	float r = clamp(length(d.xz) / form.z, 0.0, 1.0);
+	float bend = ${float(TRUNK)} * form.y * h * h * (1.5 - 0.5 * h);
+	float bob = ${float(BRANCH)} * form.z * r * r * h * (2.0 - h);
+	float late = ${float(WAVE)} * dot(vec3(0.8, 0.5, 0.6), d) / form.w;
 	float c = bob * cos(late), s = bob * sin(late);
-	float own = ${float(FLUTTER)} * dot(vec3(1.0, 1.7, 2.3), held) / windForm.w;
+	float own = ${float(FLUTTER)} * dot(vec3(1.0, 1.7, 2.3), held) / form.w;
 	vec3 o = point - held;
 	vec3 turn = ${float(LEAF)} * min(1.0, 8.0 * h) * vec3(-0.8 * o.y, 0.8 * o.x + 0.6 * o.z, -0.6 * o.y);
 	float along = bend + c, across = 0.4 * bend + 0.5 * c;
 	vec3 sine = vec3(0.8 * along - 0.3 * s, 0.6 * c, 0.6 * along + 0.4 * s) + cos(own) * turn;
 	vec3 cosine = vec3(-0.8 * s - 0.6 * across, -0.6 * s, -0.6 * s + 0.8 * across) - sin(own) * turn;
-	return point + windBeat.x * sine + windBeat.y * cosine;
+	return point + beat.x * sine + beat.y * cosine;
+}
+vec3 blown(vec3 point, vec3 held) {
+	return windBeat == vec2(0.0) ? point : swung(point, held, windFoot, windForm, windBeat);
 }
 `;
 

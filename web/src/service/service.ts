@@ -77,8 +77,8 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 		const tag = `"${plant.fingerprint}-${crc32(encoder.encode(address))}"`;
 		known.keep(address, tag);
 		if (matches(request, tag)) return unchanged(tag);
-		const file = await fileOf(asked, format, plant, (younger) =>
-			growPlant(asked.model, younger, { measures: false }, run),
+		const file = await fileOf(asked, format, plant, (other, wanted) =>
+			growPlant(asked.model, other, { measures: false, ...wanted }, run),
 		);
 		const headers = {
 			...FOR_ALL,
@@ -103,8 +103,9 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 function formatOf({ model, specimen, ending }: Asked): string {
 	const key = ending.split(".").reverse().join("-");
 	const all = [...PLANT_FILES.map((file) => file.key), ...OTHERS, ...(model.formats ?? []).map((each) => each.key)];
-	const lives = PLANT_FILES.some((file) => file.key === key && file.life);
-	if (lives && !hasAges(model, specimen)) throw new Refused(404, "this plant has no ages to show");
+	const file = PLANT_FILES.find((each) => each.key === key);
+	if (file?.life && !hasAges(model, specimen)) throw new Refused(404, "this plant has no ages to show");
+	if (file?.levelled && !model.levels) throw new Refused(404, `there are no levels of a ${model.noun}`);
 	if (all.includes(key)) return key;
 	if (/^(png|jpe?g|webp|avif|gif)$/.test(ending))
 		throw new Refused(

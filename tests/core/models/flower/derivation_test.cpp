@@ -233,6 +233,42 @@ TEST_CASE("variables are the text's or their module's, and given ones take their
   CHECK(trouble(text, given).message.find("'c'") != std::string::npos);
 }
 
+TEST_CASE("a call gives a module's variables their values, each call its own") {
+  const std::string text =
+      "#define A(4,0,0,0,1,1,1,1)\n#define tall=3\n#axiom: A\n#define finalStep=1\n"
+      "A{k=2}{}{} -> A[&M{high=k*H+tall; n=2}]_{E}[&M{high=math.random(5,6)}]_{C1,C2}[&M]_{C3}\n"
+      "#module M\n#define high=7\n#define n=1\n#define twice=2*high\n#define B(4,0,0,0,high,1,1,1)\n"
+      "#define C(4,0,0,0,twice,1,1,1)\n#axiom: B\nB{}{n>1}{} -> B[C]_{E}";
+  const auto heights = [](const Flower& flower, std::string_view name) {
+    std::vector<float> all;
+    for (std::uint32_t v = 0; v < flower.derived.map.volumes(); ++v)
+      if (flower.name(v) == name) all.push_back(flower.value(v, Field::height));
+    return all;
+  };
+  const Flower flower = grown(text);
+  const std::vector<float> b = heights(flower, "B"), c = heights(flower, "C");
+  REQUIRE(b.size() == 4);
+  CHECK(b[0] == 5);
+  CHECK(b[1] >= 5);
+  CHECK(b[1] <= 6);
+  CHECK(b[1] != b[2]);
+  CHECK(b[3] == 7);
+  CHECK(c == std::vector<float>{10});
+  // The same map anew, where no condition depends on what was given.
+  Given now;
+  now.values = {{"tall", 4}};
+  CHECK_FALSE(flower::rebuilds(flower.program, {}, now));
+  CHECK(sound(reworked(flower.program, now, flower.derived)) == grown(text, now).derived.values);
+  const Program program = program_of(
+      "#define A(4)\n#define a=2\n#define b=3\n#axiom: A\nA{l=b}{}{} -> A[&M{q=a; r=l}]_{E}\n"
+      "#module M\n#define q=1\n#define p=1\n#define r=1\n#define u=1\n#define A(4)\n#axiom: A\n"
+      "A{}{q<step}{} -> A[&M{p=u; u=r; q=99}]_{E}[&N{w=p}]_{C1}\n"
+      "#module N\n#define w=1\n#define A(3+w)\n#axiom: A\nA -> A[A]_{E}");
+  CHECK(flower::rebuilds(program, {{{"a", 6}}, 0, 1, 1}, {{{"a", 7}}, 0, 1, 1}));
+  // b is given to r, which is given to u, which is given to p, which is given to the order of N.
+  CHECK(flower::rebuilds(program, {{{"b", 6}}, 0, 1, 1}, {{{"b", 7}}, 0, 1, 1}));
+}
+
 TEST_CASE("luck is a volume's own: uniform, the same for the same seed, another for each") {
   const std::string text =
       "#define r=7\n#define V(4,0,0,0,1,1,1,1)\n#define P(4,0,0,0,1,1,1,1)\n#axiom: V\nV -> V[V]_{E}\nV -> "

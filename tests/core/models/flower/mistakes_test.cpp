@@ -13,6 +13,7 @@ namespace {
 using panicle::tests::Mistake;
 
 const std::string good = "#define A(4,0,0,0,1,1,1,1)\n#define B(4,0,0,0,1,1,1,1)\n#axiom: A\n";
+const std::string module = "\n#module M\n#define k=1\n#define C(4,0,0,0,k,1,1,1)\n#axiom: C";
 
 const Mistake mistakes[] = {
     {"«", "empty"},
@@ -57,6 +58,11 @@ const Mistake mistakes[] = {
     {good + "A -> A«[B", "never closed"},
     {good + "A -> A[«C]_{E}", "add #define C"},
     {good + "A -> A[&«M]_{E}", "#module M"},
+    {good + "A -> A[&M{«l=3}]_{E}" + module, "no variable l"},
+    {good + "A -> A[&M{k=3; «k=4}]_{E}" + module, "already"},
+    {good + "A -> A[&M{«k}]_{E}" + module, "given their values"},
+    {good + "A -> A[&M{k=«1/0}]_{E}" + module, "finite"},
+    {good + "A -> A[B«{k=3}]_{E}", "] is expected"},
     {good + "A -> A[B]«", "face is O, E"},
     {good + "A -> A[B]_{«D}", "face is O, E"},
     {good + "A -> A[B]_{«C0}", "face is O, E"},
@@ -94,6 +100,11 @@ const Mistake mistakes[] = {
     {good + "#material 2 «paper \"ffffff\"", "The kinds are"},
     {good + "#material 2 petal «white", "six hexadecimal"},
     {good + "#material 2 petal «\"fffffg\"", "six hexadecimal"},
+    {good + "#material 2 petal \"ffffff\" «sheen 0.5", "foot, margin, veins"},
+    {good + "#material 2 petal \"ffffff\" foot «1.5", "from 0 to 1"},
+    {good + "#material 2 petal \"ffffff\" veins \"000000\" «61 1", "from 0 to 60"},
+    {good + "#material 2 petal \"ffffff\" margin «0.2", "six hexadecimal"},
+    {good + "#material 2 petal \"ffffff\" light 1 «light 1", "already"},
     {good + "#material 2 petal \"ffffff\"\n#material «2 leaf \"ffffff\"", "already"},
     {good + "A -«C(2)-> A B", "has a name"},
     {good + "A -E «A B", "arrow"},

@@ -1,5 +1,6 @@
 // What neighbours take of light and room.
 #include <algorithm>
+#include <cmath>
 
 #include "models/stand/plans.hpp"
 
@@ -27,21 +28,21 @@ TEST_CASE("stand: a plant alone has the whole sky and all room") {
   const auto alone = around({{0, 0, 0}});
   for (std::size_t k = 0; k < 8; ++k) {
     CHECK(alone[k] == 0);
-    CHECK(alone[8 + k] == 1000);
+    CHECK(alone[8 + k] == no_neighbour);
   }
 }
 
 TEST_CASE("stand: a neighbour covers the sky where it stands, and the room ends half-way") {
   const auto both = around({{0, 0, 0}, {6, 0, 0}});
   // From 4 m up to a top of 8 m, 5 m away.
-  CHECK(both[0] == doctest::Approx(38.66).epsilon(0.001));
+  CHECK(both[0] == 39);
   CHECK(both[4] == 0);
   CHECK(both[1] < both[0]);
   CHECK(both[1] > 0);
   CHECK(both[8] == doctest::Approx(3));
-  CHECK(both[8 + 1] == doctest::Approx(3 / 0.70711));
-  CHECK(both[8 + 2] == 1000);
-  CHECK(both[8 + 4] == 1000);
+  CHECK(both[8 + 1] == 4.24f);
+  CHECK(both[8 + 2] == no_neighbour);
+  CHECK(both[8 + 4] == no_neighbour);
   // And the other way round, at 180°.
   CHECK(both[16 + 4] == doctest::Approx(both[0]));
   CHECK(both[16 + 8 + 4] == doctest::Approx(3));
@@ -53,9 +54,20 @@ TEST_CASE(
   std::vector<Placement> plants(2);
   plants[1].at = {0, 0, 6};
   plants[0].turn = 90;
-  CHECK(surroundings_of(plan, plants)[0] == doctest::Approx(38.66).epsilon(0.001));
+  CHECK(surroundings_of(plan, plants)[0] == 39);
   CHECK(around({{0, 0, 0}, {6, 0, 0}}, 2)[8] == doctest::Approx(6 * 2 / 3.0 / 2));
   CHECK(around({{0, 0, 0}, {30, 0, 0}})[0] == 0);
+}
+
+TEST_CASE("stand: what is told of neighbours are whole degrees and centimetres, and never no room at all") {
+  const Laid all = laid("ground 9 x 9, relief 1\nplants 40, random\na/b, crown 3 x 4, scale 0.5 to 1.5");
+  const auto told = surroundings_of(all.plan, all.plants);
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    const float steps = i % 16 < 8 ? 1.0f : 100.0f;
+    CHECK(std::round(steps * told[i]) / steps == told[i]);
+    if (i % 16 >= 8) CHECK(told[i] >= least_room);
+  }
+  CHECK(around({{0, 0, 0}, {0.001f, 0, 0}})[8] == least_room);
 }
 
 TEST_CASE("stand: what is borne is nobody's neighbour and has none") {
@@ -65,7 +77,7 @@ TEST_CASE("stand: what is borne is nobody's neighbour and has none") {
   const auto without = surroundings_of(all.plan, standing);
   for (std::size_t i = 0; i < without.size(); ++i) CHECK(with[i] == without[i]);
   CHECK(with[16 * 4] == 0);
-  CHECK(with[16 * 4 + 8] == 1000);
+  CHECK(with[16 * 4 + 8] == no_neighbour);
 }
 
 TEST_CASE("stand: what many neighbours leave is the least that any of them leaves, to the last bit") {
@@ -74,7 +86,7 @@ TEST_CASE("stand: what many neighbours leave is the least that any of them leave
   const auto together = surroundings_of(all.plan, all.plants);
   for (std::size_t i = 0; i < all.plants.size(); ++i) {
     std::vector<float> one(8, 0.0f);
-    one.resize(16, 1000);
+    one.resize(16, no_neighbour);
     for (std::size_t j = 0; j < all.plants.size(); ++j) {
       if (j == i) continue;
       const auto pair = surroundings_of(all.plan, {all.plants[i], all.plants[j]});

@@ -48,6 +48,13 @@ describe("constants", () => {
 		expect(constant("#define x 120 /* 0 … 90 */")).toMatchObject({ min: 0, max: 120 });
 	});
 
+	it("may have an equals sign, and stop where a module begins", () => {
+		const { constants } = outlineOf(
+			"#define length=-320 /* -450 … 0 mm */\n#define w=2*length\n#module PETAL\n#define K=12",
+		);
+		expect(constants).toMatchObject([{ name: "length", min: -450, max: 0, words: "mm", number: { text: "-320" } }]);
+	});
+
 	it("are guessed a range else", () => {
 		expect(constant("#define alpha_y 60")).toMatchObject({ min: 0, max: 180, step: 1 });
 		expect(constant("#define r 0.75")).toMatchObject({ min: 0, max: 1, step: 0.01 });

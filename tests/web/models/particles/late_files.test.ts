@@ -5,7 +5,7 @@ import { traceFile } from "../../../../web/src/models/particles/leaf/tools/trace
 import { TREE } from "../../../../web/src/models/particles/tree/species";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 
-vi.mock("../../../../web/src/models/particles/leaf/trace/read_picture", () => ({ readPicture: async () => ({}) }));
+vi.mock("../../../../web/src/controls/tracing/read_picture", () => ({ readPicture: async () => ({}) }));
 vi.mock("../../../../web/src/models/particles/leaf/trace/trace", () => ({
 	traceLeaf: () => ({ outline: [{ x: 0, y: 0 }] }),
 }));

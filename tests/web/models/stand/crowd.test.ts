@@ -1,11 +1,12 @@
-import { PerspectiveCamera } from "three";
-import { beforeEach, expect, it } from "vitest";
-import { Crowd } from "../../../../web/src/models/stand/figure/crowd";
+import { BatchedMesh, PerspectiveCamera } from "three";
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { Crowd, stemOf } from "../../../../web/src/models/stand/figure/crowd";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import type { Material } from "../../../../web/src/plant/material";
 import type { PackedMesh } from "../../../../web/src/plant/packed_mesh";
 import type { LightUniforms } from "../../../../web/src/scene/light_shader";
-import { grownStand, planned } from "./stands";
+import type { WindUniforms } from "../../../../web/src/scene/wind";
+import { grownStand, PLAN, planned } from "./stands";
 
 const LEVELS = [400_000, 30_000, 4000, 500];
 const material: Material = { name: "Wood", colour: [0.4, 0.3, 0.2], roughness: 0.9 };
@@ -18,8 +19,9 @@ const mesh = (triangles: number): PackedMesh => ({
 });
 
 /** Thirty plants close to each other, each heavy from near; some are nothing but a foot. */
-async function standing(bare: number): Promise<StandPlant> {
-	const stand = await grownStand(planned("ground 20 x 10\nplants 30, random\ngrowth/figure-5, crown 0.1 x 4: steps 1"));
+async function standing(bare: number, many = 30): Promise<StandPlant> {
+	const plan = `ground 20 x 10\nplants ${many}, random\ngrowth/figure-5, crown 0.1 x 4: steps 1`;
+	const stand = await grownStand(planned(plan));
 	const levels = LEVELS.map((triangles) => [{ mesh: mesh(triangles), material }]);
 	const members = stand.members.map((member, i) => {
 		if (!member) throw new Error("it has not grown");
@@ -40,7 +42,7 @@ beforeEach(() => {
 });
 
 it("is as fine as may be in each view at once, whatever the view before was", async () => {
-	const crowd = new Crowd({} as LightUniforms);
+	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
 	const stand = await standing(0);
 	crowd.show(stand);
 	crowd.aim(from(4000));
@@ -50,7 +52,7 @@ it("is as fine as may be in each view at once, whatever the view before was", as
 	const near = crowd.triangles;
 	expect(near).toBeLessThanOrEqual(1_400_000);
 	expect(near).toBeGreaterThan(200_000);
-	const other = new Crowd({} as LightUniforms);
+	const other = new Crowd({} as LightUniforms, {} as WindUniforms);
 	other.show(stand);
 	for (const each of [crowd, other]) each.aim(from(14));
 	expect(crowd.triangles).toBe(other.triangles);
@@ -61,11 +63,93 @@ it("is as fine as may be in each view at once, whatever the view before was", as
 });
 
 it("counts nothing of a plant that has nothing to draw, and draws the others", async () => {
-	const crowd = new Crowd({} as LightUniforms);
+	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
 	crowd.show(await standing(3));
 	crowd.aim(from(4000));
 	expect(crowd.triangles).toBe(27 * 500);
 	crowd.mark(0);
 	crowd.aim(from(4000));
+	crowd.dispose();
+});
+
+/** How many plants were given another look. */
+const given = () => {
+	const spy = vi.spyOn(BatchedMesh.prototype, "setColorAt");
+	return () => spy.mock.calls.length;
+};
+afterEach(() => void vi.restoreAllMocks());
+
+it("leaves all as it is while the eye stands still, and changes no more than what looks otherwise", async () => {
+	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
+	crowd.show(await standing(0));
+	crowd.aim(from(4000));
+	const count = given();
+	crowd.aim(camera);
+	crowd.aim(from(4001));
+	expect(count()).toBe(0);
+	crowd.mark(3);
+	expect(count()).toBe(1);
+	crowd.aim(from(14));
+	expect(count()).toBeGreaterThan(20);
+	crowd.dispose();
+});
+
+it("draws what is out of sight by its last level, for its shadow, and does not count it", async () => {
+	const visible = vi.spyOn(BatchedMesh.prototype, "setVisibleAt");
+	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
+	crowd.show(await standing(0));
+	visible.mockClear();
+	camera.position.set(0, 2, 100);
+	camera.lookAt(0, 2, 200);
+	camera.updateMatrixWorld();
+	crowd.aim(camera);
+	expect(crowd.triangles).toBe(0);
+	expect(visible.mock.calls.filter(([, shown]) => shown)).toHaveLength(30);
+	crowd.dispose();
+});
+
+it("keeps nothing that the graphics card has, and makes it anew where that has lost it", async () => {
+	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
+	const stand = await standing(0);
+	crowd.show(stand);
+	const lengths = () =>
+		crowd.group.children.map((each) => (each as BatchedMesh).geometry.getAttribute("position").array.length);
+	const whole = lengths();
+	for (const { geometry } of crowd.group.children as BatchedMesh[])
+		for (const each of [...Object.values(geometry.attributes), geometry.index])
+			(each as unknown as { onUploadCallback(): void }).onUploadCallback();
+	expect(lengths()).toEqual([0]);
+	crowd.restored(stand);
+	expect(lengths()).toEqual(whole);
+	expect(whole[0]).toBeGreaterThan(0);
+	crowd.dispose();
+});
+
+it("has what is borne sway with its bearer, and what stands about its own foot", async () => {
+	const { places, kinds } = await grownStand(planned(PLAN));
+	const size = (plant: number, crown: number) => places.scale[plant] * crown;
+	expect(stemOf(places, kinds, 0)).toEqual([0, 0, 0, size(0, 8)]);
+	const [x, y, z, large] = stemOf(places, kinds, 12);
+	const foot = [...places.at.subarray(27, 30)];
+	expect(places.bearer[12]).toBe(9);
+	for (const [i, off] of [x, y, z].entries()) expect(places.at[36 + i] + off).toBeCloseTo(foot[i], 5);
+	expect(large).toBe(size(9, 6));
+});
+
+it("shows of very many different plants the nearest by their finest level, and lets go of it where they are left", async () => {
+	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
+	crowd.show(await standing(0, 260));
+	crowd.aim(from(4000));
+	const far = crowd.group.children.length;
+	const vertices = () => crowd.group.children.map((each) => (each as BatchedMesh).geometry.getIndex()?.count ?? 0);
+	expect(Math.max(...vertices().slice(far))).toBe(-Infinity);
+	crowd.aim(from(5));
+	const near = vertices().slice(far);
+	expect(near).toHaveLength(12);
+	expect(near.every((corners) => corners === 3 * LEVELS[0])).toBe(true);
+	crowd.aim(from(4.9));
+	expect(crowd.group.children.length - far).toBe(12);
+	crowd.aim(from(4000));
+	expect(crowd.group.children).toHaveLength(far);
 	crowd.dispose();
 });

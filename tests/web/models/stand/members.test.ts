@@ -3,15 +3,16 @@ import { CoreError } from "../../../../web/src/core/errors";
 import { aboutPlant } from "../../../../web/src/export/about_plant";
 import { exportGlb } from "../../../../web/src/export/glb";
 import { exportJson } from "../../../../web/src/export/json";
+import { growPlant } from "../../../../web/src/files/growth";
 import { readGrowthPlant } from "../../../../web/src/models/growth/growth_plant";
 import type { GrowthSpecimen } from "../../../../web/src/models/growth/specimen";
 import { modelNamed } from "../../../../web/src/models/index";
 import { grownMembers, KeptMembers } from "../../../../web/src/models/members";
 import { model } from "../../../../web/src/models/stand/index";
-import { askedOf } from "../../../../web/src/models/stand/members";
-import { placementsCsv } from "../../../../web/src/models/stand/record";
+import { type PlantRecord, placementsCsv } from "../../../../web/src/models/stand/record";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { decodeLink } from "../../../../web/src/specimen/link";
+import type { Specimen } from "../../../../web/src/specimen/specimen";
 import { grownStand, PLAN, planned, run } from "./stands";
 
 let stand: StandPlant;
@@ -42,19 +43,20 @@ describe("the members of a stand", () => {
 		expect(stand.fingerprint).toMatch(/^[0-9a-f]{16}$/);
 	});
 
-	it("can each be grown again alone, by what the stand asks for it", async () => {
+	it("can each be grown again alone, by the link that the stand tells of it", async () => {
 		const growth = await modelNamed("growth");
-		const asked = askedOf(stand, 4);
 		const member = stand.members[4];
 		if (!member) throw new Error("it has not grown");
-		const options = { meshes: false, measures: false, surroundings: asked.surroundings };
-		const plant = growth.read(
-			await run(growth.wasm, growth.encode(member.specimen, options as object)),
-			member.specimen,
-		);
-		expect(plant.fingerprint).toBe(member.fingerprint);
-		const { specimen } = await decodeLink(growth, member.link);
+		const { plants } = exportJson(model, stand, planned(PLAN)) as unknown as { plants: PlantRecord[] };
+		const { link = "", fingerprint } = plants[4];
+		expect(link.length).toBeLessThan(200);
+		const { specimen, notes } = await decodeLink(growth, link);
+		expect(notes).toEqual([]);
 		expect(specimen).toEqual(member.specimen);
+		const alone = async (of: Specimen) => growPlant(growth, of, { meshes: false, measures: false }, run);
+		expect((await alone(specimen)).fingerprint).toBe(fingerprint);
+		const { surroundings: _, ...lone } = specimen as GrowthSpecimen;
+		expect((await alone(lone)).fingerprint).not.toBe(fingerprint);
 	});
 
 	it("differ by seed and by what is drawn for them, and are alike where a line has so many seeds", () => {

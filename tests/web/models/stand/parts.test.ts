@@ -1,12 +1,14 @@
+import { Vector3 } from "three";
 import { beforeAll, expect, it } from "vitest";
 import { aboutPlant } from "../../../../web/src/export/about_plant";
 import { exportGlb } from "../../../../web/src/export/glb";
-import { shownAt } from "../../../../web/src/models/stand/figure/level_choice";
+import { STEPS, stepAt } from "../../../../web/src/models/stand/figure/level_choice";
 import { plantMet } from "../../../../web/src/models/stand/figure/plant_met";
+import { shadedBall, walks } from "../../../../web/src/models/stand/figure/shaded";
 import { model } from "../../../../web/src/models/stand/index";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { atFront, gazeOf, heightAt, stepped, turned } from "../../../../web/src/models/stand/walker";
-import { packed, unpacked } from "../../../../web/src/plant/packed_mesh";
+import { packed, reachOf, unpacked } from "../../../../web/src/plant/packed_mesh";
 import { complaints, documentOf } from "../../export/reading";
 import { grownStand, PLAN, planned } from "./stands";
 
@@ -56,7 +58,7 @@ it("packed meshes come back as they were, to a thirty-thousandth of their size",
 		indices: Uint32Array.of(0, 1, 0),
 		sky: Uint8Array.of(3, 250),
 	};
-	const back = unpacked(packed(mesh));
+	const back = unpacked(packed(mesh, reachOf([mesh])));
 	for (const [i, value] of mesh.positions.entries()) expect(Math.abs(back.positions[i] - value)).toBeLessThan(2e-4);
 	for (const [i, value] of mesh.normals.entries()) expect(Math.abs(back.normals[i] - value)).toBeLessThan(0.01);
 	expect([...back.indices]).toEqual([0, 1, 0]);
@@ -72,17 +74,18 @@ it("a line of sight meets the nearest crown, and nothing beside them", () => {
 });
 
 it("a level is chosen by size, and two share the pixels of what is between them", () => {
-	expect(shownAt(2, 4)).toEqual({ level: 0, share: 1 });
-	expect(shownAt(0.001, 4)).toEqual({ level: 3, share: 1 });
-	expect(shownAt(2, 4, 1)).toEqual({ level: 1, share: 1 });
-	expect(shownAt(2, 1)).toEqual({ level: 0, share: 1 });
-	let before = { level: 0, share: 1 };
+	expect(stepAt(2, 4)).toBe(0);
+	expect(stepAt(0.001, 4)).toBe(3 * STEPS);
+	expect(stepAt(2, 1)).toBe(0);
+	let before = 0;
 	for (let size = 2; size > 0.01; size *= 0.995) {
-		const now = shownAt(size, 4);
-		// No more than a step at a time: what is seen never jumps.
-		expect(now.level - now.share - (before.level - before.share)).toBeLessThan(0.25);
+		const now = stepAt(size, 4);
+		// Only ever coarser, and never by a jump.
+		expect(now).toBeGreaterThanOrEqual(before);
+		expect(now - before).toBeLessThan(0.25 * STEPS);
 		before = now;
 	}
+	expect(before).toBe(3 * STEPS);
 });
 
 it("who walks stays on the ground, at eye height over it, and looks where they turn", () => {
@@ -96,4 +99,22 @@ it("who walks stays on the ground, at eye height over it, and looks where they t
 	const ground = stand.meshes[0].positions;
 	expect(heightAt(stand, ground[30], ground[32])).toBeCloseTo(ground[31], 5);
 	expect(turned(pose, 0, 500).pitch).toBe(60);
+});
+
+it("shadows are drawn of all, and for who walks of what is ahead, by steps", () => {
+	const wide = { ...stand, ground: { width: 200, depth: 200, relief: 0 }, meshes: [] };
+	const whole = { centre: new Vector3(), radius: 150 };
+	const ahead = new Vector3(0, 0, -1);
+	const at = (x: number, y: number, z: number) => shadedBall(wide, whole, new Vector3(x, y, z), ahead);
+	expect([walks(wide, new Vector3(0, 30, 0)), walks(wide, new Vector3(99, 1.65, 0))]).toEqual([false, true]);
+	expect(at(0, 30, 0)).toBe(whole);
+	expect(at(0, 1.65, 101)).toBe(whole);
+	const { centre, radius } = at(0, 1.65, 0);
+	expect(radius).toBeLessThan(50);
+	expect(centre.z).toBeLessThan(-0.4 * radius);
+	expect(at(0, 1.65, -0.4).centre).toEqual(centre);
+	const places = new Set(Array.from({ length: 100 }, (_, i) => at(0, 1.65, -0.5 * i).centre.z));
+	expect(places.size).toBeGreaterThan(4);
+	expect(places.size).toBeLessThan(8);
+	expect(shadedBall(stand, { centre: new Vector3(), radius: 1 }, new Vector3(0, 1, 0), ahead).radius).toBe(1);
 });

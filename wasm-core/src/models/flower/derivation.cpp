@@ -42,6 +42,7 @@ class Deriver {
     for (std::uint32_t instance = 0; instance < derived_.instances.size() && !stopped_; ++instance)
       if (!run(instance)) return evaluation_.trouble();
     tell();
+    derived_.whole = !stopped_;
     return std::move(derived_);
   }
 
@@ -55,7 +56,7 @@ class Deriver {
 
   bool begin() {
     const Grammar& main = program_.grammars[0];
-    derived_.instances.push_back({0, 0, hash_text("flower")});
+    derived_.instances.push_back({0, 0, hash_text("flower"), {}});
     Record record;
     record.label = main.axiom;
     record.address = derived_.instances[0].address;
@@ -214,7 +215,7 @@ class Deriver {
     record.step = step_;
     record.address =
         hash_combine(hash_combine(derived_.records[before].address, of_step + step_), of_face + chosen.face);
-    if (growth.module) derived_.instances.push_back({growth.target, host.depth + 1, record.address});
+    if (growth.module) derived_.instances.push_back({growth.target, host.depth + 1, record.address, {}});
     const auto order = static_cast<float>(derived_.map.degree(derived_.map.dart_of(volume, chosen.face)));
     VolumeValues values;
     if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values, order, values)) return false;
@@ -394,12 +395,18 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
   Numbers numbers(program, evaluation);
   if (!evaluation.bind(limits)) return evaluation.trouble();
   std::vector<VolumeValues> all(derived.records.size());
+  std::vector<Instance> instances = derived.instances;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Record& record = derived.records[i];
     const auto order = static_cast<float>(derived.map.volume(record.volume).order);
-    if (!numbers.work_out(record, derived.records, derived.instances, all, order, all[i])) return evaluation.trouble();
+    if (!numbers.work_out(record, derived.records, instances, all, order, all[i])) return evaluation.trouble();
   }
   return all;
+}
+
+bool same_map(const Program& program, const Program& other) {
+  return program.bones == other.bones && program.notes == other.notes &&
+         program.once_bound.size() == other.once_bound.size();
 }
 
 bool rebuilds(const Program& program, const Given& before, const Given& now) {

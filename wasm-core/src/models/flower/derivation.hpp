@@ -37,6 +37,7 @@ struct Instance {
   std::uint32_t grammar = 0;
   std::uint32_t depth = 0;
   std::uint64_t address = 0;
+  GivenVariables given = {};
 };
 
 struct Derived {
@@ -48,6 +49,7 @@ struct Derived {
   std::vector<std::uint32_t> record_of;  // by volume, its last
   std::vector<Instance> instances;
   std::vector<std::string> notes;
+  bool whole = true;  // no limit ended its growth
 
   // What the embedding places: of each volume.
   std::vector<generalized_map::Shape> shapes() const;
@@ -60,6 +62,9 @@ Result<Derived> derive(const Program& program, const Given& given, const Limits&
 // (Variable::rebuilds). Errors: evaluation, bad_input.
 Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& given, const Derived& derived,
                                            const Limits& limits = {});
+
+// Whether two texts grow the same map from the same that is given, with the same words to it.
+bool same_map(const Program& program, const Program& other);
 
 // Whether what has been given changes the map, and not only where its corners are.
 bool rebuilds(const Program& program, const Given& before, const Given& now);

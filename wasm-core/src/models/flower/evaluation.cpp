@@ -81,13 +81,17 @@ bool Evaluation::variable(std::size_t at, std::uint64_t address) {
     const lsystem::Value& of = variable.number.value;
     if (!run(of.code, address)) return false;
     value = this->at(of.source);
-    if (!std::isfinite(value))
-      return fail(error_at(Reason::evaluation, of.place, "'%' comes to %; it must be a finite number.",
-                           {variable.name, number_text(value)}));
+    if (!is_finite(static_cast<std::uint32_t>(at), value, of.place)) return false;
   }
   registers_[variable.to] = value;
   variables_[at] = value;
   return true;
+}
+
+bool Evaluation::is_finite(std::uint32_t variable, float value, const lsystem::Place& place) {
+  if (std::isfinite(value)) return true;
+  return fail(error_at(Reason::evaluation, place, "'%' comes to %; it must be a finite number.",
+                       {program_.variables[variable].name, number_text(value)}));
 }
 
 // What follows from variables alone.
@@ -98,13 +102,30 @@ void Evaluation::settle() {
     lsystem::execute(program_.code, at, at + 1, registers_.data(), sources_, unheard);
 }
 
-bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address) {
+bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given) {
   set(Word::final_step, static_cast<float>(steps_[grammar]));
   const Grammar& of = program_.grammars[grammar];
   if (!of.draws || grammar == 0) return true;
-  for (std::uint32_t i = of.variables.begin; i < of.variables.end; ++i)
-    if (!variable(i, address)) return false;
+  for (std::uint32_t i = of.variables.begin; i < of.variables.end; ++i) {
+    const auto said = std::find_if(given.begin(), given.end(), [&](const auto& each) { return each.first == i; });
+    if (said != given.end()) {
+      registers_[program_.variables[i].to] = said->second;
+    } else if (!variable(i, address)) {
+      return false;
+    }
+  }
   settle();
+  return true;
+}
+
+bool Evaluation::settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given) {
+  given.clear();
+  for (const Setting& setting : settings) {
+    if (!run(setting.value.code, address)) return false;
+    const float value = at(setting.value.source);
+    if (!is_finite(setting.variable, value, setting.value.place)) return false;
+    given.emplace_back(setting.variable, value);
+  }
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "models/flower/program.hpp"
@@ -21,6 +22,9 @@ struct Given {
   std::uint64_t seed = 1;
 };
 
+// What a module was called with: variables, by their place in the program, and their values.
+using GivenVariables = std::vector<std::pair<std::uint32_t, float>>;
+
 class Evaluation {
  public:
   Evaluation(const Program& program, const Given& given);
@@ -30,7 +34,7 @@ class Evaluation {
   bool bind(const Limits& limits);
   std::uint32_t steps(std::uint32_t grammar) const { return steps_[grammar]; }
   // The values of a grammar's variables are now those of one of its instances, whose own draws go by `address`.
-  bool enter(std::uint32_t grammar, std::uint64_t address);
+  bool enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given);
 
   // The volume that a production is for, or that another grows from.
   void stand(const VolumeValues& values, std::uint32_t step);
@@ -40,6 +44,9 @@ class Evaluation {
   float at(std::uint32_t source) const { return registers_[source]; }
   // What a description gives, over what is there. False where one of them cannot be.
   bool describe(const Description& description, std::uint64_t address, VolumeValues& values);
+
+  // What a call gives a module's variables.
+  bool settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given);
 
   // How many instructions variables have taken so far, for limits of work.
   std::uint64_t settled() const { return settled_; }
@@ -55,6 +62,7 @@ class Evaluation {
  private:
   void set(Word word, float value) { registers_[static_cast<std::size_t>(word)] = value; }
   bool variable(std::size_t at, std::uint64_t address);
+  bool is_finite(std::uint32_t variable, float value, const lsystem::Place& place);
   void settle();
   bool count(const Number& number, const Limits& limits, std::uint32_t& steps);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "models/flower/ranks.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/upright.hpp"
+#include "plant/kept.hpp"
 #include "plant/plain.hpp"
 #include "plant/values.hpp"
 
@@ -73,11 +76,37 @@ void add_segments(Plant& plant, const Program& program, const Derived& derived,
   }
 }
 
+// The lines of the text that speak of volumes: where each is grown, and where the module is called that it is of; 0 for
+// what something begins with.
+void add_lines(Plant& plant, const Program& program, const Derived& derived) {
+  std::vector<std::uint32_t> of_growth(program.growths, 0), of_production(program.productions.size(), 0);
+  for (const Production& production : program.productions) {
+    of_production[production.number] = static_cast<std::uint32_t>(production.place.line);
+    for (const Growth& growth : production.growths)
+      of_growth[growth.number] = static_cast<std::uint32_t>(growth.arguments.place.line);
+  }
+  std::vector<std::uint32_t> called(derived.instances.size(), 0), lines, calls;
+  for (const Record& record : derived.records)
+    if (record.instance != record.maker) called[record.instance] = of_growth[record.source];
+  for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
+    const Record& record = derived.records[derived.record_of[v]];
+    const bool begins = record.before == nobody || record.instance != record.maker;
+    const bool grown = record.kind == Record::Kind::grown;
+    lines.push_back(begins ? 0 : grown ? of_growth[record.source] : of_production[record.source]);
+    calls.push_back(called[record.instance]);
+  }
+  plant.columns.add("volumes.line", std::move(lines));
+  plant.columns.add("volumes.call", std::move(calls));
+}
+
 void add_columns(Plant& plant, const Program& program, const Derived& derived, bool whole,
                  const generalized_map::Embedding& embedding) {
   std::string labels;
   for (const Label& label : program.labels) labels.append(labels.empty() ? "" : " ").append(label.name);
   plant.columns.add("labels", labels);
+  plant.columns.add(
+      "labels.module",
+      column_of<std::uint32_t>(program.labels, 1, [](const Label& of, std::uint32_t* at) { *at = of.grammar; }));
   std::vector<std::uint32_t> label, order, parent;
   std::vector<float> values;
   for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
@@ -91,6 +120,7 @@ void add_columns(Plant& plant, const Program& program, const Derived& derived, b
   plant.columns.add("volumes.order", std::move(order));
   plant.columns.add("volumes.parent", std::move(parent));
   plant.columns.add("volumes.values", std::move(values), fields);
+  add_lines(plant, program, derived);
   if (!whole) return;
   for (std::uint32_t i = 0; i < 4; ++i) {
     const auto alpha = derived.map.alphas(i);
@@ -106,17 +136,21 @@ void add_columns(Plant& plant, const Program& program, const Derived& derived, b
                     3);
 }
 
-void add_materials(Plant& plant, const Program& program) {
+void add_materials(Plant& plant, const Program& program, float age) {
   std::vector<std::uint32_t> numbers, colours;
+  std::vector<float> paint;
   for (const PlantMesh& mesh : plant.meshes) {
     const auto number = static_cast<std::uint32_t>(std::stoul(mesh.name.substr(1)));
     const Material material = material_of(program, number);
+    const Colours now = colours_at(material, age);
     numbers.push_back(number);
-    colours.push_back(material.base);
-    colours.push_back(material.tip);
+    colours.insert(colours.end(), {now.base, now.tip, material.margin, material.veins});
+    paint.insert(paint.end(),
+                 {material.foot, material.margin_width, material.vein_count, material.vein_strength, material.light});
   }
   plant.columns.add("materials.number", std::move(numbers));
-  plant.columns.add("materials.colours", std::move(colours), 2);
+  plant.columns.add("materials.colours", std::move(colours), 4);
+  plant.columns.add("materials.paint", std::move(paint), 5);
 }
 
 void measure(Plant& plant, const generalized_map::Embedding& embedding, std::size_t organs) {
@@ -150,6 +184,57 @@ bool read_values(Request& request, Given& given) {
   return true;
 }
 
+// The last flower, as far as another can be made of it that differs only in where its volumes are.
+struct LastFlower : Kept {
+  explicit LastFlower(Derived grown) : derived(std::move(grown)) { embedding.lay(derived.map); }
+
+  std::string text;
+  Program program;
+  Given given;
+  Derived derived;
+  generalized_map::Embedding embedding;
+  std::optional<Skin> skin;
+
+  std::uint64_t bytes() const {
+    return text.size() + program.bones.size() + derived.map.bytes() + embedding.bytes() +
+           derived.records.size() * (sizeof(Record) + sizeof(VolumeValues)) + (skin ? skin->bytes() : 0);
+  }
+};
+
+// The same map placed anew, where that is the same as growing; what it is made of, else.
+bool replaced(LastFlower& last, const Program& program, const Given& given, const Limits& limits) {
+  if (!same_map(program, last.program) || rebuilds(program, last.given, given)) return false;
+  auto values = reworked(program, given, last.derived, limits);
+  // What went wrong is told by growing.
+  if (!values) return false;
+  last.derived.values = std::move(values.value());
+  return true;
+}
+
+// Errors: those of reading and of growing.
+Result<std::unique_ptr<LastFlower>> grown(std::string_view text, const Given& given, const Limits& limits,
+                                          std::unique_ptr<LastFlower> last) {
+  std::optional<Program> anew;
+  if (!last || last->text != text) {
+    auto read = read_program(text, limits);
+    if (!read) return read.error();
+    anew = std::move(read.value());
+  }
+  const Program& program = anew ? *anew : last->program;
+  if (!last || !replaced(*last, program, given, limits)) {
+    auto derived = derive(program, given, limits);
+    if (!derived) return derived.error();
+    auto flower = std::make_unique<LastFlower>(std::move(derived.value()));
+    flower->program = anew ? std::move(*anew) : std::move(last->program);
+    last = std::move(flower);
+  } else if (anew) {
+    last->program = std::move(*anew);
+  }
+  last->text = text;
+  last->given = given;
+  return last;
+}
+
 Result<Plant> grow(Request& request, const Limits& limits) {
   request.text("model");
   Given given;
@@ -167,31 +252,39 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const FlowerValues values(asked, plant.notes);
   given.steps = values.whole(steps);
   given.age = values[age];
-  const auto program = read_program(text, limits);
-  if (!program) return program.error();
-  const auto derived = derive(program.value(), given, limits);
-  if (!derived) return derived.error();
-  plant.notes.insert(plant.notes.end(), derived->notes.begin(), derived->notes.end());
+  Keeping* const kept = request.kept();
+  std::unique_ptr<LastFlower> last(kept ? static_cast<LastFlower*>(kept->release()) : nullptr);
+  auto flower = grown(text, given, limits, std::move(last));
+  if (!flower) return flower.error();
+  auto& [own_text, program, own_given, derived, embedding, skin] = *flower.value();
+  plant.notes.insert(plant.notes.end(), derived.notes.begin(), derived.notes.end());
 
-  generalized_map::Embedding embedding;
-  embedding.lay(derived->map);
-  embedding.place(derived->shapes());
-  add_segments(plant, program.value(), derived.value(), embedding);
-  add_columns(plant, program.value(), derived.value(), whole, embedding);
+  embedding.place(derived.shapes());
+  add_segments(plant, program, derived, embedding);
+  add_columns(plant, program, derived, whole, embedding);
   if (meshes) {
-    const Diagnostic trouble = add_skin(plant, program.value(), derived.value(), embedding, values.whole(smooth), sky);
-    if (trouble.reason != Reason::none) return trouble;
-    add_materials(plant, program.value());
+    if (!skin || skin->rounds() != values.whole(smooth)) {
+      const Diagnostic trouble = Skin::trouble_of(derived, values.whole(smooth));
+      if (trouble.reason != Reason::none) return trouble;
+      skin.emplace(derived, embedding, values.whole(smooth));
+    }
+    embedding.place(skin->shapes(derived));
+    skin->add_to(plant, program, derived, embedding, sky);
+    add_materials(plant, program, given.age);
   }
   std::uint32_t triangles = 0;
   for (const PlantMesh& mesh : plant.meshes) triangles += static_cast<std::uint32_t>(mesh.mesh.indices.size() / 3);
-  plant.counts = {{"volumes", derived->map.volumes()},
-                  {"darts", derived->map.darts()},
-                  {"organs", static_cast<std::uint32_t>(derived->instances.size() - 1)},
+  plant.counts = {{"volumes", derived.map.volumes()},
+                  {"darts", derived.map.darts()},
+                  {"organs", static_cast<std::uint32_t>(derived.instances.size() - 1)},
                   {"triangles", triangles}};
-  if (measures) measure(plant, embedding, derived->instances.size() - 1);
+  if (measures) {
+    embedding.place(derived.shapes());
+    measure(plant, embedding, derived.instances.size() - 1);
+  }
   plant.fingerprint = fingerprint_of(plant);
   if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  if (kept && derived.whole && flower.value()->bytes() <= Kept::most_bytes) *kept = std::move(flower.value());
   return plant;
 }
 

@@ -10,6 +10,8 @@
 //   volumes.order      uint32
 //   volumes.parent     uint32, 0xffffffff of the first
 //   volumes.values     float32 × 9: N, T, atx, aty, atz, H, L, W, m
+//   volumes.line, volumes.call
+//                      uint32: the line of the text where each is grown, and where its module is called; 0 for none
 //   materials.number   uint32, one a mesh
 //   materials.colours  uint32 × 2: where an organ begins and ends, red, green and blue of 8 bits each
 // with `map`: alpha0 … alpha3, darts.volume, darts.vertex (uint32 a dart), vertices.position (float32 × 3).

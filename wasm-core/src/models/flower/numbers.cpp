@@ -22,14 +22,15 @@ Numbers::Numbers(const Program& program, Evaluation& evaluation)
 bool Numbers::enter(const std::vector<Instance>& instances, std::uint32_t instance) {
   if (entered_ == instance) return true;
   entered_ = instance;
-  return evaluation_.enter(instances[instance].grammar, instances[instance].address);
+  const Instance& of = instances[instance];
+  return evaluation_.enter(of.grammar, of.address, of.given);
 }
 
 bool Numbers::of_label(const Record& record, VolumeValues& values) {
   return evaluation_.describe(program_.labels[record.label].description, record.address, values);
 }
 
-bool Numbers::work_out(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
+bool Numbers::work_out(const Record& record, const std::vector<Record>& records, std::vector<Instance>& instances,
                        const std::vector<VolumeValues>& known, float order, VolumeValues& values) {
   values = nothing_said;
   values[at(Field::order)] = order;
@@ -56,6 +57,13 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
     return evaluation_.run(split.blocks, records[record.before].address) &&
            evaluation_.describe(rest ? split.rest_description : split.part_description, record.address, values);
   }
+  const bool begins = record.before == nobody || record.instance != record.maker;
+  if (begins && record.before != nobody && !growth(record.source).settings.empty()) {
+    // The call's luck is the volume's, so that each call draws for itself.
+    if (!stand_at_call(record, records, instances, before) ||
+        !evaluation_.settle(growth(record.source).settings, record.address, instances[record.instance].given))
+      return false;
+  }
   if (record.inherits) {
     values = before;
   } else {
@@ -64,20 +72,24 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
     evaluation_.face(record.side);
     if (!of_label(record, values)) return false;
   }
-  const bool begins = record.before == nobody || record.instance != record.maker;
   if (begins) {
     if (!enter(instances, record.instance)) return false;
     const Grammar& grammar = program_.grammars[instances[record.instance].grammar];
     if (!evaluation_.describe(grammar.axiom_arguments, record.address, values)) return false;
   }
   if (record.kind == Record::Kind::axiom) return true;
-  if (!enter(instances, record.maker)) return false;
   const Growth& growth = this->growth(record.source);
-  if (growth.arguments.given == 0) return true;
+  if (growth.arguments.given == 0) return enter(instances, record.maker);
+  return stand_at_call(record, records, instances, before) &&
+         evaluation_.describe(growth.arguments, record.address, values);
+}
+
+bool Numbers::stand_at_call(const Record& record, const std::vector<Record>& records,
+                            const std::vector<Instance>& instances, const VolumeValues& before) {
+  if (!enter(instances, record.maker)) return false;
   evaluation_.stand(before, record.step);
   evaluation_.face(record.side);
-  return evaluation_.run(growth.blocks, hash_combine(records[record.before].address, record.step)) &&
-         evaluation_.describe(growth.arguments, record.address, values);
+  return evaluation_.run(growth(record.source).blocks, hash_combine(records[record.before].address, record.step));
 }
 
 }  // namespace panicle::flower

@@ -12,8 +12,9 @@ class Numbers {
   Numbers(const Program& program, Evaluation& evaluation);
 
   // A record's values, where those of the records before it are known. `order`: of the face that it stands on, for
-  // volumes that do not say. False: the evaluation's trouble.
-  bool work_out(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
+  // volumes that do not say. What a module begins with tells its instance what it was called with. False: the
+  // evaluation's trouble.
+  bool work_out(const Record& record, const std::vector<Record>& records, std::vector<Instance>& instances,
                 const std::vector<VolumeValues>& known, float order, VolumeValues& values);
   const Growth& growth(std::uint32_t number) const { return *growths_[number]; }
   const Production& production(std::uint32_t number) const { return *productions_[number]; }
@@ -21,6 +22,9 @@ class Numbers {
   bool enter(const std::vector<Instance>& instances, std::uint32_t instance);
 
  private:
+  // What a call works out of what it stands on.
+  bool stand_at_call(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
+                     const VolumeValues& before);
   bool of_label(const Record& record, VolumeValues& values);
 
   const Program& program_;

@@ -165,9 +165,7 @@ bool Reader::grow(const Blocks& blocks, Production& production) {
   }
   if (root != production.predecessor) {
     production.becomes = root;
-    program_.notes.push_back(lsystem::sentence(
-        "Line %: % becomes %, whose productions then hold for it.",
-        {std::to_string(place.line), program_.labels[production.predecessor].name, program_.labels[root].name}));
+    renamed_.push_back({place.line, production.predecessor, root});
   }
   if (at_ == end_ && production.becomes == nobody)
     return wrong(here(), "Nothing happens here; a volume grows in brackets, as in STEM -> STEM[STEM]_{E}.");
@@ -214,10 +212,50 @@ bool Reader::growth(const Blocks& blocks, Production& production) {
   growth.arguments.place = tokens_[name].place;
   const Form form = growth.module ? forms_of_modules_[growth.target] : forms_[growth.target];
   if (!description(form, Scope::production, growth.arguments)) return false;
+  if (on_sign('{') && growth.module && !settings(growth)) return false;
   if (at_ < end_) return wrong(here(), "'%' cannot stand here; ] is expected.", {found()});
   end_ = end;
   at_ = behind;
   production.growths.push_back(std::move(growth));
+  return true;
+}
+
+// `{len = 60; open = age}` behind a module that is called
+bool Reader::settings(Growth& growth) {
+  std::size_t begin = 0, end = 0;
+  if (!block(begin, end)) return false;
+  const std::size_t behind = at_;
+  program_.grammars[growth.target].draws = true;
+  for (at_ = begin; at_ < end;) {
+    if (tokens_[at_].kind != TokenKind::name || !next_is(at_, '=') || at_ + 2 >= end)
+      return wrong(here(), "A module's variables are given their values here, as in &PETAL{len = 60}.");
+    Setting setting;
+    setting.variable = find_variable(found(), growth.target);
+    if (setting.variable == nobody || program_.variables[setting.variable].grammar != growth.target)
+      return fail(Reason::undefined, here(), "The module % has no variable %; add #define %=… to it.",
+                  {program_.grammars[growth.target].name, found(), found()});
+    for (const Setting& other : growth.settings)
+      if (other.variable == setting.variable)
+        return wrong(here(), "% has been given a value already; take one out.", {found()});
+    at_ += 2;
+    std::size_t semicolon = at_;
+    while (semicolon < end && !tokens_[semicolon].is(';')) ++semicolon;
+    const std::size_t first = at_;
+    const Uses before = std::exchange(of_blocks_, {});
+    Number number;
+    if (!this->number(semicolon, Scope::production, false, number)) return false;
+    Uses uses = of_blocks_;
+    const bool of_blocks = std::exchange(uses.locals, false);
+    if (of_blocks) uses.add(before);
+    uses.locals = false;
+    uses_of_settings_.emplace_back(setting.variable, std::move(uses));
+    calls_.emplace_back(setting.variable, of_blocks ? read_ : Statement{first, semicolon, grammar_});
+    of_blocks_.add(before);
+    setting.value = number.value;
+    growth.settings.push_back(setting);
+    at_ = std::min(end, semicolon + 1);
+  }
+  at_ = behind;
   return true;
 }
 

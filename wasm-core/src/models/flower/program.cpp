@@ -94,6 +94,10 @@ class Draws {
 
 }  // namespace
 
+float light_through(std::string_view kind) {
+  return kind == "petal" ? 0.5f : kind == "sepal" || kind == "leaf" ? 0.3f : 0;
+}
+
 Result<Program> read_program(std::string_view text, const Limits& limits) {
   if (text.size() > limits.text_bytes)
     return error_at(Reason::limit, {}, "The text is longer than % bytes, which is the limit; make it shorter.",

@@ -78,6 +78,12 @@ struct FaceOf {
   lsystem::Place place;
 };
 
+// What a call gives one of a module's variables instead of its own value: `&PETAL{len=60}`.
+struct Setting {
+  std::uint32_t variable = 0;
+  lsystem::Value value;
+};
+
 // `[NEW(…)]_{faces}`, or with & a module.
 struct Growth {
   bool module = false;
@@ -85,7 +91,8 @@ struct Growth {
   std::vector<FaceOf> faces;
   lsystem::Range blocks;  // what the production works out before, and the faces
   Description arguments;
-  std::uint32_t number = 0;  // among all of the program, for notes
+  std::vector<Setting> settings;  // of a module
+  std::uint32_t number = 0;       // among all of the program, for notes
 };
 
 // `predecessor {before} {condition} {after} -> successor`
@@ -116,13 +123,28 @@ struct Variable {
   bool rebuilds = false;  // whether the map depends on it, and not only where its corners are
 };
 
-// `#material 4 petal "c8102e" "f6d55c"`: what a volume's m means.
+// Where an organ begins and where it ends: red, green and blue, 8 bits each, as sRGB.
+struct Colours {
+  std::uint32_t base = 0, tip = 0;
+};
+
+// `#material 4 petal "c8102e" "f6d55c" foot 0.4 margin "ffffff" 0.2 veins "8a1030" 9 0.5 light 0.6 bud "5d8250"`: what
+// a volume's m means. What is said besides kind and colours may be missing.
 struct Material {
   std::uint32_t number = 0;
-  std::string kind;                 // stem, leaf, sepal, petal, stamen, pistil or seed
-  std::uint32_t base = 0, tip = 0;  // red, green and blue where an organ begins and where it ends, 8 bits each, as sRGB
+  std::string kind;  // stem, leaf, sepal, petal, stamen, pistil or seed
+  Colours open;
+  Colours bud, wilted;                      // at an age of 0 and of 2; mixed between
+  float foot = 0.6f;                        // over how much of an organ's length the first colour goes into the second
+  std::uint32_t margin = 0, veins = 0;      // colours
+  float margin_width = 0;                   // as a share of half the width
+  float vein_count = 0, vein_strength = 0;  // a side; 0 … 1
+  float light = 0;                          // that comes through from behind, as a share
   lsystem::Place place;
 };
+
+// How much light comes through what is of a kind, where nobody says otherwise.
+float light_through(std::string_view kind);
 
 // The text itself, or one of its modules.
 struct Grammar {
@@ -131,7 +153,7 @@ struct Grammar {
   Description axiom_arguments;
   lsystem::Range variables;  // in Program::variables
   Number final_step;         // where given
-  bool draws = false;        // whether a variable does, so that each instance has its own
+  bool draws = false;        // whether a variable does, or a call gives one, so that each instance has its own
   lsystem::Place place;
 };
 
@@ -143,6 +165,9 @@ struct Program {
   std::vector<Material> materials;
   std::uint32_t growths = 0;
   bool age_rebuilds = false, values_rebuild = false;  // whether the map depends on `age`, or on volumes' own numbers
+  // The text less all that only places the map: materials, and the figures of numbers that no order, face, condition or
+  // number of steps depends on.
+  std::string bones;
   lsystem::Code code;
   lsystem::Range once_bound;  // to run when variables are known
   std::vector<std::string> notes;

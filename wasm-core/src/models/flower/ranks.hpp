@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "models/flower/derivation.hpp"
@@ -20,5 +21,9 @@ struct Ranks {
 };
 
 Ranks ranks_of(const Derived& derived);
+
+// The same as shares of what there is of an organ, 0 … 1, by volume: along its axis by lengths, so that what is drawn
+// on it is not drawn out where steps are long; beside it by how many stand there.
+std::vector<glm::vec2> places_in_organs(const Derived& derived);
 
 }  // namespace panicle::flower

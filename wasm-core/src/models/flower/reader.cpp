@@ -20,6 +20,7 @@ constexpr std::size_t most_variables = 1000, most_labels = 4000, most_modules = 
 constexpr std::uint32_t most_material = 255;
 constexpr std::array<std::string_view, 7> material_kinds = {"stem",   "leaf",   "sepal", "petal",
                                                             "stamen", "pistil", "seed"};
+constexpr float most_veins = 60;
 constexpr std::string_view final_step = "finalStep";
 constexpr const char* directives =
     "A line with # is #define NAME(…), #define name=…, #axiom: NAME, #module NAME or #material; '%' is none of these.";
@@ -36,7 +37,7 @@ void Reader::Uses::add(const Uses& other) {
 }
 
 Reader::Reader(std::span<const Token> tokens, Program& program, lsystem::Lowering& lowering)
-    : TokenReader(tokens), program_(program), lowering_(lowering) {
+    : TokenReader(tokens), program_(program), lowering_(lowering), figures_(tokens.size(), Figure::unread) {
   for (const std::string_view name : field_names) formals_.push_back({name, {}});
   for (const std::string_view name : word_names) formals_.push_back({name, {}});
 }
@@ -54,6 +55,7 @@ bool Reader::run() {
       at_ = each.begin;
       end_ = each.end;
       grammar_ = each.grammar;
+      read_ = each;
       const bool defines = tokens_[at_].is('#') && tokens_[at_ + 1].is("define") && next_is(at_ + 2, '=');
       if (defines != of_variables) continue;
       if (!statement(each)) return false;
@@ -186,6 +188,7 @@ bool Reader::declare_variable(const Statement& statement) {
   all.end = static_cast<std::uint32_t>(program_.variables.size());
   keys_of_variables_.push_back(spelled_.emplace_back(key));
   uses_of_variables_.emplace_back();
+  definitions_.push_back(statement);
   return true;
 }
 
@@ -269,11 +272,51 @@ bool Reader::material() {
     return wrong(here(), "The kinds are stem, leaf, sepal, petal, stamen, pistil and seed; '%' is none.", {found()});
   material.kind = std::string(found());
   ++at_;
-  if (!colour(material.base)) return false;
-  material.tip = material.base;
-  if (at_ < end_ && !colour(material.tip)) return false;
+  if (!colours(material.open)) return false;
+  material.bud = material.wilted = material.open;
+  material.light = light_through(material.kind);
+  if (!said_of(material)) return false;
   program_.materials.push_back(std::move(material));
   return true;
+}
+
+// `margin "ffffff" 0.2 light 0.6`: each once, in any order.
+bool Reader::said_of(Material& material) {
+  static constexpr std::array<std::string_view, 6> sayable = {"foot", "margin", "veins", "light", "bud", "wilted"};
+  std::array<bool, 6> said{};
+  while (at_ < end_) {
+    const auto word = static_cast<std::size_t>(std::find(sayable.begin(), sayable.end(), found()) - sayable.begin());
+    if (!on_name() || word == sayable.size())
+      return wrong(here(), "Of a material one can say foot, margin, veins, light, bud and wilted; '%' is none.",
+                   {found()});
+    if (said[word]) return wrong(here(), "% has been said already; take one out.", {found()});
+    said[word] = true;
+    ++at_;
+    const bool fine = word == 0   ? share(material.foot, 1)
+                      : word == 1 ? colour(material.margin) && share(material.margin_width, 1)
+                      : word == 2 ? colour(material.veins) && share(material.vein_count, most_veins) &&
+                                        share(material.vein_strength, 1)
+                      : word == 3 ? share(material.light, 1)
+                      : word == 4 ? colours(material.bud)
+                                  : colours(material.wilted);
+    if (!fine) return false;
+  }
+  return true;
+}
+
+// A number that is no less than nothing.
+bool Reader::share(float& value, float most) {
+  if (at_ >= end_ || tokens_[at_].kind != TokenKind::number || !(tokens_[at_].number <= most))
+    return wrong(here(), "A number from 0 to % stands here, not '%'.", {lsystem::number_text(most), found()});
+  value = tokens_[at_++].number;
+  return true;
+}
+
+// One, or two: where an organ begins, and where it ends.
+bool Reader::colours(Colours& colours) {
+  if (!colour(colours.base)) return false;
+  colours.tip = colours.base;
+  return at_ >= end_ || tokens_[at_].kind != TokenKind::quoted || colour(colours.tip);
 }
 
 bool Reader::colour(std::uint32_t& colour) {
@@ -357,6 +400,9 @@ bool Reader::description(Form form, Scope scope, Description& description) {
 }
 
 bool Reader::number(std::size_t end, Scope scope, bool of_map, Number& number) {
+  for (std::size_t at = at_; at < end; ++at)
+    if (figures_[at] == Figure::unread) figures_[at] = Figure::free;
+  if (of_map) pin(at_, end);
   Expression tree;
   const std::size_t whole = end_;
   end_ = end;
@@ -387,6 +433,8 @@ bool Reader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& draws) {
                    "% asks about a place of the plant, which a flower's grammar does not know; take it out.",
                    {node.name});
     draws |= node.kind == Node::Kind::operation && lsystem::is_random(node.op);
+    // It refuses some bounds: whether it does is known where it is drawn.
+    program_.values_rebuild |= node.kind == Node::Kind::operation && node.op == lsystem::Op::random_whole;
     if (node.kind != Node::Kind::name) continue;
     if (std::find(locals_.begin(), locals_.end(), node.name) != locals_.end() && scope == Scope::production) {
       uses.locals = true;
@@ -435,6 +483,34 @@ void Reader::rebuilds(const Uses& uses) {
     without.locals = false;
     rebuilds(without);
     of_blocks_ = all;
+    pin(read_.begin, read_.end);
+  }
+}
+
+void Reader::pin(std::size_t begin, std::size_t end) {
+  std::fill(figures_.begin() + static_cast<std::ptrdiff_t>(begin), figures_.begin() + static_cast<std::ptrdiff_t>(end),
+            Figure::pinned);
+}
+
+// Lines are in it, since notes name them.
+void Reader::write_bones() {
+  for (std::size_t i = 0; i < definitions_.size(); ++i)
+    if (program_.variables[i].rebuilds) pin(definitions_[i].begin, definitions_[i].end);
+  for (const auto& [variable, statement] : calls_)
+    if (program_.variables[variable].rebuilds) pin(statement.begin, statement.end);
+  program_.bones.reserve(5 * tokens_.size());
+  std::uint32_t grammar = 0;
+  for (const Statement& each : statements_) {
+    for (; grammar < each.grammar; ++grammar)
+      program_.bones.append("\n#module ").append(program_.grammars[grammar + 1].name);
+    if (tokens_[each.begin].is('#') && tokens_[each.begin + 1].is("material")) continue;
+    for (std::size_t at = each.begin; at < each.end; ++at) {
+      const Token& token = tokens_[at];
+      if (at == each.begin || token.first_on_line) program_.bones.append("\n").append(std::to_string(token.place.line));
+      program_.bones += ' ';
+      const bool is_free = token.kind == TokenKind::number && figures_[at] == Figure::free;
+      program_.bones.append(is_free ? std::string_view("0") : token.text);
+    }
   }
 }
 
@@ -459,18 +535,32 @@ std::uint32_t Reader::find_grammar(std::string_view name) const {
 }
 
 void Reader::finish() {
-  // A variable that is made of others: whoever depends on it depends on those.
-  for (std::size_t i = program_.variables.size(); i-- > 0;) {
-    if (!program_.variables[i].rebuilds) continue;
-    for (const std::uint32_t other : uses_of_variables_[i].variables) program_.variables[other].rebuilds = true;
-    program_.age_rebuilds |= uses_of_variables_[i].age;
+  // A variable that is made of others, or given by a call: whoever depends on it depends on those. Calls may stand in
+  // any order, and so it is gone through again until nothing is new.
+  const auto known = [&] {
+    return std::count_if(program_.variables.begin(), program_.variables.end(),
+                         [](const Variable& variable) { return variable.rebuilds; });
+  };
+  for (std::ptrdiff_t before = -1; before != known();) {
+    before = known();
+    for (const auto& [variable, uses] : uses_of_settings_)
+      if (program_.variables[variable].rebuilds) rebuilds(uses);
+    for (std::size_t i = program_.variables.size(); i-- > 0;)
+      if (program_.variables[i].rebuilds) rebuilds(uses_of_variables_[i]);
   }
+  write_bones();
   std::stable_sort(program_.productions.begin(), program_.productions.end(),
                    [](const Production& a, const Production& b) { return a.predecessor < b.predecessor; });
   for (std::uint32_t i = 0; i < program_.productions.size(); ++i) {
     lsystem::Range& of = program_.labels[program_.productions[i].predecessor].productions;
     if (of.end == 0) of.begin = i;
     of.end = i + 1;
+  }
+  for (const Renamed& each : renamed_) {
+    const Label& to = program_.labels[each.to];
+    if (to.productions.size() == 0) continue;
+    program_.notes.push_back(lsystem::sentence("Line %: % becomes %, whose productions then hold for it.",
+                                               {std::to_string(each.line), program_.labels[each.from].name, to.name}));
   }
 }
 

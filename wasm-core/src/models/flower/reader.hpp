@@ -59,7 +59,10 @@ class Reader : lsystem::TokenReader {
   bool variable();
   bool axiom();
   bool material();
+  bool said_of(Material& material);
   bool colour(std::uint32_t& colour);
+  bool colours(Colours& colours);
+  bool share(float& value, float most);
   bool production();
   bool blocks(Blocks& blocks);
   bool block(std::size_t& begin, std::size_t& end);
@@ -68,6 +71,7 @@ class Reader : lsystem::TokenReader {
   bool both_blocks(const Blocks& blocks, const Production& production);
   bool grow(const Blocks& blocks, Production& production);
   bool growth(const Blocks& blocks, Production& production);
+  bool settings(Growth& growth);
   bool too_much(const lsystem::Place& place);
   bool faces(Growth& growth);
   bool face(FaceOf& face);
@@ -83,6 +87,9 @@ class Reader : lsystem::TokenReader {
   bool rewritten(lsystem::Expression& tree, Scope scope, Uses& uses, bool& draws);
   bool unknown(const lsystem::Node& node, Scope scope);
   void rebuilds(const Uses& uses);
+  // Whether figures are part of what the map depends on.
+  void pin(std::size_t begin, std::size_t end);
+  void write_bones();
   bool opens(std::size_t at) const { return at < end_ && tokens_[at].is('('); }
   std::uint32_t find_label(std::string_view name) const;
   std::uint32_t find_variable(std::string_view name, std::uint32_t grammar) const;
@@ -99,10 +106,20 @@ class Reader : lsystem::TokenReader {
   std::vector<Form> forms_of_modules_;  // of what each begins with
   std::vector<std::string_view> keys_of_variables_;
   std::vector<Uses> uses_of_variables_;
-  lsystem::Names labels_, variables_, grammars_;  // by key_of; modules by name
+  enum class Figure : std::uint8_t { unread, free, pinned };
+  std::vector<Figure> figures_;                             // of tokens that are numbers
+  std::vector<std::pair<std::uint32_t, Statement>> calls_;  // that give variables their values
+  std::vector<Statement> definitions_;                      // of variables
+  Statement read_{0, 0, 0};                                 // that is read
+  lsystem::Names labels_, variables_, grammars_;            // by key_of; modules by name
   std::deque<std::string> spelled_;
   std::vector<std::string_view> locals_;
   Uses of_blocks_;
+  std::vector<std::pair<std::uint32_t, Uses>> uses_of_settings_;  // by variable
+  struct Renamed {
+    std::uint32_t line, from, to;
+  };
+  std::vector<Renamed> renamed_;
   std::uint32_t grammar_ = 0;  // that is read
   std::uint32_t known_variables_ = 0;
   std::uint64_t keys_ = 0;

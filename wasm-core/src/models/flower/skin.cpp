@@ -5,10 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
-#include <optional>
 
 #include "environment/openness.hpp"
-#include "generalized_map/boundary.hpp"
 #include "lsystem/diagnostics.hpp"
 #include "models/flower/ranks.hpp"
 #include "models/flower/upright.hpp"
@@ -35,23 +33,43 @@ constexpr std::array<Standard, 10> standards = {{{"stem", 0x6f8f4a, 0x6f8f4a},
                                                  {"seed", 0x5a4630, 0x6b5438},
                                                  {"petal", 0xf4f1e8, 0xffffff}}};
 
-// A closed skin as triangles, and whose each is.
-struct Skin {
-  ClosedSurface surface;
-  std::vector<std::uint32_t> of_face;  // the boundary's face that each came from
-};
-
-Skin rounded(ClosedSurface surface, std::uint32_t rounds) {
-  Skin skin{std::move(surface), {}};
-  skin.of_face.resize(skin.surface.faces);
-  for (std::uint32_t f = 0; f < skin.surface.faces; ++f) skin.of_face[f] = f;
+// How far a tube of radius 1 is drawn in by so many rounds: across it Catmull and Clark's rule is the cubic spline's.
+float drawn_in(std::uint32_t order, std::uint32_t rounds) {
+  std::vector<glm::vec2> ring = generalized_map::polygon(order), finer;
   for (std::uint32_t round = 0; round < rounds; ++round) {
-    std::vector<std::uint32_t> finer(skin.surface.half_edges());
-    for (std::uint32_t h = 0; h < skin.surface.half_edges(); ++h) finer[h] = skin.of_face[skin.surface.face[h]];
-    skin.surface = subdivided(skin.surface);
-    skin.of_face = std::move(finer);
+    finer.clear();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const glm::vec2 &before = ring[(i + ring.size() - 1) % ring.size()], &after = ring[(i + 1) % ring.size()];
+      finer.push_back((before + 6.0f * ring[i] + after) / 8.0f);
+      finer.push_back((ring[i] + after) / 2.0f);
+    }
+    std::swap(ring, finer);
   }
-  return skin;
+  float sum = 0;
+  for (const glm::vec2& point : ring) sum += std::sqrt(glm::dot(point, point));
+  return 2 * sum / static_cast<float>(ring.size());
+}
+
+// Of two colours, channel by channel.
+std::uint32_t mixed(std::uint32_t from, std::uint32_t to, float share) {
+  std::uint32_t colour = 0;
+  for (const std::uint32_t shift : {0u, 8u, 16u}) {
+    const auto a = static_cast<float>(from >> shift & 255), b = static_cast<float>(to >> shift & 255);
+    colour |= static_cast<std::uint32_t>(a + (b - a) * share + 0.5f) << shift;
+  }
+  return colour;
+}
+
+// A material's number; 0 for what is none.
+bool number_of(float m, std::uint8_t& number) {
+  const bool is_number = m >= 0 && m < 256 && std::floor(m) == m;
+  number = is_number ? static_cast<std::uint8_t>(m) : 0;
+  return is_number;
+}
+
+template <class Value>
+std::uint64_t bytes_of(const std::vector<Value>& values) {
+  return values.capacity() * sizeof(Value);
 }
 
 }  // namespace
@@ -60,105 +78,198 @@ Material material_of(const Program& program, std::uint32_t number) {
   for (const Material& material : program.materials)
     if (material.number == number) return material;
   const Standard& standard = standards[number % standards.size()];
-  return {number, standard.kind, standard.base, standard.tip, {}};
+  Material material;
+  material.number = number;
+  material.kind = standard.kind;
+  material.open = material.bud = material.wilted = {standard.base, standard.tip};
+  material.light = light_through(material.kind);
+  return material;
 }
 
-Diagnostic add_skin(Plant& plant, const Program& program, const Derived& derived,
-                    const generalized_map::Embedding& embedding, std::uint32_t rounds, bool sky) {
-  const generalized_map::Boundary boundary = generalized_map::boundary_of(derived.map, embedding);
-  std::uint64_t triangles = 2ull * boundary.surface.half_edges();
+Colours colours_at(const Material& material, float age) {
+  const Colours &from = age < 1 ? material.bud : material.wilted, &to = material.open;
+  const float share = age < 1 ? age : 2 - age;
+  return {mixed(from.base, to.base, share), mixed(from.tip, to.tip, share)};
+}
+
+Diagnostic Skin::trouble_of(const Derived& derived, std::uint32_t rounds) {
+  std::uint64_t free = 0;
+  for (std::uint32_t dart = 0; dart < derived.map.darts(); ++dart) free += derived.map.alpha(3, dart) == dart;
+  // Two darts an edge of a face, which is two triangles when it has been rounded.
+  std::uint64_t triangles = free;
   for (std::uint32_t round = 1; round < rounds; ++round) triangles *= 4;
-  if (triangles > most_triangles)
-    return lsystem::error_at(Reason::limit, {},
-                             "The flower has % triangles; the limit is %. Ask for it less smooth, or for fewer steps.",
-                             {std::to_string(triangles), std::to_string(most_triangles)});
-  const Skin skin = rounded(boundary.surface, rounds);
-  const ClosedSurface& surface = skin.surface;
+  if (triangles <= most_triangles) return {};
+  return lsystem::error_at(Reason::limit, {},
+                           "The flower has % triangles; the limit is %. Ask for it less smooth, or for fewer steps.",
+                           {std::to_string(triangles), std::to_string(most_triangles)});
+}
+
+Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, std::uint32_t rounds) {
+  const generalized_map::Map& map = derived.map;
+  generalized_map::Boundary boundary = generalized_map::boundary_of(map, embedding);
+  std::vector<std::uint32_t> free_sides(map.volumes(), 0);
+  for (std::uint32_t f = 0; f < boundary.surface.faces; ++f)
+    free_sides[boundary.volume[f]] += generalized_map::is_side(boundary.face[f]);
+  is_tube_.resize(map.volumes());
+  for (std::uint32_t v = 0; v < map.volumes(); ++v) is_tube_[v] = 2 * free_sides[v] > map.volume(v).order;
+
+  volume_ = std::move(boundary.volume);
+  face_ = std::move(boundary.face);
+  levels_.push_back(std::move(boundary.surface));
+  for (std::uint32_t round = 0; round < rounds; ++round) {
+    const ClosedSurface& surface = levels_.back();
+    std::vector<std::uint32_t> volume(surface.half_edges());
+    std::vector<generalized_map::Face> face(surface.half_edges());
+    for (std::uint32_t h = 0; h < surface.half_edges(); ++h) {
+      volume[h] = volume_[surface.face[h]];
+      face[h] = face_[surface.face[h]];
+    }
+    volume_ = std::move(volume);
+    face_ = std::move(face);
+    levels_.push_back(refined(surface));
+  }
+  const ClosedSurface& last = levels_.back();
+  begin_.reserve(last.faces + 1);
+  // Those of a face stand together.
+  for (std::uint32_t h = 0, face = nobody; h < last.half_edges(); ++h) {
+    if (last.face[h] == face) continue;
+    face = last.face[h];
+    begin_.push_back(h);
+  }
+  begin_.push_back(last.half_edges());
+}
+
+std::vector<generalized_map::Shape> Skin::shapes(const Derived& derived) const {
+  std::vector<generalized_map::Shape> shapes = derived.shapes();
+  if (rounds() == 0) return shapes;
+  std::map<std::uint32_t, float> wider;  // by order
+  for (std::uint32_t v = 0; v < shapes.size(); ++v) {
+    if (!is_tube_[v]) continue;
+    const std::uint32_t order = derived.map.volume(v).order;
+    const auto [known, anew] = wider.try_emplace(order, 1.0f);
+    if (anew) known->second = 1 / drawn_in(order, rounds());
+    shapes[v].length *= known->second;
+    shapes[v].width *= known->second;
+  }
+  return shapes;
+}
+
+void Skin::part(const std::vector<std::uint8_t>& numbers) {
+  const ClosedSurface& surface = levels_.back();
+  std::array<std::vector<std::uint32_t>, 256> faces;
+  for (std::uint32_t f = 0; f < surface.faces; ++f) faces[numbers[volume_[f]]].push_back(f);
+  parts_.clear();
+  std::vector<std::uint32_t> of_vertex(surface.positions.size(), nobody);
+  for (std::uint32_t number = 0; number < faces.size(); ++number) {
+    const std::vector<std::uint32_t>& own = faces[number];
+    if (own.empty()) continue;
+    Part& part = parts_.emplace_back();
+    part.number = number;
+    std::size_t corners = 0;
+    for (const std::uint32_t f : own) corners += begin_[f + 1] - begin_[f];
+    const std::size_t triangles = corners - 2 * own.size();
+    std::vector<std::uint32_t> volumes, own_faces;
+    part.corners.reserve(corners);
+    part.begins.reserve(own.size() + 1);
+    part.indices.reserve(3 * triangles);
+    volumes.reserve(triangles);
+    own_faces.reserve(triangles);
+    for (const std::uint32_t f : own) {
+      const auto begin = static_cast<std::uint32_t>(part.corners.size());
+      part.begins.push_back(begin);
+      for (std::uint32_t edge = begin_[f]; edge < begin_[f + 1]; ++edge) {
+        std::uint32_t& here = of_vertex[surface.origin[edge]];
+        if (here == nobody) {
+          here = static_cast<std::uint32_t>(part.vertices.size());
+          part.vertices.push_back(surface.origin[edge]);
+        }
+        part.corners.push_back(here);
+      }
+      for (std::size_t i = begin + 2; i < part.corners.size(); ++i) {
+        put(part.indices, part.corners[begin], part.corners[i - 1], part.corners[i]);
+        volumes.push_back(volume_[f]);
+        own_faces.push_back(face_[f]);
+      }
+    }
+    part.begins.push_back(static_cast<std::uint32_t>(part.corners.size()));
+    for (const std::uint32_t vertex : part.vertices) of_vertex[vertex] = nobody;
+    part.volumes = std::make_shared<const std::vector<std::uint32_t>>(std::move(volumes));
+    part.faces = std::make_shared<const std::vector<std::uint32_t>>(std::move(own_faces));
+  }
+}
+
+void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
+                  const generalized_map::Embedding& embedding, bool sky) {
+  std::copy(embedding.positions().begin(), embedding.positions().end(), levels_.front().positions.begin());
+  for (std::size_t i = 1; i < levels_.size(); ++i) place_refined(levels_[i - 1], levels_[i]);
+  const ClosedSurface& surface = levels_.back();
   const std::vector<glm::vec3> normals = normals_of(surface);
-  const Ranks ranks = ranks_of(derived);
+  const std::vector<glm::vec2> places = places_in_organs(derived);
 
-  // Where in its organ each vertex is: the mean of the volumes about it.
-  std::vector<glm::vec2> places(surface.positions.size(), glm::vec2(0));
-  std::vector<std::uint32_t> about(surface.positions.size(), 0);
-  std::vector<glm::vec2> of_volume(derived.map.volumes());
-  for (std::uint32_t v = 0; v < of_volume.size(); ++v) {
-    const Rank rank = ranks.of_volume[v], most = ranks.most[derived.records[derived.record_of[v]].instance];
-    of_volume[v] = {static_cast<float>(rank.along) / static_cast<float>(std::max<std::uint16_t>(most.along, 1)),
-                    static_cast<float>(rank.beside) / static_cast<float>(std::max<std::uint16_t>(most.beside, 1))};
-  }
-  for (std::uint32_t h = 0; h < surface.half_edges(); ++h) {
-    places[surface.origin[h]] += of_volume[boundary.volume[skin.of_face[surface.face[h]]]];
-    ++about[surface.origin[h]];
-  }
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (about[i] > 0) places[i] /= static_cast<float>(about[i]);
-
-  // The first half-edge of each face, by what it is made of.
-  std::map<std::uint32_t, std::vector<std::uint32_t>> faces;
+  std::vector<std::uint8_t> numbers(derived.map.volumes());
   bool strange = false;
-  const auto number_of = [&](std::uint32_t volume) -> std::uint32_t {
-    const float m = derived.values[derived.record_of[volume]][static_cast<std::size_t>(Field::material)];
-    const bool is_number = m >= 0 && m < 256 && std::floor(m) == m;
-    strange |= !is_number;
-    return is_number ? static_cast<std::uint32_t>(m) : 0;
-  };
-  for (std::uint32_t h = 0, face = nobody; h < surface.half_edges(); ++h) {
-    if (surface.face[h] == face) continue;
-    face = surface.face[h];
-    faces[number_of(boundary.volume[skin.of_face[face]])].push_back(h);
+  std::vector<std::uint8_t> is_seen(derived.map.volumes(), 0);
+  for (const std::uint32_t volume : volume_) is_seen[volume] = 1;
+  for (std::uint32_t v = 0; v < numbers.size(); ++v) {
+    const float m = derived.values[derived.record_of[v]][static_cast<std::size_t>(Field::material)];
+    strange |= !number_of(m, numbers[v]) && is_seen[v] != 0;
   }
   if (strange) plant.notes.emplace_back("Where m is no whole number from 0 to 255 it is taken for 0.");
+  if (numbers != numbers_ || parts_.empty()) part(numbers);
+  numbers_ = std::move(numbers);
 
-  std::vector<PlantMesh> meshes;
   std::vector<Screen> screens;
-  std::vector<std::uint32_t> corners, of_vertex(surface.positions.size(), nobody), used;
-  for (const auto& [number, firsts] : faces) {
-    PlantMesh& part = meshes.emplace_back();
-    part.name = "m" + std::to_string(number);
-    part.material = material_of(program, number).kind;
-    Mesh& mesh = part.mesh;
-    std::vector<std::uint32_t> volumes, own_faces;
-    for (const std::uint32_t first : firsts) {
-      const std::uint32_t from = skin.of_face[surface.face[first]];
-      corners.clear();
-      std::uint32_t edge = first;
-      do {
-        const std::uint32_t vertex = surface.origin[edge];
-        std::uint32_t& here = of_vertex[vertex];
-        if (here == nobody) {
-          here = static_cast<std::uint32_t>(mesh.positions.size() / 3);
-          used.push_back(vertex);
-          put(mesh.positions, metres * upright(surface.positions[vertex]));
-          put(mesh.normals, upright(normals[vertex]));
-          put(mesh.uvs, places[vertex]);
-        }
-        corners.push_back(here);
-        edge = surface.next[edge];
-      } while (edge != first);
-      for (std::size_t i = 2; i < corners.size(); ++i) {
-        put(mesh.indices, corners[0], corners[i - 1], corners[i]);
-        volumes.push_back(boundary.volume[from]);
-        own_faces.push_back(boundary.face[from]);
+  for (const Part& part : parts_) {
+    PlantMesh& mesh = plant.meshes.emplace_back();
+    mesh.name = std::string("m").append(std::to_string(part.number));
+    mesh.material = material_of(program, part.number).kind;
+    mesh.mesh.indices = part.indices;
+    const std::size_t vertices = part.vertices.size();
+    mesh.mesh.positions.resize(3 * vertices);
+    mesh.mesh.normals.resize(3 * vertices);
+    for (std::size_t i = 0; i < vertices; ++i) {
+      put(metres * upright(surface.positions[part.vertices[i]]), &mesh.mesh.positions[3 * i]);
+      put(upright(normals[part.vertices[i]]), &mesh.mesh.normals[3 * i]);
+    }
+    // Where in its organ each vertex is: the mean of the faces about it.
+    std::vector<glm::vec2> sums(vertices, glm::vec2(0));
+    std::vector<float> about(vertices, 0);
+    for (std::size_t f = 0, triangle = 0; f + 1 < part.begins.size(); ++f) {
+      const glm::vec2 place = places[(*part.volumes)[triangle]];
+      for (std::uint32_t c = part.begins[f]; c < part.begins[f + 1]; ++c) {
+        sums[part.corners[c]] += place;
+        about[part.corners[c]] += 1;
       }
-      if (!sky) continue;
-      const std::uint32_t second = surface.next[first], third = surface.next[second];
-      const glm::vec3& a = surface.positions[surface.origin[first]];
-      const glm::vec3 b = surface.positions[surface.origin[second]] - a,
-                      c = surface.positions[surface.origin[third]] - a;
+      triangle += part.begins[f + 1] - part.begins[f] - 2;
+    }
+    mesh.mesh.uvs.resize(2 * vertices);
+    for (std::size_t i = 0; i < vertices; ++i) {
+      mesh.mesh.uvs[2 * i] = sums[i].x / about[i];
+      mesh.mesh.uvs[2 * i + 1] = sums[i].y / about[i];
+    }
+    mesh.columns.share("volume", part.volumes);
+    mesh.columns.share("face", part.faces);
+    if (!sky) continue;
+    for (std::size_t f = 0; f + 1 < part.begins.size(); ++f) {
+      const auto corner = [&](std::uint32_t i) -> const glm::vec3& {
+        return surface.positions[part.vertices[part.corners[part.begins[f] + i]]];
+      };
+      const glm::vec3 &a = corner(0), b = corner(1) - a, c = corner(2) - a;
       screens.push_back({metres * upright(a), 0.25f * metres * metres * glm::length(glm::cross(b, c))});
     }
-    for (const std::uint32_t vertex : used) of_vertex[vertex] = nobody;
-    used.clear();
-    part.columns.add("volume", std::move(volumes));
-    part.columns.add("face", std::move(own_faces));
   }
-  std::optional<Openness> open;
-  if (sky) open.emplace(plant.segments, screens);
-  for (PlantMesh& part : meshes) {
-    if (open) part.columns.add("sky", open->of(part.mesh));
-    plant.meshes.push_back(std::move(part));
-  }
-  return {};
+  if (!sky) return;
+  const Openness open(plant.segments, screens);
+  for (PlantMesh& mesh : plant.meshes) mesh.columns.add("sky", open.of(mesh.mesh));
+}
+
+std::uint64_t Skin::bytes() const {
+  std::uint64_t bytes = bytes_of(volume_) + bytes_of(face_) + bytes_of(begin_) + 2 * bytes_of(numbers_);
+  for (const ClosedSurface& level : levels_) bytes += 16ull * level.half_edges() + bytes_of(level.positions);
+  for (const Part& part : parts_)
+    bytes += bytes_of(part.vertices) + bytes_of(part.corners) + bytes_of(part.begins) + bytes_of(part.indices) +
+             bytes_of(*part.volumes) + bytes_of(*part.faces);
+  return bytes;
 }
 
 }  // namespace panicle::flower

@@ -82,6 +82,10 @@ std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement
     grid.visit(feet[i], see);
     from = to, to = reach;
     grid.visit(feet[i], see);
+    for (std::uint32_t k = 0; k < azimuths; ++k) {
+      horizon[k] = std::floor(horizon[k] + 0.5f);
+      room[k] = std::max(std::floor(100 * room[k] + 0.5f) / 100, least_room);
+    }
   }
   return all;
 }

@@ -11,10 +11,11 @@ namespace panicle::stand {
 
 inline constexpr std::uint32_t azimuths = 8;  // 0°, 45°, … from +x to +z
 inline constexpr std::uint32_t surrounding = 2 * azimuths;
-inline constexpr float no_neighbour = 1000;  // metres of free room
+inline constexpr float no_neighbour = 99, least_room = 0.01f;  // metres of free room
 
 // 16 numbers a plant: the horizon's heights in degrees, then free room from the foot in metres. Directions turn with
-// the plant: they are those of its own frame, at its own scale.
+// the plant: they are those of its own frame, at its own scale. Whole degrees and centimetres: what a plant's own
+// link can say, so that it grows by itself as it does here.
 std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement>& plants);
 
 // How much of the sky places on the ground see under the crowns, 255 all: 3 × places in, a byte each out.

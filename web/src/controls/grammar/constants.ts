@@ -5,7 +5,8 @@ import { coarseStep } from "../coarse_step";
 import { ControlElement } from "../control_element";
 import { HeldKey } from "../held_key";
 import { handBack, handOver, isForField, readTyped } from "../typed";
-import { type Constant, type Curve, decimals, type Outline, outlineOf } from "./outline";
+import { type Constant, type Curve, decimals, type Outline } from "./outline";
+import { ReadOutline } from "./read_outline";
 import { written } from "./scrub";
 import { type GrammarDesk, type GrammarSource, textOf, withText } from "./source";
 import "./curve_editor";
@@ -17,8 +18,8 @@ export class Constants extends ControlElement<GrammarDesk> {
 
 	readonly #held = new HeldKey(() => this.desk.settle());
 	/** The outlines of the document's text and of the built-in one, as they were last read. */
-	#read: { text: string | undefined; outline: Outline } | undefined;
-	#published: { text: string; outline: Outline } | undefined;
+	readonly #read = new ReadOutline();
+	readonly #published = new ReadOutline();
 
 	protected override shows(): readonly unknown[] {
 		return [this.#text()];
@@ -125,17 +126,14 @@ export class Constants extends ControlElement<GrammarDesk> {
 	}
 
 	get #outline(): Outline {
-		const text = this.#text();
-		if (!this.#read || this.#read.text !== text) this.#read = { text, outline: outlineOf(text ?? "") };
-		return this.#read.outline;
+		return this.#read.of(this.#text() ?? "", this.source);
 	}
 
 	/** What a constant is in the text that the preset grows by, as it is written there. */
 	#builtIn(name: string): string | undefined {
 		const text = this.source.builtIn(this.desk.preset);
 		if (typeof text !== "string") return undefined;
-		if (this.#published?.text !== text) this.#published = { text, outline: outlineOf(text) };
-		return this.#published.outline.constants.find((each) => each.name === name)?.number.text;
+		return this.#published.of(text, this.source).constants.find((each) => each.name === name)?.number.text;
 	}
 }
 

@@ -54,6 +54,8 @@ export function outlineOf(text: string, pieces: readonly Piece[] = scan(text)): 
 	const names = new Map<string, string>();
 	for (const line of byStatement(pieces)) {
 		const [head, name] = line;
+		// What follows is a grammar of its own, and so are its names.
+		if (head.text === "#module") break;
 		if (name?.kind !== "name" && name?.kind !== "function") continue;
 		if (!/^#(?:define|input|curve)$/.test(head.text)) continue;
 		names.set(name.text, text.slice(head.from, line.findLast(({ kind }) => kind !== "comment")?.to));
@@ -73,10 +75,14 @@ export function numberAt(pieces: readonly Piece[], place: number): NumberAt | un
 	return number && number.from <= place ? number : undefined;
 }
 
-/** The text with other values for constants of it: what presets of one text differ by. */
-export function withConstants(text: string, values: Readonly<Partial<Record<string, number>>>): string {
+/** The text with other values for constants of it: what presets of one text differ by. @param pieces as `outlineOf` has them */
+export function withConstants(
+	text: string,
+	values: Readonly<Partial<Record<string, number>>>,
+	pieces?: readonly Piece[],
+): string {
 	let result = text;
-	for (const { name, number } of outlineOf(text).constants.toReversed()) {
+	for (const { name, number } of outlineOf(text, pieces).constants.toReversed()) {
 		const value = values[name];
 		if (value !== undefined) result = result.slice(0, number.from) + value + result.slice(number.to);
 	}
@@ -94,7 +100,7 @@ function* byStatement(pieces: readonly Piece[]): Iterable<Piece[]> {
 
 function constantIn(line: readonly Piece[]): Constant[] {
 	const [head, name, ...rest] = line;
-	const values = rest.filter(({ kind }) => kind !== "comment");
+	const values = rest.filter(({ kind, text }, index) => kind !== "comment" && !(index === 0 && text === "="));
 	const at = line.findIndex(({ kind }) => kind === "number");
 	if (at < 0) return [];
 	const number = signed(line, at);

@@ -21,6 +21,7 @@ export interface ExtrasHost {
 
 const MADE_BY: Readonly<Record<string, (host: ExtrasHost) => Promise<Extra>>> = {
 	controls: async (host) => new (await import("./bar")).Bar(host, await host.view()),
+	wind: async (host) => new (await import("./pause")).Pause(host, await host.view()),
 	handles: async (host) => new (await import("./handles_layer")).HandlesLayer(host, await host.view()),
 };
 

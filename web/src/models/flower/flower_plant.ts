@@ -7,10 +7,15 @@ import { readPlant } from "../../plant/read_plant";
 export interface Volumes {
 	/** What they are called, by `label`. */
 	labels: readonly string[];
+	/** The module that each of `labels` is of; 0 the text itself, others in its order. */
+	module: Uint32Array;
 	label: Uint32Array;
 	order: Uint32Array;
 	/** That each grew from; 0xffffffff of the first. */
 	parent: Uint32Array;
+	/** The line of the text where each is grown, and where the module is called that it is of; 0 for none. */
+	line: Uint32Array;
+	call: Uint32Array;
 	/** 9 × volumes: N, T, atx, aty, atz, H, L, W, m. */
 	values: Float32Array;
 }
@@ -30,23 +35,33 @@ export interface FlowerPlant extends Plant {
 	/** Absent of what has grown in passing. */
 	darts?: Darts;
 	volumes: Volumes;
-	/** Of each mesh, 2 × meshes: where an organ begins and where it ends, 0xrrggbb as sRGB. */
+	/** Of each mesh, of each triangle the volume that it is of. */
+	cells: readonly Uint32Array[];
+	/** 4 × meshes: where an organ begins and where it ends, of its margin, of its veins; 0xrrggbb as sRGB. */
 	colours: Uint32Array;
+	/** 5 × meshes: foot, width of the margin, veins a side, their strength, light that comes through. */
+	paint: Float32Array;
 }
 
 export function readFlowerPlant(answer: Answer): FlowerPlant {
 	const { columns } = answer;
+	const plant = readPlant(answer);
 	return {
-		...readPlant(answer),
+		...plant,
+		cells: plant.meshes.map(({ name }) => columns.words(`mesh.${name}.volume`)),
 		volumes: {
 			labels: columns.text("labels").split(" "),
+			module: columns.words("labels.module"),
 			label: columns.words("volumes.label"),
 			order: columns.words("volumes.order"),
 			parent: columns.words("volumes.parent"),
+			line: columns.words("volumes.line"),
+			call: columns.words("volumes.call"),
 			values: columns.floats("volumes.values"),
 		},
 		...(columns.has("alpha0") ? { darts: readDarts(columns) } : {}),
 		colours: columns.has("materials.colours") ? columns.words("materials.colours") : new Uint32Array(),
+		paint: columns.has("materials.paint") ? columns.floats("materials.paint") : new Float32Array(),
 	};
 }
 

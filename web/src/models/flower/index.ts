@@ -1,10 +1,11 @@
 /** Flowers from generalized maps (Petrenko 2014): docs/models/flower/flower.md. */
 import type { Model } from "../model";
 import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
+import { FLOWER_FORMATS } from "./formats";
 import { flowerParts } from "./parts";
 import { flowerRecord } from "./record";
 import { encodeFlower } from "./request";
-import { FLOWER } from "./species";
+import { FLOWER, isXml } from "./species";
 import type { FlowerSpecimen } from "./specimen";
 import { fetchTexts } from "./texts";
 import { flowerInWords } from "./words";
@@ -23,5 +24,7 @@ export const model = {
 	titled: ({ grammar }) => (grammar === undefined ? undefined : "A flower grammar of one’s own"),
 	words: flowerInWords,
 	record: flowerRecord,
+	formats: FLOWER_FORMATS,
+	translated: (text) => (isXml(text) ? import("./xml/read").then(({ textOfXml }) => textOfXml(text)) : undefined),
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<FlowerSpecimen, FlowerPlant>;

@@ -1,8 +1,9 @@
-/** A flower in parts: a mesh for each of its materials, coloured from where an organ begins to where it ends. */
-import { type Colour, linear, mixed } from "../../plant/colour";
+/** A flower in parts: a mesh for each of its materials, painted as its text says. */
+import type { Colour } from "../../plant/colour";
 import { type Material, standardMaterial } from "../../plant/material";
 import type { Part, PartMesh } from "../../plant/part";
 import type { FlowerPlant } from "./flower_plant";
+import { colourAt, isFine, type Paint, paintsOf, pictureOf } from "./paint";
 
 /** What of a kind differs from what is usual for it (plant/material.ts). */
 const OWN: Readonly<Record<string, Partial<Material>>> = {
@@ -11,41 +12,42 @@ const OWN: Readonly<Record<string, Partial<Material>>> = {
 	petal: { sheen: { colour: [0.12, 0.1, 0.11], roughness: 0.5 } },
 };
 
-/** How much of an organ's length its foot's colour reaches up. */
-const FOOT = 0.6;
-
 const KINDS: Readonly<Record<string, string>> = { leaf: "blade" };
+
+/** Light that has gone through an organ is warmer, and half of it was scattered back. */
+const THROUGH: Colour = [1.5, 1.4, 1.2];
+const SAME: Colour = [1, 1, 1];
 
 export function* flowerParts(plant: FlowerPlant): Generator<Part> {
 	const names = new Map<string, number>();
-	for (const [i, mesh] of plant.meshes.entries()) {
-		const [base, tip] = [...plant.colours.subarray(2 * i, 2 * i + 2)].map(colourOf);
+	const paints = paintsOf(plant.colours, plant.paint);
+	for (const [i, plain] of plant.meshes.entries()) {
+		const mesh = { ...plain, cells: plant.cells[i] };
+		const paint = paints[i];
 		const named = mesh.material.charAt(0).toUpperCase() + mesh.material.slice(1);
 		const before = names.get(named) ?? 0;
 		names.set(named, before + 1);
 		const name = before === 0 ? named : `${named} ${before + 1}`;
-		const usual = standardMaterial(KINDS[mesh.material] ?? mesh.material);
+		const fine = isFine(paint) ? pictureOf(paint) : undefined;
+		const { sheet: _, ...usual } = standardMaterial(KINDS[mesh.material] ?? mesh.material);
 		const material: Material = {
 			...usual,
 			...OWN[mesh.material],
 			name,
-			colour: mixed(base, tip, 0.5),
+			colour: fine?.mean ?? colourAt(paint, paint.foot / 2, 0),
 			// The skin is closed: there is no other side to see.
 			doubleSided: false,
+			...(paint.light > 0 ? { sheet: { through: THROUGH.map((c) => c * paint.light) as Colour, reverse: SAME } } : {}),
+			...(fine ? { textures: { colour: fine.picture } } : {}),
 		};
-		yield { name, shape: { mesh: coloured(mesh, base, tip), material } };
+		yield { name, shape: { mesh: fine ? mesh : coloured(mesh, paint), material } };
 	}
 }
 
-const colourOf = (packed: number): Colour => linear(packed.toString(16).padStart(6, "0"));
-
-/** Along organs: from the colour of their foot to that of their tip, which most of them has. */
-function coloured(mesh: PartMesh, base: Colour, tip: Colour): PartMesh {
+/** A colour for each vertex, where there is nothing finer. */
+function coloured(mesh: PartMesh, paint: Paint): PartMesh {
 	const colours = new Float32Array(mesh.positions.length);
-	for (let v = 0; v < colours.length / 3; v++) {
-		const along = Math.min(1, mesh.uvs[2 * v] / FOOT);
-		const part = along * along * (3 - 2 * along);
-		for (let c = 0; c < 3; c++) colours[3 * v + c] = base[c] + (tip[c] - base[c]) * part;
-	}
+	for (let v = 0; v < colours.length / 3; v++)
+		colours.set(colourAt(paint, mesh.uvs[2 * v], mesh.uvs[2 * v + 1]), 3 * v);
 	return { ...mesh, colours };
 }

@@ -15,9 +15,15 @@ export const DEFAULT_PRESET = "tulip";
  */
 const OWN = /\]\s*(?:_\s*)?(?:\{\s*)?(?:[OE]|C\d+|C\()|^[ \t]*#module\b/m;
 
+/** The XML of Table 4: an element of a grammar's begins it, be it within another. */
+const XML =
+	/^\uFEFF?\s*<(?:[?!]|[\p{L}_][^>]*>\s*<(?:volume|variable|axiom|rule|statement)\b|(?:volume|variable|axiom|rule)\b)/u;
+
+export const isXml = (text: string): boolean => XML.test(text);
+
 export const FLOWER: Species<FlowerSpecimen> = {
 	name: "flower",
 	table: FLOWER_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [grammarText((text) => OWN.test(text) && /^[ \t]*#axiome?\b/m.test(text))],
+	details: [grammarText((text) => isXml(text) || (OWN.test(text) && /^[ \t]*#axiome?\b/m.test(text)))],
 };

@@ -3,228 +3,2527 @@
 /** The texts of presets by their names: loaded when the first is grown. */
 export const TEXTS: Readonly<Record<string, string>> = {
 	bluebell: `/* Bluebell
-   about: A one-sided raceme of nodding bells, each of six tepals that roll back.
+   about: A one-sided raceme that nods; bells of six tepals that roll back, open below and in bud above; narrow leaves.
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
-#define length=260
+
+#define length=175 /* 90 … 280 mm, of the stalk */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define tall=length*math.random(0.86,1.14)
+#define bells=floor(math.random(7,11))
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
 #define STEM(12,0,0,0,20,3.4,3.4,1)
+#define OLD(12,0,0,0,20,3.4,3.4,1)
 #define NODE(12,0,0,0,5,2.8,2.8,1)
-#define REACH(12,0,2,0,9,2.4,2.4,1)
-#define finalStep=27
+#define DONE(12,0,0,0,5,2.8,2.8,1)
+#define finalStep=14+bells
 
-#material 1 stem "6c8450" "5f6f78"
+#material 1 stem "6c8450" "586880"
 #material 2 leaf "3f7038" "4f8044"
-#material 4 petal "5a5fc0" "6a72d6"
-#material 5 petal "4a50ae" "7a86e2"
-#material 6 stamen "d9d6ea" "e6e0c0"
+#material 4 petal "5660b8" "7f88e6" veins "444c9e" 1 0.5 bud "5f6a9a" "5a64b4" wilted "8a86a8" "a8a0b4"
+#material 5 petal "4a50a6" "6a74d8" bud "5a6492" "545ea8" wilted "827e9c" "9a92a6"
+#material 6 stamen "e6e2d0" "efe9cf"
+#material 7 petal "4d5590" "5c64b8"
 
-#axiom: STEM
-STEM{}{step==0}{} -> STEM[STEM]_{E}
-STEM{}{step==0}{} -> STEM[&LEAF]_{C1,C5,C9}
-STEM{}{step>0&&step<12}{} -> STEM[STEM(,,1,,16,3.2,3.2,)]_{E}
-STEM{}{step==12}{} -> STEM[NODE]_{E}
-NODE{}{step<25}{} -> NODE[REACH]_{E}
-REACH{n=step-13}{step<25}{} -> REACH[NODE(,,<1+0.6*n>,<-12+math.random(-20,20)>,<14-0.5*n>,<2.8-0.12*n>,<2.8-0.12*n>,)]_{E}
-NODE -> NODE[&BELL]_{C4}
+#axiom: STEM(,,,55,,,,)
+STEM{}{step<4}{} -> OLD[STEM]_{E}[&PETAL{K=12; J=1; len=math.random(205,240); wide=math.random(8,12); thick=0.9; start=-66+math.random(-9,9); sway=math.random(-8,8); low=6; mid=16; high=math.random(30,80); cup=14; peak=0.8; foot=0.4; tip=1.2; claw=0.8; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
+STEM{}{step>3&&step<12}{} -> OLD[STEM(,<bend+0.9+math.random(-1,1)>,<math.random(-1,1)>,,<tall/9>,3.2,3.2,)]_{E}
+STEM{}{step==12}{} -> OLD[NODE]_{E}
+/* Each node bows a little more; pedicels stand to this side and that, and all hang to the front. */
+NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<7+9*q>,<math.random(-4,4)>,,<15-7*q>,<2.8-1.4*q>,<2.8-1.4*q>,)]_{E}[&BELL{open=min(1,max(0,open*1.5-0.75*q)); wilt=wilt; size=math.random(0.94,1.06)*(1-0.3*q); droop=18-q*8}]_{C(3-(step%2)*4+12*(step%2))}
 
 #module BELL
-#define STALK(12,0,0,0,2,1,1,1)
-#define RECEPTACLE(12,0,0,0,1.4,3.2,3.2,4)
-#define finalStep=7
-#define size=math.random(0.9,1.05)
-#axiom: STALK(,<math.random(5,20)>,,,,,,)
-STALK{}{step<4}{} -> STALK[STALK(,15,,,2.4,,,)]_{E}
-STALK{}{step==4}{} -> STALK[RECEPTACLE]_{E}
-RECEPTACLE -> RECEPTACLE[&TEPAL]_{C1,C3,C5,C7,C9,C11}
+#define open=1
+#define wilt=0
+#define size=1
+#define droop=16
+#define STALK(12,0,0,0,size*2.4,1.1,1.1,1)
+#define WHORL(12,0,0,0,1.2,3.4,3.4,7)
+#define INNER(12,0,0,0,1,3.2,3.2,7)
+#define finalStep=9
+#axiom: STALK(,<-16+math.random(-10,10)>,<math.random(-10,10)>,,,,,)
+STALK{}{step<5}{} -> STALK[STALK(,<droop+math.random(-2,2)>,,,,,,)]_{E}
+STALK{}{step==5}{} -> STALK[WHORL]_{E}
+WHORL -> WHORL[INNER]_{E}
+WHORL -> WHORL[&PETAL{K=8; J=1; len=size*(11+6*open); wide=size*(3.6+1.5*open); thick=0.45; start=-52-6*(1-open); low=-44+10*(1-open); mid=4-14*(1-open); high=-20+(160+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C1,C5,C9}
+INNER -> INNER[&PETAL{K=8; J=1; len=size*(11+6*open); wide=size*(3.6+1.5*open); thick=0.45; start=-56-6*(1-open); low=-40+8*(1-open); mid=4-14*(1-open); high=-20+(150+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C3,C7,C11}
+INNER -> INNER[&STAMEN{long=size*(5+2*open); lean=-84; head=2.6*size}]_{C1,C5,C9}
 
-#module TEPAL
-#define K=9
-#define len=18
-#define half=6/2
-#define t=0.5
-#define cup=12
-#define finalStep=11
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
-#define RU1(4,0,0,0,1,t,1,4)
-#define RU2(4,0,0,0,1,t,1,4)
-#define RM1(4,0,0,0,1,t,1,4)
-#define RM2(4,0,0,0,1,t,1,4)
-#define RL1(4,0,0,0,1,t,1,5)
-#define RL2(4,0,0,0,1,t,1,5)
-#define LU1(4,0,0,0,1,t,1,4)
-#define LU2(4,0,0,0,1,t,1,4)
-#define LM1(4,0,0,0,1,t,1,4)
-#define LM2(4,0,0,0,1,t,1,4)
-#define LL1(4,0,0,0,1,t,1,5)
-#define LL2(4,0,0,0,1,t,1,5)
-#axiom: VEIN(, -60+math.random(-4,4), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-50+640*max(0,u-0.6))*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,0,cup,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,0,cup,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,0,cup,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,0,-cup,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,0,-cup,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,0,-cup,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 1 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
 RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
 RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
 LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+
+#module STAMEN
+#define long=5
+#define lean=-50
+#define head=1.6
+#define FILAMENT(4,0,0,0,long/4,0.3,0.3,6)
+#define ANTHER(4,0,0,0,head/2,0.75*head/1.6,0.5*head/1.6,7)
+#define finalStep=6
+#axiom: FILAMENT(,lean,,,,,,)
+FILAMENT{}{step<3}{} -> FILAMENT[FILAMENT(,<-lean*0.12-8>,,,,,,)]_{E}
+FILAMENT{}{step==3}{} -> FILAMENT[ANTHER]_{E}
+ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
+`,
+	buttercup: `/* Buttercup
+   about: Five petals that shine, five sepals, many stamens round a head of carpels; three flowers of a cyme over leaves of five lobes.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=115 /* 60 … 190 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1 /* 0.7 … 1.4, of the flower */
+#define tall=length*math.random(0.83,1.17)
+#define size=scale*math.random(0.92,1.1)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define STEM(10,0,0,0,20,2.4,2.4,1)
+#define LOWER(10,0,0,0,3,2.6,2.6,1)
+#define UPPER(10,0,0,0,3,2.4,2.4,1)
+#define finalStep=18
+
+#material 1 stem "6f9150" "86a862"
+#material 2 leaf "47793a" "5f9449" veins "7cae60" 3 0.4
+#material 3 sepal "b7bd55" "c9c95e"
+#material 4 petal "e6b70c" "f8d414" veins "d99a08" 7 0.25 bud "b8b83a" "c9c040" wilted "e0c060" "e9dca0"
+#material 5 petal "e0a90a" "efc30f" bud "b8b83a" "c9c040" wilted "dcb858" "e2d08c"
+#material 6 stamen "d9c238" "e3cd44"
+#material 7 stamen "dba51c" "ebb92a"
+#material 8 pistil "9ab04a" "b9c95a"
+
+#axiom: STEM
+STEM{}{step<13&&step!=6&&step!=9}{} -> STEM[STEM(,<bend+math.random(-2,2)>,<math.random(-2,2)>,,<tall/13>,<2.4-0.06*step>,<2.4-0.06*step>,)]_{E}
+STEM{}{step==6}{} -> STEM[LOWER]_{E}
+STEM{}{step==9}{} -> STEM[UPPER]_{E}
+LOWER -> LOWER[STEM(,<math.random(-5,5)>,<math.random(-5,5)>,,<tall/13>,2,2,)]_{E}
+UPPER -> UPPER[STEM(,<math.random(-5,5)>,<math.random(-5,5)>,,<tall/13>,1.8,1.8,)]_{E}
+STEM{}{step==0}{} -> STEM[&PALMATE{stalk=math.random(50,80); len=math.random(26,34); start=-38+math.random(-10,10); sway=math.random(-12,12)}]_{C1,C4,C8}
+LOWER -> LOWER[&PALMATE{stalk=10; len=math.random(22,30); start=-36}]_{C2}[&TWIG{long=tall*0.36; open=max(0,open-0.25)}]_{C3}
+UPPER -> UPPER[&PALMATE{stalk=5; len=math.random(14,20); start=-40}]_{C7}[&TWIG{long=tall*0.2; open=max(0,open-0.7)}]_{C8}
+STEM{}{step==13}{} -> STEM[&FLOWER{open=open; wilt=wilt; size=size}]_{E}
+
+#module TWIG
+#define long=80
+#define open=1
+#define SHOOT(10,0,0,0,long/7,1.9,1.9,1)
+#define finalStep=9
+#axiom: SHOOT(,<-40+math.random(-8,8)>,,,,,,)
+SHOOT{}{step<6}{} -> SHOOT[SHOOT(,<-6+math.random(-3,3)>,<math.random(-3,3)>,,,<1.9-0.06*step>,<1.9-0.06*step>,)]_{E}
+SHOOT{}{step==6}{} -> SHOOT[&FLOWER{open=open; size=math.random(0.86,1)}]_{E}
+
+#module FLOWER
+#define open=1
+#define wilt=0
+#define size=1
+#define CALYX(10,0,0,0,0.9,2.8,2.8,1)
+#define DISC(10,0,0,0,0.7,3,3,4)
+#define RING(10,0,0,18,0.5,2.8,2.8,8)
+#define HEART(10,0,0,8,0.5,2.6,2.6,8)
+#define finalStep=14
+#axiom: CALYX(,<20*open>,,,,,,)
+CALYX -> CALYX[DISC]_{E}
+CALYX -> CALYX[&PETAL{K=6; J=1; len=size*6.2; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=3; lower=3}]_{C1,C3,C5,C7,C9}
+DISC -> DISC[RING]_{E}
+DISC -> DISC[&PETAL{K=9; J=3; len=size*(5.3+8.1*open)*math.random(0.95,1.03); wide=size*(4+6.6*open); thick=0.42; start=-50+44*open+math.random(-5,5)+20*wilt; low=-48+20*open; mid=-6; high=-44+36*open; cup=18-9*open; edge=3; wave=4*wilt; peak=1.3; foot=1; tip=0.6; claw=0.22; upper=4; lower=5}]_{C2,C4,C6,C8,C10}
+RING{}{step<6}{} -> RING[RING]_{E}
+RING{}{step==6}{} -> RING[HEART]_{E}
+RING -> RING[&STAMEN{long=(1+2.4*open)*math.random(0.85,1.15); lean=-70+34*open+step*-4+math.random(-8,8); head=1.5}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
+HEART{}{step<13}{} -> HEART[HEART(,,,,<0.44*(1+wilt*0.4)>,<2.7*cos(11*(step-6))>,<2.7*cos(11*(step-6))>,)]_{E}
+HEART{}{step<12}{} -> HEART[&BLADE{S=2; len=0.9; wide=0.75; thick=0.5; start=-50-5*(step-6); claw=0.9; blunt=0.4; paint=8}]_{C1,C3,C5,C7,C9}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 3 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
 RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
 RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
 RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
+
+#module STAMEN
+#define long=5
+#define lean=-50
+#define head=1.6
+#define FILAMENT(4,0,0,0,long/4,0.3,0.3,6)
+#define ANTHER(4,0,0,0,head/2,0.75*head/1.6,0.5*head/1.6,7)
+#define finalStep=6
+#axiom: FILAMENT(,lean,,,,,,)
+FILAMENT{}{step<3}{} -> FILAMENT[FILAMENT(,<-lean*0.12-8>,,,,,,)]_{E}
+FILAMENT{}{step==3}{} -> FILAMENT[ANTHER]_{E}
+ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
+
+#module PALMATE
+/* A leaf of five lobes that spread from the end of its stalk. */
+#define stalk=60
+#define len=30
+#define start=0
+#define sway=0
+#define paint=2
+#define teeth=0.4
+#define PETIOLE(8,0,0,0,stalk/8,1.3,1.3,1)
+#define NODE(8,0,0,0,0.6,1.3,1.3,1)
+#define LAST(8,0,0,0,0.6,1.3,1.3,1)
+#define finalStep=12
+#axiom: PETIOLE(,start,sway,,,,,)
+PETIOLE{}{step<7}{} -> PETIOLE[PETIOLE(,<4+math.random(-3,3)>,<math.random(-4,4)>,,,,,)]_{E}
+PETIOLE{}{step==7}{} -> PETIOLE[NODE(,<16>,,,,,,)]_{E}
+NODE -> NODE[LAST]_{E}
+NODE -> NODE[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}
+LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}[&PETAL{K=7; J=1; len=len; wide=len*0.48; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{E}
+`,
+	capitulum: `/* Capitulum
+   about: Many florets on one receptacle, as if they were a flower: cornflower, trumpets round its violet middle, bracts like tiles below.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=145 /* 70 … 240 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1 /* 0.7 … 1.4, of the flower */
+#define tall=length*math.random(0.83,1.17)
+#define size=scale*math.random(0.93,1.07)
+#define outer=floor(math.random(9,12))
+#define inner=floor(math.random(18,24))
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define STEM(13,0,0,0,20,2.2,2.2,1)
+#define OLD(13,0,0,0,20,2.2,2.2,1)
+#define CUP(13,0,0,-0.954,1.5,7,7,3)
+#define TILED(13,0,0,0,1.5,7,7,3)
+#define RIM(13,0,0,-0.954,0.16,6.4,6.4,3)
+#define DISC(13,0,0,-0.954,0.05,6,6,3)
+#define BARE(13,0,0,0,0,6,6,3)
+#define finalStep=42+outer+inner
+
+#material 1 stem "7f9a78" "93ab86"
+#material 2 leaf "66886a" "7fa07c"
+#material 3 sepal "6f8a5c" "4a4a38"
+#material 4 petal "6a86e0" "2f4fd0" bud "4a5fc0" "3a4fc0" wilted "a9aec4" "c4c6d0"
+#material 5 petal "4a5fc8" "3a55d6" bud "4a58a8" "3a4cb0" wilted "9a9eb4" "b4b6c2"
+#material 6 stamen "4a3a9a" "3a2468"
+#material 7 stamen "7a5ac0" "4a2a7a"
+
+#axiom: STEM
+STEM{}{step<14}{} -> OLD[STEM(,<bend+math.random(-2,2)+2*wilt>,<math.random(-2,2)>,,<tall/14>,<2.4-0.06*step>,<2.4-0.06*step>,)]_{E}
+STEM{}{step>0&&step<13}{} -> STEM[&BLADE{S=6; len=(60-3*step)*math.random(0.85,1.1); wide=5-0.2*step; thick=0.6; start=-50+math.random(-10,10); bend=math.random(10,50); high=10; peak=0.8; round=0.7; claw=0.7; paint=2}]_{C(1+(5*step)%13)}
+STEM{}{step==14}{} -> STEM[CUP(,<24*open>,,,0.4,4,4,)]_{E}
+/* The involucre bulges, a bract to each face by the golden angle. */
+CUP{k=step-15}{step<41}{} -> TILED[CUP(,,,,<size*0.5>,<size*(4+7.6*sin(7*k)^0.8)>,<size*(4+7.6*sin(7*k)^0.8)>,)]_{E}[&BLADE{S=4; len=size*(3.4+0.09*k); wide=size*2.9; thick=0.6; start=-70-0.5*k; bend=-10; peak=0.7; round=0.8; claw=1; paint=3}]_{C(1+(5*step)%13)}
+CUP{}{step==41}{} -> TILED[RIM]_{E}
+RIM{k=step-42}{k<outer}{} -> BARE[RIM]_{E}[&TRUMPET{start=-84+(70-6*(k%3))*open+math.random(-6,6)+20*wilt; sway=math.random(-6,6); long=size*(9+13*open)*math.random(0.94,1.05); open=open; wilt=wilt}]_{C(1+(5*step)%13)}
+RIM{k=step-42}{k==outer}{} -> BARE[DISC]_{E}
+DISC{q=(step-43-outer)/inner}{step<finalStep-1}{} -> BARE[DISC(,,,,0.08,<6*sqrt(max(0.02,1-q))>,<6*sqrt(max(0.02,1-q))>,)]_{E}[&TUBE{start=-66-20*q+math.random(-8,8); long=size*(5+6*open)*math.random(0.85,1.1); open=open}]_{C(1+(5*step)%13)}
+
+#module TRUMPET
+/* A floret that widens to seven lobes, hollow since its last prisms grow backwards. */
+#define start=0
+#define sway=0
+#define long=20
+#define open=1
+#define wilt=0
+#define T(7,0,0,0,long*0.2,0.9,0.9,5)
+#define MOUTH(7,0,0,0,1,1,1,4)
+#define IN(7,0,0,0,-1,1,1,5)
+#define finalStep=8
+#axiom: T(,start,sway,,,,,)
+T{}{step<3}{} -> T[T(,<-3+6*wilt>,,,<long*0.18>,<0.9+0.4*step+open*0.7*step>,<0.9+0.4*step+open*0.7*step>,)]_{E}
+T{}{step==3}{} -> T[MOUTH(,,,,<long*0.12>,<1.8+5.2*open>,<1.8+5.2*open>,)]_{E}
+MOUTH -> MOUTH[IN(,,,,<-long*0.1>,<1.2+2.6*open>,<1.2+2.6*open>,)]_{E}
+IN{}{step==5}{} -> IN[IN(,,,,<-long*0.12>,0.8,0.8,)]_{E}
+MOUTH -> MOUTH[&BLADE{S=3; len=long*0.36; wide=1.2+1.4*open; thick=0.35; start=-80+44*open; bend=24*open; high=14; peak=0.8; claw=0.9; blunt=0.2; paint=4}]_{C1,C2,C3,C4,C5,C6,C7}
+
+#module TUBE
+#define start=-80
+#define long=9
+#define open=1
+#define T(5,0,0,0,long*0.4,0.8,0.8,6)
+#define finalStep=3
+#axiom: T(,start,,,,,,)
+T{}{step<2}{} -> T[T(,<math.random(-8,8)>,,,<long*0.3>,<1.5-0.8*step*open>,<1.5-0.8*step*open>,<6+step>)]_{E}
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
+`,
+	crocus: `/* Crocus
+   about: Six tepals on a long tube, three stamens, a style of three frilled branches; leaves with a white rib.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=80 /* 40 … 130 mm, of the tube */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1 /* 0.7 … 1.4, of the flower */
+#define tall=length*math.random(0.75,1.19)
+#define size=scale*math.random(0.9,1.12)
+#define leaves=floor(math.random(3,6))
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define SHEATH(12,0,0,0,6,6,6,10)
+#define TUBE(12,0,0,0,10,3.6,3.6,11)
+#define WHORL(12,0,0,0,1.6,5.4,5.4,4)
+#define INNER(12,0,0,0,1.4,5,5,4)
+#define TOP(12,0,0,0,1,4,4,11)
+#define finalStep=17
+
+#material 2 leaf "3d6b3c" "578546"
+#material 3 leaf "c9d6c0" "b9cbae"
+#material 4 petal "ece4f2" "8a5fc4" foot 0.4 veins "5a34a0" 7 0.5 bud "dcd3e6" "7b58b4" wilted "c4b0b8" "8a6a86"
+#material 5 petal "e4daee" "774cb2" foot 0.4 veins "4e2a92" 7 0.55 bud "d8cce4" "6a469f" wilted "bca8ae" "7d5f76"
+#material 6 stamen "e8dfb8" "e8d79a"
+#material 7 stamen "e9b62a" "f2c840"
+#material 8 pistil "e2952a" "ec7a1a"
+#material 10 sepal "e4e6d6" "cdd6b8"
+#material 11 petal "eeeaf2" "cbb5e2"
+
+#axiom: SHEATH
+SHEATH{}{step<4}{} -> SHEATH[SHEATH(,,,,6,<6-0.4*step>,<6-0.4*step>,)]_{E}
+SHEATH{}{step<leaves}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(80,130); wide=math.random(4.4,6.5); thick=1; start=-66+math.random(-8,8)-10*(1-open); sway=math.random(-6,6); low=8; mid=14; high=20+math.random(0,40); cup=-14; peak=0.8; foot=0.4; tip=0.8; claw=0.9; upper=2; middle=3; lower=2}]_{C(2+5*step%12)}
+SHEATH{}{step==4}{} -> SHEATH[TUBE]_{E}
+TUBE{}{step<10}{} -> TUBE[TUBE(,<bend+math.random(-2,2)+3*wilt>,<math.random(-2,2)>,,<tall*(0.7+0.3*open)/6>,<3.6+0.16*(step-4)>,<3.6+0.16*(step-4)>,)]_{E}
+TUBE{}{step==10}{} -> TUBE[WHORL(,<9*open>,,,,,,)]_{E}
+WHORL -> WHORL[INNER]_{E}
+WHORL -> WHORL[&PETAL{K=11; J=3; len=size*(28+15*open); wide=size*(9+7.8*open); thick=0.7; start=-72+34*open+math.random(-3,3)+22*wilt; low=-12-14*open; mid=-4+wilt*14; high=-16+22*open+40*wilt+math.random(-5,5); cup=20-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=4; lower=5}]_{C1,C5,C9}
+INNER -> INNER[TOP]_{E}
+INNER -> INNER[&PETAL{K=11; J=3; len=size*(26+13*open); wide=size*(9+8*open); thick=0.7; start=-76+30*open+math.random(-3,3)+18*wilt; low=-10-14*open; mid=-4+wilt*10; high=-16+18*open+30*wilt+math.random(-5,5); cup=21-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=4; lower=5}]_{C3,C7,C11}
+TOP -> TOP[&STAMEN{long=3+5*open; lean=-76; head=5+6*open}]_{C1,C5,C9}
+TOP -> TOP[&STYLE{long=size*(15+5*open)}]_{E}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 3 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
 LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+#module STAMEN
+#define long=5
+#define lean=-50
+#define head=1.6
+#define FILAMENT(4,0,0,0,long/4,0.9,0.9,6)
+#define ANTHER(4,0,0,0,head/2,2.2,1.5,7)
+#define finalStep=6
+#axiom: FILAMENT(,lean,,,,,,)
+FILAMENT{}{step<2}{} -> FILAMENT[FILAMENT(,<-2>,,,,,,)]_{E}
+FILAMENT{}{step==2}{} -> FILAMENT[ANTHER]_{E}
+ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
+
+#module STYLE
+#define long=20
+#define COLUMN(6,0,0,0,long/6,1,1,8)
+#define BRANCH(4,0,0,0,1.8,1.1,0.9,8)
+#define finalStep=10
+#axiom: COLUMN
+COLUMN{}{step<5}{} -> COLUMN[COLUMN]_{E}
+COLUMN{}{step==5}{} -> COLUMN[BRANCH(,-40,,,,,,)]_{C1,C3,C5}
+BRANCH{}{step<9}{} -> BRANCH[BRANCH(,6,,,1.7,<1.1+0.45*(step-5)>,<0.9+0.2*(step-5)>,)]_{E}
+`,
+	cyme: `/* Cyme
+   about: Each axis ends in a flower and two branches do the same below it: red campion, a module that calls itself.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=130 /* 70 … 210 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1.18 /* 0.7 … 1.6, of the flower */
+#define tall=length*math.random(0.85,1.15)
+#define size=scale*math.random(0.94,1.06)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define STEM(10,0,0,0,20,3,3,1)
+#define PAIR(10,0,0,0,3,3.4,3.4,1)
+#define finalStep=9
+
+#material 1 stem "77804e" "8a6a58"
+#material 2 leaf "4d7c42" "679a56" veins "86b072" 3 0.4
+#material 3 sepal "7a4a48" "8a3f50"
+#material 4 petal "f3d3dc" "d9477f" foot 0.45 veins "b82f66" 5 0.3 bud "b0506a" "b8446a" wilted "cfa2ac" "a86a7c"
+#material 5 petal "eec4d0" "cc5a86" bud "a84c64" "b04864" wilted "c49aa2" "a06a78"
+#material 6 stamen "f0dfe0" "f2e6e2"
+#material 7 stamen "e6d3c0" "efe0d0"
+
+#axiom: STEM
+STEM{}{step<6&&step!=3}{} -> STEM[STEM(,<bend+math.random(-3,3)>,<math.random(-3,3)>,,<tall*0.16>,,,)]_{E}
+STEM{}{step==3}{} -> STEM[PAIR]_{E}
+PAIR -> PAIR[STEM(,,,,<tall*0.14>,2.8,2.8,)]_{E}
+PAIR -> PAIR[&PETAL{K=12; J=2; len=math.random(48,60); wide=math.random(20,26); thick=0.7; start=-40+math.random(-10,10); low=14; mid=12; high=math.random(10,40); cup=7; peak=0.85; foot=0.9; tip=1.5; claw=0.14; upper=2; middle=2; lower=2}]_{C3,C8}
+STEM{}{step==0}{} -> STEM[&PETAL{K=12; J=2; len=math.random(54,66); wide=math.random(22,28); thick=0.7; start=-30+math.random(-8,8); low=14; mid=14; high=math.random(0,30); cup=7; peak=1; foot=1.1; tip=1.2; claw=0.16; upper=2; middle=2; lower=2}]_{C1,C6}
+STEM{}{step==6}{} -> STEM[&CYME{again=2; open=open; long=tall*0.2; size=size; wilt=wilt}]_{E}
+
+#module CYME
+#define again=0    /* how often it branches */
+#define open=1
+#define wilt=0
+#define long=30
+#define size=1
+#define start=0
+#define AXIS(10,0,0,0,long/3,2.2,2.2,1)
+#define FORK(10,0,0,0,2,2.6,2.6,1)
+#define FOOT(10,0,0,0,long/6,1.8,1.8,1)
+#define finalStep=7
+#axiom: AXIS(,start,,,,,,)
+AXIS{}{step<2}{} -> AXIS[AXIS(,<-start*0.22+math.random(-4,4)>,<math.random(-4,4)>,,,,,)]_{E}
+AXIS{}{step==2}{} -> AXIS[FORK]_{E}
+FORK{}{again>0}{} -> FORK[&CYME{again=again-1; open=max(0,open-0.24); wilt=wilt*0.6; long=long*0.95; size=size*0.94; start=-50+math.random(-6,6)}]_{C3,C8}
+FORK{}{again>0}{} -> FORK[&PETAL{K=7; J=1; len=9+8*again; wide=3+3*again; thick=0.6; start=-30; low=10; high=20; cup=8; peak=0.7; tip=1.6; claw=0.6; upper=2; middle=2; lower=2}]_{C2,C7}
+FORK -> FORK[FOOT(,<math.random(-6,6)>,<math.random(-6,6)>,,,,,)]_{E}
+FOOT{}{step==4}{} -> FOOT[&FLOWER{open=open; wilt=wilt; size=size}]_{E}
+
+#module FLOWER
+#define open=1
+#define wilt=0
+#define size=1
+#define CALYX(10,0,0,0,size*1.4,3,3,3)
+#define MOUTH(10,0,0,0,1,4,4,3)
+#define THROAT(10,0,0,0,0.6,3.4,3.4,4)
+#define finalStep=10
+#axiom: CALYX
+CALYX{}{step<6}{} -> CALYX[CALYX(,,,,<size*(1.2+0.6*open)>,<3+2.3*sin(30*step)>,<3+2.3*sin(30*step)>,)]_{E}
+CALYX{}{step==6}{} -> CALYX[MOUTH(,,,,<1>,<2.8+1.2*open>,<2.8+1.2*open>,)]_{E}
+MOUTH -> MOUTH[THROAT]_{E}
+MOUTH -> MOUTH[&BLADE{S=2; len=2.6*size; wide=1.9*size; thick=0.4; start=-80+14*open; claw=1; blunt=0.2; paint=3}]_{C1,C3,C5,C7,C9}
+THROAT -> THROAT[&PETAL{K=8; J=2; len=size*(3+8.6*open)*(1-0.2*wilt); wide=size*(2+7.4*open); thick=0.4; start=-82+80*open-30*wilt; low=-8*(1-open); mid=4; high=-30+34*open-60*wilt; cup=14-10*open; wave=3+8*wilt; peak=1.6; foot=0.9; tip=0.5; claw=0.3; spread=62; upper=4; lower=5}]_{C2,C4,C6,C8,C10}
+THROAT -> THROAT[&BLADE{S=2; len=2.2*open+0.2; wide=0.9; thick=0.5; start=-70; claw=0.9; paint=6}]_{C1,C3,C5,C7,C9}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 2 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
 LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
 LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 
-#module LEAF
-#define K=12
-#define len=210
-#define half=11/2
-#define t=0.9
-#define cup=10
-#define finalStep=13
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,2)
-#define RU1(4,0,0,0,1,t,1,2)
-#define RM1(4,0,0,0,1,t,1,2)
-#define RL1(4,0,0,0,1,t,1,2)
-#define LU1(4,0,0,0,1,t,1,2)
-#define LM1(4,0,0,0,1,t,1,2)
-#define LL1(4,0,0,0,1,t,1,2)
-#axiom: VEIN(, -62+math.random(-10,10), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(2-20*u+60*u^2)*0.6>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C6}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
-RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
-RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
-RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
-LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
-LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
 `,
 	daisy: `/* Daisy
-   about: A head of white rays round a dome of yellow florets in spirals by the golden angle.
+   about: A head of white rays round a dome of yellow florets in spirals by the golden angle, over a rosette of spoon-shaped leaves.
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
-#define length=48
-#define discs=72
-#define radius=4.2
-#define STEM(12,0,0,0,24,1.4,1.4,1)
-#define CUP(21,0,0,0,1.2,7.2,7.2,2)
-#define RIM(21,0,0,0,0.5,8.4,8.4,2)
-#define DISC(21,0,0,0.365,0.05,8.4,8.4,6)
-#define BARE(21,0,0,0,0,8.4,8.4,6)
-#define finalStep=86
 
-#material 1 stem "6f8f4a" "87a65c"
-#material 2 sepal "5f8444" "7a9c56"
-#material 4 petal "fbfaf4" "ffffff"
-#material 5 petal "f6f0ee" "eec9d2"
-#material 6 stamen "d9a922" "e8bd2f"
+#define length=60 /* 30 … 110 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1 /* 0.7 … 1.4, of the flower */
+#define tall=length*math.random(0.73,1.30)
+#define size=scale*math.random(0.9,1.12)
+#define rays=floor(math.random(36,54))
+#define discs=floor(math.random(80,104))
+#define radius=4*size
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+/* A prism of 13 sides: five on is 138.46 degrees, and each is turned back by 0.954. */
+#define ROSETTE(13,0,0,-0.954,0.3,4,4,2)
+#define GROWN(13,0,0,0,0.3,4,4,2)
+#define STEM(13,0,0,0,10,1.6,1.6,1)
+#define CUP(13,0,0,0,1.4,5.6*size,5.6*size,3)
+#define RIM(13,0,0,-0.954,0.05,8.2*size,8.2*size,3)
+#define FULL(13,0,0,0,0,8,8,3)
+#define DISC(13,0,0,-0.954,0.05,8.2,8.2,6)
+#define BARE(13,0,0,0,0,8,8,6)
+#define leaves=floor(math.random(6,10))
+#define finalStep=leaves+12+rays+discs+2
+
+#material 1 stem "7b9a56" "93ae6a"
+#material 2 leaf "4e7a3c" "669249" veins "86ac66" 3 0.3
+#material 3 sepal "557f40" "6f9450"
+#material 4 petal "fbfaf6" "ffffff" bud "f3e3e8" "eec2d0" wilted "e6dccb" "c9b79c"
+#material 5 petal "faf4f4" "f0d3dc" wilted "dcc4b4" "b99a86"
+#material 6 stamen "c9971a" "e3b021"
+#material 7 stamen "e9b922" "f6cf3e"
+
+#axiom: ROSETTE
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=10; J=2; len=math.random(20,32); wide=math.random(8,11); thick=0.8; start=-26+math.random(-9,9)-20*(1-open); sway=math.random(-8,8); low=14; mid=10; high=-8; cup=9; peak=2.1; foot=1.2; tip=0.75; claw=0.26; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
+STEM{}{step<leaves+9}{} -> STEM[STEM(,<bend+math.random(-2.5,2.5)+wilt*3>,<math.random(-2.5,2.5)>,,<tall*(0.5+0.5*open)/9>,,,)]_{E}
+STEM{}{step==leaves+9}{} -> STEM[CUP(,<26*open>,,,,,,)]_{E}
+CUP -> CUP[RIM]_{E}
+CUP -> CUP[&BLADE{len=5*size; wide=1.9*size; thick=0.4; start=-38-26*(1-open)+30*wilt; bend=-14; peak=0.9; claw=0.8; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+RIM{k=step-leaves-11}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{K=5; J=1; len=size*(4.6+5*open)*math.random(0.93,1.05); wide=size*(1.4+0.7*open); thick=0.26; start=-76+(62-14*k/rays)*open+math.random(-6,6)*open+34*wilt; sway=math.random(-4,4); low=-14*open; mid=-10*(1-open); high=-76+82*open; cup=16; foot=0.6; tip=0.62; peak=1.3; claw=0.5; lower=5}]_{C(1+(5*step)%13)}
+RIM{k=step-leaves-11}{k>=rays}{} -> FULL[DISC]_{E}
+DISC{k=step-leaves-12-rays; r=sqrt(max(0.01,1-k/discs))}{step<finalStep-1}{} -> BARE[DISC(,,,,<(0.02+0.05*k/discs)*size>,<2*radius*r>,<2*radius*r>,)]_{E}[&BLADE{S=3; len=size*(0.5+0.65*open); wide=size*(0.4+0.2*open); thick=size*(0.4+0.2*open); start=-44-44*k/discs; claw=0.8; blunt=0.72; paint=6+(k<discs*0.45)}]_{C(1+(5*step)%13)}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 2 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
+`,
+	"dandelion-clock": `/* Dandelion clock
+   about: What becomes of the dandelion: a ball of achenes, each on its beak with a parachute of hairs; age opens it.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=100 /* 50 … 180 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1 /* 0.7 … 1.4, of the flower */
+#define tall=length*math.random(0.80,1.25)
+#define size=scale*math.random(0.95,1.1)
+#define seeds=floor(math.random(104,126))
+#define leaves=floor(math.random(5,8))
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define ROSETTE(13,0,0,-0.954,0.5,5,5,2)
+#define GROWN(13,0,0,0,0.5,5,5,2)
+#define STEM(13,0,0,0,20,3.4,3.4,1)
+#define CUP(13,0,0,0,1.5,8,8,3)
+#define BALL(13,0,0,-0.954,0.11,7,7,6)
+#define BARE(13,0,0,0,0,12,12,6)
+#define finalStep=leaves+13+seeds
+
+#material 1 stem "a8927c" "a3b37c"
+#material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6
+#material 3 sepal "567f45" "6d9452"
+#material 5 seed "6f5a3c" "b9ab90"
+#material 6 sepal "c9c09a" "d8d0ac"
+#material 7 petal "eeece6" "ffffff"
+
+#axiom: ROSETTE
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
+STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)>,<math.random(-2,2)>,,<tall/10>,,,)]_{E}
+STEM{}{step==leaves+10}{} -> STEM[CUP]_{E}
+CUP -> CUP[BALL]_{E}
+CUP -> CUP[&BLADE{len=15*size; wide=2.6; thick=0.6; start=66-130*(1-open)+math.random(-9,9); bend=20*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+/* The ball's own outline: what stands on it leans as far as its pole is away. */
+BALL{q=(step-leaves-11)/seeds; r=sqrt(max(0.02,1-(2*q-1)^2*0.96))}{step<finalStep-1}{} -> BARE[BALL(,,,,<8.4*size/seeds>,<8.4*size*r>,<8.4*size*r>,)]_{E}[&ACHENE{start=-90*open*(2*q-1)-86*(1-open)+math.random(-4,4); open=open; far=size*(0.55+0.45*open); gone=clamp(4*(wilt*math.random(0.6,1.6)-0.6),0,1)}]_{C(1+(5*step)%13)}
+
+#module ACHENE
+#define start=0
+#define open=1
+#define far=1
+#define gone=0
+#define NUT(4,0,0,0,1.6,0.9,0.6,5)
+#define BEAK(4,0,0,0,5,0.16,0.16,5)
+#define HUB(10,0,0,0,0.35,0.6,0.6,7)
+#define HAIR(4,0,0,0,3.2,0.12,0.12,7)
+#define finalStep=7
+#axiom: NUT(,start,,,<1.6*(1-gone)+0.02>,<0.9*(1-gone)+0.02>,<0.6*(1-gone)+0.02>,)
+NUT{}{step==0}{} -> NUT[NUT(,,,,<(1-gone)*1.6+0.02>,<(1-gone)*0.7+0.02>,<(1-gone)*0.5+0.02>,)]_{E}
+NUT{}{step==1}{} -> NUT[BEAK(,,,,<(5*far)*(1-gone)+0.02>,<0.16*(1-gone)+0.01>,<0.16*(1-gone)+0.01>,)]_{E}
+BEAK{}{step==2}{} -> BEAK[BEAK(,<math.random(-8,8)>,,,H,L,W,)]_{E}
+BEAK{}{step==3}{} -> BEAK[HUB(,,,,<0.35*(1-gone)+0.01>,<0.6*(1-gone)+0.01>,<0.6*(1-gone)+0.01>,)]_{E}
+HUB -> HUB[HAIR(,<-22-60*(1-open)+math.random(-16,16)>,,,<(3.6+1.6*open)*(1-gone)+0.02>,<0.1*(1-gone)+0.005>,<0.1*(1-gone)+0.005>,)]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 2 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+`,
+	dandelion: `/* Dandelion
+   about: A head of ligules in spirals by the golden angle on a hollow stalk; the outer bracts turn back; toothed leaves in a rosette.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=85 /* 40 … 150 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1 /* 0.7 … 1.4, of the flower */
+#define tall=length*math.random(0.73,1.24)
+#define size=scale*math.random(0.92,1.1)
+#define florets=floor(math.random(110,150))
+#define leaves=floor(math.random(5,8))
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define ROSETTE(13,0,0,-0.954,0.5,5,5,2)
+#define GROWN(13,0,0,0,0.5,5,5,2)
+#define STEM(13,0,0,0,20,3.4,3.4,1)
+#define CUP(13,0,0,0,1.5,9,9,3)
+#define RIM(13,0,0,14,2.5,12,12,3)
+#define HEAD(13,0,0,-0.954,0.04,12,12,6)
+#define BARE(13,0,0,0,0,12,12,6)
+#define finalStep=leaves+14+florets
+
+#material 1 stem "a8927c" "a3b37c"
+#material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6 light 0.35
+#material 3 sepal "567f45" "6d9452"
+#material 4 petal "eeb012" "f7cd1d" bud "d0a818" "d8b83a" wilted "d0a030" "b98f3c"
+#material 5 petal "eaa60e" "f2bd14" wilted "c8942a" "a8803a"
+#material 6 stamen "d09a14" "e2b01a"
+
+#axiom: ROSETTE
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
+STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)+2*wilt>,<math.random(-2,2)>,,<tall*(0.35+0.65*open)/10>,,,)]_{E}
+STEM{}{step==leaves+10}{} -> STEM[CUP(,<22*open>,,,,,,)]_{E}
+CUP -> CUP[RIM]_{E}
+CUP -> CUP[&BLADE{len=11*size; wide=2.6; thick=0.6; start=-64+122*open-20*wilt+math.random(-9,9); bend=36*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+RIM -> RIM[HEAD]_{E}
+RIM -> RIM[&BLADE{len=14*size; wide=3; thick=0.6; start=-74+44*open-30*wilt+math.random(-5,5); bend=-14; peak=0.8; claw=0.95; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+HEAD{k=step-leaves-12; q=k/florets; shut=max(1-open,wilt)}{step<finalStep-1}{} -> BARE[HEAD(,,,,<0.045*size>,<12*size*sqrt(max(0.01,1-q))>,<12*size*sqrt(max(0.01,1-q))>,)]_{E}[&BLADE{S=6; len=size*(18-11*q)*math.random(0.9,1.06)*(1-0.35*(1-open)); wide=size*(1.3+0.9*open); thick=0.3; start=-84+(96-92*q)*(1-shut)-q*4+math.random(-7,7); bend=(-22*(1-q)+10)*(1-shut); peak=1.2; round=0.5; claw=0.45; blunt=0.7; paint=4+(q>0.5)}]_{C(1+(5*step)%13)}
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 2 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+`,
+	"designed-buttercup": `/* Buttercup by choices
+   about: Five sepals, five obovate petals, many stamens, and carpels each for itself.
+   source: own text, assembled; the method is Petrenko 2014, section 3.3
+*/
+@organ stem section=round growth=arching length=160 thickness=2.2 base=6f9150 tip=86a862@
+#define sides=12
+#define thick=2.2
+#define length=160 /* 10 … 900 mm, of the stem */
+#define bend=2.2 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
+#define piece=length/17*math.random(0.92,1.08)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+#define STEM(sides,0,0,0,piece,thick,thick*1,1)
+#define COLLAR(sides,0,0,0,1,thick,thick*1,1)
+#define finalStep=18
+#material 1 stem "6f9150" "86a862"
+#axiom: STEM
+STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
+STEM{}{step==16}{} -> STEM[COLLAR]_{E}
+COLLAR -> COLLAR[&CALYX]_{E}
+
+@organ leaf count=4 arrangement=alternate outline=oblanceolate section=wavy length=62 width=16 thickness=0.7 angle=34 bend=30 curl=20 base=47793a tip=5f9449@
+#define NODE1(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==1}{} -> STEM[NODE1]_{E}
+NODE1 -> NODE1[STEM]_{E}
+NODE1 -> NODE1[&LEAF{part=1}]_{C(1+floor(0*sides/12))}
+#define NODE2(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==5}{} -> STEM[NODE2]_{E}
+NODE2 -> NODE2[STEM]_{E}
+NODE2 -> NODE2[&LEAF{part=0.92}]_{C(1+floor(5*sides/12))}
+#define NODE3(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==9}{} -> STEM[NODE3]_{E}
+NODE3 -> NODE3[STEM]_{E}
+NODE3 -> NODE3[&LEAF{part=0.84}]_{C(1+floor(10*sides/12))}
+#define NODE4(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==13}{} -> STEM[NODE4]_{E}
+NODE4 -> NODE4[STEM]_{E}
+NODE4 -> NODE4[&LEAF{part=0.76}]_{C(1+floor(3*sides/12))}
+
+#module LEAF
+#define part=1
+#define tilt=0
+#define K=12
+#define J=2
+#define len=62*part*1*math.random(0.96,1.04)
+#define wide=16*part*1
+#define thick=0.7
+#define even=0
+#define start=-(34)-tilt+math.random(-3,3)
+#define low=13.5+13.5*wilt
+#define mid=10.5+10.5*wilt
+#define high=26+6*wilt
+#define cup=4
+#define wave=14
+#define fan=0
+#define phase=math.random(0,360)
+#define finalStep=K+3
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,2)
+#define RU1(4,0,0,0,1,0.3*thick,1,2)
+#define RU2(4,0,0,0,1,0.3*thick,1,2)
+#define RM1(4,0,0,0,1,0.3*thick,1,2)
+#define RM2(4,0,0,0,1,0.3*thick,1,2)
+#define RL1(4,0,0,0,1,0.3*thick,1,2)
+#define RL2(4,0,0,0,1,0.3*thick,1,2)
+#define LU1(4,0,0,0,1,0.3*thick,1,2)
+#define LU2(4,0,0,0,1,0.3*thick,1,2)
+#define LM1(4,0,0,0,1,0.3*thick,1,2)
+#define LM2(4,0,0,0,1,0.3*thick,1,2)
+#define LL1(4,0,0,0,1,0.3*thick,1,2)
+#define LL2(4,0,0,0,1,0.3*thick,1,2)
+#material 2 leaf "47793a" "5f9449" wilted "69723d" "797b44"
+#axiom: VEIN(,start,,,,,,)
+VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.016+s*(1.015+s*(-13.601+s*(72.378+s*(-112.881+s*(58.052+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.016+s*(1.015+s*(-13.601+s*(72.378+s*(-112.881+s*(58.052+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+
+@organ sepal count=5 outline=ovate section=cupped length=7 width=4.5 thickness=0.4 angle=14 bend=-30 curl=10 radius=1.7 base=b7bd55 tip=c9c95e@
+#module CALYX
+#define FOOT(5,180,0,0,1,1,1,1)
+#define RING1(10,0,0,0,2.2,3.4,3.4,1)
+#define finalStep=2
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[&COROLLA]_{E}
+RING1 -> RING1[&SEPAL]_{C2,C4,C6,C8,C10}
+
+#module SEPAL
+#define part=1
+#define tilt=0
+#define K=12
+#define J=3
+#define len=7*part*(0.55+0.45*open)*math.random(0.96,1.04)
+#define wide=4.5*part*(0.55+0.45*open)
+#define thick=0.4
+#define even=0
+#define start=-(14+72*(1-open)-18*wilt)-tilt+math.random(-3,3)
+#define low=-13.5*open-22.5*(1-open)+10.8*wilt
+#define mid=-10.5*open-17.5*(1-open)+8.4*wilt
+#define high=4*open-10*(1-open)+4.8*wilt
+#define cup=7
+#define wave=0+8*wilt
+#define fan=0
+#define phase=math.random(0,360)
+#define finalStep=K+3
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,3)
+#define RU1(4,0,0,0,1,0.3*thick,1,3)
+#define RU2(4,0,0,0,1,0.3*thick,1,3)
+#define RU3(4,0,0,0,1,0.3*thick,1,3)
+#define RM1(4,0,0,0,1,0.3*thick,1,3)
+#define RM2(4,0,0,0,1,0.3*thick,1,3)
+#define RM3(4,0,0,0,1,0.3*thick,1,3)
+#define RL1(4,0,0,0,1,0.3*thick,1,3)
+#define RL2(4,0,0,0,1,0.3*thick,1,3)
+#define RL3(4,0,0,0,1,0.3*thick,1,3)
+#define LU1(4,0,0,0,1,0.3*thick,1,3)
+#define LU2(4,0,0,0,1,0.3*thick,1,3)
+#define LU3(4,0,0,0,1,0.3*thick,1,3)
+#define LM1(4,0,0,0,1,0.3*thick,1,3)
+#define LM2(4,0,0,0,1,0.3*thick,1,3)
+#define LM3(4,0,0,0,1,0.3*thick,1,3)
+#define LL1(4,0,0,0,1,0.3*thick,1,3)
+#define LL2(4,0,0,0,1,0.3*thick,1,3)
+#define LL3(4,0,0,0,1,0.3*thick,1,3)
+#material 3 sepal "b7bd55" "c9c95e" wilted "a1944b" "a3904c"
+#axiom: VEIN(,start,,,,,,)
+VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.005+s*(2.643+s*(10.507+s*(-38.511+s*(27.774+s*(4.812+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.005+s*(2.643+s*(10.507+s*(-38.511+s*(27.774+s*(4.812+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+@organ petal count=5 whorls=1 symmetry=radial lip=35 outline=obovate section=cupped length=15 width=14 thickness=0.5 angle=22 bend=-38 curl=6 veins=0 radius=2 base=e6b70c tip=f8d414@
+#module COROLLA
+#define FOOT(5,180,0,0,1,1,1,4)
+#define RING1(10,0,0,0,2.2,4,4,4)
+#define finalStep=2
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[&ANDROECIUM]_{E}
+RING1 -> RING1[&PETAL]_{C1,C3,C5,C7,C9}
+
+#module PETAL
+#define part=1
+#define tilt=0
+#define K=12
+#define J=3
+#define len=15*part*(0.55+0.45*open)*math.random(0.96,1.04)
+#define wide=14*part*(0.55+0.45*open)
+#define thick=0.5
+#define even=0
+#define start=-(22+64*(1-open)-18*wilt)-tilt+math.random(-3,3)
+#define low=-17.1*open-22.5*(1-open)+10.8*wilt
+#define mid=-13.3*open-17.5*(1-open)+8.4*wilt
+#define high=-1.6*open-10*(1-open)+4.8*wilt
+#define cup=7
+#define wave=0+8*wilt
+#define fan=0
+#define phase=math.random(0,360)
+#define finalStep=K+3
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,4)
+#define RU1(4,0,0,0,1,0.3*thick,1,4)
+#define RU2(4,0,0,0,1,0.3*thick,1,4)
+#define RU3(4,0,0,0,1,0.3*thick,1,4)
+#define RM1(4,0,0,0,1,0.3*thick,1,4)
+#define RM2(4,0,0,0,1,0.3*thick,1,4)
+#define RM3(4,0,0,0,1,0.3*thick,1,4)
+#define RL1(4,0,0,0,1,0.3*thick,1,4)
+#define RL2(4,0,0,0,1,0.3*thick,1,4)
+#define RL3(4,0,0,0,1,0.3*thick,1,4)
+#define LU1(4,0,0,0,1,0.3*thick,1,4)
+#define LU2(4,0,0,0,1,0.3*thick,1,4)
+#define LU3(4,0,0,0,1,0.3*thick,1,4)
+#define LM1(4,0,0,0,1,0.3*thick,1,4)
+#define LM2(4,0,0,0,1,0.3*thick,1,4)
+#define LM3(4,0,0,0,1,0.3*thick,1,4)
+#define LL1(4,0,0,0,1,0.3*thick,1,4)
+#define LL2(4,0,0,0,1,0.3*thick,1,4)
+#define LL3(4,0,0,0,1,0.3*thick,1,4)
+#material 4 petal "e6b70c" "f8d414" bud "a8a43a" "c3b831" wilted "b89126" "b6942e"
+#axiom: VEIN(,start,,,,,,)
+VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.001+s*(0.045+s*(1.426+s*(23.712+s*(-56.479+s*(38.513+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.001+s*(0.045+s*(1.426+s*(23.712+s*(-56.479+s*(38.513+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+@organ stamen count=12 whorls=3 attachment=basifixed length=4 thickness=0.3 anther=1.6 angle=52 bend=-14 radius=2.2 base=d9c238 tip=dba51c@
+#module ANDROECIUM
+#define FOOT(5,180,0,0,1,1,1,6)
+#define RING1(24,0,0,0,2.2,4.4,4.4,6)
+#define RING2(24,0,0,0,1.2,4,4,6)
+#define RING3(24,0,0,0,1.2,3.6,3.6,6)
+#define finalStep=4
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[RING2]_{E}
+RING1 -> RING1[&STAMEN]_{C2,C4,C6,C8,C10,C12,C14,C16,C18,C20,C22,C24}
+RING2 -> RING2[RING3]_{E}
+RING2 -> RING2[&STAMEN{part=0.92; tilt=6}]_{C1,C3,C5,C7,C9,C11,C13,C15,C17,C19,C21,C23}
+RING3 -> RING3[&GYNOECIUM]_{E}
+RING3 -> RING3[&STAMEN{part=0.84; tilt=12}]_{C2,C4,C6,C8,C10,C12,C14,C16,C18,C20,C22,C24}
+
+#module STAMEN
+#define part=1
+#define tilt=0
+#define long=4*part*(0.6+0.4*open)*math.random(0.94,1.06)
+#define head=1.6*math.random(0.95,1.05)
+#define FILAMENT(6,0,0,0,long/8,0.3,0.3,6)
+#define JOINT(4,0,0,0,0.32,0.32,0.32,7)
+#define ANTHER(4,0,0,0,head/5,0.32,0.32,7)
+#define finalStep=14
+#material 6 stamen "d9c238" "d9c238"
+#material 7 stamen "dba51c" "dba51c"
+#axiom: FILAMENT(,<-(52+(85-52)*(1-open))-tilt+math.random(-4,4)>,,,,,,)
+FILAMENT{}{step<7}{} -> FILAMENT[FILAMENT(,<-14/7>,,,,,,)]_{E}
+FILAMENT{}{step==7}{} -> FILAMENT[JOINT]_{E}
+JOINT -> JOINT[ANTHER]_{E}
+ANTHER{k=step-8}{step>7&&step<13}{} -> ANTHER[ANTHER(,0,,,,<0.32*(1.9-0.1*(k-2)^2)>,<0.32*(1.5-0.1*(k-2)^2)>,)]_{E}
+
+@organ pistil count=14 fusion=apocarpous length=2 width=2.6 style=0.4 stigma=0.5 angle=62 radius=1.4 base=9ab04a tip=b9c95a@
+#module GYNOECIUM
+#define FOOT(5,180,0,0,1,1,1,8)
+#define RING1(28,0,0,0,2.2,2.8,2.8,8)
+#define finalStep=2
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[&PISTIL]_{C1,C3,C5,C7,C9,C11,C13,C15,C17,C19,C21,C23,C25,C27}
+
+#module PISTIL
+#define wide=2.6*0.25
+#define OVARY(6,0,0,0,2/6,wide*0.7,wide*0.7,8)
+#define STYLE(6,0,0,0,0.4*(0.7+0.3*open)/4,wide*0.3,wide*0.3,8)
+#define STIGMA(6,0,0,0,0.5/4,0.5*0.6,0.5*0.6,9)
+#define LOBE(4,0,0,0,0.5/5,0.5/5,0.5/5,9)
+#define finalStep=15
+#material 8 pistil "9ab04a" "9ab04a"
+#material 9 pistil "b9c95a" "b9c95a"
+#axiom: OVARY(,-62+math.random(-3,3),,,,,,)
+OVARY{}{step<5}{} -> OVARY[OVARY(,0,,,,<wide*(0.55+0.45*sin(36*(step+1)))>,<wide*(0.55+0.45*sin(36*(step+1)))>,)]_{E}
+OVARY{}{step==5}{} -> OVARY[STYLE]_{E}
+STYLE{}{step<9}{} -> STYLE[STYLE]_{E}
+STYLE{}{step==9}{} -> STYLE[STIGMA]_{E}
+STIGMA -> STIGMA[LOBE]_{C1,C3,C5}
+LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
+
+`,
+	"designed-lily": `/* Lily by choices
+   about: Two whorls of lanceolate petals that roll back, long filaments with dorsifixed anthers, one long style.
+   source: own text, assembled; the method is Petrenko 2014, section 3.3
+*/
+@organ stem section=round growth=arching length=420 thickness=6 base=6d8f4e tip=8aa862@
+#define sides=12
+#define thick=6
+#define length=420 /* 10 … 900 mm, of the stem */
+#define bend=2.2 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
+#define piece=length/17*math.random(0.92,1.08)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+#define STEM(sides,0,0,0,piece,thick,thick*1,1)
+#define COLLAR(sides,0,0,0,1,thick,thick*1,1)
+#define finalStep=18
+#material 1 stem "6d8f4e" "8aa862"
+#axiom: STEM
+STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
+STEM{}{step==16}{} -> STEM[COLLAR]_{E}
+COLLAR -> COLLAR[&CALYX]_{E}
+
+@organ leaf count=8 arrangement=alternate outline=lanceolate section=channelled length=110 width=17 thickness=1 angle=24 bend=22 curl=20 base=3f6f3a tip=4f8446@
+#define NODE1(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==0}{} -> STEM[NODE1]_{E}
+NODE1 -> NODE1[STEM]_{E}
+NODE1 -> NODE1[&LEAF{part=1}]_{C(1+floor(0*sides/12))}
+#define NODE2(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==2}{} -> STEM[NODE2]_{E}
+NODE2 -> NODE2[STEM]_{E}
+NODE2 -> NODE2[&LEAF{part=0.92}]_{C(1+floor(5*sides/12))}
+#define NODE3(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==4}{} -> STEM[NODE3]_{E}
+NODE3 -> NODE3[STEM]_{E}
+NODE3 -> NODE3[&LEAF{part=0.84}]_{C(1+floor(10*sides/12))}
+#define NODE4(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==6}{} -> STEM[NODE4]_{E}
+NODE4 -> NODE4[STEM]_{E}
+NODE4 -> NODE4[&LEAF{part=0.76}]_{C(1+floor(3*sides/12))}
+#define NODE5(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==8}{} -> STEM[NODE5]_{E}
+NODE5 -> NODE5[STEM]_{E}
+NODE5 -> NODE5[&LEAF{part=0.68}]_{C(1+floor(8*sides/12))}
+#define NODE6(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==10}{} -> STEM[NODE6]_{E}
+NODE6 -> NODE6[STEM]_{E}
+NODE6 -> NODE6[&LEAF{part=0.6}]_{C(1+floor(1*sides/12))}
+#define NODE7(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==12}{} -> STEM[NODE7]_{E}
+NODE7 -> NODE7[STEM]_{E}
+NODE7 -> NODE7[&LEAF{part=0.52}]_{C(1+floor(6*sides/12))}
+#define NODE8(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==14}{} -> STEM[NODE8]_{E}
+NODE8 -> NODE8[STEM]_{E}
+NODE8 -> NODE8[&LEAF{part=0.44}]_{C(1+floor(11*sides/12))}
+
+#module LEAF
+#define part=1
+#define tilt=0
+#define K=12
+#define J=2
+#define len=110*part*1*math.random(0.96,1.04)
+#define wide=17*part*1
+#define thick=1
+#define even=0
+#define start=-(24)-tilt+math.random(-3,3)
+#define low=9.9+13.5*wilt
+#define mid=7.7+10.5*wilt
+#define high=24.4+6*wilt
+#define cup=18
+#define wave=0
+#define fan=0
+#define phase=math.random(0,360)
+#define finalStep=K+3
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,2)
+#define RU1(4,0,0,0,1,0.3*thick,1,2)
+#define RU2(4,0,0,0,1,0.3*thick,1,2)
+#define RM1(4,0,0,0,1,0.3*thick,1,2)
+#define RM2(4,0,0,0,1,0.3*thick,1,2)
+#define RL1(4,0,0,0,1,0.3*thick,1,2)
+#define RL2(4,0,0,0,1,0.3*thick,1,2)
+#define LU1(4,0,0,0,1,0.3*thick,1,2)
+#define LU2(4,0,0,0,1,0.3*thick,1,2)
+#define LM1(4,0,0,0,1,0.3*thick,1,2)
+#define LM2(4,0,0,0,1,0.3*thick,1,2)
+#define LL1(4,0,0,0,1,0.3*thick,1,2)
+#define LL2(4,0,0,0,1,0.3*thick,1,2)
+#material 2 leaf "3f6f3a" "4f8446" wilted "656d3d" "727442"
+#axiom: VEIN(,start,,,,,,)
+VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.011+s*(-0.066+s*(32.723+s*(-102.646+s*(103.332+s*(-28.433+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.011+s*(-0.066+s*(32.723+s*(-102.646+s*(103.332+s*(-28.433+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+
+@organ sepal count=0 outline=ovate section=cupped length=14 width=8 thickness=0.5 angle=30 bend=-20 curl=0 radius=4 base=8aa356 tip=9fb868@
+#module CALYX
+#define FOOT(5,180,0,0,1,1,1,1)
+#define RING1(10,0,0,0,2.2,8,8,1)
+#define finalStep=2
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[&COROLLA]_{E}
+
+@organ petal count=3 whorls=2 symmetry=radial lip=35 outline=lanceolate section=channelled length=105 width=34 thickness=1.2 angle=62 bend=40 curl=85 veins=0 radius=3.8 base=f6e9c4 tip=f4f1ee@
+#module COROLLA
+#define FOOT(5,180,0,0,1,1,1,4)
+#define RING1(12,0,0,0,2.2,7.6,7.6,4)
+#define RING2(12,0,0,0,1.2,6.8,6.8,4)
+#define finalStep=3
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[RING2]_{E}
+RING1 -> RING1[&PETAL]_{C1,C5,C9}
+RING2 -> RING2[&ANDROECIUM]_{E}
+RING2 -> RING2[&PETAL{part=0.92; tilt=6}]_{C3,C7,C11}
+
+#module PETAL
+#define part=1
+#define tilt=0
+#define K=12
+#define J=3
+#define len=105*part*(0.55+0.45*open)*math.random(0.96,1.04)
+#define wide=34*part*(0.55+0.45*open)
+#define thick=1.2
+#define even=0
+#define start=-(62+24*(1-open)-18*wilt)-tilt+math.random(-3,3)
+#define low=18*open-22.5*(1-open)+10.8*wilt
+#define mid=14*open-17.5*(1-open)+8.4*wilt
+#define high=93*open-10*(1-open)+4.8*wilt
+#define cup=18
+#define wave=0+8*wilt
+#define fan=0
+#define phase=math.random(0,360)
+#define finalStep=K+3
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,4)
+#define RU1(4,0,0,0,1,0.3*thick,1,4)
+#define RU2(4,0,0,0,1,0.3*thick,1,4)
+#define RU3(4,0,0,0,1,0.3*thick,1,4)
+#define RM1(4,0,0,0,1,0.3*thick,1,4)
+#define RM2(4,0,0,0,1,0.3*thick,1,4)
+#define RM3(4,0,0,0,1,0.3*thick,1,4)
+#define RL1(4,0,0,0,1,0.3*thick,1,4)
+#define RL2(4,0,0,0,1,0.3*thick,1,4)
+#define RL3(4,0,0,0,1,0.3*thick,1,4)
+#define LU1(4,0,0,0,1,0.3*thick,1,4)
+#define LU2(4,0,0,0,1,0.3*thick,1,4)
+#define LU3(4,0,0,0,1,0.3*thick,1,4)
+#define LM1(4,0,0,0,1,0.3*thick,1,4)
+#define LM2(4,0,0,0,1,0.3*thick,1,4)
+#define LM3(4,0,0,0,1,0.3*thick,1,4)
+#define LL1(4,0,0,0,1,0.3*thick,1,4)
+#define LL2(4,0,0,0,1,0.3*thick,1,4)
+#define LL3(4,0,0,0,1,0.3*thick,1,4)
+#material 4 petal "f6e9c4" "f4f1ee" bud "adb371" "c1c79e" wilted "c0aa82" "b4a086"
+#axiom: VEIN(,start,,,,,,)
+VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.011+s*(-0.066+s*(32.723+s*(-102.646+s*(103.332+s*(-28.433+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.011+s*(-0.066+s*(32.723+s*(-102.646+s*(103.332+s*(-28.433+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+@organ stamen count=3 whorls=2 attachment=dorsifixed length=74 thickness=1.2 anther=14 angle=76 bend=16 radius=3 base=dfe6b4 tip=a8481c@
+#module ANDROECIUM
+#define FOOT(5,180,0,0,1,1,1,6)
+#define RING1(12,0,0,0,2.2,6,6,6)
+#define RING2(12,0,0,0,1.2,5.4,5.4,6)
+#define finalStep=3
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[RING2]_{E}
+RING1 -> RING1[&STAMEN]_{C3,C7,C11}
+RING2 -> RING2[&GYNOECIUM]_{E}
+RING2 -> RING2[&STAMEN{part=0.92; tilt=6}]_{C1,C5,C9}
+
+#module STAMEN
+#define part=1
+#define tilt=0
+#define long=74*part*(0.6+0.4*open)*math.random(0.94,1.06)
+#define head=14*math.random(0.95,1.05)
+#define FILAMENT(6,0,0,0,long/8,1.2,1.2,6)
+#define JOINT(4,0,0,0,2.8,2.8,2.8,7)
+#define ANTHER(4,0,0,0,head/6,2.8,2.8,7)
+#define finalStep=14
+#material 6 stamen "dfe6b4" "dfe6b4"
+#material 7 stamen "a8481c" "a8481c"
+#axiom: FILAMENT(,<-(76+(85-76)*(1-open))-tilt+math.random(-4,4)>,,,,,,)
+FILAMENT{}{step<7}{} -> FILAMENT[FILAMENT(,<16/7>,,,,,,)]_{E}
+FILAMENT{}{step==7}{} -> FILAMENT[JOINT]_{E}
+JOINT -> JOINT[ANTHER]_{C1,C3}
+ANTHER{k=step-8}{step>7&&step<11}{} -> ANTHER[ANTHER(,0,,,,<2.8*(1.9-0.16*(k-0)^2)>,<2.8*(1.5-0.16*(k-0)^2)>,)]_{E}
+
+@organ pistil count=3 fusion=syncarpous length=26 width=4.6 style=58 stigma=5 angle=60 radius=2.2 base=9fb56a tip=b5b86e@
+#module GYNOECIUM
+#define FOOT(5,180,0,0,1,1,1,8)
+#define RING1(10,0,0,0,2.2,4.4,4.4,8)
+#define finalStep=2
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[&PISTIL]_{E}
+
+#module PISTIL
+#define wide=4.6*1
+#define OVARY(12,0,0,0,26/6,wide*0.7,wide*0.7,8)
+#define STYLE(12,0,0,0,58*(0.7+0.3*open)/4,wide*0.3,wide*0.3,8)
+#define STIGMA(12,0,0,0,5/4,5*0.6,5*0.6,9)
+#define LOBE(4,0,0,0,5/5,5/5,5/5,9)
+#define finalStep=15
+#material 8 pistil "9fb56a" "9fb56a"
+#material 9 pistil "b5b86e" "b5b86e"
+#axiom: OVARY(,0,,,,,,)
+OVARY{}{step<5}{} -> OVARY[OVARY(,0,,,,<wide*(0.55+0.45*sin(36*(step+1)))>,<wide*(0.55+0.45*sin(36*(step+1)))>,)]_{E}
+OVARY{}{step==5}{} -> OVARY[STYLE]_{E}
+STYLE{}{step<9}{} -> STYLE[STYLE]_{E}
+STYLE{}{step==9}{} -> STYLE[STIGMA]_{E}
+STIGMA -> STIGMA[LOBE]_{C1,C5,C9}
+LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
+
+`,
+	"designed-tulip": `/* Tulip by choices
+   about: The thesis's example, described organ by organ: an erect round stem, apical leaves, no sepals, six rounded petals, six basifixed stamens, a syncarpous pistil.
+   source: own text, assembled; the method is Petrenko 2014, section 3.3
+*/
+@organ stem section=round growth=erect length=300 thickness=6.4 base=7f9a55 tip=9ab36c@
+#define sides=12
+#define thick=6.4
+#define length=300 /* 10 … 900 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
+#define piece=length/17*math.random(0.92,1.08)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+#define STEM(sides,0,0,0,piece,thick,thick*1,1)
+#define COLLAR(sides,0,0,0,1,thick,thick*1,1)
+#define finalStep=18
+#material 1 stem "7f9a55" "9ab36c"
+#axiom: STEM
+STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
+STEM{}{step==16}{} -> STEM[COLLAR]_{E}
+COLLAR -> COLLAR[&CALYX]_{E}
+
+@organ leaf count=2 arrangement=alternate outline=apical section=channelled length=210 width=48 thickness=1.6 angle=72 bend=18 curl=22 base=587f58 tip=6c9a64@
+#define NODE1(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==1}{} -> STEM[NODE1]_{E}
+NODE1 -> NODE1[STEM]_{E}
+NODE1 -> NODE1[&LEAF{part=1}]_{C(1+floor(0*sides/12))}
+#define NODE2(sides,0,0,0,piece,thick,thick,1)
+STEM{}{step==5}{} -> STEM[NODE2]_{E}
+NODE2 -> NODE2[STEM]_{E}
+NODE2 -> NODE2[&LEAF{part=0.92}]_{C(1+floor(5*sides/12))}
+
+#module LEAF
+#define part=1
+#define tilt=0
+#define K=12
+#define J=2
+#define len=210*part*1*math.random(0.96,1.04)
+#define wide=48*part*1
+#define thick=1.6
+#define even=0
+#define start=-(72)-tilt+math.random(-3,3)
+#define low=8.1+13.5*wilt
+#define mid=6.3+10.5*wilt
+#define high=25.6+6*wilt
+#define cup=18
+#define wave=0
+#define fan=0
+#define phase=math.random(0,360)
+#define finalStep=K+3
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,2)
+#define RU1(4,0,0,0,1,0.3*thick,1,2)
+#define RU2(4,0,0,0,1,0.3*thick,1,2)
+#define RM1(4,0,0,0,1,0.3*thick,1,2)
+#define RM2(4,0,0,0,1,0.3*thick,1,2)
+#define RL1(4,0,0,0,1,0.3*thick,1,2)
+#define RL2(4,0,0,0,1,0.3*thick,1,2)
+#define LU1(4,0,0,0,1,0.3*thick,1,2)
+#define LU2(4,0,0,0,1,0.3*thick,1,2)
+#define LM1(4,0,0,0,1,0.3*thick,1,2)
+#define LM2(4,0,0,0,1,0.3*thick,1,2)
+#define LL1(4,0,0,0,1,0.3*thick,1,2)
+#define LL2(4,0,0,0,1,0.3*thick,1,2)
+#material 2 leaf "587f58" "6c9a64" wilted "71754c" "7e7d4e"
+#axiom: VEIN(,start,,,,,,)
+VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.54+s*(0.074+s*(4.099+s*(9.281+s*(-52.327+s*(56.925+s*(-18.594))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.54+s*(0.074+s*(4.099+s*(9.281+s*(-52.327+s*(56.925+s*(-18.594))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+
+@organ sepal count=0 outline=ovate section=cupped length=14 width=8 thickness=0.5 angle=30 bend=-20 curl=0 radius=4 base=8aa356 tip=9fb868@
+#module CALYX
+#define FOOT(5,180,0,0,1,1,1,1)
+#define RING1(10,0,0,0,2.2,8,8,1)
+#define finalStep=2
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[&COROLLA]_{E}
+
+@organ petal count=3 whorls=2 symmetry=radial lip=35 outline=tulip section=cupped length=60 width=40 thickness=1.1 angle=12 bend=-84 curl=4 veins=0 radius=5.5 base=d8a23a tip=c21d2c@
+#module COROLLA
+#define FOOT(5,180,0,0,1,1,1,4)
+#define RING1(12,0,0,0,2.2,11,11,4)
+#define RING2(12,0,0,0,1.2,9.9,9.9,4)
+#define finalStep=3
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[RING2]_{E}
+RING1 -> RING1[&PETAL]_{C1,C5,C9}
+RING2 -> RING2[&ANDROECIUM]_{E}
+RING2 -> RING2[&PETAL{part=0.92; tilt=6}]_{C3,C7,C11}
+
+#module PETAL
+#define part=1
+#define tilt=0
+#define K=12
+#define J=3
+#define len=60*part*(0.55+0.45*open)*math.random(0.96,1.04)
+#define wide=40*part*(0.55+0.45*open)
+#define thick=1.1
+#define even=0
+#define start=-(12+74*(1-open)-18*wilt)-tilt+math.random(-3,3)
+#define low=-37.8*open-22.5*(1-open)+10.8*wilt
+#define mid=-29.4*open-17.5*(1-open)+8.4*wilt
+#define high=-12.8*open-10*(1-open)+4.8*wilt
+#define cup=7
+#define wave=0+8*wilt
+#define fan=0
+#define phase=math.random(0,360)
+#define finalStep=K+3
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,4)
+#define RU1(4,0,0,0,1,0.3*thick,1,4)
+#define RU2(4,0,0,0,1,0.3*thick,1,4)
+#define RU3(4,0,0,0,1,0.3*thick,1,4)
+#define RM1(4,0,0,0,1,0.3*thick,1,4)
+#define RM2(4,0,0,0,1,0.3*thick,1,4)
+#define RM3(4,0,0,0,1,0.3*thick,1,4)
+#define RL1(4,0,0,0,1,0.3*thick,1,4)
+#define RL2(4,0,0,0,1,0.3*thick,1,4)
+#define RL3(4,0,0,0,1,0.3*thick,1,4)
+#define LU1(4,0,0,0,1,0.3*thick,1,4)
+#define LU2(4,0,0,0,1,0.3*thick,1,4)
+#define LU3(4,0,0,0,1,0.3*thick,1,4)
+#define LM1(4,0,0,0,1,0.3*thick,1,4)
+#define LM2(4,0,0,0,1,0.3*thick,1,4)
+#define LM3(4,0,0,0,1,0.3*thick,1,4)
+#define LL1(4,0,0,0,1,0.3*thick,1,4)
+#define LL2(4,0,0,0,1,0.3*thick,1,4)
+#define LL3(4,0,0,0,1,0.3*thick,1,4)
+#material 4 petal "d8a23a" "c21d2c" bud "a49e48" "a85d3d" wilted "b1863d" "a04b38"
+#axiom: VEIN(,start,,,,,,)
+VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.465+s*(1.062+s*(-15.74+s*(96.338+s*(-206.369+s*(181.38+s*(-57.158))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.465+s*(1.062+s*(-15.74+s*(96.338+s*(-206.369+s*(181.38+s*(-57.158))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+@organ stamen count=3 whorls=2 attachment=basifixed length=16 thickness=1.5 anther=11 angle=72 bend=-8 radius=4 base=e8dfa5 tip=2f2633@
+#module ANDROECIUM
+#define FOOT(5,180,0,0,1,1,1,6)
+#define RING1(12,0,0,0,2.2,8,8,6)
+#define RING2(12,0,0,0,1.2,7.2,7.2,6)
+#define finalStep=3
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[RING2]_{E}
+RING1 -> RING1[&STAMEN]_{C3,C7,C11}
+RING2 -> RING2[&GYNOECIUM]_{E}
+RING2 -> RING2[&STAMEN{part=0.92; tilt=6}]_{C1,C5,C9}
+
+#module STAMEN
+#define part=1
+#define tilt=0
+#define long=16*part*(0.6+0.4*open)*math.random(0.94,1.06)
+#define head=11*math.random(0.95,1.05)
+#define FILAMENT(6,0,0,0,long/8,1.5,1.5,6)
+#define JOINT(4,0,0,0,2.2,2.2,2.2,7)
+#define ANTHER(4,0,0,0,head/5,2.2,2.2,7)
+#define finalStep=14
+#material 6 stamen "e8dfa5" "e8dfa5"
+#material 7 stamen "2f2633" "2f2633"
+#axiom: FILAMENT(,<-(72+(85-72)*(1-open))-tilt+math.random(-4,4)>,,,,,,)
+FILAMENT{}{step<7}{} -> FILAMENT[FILAMENT(,<-8/7>,,,,,,)]_{E}
+FILAMENT{}{step==7}{} -> FILAMENT[JOINT]_{E}
+JOINT -> JOINT[ANTHER]_{E}
+ANTHER{k=step-8}{step>7&&step<13}{} -> ANTHER[ANTHER(,0,,,,<2.2*(1.9-0.1*(k-2)^2)>,<2.2*(1.5-0.1*(k-2)^2)>,)]_{E}
+
+@organ pistil count=3 fusion=syncarpous length=24 width=8 style=2 stigma=7 angle=60 radius=3 base=a3b873 tip=e3dfa0@
+#module GYNOECIUM
+#define FOOT(5,180,0,0,1,1,1,8)
+#define RING1(10,0,0,0,2.2,6,6,8)
+#define finalStep=2
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[&PISTIL]_{E}
+
+#module PISTIL
+#define wide=8*1
+#define OVARY(12,0,0,0,24/6,wide*0.7,wide*0.7,8)
+#define STYLE(12,0,0,0,2*(0.7+0.3*open)/4,wide*0.3,wide*0.3,8)
+#define STIGMA(12,0,0,0,7/4,7*0.6,7*0.6,9)
+#define LOBE(4,0,0,0,7/5,7/5,7/5,9)
+#define finalStep=15
+#material 8 pistil "a3b873" "a3b873"
+#material 9 pistil "e3dfa0" "e3dfa0"
+#axiom: OVARY(,0,,,,,,)
+OVARY{}{step<5}{} -> OVARY[OVARY(,0,,,,<wide*(0.55+0.45*sin(36*(step+1)))>,<wide*(0.55+0.45*sin(36*(step+1)))>,)]_{E}
+OVARY{}{step==5}{} -> OVARY[STYLE]_{E}
+STYLE{}{step<9}{} -> STYLE[STYLE]_{E}
+STYLE{}{step==9}{} -> STYLE[STIGMA]_{E}
+STIGMA -> STIGMA[LOBE]_{C1,C5,C9}
+LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
+
+`,
+	"designed-violet": `/* Violet by choices
+   about: An irregular flower: its lower lip is larger than its upper petals; leaves at the foot, heart-shaped.
+   source: own text, assembled; the method is Petrenko 2014, section 3.3
+*/
+@organ stem section=square growth=nodding length=90 thickness=1.8 base=6f8d4c tip=8c8f58@
+#define sides=4
+#define thick=1.8
+#define length=90 /* 10 … 900 mm, of the stem */
+#define bend=5 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
+#define piece=length/17*math.random(0.92,1.08)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+#define STEM(sides,0,0,0,piece,thick,thick*1,1)
+#define COLLAR(sides,0,0,0,1,thick,thick*1,1)
+#define finalStep=18
+#material 1 stem "6f8d4c" "8c8f58"
+#axiom: STEM
+STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
+STEM{}{step==16}{} -> STEM[COLLAR]_{E}
+COLLAR -> COLLAR[&CALYX]_{E}
+
+@organ leaf count=5 arrangement=basal outline=cordate section=cupped length=42 width=34 thickness=0.7 angle=30 bend=10 curl=25 base=3c6a33 tip=558a45@
+#define NODE1(sides,0,0,0,1+0.3*thick,thick,thick,1)
+STEM{}{step==0}{} -> STEM[NODE1]_{E}
+NODE1 -> NODE1[NODE2]_{E}
+NODE1 -> NODE1[&LEAF{part=1}]_{C(1+floor(0*sides/12)),C(1+floor(4*sides/12)),C(1+floor(8*sides/12))}
+#define NODE2(sides,0,0,0,1+0.3*thick,thick,thick,1)
+NODE2 -> NODE2[STEM]_{E}
+NODE2 -> NODE2[&LEAF{part=0.92}]_{C(1+floor(2*sides/12)),C(1+floor(6*sides/12))}
+
+#module LEAF
+#define part=1
+#define tilt=0
+#define K=12
+#define J=3
+#define len=42*part*1*math.random(0.96,1.04)
+#define wide=34*part*1
+#define thick=0.7
+#define even=0
+#define start=-(30)-tilt+math.random(-3,3)
+#define low=4.5+13.5*wilt
+#define mid=3.5+10.5*wilt
+#define high=27+6*wilt
+#define cup=7
+#define wave=0
+#define fan=55
+#define phase=math.random(0,360)
+#define finalStep=K+3
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,2)
+#define RU1(4,0,0,0,1,0.3*thick,1,2)
+#define RU2(4,0,0,0,1,0.3*thick,1,2)
+#define RU3(4,0,0,0,1,0.3*thick,1,2)
+#define RM1(4,0,0,0,1,0.3*thick,1,2)
+#define RM2(4,0,0,0,1,0.3*thick,1,2)
+#define RM3(4,0,0,0,1,0.3*thick,1,2)
+#define RL1(4,0,0,0,1,0.3*thick,1,2)
+#define RL2(4,0,0,0,1,0.3*thick,1,2)
+#define RL3(4,0,0,0,1,0.3*thick,1,2)
+#define LU1(4,0,0,0,1,0.3*thick,1,2)
+#define LU2(4,0,0,0,1,0.3*thick,1,2)
+#define LU3(4,0,0,0,1,0.3*thick,1,2)
+#define LM1(4,0,0,0,1,0.3*thick,1,2)
+#define LM2(4,0,0,0,1,0.3*thick,1,2)
+#define LM3(4,0,0,0,1,0.3*thick,1,2)
+#define LL1(4,0,0,0,1,0.3*thick,1,2)
+#define LL2(4,0,0,0,1,0.3*thick,1,2)
+#define LL3(4,0,0,0,1,0.3*thick,1,2)
+#material 2 leaf "3c6a33" "558a45" wilted "636a3a" "757742"
+#axiom: VEIN(,start,,,,,,)
+VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.729+s*(0.061+s*(2.788+s*(8.075+s*(-45.868+s*(51.743+s*(-17.529))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.729+s*(0.061+s*(2.788+s*(8.075+s*(-45.868+s*(51.743+s*(-17.529))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+@organ sepal count=5 outline=acicular section=cupped length=7 width=2.5 thickness=0.4 angle=30 bend=0 curl=0 radius=1.7 base=708a4a tip=86a05c@
+#module CALYX
+#define FOOT(5,180,0,0,1,1,1,1)
+#define RING1(10,0,0,0,2.2,3.4,3.4,1)
+#define finalStep=2
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[&COROLLA]_{E}
+RING1 -> RING1[&SEPAL]_{C2,C4,C6,C8,C10}
+
+#module SEPAL
+#define part=1
+#define tilt=0
+#define K=12
+#define J=3
+#define len=7*part*(0.55+0.45*open)*math.random(0.96,1.04)
+#define wide=2.5*part*(0.55+0.45*open)
+#define thick=0.4
+#define even=1
+#define start=-(30+56*(1-open)-18*wilt)-tilt+math.random(-3,3)
+#define low=0*open-22.5*(1-open)+10.8*wilt
+#define mid=0*open-17.5*(1-open)+8.4*wilt
+#define high=0*open-10*(1-open)+4.8*wilt
+#define cup=7
+#define wave=0+8*wilt
+#define fan=0
+#define phase=math.random(0,360)
+#define finalStep=K+3
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,3)
+#define RU1(4,0,0,0,1,0.3*thick,1,3)
+#define RU2(4,0,0,0,1,0.3*thick,1,3)
+#define RU3(4,0,0,0,1,0.3*thick,1,3)
+#define RM1(4,0,0,0,1,0.3*thick,1,3)
+#define RM2(4,0,0,0,1,0.3*thick,1,3)
+#define RM3(4,0,0,0,1,0.3*thick,1,3)
+#define RL1(4,0,0,0,1,0.3*thick,1,3)
+#define RL2(4,0,0,0,1,0.3*thick,1,3)
+#define RL3(4,0,0,0,1,0.3*thick,1,3)
+#define LU1(4,0,0,0,1,0.3*thick,1,3)
+#define LU2(4,0,0,0,1,0.3*thick,1,3)
+#define LU3(4,0,0,0,1,0.3*thick,1,3)
+#define LM1(4,0,0,0,1,0.3*thick,1,3)
+#define LM2(4,0,0,0,1,0.3*thick,1,3)
+#define LM3(4,0,0,0,1,0.3*thick,1,3)
+#define LL1(4,0,0,0,1,0.3*thick,1,3)
+#define LL2(4,0,0,0,1,0.3*thick,1,3)
+#define LL3(4,0,0,0,1,0.3*thick,1,3)
+#material 3 sepal "708a4a" "86a05c" wilted "7d7a45" "88804b"
+#axiom: VEIN(,start,,,,,,)
+VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.439+s*(-1.399+s*(40.741+s*(-166.743+s*(281.359+s*(-220.101+s*(65.721))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.439+s*(-1.399+s*(40.741+s*(-166.743+s*(281.359+s*(-220.101+s*(65.721))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+@organ petal count=5 whorls=1 symmetry=irregular lip=32 outline=obovate section=wavy length=15 width=11 thickness=0.5 angle=30 bend=10 curl=25 veins=5 radius=1.9 base=efe3a0 tip=6a4fb0@
+#module COROLLA
+#define FOOT(5,180,0,0,1,1,1,4)
+#define RING1(10,0,0,0,2.2,3.8,3.8,4)
+#define finalStep=2
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[&ANDROECIUM]_{E}
+RING1 -> RING1[&PETAL{part=1.32; tilt=-22}]_{C1}
+RING1 -> RING1[&PETAL{part=1.099; tilt=-6.798}]_{C3,C9}
+RING1 -> RING1[&PETAL{part=0.741; tilt=17.798}]_{C5,C7}
+
+#module PETAL
+#define part=1
+#define tilt=0
+#define K=12
+#define J=3
+#define len=15*part*(0.55+0.45*open)*math.random(0.96,1.04)
+#define wide=11*part*(0.55+0.45*open)
+#define thick=0.5
+#define even=0
+#define start=-(30+56*(1-open)-18*wilt)-tilt+math.random(-3,3)
+#define low=4.5*open-22.5*(1-open)+10.8*wilt
+#define mid=3.5*open-17.5*(1-open)+8.4*wilt
+#define high=27*open-10*(1-open)+4.8*wilt
+#define cup=4
+#define wave=14+8*wilt
+#define fan=0
+#define phase=math.random(0,360)
+#define finalStep=K+3
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,4)
+#define RU1(4,0,0,0,1,0.3*thick,1,4)
+#define RU2(4,0,0,0,1,0.3*thick,1,4)
+#define RU3(4,0,0,0,1,0.3*thick,1,4)
+#define RM1(4,0,0,0,1,0.3*thick,1,4)
+#define RM2(4,0,0,0,1,0.3*thick,1,4)
+#define RM3(4,0,0,0,1,0.3*thick,1,4)
+#define RL1(4,0,0,0,1,0.3*thick,1,4)
+#define RL2(4,0,0,0,1,0.3*thick,1,4)
+#define RL3(4,0,0,0,1,0.3*thick,1,4)
+#define LU1(4,0,0,0,1,0.3*thick,1,4)
+#define LU2(4,0,0,0,1,0.3*thick,1,4)
+#define LU3(4,0,0,0,1,0.3*thick,1,4)
+#define LM1(4,0,0,0,1,0.3*thick,1,4)
+#define LM2(4,0,0,0,1,0.3*thick,1,4)
+#define LM3(4,0,0,0,1,0.3*thick,1,4)
+#define LL1(4,0,0,0,1,0.3*thick,1,4)
+#define LL2(4,0,0,0,1,0.3*thick,1,4)
+#define LL3(4,0,0,0,1,0.3*thick,1,4)
+#material 4 petal "efe3a0" "6a4fb0" veins "412854" 5 0.35 bud "aab167" "7c767f" wilted "bda770" "7d5f6d"
+#axiom: VEIN(,start,,,,,,)
+VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.001+s*(0.045+s*(1.426+s*(23.712+s*(-56.479+s*(38.513+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.001+s*(0.045+s*(1.426+s*(23.712+s*(-56.479+s*(38.513+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(900*(step-1)/K+phase)}{}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(900*(step-2)/K+phase)}{}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+@organ stamen count=5 whorls=1 attachment=basifixed length=1.5 thickness=0.4 anther=1.6 angle=80 bend=-10 radius=1.4 base=e2d58a tip=d78a2a@
+#module ANDROECIUM
+#define FOOT(5,180,0,0,1,1,1,6)
+#define RING1(10,0,0,0,2.2,2.8,2.8,6)
+#define finalStep=2
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[&GYNOECIUM]_{E}
+RING1 -> RING1[&STAMEN]_{C2,C4,C6,C8,C10}
+
+#module STAMEN
+#define part=1
+#define tilt=0
+#define long=1.5*part*(0.6+0.4*open)*math.random(0.94,1.06)
+#define head=1.6*math.random(0.95,1.05)
+#define FILAMENT(6,0,0,0,long/8,0.4,0.4,6)
+#define JOINT(4,0,0,0,0.4,0.4,0.4,7)
+#define ANTHER(4,0,0,0,head/5,0.4,0.4,7)
+#define finalStep=14
+#material 6 stamen "e2d58a" "e2d58a"
+#material 7 stamen "d78a2a" "d78a2a"
+#axiom: FILAMENT(,<-(80+(85-80)*(1-open))-tilt+math.random(-4,4)>,,,,,,)
+FILAMENT{}{step<7}{} -> FILAMENT[FILAMENT(,<-10/7>,,,,,,)]_{E}
+FILAMENT{}{step==7}{} -> FILAMENT[JOINT]_{E}
+JOINT -> JOINT[ANTHER]_{E}
+ANTHER{k=step-8}{step>7&&step<13}{} -> ANTHER[ANTHER(,0,,,,<0.4*(1.9-0.1*(k-2)^2)>,<0.4*(1.5-0.1*(k-2)^2)>,)]_{E}
+
+@organ pistil count=3 fusion=syncarpous length=3 width=1.8 style=1.4 stigma=0.9 angle=60 radius=1 base=a7b868 tip=d8d79a@
+#module GYNOECIUM
+#define FOOT(5,180,0,0,1,1,1,8)
+#define RING1(10,0,0,0,2.2,2,2,8)
+#define finalStep=2
+#axiom: FOOT
+FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
+RING1 -> RING1[&PISTIL]_{E}
+
+#module PISTIL
+#define wide=1.8*1
+#define OVARY(12,0,0,0,3/6,wide*0.7,wide*0.7,8)
+#define STYLE(12,0,0,0,1.4*(0.7+0.3*open)/4,wide*0.3,wide*0.3,8)
+#define STIGMA(12,0,0,0,0.9/4,0.9*0.6,0.9*0.6,9)
+#define LOBE(4,0,0,0,0.9/5,0.9/5,0.9/5,9)
+#define finalStep=15
+#material 8 pistil "a7b868" "a7b868"
+#material 9 pistil "d8d79a" "d8d79a"
+#axiom: OVARY(,0,,,,,,)
+OVARY{}{step<5}{} -> OVARY[OVARY(,0,,,,<wide*(0.55+0.45*sin(36*(step+1)))>,<wide*(0.55+0.45*sin(36*(step+1)))>,)]_{E}
+OVARY{}{step==5}{} -> OVARY[STYLE]_{E}
+STYLE{}{step<9}{} -> STYLE[STYLE]_{E}
+STYLE{}{step==9}{} -> STYLE[STIGMA]_{E}
+STIGMA -> STIGMA[LOBE]_{C1,C5,C9}
+LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
+
+`,
+	"double-umbel": `/* Double umbel
+   about: An umbel of umbels: wild carrot, with the dark floret in the midst of its lace.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=160 /* 80 … 250 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define tall=length*math.random(0.88,1.12)
+#define rays=floor(math.random(15,20))
+#define broad=math.random(44,54)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define STEM(13,0,0,0,20,4,4,1)
+#define OLD(13,0,0,0,20,4,4,1)
+#define HEAD(13,0,0,-0.954,0.16,4.6,4.6,1)
+#define BARE(13,0,0,0,0,4,4,1)
+#define finalStep=14+rays
+
+#material 1 stem "7d9a58" "8fab68"
+#material 2 leaf "4a7a3a" "639a4c"
+#material 3 sepal "6f9450" "86a862"
+#material 4 petal "f4f5ea" "ffffff" bud "d9dfc0" "e6ead4" wilted "b9b58a" "a8a070"
+#material 5 petal "5a1226" "7a1f38"
 
 #axiom: STEM
-STEM{}{step<8}{} -> STEM[STEM(,<math.random(-2,2)>,<math.random(-2,2)>,,<length/8>,,,)]_{E}
-STEM{}{step==8}{} -> STEM[CUP]_{E}
-CUP -> CUP[RIM]_{E}
-CUP -> CUP[&BRACT]_{C1,C3,C5,C7,C9,C11,C13,C15,C17,C19,C21}
-RIM -> RIM[DISC]_{E}
-RIM -> RIM[&RAY]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13,C14,C15,C16,C17,C18,C19,C20,C21}
-DISC{k=step-11;r=sqrt(max(0.02,1-k/discs))}{step<finalStep-1}{} -> BARE[DISC(,,,,<0.03+0.08*k/discs>,<2*radius*r>,<2*radius*r>,)]_{E}[&FLORET(,<-40-50*k/discs>,,,,,,)]_{C(1+8*k%21)}
+STEM{}{step<12}{} -> OLD[STEM(,<bend+math.random(-2,2)+1.5*wilt>,<math.random(-2,2)>,,<tall/12>,<4-0.1*step>,<4-0.1*step>,)]_{E}
+STEM{}{step==1||step==4||step==8}{} -> STEM[&FERN{len=84-6*step}]_{C(1+(5*step)%13)}
+STEM{}{step==12}{} -> STEM[HEAD]_{E}
+HEAD{}{step==13}{} -> HEAD[&BLADE{S=4; len=24; wide=1.2; thick=0.6; start=-50+64*open; bend=20; claw=0.9; paint=3}]_{C2,C3,C5,C7,C9,C11,C13}
+/* Rays on the outside are longer and lean further; in bud and in fruit they close to a nest. */
+HEAD{q=(step-13)/rays; shut=max(1-open,wilt)}{step<finalStep-1}{} -> BARE[HEAD(,,,,<0.14>,<4.6*sqrt(1-0.9*q)>,<4.6*sqrt(1-0.9*q)>,)]_{E}[&RAY{start=-88+(72-66*q)*(1-shut)+math.random(-4,4); long=broad*(0.5+0.5*open)*(1-0.42*q)*math.random(0.94,1.04); open=open; florets=12-6*q; dark=step==finalStep-2}]_{C(1+(5*step)%13)}
 
 #module RAY
-#define K=6
-#define len=9
-#define half=2.6/2
-#define t=0.25
-#define cup=8
-#define finalStep=7
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
-#define RU1(4,0,0,0,1,t,1,4)
-#define RM1(4,0,0,0,1,t,1,4)
-#define RL1(4,0,0,0,1,t,1,5)
-#define LU1(4,0,0,0,1,t,1,4)
-#define LM1(4,0,0,0,1,t,1,4)
-#define LL1(4,0,0,0,1,t,1,5)
-#axiom: VEIN(, -14+math.random(-9,9), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-20+30*u)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/1>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/1>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/1>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/1>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/1>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/1>,0.3*t,H,)]_{C6}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
-RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
-RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
-RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
-LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
-LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-
-#module BRACT
-#define K=5
-#define len=4.5
-#define half=1.8/2
-#define t=0.3
-#define cup=6
-#define finalStep=6
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,2)
-#define RU1(4,0,0,0,1,t,1,2)
-#define RM1(4,0,0,0,1,t,1,2)
-#define RL1(4,0,0,0,1,t,1,2)
-#define LU1(4,0,0,0,1,t,1,2)
-#define LM1(4,0,0,0,1,t,1,2)
-#define LL1(4,0,0,0,1,t,1,2)
-#axiom: VEIN(, -40, , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<-6>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/1>,0.3*t,H,)]_{C6}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
-RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
-RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
-RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
-LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
-LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+#define start=0
+#define long=30
+#define open=1
+#define florets=12
+#define dark=0
+#define RIB(8,0,0,0,long/4,0.8,0.8,1)
+#define HUB(8,0,0,2.508,0.1,1.3,1.3,1)
+#define DONE(8,0,0,0,0.1,1.3,1.3,1)
+#define finalStep=19
+#axiom: RIB(,start,,,,,,)
+RIB{}{step<3}{} -> RIB[RIB(,<-start*0.02-5+math.random(-3,3)>,<math.random(-3,3)>,,,,,)]_{E}
+RIB{}{step==3}{} -> RIB[HUB]_{E}
+HUB{q=(step-4)/florets}{q<1}{} -> DONE[HUB(,,,,0.1,<1.3*sqrt(1-0.9*q)>,<1.3*sqrt(1-0.9*q)>,)]_{E}[&FLORET{start=-86+(64-60*q)*open+math.random(-6,6); long=(3+5*open)*(1-0.4*q); open=open; paint=4+dark; big=1.7-0.6*q}]_{C(1+(3*step)%8)}
 
 #module FLORET
-#define TUBE(4,0,0,0,0.5,0.35,0.35,6)
-#define finalStep=3
-#axiom: TUBE
-TUBE{}{step<2}{} -> TUBE[TUBE(,,,,0.45,<0.55-0.1*step>,<0.55-0.1*step>,)]_{E}
+#define start=0
+#define long=6
+#define open=1
+#define paint=4
+#define big=1
+#define STALK(5,0,0,0,long,0.35,0.35,1)
+#define CUP(5,0,0,0,0.5,0.7,0.7,3)
+#define finalStep=4
+#axiom: STALK(,start,,,,,,)
+STALK -> STALK[CUP]_{E}
+CUP -> CUP[&BLADE{S=2; len=big*(0.5+1.5*open); wide=big*(0.5+1.1*open); thick=0.25; start=-80+76*open+math.random(-12,12); bend=10; claw=0.5; blunt=0.7; paint=paint}]_{C1,C2,C3,C4,C5}
+
+#module FERN
+/* A leaf that is cut fine: ribs on a rib. */
+#define len=80
+#define RIB(8,0,0,0,len/9,1.2,1.1,2)
+#define finalStep=10
+#axiom: RIB(,<-44+math.random(-8,8)>,<math.random(-8,8)>,,,,,)
+RIB{}{step<8}{} -> FAR[RIB(,<3+math.random(-3,3)>,<math.random(-3,3)>,,,,,)]_{E}
+RIB{p=sin(180*((step+1)/10)^1.2)}{step>1&&step<9}{} -> RIB[&FROND{len=len*0.36*p; turn=-90}]_{C3}[&FROND{len=len*0.36*p; turn=90}]_{C7}
+RIB{}{step==8}{} -> RIB[&FROND{len=len*0.2}]_{E}
+#define FAR(8,0,0,0,1,1.2,1.1,2)
+
+#module FROND
+#define len=30
+#define turn=0
+#define R(4,0,0,0,len/4,0.9,0.7,2)
+#define finalStep=5
+#axiom: R(,<-28*(turn!=0)+math.random(-8,8)>,,turn,,,,)
+R{}{step<3}{} -> R[R(,<math.random(-4,8)>,,,,,,)]_{E}
+R{}{step<4}{} -> R[&BLADE{S=2; len=len*(0.4-0.06*step); wide=len*0.06; thick=0.5; start=-40; claw=1; blunt=0.5; paint=2}]_{C2,C4}
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
 `,
 	"figure-16": `/* Figure 16
    about: A grammar in a grammar: sepals, petals, stamens and a carpel are modules of a flower of eighteen sides.
@@ -276,6 +2575,722 @@ FILAMENT{ }{step==5}{ } -> FILAMENT[ANTHER]_{E}
 #axiom: OVARY
 OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
 `,
+	globeflower: `/* Globeflower
+   about: Ten sepals, yellow as petals, close to a globe round nectaries and stamens; leaves of five lobes.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=145 /* 70 … 240 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1.20 /* 0.7 … 1.6, of the flower */
+#define tall=length*math.random(0.83,1.17)
+#define size=scale*math.random(0.92,1.08)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define STEM(10,0,0,0,20,3,3,1)
+#define LOWER(10,0,0,0,3,3.2,3.2,1)
+#define UPPER(10,0,0,0,3,3,3,1)
+#define WHORL(10,0,0,0,1.5,5,5,4)
+#define SECOND(10,0,0,12,1.3,4.7,4.7,4)
+#define THIRD(10,0,0,24,1.2,4.4,4.4,4)
+#define NECTAR(10,0,0,0,0.7,4.2,4.2,5)
+#define RING(10,0,0,11,0.6,3.8,3.8,8)
+#define HEART(10,0,0,11,0.6,3.6,3.6,8)
+#define finalStep=28
+
+#material 1 stem "6f9150" "7f9f5c"
+#material 2 leaf "3f7038" "578c45" veins "6fa052" 3 0.4
+#material 4 petal "c9b81e" "f3cb16" foot 0.35 veins "d8ac10" 6 0.25 bud "8fa032" "b4b636" wilted "d8b040" "d9b566"
+#material 5 petal "bfb01c" "e8bb10" bud "8fa032" "b4b636" wilted "cfa63a" "cda456"
+#material 6 stamen "dcc030" "e3c838"
+#material 7 stamen "e0a818" "eab524"
+#material 8 pistil "a8b548" "b9c455"
+
+#axiom: STEM
+STEM{}{step<14&&step!=6&&step!=9}{} -> STEM[STEM(,<bend+math.random(-1.4,1.4)+0.6*wilt>,<math.random(-1.4,1.4)>,,<tall*(0.8+0.2*open)/13>,<3.2-0.04*step>,<3.2-0.04*step>,)]_{E}
+STEM{}{step==6}{} -> STEM[LOWER]_{E}
+STEM{}{step==9}{} -> STEM[UPPER]_{E}
+LOWER -> LOWER[STEM(,,,,<tall*(0.8+0.2*open)/13>,3,3,)]_{E}
+UPPER -> UPPER[STEM(,,,,<tall*(0.8+0.2*open)/13>,2.9,2.9,)]_{E}
+STEM{}{step==0}{} -> STEM[&PALMATE{stalk=math.random(70,105); len=math.random(36,46); start=-42+math.random(-10,10); sway=math.random(-12,12); teeth=0.45}]_{C1,C4,C8}
+LOWER -> LOWER[&PALMATE{stalk=10; len=math.random(30,40); start=-34; teeth=0.45}]_{C3}
+UPPER -> UPPER[&PALMATE{stalk=6; len=math.random(20,27); start=-40; teeth=0.45}]_{C8}
+STEM{}{step==14}{} -> STEM[WHORL(,<10*open>,,,,,,)]_{E}
+WHORL -> WHORL[SECOND]_{E}
+WHORL -> WHORL[&PETAL{K=9; J=3; len=size*(14+13*open)*math.random(0.95,1.04); wide=size*(11+11*open); thick=0.6; start=-30+20*open+math.random(-4,4)+34*wilt; low=-48-4*open+18*wilt; mid=-22+16*wilt; high=-66+10*open+20*wilt+math.random(-6,6); cup=17-3*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3}]_{C1,C4,C8}
+SECOND -> SECOND[THIRD]_{E}
+SECOND -> SECOND[&PETAL{K=9; J=3; len=size*(13+12*open)*math.random(0.95,1.04); wide=size*(11+10*open); thick=0.6; start=-36+18*open+math.random(-4,4)+24*wilt; low=-46-4*open+12*wilt; mid=-24+12*wilt; high=-64+14*open+14*wilt+math.random(-6,6); cup=17-2*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3}]_{C2,C6,C9}
+THIRD -> THIRD[NECTAR]_{E}
+THIRD -> THIRD[&PETAL{K=9; J=3; len=size*(12+12*open)*math.random(0.95,1.04); wide=size*(10+10*open); thick=0.6; start=-42+16*open+math.random(-4,4)+12*wilt; low=-44-4*open+8*wilt; mid=-24+8*wilt; high=-64+8*open+10*wilt+math.random(-6,6); cup=18-2*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3}]_{C1,C3,C6,C8}
+NECTAR -> NECTAR[RING]_{E}
+NECTAR -> NECTAR[&BLADE{len=size*(4+4*open); wide=1.6; thick=0.5; start=-60+math.random(-5,5); bend=-12; peak=1.2; round=0.6; claw=0.6; paint=5}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
+RING{}{step<22}{} -> RING[RING]_{E}
+RING{}{step==22}{} -> RING[HEART]_{E}
+RING -> RING[&STAMEN{long=(1.2+5.8*open)*math.random(0.85,1.1); lean=-62+math.random(-8,8); head=1.9}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
+HEART{}{step<27}{} -> HEART[HEART(,,,,0.8,<3.6-0.5*(step-22)>,<3.6-0.5*(step-22)>,)]_{E}
+HEART -> HEART[&BLADE{S=2; len=2; wide=0.9; thick=0.6; start=-70; claw=0.8; blunt=0.3; paint=8}]_{C1,C3,C5,C7,C9}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 3 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
+
+#module STAMEN
+#define long=5
+#define lean=-50
+#define head=1.6
+#define FILAMENT(4,0,0,0,long/4,0.3,0.3,6)
+#define ANTHER(4,0,0,0,head/2,0.75*head/1.6,0.5*head/1.6,7)
+#define finalStep=6
+#axiom: FILAMENT(,lean,,,,,,)
+FILAMENT{}{step<3}{} -> FILAMENT[FILAMENT(,<-lean*0.12-8>,,,,,,)]_{E}
+FILAMENT{}{step==3}{} -> FILAMENT[ANTHER]_{E}
+ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
+
+#module PALMATE
+/* A leaf of five lobes that spread from the end of its stalk. */
+#define stalk=60
+#define len=30
+#define start=0
+#define sway=0
+#define paint=2
+#define teeth=0.4
+#define PETIOLE(8,0,0,0,stalk/8,1.3,1.3,1)
+#define NODE(8,0,0,0,0.6,1.3,1.3,1)
+#define LAST(8,0,0,0,0.6,1.3,1.3,1)
+#define finalStep=12
+#axiom: PETIOLE(,start,sway,,,,,)
+PETIOLE{}{step<7}{} -> PETIOLE[PETIOLE(,<4+math.random(-3,3)>,<math.random(-4,4)>,,,,,)]_{E}
+PETIOLE{}{step==7}{} -> PETIOLE[NODE(,<16>,,,,,,)]_{E}
+NODE -> NODE[LAST]_{E}
+NODE -> NODE[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}
+LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}[&PETAL{K=7; J=1; len=len; wide=len*0.48; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{E}
+`,
+	lily: `/* Lily
+   about: A few white trumpets, six tepals each, with golden anthers hung by their backs; narrow leaves all up the stem.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=530 /* 280 … 840 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1.98 /* 0.7 … 1.6, of the flower */
+#define tall=length*math.random(0.87,1.13)
+#define size=scale*math.random(0.94,1.06)
+#define flowers=floor(math.random(2,4))
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define STEM(8,0,0,2.508,20,7,7,1)
+#define LEAFY(8,0,0,0,20,7,7,1)
+#define NODE(8,0,0,2.508,20,6,6,1)
+#define DONE(8,0,0,0,20,6,6,1)
+#define finalStep=18+flowers
+
+#material 1 stem "6f8f52" "83a263"
+#material 2 leaf "47793d" "639550" veins "8ab472" 3 0.4
+#material 4 petal "dfe6b8" "fdfcf7" foot 0.35 veins "dfe6c4" 4 0.4 bud "a9c070" "dbe3b8" wilted "e3d2a0" "c9a66c"
+#material 5 petal "cfdca0" "f7f5ee" veins "c9d9a0" 4 0.4 bud "a2ba68" "d0dcaa" wilted "d8c490" "b8935c"
+#material 6 stamen "dfe6c0" "eef0dc"
+#material 7 stamen "dd8a14" "eda21e"
+#material 8 pistil "9ab66a" "dfe4b8"
+#material 9 pistil "8aa858" "a8bd70"
+
+#axiom: STEM
+STEM{}{step<16}{} -> LEAFY[STEM(,<bend+math.random(-1,1)>,<math.random(-1,1)>,,<tall/16>,<7-0.12*step>,<7-0.12*step>,)]_{E}[&PETAL{K=8; J=1; len=(125-5*step)*math.random(0.9,1.1); wide=(19-0.5*step)*math.random(0.9,1.1); thick=0.9; start=-40+step+math.random(-8,8); low=14; mid=16; high=math.random(0,30); cup=9; peak=0.75; foot=0.5; tip=1.5; claw=0.5; upper=2; middle=2; lower=2}]_{C(1+(3*step)%8)}
+STEM{}{step==16}{} -> LEAFY[NODE]_{E}
+NODE{k=step-17}{step<finalStep-1}{} -> DONE[NODE(,<math.random(-3,3)>,<math.random(-3,3)>,,<26-3*k>,<5-0.5*k>,<5-0.5*k>,)]_{E}[&FLOWER{open=min(1,max(0,open*1.45-0.14*k)); wilt=wilt; size=size; stalk=math.random(52,66)-3*k; start=-50+8*k+math.random(-6,6)}]_{C(1+(3*step)%8)}
+
+#module FLOWER
+#define open=1
+#define wilt=0
+#define size=1
+#define stalk=36
+#define start=-40
+#define STALK(12,0,0,0,stalk/6,3.4,3.4,1)
+#define WHORL(12,0,0,0,2.6,9,9,4)
+#define INNER(12,0,0,0,2.4,8,8,4)
+#define TOP(12,0,0,0,2,6.4,6.4,8)
+#define finalStep=10
+#axiom: STALK(,start,,,,,,)
+STALK{}{step<5}{} -> STALK[STALK(,<7+3*open+math.random(-2,2)>,<math.random(-3,3)>,,,,,)]_{E}
+STALK{}{step==5}{} -> STALK[WHORL]_{E}
+WHORL -> WHORL[INNER]_{E}
+WHORL -> WHORL[&PETAL{K=10; J=2; len=size*(48+24*open); wide=size*(9+9*open); thick=0.8; start=-80+12*open+20*wilt; low=2+8*open; mid=-14+18*open+10*wilt; high=-30+96*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.05; foot=0.8; tip=1.3; claw=0.36; upper=4; middle=4; lower=5}]_{C1,C5,C9}
+INNER -> INNER[TOP]_{E}
+INNER -> INNER[&PETAL{K=10; J=2; len=size*(47+23*open); wide=size*(9+14*open); thick=0.8; start=-82+12*open+18*wilt; low=2+8*open; mid=-14+17*open+10*wilt; high=-30+92*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.2; claw=0.36; upper=4; middle=4; lower=5}]_{C3,C7,C11}
+TOP -> TOP[&STAMEN{long=size*(24+26*open); lean=-84+16*open+math.random(-4,4); open=open}]_{C1,C3,C5,C7,C9,C11}
+TOP -> TOP[&PISTIL{long=size*(28+32*open)}]_{E}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 2 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+
+#module STAMEN
+#define long=50
+#define lean=-70
+#define open=1
+#define FILAMENT(4,0,0,0,long/8,1.6,1.6,6)
+#define HINGE(4,0,0,0,0.8,0.9,0.9,6)
+#define ANTHER(4,0,0,0,2,2.2,1.8,7)
+#define finalStep=12
+#axiom: FILAMENT(,lean,,,,,,)
+FILAMENT{}{step<7}{} -> FILAMENT[FILAMENT(,<5*open>,,,,<1.6-0.1*step>,<1.6-0.1*step>,)]_{E}
+FILAMENT{}{step==7}{} -> FILAMENT[HINGE]_{E}
+HINGE -> HINGE[ANTHER(,<-80+76*(1-open)>,,,,,,)]_{C3}[ANTHER(,<-80+76*(1-open)>,,,,,,)]_{C1}
+ANTHER{}{step<11}{} -> ANTHER[ANTHER(,,,,<1+2.6*open>,<3.6-0.5*(step-8)>,<2.8-0.4*(step-8)>,)]_{E}
+
+#module PISTIL
+#define long=60
+#define OVARY(6,0,0,0,long/12,4.6,4.6,9)
+#define STYLE(6,0,0,0,long/9,2.4,2.4,8)
+#define STIGMA(6,0,0,0,3,6,6,9)
+#define finalStep=13
+#axiom: OVARY
+OVARY{}{step<3}{} -> OVARY[OVARY]_{E}
+OVARY{}{step==3}{} -> OVARY[STYLE]_{E}
+STYLE{}{step<10}{} -> STYLE[STYLE]_{E}
+STYLE{}{step==10}{} -> STYLE[STIGMA]_{E}
+STIGMA{}{step<12}{} -> STIGMA[STIGMA(,,,,2,4,4,)]_{E}
+`,
+	panicle: `/* Panicle
+   about: A raceme of racemes, shorter towards the tip: lilac, florets of four lobes, in bud above.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=135 /* 70 … 210 mm, of the panicle */
+#define tall=length*math.random(0.89,1.11)
+#define nodes=floor(math.random(10,13))
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define WOOD(8,0,0,0,12,4.4,4.4,1)
+#define PAIR(8,0,0,0,3,4.4,4.4,1)
+#define AXIS(8,0,0,0,10,2.6,2.6,2)
+#define DONE(8,0,0,0,10,2.6,2.6,2)
+#define finalStep=9+nodes
+
+#material 1 stem "7a6a50" "86785c"
+#material 2 stem "86904e" "8a7a6a"
+#material 3 leaf "4a7d3c" "639a50" veins "8ab474" 6 0.4
+#material 4 petal "a878cc" "caa2e4" bud "8a4a9c" "96529f" wilted "a88a94" "9a7a74"
+#material 5 petal "8d5ab6" "9a68c2" bud "7a3f8c" "844690" wilted "94787e" "86685f"
+#material 6 petal "84509e" "9560b2"
+
+#axiom: WOOD
+WOOD{}{step<5&&step!=2&&step!=4}{} -> WOOD[WOOD(,<math.random(-3,3)>,<math.random(-3,3)>,,,<4.4-0.2*step>,<4.4-0.2*step>,)]_{E}
+WOOD{}{step==2}{} -> WOOD[PAIR]_{E}
+PAIR -> PAIR[WOOD]_{E}
+PAIR -> PAIR[&LEAF{len=math.random(66,84)}]_{C3,C7}
+WOOD{}{step==5}{} -> WOOD[AXIS]_{E}
+/* Branches stand in pairs, each pair across the one below: every second pair on other faces. */
+AXIS{k=step-6; q=k/nodes}{step<finalStep-1}{} -> DONE[AXIS(,<math.random(-3,3)>,<math.random(-3,3)>,,<tall/nodes*(1.1-0.4*q)>,<2.6-1.8*q>,<2.6-1.8*q>,)]_{E}[&BRANCH{long=(46-41*q)*math.random(0.88,1.1); start=-26-30*q+math.random(-6,6); pairs=max(0,4.2-4.6*q); open=min(1,max(0,open*1.6-0.75*q)); wilt=wilt}]_{C(1+2*(k%2)), C(5+2*(k%2))}
+
+#module BRANCH
+#define long=24
+#define start=-40
+#define pairs=2
+#define open=1
+#define wilt=0
+#define TWIG(8,0,0,0,long/4,1.1,1.1,2)
+#define GONE(8,0,0,0,1,1,1,2)
+#define finalStep=7
+#axiom: TWIG(,start,,,,,,)
+TWIG{}{step<pairs}{} -> GONE[TWIG(,<math.random(-8,2)>,<math.random(-6,6)>,,,,,)]_{E}[&FLORET{start=-36+math.random(-10,10); open=max(0,open-0.08*step); wilt=wilt}]_{C(1+2*(step%2)), C(5+2*(step%2))}
+TWIG{}{step>=pairs}{} -> GONE[&FLORET{start=0; open=open; wilt=wilt}]_{E}[&FLORET{start=-40+math.random(-10,10); open=open; wilt=wilt}]_{C2,C6}
+
+#module FLORET
+#define start=0
+#define open=1
+#define wilt=0
+#define g=math.random(1.25,1.5)
+#define TUBE(8,0,0,0,g*(1.6+1.2*open),1,1,5)
+#define MOUTH(8,0,0,0,0.6,1.7,1.7,5)
+#define finalStep=4
+#axiom: TUBE(,start,,,,,,)
+TUBE{}{step==0}{} -> TUBE[TUBE(,<math.random(-8,8)>,<math.random(-8,8)>,,<g*(1.4+2.4*open)>,<1.5-0.3*open>,<1.5-0.3*open>,)]_{E}
+TUBE{}{step==1}{} -> TUBE[MOUTH(,,,,0.6,<1.9-0.3*open>,<1.9-0.3*open>,)]_{E}
+MOUTH -> MOUTH[&BLADE{S=3; len=g*(1.2+3.6*open); wide=g*(1.2+2.1*open); thick=0.4; start=-70+72*open+math.random(-8,8); bend=-24+10*open+50*wilt; peak=1.1; round=0.7; claw=0.6; blunt=0.5; paint=4}]_{C1,C3,C5,C7}
+
+#module LEAF
+#define len=80
+#define PETIOLE(8,0,0,0,len*0.1,1.6,1.6,1)
+#define finalStep=4
+#axiom: PETIOLE(,<-40+math.random(-8,8)>,<math.random(-8,8)>,,,,,)
+PETIOLE{}{step<2}{} -> PETIOLE[PETIOLE(,8,,,,,,)]_{E}
+PETIOLE{}{step==2}{} -> PETIOLE[&PETAL{K=11; J=2; len=len; wide=len*0.72; thick=0.8; start=16; low=10; mid=10; high=math.random(10,30); cup=5; peak=0.68; foot=0.6; tip=1.5; claw=0.2; fan=18; upper=3; middle=3; lower=3}]_{E}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 2 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
+`,
+	pansy: `/* Wild pansy
+   about: One plane of symmetry: two upper petals, two at the sides and a lower one with a spur, each of its own shape and colour; K5 C5 A5 G(3).
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=90 /* 40 … 150 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=0.94 /* 0.7 … 1.6, of the flower */
+#define tall=length*math.random(0.78,1.22)
+#define size=scale*math.random(0.91,1.09)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define STEM(10,0,0,0,10,2,2,1)
+#define NODEA(10,0,0,0,3,2.2,2.2,1)
+#define NODEB(10,0,0,0,3,2.1,2.1,1)
+#define NODEC(10,0,0,0,3,2,2,1)
+#define TIP(10,0,0,0,3,1.6,1.6,1)
+#define finalStep=16
+
+#material 1 stem "6f8f52" "86a862"
+#material 2 leaf "45753a" "639a50" veins "86b070" 4 0.4
+#material 3 sepal "5f8a48" "7aa25c"
+#material 4 petal "6a3a9e" "4b1f86" foot 0.3 veins "2c0f5c" 6 0.3 bud "5a3a86" "4a2a76" wilted "6d5472" "5d4262"
+#material 5 petal "5a2f92" "452080" wilted "665070" "5a4460"
+#material 6 petal "3b1440" "c9a8e6" foot 0.6 veins "4a1c5e" 5 0.55 bud "4a2450" "a98fc0" wilted "5a3a50" "9a8296"
+#material 7 petal "4a1a30" "f7d52e" foot 0.8 veins "3a1226" 7 0.75 margin "f9e06a" 0.1 bud "5a2a30" "d8c040" wilted "5a3030" "b89a48"
+#material 8 petal "b79ad8" "cdb2ec" wilted "94809c" "a08ea2"
+#material 9 pistil "e8b92a" "9ab84a"
+
+#axiom: STEM
+STEM{}{step<14&&step!=3&&step!=6&&step!=9}{} -> STEM[STEM(,<bend+math.random(-4,4)>,<math.random(-4,4)>,,<tall/10>,,,)]_{E}
+STEM{}{step==3}{} -> STEM[NODEA]_{E}
+STEM{}{step==6}{} -> STEM[NODEB]_{E}
+STEM{}{step==9}{} -> STEM[NODEC]_{E}
+NODEA -> NODEA[STEM(,8,,,,,,)]_{E}
+NODEB -> NODEB[STEM(,-9,,,,,,)]_{E}
+NODEC -> NODEC[TIP]_{E}
+NODEA -> NODEA[&LEAF{len=math.random(26,32)}]_{C6}[&LEAF{len=math.random(20,26)}]_{C2}
+NODEB -> NODEB[&LEAF{len=math.random(26,32)}]_{C9}[&FLOWER{open=max(0,open-0.3); size=0.86*size; stalk=tall*0.4; start=-32}]_{C4}
+NODEC -> NODEC[&LEAF{len=math.random(22,28)}]_{C4}[&LEAF{len=math.random(18,24)}]_{C8}[&FLOWER{open=open; wilt=wilt; size=size; stalk=tall*0.62; start=-48}]_{C1}
+
+#module FLOWER
+#define open=1
+#define wilt=0
+#define size=1
+#define stalk=60
+#define start=-40
+#define STALK(10,0,0,0,stalk/9,1.5,1.5,1)
+#define CALYX(10,0,0,0,1.2,2.8,2.8,3)
+#define FACE(10,0,0,0,1,2.8,2.8,9)
+#define HEART(10,0,0,0,1,2.2,2.2,9)
+#define finalStep=13
+/* The stalk bows at its end, so that the flower looks ahead: C1 is below, C6 above. */
+#axiom: STALK(,start,,,,,,)
+STALK{}{step<8}{} -> STALK[STALK(,<(step<5)*-(90+start)*0.16+(step>=5)*(25-4*open+10*wilt)+math.random(-2,2)>,<math.random(-2,2)>,,,,,)]_{E}
+STALK{}{step==8}{} -> STALK[CALYX(,<18-6*open>,,,,,,)]_{E}
+CALYX -> CALYX[FACE]_{E}
+CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(6+2*open); wide=size*2.8; thick=0.4; start=-64+92*open; low=-10+10*open; cup=10; peak=0.7; tip=1.7; claw=0.8; upper=3; middle=3; lower=3}]_{C2,C4,C6,C8,C10}
+CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(2+4*open); wide=size*2.6; thick=2*size; start=66; low=-6; cup=30; foot=0.4; tip=0.6; claw=0.9; upper=8; middle=8; lower=8}]_{C1}
+FACE -> FACE[HEART]_{E}
+FACE -> FACE[&PETAL{K=10; J=3; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+60*open+8*wilt; sway=8*open; low=-20+16*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+6*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=4; lower=5}]_{C5}
+FACE -> FACE[&PETAL{K=10; J=3; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+62*open+8*wilt; sway=-8*open; low=-20+14*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+6*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=4; lower=5}]_{C7}
+FACE -> FACE[&PETAL{K=10; J=3; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+6*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=6; lower=8}]_{C3}
+FACE -> FACE[&PETAL{K=10; J=3; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=-14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+6*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=6; lower=8}]_{C9}
+FACE -> FACE[&PETAL{K=10; J=4; len=size*(8+8.5*open); wide=size*(6+13*open); thick=0.4; start=-72+52*open+10*wilt; low=-14+4*open; high=-30+46*open+math.random(-6,6); cup=12-7*open; wave=5+6*wilt; peak=1.45; foot=0.9; tip=0.55; claw=0.26; spread=5; upper=7; middle=7; lower=7}]_{C1}
+HEART{}{step<12}{} -> HEART[HEART(,,,,0.8,<2.2-0.5*(step-10)>,<2.2-0.5*(step-10)>,)]_{E}
+
+#module LEAF
+#define len=28
+#define PETIOLE(8,0,0,0,len*0.16,1,1,1)
+#define finalStep=5
+#axiom: PETIOLE(,<-44+math.random(-8,8)>,<math.random(-10,10)>,,,,,)
+PETIOLE{}{step<3}{} -> PETIOLE[PETIOLE(,8,,,,,,)]_{E}
+PETIOLE{}{step==3}{} -> PETIOLE[&PETAL{K=12; J=2; len=len; wide=len*0.5; thick=0.6; low=10; mid=8; high=10; cup=6; peak=0.85; foot=0.8; tip=0.9; claw=0.1; teeth=0.16; bites=5; upper=2; middle=2; lower=2}]_{E}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 4 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*thick,1,upper)
+#define RU4(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*thick,1,middle)
+#define RM4(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*thick,1,lower)
+#define RL4(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*thick,1,upper)
+#define LU4(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*thick,1,middle)
+#define LM4(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*thick,1,lower)
+#define LL4(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RU3[RU4(,,<cup+r>,,H,,W,)]_{E}
+RM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RM3[RM4(,,<cup+r>,,H,,W,)]_{E}
+RL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RL3[RL4(,,<cup+r>,,H,,W,)]_{E}
+LU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LU3[LU4(,,<-cup-r>,,H,,W,)]_{E}
+LM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LM3[LM4(,,<-cup-r>,,H,,W,)]_{E}
+LL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LL3[LL4(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+RU4 : RU4_C1 < RU4_C3 -> RU4_C1 | RU4_C3
+LU4 : LU4_C1 < LU4_C3 -> LU4_C1 | LU4_C3
+RM4 : RM4_C1 < RM4_C3 -> RM4_C1 | RM4_C3
+LM4 : LM4_C1 < LM4_C3 -> LM4_C1 | LM4_C3
+RL4 : RL4_C1 < RL4_C3 -> RL4_C1 | RL4_C3
+LL4 : LL4_C1 < LL4_C3 -> LL4_C1 | LL4_C3
+RL4 : RL4_C2 < RM4_C4 -> RL4_C2 | RM4_C4
+RM4 : RM4_C2 < RU4_C4 -> RM4_C2 | RU4_C4
+LL4 : LL4_C4 < LM4_C2 -> LL4_C4 | LM4_C2
+LM4 : LM4_C4 < LU4_C2 -> LM4_C4 | LU4_C2
+`,
 	petal: `/* Petal
    about: One petal of three layers, whose lobes grow from a vein and are glued.
    source: Petrenko 2014, figure 21 and section 2.2.3; the grammar is ours
@@ -284,7 +3299,7 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
 #axiom: STEM
 #define finalStep=1
 STEM -> STEM[&PETAL]_{E}
-#material 4 petal "f3c14b" "d1253f"
+#material 4 petal "f3c14b" "d1253f" foot 0.5 margin "f3a9a0" 0.35 veins "8d1230" 9 0.45 light 0.5
 #module PETAL
 #define K=12
 #define len=60
@@ -363,274 +3378,188 @@ LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
 LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 `,
 	poppy: `/* Poppy
-   about: Four crumpled petals in two whorls, many dark stamens, and a capsule under its lid of stigmas.
+   about: Four crumpled petals in two whorls, many dark stamens, and a capsule under its lid of stigmas; the bud hangs in two hairy sepals, which fall.
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
-#define length=180
-#define STEM(12,0,0,0,24,2.4,2.4,1)
-#define RECEPTACLE(12,0,0,0,1.2,4.5,4.5,1)
-#define BASE(12,0,0,0,1.2,4.5,4.5,1)
-#define RING(12,0,0,8,0.7,4.2,4.2,1)
-#define finalStep=25
 
-#material 1 stem "7d9a5e" "8ba868"
-#material 4 petal "2a1216" "d8281f"
-#material 5 petal "2a1216" "e2382a"
-#material 6 stamen "3a2f45" "4a3f55"
-#material 7 stamen "2f2a33" "5a5560"
-#material 8 pistil "9fb083" "aabb8c"
-#material 9 pistil "6d5a58" "5c4a4c"
+#define length=235 /* 120 … 370 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1.04 /* 0.7 … 1.6, of the flower */
+#define tall=length*math.random(0.87,1.13)
+#define size=scale*math.random(0.92,1.08)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define STEM(12,0,0,0,24,2.4,2.4,1)
+#define OLD(12,0,0,0,24,2.4,2.4,1)
+#define RECEPTACLE(12,0,0,0,1.2,4.4,4.4,1)
+#define CALYX(12,0,0,0,1.1,4.6,4.6,1)
+#define BASE(12,0,0,0,1.1,4.4,4.4,1)
+#define RING(12,0,0,8,0.7,4.2,4.2,1)
+#define finalStep=27
+
+#material 1 stem "76925c" "88a56a"
+#material 2 leaf "5f8550" "7a9c64" veins "8fae78" 4 0.4 wilted "8f9a5c" "a8a468"
+#material 3 sepal "6f8f55" "83a066"
+#material 4 petal "1d0d10" "cf2018" foot 0.3 veins "9c130f" 9 0.3 bud "3a1014" "b83024" wilted "1d0d10" "8e1f22"
+#material 5 petal "1d0d10" "de3323" foot 0.3 veins "a31812" 9 0.3 bud "3a1014" "b83024" wilted "1d0d10" "963028"
+#material 6 stamen "2c2236" "3c3148"
+#material 7 stamen "26222c" "4c4658"
+#material 8 pistil "93a87a" "a5b88a"
+#material 9 pistil "5f4a4c" "4f3c40"
 
 #axiom: STEM
-STEM{}{step<16}{} -> STEM[STEM(,<math.random(-2.5,2.5)>,<math.random(-2.5,2.5)>,,<length/16>,,,)]_{E}
-STEM{}{step==16}{} -> STEM[RECEPTACLE]_{E}
+STEM{hang=(1-open)*max(0,step-9)^2}{step<16}{} -> OLD[STEM(,<bend+math.random(-2.5,2.5)+3.8*hang>,<math.random(-2.5,2.5)>,,<tall*(0.75+0.25*open)/16>,<2.6-0.05*step>,<2.6-0.05*step>,)]_{E}
+STEM{l=math.random(86,112)-10*step}{step<7&&step!=5}{} -> STEM[&PETAL{K=18; J=2; len=l; wide=l*0.5; thick=0.7; start=-52+math.random(-8,8)-3*step; sway=math.random(-6,6); low=20; mid=24; high=math.random(0,40); cup=-5; peak=0.95; foot=0.7; tip=1.6; claw=0.12; teeth=0.85; bites=4; barb=-24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
+STEM{}{step==16}{} -> STEM[CALYX(,<22*open>,,,,,,)]_{E}
+CALYX -> CALYX[RECEPTACLE(,<12*open>,,,,,,)]_{E}
+CALYX -> CALYX[&PETAL{K=8; len=0.3+23*max(0,1-2*open); wide=0.2+21*max(0,1-2*open); thick=0.05+0.8*max(0,1-2*open); start=-22; low=-66; mid=-6; high=-66; cup=34; claw=0.4; upper=3; middle=3; lower=3}]_{C1,C7}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
-RECEPTACLE -> RECEPTACLE[&OUTER]_{C1,C7}
+RECEPTACLE -> RECEPTACLE[&PETAL{K=10; J=5; len=size*(11+27*open); wide=size*(9+57*open); thick=0.45; start=-62+55*open+math.random(-5,5)+18*wilt; low=-16-26*open; mid=4; high=-34+50*open+math.random(-10,10); cup=15-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.32; foot=1; tip=0.66; claw=0.24; spread=5; upper=5}]_{C1,C7}
 BASE -> BASE[RING]_{E}
-BASE -> BASE[&INNER]_{C4,C10}
-RING{}{step<23}{} -> RING[RING]_{E}
-RING{}{step==23}{} -> RING[&CAPSULE]_{E}
+BASE -> BASE[&PETAL{K=10; J=5; len=size*(10+25*open); wide=size*(8+49*open); thick=0.45; start=-66+50*open+math.random(-5,5)+18*wilt; low=-14-30*open; mid=4; high=-30+42*open+math.random(-10,10); cup=16-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.3; foot=1; tip=0.68; claw=0.24; spread=5; upper=5}]_{C4,C10}
+RING{}{step<25}{} -> RING[RING]_{E}
+RING{}{step==25}{} -> RING[&CAPSULE]_{E}
 RING -> RING[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
 
-#module OUTER
-#define K=12
-#define len=40
-#define half=58/2
-#define t=0.5
-#define cup=9+math.random(-2,2)
-#define finalStep=17
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
-#define RU1(4,0,0,0,1,t,1,5)
-#define RU2(4,0,0,0,1,t,1,5)
-#define RU3(4,0,0,0,1,t,1,5)
-#define RU4(4,0,0,0,1,t,1,5)
-#define RU5(4,0,0,0,1,t,1,5)
-#define RM1(4,0,0,0,1,t,1,4)
-#define RM2(4,0,0,0,1,t,1,4)
-#define RM3(4,0,0,0,1,t,1,4)
-#define RM4(4,0,0,0,1,t,1,4)
-#define RM5(4,0,0,0,1,t,1,4)
-#define RL1(4,0,0,0,1,t,1,4)
-#define RL2(4,0,0,0,1,t,1,4)
-#define RL3(4,0,0,0,1,t,1,4)
-#define RL4(4,0,0,0,1,t,1,4)
-#define RL5(4,0,0,0,1,t,1,4)
-#define LU1(4,0,0,0,1,t,1,5)
-#define LU2(4,0,0,0,1,t,1,5)
-#define LU3(4,0,0,0,1,t,1,5)
-#define LU4(4,0,0,0,1,t,1,5)
-#define LU5(4,0,0,0,1,t,1,5)
-#define LM1(4,0,0,0,1,t,1,4)
-#define LM2(4,0,0,0,1,t,1,4)
-#define LM3(4,0,0,0,1,t,1,4)
-#define LM4(4,0,0,0,1,t,1,4)
-#define LM5(4,0,0,0,1,t,1,4)
-#define LL1(4,0,0,0,1,t,1,4)
-#define LL2(4,0,0,0,1,t,1,4)
-#define LL3(4,0,0,0,1,t,1,4)
-#define LL4(4,0,0,0,1,t,1,4)
-#define LL5(4,0,0,0,1,t,1,4)
-#axiom: VEIN(, -22+math.random(-5,5), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-35-40*u+60*u^2)*sin(90/K)*sin(180*(step+1)/K)+math.random(-5,5)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL2{s=(step-2)/K}{}{} -> RL2[RL3(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM2{s=(step-2)/K}{}{} -> RM2[RM3(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU2{s=(step-2)/K}{}{} -> RU2[RU3(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL2{s=(step-2)/K}{}{} -> LL2[LL3(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM2{s=(step-2)/K}{}{} -> LM2[LM3(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU2{s=(step-2)/K}{}{} -> LU2[LU3(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL3{s=(step-3)/K}{}{} -> RL3[RL4(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM3{s=(step-3)/K}{}{} -> RM3[RM4(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU3{s=(step-3)/K}{}{} -> RU3[RU4(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL3{s=(step-3)/K}{}{} -> LL3[LL4(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM3{s=(step-3)/K}{}{} -> LM3[LM4(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU3{s=(step-3)/K}{}{} -> LU3[LU4(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL4{s=(step-4)/K}{}{} -> RL4[RL5(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM4{s=(step-4)/K}{}{} -> RM4[RM5(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU4{s=(step-4)/K}{}{} -> RU4[RU5(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL4{s=(step-4)/K}{}{} -> LL4[LL5(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM4{s=(step-4)/K}{}{} -> LM4[LM5(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU4{s=(step-4)/K}{}{} -> LU4[LU5(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 5 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*thick,1,upper)
+#define RU4(4,0,0,0,1,0.3*thick,1,upper)
+#define RU5(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*thick,1,middle)
+#define RM4(4,0,0,0,1,0.3*thick,1,middle)
+#define RM5(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*thick,1,lower)
+#define RL4(4,0,0,0,1,0.3*thick,1,lower)
+#define RL5(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*thick,1,upper)
+#define LU4(4,0,0,0,1,0.3*thick,1,upper)
+#define LU5(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*thick,1,middle)
+#define LM4(4,0,0,0,1,0.3*thick,1,middle)
+#define LM5(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*thick,1,lower)
+#define LL4(4,0,0,0,1,0.3*thick,1,lower)
+#define LL5(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RU3[RU4(,,<cup+r>,,H,,W,)]_{E}
+RM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RM3[RM4(,,<cup+r>,,H,,W,)]_{E}
+RL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RL3[RL4(,,<cup+r>,,H,,W,)]_{E}
+LU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LU3[LU4(,,<-cup-r>,,H,,W,)]_{E}
+LM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LM3[LM4(,,<-cup-r>,,H,,W,)]_{E}
+LL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LL3[LL4(,,<-cup-r>,,H,,W,)]_{E}
+RU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RU4[RU5(,,<cup+r>,,H,,W,)]_{E}
+RM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RM4[RM5(,,<cup+r>,,H,,W,)]_{E}
+RL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RL4[RL5(,,<cup+r>,,H,,W,)]_{E}
+LU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LU4[LU5(,,<-cup-r>,,H,,W,)]_{E}
+LM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LM4[LM5(,,<-cup-r>,,H,,W,)]_{E}
+LL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LL4[LL5(,,<-cup-r>,,H,,W,)]_{E}
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
 RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
 RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
 LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
 RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
 RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
 RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
-LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
 LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
 LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
-RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
-RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
 RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
 RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
 RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
-LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
-LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
-LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
 LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
 LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
-RL4 : RL4_C1 < RL4_C3 -> RL4_C1 | RL4_C3
-RM4 : RM4_C1 < RM4_C3 -> RM4_C1 | RM4_C3
 RU4 : RU4_C1 < RU4_C3 -> RU4_C1 | RU4_C3
+LU4 : LU4_C1 < LU4_C3 -> LU4_C1 | LU4_C3
+RM4 : RM4_C1 < RM4_C3 -> RM4_C1 | RM4_C3
+LM4 : LM4_C1 < LM4_C3 -> LM4_C1 | LM4_C3
+RL4 : RL4_C1 < RL4_C3 -> RL4_C1 | RL4_C3
+LL4 : LL4_C1 < LL4_C3 -> LL4_C1 | LL4_C3
 RL4 : RL4_C2 < RM4_C4 -> RL4_C2 | RM4_C4
 RM4 : RM4_C2 < RU4_C4 -> RM4_C2 | RU4_C4
-LL4 : LL4_C1 < LL4_C3 -> LL4_C1 | LL4_C3
-LM4 : LM4_C1 < LM4_C3 -> LM4_C1 | LM4_C3
-LU4 : LU4_C1 < LU4_C3 -> LU4_C1 | LU4_C3
 LL4 : LL4_C4 < LM4_C2 -> LL4_C4 | LM4_C2
 LM4 : LM4_C4 < LU4_C2 -> LM4_C4 | LU4_C2
-RL5 : RL5_C1 < RL5_C3 -> RL5_C1 | RL5_C3
-RM5 : RM5_C1 < RM5_C3 -> RM5_C1 | RM5_C3
 RU5 : RU5_C1 < RU5_C3 -> RU5_C1 | RU5_C3
+LU5 : LU5_C1 < LU5_C3 -> LU5_C1 | LU5_C3
+RM5 : RM5_C1 < RM5_C3 -> RM5_C1 | RM5_C3
+LM5 : LM5_C1 < LM5_C3 -> LM5_C1 | LM5_C3
+RL5 : RL5_C1 < RL5_C3 -> RL5_C1 | RL5_C3
+LL5 : LL5_C1 < LL5_C3 -> LL5_C1 | LL5_C3
 RL5 : RL5_C2 < RM5_C4 -> RL5_C2 | RM5_C4
 RM5 : RM5_C2 < RU5_C4 -> RM5_C2 | RU5_C4
-LL5 : LL5_C1 < LL5_C3 -> LL5_C1 | LL5_C3
-LM5 : LM5_C1 < LM5_C3 -> LM5_C1 | LM5_C3
-LU5 : LU5_C1 < LU5_C3 -> LU5_C1 | LU5_C3
-LL5 : LL5_C4 < LM5_C2 -> LL5_C4 | LM5_C2
-LM5 : LM5_C4 < LU5_C2 -> LM5_C4 | LU5_C2
-
-#module INNER
-#define K=12
-#define len=37
-#define half=50/2
-#define t=0.5
-#define cup=10+math.random(-2,2)
-#define finalStep=17
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
-#define RU1(4,0,0,0,1,t,1,5)
-#define RU2(4,0,0,0,1,t,1,5)
-#define RU3(4,0,0,0,1,t,1,5)
-#define RU4(4,0,0,0,1,t,1,5)
-#define RU5(4,0,0,0,1,t,1,5)
-#define RM1(4,0,0,0,1,t,1,4)
-#define RM2(4,0,0,0,1,t,1,4)
-#define RM3(4,0,0,0,1,t,1,4)
-#define RM4(4,0,0,0,1,t,1,4)
-#define RM5(4,0,0,0,1,t,1,4)
-#define RL1(4,0,0,0,1,t,1,4)
-#define RL2(4,0,0,0,1,t,1,4)
-#define RL3(4,0,0,0,1,t,1,4)
-#define RL4(4,0,0,0,1,t,1,4)
-#define RL5(4,0,0,0,1,t,1,4)
-#define LU1(4,0,0,0,1,t,1,5)
-#define LU2(4,0,0,0,1,t,1,5)
-#define LU3(4,0,0,0,1,t,1,5)
-#define LU4(4,0,0,0,1,t,1,5)
-#define LU5(4,0,0,0,1,t,1,5)
-#define LM1(4,0,0,0,1,t,1,4)
-#define LM2(4,0,0,0,1,t,1,4)
-#define LM3(4,0,0,0,1,t,1,4)
-#define LM4(4,0,0,0,1,t,1,4)
-#define LM5(4,0,0,0,1,t,1,4)
-#define LL1(4,0,0,0,1,t,1,4)
-#define LL2(4,0,0,0,1,t,1,4)
-#define LL3(4,0,0,0,1,t,1,4)
-#define LL4(4,0,0,0,1,t,1,4)
-#define LL5(4,0,0,0,1,t,1,4)
-#axiom: VEIN(, -32+math.random(-5,5), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-45-40*u+60*u^2)*sin(90/K)*sin(180*(step+1)/K)+math.random(-5,5)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL2{s=(step-2)/K}{}{} -> RL2[RL3(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM2{s=(step-2)/K}{}{} -> RM2[RM3(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU2{s=(step-2)/K}{}{} -> RU2[RU3(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL2{s=(step-2)/K}{}{} -> LL2[LL3(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM2{s=(step-2)/K}{}{} -> LM2[LM3(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU2{s=(step-2)/K}{}{} -> LU2[LU3(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL3{s=(step-3)/K}{}{} -> RL3[RL4(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM3{s=(step-3)/K}{}{} -> RM3[RM4(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU3{s=(step-3)/K}{}{} -> RU3[RU4(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL3{s=(step-3)/K}{}{} -> LL3[LL4(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM3{s=(step-3)/K}{}{} -> LM3[LM4(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU3{s=(step-3)/K}{}{} -> LU3[LU4(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL4{s=(step-4)/K}{}{} -> RL4[RL5(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM4{s=(step-4)/K}{}{} -> RM4[RM5(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU4{s=(step-4)/K}{}{} -> RU4[RU5(,0,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL4{s=(step-4)/K}{}{} -> LL4[LL5(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM4{s=(step-4)/K}{}{} -> LM4[LM5(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU4{s=(step-4)/K}{}{} -> LU4[LU5(,0,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
-RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
-RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
-RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
-LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
-LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
-RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
-RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
-RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
-LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
-LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
-LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
-RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
-RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
-RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
-RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
-RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
-LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
-LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
-LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
-LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
-LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
-RL4 : RL4_C1 < RL4_C3 -> RL4_C1 | RL4_C3
-RM4 : RM4_C1 < RM4_C3 -> RM4_C1 | RM4_C3
-RU4 : RU4_C1 < RU4_C3 -> RU4_C1 | RU4_C3
-RL4 : RL4_C2 < RM4_C4 -> RL4_C2 | RM4_C4
-RM4 : RM4_C2 < RU4_C4 -> RM4_C2 | RU4_C4
-LL4 : LL4_C1 < LL4_C3 -> LL4_C1 | LL4_C3
-LM4 : LM4_C1 < LM4_C3 -> LM4_C1 | LM4_C3
-LU4 : LU4_C1 < LU4_C3 -> LU4_C1 | LU4_C3
-LL4 : LL4_C4 < LM4_C2 -> LL4_C4 | LM4_C2
-LM4 : LM4_C4 < LU4_C2 -> LM4_C4 | LU4_C2
-RL5 : RL5_C1 < RL5_C3 -> RL5_C1 | RL5_C3
-RM5 : RM5_C1 < RM5_C3 -> RM5_C1 | RM5_C3
-RU5 : RU5_C1 < RU5_C3 -> RU5_C1 | RU5_C3
-RL5 : RL5_C2 < RM5_C4 -> RL5_C2 | RM5_C4
-RM5 : RM5_C2 < RU5_C4 -> RM5_C2 | RU5_C4
-LL5 : LL5_C1 < LL5_C3 -> LL5_C1 | LL5_C3
-LM5 : LM5_C1 < LM5_C3 -> LM5_C1 | LM5_C3
-LU5 : LU5_C1 < LU5_C3 -> LU5_C1 | LU5_C3
 LL5 : LL5_C4 < LM5_C2 -> LL5_C4 | LM5_C2
 LM5 : LM5_C4 < LU5_C2 -> LM5_C4 | LU5_C2
 
@@ -638,250 +3567,649 @@ LM5 : LM5_C4 < LU5_C2 -> LM5_C4 | LU5_C2
 #define FILAMENT(4,0,0,0,1.6,0.35,0.35,6)
 #define ANTHER(4,0,0,0,0.8,1.1,0.8,7)
 #define finalStep=7
-#define lean=math.random(-70,-25)
-#axiom: FILAMENT(,lean,,,,,,)
-FILAMENT{}{step<5}{} -> FILAMENT[FILAMENT(,<-lean*0.1-6>,,,1.7,,,)]_{E}
-FILAMENT{}{step==5}{} -> FILAMENT[ANTHER]_{E}
+#define lean=math.random(-62,-18)
+#axiom: FILAMENT(,<lean-24*(1-open)>,,,,,,)
+FILAMENT{}{step<4}{} -> FILAMENT[FILAMENT(,<-lean*0.1-7>,,,<0.5+1.6*open>,,,)]_{E}
+FILAMENT{}{step==4}{} -> FILAMENT[ANTHER]_{E}
 ANTHER -> ANTHER[ANTHER(,,,,1,,,)]_{E}
 
 #module CAPSULE
 #define WALL(12,0,0,0,1.2,4,4,8)
-#define LID(12,0,0,0,0.8,8.6,8.6,9)
+#define LID(12,0,0,0,0.8,8.8,8.8,9)
+#define RAY(4,0,0,0,1,0.7,0.6,9)
 #define finalStep=10
 #axiom: WALL
-WALL{}{step<7}{} -> WALL[WALL(,,,,1.7,<4.5+3.4*sin(18*step)>,<4.5+3.4*sin(18*step)>,)]_{E}
-WALL{}{step==7}{} -> WALL[LID]_{E}
-LID -> LID[LID(,,,,0.6,3,3,)]_{E}
+WALL{g=0.4+0.6*open+0.3*wilt}{step<7}{} -> WALL[WALL(,,,,<1.7*g>,<(4.5+3.4*sin(18*step))*g>,<(4.5+3.4*sin(18*step))*g>,)]_{E}
+WALL{}{step==7}{} -> WALL[LID(,,,,<0.3+0.5*open>,<3+5.8*open+2.6*wilt>,<3+5.8*open+2.6*wilt>,)]_{E}
+LID{}{step<9}{} -> LID[LID(,,,,0.6,<1+2*open>,<1+2*open>,)]_{E}
 `,
-	sunflower: `/* Sunflower
-   about: Florets in spirals by the golden angle, as faces of a prism of 21 sides give it; rays and bracts round them.
-   source: Petrenko 2014, figure 39, whose grammar is not printed; the text is ours
+	raceme: `/* Raceme
+   about: Flowers on stalks along an axis, the lowest first: lily of the valley, its bells hollow as a prism that grows backwards makes them.
+   source: own text; the method is Petrenko 2014, section 2.2.3
 */
-#define length=700
-#define discs=320
-#define radius=52
-#define STEM(12,0,0,0,60,17,17,1)
-#define NODE(12,0,0,0,16,18,18,1)
-#define CUP(21,0,0,0,12,86,86,2)
-#define RIM(21,0,0,0,6,104,104,2)
-#define SECOND(21,0,0,8.57,3,104,104,6)
-#define DISC(21,0,0,0.365,0.06,104,104,6)
-#define BARE(21,0,0,0,0,104,104,6)
-#define finalStep=340
 
-#material 1 stem "7a944c" "8aa458"
-#material 2 sepal "5f8040" "7a984e"
-#material 3 leaf "47702f" "5a8440"
-#material 4 petal "e89a14" "f7c31e"
-#material 6 stamen "5a3a18" "6d4a20"
-#material 7 stamen "4a2c14" "b8862c"
+#define length=150 /* 80 … 230 mm, of the stalk */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define tall=length*math.random(0.87,1.10)
+#define bells=floor(math.random(8,12))
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
 
-#axiom: STEM
-STEM{}{step<10&&step!=4}{} -> STEM[STEM(,<0.6*step>,,,60,<17-0.3*step>,<17-0.3*step>,)]_{E}
-STEM{}{step==4}{} -> STEM[NODE]_{E}
-NODE -> NODE[STEM]_{E}
-NODE -> NODE[&LEAF]_{C1,C7}
-STEM{}{step==10}{} -> STEM[CUP(,38,,,,,,)]_{E}
-CUP -> CUP[RIM]_{E}
-CUP -> CUP[&BRACT]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13,C14,C15,C16,C17,C18,C19,C20,C21}
-RIM -> RIM[SECOND]_{E}
-RIM -> RIM[&RAY]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13,C14,C15,C16,C17,C18,C19,C20,C21}
-SECOND -> SECOND[DISC]_{E}
-SECOND -> SECOND[&RAY]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13,C14,C15,C16,C17,C18,C19,C20,C21}
-DISC{k=step-14;r=sqrt(max(0.002,1-k/discs))}{step<finalStep-1}{} -> BARE[DISC(,,,,<0.02+0.04*k/discs>,<2*radius*r>,<2*radius*r>,)]_{E}[&FLORET(,<-62-26*k/discs>,,,,,,)]_{C(1+8*k%21)}
+#define SHEATH(12,0,0,0,5,7,7,2)
+#define STEM(12,0,0,0,20,2.4,2.4,1)
+#define NODE(12,0,0,0,8,2,2,1)
+#define DONE(12,0,0,0,8,2,2,1)
+#define finalStep=12+bells
 
-#module RAY
-#define K=9
-#define len=78
-#define half=22/2
-#define t=0.8
-#define cup=8
-#define finalStep=11
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
-#define RU1(4,0,0,0,1,t,1,4)
-#define RU2(4,0,0,0,1,t,1,4)
-#define RM1(4,0,0,0,1,t,1,4)
-#define RM2(4,0,0,0,1,t,1,4)
-#define RL1(4,0,0,0,1,t,1,4)
-#define RL2(4,0,0,0,1,t,1,4)
-#define LU1(4,0,0,0,1,t,1,4)
-#define LU2(4,0,0,0,1,t,1,4)
-#define LM1(4,0,0,0,1,t,1,4)
-#define LM2(4,0,0,0,1,t,1,4)
-#define LL1(4,0,0,0,1,t,1,4)
-#define LL2(4,0,0,0,1,t,1,4)
-#axiom: VEIN(, -14+math.random(-12,12), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-20+26*u)*sin(90/K)*sin(180*(step+1)/K)+math.random(-3,3)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+#material 1 stem "86a862" "a3c07c"
+#material 2 leaf "3f7a3a" "5c9a4c" veins "7fb068" 7 0.35 wilted "8fa04a" "b8ae5c"
+#material 4 petal "f2f4e2" "fffefb" bud "c3d4a4" "dfe6c8" wilted "e0d3b0" "c9b58a"
+#material 5 petal "f7f6ee" "fdfcf8"
+
+#axiom: SHEATH(,,,55,,,,)
+SHEATH{}{step<3}{} -> SHEATH[SHEATH(,,,,5,<7-1.2*step>,<7-1.2*step>,)]_{E}
+SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(112,132); wide=math.random(40,50); thick=0.9; start=-66+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C7}
+SHEATH{}{step==1}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(96,116); wide=math.random(34,44); thick=0.9; start=-60+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C3}
+SHEATH{}{step==3}{} -> SHEATH[STEM]_{E}
+STEM{}{step<10}{} -> STEM[STEM(,<bend+1.5+math.random(-1,1)>,<math.random(-1,1)>,,<tall*0.5/6>,2.2,2.2,)]_{E}
+STEM{}{step==10}{} -> STEM[NODE]_{E}
+NODE{k=step-11; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<4+math.random(-1,1)>,<math.random(-2,2)>,,<tall*0.5/bells*(1.25-0.5*q)>,<2-1.1*q>,<2-1.1*q>,)]_{E}[&BELL{open=min(1,max(0.12,open*1.6-0.8*q)); size=(1-0.35*q)*math.random(0.92,1.06); wilt=wilt}]_{C(3-(step%2)*4+12*(step%2))}
+
+#module BELL
+#define open=1
+#define size=1
+#define wilt=0
+#define STALK(12,0,0,0,size*2.2,0.9,0.9,1)
+#define CUP(12,0,0,0,1,1.6,1.6,4)
+#define LIP(12,0,0,0,1,1.6,1.6,4)
+#define INSIDE(12,0,0,0,-1,6,6,5)
+#define g=1.2*size*(0.35+0.65*open)*(1-0.25*wilt)
+#define finalStep=15
+#axiom: STALK(,<-34+math.random(-8,8)>,<math.random(-14,14)>,,,,,)
+STALK{}{step<5}{} -> STALK[STALK(,<19+math.random(-3,3)>,,,,,,)]_{E}
+STALK{}{step==5}{} -> STALK[CUP(,,,,<0.7*g>,<3.4*g>,<3.4*g>,)]_{E}
+CUP{}{step==6}{} -> CUP[CUP(,,,,<1.3*g>,<6.2*g>,<6.2*g>,)]_{E}
+CUP{}{step==7}{} -> CUP[CUP(,,,,<2*g>,<7.4*g>,<7.4*g>,)]_{E}
+CUP{}{step==8}{} -> CUP[CUP(,,,,<1.7*g>,<6.8*g>,<6.8*g>,)]_{E}
+CUP{}{step==9}{} -> CUP[LIP(,,,,<0.6*g>,<(4+3.2*open)*g>,<(4+3.2*open)*g>,)]_{E}
+/* What grows backwards lines the bell. */
+LIP -> LIP[INSIDE(,,,,<-0.6*g>,<(2+3.6*open)*g>,<(2+3.6*open)*g>,)]_{E}
+INSIDE{}{step<14}{} -> INSIDE[INSIDE(,,,,<-1.3*g>,<6*g>,<6*g>,)]_{E}
+LIP -> LIP[&BLADE{S=3; len=2.4*g; wide=3.2*g; thick=0.4; start=-80+76*open; bend=50*open; peak=0.6; round=0.8; claw=0.9; paint=4}]_{C1,C3,C5,C7,C9,C11}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 3 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
 RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
 RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
 LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
 RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
 RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
 RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
-LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
 LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
 LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
-
-#module BRACT
-#define K=7
-#define len=34
-#define half=15/2
-#define t=1
-#define cup=8
-#define finalStep=8
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,2)
-#define RU1(4,0,0,0,1,t,1,2)
-#define RM1(4,0,0,0,1,t,1,2)
-#define RL1(4,0,0,0,1,t,1,2)
-#define LU1(4,0,0,0,1,t,1,2)
-#define LM1(4,0,0,0,1,t,1,2)
-#define LL1(4,0,0,0,1,t,1,2)
-#axiom: VEIN(, -10+math.random(-8,8), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-30+30*u)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/1>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/1>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/1>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/1>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/1>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/1>,0.3*t,H,)]_{C6}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
-RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
-RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
-RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
-LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
-LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-
-#module LEAF
-#define K=12
-#define len=210
-#define half=150/2
-#define t=1.6
-#define cup=6
-#define finalStep=16
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,3)
-#define RU1(4,0,0,0,1,t,1,3)
-#define RU2(4,0,0,0,1,t,1,3)
-#define RU3(4,0,0,0,1,t,1,3)
-#define RU4(4,0,0,0,1,t,1,3)
-#define RM1(4,0,0,0,1,t,1,3)
-#define RM2(4,0,0,0,1,t,1,3)
-#define RM3(4,0,0,0,1,t,1,3)
-#define RM4(4,0,0,0,1,t,1,3)
-#define RL1(4,0,0,0,1,t,1,3)
-#define RL2(4,0,0,0,1,t,1,3)
-#define RL3(4,0,0,0,1,t,1,3)
-#define RL4(4,0,0,0,1,t,1,3)
-#define LU1(4,0,0,0,1,t,1,3)
-#define LU2(4,0,0,0,1,t,1,3)
-#define LU3(4,0,0,0,1,t,1,3)
-#define LU4(4,0,0,0,1,t,1,3)
-#define LM1(4,0,0,0,1,t,1,3)
-#define LM2(4,0,0,0,1,t,1,3)
-#define LM3(4,0,0,0,1,t,1,3)
-#define LM4(4,0,0,0,1,t,1,3)
-#define LL1(4,0,0,0,1,t,1,3)
-#define LL2(4,0,0,0,1,t,1,3)
-#define LL3(4,0,0,0,1,t,1,3)
-#define LL4(4,0,0,0,1,t,1,3)
-#axiom: VEIN(, -35+math.random(-8,8), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(20+90*u)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,<18*max(0,1-4*s)>,<45+cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,<18*max(0,1-4*s)>,<cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,<18*max(0,1-4*s)>,<-45+cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,<18*max(0,1-4*s)>,<-45-cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,<18*max(0,1-4*s)>,<-cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,<18*max(0,1-4*s)>,<45-cup/2>,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,<18*max(0,1-4*s)>,cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,<18*max(0,1-4*s)>,cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,<18*max(0,1-4*s)>,cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,<18*max(0,1-4*s)>,-cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,<18*max(0,1-4*s)>,-cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,<18*max(0,1-4*s)>,-cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-RL2{s=(step-2)/K}{}{} -> RL2[RL3(,<18*max(0,1-4*s)>,cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-RM2{s=(step-2)/K}{}{} -> RM2[RM3(,<18*max(0,1-4*s)>,cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-RU2{s=(step-2)/K}{}{} -> RU2[RU3(,<18*max(0,1-4*s)>,cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-LL2{s=(step-2)/K}{}{} -> LL2[LL3(,<18*max(0,1-4*s)>,-cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-LM2{s=(step-2)/K}{}{} -> LM2[LM3(,<18*max(0,1-4*s)>,-cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-LU2{s=(step-2)/K}{}{} -> LU2[LU3(,<18*max(0,1-4*s)>,-cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-RL3{s=(step-3)/K}{}{} -> RL3[RL4(,<18*max(0,1-4*s)>,cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-RM3{s=(step-3)/K}{}{} -> RM3[RM4(,<18*max(0,1-4*s)>,cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-RU3{s=(step-3)/K}{}{} -> RU3[RU4(,<18*max(0,1-4*s)>,cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-LL3{s=(step-3)/K}{}{} -> LL3[LL4(,<18*max(0,1-4*s)>,-cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-LM3{s=(step-3)/K}{}{} -> LM3[LM4(,<18*max(0,1-4*s)>,-cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-LU3{s=(step-3)/K}{}{} -> LU3[LU4(,<18*max(0,1-4*s)>,-cup,0,<max(0.02, half*(0.001+4.952*s-6.276*s^2+3.891*s^3-16.233*s^4+21.362*s^5-7.697*s^6))/4>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
-RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
-RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
-RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
-LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
-LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
-RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
-RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
-RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
-LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
-LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
-LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
-RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
-RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
 RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
 RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
 RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
-LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
-LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
-LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
 LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
 LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
-RL4 : RL4_C1 < RL4_C3 -> RL4_C1 | RL4_C3
-RM4 : RM4_C1 < RM4_C3 -> RM4_C1 | RM4_C3
-RU4 : RU4_C1 < RU4_C3 -> RU4_C1 | RU4_C3
-RL4 : RL4_C2 < RM4_C4 -> RL4_C2 | RM4_C4
-RM4 : RM4_C2 < RU4_C4 -> RM4_C2 | RU4_C4
-LL4 : LL4_C1 < LL4_C3 -> LL4_C1 | LL4_C3
-LM4 : LM4_C1 < LM4_C3 -> LM4_C1 | LM4_C3
-LU4 : LU4_C1 < LU4_C3 -> LU4_C1 | LU4_C3
-LL4 : LL4_C4 < LM4_C2 -> LL4_C4 | LM4_C2
-LM4 : LM4_C4 < LU4_C2 -> LM4_C4 | LU4_C2
 
-#module FLORET
-#define TUBE(4,0,0,0,2.4,2.6,2.6,6)
-#define finalStep=4
-#axiom: TUBE
-TUBE{}{step<3}{} -> TUBE[TUBE(,,,,2.6,<3-0.8*step>,<3-0.8*step>,7)]_{E}
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
+`,
+	rose: `/* Rose
+   about: A double rose: petals in a spiral by the golden angle, rolled within and turned back without; sepals, prickles and leaves of five leaflets.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=185 /* 90 … 310 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1 /* 0.7 … 1.4, of the flower */
+#define tall=length*math.random(0.81,1.19)
+#define size=scale*math.random(0.93,1.08)
+#define petals=floor(math.random(26,32))
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define STEM(8,0,0,2.508,20,4.6,4.6,1)
+#define WOOD(8,0,0,0,20,4.6,4.6,1)
+#define HIP(8,0,0,0,3,6,6,1)
+#define CALYX(8,0,0,0,2,9.5,9.5,1)
+#define RING(8,0,0,2.508,0.5,9,9,4)
+#define SET(8,0,0,0,0.5,9,9,4)
+#define finalStep=17+petals
+
+#material 1 stem "6a8048" "7f9a58"
+#material 2 leaf "3c6136" "557d48" veins "7ba36a" 6 0.45
+#material 3 sepal "66884a" "7c9a58"
+#material 4 petal "e8a0a6" "d2486a" foot 0.35 veins "b53056" 6 0.18 bud "b9b070" "b93456" wilted "d9a898" "a85a62"
+#material 5 petal "dfb6a0" "dd6a84" foot 0.35 bud "a8a864" "b84a60" wilted "cf9e88" "a8685c"
+#material 9 seed "8a4a3a" "7a3a30"
+
+#axiom: STEM
+STEM{}{step<13}{} -> WOOD[STEM(,<bend+math.random(-2,2)+1.2*wilt>,<math.random(-2,2)>,,<tall/13>,<4.8-0.07*step>,<4.8-0.07*step>,)]_{E}
+STEM{}{step<11}{} -> STEM[&BLADE{S=3; len=math.random(4,6); wide=2.6; thick=1.1; start=18; bend=30; peak=0.5; claw=1; blunt=0.1; paint=9}]_{C(1+(3*step+5)%8)}
+STEM{}{step==2||step==5||step==8}{} -> STEM[&ROSELEAF{len=math.random(36,46)}]_{C(1+(3*step)%8)}
+STEM{}{step==13}{} -> STEM[HIP(,<14*open+6*wilt>,,,,,,)]_{E}
+HIP -> HIP[CALYX(,<16*open+8*wilt>,,,3.4,9,9,)]_{E}
+CALYX -> CALYX[RING]_{E}
+CALYX -> CALYX[&PETAL{K=8; J=1; len=size*27; wide=size*7; thick=0.7; start=-66+62*open+math.random(-8,8); low=-8+30*open; high=24*open+math.random(-10,20); cup=12; peak=0.6; tip=1.8; claw=0.75; upper=3; middle=3; lower=3}]_{C1,C3,C4,C6,C7}
+RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9-6.5*q>,<9-6.5*q>,)]_{E}[&PETAL{K=7; J=3; len=size*(25+19*open*(1-0.25*q))*(1-0.15*q)*math.random(0.95,1.04); wide=size*(22+22*open)*(1-0.42*q)*math.random(0.94,1.05); thick=0.5; start=-78+(62-66*q)*max(0,open*1.2-0.2*q)+math.random(-5,5)+(26-20*q)*wilt; low=-40*(1-0.6*q)*open; mid=-8-18*q; high=-30+(72*(1-q)^1.4)*open-6*q+math.random(-8,8)+20*wilt; cup=12+20*q+8*(1-open)-3*wilt; edge=(-46+34*q)*open; wave=4+10*wilt; waves=2; peak=1.4; foot=0.9; tip=0.55; claw=0.3; spread=4; lower=5}]_{C(1+(3*step)%8)}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 3 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
+
+#module ROSELEAF
+/* Five leaflets on a rachis. */
+#define len=40
+#define RACHIS(8,0,0,0,len*0.2,1.4,1.4,1)
+#define finalStep=12
+#axiom: RACHIS(,<-46+math.random(-8,8)>,<math.random(-8,8)>,,,,,)
+RACHIS{}{step<10}{} -> RACHIS[RACHIS(,<7+math.random(-2,2)>,<math.random(-2,2)>,,,<1.4-0.06*step>,<1.4-0.06*step>,)]_{E}
+RACHIS{g=0.74+0.03*step}{step==4||step==8}{} -> RACHIS[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=-90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{C3}[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{C7}
+RACHIS{}{step==10}{} -> RACHIS[&PETAL{K=9; J=1; len=len*1.1; wide=len*0.7; thick=0.6; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{E}
+`,
+	spike: `/* Spike
+   about: Flowers without stalks along an axis, the lowest first: gladiolus, all to one side, in bud above.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define length=480 /* 250 … 760 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define tall=length*math.random(0.88,1.12)
+#define flowers=floor(math.random(9,12))
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define STEM(12,0,0,0,20,8,8,1)
+#define NODE(12,0,0,0,20,7,7,1)
+#define DONE(12,0,0,0,20,7,7,1)
+#define finalStep=12+flowers
+
+#material 1 stem "6f9150" "86a862"
+#material 2 leaf "4a7d45" "639a55" veins "86b474" 4 0.4
+#material 3 sepal "7a9c5a" "8fae6c"
+#material 4 petal "fbe3c8" "ee7f86" foot 0.35 veins "d65f70" 4 0.35 bud "b8b46c" "d9886c" wilted "c9a088" "a8685c"
+#material 5 petal "f6d3b4" "e26d78" veins "c9505f" 4 0.3 bud "b0ae66" "cc7c66" wilted "c0957c" "a06054"
+#material 6 stamen "f6e6d8" "f2dcc8"
+#material 7 stamen "8a6aa8" "a283bf"
+#material 8 petal "f4d060" "f08a86"
+
+#axiom: STEM(,,,20,,,,)
+STEM{}{step<10}{} -> STEM[STEM(,<bend+math.random(-0.8,0.8)>,<math.random(-0.8,0.8)>,,<tall*0.05>,<8-0.2*step>,<8-0.2*step>,)]_{E}
+STEM{}{step==0}{} -> STEM[&PETAL{K=13; J=1; len=math.random(300,360); wide=math.random(24,32); thick=1.6; start=-79+math.random(-3,3); low=4; mid=4; high=14; cup=20; peak=0.8; foot=0.5; tip=1.4; claw=0.8; upper=2; middle=2; lower=2}]_{C4,C10}
+STEM{}{step==1}{} -> STEM[&PETAL{K=13; J=1; len=math.random(250,300); wide=math.random(22,28); thick=1.6; start=-83+math.random(-3,3); low=3; mid=4; high=10; cup=20; peak=0.8; foot=0.5; tip=1.4; claw=0.8; upper=2; middle=2; lower=2}]_{C5,C11}
+STEM{}{step==10}{} -> STEM[NODE]_{E}
+NODE{k=step-11; q=k/flowers; o=min(1,max(0,open*1.7-1.25*q))}{step<finalStep-1}{} -> DONE[NODE(,<1.5*(step%2)+math.random(-1,1)>,<math.random(-2,2)>,,<tall*0.5/flowers*(1.35-0.75*q)>,<6.4-4*q>,<6.4-4*q>,)]_{E}[&FLOWER{open=o; wilt=wilt*(1-q); size=(1-0.3*q)*math.random(0.94,1.05); start=-68+34*o}]_{C(12*(1-step%2)+2*(step%2))}
+
+#module FLOWER
+#define open=1
+#define wilt=0
+#define size=1
+#define start=-50
+#define TUBE(12,0,0,0,5*size,4,4,3)
+#define WHORL(12,0,0,0,2,6,6,8)
+#define INNER(12,0,0,0,2,5.6,5.6,8)
+#define TOP(12,0,0,0,1.4,4,4,6)
+#define finalStep=9
+#axiom: TUBE(,start,,,,,,)
+TUBE{}{step==0}{} -> TUBE[&PETAL{K=7; J=1; len=size*42; wide=size*15; thick=0.9; start=-74; low=-6; cup=30; peak=0.7; tip=1.6; claw=0.9; upper=3; middle=3; lower=3}]_{C1}[&PETAL{K=7; J=1; len=size*36; wide=size*12; thick=0.9; start=-76; low=-6; cup=30; peak=0.7; tip=1.6; claw=0.9; upper=3; middle=3; lower=3}]_{C7}
+TUBE{}{step<4}{} -> TUBE[TUBE(,<3+4*open>,,,<size*(3+2*open)>,<4+step*0.4>,<4+step*0.4>,)]_{E}
+TUBE{}{step==4}{} -> TUBE[WHORL]_{E}
+WHORL -> WHORL[INNER]_{E}
+WHORL -> WHORL[&PETAL{K=7; J=1; len=size*(12+32*open); wide=size*(7+23*open); thick=0.7; start=-82+20*open+12*wilt; low=-4+12*open; mid=-6+18*open; high=-24+(52+math.random(-10,10))*open-70*wilt; cup=34-22*open; edge=-5*open; wave=6+8*wilt; waves=3; peak=1.15; foot=0.9; tip=0.9; claw=0.3; upper=8; middle=4; lower=5}]_{C1,C5,C9}
+INNER -> INNER[TOP]_{E}
+INNER -> INNER[&PETAL{K=7; J=1; len=size*(12+30*open); wide=size*(7+22*open); thick=0.7; start=-84+18*open+12*wilt; low=-4+12*open; mid=-6+16*open; high=-24+(48+math.random(-10,10))*open-70*wilt; cup=34-22*open; edge=-5*open; wave=6+8*wilt; waves=3; peak=1.15; foot=0.9; tip=0.9; claw=0.3; upper=4; middle=4; lower=5}]_{C3,C7,C11}
+TOP -> TOP[&STAMEN{long=size*(8+14*open); lean=-84; head=size*(5+3*open)}]_{C5,C7,C9}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 1 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+
+#module STAMEN
+#define long=5
+#define lean=-50
+#define head=1.6
+#define FILAMENT(4,0,0,0,long/4,1,1,6)
+#define ANTHER(4,0,0,0,head/2,1.6,1.2,7)
+#define finalStep=6
+#axiom: FILAMENT(,lean,,,,,,)
+FILAMENT{}{step<3}{} -> FILAMENT[FILAMENT(,<3>,,,,,,)]_{E}
+FILAMENT{}{step==3}{} -> FILAMENT[ANTHER]_{E}
+ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
+`,
+	sunflower: `/* Sunflower
+   about: Florets in spirals by the golden angle, as faces of a prism of 13 sides give it; rays and bracts round them.
+   source: Petrenko 2014, figure 39, whose grammar is not printed; the text is ours
+*/
+
+#define length=580 /* 290 … 950 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1 /* 0.7 … 1.4, of the flower */
+#define tall=length*math.random(0.83,1.17)
+#define size=scale*math.random(0.9,1.08)
+#define discs=floor(math.random(200,230))
+#define rays=floor(math.random(28,38))
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+#define broad=size*(0.66+0.34*open)
+#define radius=46*broad
+
+/* A prism of 13 sides: five on is 138.46 degrees, and each is turned back by 0.954. */
+#define STEM(13,0,0,0,60,15,15,1)
+#define OLD(13,0,0,0,60,15,15,1)
+#define CUP(13,0,0,0,12,70*broad,70*broad,2)
+#define BRACTS(13,0,0,0,6,84*broad,84*broad,2)
+#define RIM(13,0,0,-0.954,0.12,92*broad,92*broad,2)
+#define FULL(13,0,0,0,0,92,92,6)
+#define DISC(13,0,0,-0.954,0.06,92*broad,92*broad,6)
+#define BARE(13,0,0,0,0,92,92,6)
+#define finalStep=15+rays+discs
+
+#material 1 stem "7a944c" "8aa458"
+#material 2 sepal "55783a" "6f9048" wilted "6f7440" "8a8450"
+#material 3 leaf "3f6a2b" "58863e" veins "86ae62" 5 0.5 wilted "7d8446" "8f8a4c"
+#material 4 petal "e38d0e" "fac81f" foot 0.35 veins "dd9610" 4 0.35 bud "b8a830" "c8b83a" wilted "a8742a" "8f6a30"
+#material 5 petal "d8860e" "f0b81c" bud "b0a030" "bcae38" wilted "9c6c2a" "866230"
+#material 6 stamen "5a3a18" "6d4a20"
+#material 7 stamen "3c2410" "a8701e" bud "5a6a2c" "7a7a34" wilted "3c2814" "5a4426"
+#material 8 stamen "4a4a1c" "76752e" bud "5a6a2c" "7a8838" wilted "3c2c16" "4a3820"
+#material 9 stamen "43280f" "5e3a18"
+
+#axiom: STEM
+STEM{}{step<10}{} -> OLD[STEM(,<bend+0.5*step+math.random(-0.6,0.6)+2*wilt>,<math.random(-0.6,0.6)>,,<tall*(0.75+0.25*open)/10>,<16-0.3*step>,<16-0.3*step>,)]_{E}
+STEM{}{step>1&&step<8}{} -> STEM[&LEAF{len=(150-10*(step-2))*math.random(0.9,1.08)}]_{C(1+(5*step)%13)}
+STEM{}{step==10}{} -> STEM[CUP(,<46-10*(1-open)+26*wilt>,,,,,,)]_{E}
+CUP -> CUP[BRACTS]_{E}
+CUP -> CUP[&PETAL{K=7; J=1; len=size*46; wide=size*22; thick=1.2; start=-64+88*open+math.random(-6,6); low=-12; high=-30+50*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=2; lower=2}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+BRACTS -> BRACTS[RIM]_{E}
+BRACTS -> BRACTS[&PETAL{K=7; J=1; len=size*40; wide=size*20; thick=1.2; start=-84+94*open+math.random(-8,8); low=-16; high=-40+64*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=2; lower=2}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+RIM{k=step-13; q=k/rays}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{K=8; J=1; len=size*(46+32*open)*math.random(0.92,1.06); wide=size*(14+7*open)*math.random(0.9,1.1); thick=0.7; start=-112+(106-16*q)*open+math.random(-8,8)-60*wilt*math.random(0.6,1.2); sway=math.random(-6,6); low=-20+24*open; high=-26+26*open+math.random(-14,14); cup=12; peak=0.95; tip=1.25; claw=0.3; lower=5}]_{C(1+(5*step)%13)}
+RIM{k=step-13}{k==rays}{} -> FULL[DISC]_{E}
+/* Outer florets are open, those within a ring in bud, the middle green. */
+DISC{k=step-14-rays; q=k/discs; r=sqrt(max(0.004,1-q))}{step<finalStep-1}{} -> BARE[DISC(,,,,<(0.02+0.05*q)*size>,<2*radius*r>,<2*radius*r>,)]_{E}[&BLADE{S=2; len=broad*(7+4*(q<0.4)*open); wide=broad*3.4; thick=broad*3; start=-62-26*q; claw=0.8; blunt=0.5; paint=7+(q>0.4)*2-(q>0.72)}]_{C(1+(5*step)%13)}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 3 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
+RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
+RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
+LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
+LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
+RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
+RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
+LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
+LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
+
+#module LEAF
+#define len=150
+#define PETIOLE(8,0,0,0,len*0.12,6,5,1)
+#define finalStep=6
+#axiom: PETIOLE(,<-48+math.random(-8,8)>,<math.random(-8,8)>,,,,,)
+PETIOLE{}{step<4}{} -> PETIOLE[PETIOLE(,9,,,,,,)]_{E}
+PETIOLE{}{step==4}{} -> PETIOLE[&PETAL{K=12; J=3; len=len; wide=len*0.78; thick=1.4; start=20; low=14; mid=14; high=math.random(0,40); cup=3; wave=5; peak=0.8; foot=0.62; tip=1.45; claw=0.2; fan=20; teeth=0.07; bites=6; upper=3; middle=3; lower=3}]_{E}
 `,
 	"table-3": `/* Table 3
    about: The thesis's example of a grammar: a stem, a receptacle and four petals, each a module.
@@ -919,594 +4247,490 @@ p1 VEIN -> VEIN[VEIN(,<8-1.4*step>,,,2.5,2+sin(18*step),,)]_{E}
    about: Two whorls of three tepals, two of three stamens, three carpels grown together; two leaves.
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
-#define length=320
-#define STEM(12,0,0,0,20,7,7,1)
-#define LOWER(12,0,0,0,4,7.4,7.4,1)
-#define UPPER(12,0,0,0,4,7.4,7.4,1)
-#define RECEPTACLE(12,0,0,0,3,8,8,1)
-#define BASE(12,0,0,0,3,8,8,1)
-#define TOP(12,0,0,0,1,6,6,1)
+
+#define length=325 /* 160 … 530 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define scale=1 /* 0.7 … 1.4, of the flower */
+#define tall=length*math.random(0.83,1.17)
+#define size=scale*math.random(0.92,1.08)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define STEM(12,0,0,0,20,6.4,6.4,1)
+#define LOWER(12,0,0,0,4,7,7,1)
+#define UPPER(12,0,0,0,4,6.6,6.6,1)
+#define RECEPTACLE(12,0,0,0,2.4,9.5,9.5,10)
+#define BASE(12,0,0,0,2.4,8.6,8.6,10)
+#define TOP(12,0,0,0,1.2,6.4,6.4,10)
 #define finalStep=22
 
-#material 1 stem "7f9a55" "8fae62"
-#material 2 leaf "5d8250" "6f965c"
-#material 4 petal "f0c348" "c8203a"
-#material 5 petal "f0c348" "d93a48"
+#material 1 stem "7f9a55" "9ab36c"
+#material 2 leaf "587f58" "6c9a64" wilted "8a9450" "b0a060"
+#material 4 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238"
+#material 5 petal "d8a23a" "d4343c" foot 0.4 bud "8d9c4e" "a8433a" wilted "c9a060" "984a40"
 #material 6 stamen "e8dfa5" "d8c987"
-#material 7 stamen "3a2f3a" "4a3c3f"
-#material 8 pistil "a8bd78" "c4cf8e"
+#material 7 stamen "2f2633" "40313f"
+#material 8 pistil "a3b873" "bccb86"
 #material 9 pistil "e3dfa0" "efe9b5"
+#material 10 petal "e9c04a" "e9b53a"
 
 #axiom: STEM
-STEM{}{step<16}{} -> STEM[STEM(,<math.random(-0.8,0.8)>,<math.random(-0.8,0.8)>,,<length/16>,7,7,)]_{E}
+STEM{}{step<16}{} -> STEM[STEM(,<bend+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,<tall*(0.8+0.2*open)/16>,<6.4-0.05*step>,<6.4-0.05*step>,)]_{E}
 STEM{}{step==1}{} -> STEM[LOWER]_{E}
 STEM{}{step==3}{} -> STEM[UPPER]_{E}
 LOWER -> LOWER[STEM]_{E}
-LOWER -> LOWER[&LEAF]_{C1}
+LOWER -> LOWER[&PETAL{K=14; J=3; len=math.random(200,250); wide=math.random(44,60); thick=1.6; start=-70+math.random(-5,5)-8*(1-open); low=10; mid=10; high=25+math.random(0,30)+40*wilt; cup=16-4*open; wave=5; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=2; lower=2}]_{C1}
 UPPER -> UPPER[STEM]_{E}
-UPPER -> UPPER[&LEAF]_{C7}
-STEM{}{step==16}{} -> STEM[RECEPTACLE]_{E}
+UPPER -> UPPER[&PETAL{K=14; J=3; len=math.random(150,190); wide=math.random(26,36); thick=1.4; start=-72+math.random(-5,5)-8*(1-open); low=6; mid=8; high=14+math.random(0,20)+30*wilt; cup=17-4*open; wave=4; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=2; lower=2}]_{C7}
+STEM{}{step==16}{} -> STEM[RECEPTACLE(,<6*open>,,,,,,)]_{E}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
-RECEPTACLE -> RECEPTACLE[&OUTER]_{C1,C5,C9}
+RECEPTACLE -> RECEPTACLE[&PETAL{len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5}]_{C1,C5,C9}
 BASE -> BASE[TOP]_{E}
-BASE -> BASE[&INNER]_{C3,C7,C11}
+BASE -> BASE[&PETAL{len=size*(36+25*open); wide=size*(22+13*open); thick=1; start=-38+22*open+math.random(-2,2)+22*wilt; low=-64-open*10; mid=-2+wilt*12; high=-32+36*open+math.random(-4,4)+30*wilt; cup=21-7*open-5*wilt; peak=0.95; foot=0.9; tip=1; claw=0.22; wave=10*wilt; upper=5}]_{C3,C7,C11}
 TOP -> TOP[&STAMEN]_{C1,C3,C5,C7,C9,C11}
 TOP -> TOP[&PISTIL]_{E}
 
-#module OUTER
-#define K=12
-#define len=66
-#define half=40/2
-#define t=1.1
-#define cup=6+math.random(-1,1)
-#define finalStep=15
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
-#define RU1(4,0,0,0,1,t,1,5)
-#define RU2(4,0,0,0,1,t,1,5)
-#define RU3(4,0,0,0,1,t,1,5)
-#define RM1(4,0,0,0,1,t,1,4)
-#define RM2(4,0,0,0,1,t,1,4)
-#define RM3(4,0,0,0,1,t,1,4)
-#define RL1(4,0,0,0,1,t,1,4)
-#define RL2(4,0,0,0,1,t,1,4)
-#define RL3(4,0,0,0,1,t,1,4)
-#define LU1(4,0,0,0,1,t,1,5)
-#define LU2(4,0,0,0,1,t,1,5)
-#define LU3(4,0,0,0,1,t,1,5)
-#define LM1(4,0,0,0,1,t,1,4)
-#define LM2(4,0,0,0,1,t,1,4)
-#define LM3(4,0,0,0,1,t,1,4)
-#define LL1(4,0,0,0,1,t,1,4)
-#define LL2(4,0,0,0,1,t,1,4)
-#define LL3(4,0,0,0,1,t,1,4)
-#axiom: VEIN(, -6+math.random(-3,3), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-230-180.6*u+3966.8*u^2-7107.8*u^3+3611.6*u^4)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RL2{s=(step-2)/K}{}{} -> RL2[RL3(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RM2{s=(step-2)/K}{}{} -> RM2[RM3(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RU2{s=(step-2)/K}{}{} -> RU2[RU3(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LL2{s=(step-2)/K}{}{} -> LL2[LL3(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LM2{s=(step-2)/K}{}{} -> LM2[LM3(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LU2{s=(step-2)/K}{}{} -> LU2[LU3(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 3 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
 RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
 RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
 LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
 RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
 RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
 RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
-LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
 LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
 LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
-RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
-RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
 RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
 RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
 RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
-LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
-LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
-LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
 LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
 LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
-
-#module INNER
-#define K=12
-#define len=60
-#define half=36/2
-#define t=1.0
-#define cup=8+math.random(-1,1)
-#define finalStep=15
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
-#define RU1(4,0,0,0,1,t,1,5)
-#define RU2(4,0,0,0,1,t,1,5)
-#define RU3(4,0,0,0,1,t,1,5)
-#define RM1(4,0,0,0,1,t,1,4)
-#define RM2(4,0,0,0,1,t,1,4)
-#define RM3(4,0,0,0,1,t,1,4)
-#define RL1(4,0,0,0,1,t,1,4)
-#define RL2(4,0,0,0,1,t,1,4)
-#define RL3(4,0,0,0,1,t,1,4)
-#define LU1(4,0,0,0,1,t,1,5)
-#define LU2(4,0,0,0,1,t,1,5)
-#define LU3(4,0,0,0,1,t,1,5)
-#define LM1(4,0,0,0,1,t,1,4)
-#define LM2(4,0,0,0,1,t,1,4)
-#define LM3(4,0,0,0,1,t,1,4)
-#define LL1(4,0,0,0,1,t,1,4)
-#define LL2(4,0,0,0,1,t,1,4)
-#define LL3(4,0,0,0,1,t,1,4)
-#axiom: VEIN(, -24+math.random(-3,3), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-230-180.6*u+3966.8*u^2-7107.8*u^3+3611.6*u^4)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RL2{s=(step-2)/K}{}{} -> RL2[RL3(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RM2{s=(step-2)/K}{}{} -> RM2[RM3(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RU2{s=(step-2)/K}{}{} -> RU2[RU3(,0,cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LL2{s=(step-2)/K}{}{} -> LL2[LL3(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LM2{s=(step-2)/K}{}{} -> LM2[LM3(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-LU2{s=(step-2)/K}{}{} -> LU2[LU3(,0,-cup,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
-RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
-RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
-RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
-LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
-LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
-RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
-RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
-RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
-LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
-LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
-LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
-RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
-RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
-RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
-RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
-RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
-LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
-LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
-LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
-LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
-LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
-
-#module LEAF
-#define K=14
-#define len=230
-#define half=55/2
-#define t=1.5
-#define cup=9
-#define finalStep=16
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,2)
-#define RU1(4,0,0,0,1,t,1,2)
-#define RU2(4,0,0,0,1,t,1,2)
-#define RM1(4,0,0,0,1,t,1,2)
-#define RM2(4,0,0,0,1,t,1,2)
-#define RL1(4,0,0,0,1,t,1,2)
-#define RL2(4,0,0,0,1,t,1,2)
-#define LU1(4,0,0,0,1,t,1,2)
-#define LU2(4,0,0,0,1,t,1,2)
-#define LM1(4,0,0,0,1,t,1,2)
-#define LM2(4,0,0,0,1,t,1,2)
-#define LL1(4,0,0,0,1,t,1,2)
-#define LL2(4,0,0,0,1,t,1,2)
-#axiom: VEIN(, -62+math.random(-6,6), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<0+(8-60*u+70*u^2)*0.5>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,0,cup,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,0,cup,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,0,cup,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,0,-cup,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,0,-cup,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,0,-cup,0,<max(0.02, half*(3.246*s+6.326*s^2-29.191*s^3+21.064*s^4+3.897*s^5-5.342*s^6))/2>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
-RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
-RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
-RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
-LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
-LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
-RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
-RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
-RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
-LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
-LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
-LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 
 #module STAMEN
-#define FILAMENT(6,0,0,0,2,1.6,1.6,6)
-#define ANTHER(6,0,0,0,2.2,2.6,1.8,7)
+#define FILAMENT(6,0,0,0,2,1.7,1.7,6)
+#define ANTHER(6,0,0,0,2.2,2.8,2,7)
 #define finalStep=14
-#axiom: FILAMENT(,<-58+math.random(-5,5)>,,,,,,)
-FILAMENT{}{step<7}{} -> FILAMENT[FILAMENT(,<-4>,,,2.4,1.4,1.4,)]_{E}
+#axiom: FILAMENT(,<-48+math.random(-5,5)-14*(1-open)>,,,,,,)
+FILAMENT{}{step<7}{} -> FILAMENT[FILAMENT(,<-5+math.random(-1,1)>,,,<1+open>,1.4,1.4,)]_{E}
 FILAMENT{}{step==7}{} -> FILAMENT[ANTHER(,0,,,1,2.2,1.6,)]_{E}
-ANTHER{}{step<13}{} -> ANTHER[ANTHER(,0,,,2.6,<3.2-0.12*(step-9)^2>,<2.2-0.08*(step-9)^2>,)]_{E}
+ANTHER{}{step<13}{} -> ANTHER[ANTHER(,0,,,<1.9+0.9*open>,<3.6-0.12*(step-9)^2>,<2.4-0.08*(step-9)^2>,)]_{E}
 
 #module PISTIL
 #define OVARY(6,0,0,0,2,5,5,8)
-#define STIGMA(6,0,0,0,1.5,6,6,9)
-#define LOBE(4,0,0,0,2.5,1.5,1.5,9)
+#define STIGMA(6,0,0,0,1.5,6.4,6.4,9)
+#define LOBE(4,0,0,0,2.5,2,2,9)
 #define finalStep=14
 #axiom: OVARY
-OVARY{}{step<10}{} -> OVARY[OVARY(,,,,2.6,<5.6-0.05*(step-4)^2>,<5.6-0.05*(step-4)^2>,)]_{E}
+OVARY{}{step<10}{} -> OVARY[OVARY(,,,,<1.4+1.2*open>,<5.8-0.05*(step-4)^2>,<5.8-0.05*(step-4)^2>,)]_{E}
 OVARY{}{step==10}{} -> OVARY[STIGMA]_{E}
 STIGMA -> STIGMA[LOBE]_{C1,C3,C5}
-LOBE{}{step<13}{} -> LOBE[LOBE(,25,,,1.6,1.4,1.2,)]_{E}
+LOBE{}{step<13}{} -> LOBE[LOBE(,25,,,1.6,1.8,1.6,)]_{E}
 `,
-	"water-lily": `/* Water lily
-   about: Petals in spirals that pass into stamens, over a leaf that floats.
+	umbel: `/* Umbel
+   about: Flowers on stalks from one point: an ornamental onion, a ball of stars.
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
-#define PAD(12,0,0,0,3,12,12,1)
-#define CUP(12,0,0,0,2,16,16,2)
-#define RING(12,0,0,15,1.5,15,15,4)
-#define HEART(12,0,0,15,0.9,9,9,6)
-#define TOP(12,0,0,0,1.4,8,8,8)
-#define finalStep=14
+
+#define length=180 /* 90 … 290 mm, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
+#define tall=length*math.random(0.83,1.17)
+#define flowers=floor(math.random(64,80))
+#define ball=math.random(30,36)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define SHEATH(13,0,0,0,6,12,12,2)
+#define STEM(13,0,0,0,20,5,5,1)
+#define NECK(13,0,0,0,2,5,5,1)
+#define HEAD(13,0,0,-0.954,0.1,7,7,1)
+#define BARE(13,0,0,0,0,7,7,1)
+#define finalStep=18+flowers
+
+#material 1 stem "7f9c62" "8fa878"
+#material 2 leaf "5f8a62" "7ba37a"
+#material 3 sepal "8a6f96" "a588b0"
+#material 4 petal "8a4fae" "b883d6" veins "6e3596" 1 0.5 bud "7d6f8a" "8f6aa8" wilted "9a8a94" "a8988c"
+#material 6 stamen "a86cc8" "cda6e2"
+#material 8 pistil "5f7a48" "6f8a55"
+
+#axiom: SHEATH
+SHEATH{}{step<3}{} -> SHEATH[SHEATH(,,,,6,<12-2.4*step>,<12-2.4*step>,)]_{E}
+SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(130,170); wide=math.random(20,28); thick=1.4; start=-52+math.random(-10,10); sway=math.random(-8,8); low=14; mid=20; high=math.random(30,80); cup=12; peak=0.8; foot=0.5; tip=1.4; claw=0.8; upper=2; middle=2; lower=2}]_{C1,C4,C6,C9,C11}
+SHEATH{}{step==3}{} -> SHEATH[STEM]_{E}
+STEM{}{step<14}{} -> STEM[STEM(,<bend+math.random(-0.8,0.8)>,<math.random(-0.8,0.8)>,,<tall/10>,5,5,)]_{E}
+STEM{}{step==14}{} -> STEM[NECK]_{E}
+NECK -> NECK[HEAD]_{E}
+NECK -> NECK[&BLADE{len=14; wide=9; thick=0.5; start=-60+130*open; peak=0.8; claw=0.9; paint=3}]_{C1,C7}
+HEAD{q=(step-16)/flowers; r=sqrt(max(0.02,1-(2*q-1)^2*0.96)); o=min(1,max(0,open*1.5-0.5*q))}{step<finalStep-1}{} -> BARE[HEAD(,,,,<6.6/flowers>,<7.6*r>,<7.6*r>,)]_{E}[&FLOWER{start=-90*(2*q-1)*0.97+math.random(-5,5); sway=math.random(-5,5); long=ball*(0.3+0.7*open)*math.random(0.92,1.05); open=o; wilt=wilt}]_{C(1+(5*step)%13)}
+
+#module FLOWER
+#define start=0
+#define sway=0
+#define long=30
+#define open=1
+#define wilt=0
+#define STALK(6,0,0,0,long/3,0.7,0.7,1)
+#define CUP(6,0,0,0,0.6,1.6,1.6,8)
+#define OVARY(6,0,0,0,1.1,1.9,1.9,8)
+#define finalStep=6
+#axiom: STALK(,start,sway,,,,,)
+STALK{}{step<2}{} -> STALK[STALK(,<math.random(-4,4)>,<math.random(-4,4)>,,,,,)]_{E}
+STALK{}{step==2}{} -> STALK[CUP]_{E}
+CUP -> CUP[OVARY]_{E}
+CUP -> CUP[&BLADE{S=4; len=(3.4+4*open)*(1-0.3*wilt); wide=1.2+0.9*open; thick=0.35; start=-84+74*open+30*wilt; bend=-6+12*open+60*wilt; peak=0.8; round=0.9; claw=0.6; paint=4}]_{C1,C2,C3,C4,C5,C6}
+OVARY -> OVARY[&BLADE{S=2; len=1.4+3.2*open; wide=0.3; thick=0.3; start=-56; claw=1; blunt=0.6; paint=6}]_{C1,C3,C5}
+
+#module PETAL
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 1 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
+RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
+RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
+LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
+LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
+`,
+	"water-lily": `/* Water lily
+   about: Petals in a spiral by the golden angle that pass into stamens, over a leaf that floats.
+   source: own text; the method is Petrenko 2014, section 2.2.3
+*/
+
+#define scale=1 /* 0.7 … 1.4, of the flower */
+#define size=scale*math.random(0.92,1.08)
+#define petals=floor(math.random(20,26))
+#define pad=math.random(150,190)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+#define PAD(8,0,0,0,3,12,12,1)
+#define CUP(8,0,0,0,3,17,17,2)
+#define RING(8,0,0,2.508,0.5,17,17,4)
+#define SET(8,0,0,0,0.5,17,17,4)
+#define HEART(12,0,0,11,0.7,9,9,6)
+#define TOP(12,0,0,0,1.6,8,8,8)
+#define finalStep=petals+10
 
 #material 1 stem "6d7a45" "7d8a55"
 #material 2 sepal "6f8a4c" "8fa468"
-#material 4 petal "fdfcf6" "fff4f6"
-#material 5 petal "fbf6ec" "f6d6e0"
-#material 6 stamen "e6b52a" "f2cf4a"
+#material 4 petal "fdf6ee" "fffdfb" foot 0.5 bud "eef0dc" "fdf6f0" wilted "e2d8b4" "cfc096"
+#material 5 petal "fdf8f2" "fdf4f4" foot 0.5 wilted "dccfa8" "c4b288"
+#material 6 stamen "eeb92c" "f4cf4a" wilted "b08a30" "a08038"
 #material 8 pistil "e0c552" "ecd87a"
-#material 9 leaf "3f6b3a" "4f7f46"
+#material 9 leaf "4a7a42" "3f6b3a" veins "7aa062" 8 0.5 light 0.2
+#material 10 leaf "7d5a52" "8a5f5a"
 
 #axiom: PAD
 PAD -> PAD[CUP]_{E}
-PAD -> PAD[&LEAF]_{C10}
+PAD -> PAD[&PETAL{K=14; J=5; len=pad; wide=pad*0.95; thick=1.6; start=1; low=0.5; cup=0; wave=2; waves=5; foot=0.4; tip=0.95; claw=0.62; fan=80; upper=9; middle=9; lower=10}]_{C7}
 CUP -> CUP[RING]_{E}
-CUP -> CUP[&SEPAL]_{C1,C4,C7,C10}
-RING{}{step<5}{} -> RING[RING(,,,,,<15-step>,<15-step>,)]_{E}
-RING{}{step==5}{} -> RING[HEART]_{E}
-RING{}{step==2}{} -> RING[&PETAL]_{C1,C3,C5,C7,C9,C11}
-RING{}{step==3}{} -> RING[&PETAL]_{C2,C4,C6,C8,C10,C12}
-RING{}{step==4}{} -> RING[&INNER]_{C1,C3,C5,C7,C9,C11}
-RING{}{step==5}{} -> RING[&INNER]_{C2,C4,C6,C8,C10,C12}
-HEART{}{step<10}{} -> HEART[HEART]_{E}
-HEART{}{step==10}{} -> HEART[TOP]_{E}
-HEART -> HEART[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
-
-#module SEPAL
-#define K=10
-#define len=62
-#define half=24/2
-#define t=1.4
-#define cup=12
-#define finalStep=12
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,2)
-#define RU1(4,0,0,0,1,t,1,4)
-#define RU2(4,0,0,0,1,t,1,4)
-#define RM1(4,0,0,0,1,t,1,2)
-#define RM2(4,0,0,0,1,t,1,2)
-#define RL1(4,0,0,0,1,t,1,2)
-#define RL2(4,0,0,0,1,t,1,2)
-#define LU1(4,0,0,0,1,t,1,4)
-#define LU2(4,0,0,0,1,t,1,4)
-#define LM1(4,0,0,0,1,t,1,2)
-#define LM2(4,0,0,0,1,t,1,2)
-#define LL1(4,0,0,0,1,t,1,2)
-#define LL2(4,0,0,0,1,t,1,2)
-#axiom: VEIN(, -8, , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-60+50*u)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
-RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
-RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
-RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
-LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
-LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
-RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
-RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
-RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
-LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
-LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
-LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+CUP -> CUP[&PETAL{K=8; J=2; len=size*(57+5*open); wide=size*24; thick=1.4; start=-46+42*open; low=-44+22*open; mid=-2; high=-40+30*open; cup=18-6*open; peak=0.95; tip=1.1; claw=0.4; upper=4; middle=2; lower=2}]_{C1,C3,C5,C7}
+RING{q=(step-2)/petals}{step<petals+2}{} -> SET[RING(,,,,<0.34*size>,<17-7*q>,<17-7*q>,)]_{E}[&PETAL{K=8; J=2; len=size*(40+22*open)*(1-0.3*q)*math.random(0.97,1.03); wide=size*(22-8*q)*(0.8+0.2*open); thick=1; start=-56+(54-30*q)*open-6*q+math.random(-4,4)+8*wilt-40*max(0,wilt-0.5); low=-34+(10-12*q)*open; mid=-4; high=-34+30*open; cup=19-6*open; peak=0.97; tip=1.2; claw=0.4; lower=5}]_{C(1+(3*step)%8)}
+RING{}{step==petals+2}{} -> RING[HEART]_{E}
+HEART{}{step<petals+7}{} -> HEART[HEART]_{E}
+HEART{}{step==petals+7}{} -> HEART[TOP]_{E}
+HEART{}{step<petals+8}{} -> HEART[&BLADE{S=5; len=size*(12+4*open)*math.random(0.88,1.08)*(1-0.05*(step-petals-3)); wide=1.9-0.15*(step-petals-3); thick=0.6; start=-78+26*open-3*(step-petals-3)+math.random(-7,7); bend=-30; peak=0.7; round=0.4; claw=0.9; blunt=0.5; paint=6}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
 
 #module PETAL
-#define K=10
-#define len=64
-#define half=22/2
-#define t=1.2
-#define cup=13
-#define finalStep=12
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
-#define RU1(4,0,0,0,1,t,1,4)
-#define RU2(4,0,0,0,1,t,1,4)
-#define RM1(4,0,0,0,1,t,1,4)
-#define RM2(4,0,0,0,1,t,1,4)
-#define RL1(4,0,0,0,1,t,1,5)
-#define RL2(4,0,0,0,1,t,1,5)
-#define LU1(4,0,0,0,1,t,1,4)
-#define LU2(4,0,0,0,1,t,1,4)
-#define LM1(4,0,0,0,1,t,1,4)
-#define LM2(4,0,0,0,1,t,1,4)
-#define LL1(4,0,0,0,1,t,1,5)
-#define LL2(4,0,0,0,1,t,1,5)
-#axiom: VEIN(, -22+math.random(-6,6), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-70+40*u)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+#define K=12       /* segments */
+#define J=3        /* lobes to a side, at most 5 */
+#define len=40     /* mm */
+#define wide=20
+#define thick=0.8
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define roll=0     /* about itself */
+#define low=0      /* how far its lower, middle and upper third bend; below 0 inwards */
+#define mid=0
+#define high=0
+#define cup=8      /* a lobe, towards the upper side */
+#define edge=0     /* more of it at the margin */
+#define wave=0     /* and waves along the margin, so many of them */
+#define waves=3
+#define peak=1     /* where it is widest: above 1 beyond the middle */
+#define foot=1     /* how it ends: 1 round, 2 pointed, 0.5 blunt */
+#define tip=1
+#define claw=0     /* as wide at its foot, a share */
+#define fan=0      /* how far lobes at the foot turn back, and those at the tip forward */
+#define spread=0
+#define teeth=0    /* how deep, a share, and how many; how far they point back */
+#define bites=6
+#define barb=0
+#define upper=4
+#define middle=4
+#define lower=4
+#define phase=math.random(0,360)
+#define finalStep=30
+#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define RU1(4,0,0,0,1,0.3*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*thick,1,upper)
+#define RU4(4,0,0,0,1,0.3*thick,1,upper)
+#define RU5(4,0,0,0,1,0.3*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*thick,1,middle)
+#define RM4(4,0,0,0,1,0.3*thick,1,middle)
+#define RM5(4,0,0,0,1,0.3*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*thick,1,lower)
+#define RL4(4,0,0,0,1,0.3*thick,1,lower)
+#define RL5(4,0,0,0,1,0.3*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*thick,1,upper)
+#define LU4(4,0,0,0,1,0.3*thick,1,upper)
+#define LU5(4,0,0,0,1,0.3*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*thick,1,middle)
+#define LM4(4,0,0,0,1,0.3*thick,1,middle)
+#define LM5(4,0,0,0,1,0.3*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*thick,1,lower)
+#define LL4(4,0,0,0,1,0.3*thick,1,lower)
+#define LL5(4,0,0,0,1,0.3*thick,1,lower)
+#axiom: VEIN(,start,sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+RU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RU3[RU4(,,<cup+r>,,H,,W,)]_{E}
+RM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RM3[RM4(,,<cup+r>,,H,,W,)]_{E}
+RL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RL3[RL4(,,<cup+r>,,H,,W,)]_{E}
+LU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LU3[LU4(,,<-cup-r>,,H,,W,)]_{E}
+LM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LM3[LM4(,,<-cup-r>,,H,,W,)]_{E}
+LL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LL3[LL4(,,<-cup-r>,,H,,W,)]_{E}
+RU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RU4[RU5(,,<cup+r>,,H,,W,)]_{E}
+RM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RM4[RM5(,,<cup+r>,,H,,W,)]_{E}
+RL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RL4[RL5(,,<cup+r>,,H,,W,)]_{E}
+LU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LU4[LU5(,,<-cup-r>,,H,,W,)]_{E}
+LM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LM4[LM5(,,<-cup-r>,,H,,W,)]_{E}
+LL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LL4[LL5(,,<-cup-r>,,H,,W,)]_{E}
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
+LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
+RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
+LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
+RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
+LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
 RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
 RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
 LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
 RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
+LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
+RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
+LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
+RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
+LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
 RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
 RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
-LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
 LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
 LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
-
-#module INNER
-#define K=10
-#define len=54
-#define half=17/2
-#define t=1.1
-#define cup=14
-#define finalStep=12
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
-#define RU1(4,0,0,0,1,t,1,4)
-#define RU2(4,0,0,0,1,t,1,4)
-#define RM1(4,0,0,0,1,t,1,4)
-#define RM2(4,0,0,0,1,t,1,4)
-#define RL1(4,0,0,0,1,t,1,5)
-#define RL2(4,0,0,0,1,t,1,5)
-#define LU1(4,0,0,0,1,t,1,4)
-#define LU2(4,0,0,0,1,t,1,4)
-#define LM1(4,0,0,0,1,t,1,4)
-#define LM2(4,0,0,0,1,t,1,4)
-#define LL1(4,0,0,0,1,t,1,5)
-#define LL2(4,0,0,0,1,t,1,5)
-#axiom: VEIN(, -42+math.random(-6,6), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-80+40*u)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,0,<-45-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,0,<-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,0,<45-cup/2>,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,0,cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,0,-cup,0,<max(0.02, half*(1.865*s+7.944*s^2-24.725*s^3+25.132*s^4-15.324*s^5+5.108*s^6))/2>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
-RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
-RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
-RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
-LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
-LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
-RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
-RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
-RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
-LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
-LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
-LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
-
-#module STAMEN
-#define FILAMENT(4,0,0,0,3,1.8,0.7,6)
-#define finalStep=6
-#define lean=math.random(-72,-38)
-#axiom: FILAMENT(,lean,,,,,,)
-FILAMENT -> FILAMENT[FILAMENT(,<-9>,,,3.4,<1.9-0.2*step>,0.6,)]_{E}
-
-#module LEAF
-#define K=14
-#define len=190
-#define half=170/2
-#define t=1.6
-#define cup=0
-#define finalStep=19
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,9)
-#define RU1(4,0,0,0,1,t,1,9)
-#define RU2(4,0,0,0,1,t,1,9)
-#define RU3(4,0,0,0,1,t,1,9)
-#define RU4(4,0,0,0,1,t,1,9)
-#define RU5(4,0,0,0,1,t,1,9)
-#define RM1(4,0,0,0,1,t,1,9)
-#define RM2(4,0,0,0,1,t,1,9)
-#define RM3(4,0,0,0,1,t,1,9)
-#define RM4(4,0,0,0,1,t,1,9)
-#define RM5(4,0,0,0,1,t,1,9)
-#define RL1(4,0,0,0,1,t,1,9)
-#define RL2(4,0,0,0,1,t,1,9)
-#define RL3(4,0,0,0,1,t,1,9)
-#define RL4(4,0,0,0,1,t,1,9)
-#define RL5(4,0,0,0,1,t,1,9)
-#define LU1(4,0,0,0,1,t,1,9)
-#define LU2(4,0,0,0,1,t,1,9)
-#define LU3(4,0,0,0,1,t,1,9)
-#define LU4(4,0,0,0,1,t,1,9)
-#define LU5(4,0,0,0,1,t,1,9)
-#define LM1(4,0,0,0,1,t,1,9)
-#define LM2(4,0,0,0,1,t,1,9)
-#define LM3(4,0,0,0,1,t,1,9)
-#define LM4(4,0,0,0,1,t,1,9)
-#define LM5(4,0,0,0,1,t,1,9)
-#define LL1(4,0,0,0,1,t,1,9)
-#define LL2(4,0,0,0,1,t,1,9)
-#define LL3(4,0,0,0,1,t,1,9)
-#define LL4(4,0,0,0,1,t,1,9)
-#define LL5(4,0,0,0,1,t,1,9)
-#axiom: VEIN(, 0, , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<0>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K}{}{} -> VEIN[RL1(,<24*max(0,1-4*s)>,<45+cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C2}
-VEIN{s=step/K}{}{} -> VEIN[RM1(,<24*max(0,1-4*s)>,<cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C3}
-VEIN{s=step/K}{}{} -> VEIN[RU1(,<24*max(0,1-4*s)>,<-45+cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C4}
-VEIN{s=step/K}{}{} -> VEIN[LL1(,<24*max(0,1-4*s)>,<-45-cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C8}
-VEIN{s=step/K}{}{} -> VEIN[LM1(,<24*max(0,1-4*s)>,<-cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C7}
-VEIN{s=step/K}{}{} -> VEIN[LU1(,<24*max(0,1-4*s)>,<45-cup/2>,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,H,)]_{C6}
-RL1{s=(step-1)/K}{}{} -> RL1[RL2(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM1{s=(step-1)/K}{}{} -> RM1[RM2(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU1{s=(step-1)/K}{}{} -> RU1[RU2(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL1{s=(step-1)/K}{}{} -> LL1[LL2(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM1{s=(step-1)/K}{}{} -> LM1[LM2(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU1{s=(step-1)/K}{}{} -> LU1[LU2(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL2{s=(step-2)/K}{}{} -> RL2[RL3(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM2{s=(step-2)/K}{}{} -> RM2[RM3(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU2{s=(step-2)/K}{}{} -> RU2[RU3(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL2{s=(step-2)/K}{}{} -> LL2[LL3(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM2{s=(step-2)/K}{}{} -> LM2[LM3(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU2{s=(step-2)/K}{}{} -> LU2[LU3(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL3{s=(step-3)/K}{}{} -> RL3[RL4(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM3{s=(step-3)/K}{}{} -> RM3[RM4(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU3{s=(step-3)/K}{}{} -> RU3[RU4(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL3{s=(step-3)/K}{}{} -> LL3[LL4(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM3{s=(step-3)/K}{}{} -> LM3[LM4(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU3{s=(step-3)/K}{}{} -> LU3[LU4(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL4{s=(step-4)/K}{}{} -> RL4[RL5(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RM4{s=(step-4)/K}{}{} -> RM4[RM5(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RU4{s=(step-4)/K}{}{} -> RU4[RU5(,<24*max(0,1-4*s)>,cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LL4{s=(step-4)/K}{}{} -> LL4[LL5(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LM4{s=(step-4)/K}{}{} -> LM4[LM5(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-LU4{s=(step-4)/K}{}{} -> LU4[LU5(,<24*max(0,1-4*s)>,-cup,0,<max(0.02, half*(3.142*s-0.018*s^2-5.027*s^3-0.543*s^4+3.667*s^5-1.222*s^6))/5>,0.3*t,,)]_{E}
-RL1 : RL1_C1 < RL1_C3 -> RL1_C1 | RL1_C3
-RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
-RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
-RL1 : RL1_C2 < RM1_C4 -> RL1_C2 | RM1_C4
-RM1 : RM1_C2 < RU1_C4 -> RM1_C2 | RU1_C4
-LL1 : LL1_C1 < LL1_C3 -> LL1_C1 | LL1_C3
-LM1 : LM1_C1 < LM1_C3 -> LM1_C1 | LM1_C3
-LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
-LL1 : LL1_C4 < LM1_C2 -> LL1_C4 | LM1_C2
-LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
-RL2 : RL2_C1 < RL2_C3 -> RL2_C1 | RL2_C3
-RM2 : RM2_C1 < RM2_C3 -> RM2_C1 | RM2_C3
-RU2 : RU2_C1 < RU2_C3 -> RU2_C1 | RU2_C3
-RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
-RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
-LL2 : LL2_C1 < LL2_C3 -> LL2_C1 | LL2_C3
-LM2 : LM2_C1 < LM2_C3 -> LM2_C1 | LM2_C3
-LU2 : LU2_C1 < LU2_C3 -> LU2_C1 | LU2_C3
-LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
-LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
-RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
-RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
 RU3 : RU3_C1 < RU3_C3 -> RU3_C1 | RU3_C3
+LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
+RM3 : RM3_C1 < RM3_C3 -> RM3_C1 | RM3_C3
+LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
+RL3 : RL3_C1 < RL3_C3 -> RL3_C1 | RL3_C3
+LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
 RL3 : RL3_C2 < RM3_C4 -> RL3_C2 | RM3_C4
 RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
-LL3 : LL3_C1 < LL3_C3 -> LL3_C1 | LL3_C3
-LM3 : LM3_C1 < LM3_C3 -> LM3_C1 | LM3_C3
-LU3 : LU3_C1 < LU3_C3 -> LU3_C1 | LU3_C3
 LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
 LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
-RL4 : RL4_C1 < RL4_C3 -> RL4_C1 | RL4_C3
-RM4 : RM4_C1 < RM4_C3 -> RM4_C1 | RM4_C3
 RU4 : RU4_C1 < RU4_C3 -> RU4_C1 | RU4_C3
+LU4 : LU4_C1 < LU4_C3 -> LU4_C1 | LU4_C3
+RM4 : RM4_C1 < RM4_C3 -> RM4_C1 | RM4_C3
+LM4 : LM4_C1 < LM4_C3 -> LM4_C1 | LM4_C3
+RL4 : RL4_C1 < RL4_C3 -> RL4_C1 | RL4_C3
+LL4 : LL4_C1 < LL4_C3 -> LL4_C1 | LL4_C3
 RL4 : RL4_C2 < RM4_C4 -> RL4_C2 | RM4_C4
 RM4 : RM4_C2 < RU4_C4 -> RM4_C2 | RU4_C4
-LL4 : LL4_C1 < LL4_C3 -> LL4_C1 | LL4_C3
-LM4 : LM4_C1 < LM4_C3 -> LM4_C1 | LM4_C3
-LU4 : LU4_C1 < LU4_C3 -> LU4_C1 | LU4_C3
 LL4 : LL4_C4 < LM4_C2 -> LL4_C4 | LM4_C2
 LM4 : LM4_C4 < LU4_C2 -> LM4_C4 | LU4_C2
-RL5 : RL5_C1 < RL5_C3 -> RL5_C1 | RL5_C3
-RM5 : RM5_C1 < RM5_C3 -> RM5_C1 | RM5_C3
 RU5 : RU5_C1 < RU5_C3 -> RU5_C1 | RU5_C3
+LU5 : LU5_C1 < LU5_C3 -> LU5_C1 | LU5_C3
+RM5 : RM5_C1 < RM5_C3 -> RM5_C1 | RM5_C3
+LM5 : LM5_C1 < LM5_C3 -> LM5_C1 | LM5_C3
+RL5 : RL5_C1 < RL5_C3 -> RL5_C1 | RL5_C3
+LL5 : LL5_C1 < LL5_C3 -> LL5_C1 | LL5_C3
 RL5 : RL5_C2 < RM5_C4 -> RL5_C2 | RM5_C4
 RM5 : RM5_C2 < RU5_C4 -> RM5_C2 | RU5_C4
-LL5 : LL5_C1 < LL5_C3 -> LL5_C1 | LL5_C3
-LM5 : LM5_C1 < LM5_C3 -> LM5_C1 | LM5_C3
-LU5 : LU5_C1 < LU5_C3 -> LU5_C1 | LU5_C3
 LL5 : LL5_C4 < LM5_C2 -> LL5_C4 | LM5_C2
 LM5 : LM5_C4 < LU5_C2 -> LM5_C4 | LU5_C2
+
+#module BLADE
+/* A small petal or hair: a chain of S flat prisms. */
+#define S=5
+#define len=6      /* mm */
+#define wide=3
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define high=0     /* more of it towards the tip */
+#define peak=1     /* where it is widest, and how it ends, as PETAL's */
+#define round=1
+#define claw=0.2
+#define blunt=0.1
+#define paint=4
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*max(claw,sin(180*(1/S)^peak)^round),thick,paint)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
 `,
 };

@@ -23,7 +23,6 @@ export const model = {
 	encode: encodeGrowth,
 	read: readGrowthPlant,
 	parts: growthParts,
-	surroundings: true,
 	levels: growthLevels,
 	titled: ({ grammar }) => (grammar === undefined ? undefined : "A growth grammar of one’s own"),
 	words: growthInWords,

@@ -17,13 +17,11 @@ export interface RequestOptions extends GrowthOptions {
 	levels?: boolean;
 	/** How many of them, from near to far; absent: all four. */
 	levelCount?: number;
-	/** Eight heights of the horizon in degrees, from +X to +Z, and eight metres of free room; absent: it stands alone. */
-	surroundings?: Float32Array;
 }
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false, levels = false, levelCount, surroundings } = options;
+	const { meshes = true, passing = false, meshFingerprint = false, levels = false, levelCount } = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
 	const outputs = [
 		meshes && "meshes",
@@ -32,7 +30,7 @@ export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions =
 		meshFingerprint && "mesh_fingerprint",
 		levels && "levels",
 	];
-	const { model, seed, parameters } = specimen;
+	const { model, seed, parameters, surroundings } = specimen;
 	const text = fetchedText(specimen);
 	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
 	const leaf = leafOf(specimen);
@@ -46,7 +44,7 @@ export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions =
 		},
 		...(levelCount === undefined ? [] : [{ name: "levels", data: Uint32Array.of(levelCount) }]),
 		{ name: "rules", data: text },
-		...(surroundings ? [{ name: "surroundings", data: surroundings }] : []),
+		...(surroundings ? [{ name: "surroundings", data: Float32Array.from(surroundings) }] : []),
 		...(leaf ? leafBlocks(leaf) : []),
 	];
 }

@@ -2,6 +2,7 @@
 import { grammarText } from "../../specimen/grammar_text";
 import { Presets } from "../../specimen/presets";
 import type { Species } from "../../specimen/species";
+import { surroundingsDetail } from "../../specimen/surroundings";
 import { PRESET_KINDS, PRESETS } from "./presets.generated";
 import type { GrowthSpecimen } from "./specimen";
 import { GROWTH_TABLE } from "./table";
@@ -16,5 +17,5 @@ export const GROWTH: Species<GrowthSpecimen> = {
 	name: "growth",
 	table: GROWTH_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [grammarText((text) => OWN.test(text))],
+	details: [grammarText((text) => OWN.test(text)), surroundingsDetail()],
 };

@@ -1,9 +1,10 @@
 import type { WithGrammar } from "../../specimen/grammar_text";
 import type { Specimen } from "../../specimen/specimen";
+import type { WithSurroundings } from "../../specimen/surroundings";
 import type { ColourKey, LookKey, NumberKey } from "./parameters.generated";
 
 /** The document of a tree that a growth grammar grows. */
-export interface GrowthSpecimen extends Specimen, WithGrammar {
+export interface GrowthSpecimen extends Specimen, WithGrammar, WithSurroundings {
 	/** Every parameter of wasm-core/parameters/growth.json that the core reads, by key. */
 	parameters: Record<NumberKey, number>;
 	/** Colours as six hexadecimal digits without `#`, the others numbers. */

@@ -1,9 +1,10 @@
 /** A tree of a growth grammar in a few plain words: for the caption, the picture's description and the screen reader. */
 import { countInWords, heightsOf, lengthInWords } from "../../plant/in_words";
 import type { GrowthPlant } from "./growth_plant";
+import type { GrowthSpecimen } from "./specimen";
 
-/** "9.7 m tall, 230 branches, 2,100 leaves, 400 on the ground". */
-export function growthInWords({ segments, counts }: GrowthPlant): string {
+/** "9.7 m tall, 230 branches, 2,100 leaves, 400 on the ground, among neighbours". */
+export function growthInWords({ segments, counts }: GrowthPlant, { surroundings }: GrowthSpecimen): string {
 	const { high } = heightsOf(segments.ends);
 	const parts = [
 		`${lengthInWords(Math.max(0, high))} tall`,
@@ -12,5 +13,6 @@ export function growthInWords({ segments, counts }: GrowthPlant): string {
 	];
 	if (counts.shed > 0) parts.push(`${countInWords(counts.shed, "leaf", "leaves")} on the ground`);
 	if (counts.blossoms > 0) parts.push(countInWords(counts.blossoms, "blossom", "blossoms"));
+	if (surroundings) parts.push("among neighbours");
 	return parts.join(", ");
 }

@@ -21,8 +21,8 @@ export const model = {
 	encode: encodeStand,
 	read: readStand,
 	members: standMembers,
-	// The crowd is drawn without wind.
-	still: true,
+	// Its crowd sways in the view; a file of thousands of swaying plants would be too large for anyone.
+	still: "in files",
 	parts: standParts,
 	instanced: ({ members, memberOf }) => members.length < memberOf.length,
 	titled: ({ grammar }) => (grammar === undefined ? undefined : "A plan of one’s own"),
@@ -38,7 +38,6 @@ export const model = {
 			make: async (grown, specimen) => placementsCsv(grown, specimen),
 		},
 	],
-	pictures: false,
 	figure: async () => {
 		const { StandFigure } = await import("./figure/stand_figure");
 		return (stage) => new StandFigure(stage);

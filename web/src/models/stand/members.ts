@@ -1,4 +1,5 @@
 /** What grows in a stand: each plant's own specimen. */
+import { shortFloat } from "../../export/numbers";
 import type { Member, MemberAsked, Members, Place } from "../model";
 import type { StandPlant } from "./stand_plant";
 
@@ -21,7 +22,7 @@ export function askedOf(stand: StandPlant, plant: number): MemberAsked {
 	const { model, preset, place, settings, seeds } = kinds[places.kind[plant]];
 	const spots = Object.fromEntries(settings.map(({ key, place: spot }): [string, Place] => [key, spot]));
 	const alone = seeds > 0 || places.bearer[plant] >= 0;
-	const around = places.surroundings.slice(AROUND * plant, AROUND * (plant + 1));
+	const around = places.surroundings.subarray(AROUND * plant, AROUND * (plant + 1));
 	return {
 		model,
 		preset,
@@ -30,7 +31,7 @@ export function askedOf(stand: StandPlant, plant: number): MemberAsked {
 		place,
 		places: spots,
 		// What is many is the same wherever it stands.
-		...(alone ? {} : { surroundings: around }),
+		...(alone ? {} : { surroundings: Array.from(around, shortFloat) }),
 	};
 }
 

@@ -20,5 +20,5 @@ export const PRESETS: readonly TextPreset[] = [
 	{"name":"forest-edge","kind":"ecosystems","title":"The edge of a forest","since":2,"about":"Tall trees at the back, smaller ones before them, hazel at the seam: three strips of one ground.","parameters":{},"look":{},"text":"forest-edge"},
 	{"name":"orchard","kind":"planted","title":"An orchard in flower","since":2,"about":"Apple and cherry trees in rows, in spring; each in its own day.","parameters":{},"look":{},"text":"orchard"},
 	{"name":"vineyard","kind":"planted","title":"A vineyard","since":2,"about":"Rows of vines on a cordon, and on each of them bunches that hang from it.","parameters":{},"look":{},"text":"vineyard"},
-	{"name":"flowerbed","kind":"gardens","title":"A bed of lilacs","since":2,"about":"Panicles and umbels that L-systems grew, among leaves: stands are of any model.","parameters":{},"look":{},"text":"flowerbed"},
+	{"name":"flowerbed","kind":"gardens","title":"A bed of lilacs","since":2,"about":"Panicles and umbels that L-systems grew, close together: stands are of any model.","parameters":{},"look":{},"text":"flowerbed"},
 ];

@@ -23,6 +23,8 @@ export interface PlantRecord {
 	bearer?: number;
 	/** 16 hexadecimal digits; absent before it has grown. */
 	fingerprint?: string;
+	/** Query and fragment that grow it by itself, with what its neighbours leave it; absent before it has grown. */
+	link?: string;
 }
 
 export function standRecord(stand: StandPlant): {
@@ -37,7 +39,7 @@ function plantsIn(stand: StandPlant): PlantRecord[] {
 	return Array.from({ length: places.count }, (_, plant) => {
 		const { model, preset } = kinds[places.kind[plant]];
 		const [x, y, z] = [...places.at.subarray(3 * plant, 3 * plant + 3)].map(shortFloat);
-		const fingerprint = members[memberOf[plant]]?.fingerprint;
+		const { fingerprint, link } = members[memberOf[plant]] ?? {};
 		const bearer = places.bearer[plant];
 		return {
 			model,
@@ -50,7 +52,7 @@ function plantsIn(stand: StandPlant): PlantRecord[] {
 			turn: shortFloat(places.turn[plant]),
 			values: valuesOf(stand, plant),
 			...(bearer >= 0 ? { bearer } : {}),
-			...(fingerprint === undefined ? {} : { fingerprint }),
+			...(fingerprint === undefined ? {} : { fingerprint, link }),
 		};
 	});
 }

@@ -9,10 +9,10 @@ export const TEXTS: Readonly<Record<string, string>> = {
 ground 127 x 127, relief 5, hills 70
 
 plants 1000, blue
-growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 24 to 34, leaf_many 3
-growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
-growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
-growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 24 to 34, leaf_many 3
+growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 42 to 56, leaf_many 3
+growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 42 to 56, leaf_many 3
+growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 42 to 56, leaf_many 3
+growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 42 to 56, leaf_many 3
 `,
 	"ecosystem-1500": `/* An ecosystem of 1,500
    about: Fifteen hundred trees, none like another.
@@ -21,10 +21,10 @@ growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 
 ground 156 x 156, relief 7, hills 70
 
 plants 1500, blue
-growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 24 to 34, leaf_many 3
-growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
-growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
-growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 24 to 34, leaf_many 3
+growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 42 to 56, leaf_many 3
+growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 42 to 56, leaf_many 3
+growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 42 to 56, leaf_many 3
+growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 42 to 56, leaf_many 3
 `,
 	"ecosystem-2000": `/* An ecosystem of 2,000
    about: Two thousand trees, none like another: as many as in the paper's largest.
@@ -33,10 +33,10 @@ growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 
 ground 180 x 180, relief 8, hills 70
 
 plants 2000, blue
-growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 24 to 34, leaf_many 3
-growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
-growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
-growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 24 to 34, leaf_many 3
+growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 42 to 56, leaf_many 3
+growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 42 to 56, leaf_many 3
+growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 42 to 56, leaf_many 3
+growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 42 to 56, leaf_many 3
 `,
 	"ecosystem-500": `/* An ecosystem of 500
    about: Five hundred trees, none like another; each knows what light and room its neighbours leave it.
@@ -45,21 +45,21 @@ growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 
 ground 90 x 90, relief 4, hills 70
 
 plants 500, blue
-growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 24 to 34, leaf_many 3
-growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
-growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
-growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 24 to 34, leaf_many 3
+growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 42 to 56, leaf_many 3
+growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 42 to 56, leaf_many 3
+growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 42 to 56, leaf_many 3
+growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 42 to 56, leaf_many 3
 `,
 	flowerbed: `/* A bed of lilacs
-   about: Panicles and umbels that L-systems grew, among leaves: stands are of any model.
+   about: Panicles and umbels that L-systems grew, close together: stands are of any model.
    source: own text
 */
-ground 3 x 2, relief 0.1
+ground 0.9 x 0.7, relief 0.03
 
-plants 90, blue 0.14
-grammar/lilac, share 2, crown 0.16 x 0.3, scale 0.7 to 1.2, seeds 6
-grammar/panicle, share 2, crown 0.12 x 0.3, scale 0.7 to 1.2, seeds 6
-grammar/umbel, share 1, crown 0.12 x 0.3, scale 0.8 to 1.2, seeds 4
+plants 220, blue 0.03
+grammar/lilac, share 6, crown 0.06 x 0.1, scale 0.8 to 1.5, seeds 6
+grammar/panicle, share 3, crown 0.04 x 0.06, scale 1 to 1.8, seeds 6
+grammar/umbel, share 1, crown 0.07 x 0.12, scale 0.7 to 1.1, seeds 4
 `,
 	"forest-edge": `/* The edge of a forest
    about: Tall trees at the back, smaller ones before them, hazel at the seam: three strips of one ground.

@@ -13,6 +13,8 @@ export interface EmbedChoice {
 	readonly height: number;
 	/** Whether it turns by itself. */
 	readonly autorotate: boolean;
+	/** Whether it sways in the wind, where readers wish for no less motion. */
+	readonly wind: boolean;
 	readonly controls: boolean;
 	readonly handles: boolean;
 	/** Whether it waits until it is near the screen. */
@@ -50,7 +52,7 @@ export function frameAddress({ app, link }: Pick<Embedded, "app" | "link">, choi
 }
 
 /** Attributes of the element, and keys of the frame's address, that are there or not. */
-const OWN = ["autorotate", "controls", "handles"] as const;
+const OWN = ["autorotate", "wind", "controls", "handles"] as const;
 
 const CODE: Readonly<Record<EmbedForm, (of: Embedded, choice: EmbedChoice) => string>> = {
 	element: ({ app, link }, choice) => {

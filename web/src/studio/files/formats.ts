@@ -46,15 +46,19 @@ const OF_EVERY_PLANT: readonly Listed[] = [
 export function formatsOf(shown: Shown, picture: StudioState["picture"], write = exportFile): readonly Download[] {
 	const { model, grown } = shown;
 	const own = (model.formats ?? []).filter(({ applies }) => applies?.(grown) ?? true);
-	const core = hasAges(model, shown.from) ? coreAddress(model.wasm) : undefined;
+	// What grows the plant again, otherwise.
+	const core = coreAddress(model.wasm);
+	const ages = core !== undefined && hasAges(model, shown.from);
+	const levels = core !== undefined && model.levels !== undefined;
 	const meshes = PLANT_FILES.filter(
-		({ shared, life, blown }) => (!shared || hasInstances(shown)) && (!life || core) && !(blown && model.still),
+		({ shared, life, blown, levelled }) =>
+			(!shared || hasInstances(shown)) && (!life || ages) && !(blown && model.still) && (!levelled || levels),
 	);
 	const listed: Listed[] = [...meshes, ...OF_EVERY_PLANT, ...own];
 	const written = listed.map(({ key, title, about, suffix, slow = false }): Download => {
 		const make: Download["make"] = ({ plant: { model, grown, from }, ...asked }, signal) => {
-			const aged = core === undefined ? {} : { core };
-			const request = { model: model.name, format: key, grown, specimen: from, ...aged, ...asked };
+			const again = core === undefined ? {} : { core };
+			const request = { model: model.name, format: key, grown, specimen: from, ...again, ...asked };
 			return write(model, request, signal ? { signal } : {});
 		};
 		return { key, title, about, suffix, slow, sized: true, make };

@@ -1,11 +1,12 @@
 import { FILE_TOPIC } from "../../controls/tool";
-import { modelForText } from "../../models/for_text";
+import { readText } from "../../models/for_text";
 import { modelNamed, modelNames } from "../../models/index";
 import { fromPreset } from "../../specimen/from_preset";
 import { GRAMMAR_BYTES } from "../../specimen/limits";
 import { decodeLink, linkParts, modelInQuery } from "../../specimen/link";
 import { modelIn, restore } from "../../specimen/restore";
 import { SPECIMEN_VERSION } from "../../specimen/specimen";
+import { TextError } from "../../specimen/text_error";
 import { BARE } from "../faces";
 import { applying } from "../panel_groups";
 import { SAVED } from "../parts/late_parts";
@@ -20,7 +21,7 @@ import { dropsOf } from "./drops";
  * is wrong with the file is said, and the plant stays.
  */
 export async function openFile(studio: Studio, file: File): Promise<void> {
-	if (/\.lsys$/i.test(file.name)) return openText(studio, file);
+	if (/\.(?:lsys|gl3|xml)$/i.test(file.name)) return openText(studio, file);
 	const refuse = (details: readonly string[], again?: () => void) =>
 		studio.notify("The file was not opened", details, { topic: FILE_TOPIC, ...(again ? { again } : {}) });
 	const reader = await import("../../export/restore").catch(() => undefined);
@@ -55,12 +56,13 @@ async function openText(studio: Studio, file: File): Promise<void> {
 	const refuse = (why: string) => studio.notify("The file was not opened", [why], { topic: FILE_TOPIC });
 	if (file.size > GRAMMAR_BYTES) return refuse(`${file.name} is longer than ${GRAMMAR_BYTES / 1024} KiB.`);
 	try {
-		const grammar = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
-		if (grammar.trim() === "") return refuse(`${file.name} is empty.`);
-		const model = await modelForText(grammar);
+		const said = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
+		if (said.trim() === "") return refuse(`${file.name} is empty.`);
+		const { model, text: grammar } = await readText(said);
 		if (model) studio.take(model, restore(model, { v: SPECIMEN_VERSION, grammar }), FILE_TOPIC);
 	} catch (error) {
-		if (error instanceof TypeError) refuse(`${file.name} is not text in UTF-8.`);
+		if (error instanceof TextError) refuse(`${file.name}: ${error.message}`);
+		else if (error instanceof TypeError) refuse(`${file.name} is not text in UTF-8.`);
 		else refuse(`${file.name} could not be read; try to drop it again.`);
 	}
 }
@@ -71,7 +73,10 @@ function here(studio: Studio, { name }: File): string[] {
 	if (/\.(glb|json)$/i.test(name)) return [];
 	const taken = dropsOf(studio).map(({ words }) => words);
 	const { title } = studio.state.model;
-	return ["A grammar as text (.lsys) grows, whatever is shown.", ...taken.map((words) => `${title}: ${words}.`)];
+	return [
+		"A grammar as text (.lsys, .gl3, .xml) grows, whatever is shown.",
+		...taken.map((words) => `${title}: ${words}.`),
+	];
 }
 
 /** What tools of other models would do with the file: "Tree: a closed mesh (OBJ, GLB) becomes the boundary." */

@@ -35,6 +35,9 @@ const FORMS: readonly { readonly form: EmbedForm; readonly title: string; readon
 /** Files that model-viewer opens as it comes. */
 const FILES = ["glb-low", "glb"];
 
+/** What is chosen by a box. */
+type Switch = "autorotate" | "wind" | "controls" | "handles" | "lazy";
+
 /** What the dialog is about while it is open. */
 interface Opened {
 	readonly asked: Asked;
@@ -42,6 +45,7 @@ interface Opened {
 	/** What the link does not hold. */
 	readonly lost: readonly string[];
 	readonly hasHandles: boolean;
+	readonly sways: boolean;
 }
 
 /** Code that puts the plant in a page, with a preview of just that and what it weighs. */
@@ -51,6 +55,7 @@ export class EmbedDialog extends StudioPart {
 		width: 300,
 		height: 400,
 		autorotate: false,
+		wind: false,
 		controls: true,
 		handles: false,
 		lazy: true,
@@ -81,7 +86,7 @@ export class EmbedDialog extends StudioPart {
 		void this.#make();
 	}
 
-	#body({ of, lost, hasHandles }: Opened): TemplateResult {
+	#body({ of, lost, hasHandles, sways }: Opened): TemplateResult {
 		const choice = this.#choice;
 		const { form } = choice;
 		const isFile = form === "model-viewer";
@@ -95,6 +100,7 @@ export class EmbedDialog extends StudioPart {
 				<fieldset class="size" aria-label="Size"><span aria-hidden="true">Size</span>${this.#side("width", "Width")} × ${this.#side("height", "Height")} pixels</fieldset>
 				<fieldset>
 					${this.#switch("autorotate", "Turns by itself")}
+					${isFile || !sways ? nothing : this.#switch("wind", "Sways in the wind")}
 					${this.#switch("controls", isFile ? "Can be turned" : "Controls below it")}
 					${isFile || !hasHandles ? nothing : this.#switch("handles", "Handles to drag")}
 					${this.#switch("lazy", "Waits until it is near the screen")}
@@ -123,7 +129,7 @@ export class EmbedDialog extends StudioPart {
 		>`;
 	}
 
-	#switch(key: "autorotate" | "controls" | "handles" | "lazy", words: string): TemplateResult {
+	#switch(key: Switch, words: string): TemplateResult {
 		return html`<label class="toggle"><input
 			type="checkbox" .checked=${this.#choice[key]} @change=${({ target }: Event) => this.#choose({ [key]: (target as HTMLInputElement).checked })}
 		> ${words}</label>`;
@@ -256,6 +262,7 @@ async function openedOn(studio: Studio): Promise<Opened> {
 		of,
 		lost: notInLink(model, from),
 		hasHandles: model.handles !== undefined,
+		sways: model.still !== true,
 	};
 }
 

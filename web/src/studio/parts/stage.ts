@@ -137,7 +137,7 @@ export class Stage extends StudioPart {
 			@keydown=${(event: KeyboardEvent) => rove(event, this.#buttons())} @focusin=${(event: Event) => stopAt(this.#buttons(), event.target as HTMLElement)}
 		>
 			${button("frame", "Reset view", () => solid.reset())}
-			${model.still || !solid.movesByItself ? nothing : button("wind", "Wind", blow, solid.wind)}
+			${model.still === true || !solid.movesByItself ? nothing : button("wind", "Wind", blow, solid.wind)}
 			${applying(face?.tools, specimen).map((tool) =>
 				tool.button
 					? button(tool.button.icon, tool.button.label, () => tool.press?.(studio), tool.button.pressed?.(studio))

@@ -91,7 +91,7 @@ TEST_CASE("nothing is asked for, nothing grows; leaves bring the cane along") {
 }
 
 TEST_CASE("any seed, age and width makes sound foliage that leaves the bunch to be seen") {
-  for (std::uint64_t i = 0; i < 400; ++i) {
+  for (std::uint64_t i = 0; i < 150; ++i) {
     CAPTURE(i);
     const FoliageOptions options = any_options(i);
     const Foliage foliage = grow_foliage(options);

@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
+import { contourOf } from "../../../../../web/src/controls/tracing/contour";
+import { type Picture, TraceError } from "../../../../../web/src/controls/tracing/picture";
 import type { OutlinePoint, Place } from "../../../../../web/src/models/particles/leaf/outline/points";
 import { curveOf } from "../../../../../web/src/models/particles/leaf/outline/spline";
 import { leafFromPreset } from "../../../../../web/src/models/particles/leaf/species";
 import { asChange } from "../../../../../web/src/models/particles/leaf/tools/trace";
-import { contourOf } from "../../../../../web/src/models/particles/leaf/trace/contour";
-import { type Picture, TraceError } from "../../../../../web/src/models/particles/leaf/trace/picture";
 import { MOST_TRACED, traceLeaf } from "../../../../../web/src/models/particles/leaf/trace/trace";
 
 type Ink = readonly [red: number, green: number, blue: number, alpha?: number];

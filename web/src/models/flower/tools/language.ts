@@ -16,7 +16,7 @@ function kindOf(piece: string, before: string): Kind {
 }
 
 /** Takes a text to pieces, blanks left out. */
-function scan(text: string): Piece[] {
+export function scan(text: string): Piece[] {
 	const pieces: Piece[] = [];
 	let line = 1;
 	for (const match of text.matchAll(PIECE)) {
@@ -54,8 +54,8 @@ export const FLOWER_LANGUAGE: Dialect = {
 		statement("#module", "#module PETAL", "What follows is a grammar of its own, which &PETAL grows."),
 		statement(
 			"#material",
-			'#material 4 petal "c8102e" "f6d55c"',
-			"What m means: a number, a kind (stem, leaf, sepal, petal, stamen, pistil, seed), the colour at the foot and at the tip.",
+			'#material 4 petal "c8102e" "f6d55c" veins "8a1030" 9 0.5',
+			"What m means: a number, a kind (stem, leaf, sepal, petal, stamen, pistil, seed), the colour at the foot and at the tip; then foot, margin, veins, light, bud and wilted.",
 		),
 		word("step", "The step of this grammar, from 0."),
 		word("finalStep", "How many steps this grammar has; #define finalStep=12 says so."),

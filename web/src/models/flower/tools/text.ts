@@ -8,6 +8,6 @@ export const source: GrammarSource<FlowerSpecimen> = {
 	noun: "flower",
 	group: "life",
 	dialect: FLOWER_LANGUAGE,
-	constants: false,
+	always: true,
 	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),
 };

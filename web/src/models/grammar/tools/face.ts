@@ -1,6 +1,7 @@
 /** The page's side of the model: loaded with the first plant of it, in a page alone. */
 import { html } from "lit";
 import { steppedScene } from "../../../controls/derivation_tool";
+import { gestureTool } from "../../../controls/gesture_tool";
 import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face } from "../../../controls/tool";
 import { areaPanel, areaTools } from "../areas/area_tool";
@@ -13,7 +14,12 @@ import { source } from "./text";
 import { warningsOf } from "./warnings";
 
 export const face: Face<GrammarSpecimen, GrammarPlant> = {
-	tools: [areaPanel, ...grammarTools(source, derivation), ...areaTools],
+	tools: [
+		areaPanel,
+		...grammarTools(source, derivation),
+		...areaTools,
+		gestureTool<GrammarSpecimen, GrammarPlant>(source),
+	],
 	caption: (grown, desk) => {
 		const stepped = steppedScene(desk);
 		return stepped

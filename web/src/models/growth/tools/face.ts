@@ -1,14 +1,21 @@
 /** The page's side of the model: loaded with the first tree of it, in a page alone. */
 import { html } from "lit";
+import { gestureTool } from "../../../controls/gesture_tool";
 import { grammarTools } from "../../../controls/grammar_tool";
-import type { Face } from "../../../controls/tool";
+import type { Face, Tool } from "../../../controls/tool";
 import type { GrowthPlant } from "../growth_plant";
 import type { GrowthSpecimen } from "../specimen";
 import { volumeTools } from "../volumes/volume_tool";
+import { neighbours } from "./neighbours";
 import { source } from "./text";
 
 export const face: Face<GrowthSpecimen, GrowthPlant> = {
-	tools: [...grammarTools<GrowthSpecimen, GrowthPlant>(source), ...volumeTools],
+	tools: [
+		...grammarTools<GrowthSpecimen, GrowthPlant>(source),
+		...volumeTools,
+		neighbours as Tool<GrowthSpecimen, GrowthPlant>,
+		gestureTool<GrowthSpecimen, GrowthPlant>(source),
+	],
 	about: html`<p>
 			A text says how many branches and leaves a tree gets at each step, by divisor functions, and in which growth volumes it
 			stands. Drag a volume’s handles: the text follows.

@@ -71,6 +71,10 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 		return this.#bounds;
 	}
 
+	restored(): void {
+		this.#roots.restored?.();
+	}
+
 	prepare(camera: PerspectiveCamera): void {
 		this.#roots.prepare(camera);
 	}

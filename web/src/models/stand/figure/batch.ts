@@ -1,7 +1,16 @@
 /** Many meshes of one finish in one draw: the plants of a stand that came together. */
-import { BatchedMesh, BufferAttribute, BufferGeometry, Matrix4, type MeshStandardMaterial, Vector4 } from "three";
+import {
+	BatchedMesh,
+	BufferAttribute,
+	BufferGeometry,
+	type Matrix4,
+	type MeshDepthMaterial,
+	type MeshStandardMaterial,
+	Vector4,
+} from "three";
 import type { Colour } from "../../../plant/colour";
 import type { PackedMesh } from "../../../plant/packed_mesh";
+import { STEPS } from "./level_choice";
 
 /** A plant's meshes of one material: as many as it has levels. */
 export interface Slot {
@@ -12,12 +21,8 @@ export interface Slot {
 	/** The level shown, and the one that gives way to it or takes its place. */
 	readonly now: number;
 	readonly other: number;
-	readonly place: Matrix4;
-	/** How far a place of 1 reaches, of each level. */
-	readonly units: readonly number[];
 }
 
-const scratch = new Matrix4();
 const four = new Vector4();
 
 export class Batch {
@@ -28,7 +33,12 @@ export class Batch {
 	 * @param meshes all that will be drawn, each once
 	 * @param instances how many at the most, each in two levels
 	 */
-	constructor(meshes: readonly PackedMesh[], instances: number, material: MeshStandardMaterial) {
+	constructor(
+		meshes: readonly PackedMesh[],
+		instances: number,
+		material: MeshStandardMaterial,
+		depth: MeshDepthMaterial,
+	) {
 		const vertices = meshes.reduce((sum, { sky }) => sum + sky.length, 0);
 		const corners = meshes.reduce((sum, { indices }) => sum + indices.length, 0);
 		this.object = new BatchedMesh(2 * instances, vertices, corners, material);
@@ -38,38 +48,41 @@ export class Batch {
 		this.object.frustumCulled = false;
 		this.object.castShadow = true;
 		this.object.receiveShadow = true;
+		this.object.customDepthMaterial = depth;
 		for (const mesh of meshes) this.#geometries.set(mesh, this.object.addGeometry(geometryOf(mesh)));
+		const { attributes, index } = this.object.geometry;
+		for (const each of [...Object.values(attributes), index]) if (each instanceof BufferAttribute) shed(each);
 	}
 
-	/** Makes room for a plant's meshes, not yet seen. */
+	/**
+	 * Makes room for a plant's meshes, not yet seen.
+	 * @param place of places of 1, and in its last row what crowd_material.ts reads there
+	 */
 	add(levels: readonly (PackedMesh | undefined)[], place: Matrix4, colour: Colour): Slot {
 		const geometries = levels.map((mesh) => (mesh ? (this.#geometries.get(mesh) ?? -1) : -1));
 		const any = Math.max(0, ...geometries);
 		const [now, other] = [this.object.addInstance(any), this.object.addInstance(any)];
-		for (const each of [now, other]) this.object.setVisibleAt(each, false);
-		return { batch: this, colour, geometries, now, other, place, units: levels.map((mesh) => mesh?.unit ?? 1) };
+		for (const each of [now, other]) {
+			this.object.setVisibleAt(each, false);
+			this.object.setMatrixAt(each, place);
+		}
+		return { batch: this, colour, geometries, now, other };
 	}
 
-	/** Shows a level by its share, the next one by the rest; nothing where `level` is negative. */
-	show(slot: Slot, level: number, share: number, bright: number): void {
-		this.#set(slot, slot.now, level, share, bright);
+	/** Shows what `step` says (level_choice.ts): a level, and as far as it has given way the next one; nothing where it is negative. */
+	show(slot: Slot, step: number, bright: number): void {
+		const level = step < 0 ? -1 : Math.floor(step / STEPS);
+		const gone = step < 0 ? 0 : step / STEPS - level;
+		this.#set(slot, slot.now, level, 1 - gone, bright);
 		// Beyond 1: what the other leaves out.
-		this.#set(slot, slot.other, share < 1 ? level + 1 : -1, 1 + share, bright);
+		this.#set(slot, slot.other, gone > 0 ? level + 1 : -1, 2 - gone, bright);
 	}
 
-	#set(
-		{ geometries, units, place, colour }: Slot,
-		instance: number,
-		level: number,
-		share: number,
-		bright: number,
-	): void {
+	#set({ geometries, colour }: Slot, instance: number, level: number, share: number, bright: number): void {
 		const geometry = level < 0 ? -1 : (geometries[Math.min(level, geometries.length - 1)] ?? -1);
 		this.object.setVisibleAt(instance, geometry >= 0);
 		if (geometry < 0) return;
-		const unit = units[Math.min(level, units.length - 1)];
-		this.object.setGeometryIdAt(instance, geometry);
-		this.object.setMatrixAt(instance, scratch.makeScale(unit, unit, unit).premultiply(place));
+		if (this.object.getGeometryIdAt(instance) !== geometry) this.object.setGeometryIdAt(instance, geometry);
 		this.object.setColorAt(instance, four.set(bright * colour[0], bright * colour[1], bright * colour[2], share));
 	}
 
@@ -77,6 +90,16 @@ export class Batch {
 		this.object.removeFromParent();
 		this.object.dispose();
 	}
+}
+
+/**
+ * Once the graphics card has it, the page does without: the plants have it, too, and where the card loses it the batch is made anew
+ * (`Figure.restored`). Of no length, for its kind is still asked for.
+ */
+function shed(attribute: BufferAttribute): void {
+	attribute.onUpload(() => {
+		attribute.array = attribute.array.slice(0, 0);
+	});
 }
 
 function geometryOf({ positions, normals, sky, colours, indices }: PackedMesh): BufferGeometry {

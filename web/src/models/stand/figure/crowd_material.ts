@@ -1,8 +1,13 @@
-/** What plants of a stand are made of: three's standard material of ours, which gives way to the next level pixel by pixel. */
-import type { MeshStandardMaterial } from "three";
+/**
+ * What plants of a stand are made of: three's standard material of ours, which gives way to the next level pixel by pixel and sways, each
+ * plant about its own foot.
+ */
+import { MeshDepthMaterial, type MeshStandardMaterial } from "three";
 import type { Material } from "../../../plant/material";
+import { float } from "../../../scene/glsl";
 import type { LightUniforms } from "../../../scene/light_shader";
 import { standardMaterial } from "../../../scene/standard_material";
+import { WIND_CHUNK, type WindUniforms } from "../../../scene/wind";
 
 /** Shares up to 1 show so many of the pixels, those from 1 on the others: of two levels together each pixel once. */
 const DITHERED = /* glsl */ `
@@ -11,19 +16,73 @@ float grain = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.0
 if (vColor.a <= 1.0 ? grain >= vColor.a : grain < vColor.a - 1.0) discard;
 `;
 
+/**
+ * The last row of a plant's matrix, which is always the same, has what the wind has to know: from where the plant stands to the foot that it
+ * sways about, which of what is borne is the bearer's, and how large what sways is.
+ */
+const STEM = /* glsl */ `
+#include <batching_vertex>
+vec4 stem = vec4(batchingMatrix[0].w, batchingMatrix[1].w, batchingMatrix[2].w, batchingMatrix[3].w);
+batchingMatrix[0].w = batchingMatrix[1].w = batchingMatrix[2].w = 0.0;
+batchingMatrix[3].w = 1.0;
+`;
+
+/** How much later the wind comes to a plant that stands as far off as it is large, radians. */
+const LATER = 1.1;
+
+const SWAYING = /* glsl */ `
+vec4 windy = batchingMatrix * vec4(transformed, 1.0);
+if (windBeat != vec2(0.0)) {
+	vec3 foot = batchingMatrix[3].xyz + stem.xyz;
+	float late = ${float(LATER)} * dot(vec2(0.8, 0.6), foot.xz) / stem.w;
+	float c = cos(late), s = sin(late);
+	vec2 beat = vec2(c * windBeat.x - s * windBeat.y, c * windBeat.y + s * windBeat.x);
+	windy.xyz = swung(windy.xyz, windy.xyz, foot, vec4(1.0, stem.www), beat);
+}
+vec4 mvPosition = modelViewMatrix * windy;
+gl_Position = projectionMatrix * mvPosition;
+`;
+const IN_WORLD = /* glsl */ `
+#include <worldpos_vertex>
+#ifdef USE_SHADOWMAP
+	worldPosition = modelMatrix * windy;
+#endif
+`;
+
 /** What tells finishes apart: all but the colour, which each plant has of its own. */
 export function finishOf({ name: _, colour: __, ...finish }: Material, coloured: boolean): string {
 	return JSON.stringify([finish, coloured]);
 }
 
-export function crowdMaterial(material: Material, coloured: boolean, light: LightUniforms): MeshStandardMaterial {
+export function crowdMaterial(
+	material: Material,
+	coloured: boolean,
+	light: LightUniforms,
+	wind: WindUniforms,
+): MeshStandardMaterial {
 	const made = standardMaterial({ ...material, colour: [1, 1, 1] }, { light, sky: true, coloured });
 	const lit = made.onBeforeCompile.bind(made);
 	const key = made.customProgramCacheKey();
 	made.onBeforeCompile = (shader, renderer) => {
 		lit(shader, renderer);
+		Object.assign(shader.uniforms, wind);
+		shader.vertexShader = shader.vertexShader
+			.replace("#include <common>", `#include <common>\n${WIND_CHUNK}`)
+			.replace("#include <batching_vertex>", STEM)
+			.replace("#include <project_vertex>", SWAYING)
+			.replace("#include <worldpos_vertex>", IN_WORLD);
 		shader.fragmentShader = shader.fragmentShader.replace("#include <color_fragment>", DITHERED);
 	};
 	made.customProgramCacheKey = () => `${key} crowd`;
+	return made;
+}
+
+/** Of what is drawn into the shadow map: plants at rest, for to draw thousands twice a frame takes more than anyone sees of it. */
+export function crowdDepth(): MeshDepthMaterial {
+	const made = new MeshDepthMaterial();
+	made.onBeforeCompile = (shader) => {
+		shader.vertexShader = shader.vertexShader.replace("#include <batching_vertex>", STEM);
+	};
+	made.customProgramCacheKey = () => "crowd";
 	return made;
 }

@@ -4,27 +4,21 @@
 const FROM = [0.75, 0.26, 0.085];
 /** Over so wide a band, as a share, a level gives way to the next. */
 const BAND = 0.2;
-/** Shares of the two are told in so many steps. */
-const STEPS = 16;
-
-/** What is shown: `level` by its share, and where that is less than 1 the next one by the rest. */
-export interface Shown {
-	readonly level: number;
-	/** In (0, 1]. */
-	readonly share: number;
-}
+/** From a level to the next in so many steps: so many shares of the two there are. */
+export const STEPS = 16;
 
 /**
+ * How far from the finest level on: `STEPS` times a level, and in between the parts of `STEPS` by which it has given way to the next. One
+ * number, for it is asked of thousands of plants a frame.
  * @param size of the plant in the view, as a share of the view's height
  * @param levels how many there are
- * @param first the finest that may be shown
  */
-export function shownAt(size: number, levels: number, first = 0): Shown {
-	for (let level = first; level + 1 < levels; level++) {
-		const from = FROM[Math.min(level, FROM.length - 1)] ?? 0;
+export function stepAt(size: number, levels: number): number {
+	for (let level = 0; level + 1 < levels; level++) {
+		const from = FROM[Math.min(level, FROM.length - 1)];
 		if (size < from) continue;
-		const share = Math.ceil((STEPS * (size - from)) / (BAND * from)) / STEPS;
-		return share > 0 ? { level, share: Math.min(1, share) } : { level: level + 1, share: 1 };
+		const kept = Math.ceil((STEPS * (size - from)) / (BAND * from));
+		return STEPS * level + STEPS - Math.min(STEPS, kept);
 	}
-	return { level: levels - 1, share: 1 };
+	return STEPS * (levels - 1);
 }

@@ -1,5 +1,6 @@
 /** A stand on the stage: its ground, and the plants as they come. */
-import { Mesh, type PerspectiveCamera } from "three";
+import { Mesh, type PerspectiveCamera, Vector3 } from "three";
+import type { Sway } from "../../../plant/sway";
 import type { Bodies } from "../../../scene/camera_fit";
 import type { Figure, FigureStage, Ray } from "../../../scene/figure";
 import { ballOf } from "../../../scene/part_bounds";
@@ -11,6 +12,7 @@ import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
 import { Crowd } from "./crowd";
 import { plantMet } from "./plant_met";
+import { type Ball, shadedBall, walks } from "./shaded";
 
 export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	readonly modes = ["whole"];
@@ -21,12 +23,17 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	readonly #crowd: Crowd;
 	#ground: PartMeshes;
 	#stand: StandPlant | undefined;
+	#whole: Ball = { centre: new Vector3(), radius: 0 };
+	#shaded: Ball | undefined;
+	readonly #towards = new Vector3();
+	/** Where the lamps are while someone walks: key and rim. */
+	#held: readonly [Vector3, Vector3] | undefined;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 
 	constructor(stage: FigureStage) {
 		this.#stage = stage;
 		this.#wardrobe = new Wardrobe(stage.light.uniforms);
-		this.#crowd = new Crowd(stage.light.uniforms);
+		this.#crowd = new Crowd(stage.light.uniforms, stage.wind);
 		this.#ground = new PartMeshes([], this.#wardrobe);
 		stage.root.add(this.#lights.group, this.#crowd.group);
 	}
@@ -44,14 +51,28 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		}
 		this.#crowd.show(grown);
 		this.#bounds = bodiesOf(grown);
-		this.#lights.shade(ballOf(this.#bounds));
+		this.#whole = ballOf(this.#bounds);
+		this.#shaded = undefined;
 	}
 
 	bounds(): Bodies {
 		return this.#bounds;
 	}
 
+	/** How each plant sways is the crowd's: here is what says that it does. */
+	sway(): Sway | undefined {
+		const { centre, radius } = this.#whole;
+		return radius > 0 ? { foot: centre.toArray(), up: 1, height: radius, reach: radius } : undefined;
+	}
+
+	restored(): void {
+		this.#lights.restored();
+		if (this.#stand) this.#crowd.restored(this.#stand);
+	}
+
 	prepare(camera: PerspectiveCamera): void {
+		this.#hold(camera.position);
+		this.#shade(camera);
 		this.#lights.aim(this.#stage.light, camera);
 		this.#crowd.aim(camera);
 	}
@@ -71,6 +92,25 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		this.#crowd.dispose();
 		this.#wardrobe.dispose();
 		this.#lights.dispose();
+	}
+
+	/** Who turns the stand turns it in the light; who walks in it has the sun stay where it is. */
+	#hold(eye: Vector3): void {
+		const { keyDirection, rimDirection } = this.#stage.light.uniforms;
+		if (!this.#stand || !walks(this.#stand, eye)) this.#held = undefined;
+		else if (this.#held) {
+			keyDirection.value.copy(this.#held[0]);
+			rimDirection.value.copy(this.#held[1]);
+		} else this.#held = [keyDirection.value.clone(), rimDirection.value.clone()];
+	}
+
+	/** Shadows are drawn where they are seen; anew where that is another place by a step. */
+	#shade(camera: PerspectiveCamera): void {
+		if (!this.#stand) return;
+		const ball = shadedBall(this.#stand, this.#whole, camera.position, camera.getWorldDirection(this.#towards));
+		if (this.#shaded?.radius === ball.radius && this.#shaded.centre.equals(ball.centre)) return;
+		this.#shaded = ball;
+		this.#lights.shade(ball);
 	}
 
 	#clear(): void {

@@ -73,6 +73,10 @@ export class LeafFigure implements Figure<LeafSpecimen, Leaf> {
 		return this.#parts.sway();
 	}
 
+	restored(): void {
+		this.#parts.restored();
+	}
+
 	prepare(camera: PerspectiveCamera): void {
 		this.#layNext();
 		this.#parts.prepare(camera);

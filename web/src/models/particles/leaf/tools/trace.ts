@@ -37,9 +37,9 @@ export async function traceFile(desk: LeafDesk, file: Blob): Promise<void> {
 	const isStill = sameDocument(desk);
 	const again = () => void traceFile(desk, file);
 	const [reader, tracer, words, bitmaps] = await Promise.all([
-		import("../trace/read_picture"),
+		import("../../../../controls/tracing/read_picture"),
 		import("../trace/trace"),
-		import("../trace/picture"),
+		import("../../../../controls/tracing/picture"),
 		import("../../../../controls/read_bitmap"),
 	]).catch(() => []);
 	if (!reader || !tracer || !words || !bitmaps) {

@@ -1,10 +1,11 @@
 /** A picture of a leaf → the points of its outline, and its petiole. Pure; what cannot be traced is refused in words for people. */
+import { contourOf, smoothed } from "../../../../controls/tracing/contour";
+import { type Picture, TraceError } from "../../../../controls/tracing/picture";
+import { silhouetteOf } from "../../../../controls/tracing/silhouette";
+import { withoutStalk } from "../../../../controls/tracing/stalk";
+import { upright } from "../../../../controls/tracing/upright";
 import { FEWEST_POINTS, type Kind, type OutlinePoint, type Place, placed } from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
-import { contourOf, smoothed } from "./contour";
-import { type Picture, type Pixel, TraceError } from "./picture";
-import { silhouetteOf } from "./silhouette";
-import { withoutStalk } from "./stalk";
 
 /** Most points that a traced outline has. */
 export const MOST_TRACED = 48;
@@ -27,7 +28,7 @@ export interface TracedLeaf {
 
 /** @throws TraceError */
 export function traceLeaf(picture: Picture): TracedLeaf {
-	const { blade, base, stalk } = withoutStalk(silhouetteOf(picture));
+	const { blade, base, stalk } = withoutStalk(silhouetteOf(picture, "leaf"));
 	const steps = contourOf(blade);
 	const { margin, size } = upright(smoothed(steps, Math.max(1, 0.002 * steps.length)), base);
 	const petiole = stalk && { length: stalk.length / size, width: stalk.width / size };
@@ -43,31 +44,6 @@ function pointsOf(margin: readonly Place[]): OutlinePoint[] {
 		if (points.length >= FEWEST_POINTS && enclosesBlade(points)) return points;
 	}
 	throw new TraceError("The leaf's outline could not be followed. Try a sharper picture of one flat leaf.");
-}
-
-/**
- * The margin in lengths of the leaf: from the base, counter-clockwise, its middle straight above the base. Tips may be two, or
- * bent aside: they do not tell which way is up. And that length, in pixels.
- */
-function upright(contour: readonly Pixel[], base: Pixel): { margin: Place[]; size: number } {
-	const first = nearest(contour, base);
-	const { length } = contour;
-	const [x, y] = contour.reduce((sum, pixel) => [sum[0] + pixel.x / length, sum[1] + pixel.y / length], [0, 0]);
-	const far = Math.hypot(x - base.x, y - base.y) || 1;
-	const [ux, uy] = [(x - base.x) / far, (y - base.y) / far];
-	const along = contour.map((pixel) => (pixel.x - base.x) * ux + (pixel.y - base.y) * uy);
-	const size = along.reduce((best, value) => Math.max(best, value), 1);
-	const turned = contour.map((pixel, index) => ({
-		x: ((pixel.y - base.y) * ux - (pixel.x - base.x) * uy) / size,
-		y: along[index] / size,
-	}));
-	// What is clockwise on the screen is read the other way round.
-	return { margin: [turned[first], ...turned.slice(0, first).reverse(), ...turned.slice(first + 1).reverse()], size };
-}
-
-function nearest(pixels: readonly Pixel[], to: Pixel): number {
-	const away = pixels.map(({ x, y }) => Math.hypot(x - to.x, y - to.y));
-	return away.reduce((best, value, index) => (value < away[best] ? index : best), 0);
 }
 
 /** Indices of a closed polygon that keep it within a tolerance (Ramer 1972, Douglas and Peucker 1973); the first is 0. */

@@ -1,4 +1,4 @@
-/** The stalk of a leaf's silhouette, cut off where the blade begins: its one long thin part, or the narrow foot that it stands on. */
+/** The stalk of a silhouette, cut off where the blade begins: its one long thin part, or the narrow foot that it stands on. */
 import type { Mask, Pixel } from "./picture";
 import { blobsOf, largestBlob, maskOf } from "./silhouette";
 
@@ -15,7 +15,7 @@ export interface Blade {
 	stalk?: Stalk;
 }
 
-/** Thinner than this is stalk or tooth: twice this in the root of the leaf's area. */
+/** Thinner than this is stalk or tooth: twice this in the root of its area. */
 const THIN = 0.025;
 /** A stalk is at least so many times as long as it may be thick. */
 const LONG = 4;
@@ -29,10 +29,10 @@ const NARROWEST = 0.1;
 /** A foot ends where it is wider than this, against where it was found to widen. */
 const SHOULDER = 1.5;
 
-export function withoutStalk(leaf: Mask): Blade {
-	const stalk = thinPart(leaf) ?? footOf(leaf);
-	if (!stalk) return { blade: leaf, base: lowest(leaf) };
-	const { width, height, inside } = leaf;
+export function withoutStalk(whole: Mask): Blade {
+	const stalk = thinPart(whole) ?? footOf(whole);
+	if (!stalk) return { blade: whole, base: lowest(whole) };
+	const { width, height, inside } = whole;
 	const { members, length, width: wide } = stalk;
 	const gone = maskOf(width, height, members).inside;
 	const blade = largestBlob({ width, height, inside: inside.map((value, at) => (gone[at] ? 0 : value)) });
@@ -44,11 +44,11 @@ interface Part extends Stalk {
 }
 
 /** The longest part that is too thin for a disc, whichever way it points. */
-function thinPart(leaf: Mask): Part | undefined {
-	const { width, height, inside } = leaf;
+function thinPart(whole: Mask): Part | undefined {
+	const { width, height, inside } = whole;
 	const area = inside.reduce((sum, value) => sum + value, 0);
 	const radius = Math.max(1.5, THIN * Math.sqrt(area));
-	const body = largestBlob(opened(leaf, radius));
+	const body = largestBlob(opened(whole, radius));
 	const thin: Mask = { width, height, inside: inside.map((value, at) => (body.inside[at] ? 0 : value)) };
 	const longest = blobsOf(thin)
 		.map((members) => ({ members, length: extent(members, width) }))

@@ -1,17 +1,20 @@
-/** A picture of one leaf on a plain ground → the leaf's silhouette, without holes. */
+/** A picture of one thing on a plain ground → its silhouette, without holes. */
 import { type Mask, type Picture, TraceError } from "./picture";
 
 /** Colours that differ by less than this from the ground are the ground, whatever else there is; 0 … 441. */
 const LEAST_CONTRAST = 26;
-/** Less than this share of the picture is no leaf. */
+/** Less than this share of the picture is nothing. */
 const LEAST_SHARE = 0.005;
-/** A leaf that covers more than this share of the picture's rim runs out of it. */
+/** What covers more than this share of the picture's rim runs out of it. */
 const MOST_OF_RIM = 0.12;
 /** Alpha below which a pixel is ground. */
 const CLEAR = 64;
 
-/** @throws TraceError where nothing stands out, or what does is not all in the picture */
-export function silhouetteOf(picture: Picture): Mask {
+/**
+ * @param noun what sentences call it: "leaf"
+ * @throws TraceError where nothing stands out, or what does is not all in the picture
+ */
+export function silhouetteOf(picture: Picture, noun: string): Mask {
 	const away = differences(picture);
 	const threshold = Math.max(LEAST_CONTRAST, between(away));
 	const { width, height } = picture;
@@ -20,13 +23,13 @@ export function silhouetteOf(picture: Picture): Mask {
 	const size = largest.inside.reduce((sum, value) => sum + value, 0);
 	if (size < LEAST_SHARE * width * height) {
 		throw new TraceError(
-			"No leaf stands out. Take a picture of one leaf on a plain ground, much lighter or darker than it.",
+			`No ${noun} stands out. Take a picture of one ${noun} on a plain ground, much lighter or darker than it.`,
 		);
 	}
 	const rim = rimOf(width, height);
 	if (rim.filter((at) => largest.inside[at]).length > MOST_OF_RIM * rim.length) {
 		throw new TraceError(
-			"The leaf runs out of the picture, or the ground is not plain. Leave some ground all round the leaf.",
+			`The ${noun} runs out of the picture, or the ground is not plain. Leave some ground all round the ${noun}.`,
 		);
 	}
 	return largest;
@@ -36,7 +39,7 @@ export function silhouetteOf(picture: Picture): Mask {
 function differences({ width, height, data }: Picture): Float32Array {
 	const rim = rimOf(width, height).filter((at) => data[4 * at + 3] >= CLEAR);
 	const ground = [0, 1, 2].map((channel) => median(rim.map((at) => data[4 * at + channel])));
-	// A clear ground: everything that is not clear is leaf.
+	// A clear ground: everything that is not clear is it.
 	const isClear = rim.length < 0.5 * rimOf(width, height).length;
 	return Float32Array.from({ length: width * height }, (_, at) => {
 		if (data[4 * at + 3] < CLEAR) return 0;

@@ -1,5 +1,5 @@
 /** A file → pixels, in a page. */
-import { readBitmap } from "../../../../controls/read_bitmap";
+import { readBitmap } from "../read_bitmap";
 import { type Picture, TraceError } from "./picture";
 
 /** The longer side that is looked at, in pixels: more shows nothing that 48 points could hold. */

@@ -18,7 +18,7 @@ export interface Pixel {
 	y: number;
 }
 
-/** What a person can do about a picture that no leaf can be traced from. */
+/** What a person can do about a picture that nothing can be traced from. */
 export class TraceError extends Error {
 	override name = "TraceError";
 }

@@ -1,0 +1,135 @@
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+/** Does something that makes another specimen; a fingerprint tells of places of organs only, the link of all. */
+async function written(page: Page, action: () => Promise<unknown>): Promise<string> {
+	const before = page.url();
+	await action();
+	await expect(page).not.toHaveURL(before);
+	return page.url();
+}
+
+test("a flower is designed: choices, the diagram and the outline write its text, and undo, redo and the link bring it back", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-buttercup");
+	const before = page.url();
+	await expect(page.getByText("K5 C5 A12+12+12 G14")).toBeVisible();
+	// A choice: each petal is lanceolate, and the fit says so.
+	const chosen = await written(page, () => page.getByRole("combobox", { name: "Outline" }).selectOption("Lanceolate"));
+	await expect(page.getByText(/within 1\.\d % of its width/)).toBeVisible();
+
+	// The diagram: the handle of how many is drawn from a fifth to a third of the way round, in one step.
+	const count = page.getByRole("button", { name: /^Petals, how many in a whorl/ });
+	await expect(count).toHaveAccessibleName(/: 5$/);
+	const grip = await studio.grip("Diagram", "petal-count");
+	const radius = await studio.grip("Diagram", "petal-radius");
+	const turned = (2 * Math.PI) / 5;
+	const ring = (radius.x - grip.x) / Math.sin(turned);
+	const middle = { x: radius.x, y: grip.y - ring * Math.cos(turned) };
+	const third = (2 * Math.PI) / 3;
+	await page.mouse.move(grip.x, grip.y);
+	await page.mouse.down();
+	const grown = await studio.fingerprint.textContent();
+	const counted = await written(page, async () => {
+		await page.mouse.move(middle.x - ring, middle.y, { steps: 4 });
+		await page.mouse.move(middle.x - ring * Math.sin(third), middle.y + ring * Math.cos(third), { steps: 4 });
+		await page.mouse.up();
+	});
+	await expect(count).toHaveAccessibleName(/: 3$/);
+	await expect(page.getByText("K5 C3 A12+12+12 G14")).toBeVisible();
+	await expect(studio.fingerprint).not.toHaveText(grown ?? "");
+
+	// The outline: a point by the keyboard; what is drawn is a shape of its own.
+	const point = page.getByRole("button", { name: /^Point 4 of the outline/ });
+	await point.focus();
+	const drawn = await written(page, () => point.press("Shift+ArrowLeft"));
+	await expect(page.getByRole("combobox", { name: "Outline" })).toHaveValue("drawn");
+	const print = await studio.fingerprint.textContent();
+
+	for (const there of [counted, chosen, before]) {
+		await studio.button("Undo").click();
+		await expect(page).toHaveURL(there);
+		await expect(count).toHaveAccessibleName(there === counted ? /: 3$/ : /: 5$/);
+	}
+	for (const there of [chosen, counted, drawn]) {
+		await studio.button("Redo").click();
+		await expect(page).toHaveURL(there);
+	}
+	await page.goto("about:blank");
+	await page.goto(drawn);
+	await expect(studio.fingerprint).toHaveText(print ?? "");
+	await expect(count).toHaveAccessibleName(/: 3$/);
+	await expect(page.getByRole("combobox", { name: "Outline" })).toHaveValue("drawn");
+});
+
+test("what is edited by hand survives a choice elsewhere; what cannot is told, and can be kept", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-tulip");
+	await page.getByLabel("Stamen", { exact: true }).check();
+	const text = page.getByRole("region", { name: "Grammar" }).locator(".cm-content");
+	await studio.button("Grammar").click();
+	await text.click();
+	await page.keyboard.press("ControlOrMeta+End");
+	// A line of its own below the pistil's section: a wider style.
+	await written(page, () => page.keyboard.insertText("STYLE -> STYLE[LOBE]_{C2}\n"));
+	await studio.button("Close the grammar").click();
+	await page.getByLabel("Pistil", { exact: true }).check();
+	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
+	const length = page.getByRole("textbox", { name: "Ovary, typed" });
+	await written(page, async () => {
+		await length.fill("30");
+		await length.press("Enter");
+	});
+	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
+	await expect(studio.notices).not.toContainText("gave way");
+	await written(page, () => studio.button("Write its grammar anew").click());
+	await expect(page.getByText("Its grammar was edited by hand")).toHaveCount(0);
+	// A line that a choice writes, too.
+	await page.getByLabel("Stem", { exact: true }).check();
+	await studio.button("Grammar").click();
+	await text.locator(".cm-line", { hasText: "#define thick=6.4" }).click();
+	await page.keyboard.press("Home");
+	await page.keyboard.press("Shift+End");
+	await page.keyboard.press("Delete");
+	await written(page, () => page.keyboard.insertText("#define thick=9"));
+	await studio.button("Close the grammar").click();
+	const thickness = page.getByRole("textbox", { name: "Thickness, typed" });
+	await written(page, async () => {
+		await thickness.fill("4");
+		await thickness.press("Enter");
+	});
+	await expect(studio.notices).toContainText("#define thick=9");
+	const lost = page.url();
+	await written(page, () => studio.button("Keep the edited lines").click());
+	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
+	await studio.button("Undo").click();
+	await expect(page).toHaveURL(lost);
+});
+
+test("a text without descriptions says so, and a design begins", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=table-3");
+	await expect(page.getByText("has no descriptions of its organs")).toBeVisible();
+	await expect(page.getByRole("region", { name: "Diagram view" })).toHaveCount(0);
+	await written(page, () => studio.button("Design a new flower").click());
+	await expect(page.getByText("K0 C5 A5 G(3)")).toBeVisible();
+	await expect(page.getByRole("region", { name: "Diagram view" })).toBeVisible();
+});
+
+test("on a phone the diagram and the outline are views of their own, whose handles a finger can take", async ({
+	page,
+}) => {
+	await page.setViewportSize({ width: 390, height: 844 });
+	await new StudioPage(page).open("?v=2&model=flower&preset=designed-violet");
+	await page.getByRole("radio", { name: "Diagram" }).check({ force: true });
+	const radius = page.getByRole("button", { name: /^Petals, radius of the whorl/ });
+	await radius.focus();
+	await written(page, () => radius.press("Shift+ArrowUp"));
+	await expect(radius).toHaveAccessibleName(/2\.9 mm$/);
+	for (const handle of await page.getByRole("region", { name: "Diagram view" }).getByRole("button").all()) {
+		const box = await handle.boundingBox();
+		expect(box?.width).toBeCloseTo(44, 3);
+		expect((box?.x ?? -1) + 22).toBeGreaterThan(0);
+		expect((box?.x ?? 999) + 22).toBeLessThan(390);
+	}
+});

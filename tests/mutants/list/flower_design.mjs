@@ -1,0 +1,70 @@
+/** Designing flowers: fitting, assembling, merging, handles. */
+const DESIGN = "web/src/models/flower/design";
+const VIEWS = "web/src/models/flower/tools/design";
+const TESTS = "tests/web/models/flower/design";
+const ASSEMBLED = [`${TESTS}/assembled.test.ts`];
+const MERGE = [`${TESTS}/merge.test.ts`];
+const SCENES = [`${TESTS}/scenes.test.ts`];
+
+export default [
+	{
+		file: `${DESIGN}/polynomial.ts`,
+		suites: [`${TESTS}/polynomial.test.ts`],
+		faults: [
+			{
+				id: "flower-fit-of-one-reflection-less",
+				find: "for (let k = 0; k < size; k++) reflect(rows, k);",
+				replace: "for (let k = 0; k < size - 1; k++) reflect(rows, k);",
+				breaks: "the last coefficient is of one sample alone",
+			},
+		],
+	},
+	{
+		file: `${DESIGN}/whorl.ts`,
+		suites: ASSEMBLED,
+		faults: [
+			{
+				id: "flower-ring-of-one-step",
+				find: "{rings.length + 1}`",
+				replace: "{rings.length}`",
+				breaks: "the last ring of a whorl bears nothing",
+			},
+		],
+	},
+	{
+		file: `${DESIGN}/blade.ts`,
+		suites: ASSEMBLED,
+		faults: [
+			{
+				id: "flower-three-lobes-always",
+				find: ".some(([, lobe]) => Number(lobe) > across)",
+				replace: ".some(([, lobe]) => Number(lobe) > 3)",
+				breaks: "petals as narrow as a thread have three lobes to a side",
+			},
+		],
+	},
+	{
+		file: `${DESIGN}/merge.ts`,
+		suites: MERGE,
+		faults: [
+			{
+				id: "flower-choice-forgets-edits",
+				find: "else if (same(other, was)) both(...own);",
+				replace: "else if (same(other, was)) both(...was);",
+				breaks: "what was edited by hand goes with the next choice, and nobody is told",
+			},
+		],
+	},
+	{
+		file: `${VIEWS}/elevation.ts`,
+		suites: SCENES,
+		faults: [
+			{
+				id: "flower-bends-away-from-the-hand",
+				find: "bend: bend + degrees((8 * more)",
+				replace: "bend: bend - degrees((8 * more)",
+				breaks: "an organ bends outwards where its middle is taken so that it bends inwards",
+			},
+		],
+	},
+];

@@ -1,0 +1,142 @@
+import fc from "fast-check";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../../web/src/core/core";
+import { type Description, usual } from "../../../../../web/src/models/flower/design/description";
+import { assembled, describedIn, designOf, textOf } from "../../../../../web/src/models/flower/design/design";
+import { KNOTS } from "../../../../../web/src/models/flower/design/margin";
+import { FIELDS, type Field, ORGANS, type Organ } from "../../../../../web/src/models/flower/design/organs";
+import { DRAWN, OUTLINES } from "../../../../../web/src/models/flower/design/shapes";
+import { type FlowerPlant, readFlowerPlant } from "../../../../../web/src/models/flower/flower_plant";
+import { model } from "../../../../../web/src/models/flower/index";
+import { fetchTexts } from "../../../../../web/src/models/flower/texts";
+import { fromPreset } from "../../../../../web/src/specimen/from_preset";
+import { freshCore } from "../../../core/wasm";
+
+let core: Core;
+beforeAll(async () => {
+	await fetchTexts();
+	core = await freshCore("flower.wasm");
+});
+
+const grow = (grammar: string, map = false): FlowerPlant =>
+	readFlowerPlant(core.grow(model.encode({ ...fromPreset(model), grammar }, { meshes: false, map })));
+
+/** That a volume stands on a face of other sides than its own is how whorls stand on each other. */
+const faults = ({ notes }: FlowerPlant) => notes.filter((note) => !note.includes("attached there"));
+
+const anyOf = (field: Field): fc.Arbitrary<string | number> => {
+	if (field.kind === "choice") return fc.constantFrom(...field.options);
+	if (field.kind === "colour") return fc.constantFrom("000000", "ffffff", field.usual);
+	const { least, most, step, usual: often } = field;
+	const steps = Math.floor((most - least) / step);
+	return fc.oneof(
+		fc.constantFrom(least, most, often),
+		fc.integer({ min: 0, max: steps }).map((k) => least + k * step),
+	);
+};
+const anyMargin = fc
+	.array(fc.integer({ min: 0, max: 100 }), { minLength: KNOTS, maxLength: KNOTS })
+	.map((outs) => outs.map((out, i) => ({ along: i / (KNOTS - 1), out: out / 100 })));
+const described = (organ: Organ): fc.Arbitrary<Description> =>
+	fc
+		.tuple(fc.record(Object.fromEntries(FIELDS[organ].map((field) => [field.key, anyOf(field)]))), anyMargin)
+		.map(([values, margin]) => ({ ...usual(organ, values), ...(values.outline === DRAWN && { margin }) }));
+const anyFlower = fc.tuple(...ORGANS.map(described));
+
+/** How many of an organ have grown, by the label that it begins with. */
+const counted = ({ volumes }: FlowerPlant, label: string, begins: (parent: string) => boolean) =>
+	Array.from(volumes.label).filter((of, i) => {
+		const parent = volumes.parent[i];
+		return volumes.labels[of] === label && parent !== 0xffffffff && begins(volumes.labels[volumes.label[parent]]);
+	}).length;
+
+/** Darts at which the map is none: an α that does not lead back, or a product of two that does not. */
+function wrongDarts({ darts }: FlowerPlant): number[] {
+	if (!darts) throw new Error("no map");
+	const { alpha, volume } = darts;
+	const [a0, a1, a2, a3] = alpha;
+	const squares = [
+		[a0, a2],
+		[a0, a3],
+		[a1, a3],
+	];
+	return Array.from(volume.keys()).filter((dart) => {
+		const back = alpha.every((a) => a[a[dart]] === dart);
+		const free = [a0, a1, a2].some((a) => a[dart] === dart || volume[a[dart]] !== volume[dart]);
+		return !back || free || !squares.every(([a, b]) => b[a[b[a[dart]]]] === dart);
+	});
+}
+
+const numberOf = (descriptions: readonly Description[], organ: Organ, key: string) =>
+	Number(descriptions.find((each) => each.organ === organ)?.values[key]);
+
+describe("an assembled flower", () => {
+	it("grows whatever is chosen: as many organs as were asked for, a whole map, and nothing to note", () => {
+		fc.assert(
+			fc.property(anyFlower, (flower) => {
+				const grown = grow(assembled(flower), true);
+				expect(faults(grown)).toEqual([]);
+				expect(wrongDarts(grown)).toEqual([]);
+				const ringed = counted(grown, "VEIN", (parent) => parent.startsWith("RING"));
+				const leaves = counted(grown, "VEIN", (parent) => parent.startsWith("NODE"));
+				const stamens = counted(grown, "FILAMENT", (parent) => parent.startsWith("RING"));
+				const ovaries = counted(grown, "OVARY", (parent) => parent.startsWith("RING"));
+				expect(leaves).toBe(numberOf(flower, "leaf", "count"));
+				expect(ringed).toBe(
+					numberOf(flower, "sepal", "count") + numberOf(flower, "petal", "count") * numberOf(flower, "petal", "whorls"),
+				);
+				expect(stamens).toBe(numberOf(flower, "stamen", "count") * numberOf(flower, "stamen", "whorls"));
+				const carpels = numberOf(flower, "pistil", "count");
+				const joined = flower[5].values.fusion === "syncarpous";
+				expect(ovaries).toBe(joined ? Math.min(1, carpels) : carpels);
+			}),
+			{ numRuns: 25 },
+		);
+	});
+
+	it("grows with each choice of each organ", () => {
+		for (const organ of ORGANS)
+			for (const field of FIELDS[organ])
+				if (field.kind === "choice")
+					for (const option of field.options) {
+						const margin = [0, 0.25, 0.5, 0.75, 1].map((along) => ({ along, out: 1 - along }));
+						const one = { ...usual(organ, { [field.key]: option }), ...(option === DRAWN && { margin }) };
+						expect(faults(grow(assembled([one]))), `${organ} ${field.key} ${option}`).toEqual([]);
+					}
+	});
+
+	it("is read from its text as it was described", () => {
+		fc.assert(
+			fc.property(anyFlower, (flower) => {
+				const text = assembled(flower, "/* Mine */\n");
+				const design = designOf(text);
+				if (!design) throw new Error("no design");
+				expect(textOf(design)).toBe(text);
+				for (const each of flower) expect(describedIn(design, each.organ)).toEqual(each);
+			}),
+			{ numRuns: 50 },
+		);
+	});
+
+	it("has as many lobes to a side as a width can show", () => {
+		const lobes = (width: number) => {
+			const { volumes } = grow(assembled([usual("petal", { length: 40, width }), usual("leaf", { count: 0 })]));
+			const grown = Array.from(volumes.label, (of) => volumes.labels[of]);
+			return ["RU1", "RU2", "RU3", "RU4"].filter((label) => grown.includes(label)).length;
+		};
+		expect([lobes(3), lobes(8), lobes(30)]).toEqual([1, 2, 3]);
+	});
+
+	it("is none where an organ is missing, twice, or out of its place", () => {
+		const text = assembled();
+		const without = text.replace(/@organ leaf[^@]*@\n/, "");
+		expect(designOf(without)).toBeUndefined();
+		expect(designOf(text + text)).toBeUndefined();
+		expect(designOf("#define A(4)\n#axiom: A")).toBeUndefined();
+	});
+
+	it("knows every outline that an organ may have", () => {
+		for (const organ of ["leaf", "sepal", "petal"] as const)
+			expect(FIELDS[organ].find(({ key }) => key === "outline")).toMatchObject({ options: OUTLINES });
+	});
+});

@@ -1,0 +1,84 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { choose, isEdited, madeAnew } from "../../../../../web/src/models/flower/design/choose";
+import { described } from "../../../../../web/src/models/flower/design/description";
+import { assembled, type Design, describedIn, designOf } from "../../../../../web/src/models/flower/design/design";
+import { merged } from "../../../../../web/src/models/flower/design/merge";
+
+const words = fc.array(fc.constantFrom("a", "b", "c", "d"), { maxLength: 8 });
+
+describe("two changes of a text", () => {
+	it("come to the one that there is, where the other changed nothing", () => {
+		fc.assert(
+			fc.property(words, words, (base, changed) => {
+				expect(merged(base, base, changed)).toMatchObject({ lines: changed, kept: changed, lost: [] });
+				expect(merged(base, changed, base)).toMatchObject({ lines: changed, kept: changed, lost: [] });
+				expect(merged(base, changed, changed)).toMatchObject({ lines: changed, lost: [] });
+			}),
+		);
+	});
+
+	it("are both there where they are in different places", () => {
+		const lines = [..."abcdefgh"];
+		const [mine, made] = [[..."abXcdefgh"], [..."abcdefYh"]];
+		expect(merged(lines, mine, made)).toEqual({ lines: [..."abXcdefYh"], kept: [..."abXcdefYh"], lost: [] });
+	});
+
+	it("are the choice's where they are in one place, and what is lost is told and can be kept", () => {
+		const { lines, kept, lost } = merged([..."abc"], [..."aXc"], [..."aYc"]);
+		expect([lines, kept, lost]).toEqual([[..."aYc"], [..."aXc"], ["X"]]);
+		// What was taken out, and the choice has changed.
+		expect(merged([..."abc"], [..."ac"], [..."aYc"])).toEqual({ lines: [..."aYc"], kept: [..."ac"], lost: ["b"] });
+	});
+});
+
+const designed = (text: string): Design => {
+	const design = designOf(text);
+	if (!design) throw new Error("no design");
+	return design;
+};
+
+describe("a choice", () => {
+	it("rewrites its organ's section alone", () => {
+		const before = designed(assembled());
+		const petal = described(describedIn(before, "petal"), { count: 7, outline: "cordate" });
+		const { text, lost } = choose(before, petal);
+		expect(lost).toEqual([]);
+		expect(text).toBe(assembled([petal]));
+		const after = designed(text);
+		for (const [i, { description, text: section }] of before.sections.entries())
+			if (description.organ !== "petal") expect(after.sections[i].text).toBe(section);
+	});
+
+	it("leaves what was edited elsewhere in the section", () => {
+		const mine = assembled().replace("#define JOINT(4,", "#define EXTRA=3\n#define JOINT(4,");
+		const design = designed(mine);
+		expect(design.sections.filter(isEdited).map(({ description }) => description.organ)).toEqual(["stamen"]);
+		const { text, lost } = choose(design, described(describedIn(design, "stamen"), { length: 40, count: 7 }));
+		expect(text).toContain("#define EXTRA=3");
+		expect(text).toContain("#define long=40*");
+		expect(lost).toEqual([]);
+		expect(madeAnew(designed(text), "stamen")).toBe(
+			assembled([described(describedIn(design, "stamen"), { length: 40, count: 7 })]),
+		);
+	});
+
+	it("tells what it does not leave, and can be had without losing it", () => {
+		const own = "#define long=99";
+		const mine = assembled().replace(/#define long=.*/, own);
+		const design = designed(mine);
+		const chosen = choose(design, described(describedIn(design, "stamen"), { length: 40, anther: 9 }));
+		expect(chosen.lost).toContain(own);
+		expect(chosen.text).not.toContain(own);
+		expect(chosen.kept).toContain(own);
+		for (const text of [chosen.text, chosen.kept])
+			expect(describedIn(designed(text), "stamen").values).toMatchObject({ length: 40, anther: 9 });
+	});
+
+	it("takes a description however it is written", () => {
+		const design = designed(
+			assembled().replace(/@organ pistil .*@/, "@organ pistil count=5 width=900 nonsense=1 base=red@"),
+		);
+		expect(describedIn(design, "pistil").values).toMatchObject({ count: 5, width: 30, base: "a3b873", style: 5 });
+	});
+});

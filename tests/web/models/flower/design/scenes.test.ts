@@ -1,0 +1,153 @@
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { type Description, described, lineOf, usual } from "../../../../../web/src/models/flower/design/description";
+import { assembled, describedIn, designOf } from "../../../../../web/src/models/flower/design/design";
+import { moved, readMargin, writtenMargin } from "../../../../../web/src/models/flower/design/margin";
+import { ORGANS, type Organ } from "../../../../../web/src/models/flower/design/organs";
+import { fitOf, SHAPES } from "../../../../../web/src/models/flower/design/shapes";
+import { elevation } from "../../../../../web/src/models/flower/tools/design/elevation";
+import { floralDiagram, floralFormula } from "../../../../../web/src/models/flower/tools/design/floral_diagram";
+import { outlineScene } from "../../../../../web/src/models/flower/tools/design/outline_scene";
+import { pictureOf, type Scene, type SceneHandle } from "../../../../../web/src/models/flower/tools/design/scene";
+
+const grammars = "wasm-core/grammars/flower";
+const docs = "docs/models/flower";
+
+const descriptionsOf = (text: string): readonly Description[] => {
+	const design = designOf(text);
+	if (!design) throw new Error("no design");
+	return ORGANS.map((organ) => describedIn(design, organ));
+};
+const shelf = readdirSync(grammars)
+	.filter((file) => file.startsWith("designed-"))
+	.map((file) => ({
+		name: file.replace(/^designed-|\.gl3$/g, ""),
+		descriptions: descriptionsOf(readFileSync(join(grammars, file), "utf8")),
+	}));
+const usually = descriptionsOf(assembled([usual("sepal", { count: 5 })]));
+
+const handleIn = ({ handles }: Scene, id: string): SceneHandle => {
+	const handle = handles.find((each) => each.id === id);
+	if (!handle) throw new Error(`no ${id}`);
+	return handle;
+};
+
+describe("handles of the flat views", () => {
+	it("stand where their organ is as it is: taken to their own place they change nothing", () => {
+		for (const { name, descriptions } of [...shelf, { name: "usual", descriptions: usually }])
+			for (const organ of ORGANS)
+				for (const scene of [floralDiagram(descriptions, organ), elevation(descriptions, organ)])
+					for (const handle of scene.handles) {
+						const before = descriptions.find(({ organ: each }) => handle.id.startsWith(each));
+						expect(handle.pull(handle.at), `${name} ${handle.id}`).toEqual(before);
+					}
+	});
+
+	it("are named each once, and go farther with Shift", () => {
+		for (const organ of ORGANS)
+			for (const scene of [floralDiagram(usually, organ), elevation(usually, organ), outlineScene(usually[3])]) {
+				expect(new Set(scene.handles.map(({ label }) => label)).size).toBe(scene.handles.length);
+				for (const handle of scene.handles)
+					expect(
+						[-1, 1].some((way) => lineOf(handle.nudge(way, 0, true)) !== lineOf(handle.nudge(way, 0, false))),
+						handle.id,
+					).toBe(true);
+			}
+	});
+
+	it("count by how far round the second is: a third of the way is three, and past the first none", () => {
+		const count = handleIn(floralDiagram(usually, "petal"), "petal-count");
+		const radius = Math.hypot(count.at.x, count.at.y);
+		const round = (degrees: number) => {
+			const angle = (degrees * Math.PI) / 180;
+			return count.pull({ x: -radius * Math.sin(angle), y: radius * Math.cos(angle) }).values.count;
+		};
+		expect([round(120), round(90), round(45), round(310), round(240), round(2)]).toEqual([3, 4, 8, 0, 1, 21]);
+	});
+
+	it("lengthen and raise a petal by its tip, and bend it inwards by its middle", () => {
+		const scene = elevation(usually, "petal");
+		const tip = handleIn(scene, "petal-tip");
+		const foot = handleIn(scene, "petal-foot").at;
+		const out = { x: tip.at.x - foot.x, y: tip.at.y - foot.y };
+		const before = usually[3].values;
+		const twice = tip.pull({ x: foot.x + 2 * out.x, y: foot.y + 2 * out.y }).values;
+		expect(twice.length).toBe(2 * Number(before.length));
+		expect(twice.angle).toBe(before.angle);
+		const turned = tip.pull({ x: foot.x - out.y, y: foot.y + out.x }).values;
+		expect(Number(turned.angle)).toBeLessThan(Number(before.angle));
+		const middle = handleIn(scene, "petal-bend");
+		// Away from the axis, and below the chord: the tip comes in.
+		const bent = middle.pull({ x: middle.at.x + 3, y: middle.at.y + 3 }).values;
+		expect(Number(bent.bend)).toBeLessThan(Number(before.bend));
+	});
+
+	it("make an outline a drawn one, whose points keep their order", () => {
+		const scene = outlineScene(usually[3]);
+		const point = handleIn(scene, "point-4");
+		const drawn = point.pull({ x: point.at.x / 2, y: -1000 });
+		expect(drawn.values.outline).toBe("drawn");
+		const margin = drawn.margin ?? [];
+		for (let i = 1; i < margin.length; i++) expect(margin[i].along).toBeGreaterThan(margin[i - 1].along);
+		expect(readMargin(writtenMargin(margin))).toEqual(margin);
+		fc.assert(
+			fc.property(
+				fc.nat(8),
+				fc.double({ min: -2, max: 3, noNaN: true }),
+				fc.double({ min: -2, max: 3, noNaN: true }),
+				(i, along, out) => {
+					const next = moved(margin, i, { along, out });
+					expect(readMargin(writtenMargin(next))).toEqual(next);
+				},
+			),
+		);
+	});
+
+	it("is none where no margin is written", () => {
+		for (const text of ["", "0:1", "0:1,1:2,2:1", "0:1,0.5:0.5,0.4:1,1:0", "0.2:1,0.5:1,1:1", "a:b,c:d,e:f"])
+			expect(readMargin(text)).toBeUndefined();
+	});
+});
+
+describe("a floral formula", () => {
+	it("tells whorls, what has grown together and what is irregular", () => {
+		expect(floralFormula(usually)).toBe("✶ K5 C5 A5 G(3)");
+		const set = (organ: Organ, values: Description["values"]) =>
+			usually.map((each) => (each.organ === organ ? described(each, values) : each));
+		expect(floralFormula(set("petal", { symmetry: "irregular", whorls: 2 }))).toBe("↓ K5 C5+5 A5 G(3)");
+		expect(floralFormula(set("pistil", { fusion: "apocarpous" }))).toBe("✶ K5 C5 A5 G3");
+		expect(floralFormula(set("stamen", { count: 0, whorls: 3 }))).toBe("✶ K5 C5 A0 G(3)");
+	});
+});
+
+describe("the docs of designs", () => {
+	const kept = (file: string, now: string) => {
+		if (process.env.UPDATE_GOLDENS) {
+			mkdirSync(join(docs, "diagrams"), { recursive: true });
+			writeFileSync(join(docs, file), now);
+		} else expect(readFileSync(join(docs, file), "utf8")).toBe(now);
+	};
+
+	it.each(shelf)(
+		"have the diagram and the elevation of the $name as they are drawn (UPDATE_GOLDENS=1)",
+		({ name, descriptions }) => {
+			kept(`diagrams/${name}-diagram.svg`, pictureOf(floralDiagram(descriptions), `Floral diagram of the ${name}`));
+			kept(`diagrams/${name}-elevation.svg`, pictureOf(elevation(descriptions), `Side elevation of the ${name}`));
+		},
+	);
+
+	it("have the table of shapes as it is fitted (UPDATE_GOLDENS=1)", () => {
+		const rows = Object.entries(SHAPES).map(([name, shape]) => {
+			const { coefficients, error, even, fan } = fitOf(shape);
+			const notes = [even && "even steps", fan > 0 && `foot turned back by ${fan}°`].filter(Boolean).join(", ");
+			return `| ${name} | ${coefficients.join(" ")} | ${error.toFixed(3)} | ${notes} |`;
+		});
+		const before = readFileSync(join(docs, "design.md"), "utf8");
+		kept(
+			"design.md",
+			before.replace(/(\|---\|---\|---\|---\|\n)(?:\|.*\n)*/, (_, head) => `${head}${rows.join("\n")}\n`),
+		);
+	});
+});

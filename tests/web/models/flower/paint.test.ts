@@ -1,0 +1,96 @@
+import { describe, expect, it } from "vitest";
+import { aboutPlant } from "../../../../web/src/export/about_plant";
+import { exportGlb } from "../../../../web/src/export/glb";
+import { readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
+import { model } from "../../../../web/src/models/flower/index";
+import { colourAt, type Paint, paintsOf, pictureOf } from "../../../../web/src/models/flower/paint";
+import type { Part } from "../../../../web/src/plant/part";
+import { fromPreset } from "../../../../web/src/specimen/from_preset";
+import { freshCore } from "../../core/wasm";
+import { complaints, documentOf } from "../../export/reading";
+
+const core = await freshCore("flower.wasm");
+
+const PLAIN: Paint = {
+	base: [1, 0, 0],
+	tip: [0, 0, 1],
+	foot: 0.5,
+	margin: { colour: [1, 1, 1], width: 0 },
+	veins: { colour: [0, 0, 0], count: 0, strength: 0 },
+	light: 0.5,
+};
+
+const LONE = "#define A(4,0,0,0,5,5,5,3)\n#axiom: A\nA -> A[A]_{E}\n";
+
+function parts(material: string, age = 1): Part[] {
+	const preset = fromPreset(model);
+	const grammar = `${LONE}#material 3 ${material}`;
+	const specimen = { ...preset, grammar, parameters: { ...preset.parameters, age } };
+	return [...model.parts(readFlowerPlant(core.grow(model.encode(specimen))))];
+}
+
+describe("the paint of organs", () => {
+	it("goes from foot to tip, to a margin, and has as many veins as the text says", () => {
+		expect(colourAt(PLAIN, 0, 0)).toEqual([1, 0, 0]);
+		expect(colourAt(PLAIN, 0.5, 0)).toEqual([0, 0, 1]);
+		const edged = { ...PLAIN, margin: { colour: [0, 1, 0] as Paint["base"], width: 0.2 } };
+		expect(colourAt(edged, 1, 1)).toEqual([0, 1, 0]);
+		expect(colourAt(edged, 1, 0.79)).toEqual([0, 0, 1]);
+		const veined = { ...PLAIN, base: PLAIN.tip, veins: { colour: [0, 0, 0] as Paint["base"], count: 6, strength: 1 } };
+		const blues = Array.from({ length: 1000 }, (_, i) => colourAt(veined, 0.2, i / 1000)[2]);
+		const dark = blues.filter((blue, i) => i > 0 && i < 999 && blue < blues[i - 1] && blue <= blues[i + 1]);
+		// Half of the one in the middle, and what lies within the margin of six, which spread only towards the tip.
+		expect(dark.length).toBeGreaterThanOrEqual(6);
+		expect(blues[0]).toBe(0);
+	});
+
+	it("is a picture where veins or a margin want one, a colour for each vertex else", () => {
+		const [plain] = parts('petal "ff0000" "0000ff"');
+		expect(plain.shape?.material.textures).toBeUndefined();
+		expect(plain.shape?.mesh.colours).toBeDefined();
+		const [veined] = parts('petal "ff0000" "0000ff" veins "000000" 8 0.5');
+		expect(veined.shape?.material.textures?.colour?.width).toBeGreaterThan(100);
+		expect(veined.shape?.mesh.colours).toBeUndefined();
+		// A drag lays the same picture, which is not sent to the graphics card again.
+		const [again] = parts('petal "ff0000" "0000ff" veins "000000" 8 0.5');
+		expect(again.shape?.material.textures?.colour).toBe(veined.shape?.material.textures?.colour);
+		expect(pictureOf({ ...PLAIN, foot: 0.3 }).picture).not.toBe(pictureOf(PLAIN).picture);
+	});
+
+	it("lets light through petals, and as much as the text says", () => {
+		const through = (material: string) => parts(material)[0].shape?.material.sheet?.through[0];
+		expect(through('petal "ff0000" light 0.8')).toBeCloseTo(2 * (through('petal "ff0000" light 0.4') ?? 0));
+		expect(through('petal "ff0000"')).toBeGreaterThan(through('leaf "00ff00"') ?? 0);
+		expect(through('stem "00ff00"')).toBeUndefined();
+		expect(through('petal "ff0000" light 0')).toBeUndefined();
+	});
+
+	it("changes with age from bud to wilted", () => {
+		const red = (age: number) =>
+			parts('petal "ff0000" bud "000000" wilted "800000"', age)[0].shape?.mesh.colours?.[0] ?? 0;
+		expect(red(0)).toBe(0);
+		expect(red(1)).toBe(1);
+		expect(red(0.5)).toBeCloseTo(red(2), 1);
+		expect(red(2)).toBeCloseTo(0.216, 2);
+	});
+
+	it("is in the GLB as it is in view", async () => {
+		const specimen = fromPreset(model);
+		const made = parts('petal "ff0000" veins "000000" 8 0.5');
+		const grown = readFlowerPlant(core.grow(model.encode({ ...specimen, grammar: LONE })));
+		const glb = exportGlb(made, await aboutPlant(model, grown, specimen, "https://example.org/"), {});
+		expect(await complaints(glb)).toEqual([]);
+		const { images, materials = [] } = documentOf(glb);
+		expect(images).toHaveLength(1);
+		expect(materials[0].pbrMetallicRoughness.baseColorTexture).toBeDefined();
+	});
+
+	it("reads what the core says of it", () => {
+		const [paint] = paintsOf(
+			Uint32Array.of(0xff0000, 0x0000ff, 0xffffff, 0x000000),
+			Float32Array.of(0.5, 0.25, 7, 0.5, 1),
+		);
+		expect(paint).toMatchObject({ base: [1, 0, 0], tip: [0, 0, 1], foot: 0.5, margin: { width: 0.25 }, light: 1 });
+		expect(paint.veins).toEqual({ colour: [0, 0, 0], count: 7, strength: 0.5 });
+	});
+});

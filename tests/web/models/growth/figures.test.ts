@@ -1,0 +1,55 @@
+/** Figures 3 and 10 of Kim, Kim and Cho (2013): fewer branches by a larger m, and a bark of fewer vertices than by powers. */
+import { readFileSync } from "node:fs";
+import { beforeAll, expect, it } from "vitest";
+import type { Core } from "../../../../web/src/core/core";
+import { loadCoreFromBytes } from "../../../../web/src/core/loader";
+import { model } from "../../../../web/src/models/growth/index";
+import { fromPreset } from "../../../../web/src/specimen/from_preset";
+
+const SEEDS = [1, 2, 3];
+const VOLUME = "footprint -> GrowVol(1, 1, 8, 9, 8, 0)";
+
+let core: Core;
+beforeAll(async () => {
+	core = await loadCoreFromBytes(readFileSync(new URL("../../../../build/core/growth.wasm", import.meta.url)));
+	await model.prepare(fromPreset(model, "table-1-older"));
+});
+
+const older = () => readFileSync("wasm-core/grammars/growth/table-1-older.growth", "utf8");
+
+/** Means over a few seeds: branches, and vertices of the bark. */
+function meansOf(rules: string, steps: number): { branches: number; bark: number } {
+	const specimen = fromPreset(model, "table-1-older");
+	const text = `gs = ${steps}\n${VOLUME}\n${rules.replace(/^(gs|footprint).*\n/gm, "")}`;
+	const sum = { branches: 0, bark: 0 };
+	for (const seed of SEEDS) {
+		const blocks = model.encode({ ...specimen, seed }, { measures: false });
+		const plant = core.grow(blocks.map((block) => (block.name === "rules" ? { ...block, data: text } : block)));
+		sum.branches += model.read(plant, specimen).counts.branches;
+		sum.bark += plant.columns.floats("mesh.stems.positions").length / 3;
+	}
+	return { branches: sum.branches / SEEDS.length, bark: sum.bark / SEEDS.length };
+}
+
+it("figure 3: the larger m, the fewer branches, and all fewer than by powers", () => {
+	const branches = [2, 3, 4, 5].map((m) => meansOf(`tree -> DivFunc("sigma1b", 1, ${m}){branches}`, 9).branches);
+	const all = [meansOf(older(), 9).branches, ...branches];
+	expect(all).toEqual([...all].sort((a, b) => b - a));
+	expect(all[0]).toBeGreaterThan(5 * all[1]);
+});
+
+it("figure 10: bark of about a third and a fifth of the vertices, in the same volume", () => {
+	const shares = (steps: number) => {
+		const powers = meansOf(older(), steps).bark;
+		return ['"sigma1"', '"sigma1b", 1, 2'].map(
+			(divisors) => meansOf(`tree -> DivFunc(${divisors}){branches}`, steps).bark / powers,
+		);
+	};
+	const [all, odd] = shares(8);
+	const [later, latest] = shares(11);
+	// The paper's are 10,346 and 5,147 of 29,200; its step is not in print.
+	expect(all).toBeGreaterThan(10346 / 29200);
+	expect(later).toBeLessThan(10346 / 29200);
+	expect(odd).toBeGreaterThan(5147 / 29200);
+	expect(latest).toBeLessThan(1.1 * (5147 / 29200));
+});

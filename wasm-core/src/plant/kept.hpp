@@ -1,0 +1,19 @@
+// What a model may keep from one growth for the next: to be quicker, and for nothing else. The same request gives the
+// same plant, byte by byte, whatever is kept (tests/golden/again.test.ts asks in any order).
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+namespace panicle {
+
+struct Kept {
+  // In all, of one model: what is larger is let go.
+  static constexpr std::size_t most_bytes = 64 * 1024 * 1024;
+
+  virtual ~Kept() = default;
+};
+
+using Keeping = std::unique_ptr<Kept>;
+
+}  // namespace panicle

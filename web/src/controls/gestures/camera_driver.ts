@@ -1,0 +1,151 @@
+/**
+ * A hand before the camera, seen by @mediapipe/hands: its files lie beside the app, in `hands/`, and come when the camera is asked for. What
+ * the camera sees stays in this page.
+ */
+import type { Driver, DriverEvents } from "./driver";
+import { HandReader, type Landmark } from "./hand";
+
+/** What is used of @mediapipe/hands, whose script knows no modules. */
+interface HandsFinder {
+	setOptions(options: { maxNumHands: number; modelComplexity: 0 | 1; minDetectionConfidence: number }): void;
+	onResults(listener: (results: { readonly multiHandLandmarks?: readonly (readonly Landmark[])[] }) => void): void;
+	initialize(): Promise<void>;
+	send(inputs: { image: HTMLVideoElement }): Promise<void>;
+	close(): Promise<void>;
+}
+type HandsMaker = new (config: { locateFile(file: string): string }) => HandsFinder;
+
+const FOLDER = "hands/";
+/** Fewer pixels are found in sooner, and are enough for a hand. */
+const SIZE = { width: { ideal: 320 }, height: { ideal: 240 } } as const;
+/** A hand at rest for so long has done a step, seconds. */
+const STILL = 0.8;
+/** Shares of the way that a hand at rest may tremble. */
+const TREMBLE = 0.01;
+
+export class CameraDriver implements Driver {
+	readonly #video: HTMLVideoElement;
+	readonly #events: DriverEvents;
+	readonly #reader = new HandReader();
+	#stream: MediaStream | undefined;
+	#finder: HandsFinder | undefined;
+	#stopped = false;
+	#seen: boolean | undefined;
+	#rested: { x: number; y: number; since: number; told: boolean } | undefined;
+
+	/** @param video shows what the camera sees */
+	constructor(video: HTMLVideoElement, events: DriverEvents) {
+		this.#video = video;
+		this.#events = events;
+		void this.#start();
+	}
+
+	stop(): void {
+		this.#stopped = true;
+		for (const track of this.#stream?.getTracks() ?? []) track.stop();
+		this.#stream = undefined;
+		this.#video.srcObject = null;
+		const finder = this.#finder;
+		this.#finder = undefined;
+		// One that has not begun yet has nothing to close.
+		void finder?.close().catch(() => {});
+	}
+
+	async #start(): Promise<void> {
+		this.#events.say("The browser asks whether the camera may be used.");
+		try {
+			const stream = await askForCamera();
+			this.#stream = stream;
+			if (this.#stopped) return this.stop();
+			this.#video.srcObject = stream;
+			await this.#video.play();
+			if (this.#stopped) return;
+			this.#events.say("What finds hands is being fetched.");
+			const finder = await findHands((landmarks) => this.#heed(landmarks));
+			this.#finder = finder;
+			if (this.#stopped) return this.stop();
+			await this.#look(finder);
+		} catch (error) {
+			if (this.#stopped) return;
+			this.stop();
+			this.#events.say(reasonOf(error));
+		}
+	}
+
+	/** Picture after picture, each once the one before has been looked at. */
+	async #look(finder: HandsFinder): Promise<void> {
+		while (!this.#stopped) {
+			// A page that nobody sees looks at nothing.
+			if (!document.hidden && this.#video.readyState >= HTMLMediaElement.HAVE_CURRENT_DATA)
+				await finder.send({ image: this.#video });
+			await new Promise((resolve) => setTimeout(resolve, document.hidden ? 300 : 16));
+		}
+	}
+
+	#heed(landmarks: readonly Landmark[] | undefined): void {
+		if (this.#stopped) return;
+		const now = performance.now() / 1000;
+		const hand = this.#reader.read(landmarks, now);
+		if ((hand !== undefined) !== this.#seen) {
+			this.#seen = hand !== undefined;
+			this.#events.say(
+				hand ? "A hand is seen. Pinch for the next two." : "No hand is seen: hold one before the camera.",
+			);
+			if (!hand) this.#events.rest();
+		}
+		if (!hand) return;
+		if (hand.pinched) this.#events.next();
+		const { x, y } = hand;
+		const rested = this.#rested;
+		if (rested && Math.hypot(x - rested.x, y - rested.y) < TREMBLE) {
+			if (rested.told || now - rested.since < STILL) return;
+			rested.told = true;
+			this.#events.rest();
+			return;
+		}
+		this.#rested = { x, y, since: now, told: false };
+		this.#events.move({ x, y });
+	}
+}
+
+async function askForCamera(): Promise<MediaStream> {
+	// Pages without a secure address have no such thing.
+	const { mediaDevices } = navigator as { readonly mediaDevices?: MediaDevices };
+	if (!mediaDevices) throw new DOMException("no camera here", "NotFoundError");
+	return mediaDevices.getUserMedia({ video: { facingMode: "user", ...SIZE }, audio: false });
+}
+
+async function findHands(found: (landmarks: readonly Landmark[] | undefined) => void): Promise<HandsFinder> {
+	const at = (file: string) => new URL(FOLDER + file, document.baseURI).href;
+	await script(at("hands.js"));
+	const { Hands } = globalThis as unknown as { readonly Hands: HandsMaker };
+	const finder = new Hands({ locateFile: at });
+	finder.setOptions({ maxNumHands: 1, modelComplexity: 0, minDetectionConfidence: 0.6 });
+	finder.onResults(({ multiHandLandmarks }) => found(multiHandLandmarks?.[0]));
+	await finder.initialize();
+	return finder;
+}
+
+function script(address: string): Promise<void> {
+	const before = document.querySelector<HTMLScriptElement>(`script[src="${address}"]`);
+	if (before?.dataset.loaded) return Promise.resolve();
+	before?.remove();
+	return new Promise((resolve, reject) => {
+		const element = Object.assign(document.createElement("script"), { src: address });
+		element.addEventListener("load", () => {
+			element.dataset.loaded = "true";
+			resolve();
+		});
+		element.addEventListener("error", () => reject(new Error("not fetched")));
+		document.head.append(element);
+	});
+}
+
+function reasonOf(error: unknown): string {
+	const { name } = error as Partial<DOMException>;
+	if (name === "NotAllowedError")
+		return "The camera may not be used: allow it in the browser’s settings of this page, and start again.";
+	if (name === "NotFoundError" || name === "OverconstrainedError") return "There is no camera here.";
+	if (name === "NotReadableError") return "The camera is in use by another program.";
+	return "What finds hands could not be fetched; check the connection and start again.";
+}

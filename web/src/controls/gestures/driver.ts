@@ -1,0 +1,21 @@
+/** What drives two axes: a pointer, a gamepad, a hand before the camera. Each says where it is, and when the next pair is wanted. */
+import type { Place } from "./hand";
+
+/** What a driver tells. Places are shares of the way from the left and from the top. */
+export interface DriverEvents {
+	/** Where the circle stands now, for drivers that move it on. */
+	where(): Place;
+	/** It is somewhere else. */
+	move(place: Place): void;
+	/** It has come to rest: what it did is one step. */
+	rest(): void;
+	/** The next pair of axes. */
+	next(): void;
+	/** What is to be known of it, in a sentence; empty where there is nothing. */
+	say(words: string): void;
+}
+
+export interface Driver {
+	/** Ends it: nothing of it runs or listens on. */
+	stop(): void;
+}

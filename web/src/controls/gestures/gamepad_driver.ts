@@ -1,0 +1,69 @@
+import type { Driver, DriverEvents } from "./driver";
+
+/** Shares of the whole way a second, at full tilt; and how far a stick that nobody touches may stand off its middle. */
+const [SPEED, SLACK] = [0.6, 0.15];
+/** Buttons of the standard mapping: the lowest of the right four, and the cross. */
+const [NEXT, UP, DOWN, LEFT, RIGHT] = [0, 12, 13, 14, 15];
+
+/** What of a gamepad is read. */
+export interface Pad {
+	readonly axes: readonly number[];
+	readonly buttons: readonly { readonly pressed: boolean }[];
+}
+
+/** How a gamepad pushes: to the right and down, −1 … 1. */
+export function pushOf({ axes, buttons }: Pad): { readonly x: number; readonly y: number } {
+	const pressed = (at: number) => Number(buttons[at]?.pressed ?? false);
+	const stick = (value = 0) => (Math.abs(value) < SLACK ? 0 : (value - Math.sign(value) * SLACK) / (1 - SLACK));
+	const clamped = (value: number) => Math.min(Math.max(value, -1), 1);
+	return {
+		x: clamped(stick(axes[0]) + pressed(RIGHT) - pressed(LEFT)),
+		y: clamped(stick(axes[1]) + pressed(DOWN) - pressed(UP)),
+	};
+}
+
+/** A gamepad's left stick, or its cross, pushes the circle; its first button brings the next pair. */
+export class GamepadDriver implements Driver {
+	readonly #events: DriverEvents;
+	#frame = 0;
+	#before = 0;
+	#pushed = false;
+	#pressed = false;
+	#there: boolean | undefined;
+
+	constructor(events: DriverEvents) {
+		this.#events = events;
+		this.#frame = requestAnimationFrame((now) => this.#look(now));
+	}
+
+	stop(): void {
+		cancelAnimationFrame(this.#frame);
+	}
+
+	#look(now: number): void {
+		this.#frame = requestAnimationFrame((next) => this.#look(next));
+		const pad = navigator.getGamepads().find((each) => each !== null);
+		const passed = Math.min((now - this.#before) / 1000, 0.1);
+		this.#before = now;
+		if ((pad !== undefined) !== this.#there) {
+			this.#there = pad !== undefined;
+			this.#events.say(
+				pad ? "The left stick moves the circle." : "No gamepad is heard yet: connect one and press a button on it.",
+			);
+		}
+		if (pad) this.#heed(pad, passed);
+	}
+
+	#heed(pad: Pad, seconds: number): void {
+		const { x, y } = pushOf(pad);
+		const next = pad.buttons[NEXT]?.pressed ?? false;
+		if (next && !this.#pressed) this.#events.next();
+		this.#pressed = next;
+		if (x !== 0 || y !== 0) {
+			const { x: left, y: top } = this.#events.where();
+			const on = (at: number, by: number) => Math.min(Math.max(at + by * SPEED * seconds, 0), 1);
+			this.#events.move({ x: on(left, x), y: on(top, y) });
+		} else if (this.#pushed) this.#events.rest();
+		this.#pushed = x !== 0 || y !== 0;
+	}
+}

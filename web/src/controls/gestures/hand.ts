@@ -1,0 +1,90 @@
+/**
+ * What a hand says that a camera sees: where it is, and whether it pinches. From landmarks as @mediapipe/hands numbers them: 21 points in shares
+ * of the picture, x to the right and y down as the camera sees them.
+ */
+
+export interface Landmark {
+	readonly x: number;
+	readonly y: number;
+}
+
+/** Shares of the way, from the left and from the top as whoever stands before the camera sees them. */
+export interface Place {
+	readonly x: number;
+	readonly y: number;
+}
+
+export interface HandRead extends Place {
+	/** Whether thumb and index finger have just come together. */
+	readonly pinched: boolean;
+}
+
+/** Numbers of landmarks. */
+const [WRIST, THUMB_TIP, INDEX_KNUCKLE, INDEX_TIP, MIDDLE_KNUCKLE, LITTLE_KNUCKLE] = [0, 4, 5, 8, 9, 17];
+const POINTS = 21;
+/** A hand cannot come to the picture's edge and still be seen whole: so much of it is beyond the ends of the axes. */
+const MARGIN = 0.18;
+/** From tip to tip in lengths of the palm: a pinch begins below the first, and is over above the second. */
+const [TOGETHER, APART] = [0.28, 0.5];
+/** Hertz: what trembles slower is let through by a hand at rest, and how much sooner by one that moves (Casiez and others 2012). */
+const [REST, HASTE] = [1, 4];
+
+/** Reads one hand, picture by picture. */
+export class HandReader {
+	#held = false;
+	#x: Smoothed | undefined;
+	#y: Smoothed | undefined;
+
+	/** @param seconds when the picture was taken; @returns undefined where these are no landmarks of a hand */
+	read(landmarks: readonly Landmark[] | undefined, seconds: number): HandRead | undefined {
+		const known = landmarks?.length === POINTS && landmarks.every(({ x, y }) => Number.isFinite(x + y));
+		if (!landmarks || !known) {
+			this.#held = false;
+			this.#x = undefined;
+			this.#y = undefined;
+			return undefined;
+		}
+		const palm = [WRIST, INDEX_KNUCKLE, LITTLE_KNUCKLE].map((at) => landmarks[at]);
+		const mean = (of: (point: Landmark) => number) => palm.reduce((sum, point) => sum + of(point), 0) / palm.length;
+		this.#x = smoothed(this.#x, within(1 - mean(({ x }) => x)), seconds);
+		this.#y = smoothed(this.#y, within(mean(({ y }) => y)), seconds);
+		return { x: this.#x.at, y: this.#y.at, pinched: this.#pinches(landmarks) };
+	}
+
+	#pinches(landmarks: readonly Landmark[]): boolean {
+		const apart = between(landmarks[THUMB_TIP], landmarks[INDEX_TIP]);
+		const size = between(landmarks[WRIST], landmarks[MIDDLE_KNUCKLE]);
+		const before = this.#held;
+		this.#held = apart < (before ? APART : TOGETHER) * size;
+		return this.#held && !before;
+	}
+}
+
+const between = (one: Landmark, other: Landmark) => Math.hypot(one.x - other.x, one.y - other.y);
+
+function within(share: number): number {
+	return Math.min(Math.max((share - MARGIN) / (1 - 2 * MARGIN), 0), 1);
+}
+
+/** A number that trembles, quietened: the faster it goes, the less (the one euro filter). */
+interface Smoothed {
+	readonly at: number;
+	readonly speed: number;
+	readonly seconds: number;
+}
+
+function smoothed(before: Smoothed | undefined, at: number, seconds: number): Smoothed {
+	if (!before || seconds <= before.seconds) return { at: before?.at ?? at, speed: before?.speed ?? 0, seconds };
+	const passed = seconds - before.seconds;
+	const speed = mix(before.speed, (at - before.at) / passed, shareIn(passed, REST));
+	const share = shareIn(passed, REST + HASTE * Math.abs(speed));
+	return { at: mix(before.at, at, share), speed, seconds };
+}
+
+const mix = (one: number, other: number, share: number) => one + (other - one) * share;
+
+/** How much of a new value a filter of so many hertz takes after so many seconds. */
+function shareIn(seconds: number, hertz: number): number {
+	const turns = 2 * Math.PI * hertz * seconds;
+	return turns / (turns + 1);
+}

@@ -1,0 +1,28 @@
+/** The two axes that a hand drives at a time, and which come next. */
+import type { Axis } from "./axis";
+
+/** Ids of axes; undefined where there are none. */
+export interface Pair {
+	readonly across: string | undefined;
+	readonly up: string | undefined;
+}
+
+/** Petrenko 2014, section 4.3.3: the hand's way across bends the stem, its way up makes it longer. */
+const USUAL: Pair = { across: "constant bend", up: "constant length" };
+
+/** The pair as asked for, as far as the document has it; in place of what it has not the usual one, or what comes first. */
+export function pairOf(axes: readonly Axis[], { across, up }: Pair): { readonly across?: Axis; readonly up?: Axis } {
+	const find = (id: string | undefined) => axes.find((axis) => axis.id === id);
+	const [right, above] = [find(across) ?? find(USUAL.across), find(up) ?? find(USUAL.up)];
+	const first = right ?? axes.find((axis) => axis !== above);
+	const second = above ?? axes.find((axis) => axis !== first);
+	return { ...(first ? { across: first } : {}), ...(second ? { up: second } : {}) };
+}
+
+/** The pair after that: the next two of all axes, round and round; of an odd one at the end the first is the other. */
+export function nextPair(axes: readonly Axis[], { across, up }: Pair): Pair {
+	if (axes.length < 2) return { across, up };
+	const last = Math.max(...[across, up].map((id) => axes.findIndex((axis) => axis.id === id)));
+	const first = last + 1 < axes.length ? last + 1 : 0;
+	return { across: axes[first].id, up: axes[(first + 1) % axes.length].id };
+}

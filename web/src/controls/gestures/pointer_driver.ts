@@ -1,0 +1,46 @@
+import type { Driver, DriverEvents } from "./driver";
+
+/** A pointer that is held down on the picture: where it is there. A second finger brings the next pair. */
+export class PointerDriver implements Driver {
+	readonly #ended = new AbortController();
+	#held: number | undefined;
+
+	constructor(canvas: HTMLCanvasElement, events: DriverEvents) {
+		const options = { signal: this.#ended.signal, capture: true };
+		const go = ({ clientX, clientY }: PointerEvent) => {
+			const { left, top, width, height } = canvas.getBoundingClientRect();
+			events.move({ x: share(clientX - left, width), y: share(clientY - top, height) });
+		};
+		canvas.addEventListener(
+			"pointerdown",
+			(event) => {
+				if (this.#held !== undefined) events.next();
+				if (this.#held !== undefined || event.button !== 0) return;
+				this.#held = event.pointerId;
+				canvas.setPointerCapture(event.pointerId);
+				go(event);
+			},
+			options,
+		);
+		canvas.addEventListener("pointermove", (event) => event.pointerId === this.#held && go(event), options);
+		for (const end of ["pointerup", "pointercancel"] as const)
+			canvas.addEventListener(
+				end,
+				({ pointerId }) => {
+					if (pointerId !== this.#held) return;
+					this.#held = undefined;
+					events.rest();
+				},
+				options,
+			);
+		events.say("Hold the pointer down on the picture and move it.");
+	}
+
+	stop(): void {
+		this.#ended.abort();
+	}
+}
+
+function share(at: number, of: number): number {
+	return Math.min(Math.max(at / Math.max(of, 1), 0), 1);
+}

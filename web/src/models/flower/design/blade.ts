@@ -1,0 +1,110 @@
+/** Leaves, sepals and petals by the template of what is like a petal. */
+import type { Description } from "./description";
+import { widthOf } from "./margin";
+import { valueAt } from "./polynomial";
+import { DRAWN, type Fit, fitOf, SHAPES } from "./shapes";
+import { filled } from "./template";
+import petalLike from "./templates/petal_like.gl3?raw";
+
+export type Bladed = "leaf" | "sepal" | "petal";
+/** What the layers are of. */
+const MATERIALS: Readonly<Record<Bladed, number>> = { leaf: 2, sepal: 3, petal: 4 };
+
+/** Degrees that a lobe turns up against the one before, and those by which margins wave. */
+const SECTIONS: Readonly<Record<string, readonly [cup: number, wave: number]>> = {
+	flat: [1, 0],
+	cupped: [7, 0],
+	channelled: [18, 0],
+	keeled: [-14, 0],
+	wavy: [4, 14],
+};
+
+/** The polynomial of a blade's outline, whether of the table or drawn. */
+export function outlineOf({ values, margin }: Description): Fit {
+	if (values.outline === DRAWN && margin) return fitOf({ width: widthOf(margin) });
+	return fitOf(SHAPES[String(values.outline)] ?? SHAPES.elliptic);
+}
+
+/** Lobes to a side: as many as its width can show. */
+function lobes(width: number, length: number): number {
+	const share = width / length;
+	return share < 0.1 ? 1 : share < 0.3 ? 2 : 3;
+}
+
+/** Whether a line is of lobes farther out than there are: what never grows would never be glued. */
+const namesBeyond = (line: string, across: number): boolean =>
+	[...line.matchAll(/\b[RL][UML](\d)/g)].some(([, lobe]) => Number(lobe) > across);
+
+/** The grammar of one such organ. */
+export function bladeText(organ: Bladed, description: Description): string {
+	const { values } = description;
+	const [length, width, angle] = [Number(values.length), Number(values.width), Number(values.angle)];
+	const [bend, curl] = [Number(values.bend), Number(values.curl)];
+	const { coefficients, even, fan } = outlineOf(description);
+	const [cup, wave] = SECTIONS[String(values.section)];
+	const material = MATERIALS[organ];
+	const opens = organ !== "leaf";
+	const by = (share: number, more = 0): string => {
+		const own = round(bend * share + more);
+		return opens
+			? `${own}*open-${round(50 * share)}*(1-open)+${round(24 * share)}*wilt`
+			: `${own}+${round(30 * share)}*wilt`;
+	};
+	const across = lobes(width, length);
+	const template = petalLike
+		.split("\n")
+		.filter((line) => !namesBeyond(line, across))
+		.join("\n");
+	return filled(template, {
+		module: organ.toUpperCase(),
+		steps: 12,
+		lobes: across,
+		length,
+		width,
+		thickness: values.thickness,
+		grown: opens ? "(0.55+0.45*open)" : "1",
+		even: Number(even),
+		rise: opens ? `${angle}+${86 - angle}*(1-open)-18*wilt` : String(angle),
+		low: by(0.45),
+		mid: by(0.35),
+		high: by(0.2, curl),
+		cup,
+		wave: `${wave}${opens ? "+8*wilt" : ""}`,
+		fan,
+		middle: material,
+		upper: material,
+		materials: `#material ${material} ${organ} "${values.base}" "${values.tip}"${painted(organ, values)}`,
+		"width polynomial": horner(coefficients),
+	});
+}
+
+/** `c0+s*(c1+s*(…))`. */
+function horner(coefficients: readonly number[]): string {
+	const [first, ...rest] = coefficients;
+	return rest.length === 0 ? String(first) : `${first}+s*(${horner(rest)})`;
+}
+
+const GREEN = "8d9c4e";
+const BROWN = "8a6a40";
+
+/** Buds are greener and what wilts is browner; petals may have veins. */
+function painted(organ: Bladed, { base, tip, veins }: Description["values"]): string {
+	const wilted = ` wilted "${mixed(String(base), BROWN, 0.5)}" "${mixed(String(tip), BROWN, 0.6)}"`;
+	if (organ !== "petal") return wilted;
+	const lines = Number(veins) > 0 ? ` veins "${mixed(String(tip), "200808", 0.55)}" ${veins} 0.35` : "";
+	return `${lines} bud "${mixed(String(base), GREEN, 0.7)}" "${mixed(String(tip), GREEN, 0.5)}"${wilted}`;
+}
+
+/** Between two colours, six hexadecimal digits each. */
+function mixed(one: string, other: string, share: number): string {
+	const channel = (of: string, at: number): number => Number.parseInt(of.slice(at, at + 2), 16);
+	return [0, 2, 4]
+		.map((at) => Math.round(channel(one, at) * (1 - share) + channel(other, at) * share))
+		.map((value) => value.toString(16).padStart(2, "0"))
+		.join("");
+}
+
+const round = (value: number): number => Math.round(value * 100) / 100 + 0;
+
+/** The half width at a share of the steps, as the grammar works it out: a share of the greatest. */
+export const halfWidthAt = ({ coefficients }: Fit, t: number): number => Math.max(0.004, valueAt(coefficients, t));

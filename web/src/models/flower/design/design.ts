@@ -1,0 +1,43 @@
+/** A whole flower: its text taken apart into organs' sections, and put together again. Assembling is to write them one after another. */
+import { type Description, readLine, usual } from "./description";
+import { ORGANS, type Organ } from "./organs";
+import { sectionOf } from "./sections";
+
+/** A section as the text has it. */
+export interface Section {
+	readonly description: Description;
+	readonly text: string;
+}
+
+export interface Design {
+	/** What stands before the first organ. */
+	readonly head: string;
+	readonly sections: readonly Section[];
+}
+
+/** A text's sections; undefined where it does not describe all six organs, each once and in their order. */
+export function designOf(text: string): Design | undefined {
+	const parts = text.split(/^(?=@organ \w+[^@\n]*@[ \t]*$)/m);
+	const head = readLine(firstLine(parts[0])) ? "" : (parts.shift() ?? "");
+	const sections = parts.map((part) => ({ description: readLine(firstLine(part)), text: part }));
+	const organs = sections.map(({ description }) => description?.organ);
+	if (organs.length !== ORGANS.length || !ORGANS.every((organ, i) => organs[i] === organ)) return undefined;
+	return { head, sections: sections as Section[] };
+}
+
+const firstLine = (text: string): string => text.split("\n", 1)[0];
+
+/** The text of a design. */
+export const textOf = ({ head, sections }: Design): string => head + sections.map(({ text }) => text).join("");
+
+/** The text of a flower described so; what is not described is as usual. */
+export function assembled(descriptions: readonly Description[] = [], head = ""): string {
+	return (
+		head + ORGANS.map((organ) => sectionOf(descriptions.find((each) => each.organ === organ) ?? usual(organ))).join("")
+	);
+}
+
+/** What a design says of an organ. */
+export function describedIn({ sections }: Design, organ: Organ): Description {
+	return sections[ORGANS.indexOf(organ)].description;
+}

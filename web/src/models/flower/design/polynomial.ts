@@ -1,0 +1,56 @@
+/** Polynomials of degree 6, by which the widths of organs are told (Petrenko 2014, equation 1), fitted by least squares. */
+
+export const DEGREE = 6;
+
+/** c0 … c6. */
+export type Coefficients = readonly number[];
+
+/** What a polynomial is to go through, as nearly as it can. */
+export interface Sample {
+	readonly t: number;
+	readonly value: number;
+}
+
+/** @returns the polynomial's value */
+export function valueAt(coefficients: Coefficients, t: number): number {
+	return coefficients.reduceRight((sum, coefficient) => sum * t + coefficient, 0);
+}
+
+/**
+ * The polynomial of degree 6 whose squared distances from the samples are least together, by Householder's reflections: normal
+ * equations would lose half of the digits.
+ * @param samples at least seven, of different t between 0 and 1
+ * @throws RangeError where there are fewer
+ */
+export function fitted(samples: readonly Sample[]): Coefficients {
+	const size = DEGREE + 1;
+	if (new Set(samples.map(({ t }) => t)).size < size) throw new RangeError(`A fit takes ${size} different places.`);
+	const rows = samples.map(({ t, value }) => [...Array.from({ length: size }, (_, k) => t ** k), value]);
+	for (let k = 0; k < size; k++) reflect(rows, k);
+	const found = new Array<number>(size).fill(0);
+	for (let k = size - 1; k >= 0; k--) {
+		const rest = found.reduce((sum, value, j) => (j > k ? sum + rows[k][j] * value : sum), 0);
+		found[k] = (rows[k][size] - rest) / rows[k][k];
+	}
+	return found;
+}
+
+/** Reflects what stands in column k below row k into that row. */
+function reflect(rows: number[][], k: number): void {
+	const length = Math.hypot(...rows.slice(k).map((row) => row[k]));
+	const mirror = rows.map((row, i) => (i < k ? 0 : row[k]));
+	mirror[k] += mirror[k] < 0 ? -length : length;
+	const square = mirror.reduce((sum, value) => sum + value * value, 0);
+	if (square === 0) return;
+	for (let j = k; j < rows[0].length; j++) {
+		const along = (2 * rows.reduce((sum, row, i) => sum + mirror[i] * row[j], 0)) / square;
+		rows.forEach((row, i) => {
+			row[j] -= along * mirror[i];
+		});
+	}
+}
+
+/** How far a polynomial is from the samples where it is farthest. */
+export function errorOf(coefficients: Coefficients, samples: readonly Sample[]): number {
+	return samples.reduce((most, { t, value }) => Math.max(most, Math.abs(valueAt(coefficients, t) - value)), 0);
+}

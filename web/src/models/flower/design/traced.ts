@@ -1,0 +1,40 @@
+/** A picture of a petal, a sepal or a leaf → the points of its outline. Pure; what cannot be traced is refused in words for people. */
+import type { Point } from "../../../controls/handles/point";
+import { contourOf, smoothed } from "../../../controls/tracing/contour";
+import type { Picture } from "../../../controls/tracing/picture";
+import { silhouetteOf } from "../../../controls/tracing/silhouette";
+import { withoutStalk } from "../../../controls/tracing/stalk";
+import { upright } from "../../../controls/tracing/upright";
+import { KNOTS, type Margin } from "./margin";
+
+export interface Traced {
+	readonly margin: Margin;
+	/** Its greatest width against its length. */
+	readonly wide: number;
+}
+
+/** Widths are looked at so finely, in lengths. */
+const BAND = 0.01;
+
+/**
+ * The half widths of what a picture shows, both sides alike: an organ's polynomial has but one.
+ * @param noun what sentences call it: "petal"
+ * @throws TraceError
+ */
+export function tracedMargin(picture: Picture, noun: string): Traced {
+	const { blade, base } = withoutStalk(silhouetteOf(picture, noun));
+	const steps = contourOf(blade);
+	const { margin } = upright(smoothed(steps, Math.max(1, 0.002 * steps.length)), base);
+	const places = Array.from({ length: KNOTS }, (_, i) => i / (KNOTS - 1));
+	const most = Math.max(...Array.from({ length: 99 }, (_, i) => halfWidth(margin, (i + 1) / 100)), 1e-6);
+	const points = places.map((along) => ({
+		along,
+		out: Math.round(1000 * Math.min(1, halfWidth(margin, along) / most)) / 1000,
+	}));
+	return { margin: points, wide: 2 * most };
+}
+
+function halfWidth(margin: readonly Point[], along: number): number {
+	const here = margin.filter(({ y }) => Math.abs(y - along) <= BAND).map(({ x }) => x);
+	return here.length === 0 ? 0 : (Math.max(...here) - Math.min(...here)) / 2;
+}

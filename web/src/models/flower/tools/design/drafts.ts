@@ -1,0 +1,89 @@
+/** Choices and drags written into a flower's text: what was edited by hand is merged in, and what cannot be kept is told. */
+import type { Desk } from "../../../../controls/desk";
+import { choose } from "../../design/choose";
+import { type Description, lineOf } from "../../design/description";
+import { type Design, designOf, textOf } from "../../design/design";
+import type { FlowerPlant } from "../../flower_plant";
+import type { FlowerSpecimen } from "../../specimen";
+import { fetchedText } from "../../texts";
+
+export type FlowerDesk = Desk<FlowerSpecimen, FlowerPlant>;
+
+const GESTURE = "design";
+
+let last: { readonly text: string; readonly design: Design | undefined } | undefined;
+
+/** What a flower's text describes; undefined where it has no descriptions, or has yet to be fetched. */
+export function designIn(specimen: FlowerSpecimen): Design | undefined {
+	const text = fetchedText(specimen);
+	if (text === undefined) return undefined;
+	if (last?.text !== text) last = { text, design: designOf(text) };
+	return last.design;
+}
+
+/** The organs as a flower's text describes them. */
+export const descriptionsIn = ({ sections }: Design): readonly Description[] =>
+	sections.map(({ description }) => description);
+
+interface Written {
+	readonly text: string;
+	readonly kept: string;
+	readonly lost: readonly string[];
+}
+
+/** A design with its organs described so. Where nothing is described otherwise its text is what it was. */
+function written(design: Design, descriptions: readonly Description[]): Written {
+	let [mine, kept]: readonly [Design, Design] = [design, design];
+	const lost: string[] = [];
+	for (const [i, description] of descriptions.entries()) {
+		if (lineOf(description) === lineOf(design.sections[i].description)) continue;
+		const chosen = choose(mine, description);
+		lost.push(...chosen.lost);
+		mine = designOf(chosen.text) ?? mine;
+		kept = designOf(choose(kept, description).kept) ?? kept;
+	}
+	return { text: textOf(mine), kept: textOf(kept), lost };
+}
+
+/** The choices of one gesture: each is merged with the text as it was when the gesture began, so that one that is called off leaves nothing. */
+export class Drafts {
+	#before: Design | undefined;
+	#last: Written | undefined;
+
+	/** While the hand moves. */
+	edit(desk: FlowerDesk, descriptions: readonly Description[], run?: string): void {
+		this.#before ??= designIn(desk.state.specimen);
+		if (!this.#before) return;
+		this.#last = written(this.#before, descriptions);
+		desk.edit({ details: { grammar: this.#last.text }, run }, GESTURE);
+	}
+
+	/** Its end: one step, and what was lost is told. */
+	settle(desk: FlowerDesk): void {
+		desk.settle(GESTURE);
+		const done = this.#last;
+		this.#before = undefined;
+		this.#last = undefined;
+		if (done && done.lost.length > 0) tell(desk, done);
+	}
+
+	/** A choice by itself. */
+	set(desk: FlowerDesk, description: Description): void {
+		const design = designIn(desk.state.specimen);
+		if (!design) return;
+		const all = descriptionsIn(design).map((each) => (each.organ === description.organ ? description : each));
+		this.edit(desk, all);
+		this.settle(desk);
+	}
+}
+
+const MOST_TOLD = 4;
+
+function tell(desk: FlowerDesk, { lost, kept }: Written): void {
+	const more = lost.length > MOST_TOLD ? [`and ${lost.length - MOST_TOLD} more.`] : [];
+	desk.notify(
+		"Lines edited by hand gave way to this choice",
+		[...lost.slice(0, MOST_TOLD).map((line) => line.trim()), ...more, "Undo takes the choice back."],
+		{ topic: GESTURE, act: { words: "Keep the edited lines", run: () => desk.set({ details: { grammar: kept } }) } },
+	);
+}

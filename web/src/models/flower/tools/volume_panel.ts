@@ -1,0 +1,165 @@
+import { html, nothing } from "lit";
+import { live } from "lit/directives/live.js";
+import { repeat } from "lit/directives/repeat.js";
+import { coarseStep } from "../../../controls/coarse_step";
+import { ControlElement } from "../../../controls/control_element";
+import type { Desk } from "../../../controls/desk";
+import { type GrammarSource, textOf, withText } from "../../../controls/grammar/source";
+import { HeldKey } from "../../../controls/held_key";
+import { handBack, handOver, isForField, readTyped } from "../../../controls/typed";
+import { shortFloat } from "../../../export/numbers";
+import type { FlowerPlant } from "../flower_plant";
+import type { FlowerSpecimen } from "../specimen";
+import { type Range, rangeFor, within } from "./figure_range";
+import { type Figure, type Said, saidOf } from "./said";
+import { source } from "./text";
+
+const FIELDS = [
+	["N", "sides", ""],
+	["T", "translation", ""],
+	["atx", "turn about x", "°"],
+	["aty", "turn about y", "°"],
+	["atz", "turn about z", "°"],
+	["H", "height", "mm"],
+	["L", "length", "mm"],
+	["W", "width", "mm"],
+	["m", "material", ""],
+] as const;
+
+/** The numbers of the chosen volume, and sliders of what the text says of it: what they change is written into the text. */
+export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant>> {
+	static override properties = {
+		...ControlElement.properties,
+		chosen: { attribute: false },
+		choose: { attribute: false },
+	};
+	declare chosen: number | undefined;
+	declare choose: (volume: number | undefined) => void;
+
+	readonly #held = new HeldKey(() => this.desk.settle());
+	/** How far sliders reach: a range does not run away from the hand. */
+	readonly #ranges = new Map<string, Range>();
+
+	protected override shows(): readonly unknown[] {
+		const { grown } = this.desk.state;
+		return [this.chosen, grown, this.#text()];
+	}
+
+	protected override draw({ state: { grown } }: Desk<FlowerSpecimen, FlowerPlant>): unknown {
+		const count = grown?.volumes.order.length ?? 0;
+		const { chosen } = this;
+		return html`<div class="control">
+				<label for=${this.idOf("volume")}>Volume</label>
+				<input id=${this.idOf("volume")} class="volume-number" type="number" min="1" max=${count} .value=${live(chosen === undefined ? "" : String(chosen + 1))}
+					@change=${({ target }: Event) => this.#choose((target as HTMLInputElement).value, count)}>
+			</div>
+			<div aria-live="polite">${
+				grown && chosen !== undefined
+					? this.#tell(grown, chosen)
+					: html`<p>None of ${count.toLocaleString("en")} is chosen.</p>`
+			}</div>
+			${grown && chosen !== undefined ? this.#said(grown, chosen) : nothing}`;
+	}
+
+	#choose(typed: string, count: number): void {
+		const number = Math.round(readTyped(typed));
+		this.choose(number >= 1 && number <= count ? number - 1 : undefined);
+		this.requestUpdate();
+	}
+
+	#tell({ volumes }: FlowerPlant, chosen: number): unknown {
+		const own = volumes.values.subarray(9 * chosen, 9 * chosen + 9);
+		return html`<h3 class="volume-name">${volumes.labels[volumes.label[chosen]]}</h3>
+			<dl class="volume-values">
+				${FIELDS.map(([name, words, unit], i) => html`<div><dt><abbr title=${words}>${name}</abbr></dt><dd>${shortFloat(Number(own[i].toPrecision(4)))}${unit && html` <small>${unit}</small>`}</dd></div>`)}
+			</dl>`;
+	}
+
+	#said({ volumes }: FlowerPlant, chosen: number): unknown {
+		const text = this.#text();
+		if (text === undefined) return nothing;
+		const label = volumes.label[chosen];
+		const said = saidOf(text, {
+			label: volumes.labels[label],
+			module: volumes.module[label],
+			line: volumes.line[chosen],
+			call: volumes.call[chosen],
+		});
+		const same = `${volumes.labels[label]} ${volumes.module[label]} ${volumes.line[chosen]}`;
+		return html`${repeat(
+			said,
+			({ title }) => `${same} ${title}`,
+			(group) => this.#group(group),
+		)}
+		<div class="actions"><button class="button" type="button" @click=${() => this.choose(undefined)}>Let go</button></div>`;
+	}
+
+	#group({ title, figures }: Said): unknown {
+		return html`<fieldset class="volume-said"><legend>${title}</legend>${figures.map((figure, i) => this.#slider(figure, title, i))}</fieldset>`;
+	}
+
+	#slider(figure: Figure, title: string, index: number): unknown {
+		const { name, text } = figure;
+		const key = `${title} ${index} ${name}`;
+		const range = within(this.#ranges.get(key), Number(text)) ?? rangeFor(name, Number(text));
+		this.#ranges.set(key, range);
+		const { min, max, step } = range;
+		const slide = this.idOf(key);
+		const edit = (value: number) => this.#edit(figure, range.written(value), key);
+		const field = (event: Event) =>
+			(event.currentTarget as HTMLElement).parentElement?.querySelector<HTMLInputElement>(".typed") ?? null;
+		const press = (event: KeyboardEvent) => {
+			if (isForField(event)) return handOver(event, field(event));
+			this.#held.down(event);
+			const by = coarseStep(step, event);
+			if (by === undefined) return;
+			event.preventDefault();
+			edit(Number(text) + by);
+		};
+		const type = (event: Event) => {
+			const typed = readTyped((event.target as HTMLInputElement).value);
+			if (Number.isFinite(typed)) this.desk.set(this.#changed(figure, String(typed)));
+			(event.target as HTMLInputElement).value = text;
+		};
+		return html`<div class="control">
+			<label for=${slide}>${name}</label>
+			<input
+				type="range" id=${slide} min=${min} max=${max} step=${step} .value=${live(text)} aria-label=${`${name}, ${title}`}
+				style-done=${(100 * (Number(text) - min)) / (max - min)}
+				@input=${(event: Event) => edit(Number((event.target as HTMLInputElement).value))} @change=${this.#held.slid}
+				@keydown=${press} @keyup=${this.#held.up} @blur=${this.#held.up}
+			>
+			<input
+				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${live(text)} aria-label=${`${name}, ${title}, typed`}
+				@change=${type} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
+				@keydown=${(event: KeyboardEvent) => handBack(event, Number(text), (event.currentTarget as HTMLElement).parentElement?.querySelector("input[type=range]") ?? null)}
+			>
+		</div>`;
+	}
+
+	protected override updated(): void {
+		for (const slider of this.querySelectorAll<HTMLElement>("[style-done]"))
+			slider.style.setProperty("--done", `${slider.getAttribute("style-done")}%`);
+	}
+
+	#edit(figure: Figure, written: string, key: string): void {
+		if (written === figure.text) return;
+		this.desk.edit({ ...this.#changed(figure, written), run: this.#held.run }, `figure ${key}`);
+	}
+
+	/** The change that writes a figure in the place of another. */
+	#changed({ from, to }: Figure, written: string) {
+		const text = this.#text() ?? "";
+		return withText(
+			source as unknown as GrammarSource,
+			this.desk.state.specimen,
+			text.slice(0, from) + written + text.slice(to),
+		);
+	}
+
+	#text(): string | undefined {
+		return textOf(source as unknown as GrammarSource, this.desk.state.specimen, () => this.requestUpdate());
+	}
+}
+
+customElements.define("panicle-volume", VolumePanel);

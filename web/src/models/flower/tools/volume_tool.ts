@@ -1,0 +1,50 @@
+/** A click on a volume of the flower: its numbers, and what the text says of it, which a hand can change (Petrenko 2014, section 3.4). */
+import { html } from "lit";
+import type { Desk } from "../../../controls/desk";
+import { PickPointer } from "../../../controls/pick_pointer";
+import type { Tool } from "../../../controls/tool";
+import type { FlowerPlant } from "../flower_plant";
+import type { FlowerSpecimen } from "../specimen";
+import "./volume_panel";
+
+export type FlowerDesk = Desk<FlowerSpecimen, FlowerPlant>;
+
+const VOLUME = {
+	key: "volume",
+	title: "Volume",
+	help: "Click on the flower: the numbers of what is there, and those of the text that it comes from.",
+	everyday: true,
+} as const;
+
+/** The volume that is chosen, by its number. */
+export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, number | undefined> = {
+	name: "volume",
+	initial: undefined,
+	panel: {
+		group: VOLUME,
+		place: "below",
+		draw: (desk) =>
+			html`<panicle-volume .desk=${desk} .choose=${(volume: number | undefined) => desk.setToolState(volumeTool, volume)} .chosen=${chosenIn(desk)}></panicle-volume>`,
+	},
+	hands: (view, desk) => {
+		const pointer = new PickPointer(view, {
+			name: "picking-volume",
+			at: (x, y) => view.pick(x, y),
+			// To look for what is under a pointer that only passes takes too long of so many triangles.
+			hovers: false,
+			mark: () => {},
+			take: (volume) => desk.setToolState(volumeTool, volume),
+		});
+		pointer.enabled = true;
+		return {
+			update: () => view.mark(chosenIn(desk)),
+			dispose: () => pointer.dispose(),
+		};
+	},
+};
+
+/** Of another flower there may be fewer. */
+function chosenIn(desk: FlowerDesk): number | undefined {
+	const chosen = desk.toolState(volumeTool);
+	return chosen !== undefined && chosen < (desk.state.grown?.volumes.order.length ?? 0) ? chosen : undefined;
+}

@@ -1,0 +1,237 @@
+/**
+ * A flower's text → the XML of Table 4 (Petrenko 2014). What that has no element for (glue, splits, modules, materials) stands as it is in
+ * a `<statement>` of ours, and all in one `<grammar>`, since XML wants a root. Comments are left out.
+ */
+import { scan } from "../tools/language";
+import { escaped } from "./elements";
+import { FIELDS } from "./fields";
+
+type Pieces = ReturnType<typeof scan>;
+
+/** @param text one that has grown: of another the XML may say less */
+export function xmlOf(text: string): string {
+	const statements = statementsOf(scan(text).filter(({ kind }) => kind !== "comment"));
+	const forms = formsOf(statements);
+	let module = "";
+	const lines = statements.map((pieces) => {
+		if (pieces[0].text === "#module") module = pieces[1]?.text ?? "";
+		return element(new Statement(text, pieces), (name, of = module) => forms.get(`${of}:${name}`));
+	});
+	return `<?xml version="1.0" encoding="UTF-8"?>\n<grammar>\n${lines.join("\n")}\n</grammar>\n`;
+}
+
+/** As wasm-core/src/models/flower/reader.cpp ends them: within brackets, and where something has to follow, they go on. */
+function statementsOf(pieces: Pieces): Pieces[] {
+	const statements: Pieces[] = [];
+	let depth = 0;
+	for (const [i, piece] of pieces.entries()) {
+		const before = pieces[i - 1];
+		const goesOn =
+			piece.kind !== "statement" &&
+			(depth > 0 ||
+				before?.kind === "arrow" ||
+				piece.kind === "arrow" ||
+				/^[,|<:]$/.test(before?.text ?? "") ||
+				/^[[{:|]$/.test(piece.text));
+		if (!before || (piece.line > before.line && !goesOn)) {
+			statements.push([]);
+			depth = 0;
+		}
+		statements[statements.length - 1].push(piece);
+		if (/^[([{]$/.test(piece.text)) depth++;
+		if (/^[)\]}]$/.test(piece.text)) depth = Math.max(0, depth - 1);
+	}
+	return statements;
+}
+
+/** Whether a volume's lists have a translation, by `module:volume`; and that of what a module begins with, by `module:`. */
+function formsOf(statements: readonly Pieces[]): Map<string, boolean> {
+	const forms = new Map<string, boolean>();
+	let module = "";
+	for (const [head, name, sign, third] of statements) {
+		if (head.text === "#module") module = name?.text ?? "";
+		if (head.text !== "#define" || sign?.text === "=" || !third) continue;
+		forms.set(`${module}:${name.text}`, false);
+	}
+	module = "";
+	for (const pieces of statements) {
+		if (pieces[0].text === "#module") module = pieces[1]?.text ?? "";
+		if (pieces[0].text === "#define" && pieces[2]?.text === "(")
+			forms.set(`${module}:${pieces[1].text}`, entriesOf(pieces, 2).entries.length > 8);
+	}
+	module = "";
+	for (const pieces of statements) {
+		if (pieces[0].text === "#module") module = pieces[1]?.text ?? "";
+		const begins = /^#axiome?$/.test(pieces[0].text)
+			? pieces.find(({ kind }, i) => i > 0 && kind !== "mark" && kind !== "operator")
+			: undefined;
+		if (begins) forms.set(`${module}:`, forms.get(`${module}:${begins.text}`) ?? false);
+	}
+	return forms;
+}
+
+function entriesOf(pieces: Pieces, open: number): { entries: [number, number][]; end: number } {
+	const entries: [number, number][] = [];
+	let [from, depth] = [open + 1, 0];
+	for (let i = open; i < pieces.length; i++) {
+		const { text } = pieces[i];
+		if (/^[([]$/.test(text)) depth++;
+		if (/^[)\]]$/.test(text)) depth--;
+		if (depth === 0 || (depth === 1 && text === ",")) {
+			entries.push([from, i]);
+			from = i + 1;
+		}
+		if (depth === 0) return { entries, end: i + 1 };
+	}
+	return { entries, end: pieces.length };
+}
+
+/** A statement, read from the left. */
+class Statement {
+	at = 0;
+	constructor(
+		readonly text: string,
+		readonly pieces: Pieces,
+	) {}
+
+	on(sign: string): boolean {
+		return this.here === sign;
+	}
+
+	get here(): string {
+		return this.pieces[this.at]?.text ?? "";
+	}
+
+	/** Comments within are left out. */
+	slice(from: number, to: number): string {
+		return this.pieces
+			.slice(from, to)
+			.map(({ text, from: start }, i, all) => (i > 0 && all[i - 1].to < start ? ` ${text}` : text))
+			.join("");
+	}
+}
+
+/** Whether lists of a volume have a translation, undefined of what is none; of a module with an empty name, what it begins with. */
+type Form = (name: string, module?: string) => boolean | undefined;
+
+function element(statement: Statement, form: Form): string {
+	const { pieces } = statement;
+	const whole = () => `<statement>${escaped(statement.slice(0, pieces.length))}</statement>`;
+	const [head, name, sign] = pieces;
+	if (head.text === "#define" && sign?.text === "=")
+		return /^[\p{L}_][\p{L}\p{N}_.-]*$/u.test(name.text)
+			? `<variable category="#define"><${name.text}>${escaped(statement.slice(3, pieces.length))}</${name.text}></variable>`
+			: whole();
+	if (head.text === "#define" && name) {
+		statement.at = 1;
+		return volume(statement, "#define", form(name.text));
+	}
+	if (/^#axiome?$/.test(head.text)) {
+		statement.at = name?.text === ":" ? 2 : 1;
+		return `<axiom prefix="#axiom: ">${escaped(spelledOut(statement, form))}</axiom>`;
+	}
+	if (head.kind === "statement") return whole();
+	const grows = rule(statement, form);
+	if (grows) return grows;
+	statement.at = 0;
+	return `<statement>${escaped(spelledOut(statement, form))}</statement>`;
+}
+
+/** The rest of a statement, lists of volumes with all nine numbers: as definitions have them here, so that shorter ones would say others. */
+function spelledOut(statement: Statement, form: Form): string {
+	const { pieces, at } = statement;
+	let written = "";
+	let from = at;
+	for (let i = at; i + 1 < pieces.length; i++) {
+		const listed = /^\p{L}/u.test(pieces[i].text) && pieces[i + 1].text === "(" && form(pieces[i].text) !== undefined;
+		if (!listed) continue;
+		const [numbers, end] = numbersAt(statement, i + 1, form(pieces[i].text));
+		written += `${statement.slice(from, i + 1)}(${numbers.join(",")})`;
+		from = end;
+		i = end - 1;
+	}
+	return `${written}${from > at && from < pieces.length ? " " : ""}${statement.slice(from, pieces.length)}`;
+}
+
+/** The nine numbers of a list that opens at a piece, empty where they are left out; and the piece behind it. */
+function numbersAt(statement: Statement, open: number, translated: boolean | undefined): [string[], number] {
+	const { entries, end } = entriesOf(statement.pieces, open);
+	// Of ten numbers one angle is too many (docs/models/flower/language.md).
+	const said = entries
+		.map(([from, to]) => statement.slice(from, to))
+		.filter((_, i) => entries.length !== 10 || i !== 5);
+	const whole = said.length === 9 || (said.length !== 8 && translated);
+	const numbers = whole ? said : [said[0] ?? "", "", ...said.slice(1)];
+	return [FIELDS.map((_, i) => numbers[i] ?? ""), end];
+}
+
+/** A production that grows something; undefined of one that glues or splits. */
+function rule(statement: Statement, form: Form): string | undefined {
+	const { pieces } = statement;
+	const isName = (i: number) => pieces[i] !== undefined && /^[\p{L}]/u.test(pieces[i].text);
+	const begin = pieces[0].text === "(" ? 3 : isName(0) && isName(1) ? 1 : 0;
+	const init = statement.slice(0, begin);
+	statement.at = begin + 1;
+	const blocks: string[] = [];
+	while (statement.on("{")) blocks.push(block(statement));
+	if (pieces[statement.at]?.kind !== "arrow" || (blocks.length !== 0 && blocks.length !== 3)) return undefined;
+	statement.at++;
+	const [first = "", second = "", third = ""] = blocks;
+	const successor = [volume(statement, "root", form(statement.here))];
+	while (statement.on("[")) {
+		const grown = growth(statement, form);
+		if (!grown) return undefined;
+		successor.push(grown);
+	}
+	if (statement.at < pieces.length) return undefined;
+	return `<rule>
+	<predecessor init="${init}${init && " "}"><volume category="predcsr"><name>${pieces[begin].text}</name></volume>${tagged("block1", first)}${tagged("condition", second)}${tagged("block2", third)}<element>-></element></predecessor>
+	<successor>${successor.join("")}</successor>
+</rule>`;
+}
+
+function block(statement: Statement): string {
+	const from = ++statement.at;
+	while (statement.at < statement.pieces.length && !statement.on("}")) statement.at++;
+	return statement.slice(from, statement.at++);
+}
+
+/** `[NAME(…)]_{faces}` */
+function growth(statement: Statement, form: Form): string | undefined {
+	statement.at++;
+	const module = statement.on("&");
+	if (module) statement.at++;
+	const grown = volume(
+		statement,
+		module ? "module" : "successor",
+		module ? form("", statement.here) : form(statement.here),
+	);
+	if (!statement.on("]")) return undefined;
+	statement.at++;
+	if (statement.on("_")) statement.at++;
+	const from = statement.at;
+	if (statement.on("{")) {
+		while (statement.at < statement.pieces.length && !statement.on("}")) statement.at++;
+		statement.at++;
+	} else {
+		while (statement.at < statement.pieces.length && !statement.on("[")) statement.at++;
+	}
+	const faces = statement.slice(from, statement.at);
+	return `<element>[</element>${grown}<element>]_</element><face>${faces.startsWith("{") ? escaped(faces) : `{${escaped(faces)}}`}</face>`;
+}
+
+function volume(statement: Statement, category: string, translated: boolean | undefined): string {
+	const name = statement.here;
+	statement.at++;
+	let numbers: string[] | undefined;
+	if (statement.on("(")) {
+		[numbers, statement.at] = numbersAt(statement, statement.at, translated);
+	}
+	let settings = "";
+	if (category === "module" && statement.on("{")) settings = tagged("settings", block(statement));
+	const fields = numbers ? FIELDS.map((field, i) => tagged(field, numbers[i] ?? "")).join("") : "";
+	return `<volume category="${category}"><name>${name}</name>${fields}${settings}</volume>`;
+}
+
+const tagged = (name: string, text: string): string =>
+	text === "" ? `<${name}/>` : `<${name}>${escaped(text)}</${name}>`;

@@ -1,0 +1,49 @@
+/** The detail of models whose plants heed what stands about them: what that is, as a stand worked it out for one of its plants. */
+import { type Notes, quote } from "./notes";
+import { readNumbers } from "./read_values";
+import type { Detail } from "./species";
+import type { Specimen } from "./specimen";
+
+/** What a specimen with this detail holds. */
+export interface WithSurroundings {
+	/**
+	 * Eight heights of the horizon in whole degrees, from +X to +Z, and eight lengths of free room in metres, to the centimetre; absent:
+	 * it stands alone.
+	 */
+	surroundings?: readonly number[];
+}
+
+/** Directions about a plant. */
+const SIDES = 8;
+const STEEPEST = 90;
+/** Metres: less is no room, more is what nothing stands in. */
+const ROOM = [0.01, 99] as const;
+const ALONE = "it stands alone";
+
+export function surroundingsDetail<S extends Specimen & WithSurroundings>(): Detail<S> {
+	return {
+		keys: ["about", "surroundings"],
+		settings: ["about=DEGREES × 8,METRES × 8"],
+		read: (specimen, key, value, notes) => {
+			const read = readSurroundings(key, value, notes);
+			if (read) specimen.surroundings = read;
+			else delete specimen.surroundings;
+		},
+		query: ({ surroundings }) => (surroundings ? [["about", surroundings.join(",")]] : []),
+	};
+}
+
+function readSurroundings(key: string, value: unknown, notes: Notes): number[] | undefined {
+	if (value === "") return undefined;
+	const numbers = readNumbers(value);
+	if (numbers?.length !== 2 * SIDES) {
+		notes.add(key, `${quote(value)} is not ${2 * SIDES} numbers`, ALONE);
+		return undefined;
+	}
+	const within = (number: number, least: number, most: number, steps: number) =>
+		Math.round(steps * Math.min(most, Math.max(least, number))) / steps;
+	const read = numbers.map((number, i) => (i < SIDES ? within(number, 0, STEEPEST, 1) : within(number, ...ROOM, 100)));
+	if (numbers.some((number, i) => number < (i < SIDES ? 0 : ROOM[0]) || number > (i < SIDES ? STEEPEST : ROOM[1])))
+		notes.add(key, "some of it is out of range", "the nearest in range is used");
+	return read;
+}
