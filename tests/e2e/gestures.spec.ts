@@ -61,8 +61,12 @@ test("the pointer bends and lengthens the stem, as one step; the arrows of the c
 	await expect(circle(page)).toHaveAccessibleName(before ?? "");
 	await expect(studio.fingerprint).toHaveText(grown ?? "");
 	await circle(page).focus();
-	await page.keyboard.press("ArrowUp");
+	for (let i = 0; i < 3; i++) await page.keyboard.press("ArrowUp");
 	await expect(circle(page)).not.toHaveAccessibleName(before ?? "");
+	// A run of presses is one step.
+	await page.keyboard.press("ControlOrMeta+z");
+	await expect(circle(page)).toHaveAccessibleName(before ?? "");
+	await circle(page).focus();
 	await page.keyboard.press("PageDown");
 	await expect(circle(page)).toHaveCount(0);
 	await studio.button("Gestures").click();
@@ -116,6 +120,15 @@ test.describe("before a camera", () => {
 		const live = () =>
 			page.evaluate(() => document.querySelector<HTMLVideoElement>(".gestures video")?.srcObject !== null);
 		expect(await live()).toBe(true);
+		// A camera that is taken away is let go, and may be chosen again.
+		await page.evaluate(() => {
+			const { srcObject } = document.querySelector<HTMLVideoElement>(".gestures video") ?? {};
+			for (const track of (srcObject as MediaStream).getTracks()) track.dispatchEvent(new Event("ended"));
+		});
+		await expect(bar.getByRole("status")).toContainText("The camera has gone");
+		await expect(bar.getByLabel("By")).toHaveValue("pointer");
+		await bar.getByLabel("By").selectOption("Hand before the camera");
+		await expect(bar.getByRole("status")).toContainText("No hand is seen", { timeout: 60_000 });
 		await studio.button("Gestures").click();
 		expect(await live()).toBe(false);
 	});

@@ -24,12 +24,17 @@ export interface Axis {
 export class Axes {
 	readonly #desk: GrammarDesk;
 	readonly #source: GrammarSource | undefined;
+	readonly #later: () => void;
 	readonly #read = new ReadOutline();
 
-	/** @param source where the text is from whose constants are axes; absent where there is none */
-	constructor(desk: GrammarDesk, source?: GrammarSource) {
+	/**
+	 * @param source where the text is from whose constants are axes; absent where there is none
+	 * @param later called once a text has come that was yet to be fetched: its axes are there
+	 */
+	constructor(desk: GrammarDesk, source: GrammarSource | undefined, later: () => void) {
 		this.#desk = desk;
 		this.#source = source;
+		this.#later = later;
 	}
 
 	/** Those of the document as it is now: the text's first. */
@@ -56,7 +61,7 @@ export class Axes {
 	}
 
 	get #text(): string | undefined {
-		return this.#source && textOf(this.#source, this.#desk.state.specimen, () => {});
+		return this.#source && textOf(this.#source, this.#desk.state.specimen, this.#later);
 	}
 
 	get #constants(): readonly Axis[] {

@@ -57,6 +57,8 @@ export class CameraDriver implements Driver {
 			const stream = await askForCamera();
 			this.#stream = stream;
 			if (this.#stopped) return this.stop();
+			for (const track of stream.getTracks())
+				track.addEventListener("ended", () => this.#fail(new DOMException("", "AbortError")));
 			this.#video.srcObject = stream;
 			await this.#video.play();
 			if (this.#stopped) return;
@@ -66,10 +68,14 @@ export class CameraDriver implements Driver {
 			if (this.#stopped) return this.stop();
 			await this.#look(finder);
 		} catch (error) {
-			if (this.#stopped) return;
-			this.stop();
-			this.#events.say(reasonOf(error));
+			this.#fail(error);
 		}
+	}
+
+	#fail(error: unknown): void {
+		if (this.#stopped) return;
+		this.stop();
+		this.#events.fail(reasonOf(error));
 	}
 
 	/** Picture after picture, each once the one before has been looked at. */
@@ -144,8 +150,9 @@ function script(address: string): Promise<void> {
 function reasonOf(error: unknown): string {
 	const { name } = error as Partial<DOMException>;
 	if (name === "NotAllowedError")
-		return "The camera may not be used: allow it in the browser’s settings of this page, and start again.";
+		return "The camera may not be used: allow it in the browser’s settings of this page, and choose it again.";
 	if (name === "NotFoundError" || name === "OverconstrainedError") return "There is no camera here.";
+	if (name === "AbortError") return "The camera has gone.";
 	if (name === "NotReadableError") return "The camera is in use by another program.";
-	return "What finds hands could not be fetched; check the connection and start again.";
+	return "What finds hands could not be fetched; check the connection and choose the camera again.";
 }

@@ -11,8 +11,10 @@ export interface DriverEvents {
 	rest(): void;
 	/** The next pair of axes. */
 	next(): void;
-	/** What is to be known of it, in a sentence; empty where there is nothing. */
+	/** What is to be known of it, in a sentence. */
 	say(words: string): void;
+	/** It cannot go on, and why: the pointer takes its place. */
+	fail(words: string): void;
 }
 
 export interface Driver {

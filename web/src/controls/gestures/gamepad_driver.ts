@@ -22,6 +22,17 @@ export function pushOf({ axes, buttons }: Pad): { readonly x: number; readonly y
 	};
 }
 
+/** The first that is heard; none where the page may hear none. */
+function firstPad(): Pad | undefined {
+	// Pages without a secure address have no such thing, and frames may not be allowed it.
+	const { getGamepads } = navigator as { readonly getGamepads?: Navigator["getGamepads"] };
+	try {
+		return getGamepads?.call(navigator).find((each) => each !== null) ?? undefined;
+	} catch {
+		return undefined;
+	}
+}
+
 /** A gamepad's left stick, or its cross, pushes the circle; its first button brings the next pair. */
 export class GamepadDriver implements Driver {
 	readonly #events: DriverEvents;
@@ -42,7 +53,7 @@ export class GamepadDriver implements Driver {
 
 	#look(now: number): void {
 		this.#frame = requestAnimationFrame((next) => this.#look(next));
-		const pad = navigator.getGamepads().find((each) => each !== null);
+		const pad = firstPad();
 		const passed = Math.min((now - this.#before) / 1000, 0.1);
 		this.#before = now;
 		if ((pad !== undefined) !== this.#there) {

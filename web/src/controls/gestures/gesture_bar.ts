@@ -24,7 +24,7 @@ class GestureBar extends DeskElement<GrammarDesk> {
 	}
 
 	protected override draw(desk: GrammarDesk): unknown {
-		this.#axes ??= new Axes(desk, this.gestures.source);
+		this.#axes ??= new Axes(desk, this.gestures.source, () => this.requestUpdate());
 		const state = desk.toolState(this.gestures.tool);
 		if (!state.open) return nothing;
 		const all = this.#axes.all;
@@ -36,7 +36,7 @@ class GestureBar extends DeskElement<GrammarDesk> {
 			<label>By <select @change=${(event: Event) => this.#set({ by: (event.target as HTMLSelectElement).value as DrivenBy, words: "" })}>
 				${DRIVERS.map(([by, words]) => html`<option value=${by} ?selected=${by === state.by}>${words}</option>`)}
 			</select></label>
-			<p role="status">${state.words}</p>
+			<p role="status">${state.words || (state.by === "pointer" ? "Hold the pointer down on the picture and move it." : nothing)}</p>
 			${state.by === "camera" ? html`<p>The camera’s picture stays in this page: it is looked at here, and neither sent nor kept.</p>` : nothing}
 		</div>`;
 	}

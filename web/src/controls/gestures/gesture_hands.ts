@@ -1,6 +1,7 @@
 /** Gestures on the picture: the circle that shows where the two numbers stand, and whatever drives them. */
 import type { DrivenBy, GestureState, Gestures } from "../gesture_tool";
 import { ARROWS } from "../handles/point";
+import { KeyRuns } from "../key_runs";
 import type { ToolHands, ToolView } from "../tool";
 import { Axes, type Axis, atShare, shareOf } from "./axis";
 import { CameraDriver } from "./camera_driver";
@@ -23,25 +24,31 @@ export class GestureHands implements ToolHands {
 	readonly #circle = Object.assign(document.createElement("button"), { type: "button", className: "gesture-circle" });
 	readonly #hand = Object.assign(document.createElement("span"), { className: "gesture-hand", hidden: true });
 	readonly #words = Object.assign(document.createElement("span"), { className: "gesture-words" });
+	/** Where the numbers stand once a hand has left them, for those who do not see the circle. */
+	readonly #said = Object.assign(document.createElement("p"), { className: "unseen", role: "status" });
+	readonly #runs = new KeyRuns();
 	readonly #video = Object.assign(document.createElement("video"), { muted: true, playsInline: true, hidden: true });
 	#driver: Driver | undefined;
 	#by: DrivenBy | undefined;
 	/** Where the hand has to come before the circle follows it. */
 	#awaited = false;
 	#moved = false;
+	/** Where a hand has gone since the last frame. */
+	#to: Place | undefined;
+	#frame = 0;
 	#place: Place = { x: 0.5, y: 0.5 };
 
 	constructor(view: ToolView, gestures: Gestures) {
 		this.#view = view;
 		this.#gestures = gestures;
-		this.#axes = new Axes(gestures.desk, gestures.source);
+		this.#axes = new Axes(gestures.desk, gestures.source, () => this.update());
 		this.#layer.className = "gestures";
 		this.#circle.ariaRoleDescription = "two-way slider";
 		this.#circle.addEventListener("keydown", (event) => this.#press(event));
 		this.#words.ariaHidden = "true";
 		this.#hand.ariaHidden = "true";
 		this.#video.ariaLabel = "What the camera sees";
-		this.#layer.append(this.#video, this.#hand, this.#circle, this.#words);
+		this.#layer.append(this.#video, this.#hand, this.#circle, this.#words, this.#said);
 		this.#layer.hidden = true;
 		view.canvas.after(this.#layer);
 	}
@@ -104,12 +111,23 @@ export class GestureHands implements ToolHands {
 			rest: () => mine() && this.#rest(),
 			next: () => mine() && this.#next(),
 			say: (words) => queueMicrotask(() => mine() && this.#set({ words })),
+			fail: (words) => queueMicrotask(() => mine() && this.#set({ words, by: "pointer" })),
 		};
 		if (by === "camera") return new CameraDriver(this.#video, events);
 		return by === "gamepad" ? new GamepadDriver(events) : new PointerDriver(this.#view.canvas, events);
 	}
 
+	/** At most one growth a frame. */
 	#move(to: Place): void {
+		if (!this.#to) this.#frame = requestAnimationFrame(() => this.#follow());
+		this.#to = to;
+	}
+
+	#follow(): void {
+		const to = this.#to;
+		this.#to = undefined;
+		cancelAnimationFrame(this.#frame);
+		if (!to) return;
 		putAt(this.#hand, to);
 		if (this.#awaited && Math.hypot(to.x - this.#place.x, to.y - this.#place.y) > NEAR) return;
 		this.#awaited = false;
@@ -127,8 +145,15 @@ export class GestureHands implements ToolHands {
 	}
 
 	#rest(): void {
-		if (this.#moved) this.#gestures.desk.settle(GESTURE);
+		this.#follow();
+		if (!this.#moved) return;
 		this.#moved = false;
+		this.#gestures.desk.settle(GESTURE);
+		this.#say();
+	}
+
+	#say(): void {
+		this.#said.textContent = this.#words.textContent;
 	}
 
 	/** The next two numbers stand where they stand: the hand has to come there first. */
@@ -150,7 +175,10 @@ export class GestureHands implements ToolHands {
 			const axis = arrow.x === 0 ? up : across;
 			if (!axis) return;
 			const by = (arrow.x + arrow.y) * axis.step * (shiftKey ? 10 : 1);
-			this.#gestures.desk.set(this.#axes.to(new Map([[axis.id, axis.value + by]])));
+			const change = this.#axes.to(new Map([[axis.id, axis.value + by]]));
+			this.#gestures.desk.edit({ ...change, run: this.#runs.press(axis.id) }, GESTURE);
+			this.#gestures.desk.settle(GESTURE);
+			this.#say();
 		} else return;
 		event.preventDefault();
 		event.stopPropagation();

@@ -33,7 +33,6 @@ export class PointerDriver implements Driver {
 				},
 				options,
 			);
-		events.say("Hold the pointer down on the picture and move it.");
 	}
 
 	stop(): void {
