@@ -58,7 +58,7 @@ describe("a file brought to the page", () => {
 		);
 		const notes = await (await brought(leafModel)).bring(new File(["?"], "notes.txt"));
 		expect(notes[0]).toMatch(
-			/exported by Panicle\. A grammar as text \(\.lsys\) grows, whatever is shown\. Leaf: a picture of a leaf is traced\.$/,
+			/exported by Panicle\. A grammar as text \(\.lsys, \.gl3, \.xml\) grows, whatever is shown\. Leaf: a picture of a leaf is traced\.$/,
 		);
 	});
 
