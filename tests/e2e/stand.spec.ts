@@ -35,7 +35,7 @@ test("a stand is laid, its plants told on the map, walked through, changed and b
 	await page.goto(link);
 	await expect(studio.fingerprint).toHaveText(after ?? "");
 
-	await plan.getByRole("spinbutton", { name: "Plant" }).fill("3");
+	await plan.getByRole("spinbutton", { name: "Plant" }).fill("5");
 	await plan.getByRole("spinbutton", { name: "Plant" }).press("Enter");
 	await alone.click();
 	await expect(page.getByText(/, among neighbours/).first()).toBeVisible();

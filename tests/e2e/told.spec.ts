@@ -75,7 +75,7 @@ test("a picture that holds no plant is told what this model takes", async ({ pag
 	const studio = await new StudioPage(page).open(CUBES);
 	const png = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==";
 	await studio.drop("a.png", Buffer.from(png, "base64"));
-	await expect(studio.notices).toContainText("(.lsys) grows");
+	await expect(studio.notices).toContainText("(.lsys, .gl3, .xml) grows");
 	await expect(studio.notices).toContainText(/Grammar: a closed mesh .* becomes a growth area/);
 });
 

@@ -23,7 +23,8 @@ export class Panel extends StudioPart {
 	#explained: Explained | undefined;
 
 	protected override shows({ state: { model, face, tools, ui, specimen } }: Studio): readonly unknown[] {
-		return [model, face, tools, ui.groups, ...allBut(specimen, runningBy(face?.tools))];
+		const own = allBut(specimen, runningBy(face?.tools));
+		return [model, face, tools, ui.groups, ...own, ...applying(face?.tools, specimen)];
 	}
 
 	protected override draw(studio: Studio): unknown {
