@@ -145,12 +145,17 @@ describe("a link", () => {
 });
 
 describe("a grammar in the fragment", () => {
-	const text = "/* L-system 3 */\r\naxiom: Ar1(m, l_i, w_i)\n".repeat(200);
+	const text = "/* L-system 3 */\n\taxiom: Ar1(m, l_i, w_i)\n".repeat(200);
 
 	it("is packed, and comes back letter for letter", async () => {
 		const link = await encodeLink({ ...specimenFromPreset(), grammar: `\ufeff${text}` });
 		expect(link.length).toBeLessThan(400);
 		expect((await decodeLink("", link.slice(link.indexOf("#")))).specimen.grammar).toBe(`\ufeff${text}`);
+	});
+
+	it("has lines that end as the page's do, wherever it was saved", async () => {
+		const link = await encodeLink({ ...specimenFromPreset(), grammar: "axiom: F\r\nF --> F\r\n" });
+		expect((await decodeLink("", link.slice(link.indexOf("#")))).specimen.grammar).toBe("axiom: F\nF --> F\n");
 	});
 
 	it("is known to be there before it is unpacked", () => {

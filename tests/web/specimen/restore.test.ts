@@ -210,6 +210,7 @@ describe("restore", () => {
 
 	it("takes a grammar as text that UTF-8 can hold, and no more of it than the core reads", () => {
 		expect(restore({ grammar: "axiom: F(1)" }).specimen.grammar).toBe("axiom: F(1)");
+		expect(restore({ grammar: "axiom: F\r\nF --> F" }).specimen.grammar).toBe("axiom: F\nF --> F");
 		expect(restore({ grammar: "half \ud800 pair" }).specimen.grammar).toBe("half \ufffd pair");
 		expect(restore({ grammar: "" }).specimen).not.toHaveProperty("grammar");
 		expect(texts({ grammar: "ä".repeat(131_073) })).toEqual([

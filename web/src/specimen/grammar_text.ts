@@ -28,11 +28,12 @@ export function grammarText<S extends Specimen & WithGrammar>(claims?: (text: st
 	};
 }
 
+/** Lines end as the page's own do, wherever the text was saved: it is compared with texts that the page writes. */
 function readGrammar(specimen: WithGrammar, value: unknown, notes: Notes): void {
 	const problem = typeof value === "string" ? oversize(value) : `${quote(value)} is not text`;
 	if (problem) notes.add("grammar", problem, specimen.grammar ? "the one before is used" : BUILT_IN);
 	else if (value === "") delete specimen.grammar;
-	else specimen.grammar = wellFormed(value as string);
+	else specimen.grammar = wellFormed(value as string).replaceAll("\r\n", "\n");
 }
 
 function oversize(text: string): string | undefined {

@@ -1,6 +1,8 @@
 import fc from "fast-check";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
+import { usual } from "../../../../web/src/models/flower/design/description";
+import { assembled, designOf } from "../../../../web/src/models/flower/design/design";
 import { readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
 import { fetchedText, fetchTexts } from "../../../../web/src/models/flower/texts";
@@ -77,6 +79,17 @@ describe("a flower's grammar as XML", () => {
 		}
 	});
 
+	it("says the organs of a design, each before its section, wherever their lines stand", () => {
+		const text = assembled([usual("petal", { outline: "cordate", count: 7 })]);
+		const back = designOf(textOfXml(xmlOf(text)));
+		expect(back?.sections.map(({ description }) => description)).toEqual(
+			designOf(text)?.sections.map(({ description }) => description),
+		);
+		const [amid, none] = ["A ->\n@organ stem@\nA[A]_{E}", "A -> @organ stem@ A[A]_{E}\n@organ thorn@"];
+		expect(textOfXml(xmlOf(amid))).toBe("A -> A[A]_{E}\n@organ stem@\n");
+		expect(textOfXml(xmlOf(none))).toBe("A -> A[A]_{E}\n");
+	});
+
 	it("says what lists leave out as their definitions' form has it", () => {
 		const text = `#define A(4,1,5,0,0,2,2,2,1)\n#define B(4,5,0,0,2,2,2,1)\n#define C\n#axiom: A\n#define finalStep=3
 A{}{step < 1}{} -> A[B(, <10 & 3>, , ,
@@ -100,12 +113,20 @@ B : B_C1 < A_C2 -> B_C1 | A_C2
 		);
 		expect(mistake("<grammar>\n <flower/></grammar>")).toContain("Line 2, column 2: <flower> is none of");
 		expect(mistake("<volume><name>A</name><depth>1</depth></volume>")).toContain("column 23");
+		expect(mistake("<axiom>A<name>B</name></axiom>")).toContain("column 9: <axiom> has text in it");
 		expect(mistake("<rule><predecessor/></rule>")).toContain("<successor>");
 		expect(mistake("")).toContain("no grammar");
 		expect(mistake("words")).toContain("outside of elements");
 		expect(mistake("<a>".repeat(40))).toContain("32 deep");
 		expect(mistake("<axiom")).toContain("attribute or >");
 		expect(mistake("<axiom x='1>")).toContain("never closed");
+	});
+
+	it("reads a file that is one line, however long, and still tells the place of a mistake", () => {
+		const axioms = "<axiom>A</axiom>".repeat(2 ** 14);
+		expect(textOfXml(axioms)).toBe("#axiom: A\n".repeat(2 ** 14));
+		expect(mistake("<axiom/>".repeat(2 ** 15))).toContain("Line 1, column 1: <axiom> is empty.");
+		expect(mistake(`<grammar>${axioms}<b/></grammar>`)).toContain(`Line 1, column ${2 ** 18 + 10}: <b> is none of`);
 	});
 
 	it("ends with a text or a mistake, whatever the file", () => {

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
-import { type Description, usual } from "../../../../../web/src/models/flower/design/description";
+import { type Description, readLine, usual } from "../../../../../web/src/models/flower/design/description";
 import { assembled, describedIn, designOf, textOf } from "../../../../../web/src/models/flower/design/design";
 import { KNOTS } from "../../../../../web/src/models/flower/design/margin";
 import { FIELDS, type Field, ORGANS, type Organ } from "../../../../../web/src/models/flower/design/organs";
@@ -133,6 +133,19 @@ describe("an assembled flower", () => {
 		expect(designOf(without)).toBeUndefined();
 		expect(designOf(text + text)).toBeUndefined();
 		expect(designOf("#define A(4)\n#axiom: A")).toBeUndefined();
+	});
+
+	it("is looked for in any text, however long a line or a word in it is", () => {
+		const word = "a".repeat(2 ** 18);
+		for (const text of [
+			`@organ ${word}`,
+			`@organ ${word}@`,
+			`@organ leaf ${word}@`,
+			`@organ leaf@${"\t".repeat(2 ** 18)}x`,
+		])
+			expect(designOf(text)).toBeUndefined();
+		expect(readLine(`@organ leaf ${word} 1${word}count=3@`)).toEqual(usual("leaf"));
+		expect(readLine("@organ leaf 1count=3@")).toEqual(usual("leaf", { count: 3 }));
 	});
 
 	it("knows every outline that an organ may have", () => {

@@ -105,6 +105,16 @@ describe("handles of the flat views", () => {
 		);
 	});
 
+	it("keep their order where a hand has written them near to each other", () => {
+		const margin = readMargin("0:0,0.5:1,0.51:0.9,0.5122:0.8,1:0") ?? [];
+		for (const index of margin.keys())
+			for (const along of [0, 0.5, 1]) {
+				const next = moved(margin, index, { along, out: 0.7 });
+				expect(next[index].out).toBe(0.7);
+				expect(readMargin(writtenMargin(next)), `point ${index} to ${along}`).toEqual(next);
+			}
+	});
+
 	it("is none where no margin is written", () => {
 		for (const text of ["", "0:1", "0:1,1:2,2:1", "0:1,0.5:0.5,0.4:1,1:0", "0.2:1,0.5:1,1:1", "a:b,c:d,e:f"])
 			expect(readMargin(text)).toBeUndefined();

@@ -52,10 +52,13 @@ export function lineOf({ organ, values, margin }: Description): string {
 
 /** The other way round: what is not said, or not understood, is as usual. Undefined where the line is none. */
 export function readLine(line: string): Description | undefined {
-	const [, name, rest] = /^@organ (\w+)([^@\n]*)@\s*$/.exec(line) ?? [];
+	// Whole words alone, here and below: of a long one each part would be tried by itself.
+	const [, name, rest] = /^@organ (\w+)\b([^@\n]*)@\s*$/.exec(line) ?? [];
 	if (name === undefined || !Object.hasOwn(FIELDS, name)) return undefined;
 	const organ = name as Organ;
-	const said = Object.fromEntries([...rest.matchAll(/([a-z]+)=(\S+)/g)].map(([, key, value]) => [key, value]));
+	const said = Object.fromEntries(
+		[...rest.matchAll(/(?<![a-z])([a-z]+)=(\S+)/g)].map(([, key, value]) => [key, value]),
+	);
 	const margin = said.margin === undefined ? undefined : readMargin(said.margin);
 	const description = usual(organ, said);
 	if (description.values.outline === DRAWN && !margin)

@@ -15,9 +15,9 @@ export interface Design {
 	readonly sections: readonly Section[];
 }
 
-/** A text's sections; undefined where it does not describe all six organs, each once and in their order. */
+/** A text's sections, in time that grows with its length, for it may come by a link; undefined where it does not describe all six organs, each once and in their order. */
 export function designOf(text: string): Design | undefined {
-	const parts = text.split(/^(?=@organ \w+[^@\n]*@[ \t]*$)/m);
+	const parts = text.split(/^(?=@organ \w[^@\n]*@[ \t]*$)/m);
 	const head = readLine(firstLine(parts[0])) ? "" : (parts.shift() ?? "");
 	const sections = parts.map((part) => ({ description: readLine(firstLine(part)), text: part }));
 	const organs = sections.map(({ description }) => description?.organ);

@@ -23,12 +23,16 @@ export function marginOf(width: Width): Margin {
 
 const round = (value: number): number => Math.round(value * 1000) / 1000;
 
-/** A point where it is taken to: between its neighbours, the ends only in and out. */
+/** A point where it is taken to: between its neighbours, the ends only in and out, and so those that have no room. */
 export function moved(margin: Margin, index: number, to: MarginPoint): Margin {
 	const [before, after] = [margin[index - 1], margin[index + 1]];
-	const along = !before || !after ? margin[index].along : within(to.along, before.along + 0.02, after.along - 0.02);
-	return margin.map((point, i) => (i === index ? { along: round(along), out: round(within(to.out, 0, 1)) } : point));
+	const room = before && after && after.along - before.along >= 2 * APART;
+	const along = room ? round(within(to.along, before.along + APART, after.along - APART)) : margin[index].along;
+	return margin.map((point, i) => (i === index ? { along, out: round(within(to.out, 0, 1)) } : point));
 }
+
+/** Points are dragged no nearer to each other; a hand may write them nearer. */
+const APART = 0.02;
 
 const within = (value: number, least: number, most: number): number => Math.min(most, Math.max(least, value));
 

@@ -10,8 +10,8 @@ export interface Element {
 	readonly children: Element[];
 	/** What stands between its tags, its children's left out. */
 	text: string;
-	readonly line: number;
-	readonly column: number;
+	/** Its line and column, from 1: worked out when asked for, since to count columns takes as long as the line. */
+	place(): readonly [line: number, column: number];
 }
 
 const DEEPEST = 32;
@@ -40,7 +40,7 @@ class Reader {
 	}
 
 	run(): Element[] {
-		const top: Element = { name: "", attributes: {}, children: [], text: "", line: 1, column: 1 };
+		const top: Element = { name: "", attributes: {}, children: [], text: "", place: () => [1, 1] };
 		const open = [top];
 		while (this.#at < this.#source.length) {
 			const inner = open[open.length - 1];
@@ -67,13 +67,13 @@ class Reader {
 			}
 		}
 		const last = open[open.length - 1];
-		if (last !== top) throw new TextError(last.line, last.column, `<${last.name}> is never closed.`);
+		if (last !== top) throw new TextError(...last.place(), `<${last.name}> is never closed.`);
 		return top.children;
 	}
 
 	#open(parent: Element, depth: number): Element | undefined {
-		const [line, column] = this.#place(this.#at);
-		this.#at++;
+		const from = this.#at++;
+		const place = () => this.#place(from);
 		const name = this.#name("An element's name stands behind <.");
 		const attributes: Record<string, string> = Object.create(null);
 		for (;;) {
@@ -95,9 +95,9 @@ class Reader {
 		const empty = this.#on("/>");
 		this.#at += empty ? 2 : 1;
 		if (++this.#made > MOST)
-			throw new TextError(line, column, `There are more than ${MOST.toLocaleString("en")} elements.`);
-		if (depth > DEEPEST) throw new TextError(line, column, `Elements stand in one another more than ${DEEPEST} deep.`);
-		const element: Element = { name, attributes, children: [], text: "", line, column };
+			throw new TextError(...place(), `There are more than ${MOST.toLocaleString("en")} elements.`);
+		if (depth > DEEPEST) throw new TextError(...place(), `Elements stand in one another more than ${DEEPEST} deep.`);
+		const element: Element = { name, attributes, children: [], text: "", place };
 		parent.children.push(element);
 		return empty ? undefined : element;
 	}

@@ -92,11 +92,11 @@ function value(element: Element): string {
 
 /** A statement of the text ends with its line. */
 function oneLine(element: Element | undefined): string {
-	if (element && element.children.length > 0 && element.name !== "axiom")
+	if (element && element.children.length > 0)
 		wrong(element.children[0], `<${element.name}> has text in it and no elements.`);
 	return (element?.text ?? "").trim().replace(/\s+/g, " ");
 }
 
-function wrong({ line, column }: Element, message: string): never {
-	throw new TextError(line, column, message);
+function wrong(element: Element, message: string): never {
+	throw new TextError(...element.place(), message);
 }

@@ -1,7 +1,8 @@
 /**
  * A flower's text → the XML of Table 4 (Petrenko 2014). What that has no element for (glue, splits, modules, materials) stands as it is in
- * a `<statement>` of ours, and all in one `<grammar>`, since XML wants a root. Comments are left out.
+ * a `<statement>` of ours, and all in one `<grammar>`, since XML wants a root. Comments are left out, but for those that describe a design.
  */
+import { readLine } from "../design/description";
 import { scan } from "../tools/language";
 import { escaped } from "./elements";
 import { FIELDS } from "./fields";
@@ -10,14 +11,26 @@ type Pieces = ReturnType<typeof scan>;
 
 /** @param text one that has grown: of another the XML may say less */
 export function xmlOf(text: string): string {
-	const statements = statementsOf(scan(text).filter(({ kind }) => kind !== "comment"));
+	const pieces = scan(text);
+	const statements = statementsOf(pieces.filter(({ kind }) => kind !== "comment"));
 	const forms = formsOf(statements);
 	let module = "";
-	const lines = statements.map((pieces) => {
+	const elements = statements.map((pieces) => {
 		if (pieces[0].text === "#module") module = pieces[1]?.text ?? "";
-		return element(new Statement(text, pieces), (name, of = module) => forms.get(`${of}:${name}`));
+		const said = element(new Statement(text, pieces), (name, of = module) => forms.get(`${of}:${name}`));
+		return { from: pieces[0].from, said };
 	});
+	const described = pieces
+		.filter((piece) => isDescription(text, piece))
+		.map((piece) => ({ from: piece.from, said: `<statement>${escaped(piece.text)}</statement>` }));
+	const lines = [...elements, ...described].sort((one, other) => one.from - other.from).map(({ said }) => said);
 	return `<?xml version="1.0" encoding="UTF-8"?>\n<grammar>\n${lines.join("\n")}\n</grammar>\n`;
+}
+
+/** Whether a piece is an organ's description on a line of its own, as a design has it. */
+function isDescription(text: string, { kind, from, to, text: said }: Pieces[number]): boolean {
+	const alone = (from === 0 || text[from - 1] === "\n") && /^[ \t]*(?:\n|$)/.test(text.slice(to, to + 200));
+	return kind === "comment" && alone && readLine(said) !== undefined;
 }
 
 /** As wasm-core/src/models/flower/reader.cpp ends them: within brackets, and where something has to follow, they go on. */

@@ -1,5 +1,6 @@
 /** Choices and drags written into a flower's text: what was edited by hand is merged in, and what cannot be kept is told. */
 import type { Desk } from "../../../../controls/desk";
+import { sameDocument } from "../../../../controls/same_document";
 import { choose } from "../../design/choose";
 import { type Description, lineOf } from "../../design/description";
 import { type Design, designOf, textOf } from "../../design/design";
@@ -52,7 +53,9 @@ export class Drafts {
 
 	/** While the hand moves. */
 	edit(desk: FlowerDesk, descriptions: readonly Description[], run?: string): void {
-		this.#before ??= designIn(desk.state.specimen);
+		// What is there now may be of another hand: an undo, the editor, another plant.
+		if (!this.#last || fetchedText(desk.state.specimen) !== this.#last.text)
+			this.#before = designIn(desk.state.specimen);
 		if (!this.#before) return;
 		this.#last = written(this.#before, descriptions);
 		desk.edit({ details: { grammar: this.#last.text }, run }, GESTURE);
@@ -64,7 +67,7 @@ export class Drafts {
 		const done = this.#last;
 		this.#before = undefined;
 		this.#last = undefined;
-		if (done && done.lost.length > 0) tell(desk, done);
+		if (done && done.lost.length > 0 && fetchedText(desk.state.specimen) === done.text) tell(desk, done);
 	}
 
 	/** A choice by itself. */
@@ -79,11 +82,16 @@ export class Drafts {
 
 const MOST_TOLD = 4;
 
-function tell(desk: FlowerDesk, { lost, kept }: Written): void {
+function tell(desk: FlowerDesk, { text, lost, kept }: Written): void {
+	const isStill = sameDocument(desk);
+	const keep = () => {
+		if (isStill() && fetchedText(desk.state.specimen) === text) desk.set({ details: { grammar: kept } });
+		else desk.notify("The edited lines were not kept", ["The text has changed meanwhile."], { topic: GESTURE });
+	};
 	const more = lost.length > MOST_TOLD ? [`and ${lost.length - MOST_TOLD} more.`] : [];
 	desk.notify(
 		"Lines edited by hand gave way to this choice",
 		[...lost.slice(0, MOST_TOLD).map((line) => line.trim()), ...more, "Undo takes the choice back."],
-		{ topic: GESTURE, act: { words: "Keep the edited lines", run: () => desk.set({ details: { grammar: kept } }) } },
+		{ topic: GESTURE, act: { words: "Keep the edited lines", run: keep } },
 	);
 }

@@ -79,7 +79,7 @@ export function elevation(descriptions: readonly Description[], chosen?: Organ):
 	const thick = value(of("stem"), "thickness") / 2;
 	lines.unshift({ d: `M${-thick} 0V${bottom}M${thick} 0V${bottom}`, kind: "organ", chosen: chosen === "stem" });
 	lines.push({ d: `M0 ${top}V${bottom}`, kind: "axis" });
-	return { box: { left: -across, right: across, top, bottom }, lines, words: [], handles };
+	return { box: { left: -across, right: across, top, bottom }, lines, handles };
 }
 
 /** Its tip, for its length and rise; its middle, for its bend; its foot, for the whorl's radius. */

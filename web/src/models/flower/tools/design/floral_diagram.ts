@@ -62,7 +62,6 @@ export function floralDiagram(descriptions: readonly Description[], chosen?: Org
 			{ d: `M-26 98Q0 112 26 98Q0 104 -26 98Z`, kind: "axis" },
 			...parts.flatMap(({ lines, organ }) => lines.map((line) => ({ ...line, chosen: organ === chosen }))),
 		],
-		words: [],
 		// Of the others how many there are; whoever takes hold of that chooses the organ.
 		handles: parts.flatMap(({ handles, organ }) => (organ === chosen ? handles : handles.slice(0, 1))),
 	};

@@ -39,7 +39,6 @@ export function outlineScene(description: Description): Scene {
 				: []),
 			{ d: `M0 0V${-LONG}`, kind: "axis" },
 		],
-		words: [],
 		handles: points.map((_, index) => pointHandle(description, points, index, wide)),
 	};
 }

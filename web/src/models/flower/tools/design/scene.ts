@@ -12,10 +12,6 @@ export interface SceneLine {
 	readonly chosen?: boolean;
 }
 
-export interface SceneWords extends Point {
-	readonly text: string;
-}
-
 export interface SceneHandle {
 	readonly id: string;
 	/** "Petals, how many". */
@@ -33,12 +29,11 @@ export interface Scene {
 	/** What has to be in view. */
 	readonly box: { readonly left: number; readonly top: number; readonly right: number; readonly bottom: number };
 	readonly lines: readonly SceneLine[];
-	readonly words: readonly SceneWords[];
 	readonly handles: readonly SceneHandle[];
 }
 
 /** A scene as a picture by itself, for the docs: ink on paper. */
-export function pictureOf({ box, lines, words }: Scene, title: string): string {
+export function pictureOf({ box, lines }: Scene, title: string): string {
 	const [width, height] = [box.right - box.left, box.bottom - box.top];
 	const unit = Math.max(width, height) / 100;
 	const drawn = lines.map(({ d, kind, fill }) => {
@@ -46,12 +41,8 @@ export function pictureOf({ box, lines, words }: Scene, title: string): string {
 			kind === "organ" ? `stroke="#2a2622" fill="${fill ? `#${fill}` : "none"}"` : 'stroke="#9a938a" fill="none"';
 		return `<path d="${d}" ${look} stroke-width="${short(0.5 * unit)}" stroke-linejoin="round"/>`;
 	});
-	const said = words.map(
-		({ x, y, text }) =>
-			`<text x="${short(x)}" y="${short(y)}" font-size="${short(4 * unit)}" font-family="serif" fill="#2a2622" text-anchor="middle">${text}</text>`,
-	);
 	const frame = [box.left, box.top, width, height].map(short).join(" ");
-	return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${frame}" width="320" height="${Math.round((320 * height) / width)}">\n<title>${title}</title>\n${[...drawn, ...said].join("\n")}\n</svg>\n`;
+	return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${frame}" width="320" height="${Math.round((320 * height) / width)}">\n<title>${title}</title>\n${drawn.join("\n")}\n</svg>\n`;
 }
 
 /** To the hundredth. */

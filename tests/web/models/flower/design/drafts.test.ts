@@ -1,0 +1,87 @@
+import { beforeAll, describe, expect, it, vi } from "vitest";
+import type { NoticeOptions } from "../../../../../web/src/controls/desk";
+import { described } from "../../../../../web/src/models/flower/design/description";
+import { assembled, describedIn, designOf } from "../../../../../web/src/models/flower/design/design";
+import { model } from "../../../../../web/src/models/flower/index";
+import { fetchTexts } from "../../../../../web/src/models/flower/texts";
+import {
+	Drafts,
+	descriptionsIn,
+	designIn,
+	type FlowerDesk,
+} from "../../../../../web/src/models/flower/tools/design/drafts";
+import { fromPreset } from "../../../../../web/src/specimen/from_preset";
+
+beforeAll(fetchTexts);
+
+/** A desk with a text on it, on which nothing grows. */
+function deskWith(grammar: string) {
+	const state = { model, specimen: { ...fromPreset(model), grammar } };
+	const take = ({ details = {} }: { details?: object }) => {
+		state.specimen = { ...state.specimen, ...details };
+	};
+	const notify = vi.fn<(title: string, details?: readonly string[], options?: NoticeOptions) => void>();
+	const desk = { state, edit: take, set: take, settle: () => {}, notify } as unknown as FlowerDesk;
+	return { desk, state, notify };
+}
+
+/** The organs, one of them with another number. */
+function withNumber(desk: FlowerDesk, organ: "petal" | "stamen", key: string, value: number) {
+	const design = designIn(desk.state.specimen);
+	if (!design) throw new Error("no design");
+	return descriptionsIn(design).map((each) => (each.organ === organ ? described(each, { [key]: value }) : each));
+}
+
+const EDITED = assembled().replace(/#define long=.*/, "#define long=99");
+
+describe("drafts of a design", () => {
+	it("begin with the text that is there, where a gesture was left without its end", () => {
+		const { desk, state } = deskWith(assembled());
+		const drafts = new Drafts();
+		drafts.edit(desk, withNumber(desk, "petal", "count", 7));
+		// Undone, and written by hand.
+		state.specimen = { ...state.specimen, grammar: `/* Mine */\n${assembled()}` };
+		drafts.edit(desk, withNumber(desk, "stamen", "count", 3));
+		const design = designOf(state.specimen.grammar);
+		expect(design?.head).toBe("/* Mine */\n");
+		expect(design && describedIn(design, "stamen").values.count).toBe(3);
+		expect(design && describedIn(design, "petal").values.count).toBe(5);
+	});
+
+	it("leave nothing of what a gesture passes", () => {
+		const { desk, state } = deskWith(EDITED);
+		const drafts = new Drafts();
+		const before = withNumber(desk, "stamen", "length", Number(describedIn(designOf(EDITED)!, "stamen").values.length));
+		drafts.edit(desk, withNumber(desk, "stamen", "length", 40));
+		expect(state.specimen.grammar).not.toContain("#define long=99");
+		drafts.edit(desk, before);
+		expect(state.specimen.grammar).toBe(EDITED);
+	});
+
+	it("keep the edited lines where the text still is what the choice wrote, and else say that it has changed", () => {
+		const lost = () => {
+			const all = deskWith(EDITED);
+			const design = designOf(EDITED)!;
+			new Drafts().set(all.desk, described(describedIn(design, "stamen"), { length: 40 }));
+			expect(all.notify).toHaveBeenCalledTimes(1);
+			return { ...all, keep: () => all.notify.mock.calls[0][2]?.act?.run() };
+		};
+		const still = lost();
+		still.keep();
+		expect(still.state.specimen.grammar).toContain("#define long=99");
+		expect(still.notify).toHaveBeenCalledTimes(1);
+
+		const changed = lost();
+		const newer = `/* Newer */\n${changed.state.specimen.grammar}`;
+		changed.state.specimen = { ...changed.state.specimen, grammar: newer };
+		changed.keep();
+		expect(changed.state.specimen.grammar).toBe(newer);
+		expect(changed.notify.mock.lastCall?.[0]).toBe("The edited lines were not kept");
+
+		const other = lost();
+		const { grammar } = other.state.specimen;
+		other.state.specimen = { ...fromPreset(model, "petal"), grammar };
+		other.keep();
+		expect(other.state.specimen.grammar).toBe(grammar);
+	});
+});
