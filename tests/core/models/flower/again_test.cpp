@@ -179,6 +179,10 @@ TEST_CASE("figures that only place the map are no part of its bones") {
                                                                                            {"k=3", "k=-3"},
                                                                                            {"k=3", "k=2+1"}})
     CHECK_FALSE_MESSAGE(same(text, with(from, to)), from);
+  // Nor what variables take, which counts as work: what is equal is worked out once.
+  const std::string twice = "#define k=age*3+age*3\n#define A(4)\n#axiom: A";
+  CHECK(same(twice, twice));
+  CHECK_FALSE(same(twice, "#define k=age*3+age*4\n#define A(4)\n#axiom: A"));
   const std::string module =
       "#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA -> A[&M{n=5; l=2}]_{E}\n#module M\n#define n=4\n#define l=1\n"
       "#define A(n,0,0,0,l,1,1,1)\n#axiom: A\n";

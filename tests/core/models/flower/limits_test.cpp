@@ -40,3 +40,46 @@ TEST_CASE("what calls depend on is kept once, however often the text says it") {
   CHECK_FALSE(rebuilds("c"));
   CHECK_FALSE(rebuilds("v8"));
 }
+
+TEST_CASE("what calls give counts as work") {
+  Limits limits;
+  limits.evaluations = 50'000;
+  const auto calling = [](const std::string& order, const std::string& faces, const std::string& value) {
+    return "#define A(" + order + ")\n#axiom: A\nA -> A[A]_{E}[&M{v500=" + value + ";" + settings(500, "step") +
+           "}]_{" + faces + "}\n#module M\n" + defines(501) + "#define B(4)\n#axiom: B\n";
+  };
+  // A call a step, and all in one step, which ends within it.
+  std::string faces = "C1";
+  for (int i = 2; i <= 400; ++i) faces += ",C" + std::to_string(i);
+  for (const std::string& text : {calling("4", "C1", "1"), calling("400", faces, "1")}) {
+    const Flower flower = grown(text, steps(300), limits);
+    CHECK(flower.noted("which is the limit"));
+    CHECK(flower.derived.instances.size() > 10);
+    CHECK(500 * flower.derived.instances.size() <= limits.evaluations);
+  }
+  // And so does what it takes to work them out, or what a variable draws.
+  std::string sum = "step";
+  for (int i = 0; i < 500; ++i) sum += "+step*" + std::to_string(i);
+  const auto instances = [&](const std::string& value) {
+    return grown(calling("4", "C1", value), steps(300), limits).derived.instances.size();
+  };
+  CHECK(instances(sum) < instances("step"));
+  std::string draws = "ran(1)";
+  for (int i = 0; i < 500; ++i) draws += "+ran(1)";
+  CHECK(grown("#define A(4)\n#axiom: A\nA -> A[A]_{E}[&M]_{C1}\n#module M\n#define v=" + draws +
+                  "\n#define B(4)\n#axiom: B\n",
+              steps(300), limits)
+            .noted("which is the limit"));
+}
+
+TEST_CASE("what a call gives is a variable's own, in whatever order it is given") {
+  const Flower flower = grown(
+      "#define A(4)\n#axiom: A\nA -> A[&M{c=2*step+4; a=1; d=(2*step+4)*2}]_{E}\n#module M\n#define a=9\n#define b=9\n"
+      "#define c=9\n#define d=9\n#define B(4,a,b,c,d,1,1,1)\n#axiom: B\n",
+      steps(1));
+  REQUIRE(flower.derived.map.volumes() == 2);
+  CHECK(flower.value(1, Field::turn_x) == 1);
+  CHECK(flower.value(1, Field::turn_y) == 9);
+  CHECK(flower.value(1, Field::turn_z) == 4);
+  CHECK(flower.value(1, Field::height) == 8);
+}

@@ -134,6 +134,7 @@ class Deriver {
         if (!choose(growth, volume, address)) return false;
     }
     for (const Chosen& each : chosen_) {
+      if (is_spent(0)) return stop_for_work();
       if (!grow(volume, record, each)) return false;
       if (stopped_) return true;
     }

@@ -71,14 +71,17 @@ bool Evaluation::count(const Number& number, const Limits& limits, std::uint32_t
 bool Evaluation::variable(std::size_t at, std::uint64_t address) {
   const Variable& variable = program_.variables[at];
   float value = 0;
-  const auto given = std::find_if(given_.values.begin(), given_.values.end(), [&](const Given::Value& each) {
-    return variable.grammar == 0 && each.name == variable.name;
-  });
+  const lsystem::Value& of = variable.number.value;
+  settled_ += of.code.size();
+  // Whether it is given or not: work is the same for all that is the same map.
+  settle();
+  const auto given = variable.grammar != 0
+                         ? given_.values.end()
+                         : std::find_if(given_.values.begin(), given_.values.end(),
+                                        [&](const Given::Value& each) { return each.name == variable.name; });
   if (given != given_.values.end()) {
     value = given->value;
   } else {
-    settle();
-    const lsystem::Value& of = variable.number.value;
     if (!run(of.code, address)) return false;
     value = this->at(of.source);
     if (!is_finite(static_cast<std::uint32_t>(at), value, of.place)) return false;
@@ -106,10 +109,11 @@ bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const Given
   set(Word::final_step, static_cast<float>(steps_[grammar]));
   const Grammar& of = program_.grammars[grammar];
   if (!of.draws || grammar == 0) return true;
+  settled_ += of.variables.size();
+  auto said = given.begin();
   for (std::uint32_t i = of.variables.begin; i < of.variables.end; ++i) {
-    const auto said = std::find_if(given.begin(), given.end(), [&](const auto& each) { return each.first == i; });
-    if (said != given.end()) {
-      registers_[program_.variables[i].to] = said->second;
+    if (said != given.end() && said->first == i) {
+      registers_[program_.variables[i].to] = said++->second;
     } else if (!variable(i, address)) {
       return false;
     }
@@ -121,11 +125,14 @@ bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const Given
 bool Evaluation::settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given) {
   given.clear();
   for (const Setting& setting : settings) {
+    settled_ += 1 + setting.value.code.size();
     if (!run(setting.value.code, address)) return false;
     const float value = at(setting.value.source);
     if (!is_finite(setting.variable, value, setting.value.place)) return false;
     given.emplace_back(setting.variable, value);
   }
+  // Worked out as the text has them, since later ones use what earlier ones have worked out.
+  std::sort(given.begin(), given.end());
   return true;
 }
 

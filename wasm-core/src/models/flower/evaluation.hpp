@@ -22,7 +22,7 @@ struct Given {
   std::uint64_t seed = 1;
 };
 
-// What a module was called with: variables, by their place in the program, and their values.
+// What a module was called with: variables, by their place in the program and in that order, and their values.
 using GivenVariables = std::vector<std::pair<std::uint32_t, float>>;
 
 class Evaluation {
@@ -48,7 +48,7 @@ class Evaluation {
   // What a call gives a module's variables.
   bool settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given);
 
-  // How many instructions variables have taken so far, for limits of work.
+  // What variables and those that calls give have taken so far, in instructions and values, for limits of work.
   std::uint64_t settled() const { return settled_; }
   // Variables of the text itself, by their place in the program, as they were bound.
   const std::vector<float>& variables() const { return variables_; }

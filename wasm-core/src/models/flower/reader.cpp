@@ -510,6 +510,15 @@ void Reader::write_bones() {
       program_.bones.append(is_free ? std::string_view("0") : token.text);
     }
   }
+  // What variables take counts as work, and figures may change it: equal parts are worked out once.
+  const auto add = [&](const lsystem::Value& value) {
+    program_.bones.append(" ").append(std::to_string(value.code.size()));
+  };
+  program_.bones += '\n';
+  for (const Variable& variable : program_.variables) add(variable.number.value);
+  for (const Production& production : program_.productions)
+    for (const Growth& growth : production.growths)
+      for (const Setting& setting : growth.settings) add(setting.value);
 }
 
 std::string Reader::key_of(std::string_view name, std::uint32_t grammar) const {
