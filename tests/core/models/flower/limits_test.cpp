@@ -83,3 +83,20 @@ TEST_CASE("what a call gives is a variable's own, in whatever order it is given"
   CHECK(flower.value(1, Field::turn_z) == 4);
   CHECK(flower.value(1, Field::height) == 8);
 }
+
+TEST_CASE("what is kept of a flower is counted whole, and nothing that calls gave is") {
+  std::string text = "#define A(4)\n#axiom: A\nA -> A[A]_{E}[&M{" + settings(300, "step*step+H") +
+                     "}]_{C1}\n#module M\n" + defines(300) + "#define B(4)\n#axiom: B\n";
+  std::string sum = "H";
+  for (int i = 0; i < 2000; ++i) sum += "+step*0.000" + std::to_string(i);
+  text += "B -> B[B(," + sum + ")]_{E}\n";
+  const Flower flower = grown(text, steps(30));
+  const lsystem::Code& code = flower.program.code;
+  REQUIRE(code.instructions.size() > 3000);
+  CHECK(flower.program.bytes() > code.instructions.size() * (sizeof code.instructions[0] + sizeof code.places[0]) +
+                                     300 * (sizeof(Variable) + sizeof(Setting)));
+  REQUIRE(flower.derived.instances.size() == 31);
+  CHECK(flower.derived.bytes() >= flower.derived.map.bytes() + 31 * sizeof(Instance) +
+                                      flower.derived.records.size() * (sizeof(Record) + sizeof(VolumeValues)));
+  CHECK(sizeof(Instance) <= 2 * sizeof(std::uint64_t));
+}

@@ -56,7 +56,7 @@ class Deriver {
 
   bool begin() {
     const Grammar& main = program_.grammars[0];
-    derived_.instances.push_back({0, 0, hash_text("flower"), {}});
+    derived_.instances.push_back({0, 0, hash_text("flower")});
     Record record;
     record.label = main.axiom;
     record.address = derived_.instances[0].address;
@@ -216,7 +216,7 @@ class Deriver {
     record.step = step_;
     record.address =
         hash_combine(hash_combine(derived_.records[before].address, of_step + step_), of_face + chosen.face);
-    if (growth.module) derived_.instances.push_back({growth.target, host.depth + 1, record.address, {}});
+    if (growth.module) derived_.instances.push_back({growth.target, host.depth + 1, record.address});
     const auto order = static_cast<float>(derived_.map.degree(derived_.map.dart_of(volume, chosen.face)));
     VolumeValues values;
     if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values, order, values)) return false;
@@ -386,6 +386,13 @@ std::vector<generalized_map::Shape> Derived::shapes() const {
   return shapes;
 }
 
+std::uint64_t Derived::bytes() const {
+  std::uint64_t bytes = map.bytes() + records.capacity() * sizeof(Record) + values.capacity() * sizeof(VolumeValues) +
+                        record_of.capacity() * sizeof(std::uint32_t) + instances.capacity() * sizeof(Instance);
+  for (const std::string& note : notes) bytes += sizeof note + note.capacity();
+  return bytes;
+}
+
 Result<Derived> derive(const Program& program, const Given& given, const Limits& limits) {
   return Deriver(program, given, limits).run();
 }
@@ -396,11 +403,10 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
   Numbers numbers(program, evaluation);
   if (!evaluation.bind(limits)) return evaluation.trouble();
   std::vector<VolumeValues> all(derived.records.size());
-  std::vector<Instance> instances = derived.instances;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Record& record = derived.records[i];
     const auto order = static_cast<float>(derived.map.volume(record.volume).order);
-    if (!numbers.work_out(record, derived.records, instances, all, order, all[i])) return evaluation.trouble();
+    if (!numbers.work_out(record, derived.records, derived.instances, all, order, all[i])) return evaluation.trouble();
   }
   return all;
 }

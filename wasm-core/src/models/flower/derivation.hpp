@@ -37,7 +37,6 @@ struct Instance {
   std::uint32_t grammar = 0;
   std::uint32_t depth = 0;
   std::uint64_t address = 0;
-  GivenVariables given = {};
 };
 
 struct Derived {
@@ -51,6 +50,7 @@ struct Derived {
   std::vector<std::string> notes;
   bool whole = true;  // no limit ended its growth
 
+  std::uint64_t bytes() const;  // that it holds
   // What the embedding places: of each volume.
   std::vector<generalized_map::Shape> shapes() const;
 };

@@ -196,8 +196,7 @@ struct LastFlower : Kept {
   std::optional<Skin> skin;
 
   std::uint64_t bytes() const {
-    return text.size() + program.bones.size() + derived.map.bytes() + embedding.bytes() +
-           derived.records.size() * (sizeof(Record) + sizeof(VolumeValues)) + (skin ? skin->bytes() : 0);
+    return text.capacity() + program.bytes() + derived.bytes() + embedding.bytes() + (skin ? skin->bytes() : 0);
   }
 };
 
