@@ -328,6 +328,11 @@ TEST_CASE("other numbers are placed on the same map as if it had grown with them
   CHECK_FALSE(flower::rebuilds(orders, {{{"k", 6}}, 0, 1, 1}, {{{"k", 7}}, 0, 1, 1}));
   CHECK(flower::rebuilds(orders, {}, {{}, 0, 1, 2}));
   CHECK(flower::rebuilds(orders, {}, steps(3)));
+  // −0 is 0, and its inverse is not.
+  const Program inverse = program_of("#define k=3\n#define A(4)\n#axiom: A\nA{}{1/k+1/age>0}{}->A[A]_{E}");
+  CHECK(flower::rebuilds(inverse, {{{"k", 0.0f}}, 0, 1, 1}, {{{"k", -0.0f}}, 0, 1, 1}));
+  CHECK(flower::rebuilds(inverse, {{}, 0, 0.0f, 1}, {{}, 0, -0.0f, 1}));
+  CHECK_FALSE(flower::rebuilds(inverse, {{{"k", 0.0f}}, 0, 1, 1}, {{{"k", 0.0f}}, 0, 1, 1}));
   const Program conditions =
       program_of("#define k=3\n#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA{x=k}{step<x}{}->A[A]_{E}");
   CHECK(flower::rebuilds(conditions, {{{"k", 6}}, 0, 1, 1}, {{{"k", 7}}, 0, 1, 1}));

@@ -1,6 +1,7 @@
 #include "models/flower/derivation.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -417,9 +418,13 @@ bool same_map(const Program& program, const Program& other) {
 }
 
 bool rebuilds(const Program& program, const Given& before, const Given& now) {
+  // Not as numbers: 1/0 and 1/−0 are far apart.
+  const auto differ = [](float a, float b) {
+    return std::bit_cast<std::uint32_t>(a) != std::bit_cast<std::uint32_t>(b);
+  };
   if (before.seed != now.seed || before.steps != now.steps) return true;
   if (program.values_rebuild) return true;
-  if (program.age_rebuilds && before.age != now.age) return true;
+  if (program.age_rebuilds && differ(before.age, now.age)) return true;
   const auto value_of = [](const Given& given, const std::string& name) -> const Given::Value* {
     const auto found = std::find_if(given.values.begin(), given.values.end(),
                                     [&](const Given::Value& each) { return each.name == name; });
@@ -428,7 +433,7 @@ bool rebuilds(const Program& program, const Given& before, const Given& now) {
   for (const Variable& variable : program.variables) {
     if (!variable.rebuilds || variable.grammar != 0) continue;
     const Given::Value *const a = value_of(before, variable.name), *const b = value_of(now, variable.name);
-    if ((a == nullptr) != (b == nullptr) || (a != nullptr && a->value != b->value)) return true;
+    if ((a == nullptr) != (b == nullptr) || (a != nullptr && differ(a->value, b->value))) return true;
   }
   return false;
 }
