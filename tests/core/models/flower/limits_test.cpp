@@ -100,3 +100,16 @@ TEST_CASE("what is kept of a flower is counted whole, and nothing that calls gav
                                       flower.derived.records.size() * (sizeof(Record) + sizeof(VolumeValues)));
   CHECK(sizeof(Instance) <= 2 * sizeof(std::uint64_t));
 }
+
+TEST_CASE("a flower that is placed anew takes no more work than one that grows") {
+  const Flower flower = grown("#define A(4)\n#axiom: A\nA -> A[A]_{E}[&M]_{C1}\n#module M\n" + defines(300) +
+                                  "#define v=ran(1)\n#define B(4,v)\n#axiom: B\n",
+                              steps(30));
+  CHECK(sound(reworked(flower.program, steps(30), flower.derived)) == flower.derived.values);
+  Limits limits;
+  limits.evaluations = 5000;
+  const auto stopped = reworked(flower.program, steps(30), flower.derived, limits);
+  REQUIRE_FALSE(stopped);
+  CHECK(stopped.error().reason == Reason::limit);
+  CHECK_FALSE(derive(flower.program, steps(30), limits)->whole);
+}

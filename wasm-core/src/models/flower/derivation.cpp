@@ -408,6 +408,9 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
     const Record& record = derived.records[i];
     const auto order = static_cast<float>(derived.map.volume(record.volume).order);
     if (!numbers.work_out(record, derived.records, derived.instances, all, order, all[i])) return evaluation.trouble();
+    if (evaluation.settled() > limits.evaluations)
+      return error_at(Reason::limit, {}, "Variables take more work than %, which is the limit.",
+                      {std::to_string(limits.evaluations)});
   }
   return all;
 }

@@ -59,7 +59,7 @@ struct Derived {
 Result<Derived> derive(const Program& program, const Given& given, const Limits& limits = {});
 
 // The same map with other numbers: for given values that no order, face, condition or number of steps depends on
-// (Variable::rebuilds). Errors: evaluation, bad_input.
+// (Variable::rebuilds). Errors: evaluation, bad_input, limit.
 Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& given, const Derived& derived,
                                            const Limits& limits = {});
 
