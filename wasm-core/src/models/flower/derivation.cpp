@@ -82,7 +82,8 @@ class Deriver {
     instance_ = instance;
     active_ = {firsts_[instance]};
     standing_ = {firsts_[instance]};
-    const std::uint32_t steps = evaluation_.steps(derived_.instances[instance].grammar);
+    if (!numbers_.enter(derived_.instances, instance)) return false;
+    const std::uint32_t steps = evaluation_.steps();
     for (step_ = 0; step_ < steps && !stopped_; ++step_) {
       if (active_.empty()) break;
       made_.clear();

@@ -25,6 +25,7 @@ Evaluation::Evaluation(const Program& program, const Given& given)
 }
 
 bool Evaluation::bind(const Limits& limits) {
+  most_steps_ = limits.steps;
   for (const Given::Value& value : given_.values) {
     const bool known = std::any_of(program_.variables.begin(), program_.variables.end(), [&](const Variable& variable) {
       return variable.grammar == 0 && variable.name == value.name;
@@ -47,23 +48,24 @@ bool Evaluation::bind(const Limits& limits) {
       if (steps > limits.steps)
         return fail(error_at(Reason::limit, {}, "% steps are asked for; the limit is %.",
                              {std::to_string(steps), std::to_string(limits.steps)}));
-    } else if (!count(grammar.final_step, limits, steps)) {
+    } else if (!count(grammar.final_step, steps)) {
       return false;
     }
   }
   return true;
 }
 
-bool Evaluation::count(const Number& number, const Limits& limits, std::uint32_t& steps) {
+bool Evaluation::count(const Number& number, std::uint32_t& steps) {
   if (!number.value.given) return true;
+  settled_ += number.value.code.size();
   if (!run(number.value.code, hash_text("finalStep"))) return false;
   const float value = at(number.value.source);
   if (!(value >= 0 && std::floor(value) == value))
     return fail(error_at(Reason::evaluation, number.value.place,
                          "finalStep comes to %; it must be a whole number of 0 or more.", {number_text(value)}));
-  if (value > static_cast<float>(limits.steps))
+  if (value > static_cast<float>(most_steps_))
     return fail(error_at(Reason::limit, number.value.place, "finalStep comes to %; the limit is %.",
-                         {number_text(value), std::to_string(limits.steps)}));
+                         {number_text(value), std::to_string(most_steps_)}));
   steps = static_cast<std::uint32_t>(value);
   return true;
 }
@@ -106,9 +108,13 @@ void Evaluation::settle() {
 }
 
 bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given) {
-  set(Word::final_step, static_cast<float>(steps_[grammar]));
+  const auto ends_at = [&](std::uint32_t steps) {
+    own_steps_ = steps;
+    set(Word::final_step, static_cast<float>(steps));
+    return true;
+  };
   const Grammar& of = program_.grammars[grammar];
-  if (!of.draws || grammar == 0) return true;
+  if (!of.draws || grammar == 0) return ends_at(steps_[grammar]);
   settled_ += of.variables.size();
   auto said = given.begin();
   for (std::uint32_t i = of.variables.begin; i < of.variables.end; ++i) {
@@ -119,7 +125,9 @@ bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const Given
     }
   }
   settle();
-  return true;
+  // With what this one was given and has drawn.
+  std::uint32_t steps = steps_[grammar];
+  return count(of.final_step, steps) && ends_at(steps);
 }
 
 bool Evaluation::settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given) {

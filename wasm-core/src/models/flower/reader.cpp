@@ -515,6 +515,7 @@ void Reader::write_bones() {
     program_.bones.append(" ").append(std::to_string(value.code.size()));
   };
   program_.bones += '\n';
+  for (const Grammar& each : program_.grammars) add(each.final_step.value);
   for (const Variable& variable : program_.variables) add(variable.number.value);
   for (const Production& production : program_.productions)
     for (const Growth& growth : production.growths)
