@@ -211,8 +211,7 @@ TEST_CASE("a module has a step of its own and is run to its end") {
 
 TEST_CASE("a module's steps are counted for each call, by what that gives and draws") {
   const auto text = [](const std::string& n, const std::string& calls) {
-    return "#define A(9)\n#define k=8\n#axiom: A\nA -> A" + calls +
-           "\n#define finalStep=1\n#module P\n#define n=" + n +
+    return "#define A(9)\n#define k=8\n#axiom: A\nA -> A" + calls + "\n#define finalStep=1\n#module P\n#define n=" + n +
            "\n#define finalStep=n\n#define B(4,finalStep)\n#axiom: B\nB -> B[B]_{E}";
   };
   const std::string calls = "[&P{n=k}]_{C1}[&P]_{C2}[&P{n=0}]_{C3}";

@@ -1,7 +1,6 @@
 #include "models/flower/derivation.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -422,10 +421,8 @@ bool same_map(const Program& program, const Program& other) {
 }
 
 bool rebuilds(const Program& program, const Given& before, const Given& now) {
-  // Not as numbers: 1/0 and 1/−0 are far apart.
-  const auto differ = [](float a, float b) {
-    return std::bit_cast<std::uint32_t>(a) != std::bit_cast<std::uint32_t>(b);
-  };
+  // 0 and −0 are equal, and 1/0 and 1/−0 are far apart.
+  const auto differ = [](float a, float b) { return a != b || std::signbit(a) != std::signbit(b); };
   if (before.seed != now.seed || before.steps != now.steps) return true;
   if (program.values_rebuild) return true;
   if (program.age_rebuilds && differ(before.age, now.age)) return true;
