@@ -53,9 +53,21 @@ export default [
 		faults: [
 			{
 				id: "flower-calls-give-nothing",
-				find: "if (said != given.end()) {",
+				find: "if (said != given.end() && said->first == i) {",
 				replace: "if (false) {",
 				breaks: "a module's variables keep their own values whatever a call gives them",
+			},
+		],
+	},
+	{
+		file: `${SRC}/production_reader.cpp`,
+		suites: DERIVATION,
+		faults: [
+			{
+				id: "flower-given-and-not-rebuilt",
+				find: "uses_of_variables_[setting.variable].add(uses);",
+				replace: ";",
+				breaks: "what a call gives to a variable that the map depends on only places it anew",
 			},
 		],
 	},
@@ -63,12 +75,6 @@ export default [
 		file: `${SRC}/reader.cpp`,
 		suites: DERIVATION,
 		faults: [
-			{
-				id: "flower-given-and-not-rebuilt",
-				find: "if (program_.variables[variable].rebuilds) rebuilds(uses);",
-				replace: ";",
-				breaks: "what a call gives to a variable that the map depends on only places it anew",
-			},
 			{
 				id: "flower-eight-numbers-with-translation",
 				find: "const bool translated = entries.size() == 9",
@@ -113,8 +119,8 @@ export default [
 		faults: [
 			{
 				id: "flower-keeps-its-seed",
-				find: " || rebuilds(program, last.given, given)",
-				replace: "",
+				find: "if (rebuilds(program, last.given, given)) return false;",
+				replace: ";",
 				breaks: "another seed has the last one's map",
 			},
 		],

@@ -176,7 +176,10 @@ void Embedding::settle_cut(std::uint32_t cut) {
 std::uint64_t Embedding::bytes() const {
   const std::uint64_t words = vertex_of_.capacity() + corners_.capacity() + supports_.capacity() + cut_of_.capacity() +
                               proposals_.capacity() + waiting_.capacity() + needed_.capacity();
-  return 4 * words + sizeof(glm::vec3) * (places_.capacity() + settled_.capacity() + feet_.capacity()) +
+  std::uint64_t corners = 0;
+  for (const auto& polygon : polygons_) corners += polygon.capacity();
+  return 4 * words + sizeof(glm::vec2) * corners + sizeof(polygons_[0]) * polygons_.capacity() +
+         sizeof(glm::vec3) * (places_.capacity() + settled_.capacity() + feet_.capacity()) +
          sizeof(Stand) * stands_.capacity() + sizeof(Ends) * cuts_.capacity() + sizeof(Frame) * frames_.capacity() +
          is_settled_.capacity();
 }

@@ -22,8 +22,7 @@ struct Asked {
   std::string outputs = "meshes";
 };
 
-// All that an answer has, as text; the message of what cannot be grown.
-std::string answer(const Asked& asked, Keeping* kept) {
+Result<Plant> ask(const Asked& asked, Keeping* kept) {
   const std::string name = "flower";
   const std::vector<float> parameters = {0, asked.age, asked.smooth};
   const std::vector<std::uint32_t> seed = {asked.seed};
@@ -35,7 +34,12 @@ std::string answer(const Asked& asked, Keeping* kept) {
   const std::vector<ColumnView> blocks{view("model", name), view("outputs", asked.outputs), view("text", asked.text),
                                        view("parameters", parameters), view("seed", seed)};
   Request request(blocks, nullptr, kept);
-  const auto grown = model.grow(request, Limits{});
+  return model.grow(request, Limits{});
+}
+
+// All that an answer has, as text; the message of what cannot be grown.
+std::string answer(const Asked& asked, Keeping* kept) {
+  const auto grown = ask(asked, kept);
   if (!grown) return grown.error().message + std::to_string(grown.error().line);
   std::string all = std::to_string(grown->fingerprint);
   const auto add = [&](const void* data, std::size_t bytes) {
@@ -179,6 +183,10 @@ TEST_CASE("figures that only place the map are no part of its bones") {
                                                                                            {"k=3", "k=-3"},
                                                                                            {"k=3", "k=2+1"}})
     CHECK_FALSE_MESSAGE(same(text, with(from, to)), from);
+  // Nor what variables take, which counts as work: what is equal is worked out once.
+  const std::string twice = "#define k=age*3+age*3\n#define A(4)\n#axiom: A";
+  CHECK(same(twice, twice));
+  CHECK_FALSE(same(twice, "#define k=age*3+age*4\n#define A(4)\n#axiom: A"));
   const std::string module =
       "#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA -> A[&M{n=5; l=2}]_{E}\n#module M\n#define n=4\n#define l=1\n"
       "#define A(n,0,0,0,l,1,1,1)\n#axiom: A\n";
@@ -214,4 +222,24 @@ TEST_CASE("a skin faces outwards") {
   // A tube of 36 by 5 mm, rounded at its ends.
   CHECK(1e9 * volume > 500);
   CHECK(1e9 * volume < 900);
+}
+
+// As their lines have it: name, type and how many of it, where that is not 1.
+TEST_CASE("all columns are documented where the model is") {
+  const Asked asked{.text = text_named("table-3"), .outputs = "meshes"};
+  const Plant plant = sound(ask(asked, nullptr));
+  const std::string page = content(PANICLE_GRAMMARS "/../../wasm-core/src/models/flower/model.hpp");
+  std::size_t wide = 0;
+  for (std::size_t i = 0; i < plant.columns.size(); ++i) {
+    const std::string name(plant.columns[i].name);
+    CAPTURE(name);
+    const std::size_t at = page.find("//   " + name);
+    if (name == "labels") continue;
+    REQUIRE(at != std::string::npos);
+    const std::string line = page.substr(at, page.find('\n', at) - at);
+    const std::string times = "32 × " + std::to_string(plant.columns[i].width);
+    CHECK((line.find(times) != std::string::npos) == (plant.columns[i].width > 1));
+    wide += plant.columns[i].width > 1;
+  }
+  CHECK(wide == 3);
 }

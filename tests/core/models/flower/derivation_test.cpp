@@ -209,6 +209,29 @@ TEST_CASE("a module has a step of its own and is run to its end") {
   CHECK(step == 5);
 }
 
+TEST_CASE("a module's steps are counted for each call, by what that gives and draws") {
+  const auto text = [](const std::string& n, const std::string& calls) {
+    return "#define A(9)\n#define k=8\n#axiom: A\nA -> A" + calls + "\n#define finalStep=1\n#module P\n#define n=" + n +
+           "\n#define finalStep=n\n#define B(4,finalStep)\n#axiom: B\nB -> B[B]_{E}";
+  };
+  const std::string calls = "[&P{n=k}]_{C1}[&P]_{C2}[&P{n=0}]_{C3}";
+  const Flower flower = grown(text("3", calls));
+  CHECK(flower.count("B") == 9 + 4 + 1);
+  CHECK(flower.value(1, Field::turn_x) == 8);
+  CHECK(flower.value(2, Field::turn_x) == 3);
+  // So what is given makes another map.
+  Given now;
+  now.values = {{"k", 2}};
+  CHECK(flower::rebuilds(flower.program, {}, now));
+  CHECK(grown(text("3", calls), now).count("B") == 3 + 4 + 1);
+  CHECK(trouble(text("3", "[&P{n=0.5}]_{C1}")).message.find("whole number") != std::string::npos);
+  CHECK(trouble(text("3", "[&P{n=5000}]_{C1}")).reason == Reason::limit);
+  std::set<std::size_t> counts;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed)
+    counts.insert(grown(text("floor(ran(9))", "[&P]_{C1,C2}"), steps(1, seed)).count("B"));
+  CHECK(counts.size() > 3);
+}
+
 TEST_CASE("modules that hold themselves end, with a note") {
   const Flower flower =
       grown(volume + "A -> A[&M]_{E}\n#module M\n#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA -> A[&M]_{E}", steps(1));
@@ -328,6 +351,11 @@ TEST_CASE("other numbers are placed on the same map as if it had grown with them
   CHECK_FALSE(flower::rebuilds(orders, {{{"k", 6}}, 0, 1, 1}, {{{"k", 7}}, 0, 1, 1}));
   CHECK(flower::rebuilds(orders, {}, {{}, 0, 1, 2}));
   CHECK(flower::rebuilds(orders, {}, steps(3)));
+  // −0 is 0, and its inverse is not.
+  const Program inverse = program_of("#define k=3\n#define A(4)\n#axiom: A\nA{}{1/k+1/age>0}{}->A[A]_{E}");
+  CHECK(flower::rebuilds(inverse, {{{"k", 0.0f}}, 0, 1, 1}, {{{"k", -0.0f}}, 0, 1, 1}));
+  CHECK(flower::rebuilds(inverse, {{}, 0, 0.0f, 1}, {{}, 0, -0.0f, 1}));
+  CHECK_FALSE(flower::rebuilds(inverse, {{{"k", 0.0f}}, 0, 1, 1}, {{{"k", 0.0f}}, 0, 1, 1}));
   const Program conditions =
       program_of("#define k=3\n#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA{x=k}{step<x}{}->A[A]_{E}");
   CHECK(flower::rebuilds(conditions, {{{"k", 6}}, 0, 1, 1}, {{{"k", 7}}, 0, 1, 1}));

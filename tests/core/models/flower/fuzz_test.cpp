@@ -94,7 +94,8 @@ void try_out(const std::string& text) {
   generalized_map::Embedding embedding;
   embedding.lay(derived.value().map);
   embedding.place(derived.value().shapes());
-  const auto again = reworked(program.value(), steps(6), derived.value(), limits);
+  // Placing anew is no more work than growing was, where that did not end early.
+  const auto again = reworked(program.value(), steps(6), derived.value(), derived->whole ? limits : Limits{});
   REQUIRE(again);
   CHECK(again.value() == derived.value().values);
 }

@@ -56,7 +56,7 @@ class Deriver {
 
   bool begin() {
     const Grammar& main = program_.grammars[0];
-    derived_.instances.push_back({0, 0, hash_text("flower"), {}});
+    derived_.instances.push_back({0, 0, hash_text("flower")});
     Record record;
     record.label = main.axiom;
     record.address = derived_.instances[0].address;
@@ -81,7 +81,8 @@ class Deriver {
     instance_ = instance;
     active_ = {firsts_[instance]};
     standing_ = {firsts_[instance]};
-    const std::uint32_t steps = evaluation_.steps(derived_.instances[instance].grammar);
+    if (!numbers_.enter(derived_.instances, instance)) return false;
+    const std::uint32_t steps = evaluation_.steps();
     for (step_ = 0; step_ < steps && !stopped_; ++step_) {
       if (active_.empty()) break;
       made_.clear();
@@ -134,6 +135,7 @@ class Deriver {
         if (!choose(growth, volume, address)) return false;
     }
     for (const Chosen& each : chosen_) {
+      if (is_spent(0)) return stop_for_work();
       if (!grow(volume, record, each)) return false;
       if (stopped_) return true;
     }
@@ -215,7 +217,7 @@ class Deriver {
     record.step = step_;
     record.address =
         hash_combine(hash_combine(derived_.records[before].address, of_step + step_), of_face + chosen.face);
-    if (growth.module) derived_.instances.push_back({growth.target, host.depth + 1, record.address, {}});
+    if (growth.module) derived_.instances.push_back({growth.target, host.depth + 1, record.address});
     const auto order = static_cast<float>(derived_.map.degree(derived_.map.dart_of(volume, chosen.face)));
     VolumeValues values;
     if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values, order, values)) return false;
@@ -385,6 +387,13 @@ std::vector<generalized_map::Shape> Derived::shapes() const {
   return shapes;
 }
 
+std::uint64_t Derived::bytes() const {
+  std::uint64_t bytes = map.bytes() + records.capacity() * sizeof(Record) + values.capacity() * sizeof(VolumeValues) +
+                        record_of.capacity() * sizeof(std::uint32_t) + instances.capacity() * sizeof(Instance);
+  for (const std::string& note : notes) bytes += sizeof note + note.capacity();
+  return bytes;
+}
+
 Result<Derived> derive(const Program& program, const Given& given, const Limits& limits) {
   return Deriver(program, given, limits).run();
 }
@@ -395,11 +404,13 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
   Numbers numbers(program, evaluation);
   if (!evaluation.bind(limits)) return evaluation.trouble();
   std::vector<VolumeValues> all(derived.records.size());
-  std::vector<Instance> instances = derived.instances;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Record& record = derived.records[i];
     const auto order = static_cast<float>(derived.map.volume(record.volume).order);
-    if (!numbers.work_out(record, derived.records, instances, all, order, all[i])) return evaluation.trouble();
+    if (!numbers.work_out(record, derived.records, derived.instances, all, order, all[i])) return evaluation.trouble();
+    if (evaluation.settled() > limits.evaluations)
+      return error_at(Reason::limit, {}, "Variables take more work than %, which is the limit.",
+                      {std::to_string(limits.evaluations)});
   }
   return all;
 }
@@ -410,9 +421,11 @@ bool same_map(const Program& program, const Program& other) {
 }
 
 bool rebuilds(const Program& program, const Given& before, const Given& now) {
+  // 0 and −0 are equal, and 1/0 and 1/−0 are far apart.
+  const auto differ = [](float a, float b) { return a != b || std::signbit(a) != std::signbit(b); };
   if (before.seed != now.seed || before.steps != now.steps) return true;
   if (program.values_rebuild) return true;
-  if (program.age_rebuilds && before.age != now.age) return true;
+  if (program.age_rebuilds && differ(before.age, now.age)) return true;
   const auto value_of = [](const Given& given, const std::string& name) -> const Given::Value* {
     const auto found = std::find_if(given.values.begin(), given.values.end(),
                                     [&](const Given::Value& each) { return each.name == name; });
@@ -421,7 +434,7 @@ bool rebuilds(const Program& program, const Given& before, const Given& now) {
   for (const Variable& variable : program.variables) {
     if (!variable.rebuilds || variable.grammar != 0) continue;
     const Given::Value *const a = value_of(before, variable.name), *const b = value_of(now, variable.name);
-    if ((a == nullptr) != (b == nullptr) || (a != nullptr && a->value != b->value)) return true;
+    if ((a == nullptr) != (b == nullptr) || (a != nullptr && differ(a->value, b->value))) return true;
   }
   return false;
 }

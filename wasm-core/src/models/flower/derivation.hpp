@@ -37,7 +37,6 @@ struct Instance {
   std::uint32_t grammar = 0;
   std::uint32_t depth = 0;
   std::uint64_t address = 0;
-  GivenVariables given = {};
 };
 
 struct Derived {
@@ -51,6 +50,7 @@ struct Derived {
   std::vector<std::string> notes;
   bool whole = true;  // no limit ended its growth
 
+  std::uint64_t bytes() const;  // that it holds
   // What the embedding places: of each volume.
   std::vector<generalized_map::Shape> shapes() const;
 };
@@ -59,7 +59,7 @@ struct Derived {
 Result<Derived> derive(const Program& program, const Given& given, const Limits& limits = {});
 
 // The same map with other numbers: for given values that no order, face, condition or number of steps depends on
-// (Variable::rebuilds). Errors: evaluation, bad_input.
+// (Variable::rebuilds). Errors: evaluation, bad_input, limit.
 Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& given, const Derived& derived,
                                            const Limits& limits = {});
 

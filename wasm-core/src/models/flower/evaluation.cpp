@@ -25,6 +25,7 @@ Evaluation::Evaluation(const Program& program, const Given& given)
 }
 
 bool Evaluation::bind(const Limits& limits) {
+  most_steps_ = limits.steps;
   for (const Given::Value& value : given_.values) {
     const bool known = std::any_of(program_.variables.begin(), program_.variables.end(), [&](const Variable& variable) {
       return variable.grammar == 0 && variable.name == value.name;
@@ -47,23 +48,24 @@ bool Evaluation::bind(const Limits& limits) {
       if (steps > limits.steps)
         return fail(error_at(Reason::limit, {}, "% steps are asked for; the limit is %.",
                              {std::to_string(steps), std::to_string(limits.steps)}));
-    } else if (!count(grammar.final_step, limits, steps)) {
+    } else if (!count(grammar.final_step, steps)) {
       return false;
     }
   }
   return true;
 }
 
-bool Evaluation::count(const Number& number, const Limits& limits, std::uint32_t& steps) {
+bool Evaluation::count(const Number& number, std::uint32_t& steps) {
   if (!number.value.given) return true;
+  settled_ += number.value.code.size();
   if (!run(number.value.code, hash_text("finalStep"))) return false;
   const float value = at(number.value.source);
   if (!(value >= 0 && std::floor(value) == value))
     return fail(error_at(Reason::evaluation, number.value.place,
                          "finalStep comes to %; it must be a whole number of 0 or more.", {number_text(value)}));
-  if (value > static_cast<float>(limits.steps))
+  if (value > static_cast<float>(most_steps_))
     return fail(error_at(Reason::limit, number.value.place, "finalStep comes to %; the limit is %.",
-                         {number_text(value), std::to_string(limits.steps)}));
+                         {number_text(value), std::to_string(most_steps_)}));
   steps = static_cast<std::uint32_t>(value);
   return true;
 }
@@ -71,14 +73,17 @@ bool Evaluation::count(const Number& number, const Limits& limits, std::uint32_t
 bool Evaluation::variable(std::size_t at, std::uint64_t address) {
   const Variable& variable = program_.variables[at];
   float value = 0;
-  const auto given = std::find_if(given_.values.begin(), given_.values.end(), [&](const Given::Value& each) {
-    return variable.grammar == 0 && each.name == variable.name;
-  });
+  const lsystem::Value& of = variable.number.value;
+  settled_ += of.code.size();
+  // Whether it is given or not: work is the same for all that is the same map.
+  settle();
+  const auto given = variable.grammar != 0
+                         ? given_.values.end()
+                         : std::find_if(given_.values.begin(), given_.values.end(),
+                                        [&](const Given::Value& each) { return each.name == variable.name; });
   if (given != given_.values.end()) {
     value = given->value;
   } else {
-    settle();
-    const lsystem::Value& of = variable.number.value;
     if (!run(of.code, address)) return false;
     value = this->at(of.source);
     if (!is_finite(static_cast<std::uint32_t>(at), value, of.place)) return false;
@@ -103,29 +108,39 @@ void Evaluation::settle() {
 }
 
 bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given) {
-  set(Word::final_step, static_cast<float>(steps_[grammar]));
+  const auto ends_at = [&](std::uint32_t steps) {
+    own_steps_ = steps;
+    set(Word::final_step, static_cast<float>(steps));
+    return true;
+  };
   const Grammar& of = program_.grammars[grammar];
-  if (!of.draws || grammar == 0) return true;
+  if (!of.draws || grammar == 0) return ends_at(steps_[grammar]);
+  settled_ += of.variables.size();
+  auto said = given.begin();
   for (std::uint32_t i = of.variables.begin; i < of.variables.end; ++i) {
-    const auto said = std::find_if(given.begin(), given.end(), [&](const auto& each) { return each.first == i; });
-    if (said != given.end()) {
-      registers_[program_.variables[i].to] = said->second;
+    if (said != given.end() && said->first == i) {
+      registers_[program_.variables[i].to] = said++->second;
     } else if (!variable(i, address)) {
       return false;
     }
   }
   settle();
-  return true;
+  // With what this one was given and has drawn.
+  std::uint32_t steps = steps_[grammar];
+  return count(of.final_step, steps) && ends_at(steps);
 }
 
 bool Evaluation::settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given) {
   given.clear();
   for (const Setting& setting : settings) {
+    settled_ += 1 + setting.value.code.size();
     if (!run(setting.value.code, address)) return false;
     const float value = at(setting.value.source);
     if (!is_finite(setting.variable, value, setting.value.place)) return false;
     given.emplace_back(setting.variable, value);
   }
+  // Worked out as the text has them, since later ones use what earlier ones have worked out.
+  std::sort(given.begin(), given.end());
   return true;
 }
 

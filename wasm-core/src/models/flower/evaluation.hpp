@@ -22,7 +22,7 @@ struct Given {
   std::uint64_t seed = 1;
 };
 
-// What a module was called with: variables, by their place in the program, and their values.
+// What a module was called with: variables, by their place in the program and in that order, and their values.
 using GivenVariables = std::vector<std::pair<std::uint32_t, float>>;
 
 class Evaluation {
@@ -30,9 +30,10 @@ class Evaluation {
   Evaluation(const Program& program, const Given& given);
   Evaluation(const Evaluation&) = delete;
 
-  // Works out the variables of all grammars, and how many steps each has. False: `trouble()`.
+  // Works out the variables of all grammars, and how many steps each has with those. False: `trouble()`.
   bool bind(const Limits& limits);
-  std::uint32_t steps(std::uint32_t grammar) const { return steps_[grammar]; }
+  // Of the instance that was entered last.
+  std::uint32_t steps() const { return own_steps_; }
   // The values of a grammar's variables are now those of one of its instances, whose own draws go by `address`.
   bool enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given);
 
@@ -48,7 +49,7 @@ class Evaluation {
   // What a call gives a module's variables.
   bool settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given);
 
-  // How many instructions variables have taken so far, for limits of work.
+  // What variables and those that calls give have taken so far, in instructions and values, for limits of work.
   std::uint64_t settled() const { return settled_; }
   // Variables of the text itself, by their place in the program, as they were bound.
   const std::vector<float>& variables() const { return variables_; }
@@ -64,13 +65,14 @@ class Evaluation {
   bool variable(std::size_t at, std::uint64_t address);
   bool is_finite(std::uint32_t variable, float value, const lsystem::Place& place);
   void settle();
-  bool count(const Number& number, const Limits& limits, std::uint32_t& steps);
+  bool count(const Number& number, std::uint32_t& steps);
 
   const Program& program_;
   const Given& given_;
   std::vector<float> registers_;
   std::vector<float> variables_;
-  std::vector<std::uint32_t> steps_;
+  std::vector<std::uint32_t> steps_;  // by grammar
+  std::uint32_t own_steps_ = 0, most_steps_ = 0;
   lsystem::Sources sources_;
   std::uint64_t settled_ = 0;
   Diagnostic trouble_;

@@ -196,14 +196,13 @@ struct LastFlower : Kept {
   std::optional<Skin> skin;
 
   std::uint64_t bytes() const {
-    return text.size() + program.bones.size() + derived.map.bytes() + embedding.bytes() +
-           derived.records.size() * (sizeof(Record) + sizeof(VolumeValues)) + (skin ? skin->bytes() : 0);
+    return text.capacity() + program.bytes() + derived.bytes() + embedding.bytes() + (skin ? skin->bytes() : 0);
   }
 };
 
-// The same map placed anew, where that is the same as growing; what it is made of, else.
+// The same map placed anew for a text that grows the same, where that is the same as growing; else it stays as it is.
 bool replaced(LastFlower& last, const Program& program, const Given& given, const Limits& limits) {
-  if (!same_map(program, last.program) || rebuilds(program, last.given, given)) return false;
+  if (rebuilds(program, last.given, given)) return false;
   auto values = reworked(program, given, last.derived, limits);
   // What went wrong is told by growing.
   if (!values) return false;
@@ -214,22 +213,24 @@ bool replaced(LastFlower& last, const Program& program, const Given& given, cons
 // Errors: those of reading and of growing.
 Result<std::unique_ptr<LastFlower>> grown(std::string_view text, const Given& given, const Limits& limits,
                                           std::unique_ptr<LastFlower> last) {
-  std::optional<Program> anew;
-  if (!last || last->text != text) {
+  Program program;
+  bool same = last != nullptr;
+  if (last && last->text == text) {
+    program = std::move(last->program);
+  } else {
     auto read = read_program(text, limits);
     if (!read) return read.error();
-    anew = std::move(read.value());
+    program = std::move(read.value());
+    same = last && same_map(program, last->program);
   }
-  const Program& program = anew ? *anew : last->program;
-  if (!last || !replaced(*last, program, given, limits)) {
+  if (!same || !replaced(*last, program, given, limits)) {
+    // Before another grows: there is never room needed for two.
+    last.reset();
     auto derived = derive(program, given, limits);
     if (!derived) return derived.error();
-    auto flower = std::make_unique<LastFlower>(std::move(derived.value()));
-    flower->program = anew ? std::move(*anew) : std::move(last->program);
-    last = std::move(flower);
-  } else if (anew) {
-    last->program = std::move(*anew);
+    last = std::make_unique<LastFlower>(std::move(derived.value()));
   }
+  last->program = std::move(program);
   last->text = text;
   last->given = given;
   return last;

@@ -7,13 +7,17 @@
 // A segment for each volume that has grown end on end in its organ, tagged by its label. Columns besides everyone's
 // (boundary/panicle.h), of volumes in the order in which they were made:
 //   volumes.label      uint32, into labels (text, words)
+//   labels.module      uint32: the module that each is of, from 1 on; 0 of the text itself
 //   volumes.order      uint32
 //   volumes.parent     uint32, 0xffffffff of the first
 //   volumes.values     float32 × 9: N, T, atx, aty, atz, H, L, W, m
-//   volumes.line, volumes.call
-//                      uint32: the line of the text where each is grown, and where its module is called; 0 for none
+//   volumes.line       uint32: the line of the text where each is grown; 0 for none
+//   volumes.call       uint32: the line where its module is called; 0 for none
 //   materials.number   uint32, one a mesh
-//   materials.colours  uint32 × 2: where an organ begins and ends, red, green and blue of 8 bits each
+//   materials.colours  uint32 × 4: where an organ begins and ends, of its margin and of its veins; red, green and blue
+//                      of 8 bits each
+//   materials.paint    float32 × 5: foot, width of the margin, number of veins, their strength, light that comes
+//   through
 // with `map`: alpha0 … alpha3, darts.volume, darts.vertex (uint32 a dart), vertices.position (float32 × 3).
 // Meshes: skin.hpp. Counts: volumes, darts, organs, triangles.
 #pragma once

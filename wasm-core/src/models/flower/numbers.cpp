@@ -23,14 +23,14 @@ bool Numbers::enter(const std::vector<Instance>& instances, std::uint32_t instan
   if (entered_ == instance) return true;
   entered_ = instance;
   const Instance& of = instances[instance];
-  return evaluation_.enter(of.grammar, of.address, of.given);
+  return evaluation_.enter(of.grammar, of.address, given_[instance]);
 }
 
 bool Numbers::of_label(const Record& record, VolumeValues& values) {
   return evaluation_.describe(program_.labels[record.label].description, record.address, values);
 }
 
-bool Numbers::work_out(const Record& record, const std::vector<Record>& records, std::vector<Instance>& instances,
+bool Numbers::work_out(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
                        const std::vector<VolumeValues>& known, float order, VolumeValues& values) {
   values = nothing_said;
   values[at(Field::order)] = order;
@@ -58,10 +58,14 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
            evaluation_.describe(rest ? split.rest_description : split.part_description, record.address, values);
   }
   const bool begins = record.before == nobody || record.instance != record.maker;
+  if (begins) {
+    given_.resize(record.instance);
+    given_.emplace_back();
+  }
   if (begins && record.before != nobody && !growth(record.source).settings.empty()) {
     // The call's luck is the volume's, so that each call draws for itself.
     if (!stand_at_call(record, records, instances, before) ||
-        !evaluation_.settle(growth(record.source).settings, record.address, instances[record.instance].given))
+        !evaluation_.settle(growth(record.source).settings, record.address, given_[record.instance]))
       return false;
   }
   if (record.inherits) {

@@ -12,9 +12,9 @@ class Numbers {
   Numbers(const Program& program, Evaluation& evaluation);
 
   // A record's values, where those of the records before it are known. `order`: of the face that it stands on, for
-  // volumes that do not say. What a module begins with tells its instance what it was called with. False: the
-  // evaluation's trouble.
-  bool work_out(const Record& record, const std::vector<Record>& records, std::vector<Instance>& instances,
+  // volumes that do not say. What a module begins with comes in the order of instances, and tells what its own was
+  // called with. False: the evaluation's trouble.
+  bool work_out(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
                 const std::vector<VolumeValues>& known, float order, VolumeValues& values);
   const Growth& growth(std::uint32_t number) const { return *growths_[number]; }
   const Production& production(std::uint32_t number) const { return *productions_[number]; }
@@ -31,6 +31,7 @@ class Numbers {
   Evaluation& evaluation_;
   std::vector<const Growth*> growths_;
   std::vector<const Production*> productions_;
+  std::vector<GivenVariables> given_;  // by instance
   std::uint32_t entered_ = nobody;
 };
 

@@ -248,7 +248,7 @@ bool Reader::settings(Growth& growth) {
     const bool of_blocks = std::exchange(uses.locals, false);
     if (of_blocks) uses.add(before);
     uses.locals = false;
-    uses_of_settings_.emplace_back(setting.variable, std::move(uses));
+    uses_of_variables_[setting.variable].add(uses);
     calls_.emplace_back(setting.variable, of_blocks ? read_ : Statement{first, semicolon, grammar_});
     of_blocks_.add(before);
     setting.value = number.value;

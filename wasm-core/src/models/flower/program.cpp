@@ -98,6 +98,18 @@ float light_through(std::string_view kind) {
   return kind == "petal" ? 0.5f : kind == "sepal" || kind == "leaf" ? 0.3f : 0;
 }
 
+std::uint64_t Program::bytes() const {
+  const auto of = [](const auto& all) { return all.capacity() * std::uint64_t{sizeof(all[0])}; };
+  std::uint64_t bytes = of(grammars) + of(labels) + of(variables) + of(productions) + of(materials) + of(bones) +
+                        of(notes) + of(code.instructions) + of(code.places) + of(code.registers) + of(code.streams);
+  for (const std::string& note : notes) bytes += of(note);
+  for (const Production& production : productions) {
+    bytes += of(production.growths);
+    for (const Growth& growth : production.growths) bytes += of(growth.faces) + of(growth.settings);
+  }
+  return bytes;
+}
+
 Result<Program> read_program(std::string_view text, const Limits& limits) {
   if (text.size() > limits.text_bytes)
     return error_at(Reason::limit, {}, "The text is longer than % bytes, which is the limit; make it shorter.",

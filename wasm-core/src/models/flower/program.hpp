@@ -171,6 +171,8 @@ struct Program {
   lsystem::Code code;
   lsystem::Range once_bound;  // to run when variables are known
   std::vector<std::string> notes;
+
+  std::uint64_t bytes() const;  // that it holds, but for names
 };
 
 // Errors: syntax, undefined and limit, with line and column.

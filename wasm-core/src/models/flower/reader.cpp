@@ -16,7 +16,7 @@ using lsystem::Place;
 using lsystem::Token;
 using lsystem::TokenKind;
 
-constexpr std::size_t most_variables = 1000, most_labels = 4000, most_modules = 256;
+constexpr std::size_t most_labels = 4000, most_modules = 256;
 constexpr std::uint32_t most_material = 255;
 constexpr std::array<std::string_view, 7> material_kinds = {"stem",   "leaf",   "sepal", "petal",
                                                             "stamen", "pistil", "seed"};
@@ -30,7 +30,7 @@ bool is_axiom(const Token& token) { return token.is("axiom") || token.is("axiome
 }  // namespace
 
 void Reader::Uses::add(const Uses& other) {
-  variables.insert(variables.end(), other.variables.begin(), other.variables.end());
+  variables |= other.variables;
   age |= other.age;
   values |= other.values;
   locals |= other.locals;
@@ -237,7 +237,7 @@ bool Reader::variable() {
   of_blocks_ = {};
   Number& value = program_.variables[at].number;
   if (!number(end_, Scope::variable, false, value)) return false;
-  uses_of_variables_[at] = std::move(of_blocks_);
+  uses_of_variables_[at] = of_blocks_;
   grammar.draws |= value.draws;
   return true;
 }
@@ -456,7 +456,7 @@ bool Reader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& draws) {
       uses.values |= formal < fields;
       continue;
     }
-    uses.variables.push_back(variable);
+    uses.variables.set(variable);
     node.name = keys_of_variables_[variable];
   }
   return true;
@@ -474,15 +474,13 @@ bool Reader::unknown(const Node& node, Scope scope) {
 }
 
 void Reader::rebuilds(const Uses& uses) {
-  for (const std::uint32_t variable : uses.variables) program_.variables[variable].rebuilds = true;
+  rebuilding_ |= uses.variables;
   program_.age_rebuilds |= uses.age;
   program_.values_rebuild |= uses.values;
   if (uses.locals) {
-    const Uses all = std::exchange(of_blocks_, {});
-    Uses without = all;
-    without.locals = false;
-    rebuilds(without);
-    of_blocks_ = all;
+    Uses of_blocks = of_blocks_;
+    of_blocks.locals = false;
+    rebuilds(of_blocks);
     pin(read_.begin, read_.end);
   }
 }
@@ -512,6 +510,16 @@ void Reader::write_bones() {
       program_.bones.append(is_free ? std::string_view("0") : token.text);
     }
   }
+  // What variables take counts as work, and figures may change it: equal parts are worked out once.
+  const auto add = [&](const lsystem::Value& value) {
+    program_.bones.append(" ").append(std::to_string(value.code.size()));
+  };
+  program_.bones += '\n';
+  for (const Grammar& each : program_.grammars) add(each.final_step.value);
+  for (const Variable& variable : program_.variables) add(variable.number.value);
+  for (const Production& production : program_.productions)
+    for (const Growth& growth : production.growths)
+      for (const Setting& setting : growth.settings) add(setting.value);
 }
 
 std::string Reader::key_of(std::string_view name, std::uint32_t grammar) const {
@@ -537,17 +545,15 @@ std::uint32_t Reader::find_grammar(std::string_view name) const {
 void Reader::finish() {
   // A variable that is made of others, or given by a call: whoever depends on it depends on those. Calls may stand in
   // any order, and so it is gone through again until nothing is new.
-  const auto known = [&] {
-    return std::count_if(program_.variables.begin(), program_.variables.end(),
-                         [](const Variable& variable) { return variable.rebuilds; });
-  };
-  for (std::ptrdiff_t before = -1; before != known();) {
-    before = known();
-    for (const auto& [variable, uses] : uses_of_settings_)
-      if (program_.variables[variable].rebuilds) rebuilds(uses);
-    for (std::size_t i = program_.variables.size(); i-- > 0;)
-      if (program_.variables[i].rebuilds) rebuilds(uses_of_variables_[i]);
+  std::bitset<most_variables> gone_into;
+  while (gone_into != rebuilding_) {
+    for (std::size_t i = program_.variables.size(); i-- > 0;) {
+      if (!rebuilding_[i] || gone_into[i]) continue;
+      gone_into.set(i);
+      rebuilds(uses_of_variables_[i]);
+    }
   }
+  for (std::size_t i = 0; i < program_.variables.size(); ++i) program_.variables[i].rebuilds = rebuilding_[i];
   write_bones();
   std::stable_sort(program_.productions.begin(), program_.productions.end(),
                    [](const Production& a, const Production& b) { return a.predecessor < b.predecessor; });

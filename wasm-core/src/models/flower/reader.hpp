@@ -1,6 +1,7 @@
 // A flower's text → program, statement by statement.
 #pragma once
 
+#include <bitset>
 #include <deque>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@ namespace panicle::flower {
 // How many of the thesis's numbers a list has, and so which: the text has eight, its tables nine with the translation.
 enum class Form : std::uint8_t { plain, translated };
 
+inline constexpr std::size_t most_variables = 1000;
 inline constexpr const char* numbers_of_volume = "(N, atx, aty, atz, H, L, W, m)";
 
 class Reader : lsystem::TokenReader {
@@ -30,9 +32,9 @@ class Reader : lsystem::TokenReader {
     std::size_t begin, end;
     std::uint32_t grammar;
   };
-  // What of a plant an expression depends on.
+  // What of a plant an expression depends on: no larger for a text that says a thing over and over.
   struct Uses {
-    std::vector<std::uint32_t> variables;
+    std::bitset<most_variables> variables;
     bool age = false, values = false, locals = false;
     void add(const Uses& other);
   };
@@ -105,7 +107,8 @@ class Reader : lsystem::TokenReader {
   std::vector<Form> forms_;             // of labels
   std::vector<Form> forms_of_modules_;  // of what each begins with
   std::vector<std::string_view> keys_of_variables_;
-  std::vector<Uses> uses_of_variables_;
+  std::vector<Uses> uses_of_variables_;  // and of what calls give them
+  std::bitset<most_variables> rebuilding_;
   enum class Figure : std::uint8_t { unread, free, pinned };
   std::vector<Figure> figures_;                             // of tokens that are numbers
   std::vector<std::pair<std::uint32_t, Statement>> calls_;  // that give variables their values
@@ -115,7 +118,6 @@ class Reader : lsystem::TokenReader {
   std::deque<std::string> spelled_;
   std::vector<std::string_view> locals_;
   Uses of_blocks_;
-  std::vector<std::pair<std::uint32_t, Uses>> uses_of_settings_;  // by variable
   struct Renamed {
     std::uint32_t line, from, to;
   };

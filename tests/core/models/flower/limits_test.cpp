@@ -1,0 +1,115 @@
+// Texts that ask for more than anyone may have: they end, and what is kept of them stays in proportion.
+#include "flowers.hpp"
+
+using namespace panicle;
+using namespace panicle::flower;
+using namespace panicle::flower::tests;
+
+namespace {
+
+// `v0=value;v1=value;…`, or a line of #define for each.
+std::string settings(std::size_t count, const std::string& value) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += "v" + std::to_string(i) + "=" + value + ";";
+  return all;
+}
+
+std::string defines(std::size_t count) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += "#define v" + std::to_string(i) + "=1\n";
+  return all;
+}
+
+}  // namespace
+
+// Six gigabytes, where each setting keeps every mention of the same variable in the blocks before it.
+TEST_CASE("what calls depend on is kept once, however often the text says it") {
+  std::string sum = "b";
+  for (int i = 0; i < 12; ++i) sum = "(" + sum + "+" + sum + ")";
+  std::string text = "#define A(4)\n#define b=1\n#define c=1\n#axiom: A\nA{a=" + sum + "}{}{} -> A";
+  for (int i = 0; i < 50; ++i) text += "\n[&M{" + settings(300, "a") + "}]_{E}";
+  text += "\n#module M\n" + defines(300) + "#define A(4)\n#axiom: A\nA{}{v7<step}{} -> A[A]_{E}";
+  REQUIRE(text.size() < Limits{}.text_bytes);
+  const Program program = program_of(text);
+  CHECK(program.productions[0].growths.size() == 50);
+  const auto rebuilds = [&](std::string_view name) {
+    return std::any_of(program.variables.begin(), program.variables.end(),
+                       [&](const Variable& variable) { return variable.name == name && variable.rebuilds; });
+  };
+  CHECK(rebuilds("b"));
+  CHECK_FALSE(rebuilds("c"));
+  CHECK_FALSE(rebuilds("v8"));
+}
+
+TEST_CASE("what calls give counts as work") {
+  Limits limits;
+  limits.evaluations = 50'000;
+  const auto calling = [](const std::string& order, const std::string& faces, const std::string& value) {
+    return "#define A(" + order + ")\n#axiom: A\nA -> A[A]_{E}[&M{v500=" + value + ";" + settings(500, "step") +
+           "}]_{" + faces + "}\n#module M\n" + defines(501) + "#define B(4)\n#axiom: B\n";
+  };
+  // A call a step, and all in one step, which ends within it.
+  std::string faces = "C1";
+  for (int i = 2; i <= 400; ++i) faces += ",C" + std::to_string(i);
+  for (const std::string& text : {calling("4", "C1", "1"), calling("400", faces, "1")}) {
+    const Flower flower = grown(text, steps(300), limits);
+    CHECK(flower.noted("which is the limit"));
+    CHECK(flower.derived.instances.size() > 10);
+    CHECK(500 * flower.derived.instances.size() <= limits.evaluations);
+  }
+  // And so does what it takes to work them out, or what a variable draws.
+  std::string sum = "step";
+  for (int i = 0; i < 500; ++i) sum += "+step*" + std::to_string(i);
+  const auto instances = [&](const std::string& value) {
+    return grown(calling("4", "C1", value), steps(300), limits).derived.instances.size();
+  };
+  CHECK(instances(sum) < instances("step"));
+  std::string draws = "ran(1)";
+  for (int i = 0; i < 500; ++i) draws += "+ran(1)";
+  CHECK(grown("#define A(4)\n#axiom: A\nA -> A[A]_{E}[&M]_{C1}\n#module M\n#define v=" + draws +
+                  "\n#define B(4)\n#axiom: B\n",
+              steps(300), limits)
+            .noted("which is the limit"));
+}
+
+TEST_CASE("what a call gives is a variable's own, in whatever order it is given") {
+  const Flower flower = grown(
+      "#define A(4)\n#axiom: A\nA -> A[&M{c=2*step+4; a=1; d=(2*step+4)*2}]_{E}\n#module M\n#define a=9\n#define b=9\n"
+      "#define c=9\n#define d=9\n#define B(4,a,b,c,d,1,1,1)\n#axiom: B\n",
+      steps(1));
+  REQUIRE(flower.derived.map.volumes() == 2);
+  CHECK(flower.value(1, Field::turn_x) == 1);
+  CHECK(flower.value(1, Field::turn_y) == 9);
+  CHECK(flower.value(1, Field::turn_z) == 4);
+  CHECK(flower.value(1, Field::height) == 8);
+}
+
+TEST_CASE("what is kept of a flower is counted whole, and nothing that calls gave is") {
+  std::string text = "#define A(4)\n#axiom: A\nA -> A[A]_{E}[&M{" + settings(300, "step*step+H") +
+                     "}]_{C1}\n#module M\n" + defines(300) + "#define B(4)\n#axiom: B\n";
+  std::string sum = "H";
+  for (int i = 0; i < 2000; ++i) sum += "+step*0.000" + std::to_string(i);
+  text += "B -> B[B(," + sum + ")]_{E}\n";
+  const Flower flower = grown(text, steps(30));
+  const lsystem::Code& code = flower.program.code;
+  REQUIRE(code.instructions.size() > 3000);
+  CHECK(flower.program.bytes() > code.instructions.size() * (sizeof code.instructions[0] + sizeof code.places[0]) +
+                                     300 * (sizeof(Variable) + sizeof(Setting)));
+  REQUIRE(flower.derived.instances.size() == 31);
+  CHECK(flower.derived.bytes() >= flower.derived.map.bytes() + 31 * sizeof(Instance) +
+                                      flower.derived.records.size() * (sizeof(Record) + sizeof(VolumeValues)));
+  CHECK(sizeof(Instance) <= 2 * sizeof(std::uint64_t));
+}
+
+TEST_CASE("a flower that is placed anew takes no more work than one that grows") {
+  const Flower flower = grown("#define A(4)\n#axiom: A\nA -> A[A]_{E}[&M]_{C1}\n#module M\n" + defines(300) +
+                                  "#define v=ran(1)\n#define B(4,v)\n#axiom: B\n",
+                              steps(30));
+  CHECK(sound(reworked(flower.program, steps(30), flower.derived)) == flower.derived.values);
+  Limits limits;
+  limits.evaluations = 5000;
+  const auto stopped = reworked(flower.program, steps(30), flower.derived, limits);
+  REQUIRE_FALSE(stopped);
+  CHECK(stopped.error().reason == Reason::limit);
+  CHECK_FALSE(derive(flower.program, steps(30), limits)->whole);
+}
