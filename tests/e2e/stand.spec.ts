@@ -35,6 +35,9 @@ test("a stand is laid, its plants told on the map, walked through, changed and b
 	await page.goto(link);
 	await expect(studio.fingerprint).toHaveText(after ?? "");
 
+	// One to which its neighbours are near.
+	await page.goto(WOOD);
+	await expect(studio.fingerprint).toHaveText(before ?? "");
 	await plan.getByRole("spinbutton", { name: "Plant" }).fill("5");
 	await plan.getByRole("spinbutton", { name: "Plant" }).press("Enter");
 	await alone.click();
