@@ -72,8 +72,8 @@ class WalkBar extends DeskElement<StandDesk> {
 
 	protected override draw(desk: StandDesk): unknown {
 		if (desk.toolState(walk) === undefined) return nothing;
-		return html`<div class="walk-bar">
-			<p class="walk-keys">Arrow keys walk and turn, a drag looks around, Esc leaves.</p>
+		return html`<p class="walk-keys">Arrow keys walk and turn, a drag looks around, Esc leaves.</p>
+		<div class="walk-bar">
 			${BUTTONS.map(
 				([step, label, sign]) =>
 					html`<button class="button icon" type="button" aria-label=${label} title=${label} @click=${() => go(desk, step)}
