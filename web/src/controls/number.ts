@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
-import { readIn, type Scale, scaleOf } from "../specimen/lengths";
+import { readIn, readOf, type Scale, scaleOf } from "../specimen/lengths";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
 import { coarseStep } from "./coarse_step";
 import type { Change } from "./desk";
@@ -35,7 +35,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		const scale = this.#scale;
 		const { key, label } = entry;
 		const { unit } = scale;
-		const read = readIn(scale, value);
+		const read = readOf(entry, scale, value);
 		const own = unit !== entry.unit && this.desk.toolState(OWN_LENGTHS);
 		const [slide, help] = [this.idOf("slide"), this.idOf("help")];
 		return html`<div class="control ${value === this.published ? "" : "changed"}" data-key=${key}>
@@ -110,14 +110,14 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		if (Number.isFinite(typed)) this.desk.set(this.change(typed / scale.per));
 		const value = Number(this.value);
 		this.#message = { text: complaint(this.entry, scale, field.value, typed, value), value };
-		field.value = String(readIn(scale, value));
+		field.value = readOf(this.entry, scale, value);
 		this.requestUpdate();
 	}
 }
 
 /** What to say where the number taken is not the one typed. */
 function complaint(entry: NumberEntry, scale: Scale, text: string, typed: number, value: number): string | undefined {
-	const taken = readIn(scale, value);
+	const taken = readOf(entry, scale, value);
 	if (!Number.isFinite(typed)) return `“${text.slice(0, 20)}” is not a number; ${entry.label} stays ${taken}.`;
 	// What is typed finer than it is read was taken all the same.
 	if (Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals)) return undefined;
