@@ -2583,7 +2583,7 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
 
 #define length=290 /* 140 … 450 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
-#define scale=1.20 /* 0.7 … 1.6, of the flower */
+#define scale=1.35 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
@@ -2614,7 +2614,7 @@ STEM{}{step==6}{} -> STEM[LOWER]_{E}
 STEM{}{step==9}{} -> STEM[UPPER]_{E}
 LOWER -> LOWER[STEM(,,,,<tall*(0.8+0.2*open)/13>,3,3,)]_{E}
 UPPER -> UPPER[STEM(,,,,<tall*(0.8+0.2*open)/13>,2.9,2.9,)]_{E}
-STEM{}{step==0}{} -> STEM[&PALMATE{stalk=math.random(110,160); len=math.random(46,58); start=-42+math.random(-10,10); sway=math.random(-12,12); teeth=0.45}]_{C1,C4,C8}
+STEM{}{step==0}{} -> STEM[&PALMATE{stalk=math.random(110,160); len=math.random(46,58); start=-60+math.random(-10,10); sway=math.random(-12,12); teeth=0.45}]_{C1,C4,C8}
 LOWER -> LOWER[&PALMATE{stalk=10; len=math.random(38,50); start=-34; teeth=0.45}]_{C3}
 UPPER -> UPPER[&PALMATE{stalk=6; len=math.random(26,34); start=-40; teeth=0.45}]_{C8}
 STEM{}{step==14}{} -> STEM[WHORL(,<10*open>,,,,,,)]_{E}
