@@ -57,6 +57,8 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	await sides.focus();
 	await sides.press("ArrowRight");
 	await expect(darts).not.toHaveText(few ?? "");
+	// It is still the same one, and its name is all that is said of it.
+	await expect(page.locator("panicle-volume [aria-live]")).toHaveText("STEM");
 });
 
 test("a grammar as XML is dropped and grows; a mistake in one is told with its place", async ({ page }) => {

@@ -76,13 +76,13 @@ export default [
 		suites: [`${TESTS}/glb_textures.test.ts`],
 		faults: [
 			{
-				id: "sheets-brighter-than-light",
+				id: "diffuse-brighter-than-light",
 				find: "one(most / (1 + most))",
 				replace: "one(most)",
 				breaks: "leaves and petals of files let more light through than the view shows",
 			},
 			{
-				id: "sheets-lit-twice",
+				id: "diffuse-lit-twice",
 				find: "flesh ? undefined : diffuseTransmission(material, textures)",
 				replace: "diffuseTransmission(material, textures)",
 				breaks: "light comes twice through a baked leaf",

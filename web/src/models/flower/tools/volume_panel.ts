@@ -37,6 +37,8 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 	declare choose: (volume: number | undefined) => void;
 
 	readonly #held = new HeldKey(() => this.desk.settle());
+	/** What a slider has begun last: it may go from under the hand, with the volume that it tells of. */
+	#gesture: string | undefined;
 	/** How far sliders reach: a range does not run away from the hand. */
 	readonly #ranges = new Map<string, Range>();
 
@@ -55,10 +57,10 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 			</div>
 			<div aria-live="polite">${
 				grown && chosen !== undefined
-					? this.#tell(grown, chosen)
-					: html`<p>None of ${count.toLocaleString("en")} is chosen.</p>`
+					? html`<h3 class="volume-name">${grown.volumes.labels[grown.volumes.label[chosen]]}</h3>`
+					: html`<p>None is chosen.</p>`
 			}</div>
-			${grown && chosen !== undefined ? this.#said(grown, chosen) : nothing}`;
+			${grown && chosen !== undefined ? [this.#tell(grown, chosen), this.#said(grown, chosen)] : nothing}`;
 	}
 
 	#choose(typed: string, count: number): void {
@@ -69,10 +71,9 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 
 	#tell({ volumes }: FlowerPlant, chosen: number): unknown {
 		const own = volumes.values.subarray(9 * chosen, 9 * chosen + 9);
-		return html`<h3 class="volume-name">${volumes.labels[volumes.label[chosen]]}</h3>
-			<dl class="volume-values">
-				${FIELDS.map(([name, words, unit], i) => html`<div><dt><abbr title=${words}>${name}</abbr></dt><dd>${shortFloat(Number(own[i].toPrecision(4)))}${unit && html` <small>${unit}</small>`}</dd></div>`)}
-			</dl>`;
+		return html`<dl class="volume-values">
+			${FIELDS.map(([name, words, unit], i) => html`<div><dt><abbr title=${words}>${name}</abbr></dt><dd>${shortFloat(Number(own[i].toPrecision(4)))}${unit && html` <small>${unit}</small>`}</dd></div>`)}
+		</dl>`;
 	}
 
 	#said({ volumes }: FlowerPlant, chosen: number): unknown {
@@ -137,14 +138,26 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 		</div>`;
 	}
 
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		this.#rest();
+	}
+
 	protected override updated(): void {
+		if (this.chosen === undefined) this.#rest();
 		for (const slider of this.querySelectorAll<HTMLElement>("[style-done]"))
 			slider.style.setProperty("--done", `${slider.getAttribute("style-done")}%`);
 	}
 
 	#edit(figure: Figure, written: string, key: string): void {
 		if (written === figure.text) return;
-		this.desk.edit({ ...this.#changed(figure, written), run: this.#held.run }, `figure ${key}`);
+		this.#gesture = `figure ${key}`;
+		this.desk.edit({ ...this.#changed(figure, written), run: this.#held.run }, this.#gesture);
+	}
+
+	#rest(): void {
+		if (this.#gesture !== undefined) this.desk.settle(this.#gesture);
+		this.#gesture = undefined;
 	}
 
 	/** The change that writes a figure in the place of another. */
