@@ -50,6 +50,12 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	await expect(studio.fingerprint).not.toHaveText(before ?? "");
 	await studio.regrown(() => page.keyboard.press("ControlOrMeta+z"));
 	await expect(studio.fingerprint).toHaveText(before ?? "");
+	await page.keyboard.press("Enter");
+	await expect(page.getByRole("textbox", { name: "H, Every STEM, typed" })).toBeFocused();
+	await page.keyboard.type("11");
+	await studio.regrown(() => page.keyboard.press("Enter"));
+	await expect(length).toHaveValue("11");
+	await expect(length).toBeFocused();
 	// Another order is another map.
 	const darts = studio.readout("Darts");
 	const few = await darts.textContent();

@@ -1,12 +1,12 @@
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { repeat } from "lit/directives/repeat.js";
-import { coarseStep } from "../../../controls/coarse_step";
 import { ControlElement } from "../../../controls/control_element";
 import type { Desk } from "../../../controls/desk";
 import { type GrammarSource, textOf, withText } from "../../../controls/grammar/source";
 import { HeldKey } from "../../../controls/held_key";
-import { handBack, handOver, isForField, readTyped } from "../../../controls/typed";
+import { sliderRow } from "../../../controls/slider_row";
+import { readTyped } from "../../../controls/typed";
 import { shortFloat } from "../../../export/numbers";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
@@ -105,37 +105,25 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 		const range = within(this.#ranges.get(key), Number(text)) ?? rangeFor(name, Number(text));
 		this.#ranges.set(key, range);
 		const { min, max, step } = range;
-		const slide = this.idOf(key);
-		const edit = (value: number) => this.#edit(figure, range.written(value), key);
-		const field = (event: Event) =>
-			(event.currentTarget as HTMLElement).parentElement?.querySelector<HTMLInputElement>(".typed") ?? null;
-		const press = (event: KeyboardEvent) => {
-			if (isForField(event)) return handOver(event, field(event));
-			this.#held.down(event);
-			const by = coarseStep(step, event);
-			if (by === undefined) return;
-			event.preventDefault();
-			edit(Number(text) + by);
-		};
-		const type = (event: Event) => {
-			const typed = readTyped((event.target as HTMLInputElement).value);
-			if (Number.isFinite(typed)) this.desk.set(this.#changed(figure, String(typed)));
-			(event.target as HTMLInputElement).value = text;
-		};
-		return html`<div class="control">
-			<label for=${slide}>${name}</label>
-			<input
-				type="range" id=${slide} min=${min} max=${max} step=${step} .value=${live(text)} aria-label=${`${name}, ${title}`}
-				style-done=${(100 * (Number(text) - min)) / (max - min)}
-				@input=${(event: Event) => edit(Number((event.target as HTMLInputElement).value))} @change=${this.#held.slid}
-				@keydown=${press} @keyup=${this.#held.up} @blur=${this.#held.up}
-			>
-			<input
-				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${live(text)} aria-label=${`${name}, ${title}, typed`}
-				@change=${type} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
-				@keydown=${(event: KeyboardEvent) => handBack(event, Number(text), (event.currentTarget as HTMLElement).parentElement?.querySelector("input[type=range]") ?? null)}
-			>
-		</div>`;
+		return html`<div class="control">${sliderRow({
+			id: this.idOf(key),
+			label: name,
+			name: `${name}, ${title}`,
+			typedName: `${name}, ${title}, typed`,
+			min,
+			max,
+			step,
+			value: Number(text),
+			text,
+			help: `${min} … ${max}.`,
+			held: this.#held,
+			slide: (value) => this.#edit(figure, range.written(value), key),
+			type: (typed) => {
+				if (!Number.isFinite(typed)) return text;
+				this.desk.set(this.#changed(figure, String(typed)));
+				return String(typed);
+			},
+		})}</div>`;
 	}
 
 	override disconnectedCallback(): void {
@@ -145,8 +133,6 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 
 	protected override updated(): void {
 		if (this.chosen === undefined) this.#rest();
-		for (const slider of this.querySelectorAll<HTMLElement>("[style-done]"))
-			slider.style.setProperty("--done", `${slider.getAttribute("style-done")}%`);
 	}
 
 	#edit(figure: Figure, written: string, key: string): void {
