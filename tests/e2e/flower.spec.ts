@@ -55,6 +55,12 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	await expect(studio.fingerprint).not.toHaveText(before ?? "");
 	await studio.regrown(() => page.keyboard.press("ControlOrMeta+z"));
 	await expect(studio.fingerprint).toHaveText(before ?? "");
+	await page.keyboard.press("Enter");
+	await expect(page.getByRole("textbox", { name: "H, Every STEM, typed" })).toBeFocused();
+	await page.keyboard.type("11");
+	await studio.regrown(() => page.keyboard.press("Enter"));
+	await expect(length).toHaveValue("11");
+	await expect(length).toBeFocused();
 	// Another order is another map.
 	const darts = studio.readout("Darts");
 	const few = await darts.textContent();
@@ -62,6 +68,8 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	await sides.focus();
 	await sides.press("ArrowRight");
 	await expect(darts).not.toHaveText(few ?? "");
+	// It is still the same one, and its name is all that is said of it.
+	await expect(page.locator("panicle-volume [aria-live]")).toHaveText("STEM");
 });
 
 test("a grammar as XML is dropped and grows; a mistake in one is told with its place", async ({ page }) => {

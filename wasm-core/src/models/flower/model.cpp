@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "generalized_map/embedding.hpp"
+#include "lsystem/diagnostics.hpp"
 #include "models/flower/derivation.hpp"
 #include "models/flower/measures/measures.generated.hpp"
 #include "models/flower/parameters.generated.hpp"
@@ -176,6 +177,22 @@ void measure(Plant& plant, const generalized_map::Embedding& embedding, std::siz
   set(Measure::organs, static_cast<float>(organs));
 }
 
+// A text that is edited may no longer have what was given a value: the flower grows without it.
+void note_strangers(Plant& plant, const Program& program, const Given& given) {
+  for (const Given::Value& value : given.values) {
+    std::string others;
+    bool known = false;
+    for (const Variable& variable : program.variables) {
+      if (variable.grammar != 0) continue;
+      known = known || variable.name == value.name;
+      others.append(others.empty() ? "" : ", ").append(variable.name);
+    }
+    if (!known)
+      plant.notes.push_back(lsystem::sentence("The text has no #define %=, so a value of it changes nothing; it has %.",
+                                              {value.name, others.empty() ? "none" : others}));
+  }
+}
+
 bool read_values(Request& request, Given& given) {
   const std::vector<std::string> names = words_of(request.text("values.names"));
   const std::span<const float> values = request.floats("values");
@@ -259,6 +276,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (!flower) return flower.error();
   auto& [own_text, program, own_given, derived, embedding, skin] = *flower.value();
   plant.notes.insert(plant.notes.end(), derived.notes.begin(), derived.notes.end());
+  note_strangers(plant, program, given);
 
   embedding.place(derived.shapes());
   add_segments(plant, program, derived, embedding);
