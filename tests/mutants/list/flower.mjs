@@ -60,6 +60,18 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/evaluation.cpp`,
+		suites: [`${TESTS}/limits_test.cpp`],
+		faults: [
+			{
+				id: "flower-long-conditions-for-nothing",
+				find: "  work_ += code.size();",
+				replace: "  ++work_;",
+				breaks: "a text whose conditions are long keeps the core busy far beyond its limit",
+			},
+		],
+	},
+	{
 		file: `${SRC}/production_reader.cpp`,
 		suites: DERIVATION,
 		faults: [

@@ -146,10 +146,10 @@ class Deriver {
     return true;
   }
 
-  // Work is counted by what is looked at; what variables take counts as well.
+  // Work is counted by what is looked at, and by the instructions of all that is worked out.
   bool is_spent(std::uint64_t more) {
     work_ += more;
-    return work_ + evaluation_.settled() > limits_.evaluations;
+    return work_ + evaluation_.work() > limits_.evaluations;
   }
 
   // Notes a production that fits and does nothing, since a later one does the like.
@@ -318,8 +318,8 @@ class Deriver {
   bool stop_for_work() {
     stopped_ = true;
     first_note(sentence(
-        "Growth ended in step %: productions were tried more than % times, which is the limit; let fewer things "
-        "wait for their turn.",
+        "Growth ended in step %: trying productions took more than % evaluations, which is the limit; let fewer things "
+        "wait for their turn, or let them work out less.",
         {std::to_string(step_), std::to_string(limits_.evaluations)}));
     return true;
   }
@@ -411,8 +411,8 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
     const Record& record = derived.records[i];
     const auto order = static_cast<float>(derived.map.volume(record.volume).order);
     if (!numbers.work_out(record, derived.records, derived.instances, all, order, all[i])) return evaluation.trouble();
-    if (evaluation.settled() > limits.evaluations)
-      return error_at(Reason::limit, {}, "Variables take more work than %, which is the limit.",
+    if (evaluation.work() > limits.evaluations)
+      return error_at(Reason::limit, {}, "Numbers take more work than %, which is the limit.",
                       {std::to_string(limits.evaluations)});
   }
   return all;

@@ -55,8 +55,9 @@ class Evaluation {
   // What a call gives a module's variables.
   bool settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given);
 
-  // What variables and those that calls give have taken so far, in instructions and values, for limits of work.
-  std::uint64_t settled() const { return settled_; }
+  // What all that was worked out has taken so far, in instructions and values, for limits of work: by the text, and not
+  // by what it comes to.
+  std::uint64_t work() const { return work_; }
   // Variables of the text itself, by their place in the program, as they were bound.
   const std::vector<float>& variables() const { return variables_; }
   bool failed() const { return trouble_.reason != Reason::none; }
@@ -80,7 +81,7 @@ class Evaluation {
   std::vector<std::uint32_t> steps_;  // by grammar
   std::uint32_t own_steps_ = 0, most_steps_ = 0;
   lsystem::Sources sources_;
-  std::uint64_t settled_ = 0;
+  std::uint64_t work_ = 0;
   Diagnostic trouble_;
 };
 
