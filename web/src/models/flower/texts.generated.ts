@@ -2936,6 +2936,310 @@ STYLE{}{step<10}{} -> STYLE[STYLE]_{E}
 STYLE{}{step==10}{} -> STYLE[STIGMA]_{E}
 STIGMA{}{step<12}{} -> STIGMA[STIGMA(,,,,2,4,4,)]_{E}
 `,
+	meadow: `/* Meadow
+   about: A ground of volumes, grown and glued like a petal, on whose tops seeds are sown by luck: each is a module of its own, grass or one of five flowers, in drifts of their kind.
+   source: Petrenko 2014, figure 24, whose grammar is not printed; the text is ours
+*/
+
+#define across=24 /* 4 … 60 step 2, volumes of ground */
+#define flowers=1 /* 0 … 3 step 0.1, how many */
+#define height=1 /* 0.5 … 1.6 step 0.05, of all that grows */
+#define wind=0 /* -1 … 1 step 0.05 */
+
+#define reach=across/2
+#define fall=26 /* degrees, at the margin */
+#define finalStep=across+reach+2
+/* Where drifts of a kind lie is luck, and the same for all seeds. */
+#define here=math.random(0,360)
+#define there=math.random(0,360)
+#define elsewhere=math.random(0,360)
+#define hill=math.random(0,360)
+#define dale=math.random(0,360)
+
+#define SPINE(4,0,0,0,38,38,12,1)
+#define RIGHT(4,0,0,0,38,12,38,1)
+#define LEFT(4,0,0,0,38,12,38,1)
+
+#material 1 stem "363a1c" "3a3f1f"
+#material 2 leaf "35511f" "7d9c42" foot 0.8
+#material 3 leaf "3b5a24" "93ad4e" foot 0.8
+#material 4 leaf "2f4a20" "6a8f45" foot 0.8
+#material 5 leaf "6f6a38" "b7a866" foot 0.7
+#material 6 stem "5f7f3e" "83a055"
+#material 7 leaf "476b31" "6f9448"
+#material 8 petal "1d0d10" "d4271b" foot 0.3 veins "9c130f" 7 0.25 bud "3a1014" "b83024" wilted "1d0d10" "8e1f22"
+#material 9 pistil "7f9463" "a5b88a"
+#material 10 stamen "221b2a" "3c3148"
+#material 11 petal "f3f1ea" "ffffff" bud "e6e8d0" "eef0e0" wilted "d8cdb8" "b9a68c"
+#material 12 stamen "c98a12" "edb91f"
+#material 13 petal "d9a800" "f7d21c" foot 0.4 bud "9aa23c" "c9b62c" wilted "b8922c" "a8843a"
+#material 14 petal "27348c" "4a67d8" foot 0.5 bud "39407a" "4a55a0" wilted "7a86b8" "a4a8c0"
+#material 15 petal "4c2a80" "6a3fa0"
+#material 16 sepal "4f6a3c" "5d7a48"
+#material 17 petal "b0568e" "c96fa6" bud "8a6a7a" "a8638c" wilted "9a7468" "8a6a58"
+#material 18 seed "a08d5a" "b9a070"
+
+#axiom: SPINE(,<90-fall>,,,,,,)
+/* A vein of volumes, towards the one who looks; rows to its right and left, as wide as a circle has them there. It falls off to its margin. */
+SPINE{t=2*along/across-1; u=2*(along+1)/across-1}{along<across-1}{} -> SPINE[SPINE(,<fall*(u^5-t^5)+4*(sin(31*(along+1)+dale)-sin(31*along+dale))>,,,,38,<12-9*u^8>,)]_{E}
+SPINE{c=along-reach+0.5; p=hill+19*along}{reach*reach-c*c>1}{} -> SPINE[RIGHT(,,<4*sin(p+24)>,,,,,)]_{C2}[LEFT(,,<-4*sin(24-p)>,,,,,)]_{C4}
+SPINE -> SPINE[&SOW{x=along-reach+0.5}]_{C3}
+RIGHT{c=along-reach+0.5; w=sqrt(max(0,reach*reach-c*c)); p=hill+19*along; q=(beside+1)/w}{beside+1<w+0.6*sin(103*along+dale)-0.2}{} -> RIGHT[RIGHT(,,<4*(sin(p+24*(beside+1))-sin(p+24*beside))-fall*(q^5-(q-1/w)^5)>,,,<12-9*q^4>,,)]_{E}
+RIGHT -> RIGHT[&SOW{x=along-reach+0.5; y=beside}]_{C2}
+LEFT{c=along-reach+0.5; w=sqrt(max(0,reach*reach-c*c)); p=hill+19*along; q=(beside+1)/w}{beside+1<w+0.6*sin(137*along+hill)-0.2}{} -> LEFT[LEFT(,,<fall*(q^5-(q-1/w)^5)-4*(sin(24*(beside+1)-p)-sin(24*beside-p))>,,,<12-9*q^4>,,)]_{E}
+LEFT -> LEFT[&SOW{x=along-reach+0.5; y=-beside}]_{C4}
+RIGHT : RIGHT_C1 < RIGHT_C3 -> RIGHT_C1 | RIGHT_C3
+LEFT : LEFT_C1 < LEFT_C3 -> LEFT_C1 | LEFT_C3
+
+#module SOW
+/* One seed. What grows of it is luck, and where it lies: the last line that holds has the place. */
+#define x=0
+#define y=0
+#define margin=sqrt(x*x+y*y)/reach
+#define SEED(4,math.random(-26,26),math.random(-26,26),math.random(-40,40),22-16*min(1,margin)^6,12,12,1)
+#define red=max(0,sin(17*x+23*y+here)+sin(29*x-13*y+there)-0.2)
+#define white=max(0,sin(19*x-21*y+elsewhere)+sin(11*x+27*y+here)-0.1)
+#define yellow=max(0,sin(24*x+14*y+there)+sin(31*y-9*x+elsewhere)-0.2)
+#define blue=max(0,sin(13*x-25*y+here+there)+sin(33*x+7*y+hill)-0.4)
+#define pink=max(0,sin(27*x+9*y+hill)+sin(15*x-29*y+dale)-0.2)
+#define finalStep=1
+#axiom: SEED
+SEED -> SEED[&GRASS(,<-atx>,<-aty>,<math.random(0,360)>,,,,){splay=max(0,margin-0.75)*4; lush=0.85+0.15*sin(21*x+16*y+dale)+0.15*sin(26*y-12*x+hill)}]_{E}
+SEED{}{math.random()<0.5*flowers*pink&&margin<0.95}{} -> SEED[&CLOVER(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
+SEED{}{math.random()<0.34*flowers*yellow&&margin<0.95}{} -> SEED[&BUTTERCUP(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
+SEED{}{math.random()<0.5*flowers*white&&margin<0.95}{} -> SEED[&DAISY(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
+SEED{}{math.random()<0.3*flowers*blue&&margin<0.95}{} -> SEED[&CORNFLOWER(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
+SEED{}{math.random()<0.36*flowers*red&&margin<0.95}{} -> SEED[&POPPY(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
+
+#module GRASS
+#define splay=0
+#define lush=1
+#define long=height*lush*math.random(130,230)
+#define green=2+floor(math.random(0,3))
+#define ROOT(8,0,0,0,3,9,9,2)
+#define finalStep=1
+#axiom: ROOT
+ROOT -> ROOT[&BLADE{len=long*math.random(0.4,1.15); start=-90+math.random(4,42)+splay*math.random(0,40); sway=math.random(-24,24); bend=math.random(10,90); paint=green}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+ROOT{}{math.random()<0.35}{} -> ROOT[&BLADE{len=long*math.random(0.3,0.8); start=-90+math.random(20,60); sway=math.random(-24,24); bend=math.random(30,110); paint=5}]_{C4}
+
+ROOT{}{math.random()<0.22}{} -> ROOT[&CULM{len=height*lush*math.random(200,330)}]_{E}
+
+#module BLADE
+#define len=100
+#define wide=3.8
+#define start=-60
+#define sway=0
+#define bend=40
+#define paint=2
+#define B(3,0,0,0,len/3,wide,0.3*wide,paint)
+#define finalStep=2
+#axiom: B(,start,sway,,,,,)
+B -> B[B(,<bend/2+wind*16>,,,,<wide*(0.82-0.72*step)>,<0.3*wide*(0.82-0.72*step)>,)]_{E}
+
+#module CULM
+/* A stalk of grass in flower: spikelets about its upper third. */
+#define len=300
+#define STALK(4,0,0,0,len/6,1.1,1.1,6)
+#define EAR(4,0,0,30,len/22,0.8,0.8,18)
+#define finalStep=10
+#axiom: STALK
+STALK{}{along<4}{} -> STALK[STALK(,<math.random(-5,5)+wind*7>,<math.random(-5,5)>,,,,,)]_{E}
+STALK{}{along==4}{} -> STALK[EAR]_{E}
+EAR{}{along<9}{} -> EAR[EAR(,<math.random(-2,6)+wind*3>,,30,,,,)]_{E}
+EAR -> EAR[&SCALE{len=len*0.06*(1-0.08*(along-4)); wide=2.6; start=-90+math.random(16,40); paint=18}]_{C(1+along%2),C(3+along%2)}
+
+#module SCALE
+/* A flat scale of two volumes: spikelets, anthers, florets. */
+#define len=8
+#define wide=3
+#define start=-40
+#define sway=0
+#define bend=0
+#define tip=0.35
+#define paint=18
+#define S(3,0,0,0,len/2,wide,0.35*wide,paint)
+#define finalStep=1
+#axiom: S(,start,sway,,,,,)
+S -> S[S(,bend,,,,<wide*tip>,<0.35*wide*tip>,)]_{E}
+
+#module RAY
+/* A flat petal of three volumes, blunt at its end. */
+#define len=16
+#define wide=5
+#define start=-20
+#define sway=0
+#define bend=0
+#define foot=0.45
+#define tip=0.7
+#define paint=11
+#define R(3,0,0,0,len/3,wide,0.5,paint)
+#define finalStep=2
+#axiom: R(,start,sway,,,<wide*(foot+1)/2>,,)
+R -> R[R(,<bend/2>,,,,<wide*(1-(1-tip)*step)>,,)]_{E}
+
+#module PETAL
+/* One layer of the thesis's petal: a vein of K segments and J lobes on either side, glued. */
+#define K=6
+#define J=2
+#define len=30
+#define wide=30
+#define start=0
+#define sway=0
+#define low=0
+#define mid=0
+#define high=0
+#define cup=6
+#define wave=0
+#define waves=4
+#define peak=1
+#define foot=1
+#define tip=1
+#define claw=0
+#define paint=8
+#define phase=math.random(0,360)
+#define VEIN(4,0,0,0,len*sin(90/K)^2,0.06*wide,0.5,paint)
+#define RIGHT(4,0,0,0,1,0.4,1,paint)
+#define LEFT(4,0,0,0,1,0.4,1,paint)
+#define finalStep=K+J+1
+#axiom: VEIN(,start,sway,,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=along/K; w=0.47*wide/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))}{}{} -> VEIN[RIGHT(,,<cup/2>,,w,,H,)]_{C2}[LEFT(,,<-cup/2>,,w,,H,)]_{C4}
+RIGHT{r=wave*beside/J*sin(360*waves*along/K+phase)}{beside<J}{} -> RIGHT[RIGHT(,,<cup+r>,,H,,W,)]_{E}
+LEFT{r=wave*beside/J*sin(360*waves*along/K+phase)}{beside<J}{} -> LEFT[LEFT(,,<-cup-r>,,H,,W,)]_{E}
+RIGHT : RIGHT_C1 < RIGHT_C3 -> RIGHT_C1 | RIGHT_C3
+LEFT : LEFT_C1 < LEFT_C3 -> LEFT_C1 | LEFT_C3
+
+#module POPPY
+#define open=min(1,max(0,age*math.random(0.3,1.9)-0.2))
+#define wilt=max(0,age-1)
+#define size=math.random(0.85,1.15)
+#define long=height*math.random(190,290)
+#define STEM(8,0,0,0,long/7,2,2,6)
+#define BASE(8,0,0,0,1.2,3.4,3.4,9)
+#define TOP(8,0,0,0,1.2,3.4,3.4,9)
+#define WALL(8,0,0,0,2,5,5,9)
+#define LID(8,0,0,0,1,7,7,10)
+#define finalStep=14
+#axiom: STEM(,,,,6,,,)
+STEM{hang=(1-open)*max(0,along-3)}{along<7}{} -> STEM[STEM(,<math.random(-4,4)+9*hang*hang+wind*5>,<math.random(-4,4)>,,<long*(0.7+0.3*open)/7>,,,)]_{E}
+STEM{}{along<1}{} -> STEM[&BLADE{len=math.random(60,110); wide=9; start=-90+math.random(20,60); bend=math.random(20,60); paint=7}]_{C1,C3,C4,C6,C8}
+STEM{}{along==7}{} -> STEM[BASE]_{E}
+BASE -> BASE[&PETAL{K=5; J=2; len=size*(11+21*open); wide=size*(9+41*open); start=-60+52*open+math.random(-6,6)+18*wilt; low=-16-22*open; mid=4; high=-30+46*open+math.random(-8,8); cup=14-8*open; wave=8+12*wilt; peak=1.3; tip=0.68; claw=0.24}]_{C1,C5}
+BASE -> BASE[TOP]_{E}
+TOP -> TOP[&PETAL{K=5; J=2; len=size*(10+19*open); wide=size*(8+36*open); start=-66+48*open+math.random(-6,6)+18*wilt; low=-14-26*open; mid=4; high=-26+38*open+math.random(-8,8); cup=16-8*open; wave=8+12*wilt; peak=1.3; tip=0.68; claw=0.24}]_{C3,C7}
+TOP -> TOP[WALL(,,,,<2.4*open+0.4>,<3.4+1.6*open>,<3.4+1.6*open>,)]_{E}
+WALL{}{along==10}{} -> WALL[WALL(,,,,<3.6*open+0.4>,<3.6+2.6*open>,<3.6+2.6*open>,)]_{E}[&SCALE{len=3+6*open; wide=0.8; start=-90+math.random(20,50); tip=2; paint=10}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+WALL{}{along==11}{} -> WALL[LID(,,,,0.8,<3.6+3.4*open>,<3.6+3.4*open>,)]_{E}[&SCALE{len=3+6*open; wide=0.8; start=-90+math.random(30,70); tip=2; paint=10}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+
+#module DAISY
+#define open=min(1,max(0,age*math.random(0.9,2.2)-0.3))
+#define wilt=max(0,age-1)
+#define size=math.random(0.85,1.15)
+#define long=height*math.random(140,240)
+#define STEM(8,0,0,0,long/7,1.8,1.8,6)
+#define CUP(8,0,0,0,2.4,9*size,9*size,16)
+#define RIM(8,0,0,15,0.5,12*size,12*size,11)
+#define DISC(8,0,0,11,1,12,12,12)
+#define finalStep=15
+#axiom: STEM(,,,,6,,,)
+STEM{}{along<7}{} -> STEM[STEM(,<math.random(-4,4)+wind*5>,<math.random(-4,4)>,,<long*(0.7+0.3*open)/7>,,,)]_{E}
+STEM{}{along<1}{} -> STEM[&BLADE{len=math.random(40,80); wide=8; start=-90+math.random(30,75); bend=math.random(10,40); paint=7}]_{C1,C2,C4,C5,C7}
+STEM{}{along==3}{} -> STEM[&BLADE{len=math.random(20,40); wide=5; start=-90+math.random(20,50); bend=30; paint=7}]_{C3}
+STEM{}{along==7}{} -> STEM[CUP(,<math.random(10,48)>,<math.random(-14,14)>,,,,,)]_{E}
+CUP -> CUP[RIM]_{E}
+RIM{}{along<10}{} -> RIM[RIM]_{E}
+RIM -> RIM[&RAY{len=size*(6+11*open)*math.random(0.92,1.06); wide=size*(2+2.6*open); start=-80+66*open-6*(along-9)+math.random(-7,7)+40*wilt; sway=math.random(-5,5); bend=-30+38*open; paint=11}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+RIM{}{along==10}{} -> RIM[DISC(,,,,<1.4*size>,<11.5*size>,<11.5*size>,)]_{E}
+DISC{}{along<14}{} -> DISC[DISC(,,,,<0.9*size>,<size*(11-2.6*(along-11))>,<size*(11-2.6*(along-11))>,)]_{E}
+DISC{}{along<14}{} -> DISC[&SCALE{len=2.1*size; wide=2.4*size; start=-60-8*(along-11); tip=0.8; paint=12}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+
+#module BUTTERCUP
+#define long=height*math.random(150,240)
+#define STEM(5,0,0,0,long/6,1.7,1.7,6)
+#define finalStep=8
+#axiom: STEM(,,,,6,,,)
+STEM{}{along<5}{} -> STEM[STEM(,<math.random(-6,6)+wind*6>,<math.random(-6,6)>,,<long/6>,<1.7-0.12*along>,<1.7-0.12*along>,)]_{E}
+STEM{}{along<1}{} -> STEM[&LOBED{stalk=math.random(30,60)}]_{C1,C3}
+STEM{}{along==2}{} -> STEM[&GOLD{long=long*math.random(0.35,0.5)}]_{C2}
+STEM{}{along==3}{} -> STEM[&GOLD{long=long*math.random(0.3,0.45)}]_{C4}
+STEM{}{along==2||along==3}{} -> STEM[&BLADE{len=math.random(24,40); wide=4; start=-90+math.random(30,60); bend=20; paint=7}]_{C5}
+STEM{}{along==5}{} -> STEM[&GOLD{long=long*0.2; start=0}]_{E}
+
+#module GOLD
+/* A stalk and its flower of five petals. */
+#define long=60
+#define start=-58
+#define open=min(1,max(0,age*math.random(0.7,2.2)-0.2))
+#define wilt=max(0,age-1)
+#define size=math.random(0.85,1.15)
+#define S(5,0,0,0,long/3,1.1,1.1,6)
+#define CUP(5,0,0,0,1.6,3.4,3.4,16)
+#define KNOB(5,0,0,36,1.4,3,3,12)
+#define finalStep=8
+#axiom: S(,<start+math.random(-8,8)>,,,,,,)
+S{}{along<3}{} -> S[S(,<math.random(2,12)*(start<0)>,<math.random(-6,6)>,,,,,)]_{E}
+S{}{along==3}{} -> S[CUP(,<math.random(-10,30)>,<math.random(-16,16)>,,,,,)]_{E}
+CUP -> CUP[&RAY{len=size*(5+8*open); wide=size*(3.5+7.5*open); start=-70+46*open+math.random(-6,6)+30*wilt; bend=-30; foot=0.4; tip=0.75; paint=13}]_{C1,C2,C3,C4,C5}
+CUP -> CUP[KNOB]_{E}
+KNOB{}{along<6}{} -> KNOB[KNOB(,,,,,2.2,2.2,)]_{E}[&SCALE{len=2+2*open; wide=1; start=-50+math.random(-12,12); tip=1.5; paint=12}]_{C1,C2,C3,C4,C5}
+
+#module LOBED
+/* A leaf of three lobes on its stalk. */
+#define stalk=40
+#define len=math.random(16,24)
+#define S(4,0,0,0,stalk/3,1,1,6)
+#define finalStep=4
+#axiom: S(,<-90+math.random(20,60)>,,,,,,)
+S{}{along<2}{} -> S[S(,<10+math.random(-4,6)>,,,,,,)]_{E}
+S{}{along==2}{} -> S[&RAY{len=len; wide=len*0.6; start=30; foot=0.4; tip=0.5; bend=20; paint=7}]_{E}[&RAY{len=len*0.9; wide=len*0.55; start=20; sway=50; foot=0.4; tip=0.5; bend=20; paint=7}]_{C2}[&RAY{len=len*0.9; wide=len*0.55; start=20; sway=-50; foot=0.4; tip=0.5; bend=20; paint=7}]_{C4}
+
+#module CORNFLOWER
+#define open=min(1,max(0,age*math.random(0.8,2)-0.2))
+#define wilt=max(0,age-1)
+#define size=math.random(0.85,1.15)
+#define long=height*math.random(210,310)
+#define STEM(8,0,0,0,long/7,1.6,1.6,6)
+#define HEAD(8,0,0,0,3,6,6,16)
+#define RIM(8,0,0,22,0.8,6,6,15)
+#define finalStep=14
+#axiom: STEM(,,,,6,,,)
+STEM{}{along<7}{} -> STEM[STEM(,<math.random(-4,4)+wind*5>,<math.random(-4,4)>,,<long/7>,,,)]_{E}
+STEM{}{along<5}{} -> STEM[&BLADE{len=math.random(45,80)-6*along; wide=3.4; start=-90+math.random(20,45); bend=math.random(10,50); paint=7}]_{C(1+(3*along)%8),C(1+(3*along+4)%8)}
+STEM{}{along==7}{} -> STEM[HEAD(,<math.random(-4,40)>,<math.random(-10,10)>,,,<4*size>,<4*size>,)]_{E}
+HEAD{}{along<10}{} -> HEAD[HEAD(,,,,<4*size>,<size*(9-2.5*(along-8))>,<size*(9-2.5*(along-8))>,)]_{E}
+HEAD{}{along==10}{} -> HEAD[RIM]_{E}
+RIM{}{along<13}{} -> RIM[RIM(,,,,,<5-1.2*(along-11)>,<5-1.2*(along-11)>,)]_{E}
+RIM{}{along==11}{} -> RIM[&TRUMPET{len=size*(6+10*open); start=-84+66*open+math.random(-12,12)+20*wilt; open=open}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+RIM{}{along==12}{} -> RIM[&SCALE{len=size*(5+6*open); wide=1.7; start=-78+20*open+math.random(-12,12); tip=0.9; paint=15}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+RIM{}{along==13}{} -> RIM[&SCALE{len=size*(5+5*open); wide=1.7; start=-86+math.random(-6,12); tip=0.9; paint=15}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+
+#module TRUMPET
+/* A floret of the rim: a tube that widens, and its lobes. */
+#define len=14
+#define start=0
+#define open=1
+#define TUBE(4,0,0,0,len/4,1.2,1.2,14)
+#define finalStep=3
+#axiom: TUBE(,start,<math.random(-14,14)>,,,,,)
+TUBE{}{along<1}{} -> TUBE[TUBE(,<8*open>,,,,<1.4+2*open>,<1.4+1.2*open>,)]_{E}
+TUBE{}{along==1}{} -> TUBE[&SCALE{len=len*0.55; wide=1.8+1.8*open; start=6; paint=14}]_{E}[&SCALE{len=len*0.5; wide=1.7+1.7*open; start=-52+math.random(-8,8); paint=14}]_{C1,C2,C4}
+
+#module CLOVER
+#define open=min(1,max(0,age*math.random(0.8,2)-0.2))
+#define wilt=max(0,age-1)
+#define size=math.random(0.85,1.2)
+#define long=height*math.random(90,150)
+#define STEM(8,0,0,0,long/5,1.8,1.8,6)
+#define HEAD(8,0,0,21,3,10,10,17)
+#define finalStep=11
+#axiom: STEM(,,,,6,,,)
+STEM{}{along<5}{} -> STEM[STEM(,<math.random(-7,7)+wind*4>,<math.random(-7,7)>,,<long/5>,,,)]_{E}
+STEM{}{along<1}{} -> STEM[&LOBED{stalk=math.random(40,80)}]_{C1,C4,C6}
+STEM{}{along==4}{} -> STEM[&LOBED{stalk=12}]_{C2,C6}
+STEM{}{along==5}{} -> STEM[HEAD(,,,,<2*size>,<6*size>,<6*size>,)]_{E}
+HEAD{}{along<10}{} -> HEAD[HEAD(,,,,<2.6*size>,<size*(11*sin(36*(along-4.4))+1)>,<size*(11*sin(36*(along-4.4))+1)>,)]_{E}
+HEAD -> HEAD[&SCALE{len=size*(4+4*open); wide=2*size; start=-20-13*(along-6)+math.random(-10,10)+40*wilt; bend=-30; tip=0.6; paint=17}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+`,
 	panicle: `/* Panicle
    about: A raceme of racemes, shorter towards the tip: lilac, florets of four lobes, in bud above.
    source: own text; the method is Petrenko 2014, section 2.2.3
