@@ -60,6 +60,18 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/evaluation.cpp`,
+		suites: [`${TESTS}/limits_test.cpp`],
+		faults: [
+			{
+				id: "flower-long-conditions-for-nothing",
+				find: "  work_ += code.size();",
+				replace: "  ++work_;",
+				breaks: "a text whose conditions are long keeps the core busy far beyond its limit",
+			},
+		],
+	},
+	{
 		file: `${SRC}/production_reader.cpp`,
 		suites: DERIVATION,
 		faults: [
@@ -182,6 +194,54 @@ export default [
 				find: '} else if (this.#on("<!")) {',
 				replace: '} else if (this.#on("<!") && false) {',
 				breaks: "a document type is no mistake of its own",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/texts.generated.ts",
+		suites: ["tests/web/models/flower/species.test.ts"],
+		faults: [
+			{
+				id: "flower-rose-of-many-leaflets",
+				find: "-> SPENT[RACHIS(",
+				replace: "-> RACHIS[RACHIS(",
+				breaks: "a rose's leaf has nineteen leaflets",
+			},
+			{
+				id: "flower-crocus-of-many-leaves",
+				find: "-> GROWN[SHEATH(",
+				replace: "-> SHEATH[SHEATH(",
+				breaks: "a crocus has up to ten leaves",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/grammar/source.ts",
+		suites: ["tests/web/models/flower/values.test.ts"],
+		faults: [
+			{
+				id: "flower-slider-brings-a-text",
+				find: "if (!presetConstants || isOwn(specimen))",
+				replace: "if (true)",
+				breaks: "one slider of a preset puts its whole text into the link",
+			},
+			{
+				id: "flower-value-twice",
+				find: ".filter(([name]) => !written.has(name))",
+				replace: "",
+				breaks: "a number of the text that is edited stays what a slider said before",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/request.ts",
+		suites: ["tests/web/models/flower/values.test.ts"],
+		faults: [
+			{
+				id: "flower-values-stay-at-home",
+				find: "names.length === 0",
+				replace: "true",
+				breaks: "values of the link change nothing",
 			},
 		],
 	},

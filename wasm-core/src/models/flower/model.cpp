@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "generalized_map/embedding.hpp"
+#include "lsystem/diagnostics.hpp"
 #include "models/flower/derivation.hpp"
 #include "models/flower/measures/measures.generated.hpp"
 #include "models/flower/parameters.generated.hpp"
-#include "models/flower/ranks.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/upright.hpp"
 #include "plant/kept.hpp"
@@ -48,14 +48,13 @@ glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embe
 
 void add_segments(Plant& plant, const Program& program, const Derived& derived,
                   const generalized_map::Embedding& embedding) {
-  const Ranks ranks = ranks_of(derived);
   std::vector<std::int32_t> tags(program.labels.size(), -1), of_volume(derived.map.volumes(), -1);
   for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
     const Record& record = derived.records[derived.record_of[v]];
     const std::uint32_t before = record.before == nobody ? nobody : derived.records[record.before].volume;
     const std::int32_t parent = before == nobody || before == v ? -1 : of_volume[before];
     of_volume[v] = parent;
-    if (ranks.of_volume[v].beside > 0) continue;
+    if (record.rank.beside > 0) continue;
     const std::uint32_t label = derived.map.volume(v).label;
     if (tags[label] < 0) {
       tags[label] = static_cast<std::int32_t>(plant.tags.size());
@@ -176,6 +175,22 @@ void measure(Plant& plant, const generalized_map::Embedding& embedding, std::siz
   set(Measure::organs, static_cast<float>(organs));
 }
 
+// A text that is edited may no longer have what was given a value: the flower grows without it.
+void note_strangers(Plant& plant, const Program& program, const Given& given) {
+  for (const Given::Value& value : given.values) {
+    std::string others;
+    bool known = false;
+    for (const Variable& variable : program.variables) {
+      if (variable.grammar != 0) continue;
+      known = known || variable.name == value.name;
+      others.append(others.empty() ? "" : ", ").append(variable.name);
+    }
+    if (!known)
+      plant.notes.push_back(lsystem::sentence("The text has no #define %=, so a value of it changes nothing; it has %.",
+                                              {value.name, others.empty() ? "none" : others}));
+  }
+}
+
 bool read_values(Request& request, Given& given) {
   const std::vector<std::string> names = words_of(request.text("values.names"));
   const std::span<const float> values = request.floats("values");
@@ -259,6 +274,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (!flower) return flower.error();
   auto& [own_text, program, own_given, derived, embedding, skin] = *flower.value();
   plant.notes.insert(plant.notes.end(), derived.notes.begin(), derived.notes.end());
+  note_strangers(plant, program, given);
 
   embedding.place(derived.shapes());
   add_segments(plant, program, derived, embedding);
