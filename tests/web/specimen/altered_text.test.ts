@@ -28,6 +28,8 @@ it("a tree whose handle was dragged is its preset, altered; one by another text 
 	const [first, ...rest] = volumesOf(oak, undefined);
 	const { details } = put(oak, [{ ...first, height: 7.25, at: [1, 2] }, ...rest]);
 	expect(tree(String(details?.grammar))).toBe("Oak, altered");
+	const text = trees.fetchedText({ preset: "oak" }) ?? "";
+	expect(tree(text.replace(/\d+/g, (digits) => String(Number(digits) + 1)))).toBe("Oak, altered");
 	expect(tree(OWN)).toBe("A growth grammar of one’s own");
 	expect(tree(trees.fetchedText({ preset: "figure-5" }) ?? "")).toBe("A growth grammar of one’s own");
 });
