@@ -144,6 +144,7 @@ struct Colours {
 struct Material {
   std::uint32_t number = 0;
   std::string kind;  // stem, leaf, sepal, petal, stamen, pistil or seed
+  std::string name;  // of what is made of it; empty: its kind's
   Colours open;
   Colours bud, wilted;                      // at an age of 0 and of 2; mixed between
   float foot = 0.6f;                        // over how much of an organ's length the first colour goes into the second

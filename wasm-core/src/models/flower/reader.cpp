@@ -1,6 +1,7 @@
 #include "models/flower/reader.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +22,7 @@ constexpr std::uint32_t most_material = 255;
 constexpr std::array<std::string_view, 7> material_kinds = {"stem",   "leaf",   "sepal", "petal",
                                                             "stamen", "pistil", "seed"};
 constexpr float most_veins = 60;
+constexpr std::size_t longest_name = 40;
 constexpr std::string_view final_step = "finalStep";
 constexpr const char* directives =
     "A line with # is #define NAME(…), #define name=…, #axiom: NAME, #module NAME or #material; '%' is none of these.";
@@ -281,12 +283,12 @@ bool Reader::material() {
 
 // `margin "ffffff" 0.2 light 0.6`: each once, in any order.
 bool Reader::said_of(Material& material) {
-  static constexpr std::array<std::string_view, 6> sayable = {"foot", "margin", "veins", "light", "bud", "wilted"};
-  std::array<bool, 6> said{};
+  static constexpr std::array<std::string_view, 7> sayable = {"foot", "margin", "veins", "light", "bud", "wilted", "name"};
+  std::array<bool, sayable.size()> said{};
   while (at_ < end_) {
     const auto word = static_cast<std::size_t>(std::find(sayable.begin(), sayable.end(), found()) - sayable.begin());
     if (!on_name() || word == sayable.size())
-      return wrong(here(), "Of a material one can say foot, margin, veins, light, bud and wilted; '%' is none.",
+      return wrong(here(), "Of a material one can say foot, margin, veins, light, bud, wilted and name; '%' is none.",
                    {found()});
     if (said[word]) return wrong(here(), "% has been said already; take one out.", {found()});
     said[word] = true;
@@ -297,9 +299,21 @@ bool Reader::said_of(Material& material) {
                                         share(material.vein_strength, 1)
                       : word == 3 ? share(material.light, 1)
                       : word == 4 ? colours(material.bud)
-                                  : colours(material.wilted);
+                      : word == 5 ? colours(material.wilted)
+                                  : part_name(material.name);
     if (!fine) return false;
   }
+  return true;
+}
+
+bool Reader::part_name(std::string& name) {
+  const auto plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '-' || c == ','; };
+  if (at_ >= end_ || tokens_[at_].kind != TokenKind::quoted || tokens_[at_].text.empty() ||
+      tokens_[at_].text.size() > longest_name || tokens_[at_].text.front() == ' ' ||
+      !std::all_of(tokens_[at_].text.begin(), tokens_[at_].text.end(), plain))
+    return wrong(here(), "A name stands in quotes, of letters, digits, spaces, commas and hyphens, at most %.",
+                 {std::to_string(longest_name)});
+  name = std::string(tokens_[at_++].text);
   return true;
 }
 
