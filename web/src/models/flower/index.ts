@@ -26,6 +26,7 @@ export const model = {
 	record: flowerRecord,
 	heavy: tooHeavy,
 	formats: FLOWER_FORMATS,
-	translated: (text) => (isXml(text) ? import("./xml/read").then(({ textOfXml }) => textOfXml(text)) : undefined),
+	translated: (text) =>
+		isXml(text) ? import("./xml/designed").then(({ grammarOfXml }) => grammarOfXml(text)) : undefined,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<FlowerSpecimen, FlowerPlant>;
