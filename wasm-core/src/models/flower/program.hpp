@@ -69,6 +69,7 @@ struct Description {
   std::array<std::uint32_t, fields> sources{};  // registers
   std::uint16_t given = 0;                      // bits of fields
   lsystem::Place place;
+  std::array<lsystem::Place, fields> places{};  // of what is given
 
   bool has(Field field) const { return (given >> static_cast<std::uint32_t>(field) & 1) != 0; }
 };
@@ -112,12 +113,14 @@ struct Production {
   Kind kind = Kind::grow;
   std::uint32_t predecessor = 0;  // a label
   lsystem::Place place;
-  Number condition;  // where given
+  Number condition;      // where given
+  bool by_step = false;  // whether that asks for steps and nothing else
   // grow
   std::uint32_t becomes = nobody;  // another label, where the successor begins with one
   std::vector<Growth> growths;
   // glue: own face, and whose other one; split: where
   Face face = generalized_map::base_face, other_face = generalized_map::base_face;
+  lsystem::Place face_place, other_place;
   std::uint32_t other = 0;
   std::uint32_t rest = 0, part = 0;
   Description rest_description, part_description;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "foundation/random.hpp"
+#include "lsystem/foreign.hpp"
 #include "lsystem/number_text.hpp"
 
 namespace panicle::flower {
@@ -405,6 +406,7 @@ bool Reader::description(Form form, Scope scope, Description& description) {
     at_ = first;
     if (!this->number(end, scope, field == 0, number)) return false;
     description.sources[field] = number.value.source;
+    description.places[field] = number.value.place;
     description.given = static_cast<std::uint16_t>(description.given | 1u << field);
   }
   at_ = behind;
@@ -412,10 +414,11 @@ bool Reader::description(Form form, Scope scope, Description& description) {
   return true;
 }
 
-bool Reader::number(std::size_t end, Scope scope, bool of_map, Number& number) {
+bool Reader::number(std::size_t end, Scope scope, bool of_map, Number& number, Uses* used) {
   for (std::size_t at = at_; at < end; ++at)
     if (figures_[at] == Figure::unread) figures_[at] = Figure::free;
   if (of_map) pin(at_, end);
+  if (!knows_functions(end)) return false;
   Expression tree;
   const std::size_t whole = end_;
   end_ = end;
@@ -433,6 +436,24 @@ bool Reader::number(std::size_t end, Scope scope, bool of_map, Number& number) {
   number.value = {true, {begin, lowering_.here()}, source.value(), tree.place};
   if (of_map) rebuilds(uses);
   of_blocks_.add(uses);
+  if (used != nullptr) *used = uses;
+  return true;
+}
+
+// Of an expression up to `end`, that what is called is one of the functions that there are here.
+bool Reader::knows_functions(std::size_t end) {
+  for (std::size_t at = at_; at + 1 < end; ++at) {
+    const std::string_view name = tokens_[at].text;
+    if (tokens_[at].kind != TokenKind::name || !tokens_[at + 1].is('(')) continue;
+    const auto is_called = [&](const lsystem::Function& function) { return function.name == name; };
+    if (std::any_of(lsystem::functions.begin(), lsystem::functions.end(), is_called)) continue;
+    // Who reads the expression has a word for it.
+    if (!lsystem::foreign_function(name).empty()) continue;
+    std::string known = "math.random";
+    for (const lsystem::Function& function : lsystem::functions)
+      if (!lsystem::is_asked(function.op)) known.append(", ").append(function.name);
+    return fail(Reason::undefined, tokens_[at].place, "There is no function '%'; there are %.", {name, known});
+  }
   return true;
 }
 
@@ -555,6 +576,38 @@ std::uint32_t Reader::find_grammar(std::string_view name) const {
   return found == lsystem::Names::none || found == 0 ? nobody : found;
 }
 
+// Productions of volumes that nothing can make of what is begun with.
+void Reader::tell_unreached() {
+  std::vector<bool> reached(program_.labels.size());
+  std::vector<std::uint32_t> waiting;
+  const auto reach = [&](std::uint32_t label) {
+    if (!reached[label]) waiting.push_back(label);
+    reached[label] = true;
+  };
+  reach(program_.grammars[0].axiom);
+  while (!waiting.empty()) {
+    const Label& label = program_.labels[waiting.back()];
+    waiting.pop_back();
+    for (std::uint32_t i = label.productions.begin; i < label.productions.end; ++i) {
+      const Production& production = program_.productions[i];
+      if (production.becomes != nobody) reach(production.becomes);
+      for (const Growth& growth : production.growths)
+        reach(growth.module ? program_.grammars[growth.target].axiom : growth.target);
+      if (production.kind != Production::Kind::split) continue;
+      reach(production.rest);
+      reach(production.part);
+    }
+  }
+  for (const Production& production : program_.productions) {
+    const Label& label = program_.labels[production.predecessor];
+    // Of a module that is called by nobody the call may be what is still to be written.
+    const bool called = label.grammar == 0 || reached[program_.grammars[label.grammar].axiom];
+    if (called && !reached[production.predecessor])
+      program_.notes.push_back(lsystem::sentence("Line %: nothing grows a %, so this never comes about.",
+                                                 {std::to_string(production.place.line), label.name}));
+  }
+}
+
 void Reader::finish() {
   // A variable that is made of others, or given by a call: whoever depends on it depends on those. Calls may stand in
   // any order, and so it is gone through again until nothing is new.
@@ -575,6 +628,7 @@ void Reader::finish() {
     if (of.end == 0) of.begin = i;
     of.end = i + 1;
   }
+  tell_unreached();
   for (const Renamed& each : renamed_) {
     const Label& to = program_.labels[each.to];
     if (to.productions.size() == 0) continue;

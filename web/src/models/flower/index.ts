@@ -3,7 +3,7 @@ import type { Model } from "../model";
 import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
 import { FLOWER_FORMATS } from "./formats";
 import { flowerParts } from "./parts";
-import { flowerRecord } from "./record";
+import { flowerRecord, tooHeavy } from "./record";
 import { encodeFlower } from "./request";
 import { FLOWER, isXml } from "./species";
 import type { FlowerSpecimen } from "./specimen";
@@ -24,6 +24,7 @@ export const model = {
 	titled: ({ grammar }) => (grammar === undefined ? undefined : "A flower grammar of one’s own"),
 	words: flowerInWords,
 	record: flowerRecord,
+	heavy: tooHeavy,
 	formats: FLOWER_FORMATS,
 	translated: (text) =>
 		isXml(text) ? import("./xml/designed").then(({ grammarOfXml }) => grammarOfXml(text)) : undefined,
