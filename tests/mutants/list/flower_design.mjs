@@ -38,6 +38,30 @@ export default [
 		],
 	},
 	{
+		file: `${DESIGN}/sections.ts`,
+		suites: ASSEMBLED,
+		faults: [
+			{
+				id: "flower-stalked-leaves-of-one-size",
+				find: "part=H/${stalk}; ",
+				replace: "",
+				breaks: "leaves on stalks do not become smaller up the stem",
+			},
+		],
+	},
+	{
+		file: `${VIEWS}/floral_diagram.ts`,
+		suites: SCENES,
+		faults: [
+			{
+				id: "diagram-whorls-outwards",
+				find: "(ring - Math.hypot(x, y)) / BETWEEN",
+				replace: "(Math.hypot(x, y) - ring) / BETWEEN",
+				breaks: "whoever draws the innermost whorl farther in gets none",
+			},
+		],
+	},
+	{
 		file: `${DESIGN}/whorl.ts`,
 		suites: ASSEMBLED,
 		faults: [
