@@ -43,8 +43,8 @@ export default [
 		faults: [
 			{
 				id: "flower-stalked-leaves-of-one-size",
-				find: "part=H/${stalk}; ",
-				replace: "",
+				find: "LEAF{part=H/",
+				replace: "LEAF{part=1+0*H/",
 				breaks: "leaves on stalks do not become smaller up the stem",
 			},
 		],
