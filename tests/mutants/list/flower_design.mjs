@@ -92,7 +92,7 @@ export default [
 			{
 				id: "flower-choice-forgets-edits",
 				find: "else if (same(other, was)) both(own);",
-				replace: "else if (same(other, was)) both(...was);",
+				replace: "else if (same(other, was)) both(was);",
 				breaks: "what was edited by hand goes with the next choice, and nobody is told",
 			},
 		],
