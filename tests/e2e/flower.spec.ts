@@ -25,6 +25,11 @@ test("a flower's text is edited: it regrows, a mistake is told, undo and the lin
 	await expect(studio.fingerprint).toHaveText(more ?? "");
 	await page.goto("?v=2&model=flower&preset=table-3");
 	await expect(studio.fingerprint).toHaveText(grown ?? "");
+	// Another preset differs in nothing but its text.
+	await studio.regrown(() => page.locator("[data-preset=figure-16]").click());
+	await expect(words).not.toContainText("4 organs");
+	await studio.regrown(() => studio.button("Undo").click());
+	await expect(studio.fingerprint).toHaveText(grown ?? "");
 });
 
 test("a click on a volume shows its numbers; a figure of the text is dragged, undone, and changes how many sides there are", async ({

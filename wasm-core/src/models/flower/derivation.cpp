@@ -7,6 +7,7 @@
 #include "foundation/random.hpp"
 #include "lsystem/number_text.hpp"
 #include "models/flower/numbers.hpp"
+#include "models/flower/ranks.hpp"
 
 namespace panicle::flower {
 namespace {
@@ -116,7 +117,7 @@ class Deriver {
       const bool grows = production.kind == Production::Kind::grow;
       if (grows && production.becomes == nobody && !room_for(production, volume)) continue;
       may_act = true;
-      evaluation_.stand(derived_.values[record], step_);
+      evaluation_.stand(derived_.values[record], derived_.records[record].rank, step_);
       evaluation_.face(0);
       if (!evaluation_.holds(production.condition, address)) {
         if (evaluation_.failed()) return false;
@@ -215,6 +216,7 @@ class Deriver {
     record.instance = growth.module ? static_cast<std::uint32_t>(derived_.instances.size()) : instance_;
     record.maker = instance_;
     record.step = step_;
+    if (!growth.module) record.rank = next_rank(derived_.records[before].rank, record.side);
     record.address =
         hash_combine(hash_combine(derived_.records[before].address, of_step + step_), of_face + chosen.face);
     if (growth.module) derived_.instances.push_back({growth.target, host.depth + 1, record.address});
@@ -253,6 +255,7 @@ class Deriver {
       record.label = rest ? production.rest : production.part;
       record.instance = record.maker = instance_;
       record.step = step_;
+      record.rank = rest ? derived_.records[before].rank : next_rank(derived_.records[before].rank, 0);
       record.address = hash_combine(hash_combine(derived_.records[before].address, of_step + step_), rest ? 1 : 2);
       VolumeValues values;
       if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values,

@@ -137,9 +137,11 @@ bool Evaluation::settle(const std::vector<Setting>& settings, std::uint64_t addr
   return true;
 }
 
-void Evaluation::stand(const VolumeValues& values, std::uint32_t step) {
+void Evaluation::stand(const VolumeValues& values, const Rank& rank, std::uint32_t step) {
   std::copy(values.begin(), values.end(), registers_.begin());
   set(Word::step, static_cast<float>(step));
+  set(Word::along, rank.along);
+  set(Word::beside, rank.beside);
 }
 
 bool Evaluation::holds(const Number& condition, std::uint64_t address) {

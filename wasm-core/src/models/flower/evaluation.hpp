@@ -10,6 +10,12 @@
 
 namespace panicle::flower {
 
+// Where in its organ a volume is. The axis of an instance is what has grown end on end from the volume that it begins
+// with; all else lies beside it, as far along as what bears it, and one further out than that.
+struct Rank {
+  std::uint16_t along = 0, beside = 0;
+};
+
 // What is given beside the text.
 struct Given {
   struct Value {
@@ -38,7 +44,7 @@ class Evaluation {
   bool enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given);
 
   // The volume that a production is for, or that another grows from.
-  void stand(const VolumeValues& values, std::uint32_t step);
+  void stand(const VolumeValues& values, const Rank& rank, std::uint32_t step);
   void face(std::uint32_t side) { set(Word::face, static_cast<float>(side)); }
   bool holds(const Number& condition, std::uint64_t address);
   bool run(lsystem::Range code, std::uint64_t address);
