@@ -17,6 +17,10 @@ test("a flower is designed: choices, the diagram and the outline write its text,
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-buttercup");
 	const before = page.url();
 	await expect(page.getByText("K5 C5 A12+12+12 G14")).toBeVisible();
+	await expect(page.getByRole("slider", { name: /^Steps/ })).toHaveAttribute("aria-valuetext", "auto");
+	const download = page.waitForEvent("download");
+	await studio.button("Diagram as SVG").click();
+	expect((await download).suggestedFilename()).toBe("designed-buttercup-diagram.svg");
 	// A choice: each petal is lanceolate, and the fit says so.
 	const chosen = await written(page, () => page.getByRole("combobox", { name: "Outline" }).selectOption("Lanceolate"));
 	await expect(page.getByText(/within 1\.\d % of its width/)).toBeVisible();
@@ -63,6 +67,8 @@ test("a flower is designed: choices, the diagram and the outline write its text,
 	await expect(studio.fingerprint).toHaveText(print ?? "");
 	await expect(count).toHaveAccessibleName(/: 3$/);
 	await expect(page.getByRole("combobox", { name: "Outline" })).toHaveValue("drawn");
+	// It is still the preset, altered, though its whole text came by the link.
+	await expect(page).toHaveTitle(/^Buttercup by choices, altered/);
 });
 
 test("what is edited by hand survives a choice elsewhere; what cannot is told, and can be kept", async ({ page }) => {
@@ -150,6 +156,9 @@ test("a text without descriptions says so, and a design begins", async ({ page }
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=table-3");
 	await expect(page.getByText("has no descriptions of its organs")).toBeVisible();
 	await expect(page.getByRole("region", { name: "Diagram view" })).toHaveCount(0);
+	await studio.button("Open Tulip by choices").click();
+	await expect(page.getByRole("region", { name: "Diagram view" })).toBeVisible();
+	await studio.button("Undo").click();
 	await written(page, () => studio.button("Design a new flower").click());
 	await expect(page.getByText("K0 C5 A5 G(3)")).toBeVisible();
 	await expect(page.getByRole("region", { name: "Diagram view" })).toBeVisible();
