@@ -18,7 +18,7 @@ test("a flower's text is edited: it regrows, a mistake is told, undo and the lin
 	await expect(page).toHaveURL(/#g=/);
 	const [more, link] = [await studio.fingerprint.textContent(), page.url()];
 	await page.keyboard.insertText("p0 PETAL -> PETAL[SEPAL]_{E}\n");
-	await expect(page.getByText("Nothing says what SEPAL is").first()).toBeVisible();
+	await expect(page.getByText("Nothing says what 'SEPAL' is").first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(more);
 	await page.goto("about:blank");
 	await page.goto(link);

@@ -70,6 +70,14 @@ test("a plan is edited; what it asks for and there is not is told at its place, 
 	await page.keyboard.insertText("\nlilac/blue, share 2");
 	await expect(page.getByText(/There is no model lilac; there are bunch/).first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(before);
+	// The faulty line is whole in sight above what is said of it.
+	const inSight = () =>
+		text.evaluate((content) => {
+			const view = content.closest(".cm-scroller")?.getBoundingClientRect();
+			const line = content.querySelector(".cm-error")?.getBoundingClientRect();
+			return view !== undefined && line !== undefined && line.bottom <= view.bottom && line.top >= view.top;
+		});
+	await expect.poll(inSight).toBe(true);
 	await page.keyboard.insertText(", share -1");
 	await expect(page.getByText(/A share is from 0/).first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(before);

@@ -1,5 +1,5 @@
 import { html, nothing } from "lit";
-import { readIn, type Scale, scaleOf } from "../specimen/lengths";
+import { readIn, readOf, type Scale, scaleOf } from "../specimen/lengths";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
 import type { Change } from "./desk";
 import { EntryElement } from "./entry_element";
@@ -33,7 +33,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		const scale = this.#scale;
 		const { key, label } = entry;
 		const { unit } = scale;
-		const read = readIn(scale, value);
+		const read = readOf(entry, scale, value);
 		const own = unit !== entry.unit && this.desk.toolState(OWN_LENGTHS);
 		return html`<div class="control ${value === this.published ? "" : "changed"}" data-key=${key}>${sliderRow({
 			id: this.idOf("slide"),
@@ -43,7 +43,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 			max: entry.max,
 			step: entry.step,
 			value,
-			text: String(read),
+			text: read,
 			unit,
 			spoken: `${read} ${spoken(unit)}`.trim(),
 			help: `${entry.help} ${rangeInWords(entry, scale)}`,
@@ -76,13 +76,13 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		const value = Number(this.value);
 		this.#message = { text: complaint(this.entry, scale, text, typed, value), value };
 		this.requestUpdate();
-		return String(readIn(scale, value));
+		return readOf(this.entry, scale, value);
 	};
 }
 
 /** What to say where the number taken is not the one typed. */
 function complaint(entry: NumberEntry, scale: Scale, text: string, typed: number, value: number): string | undefined {
-	const taken = readIn(scale, value);
+	const taken = readOf(entry, scale, value);
 	if (!Number.isFinite(typed)) return `“${text.slice(0, 20)}” is not a number; ${entry.label} stays ${taken}.`;
 	// What is typed finer than it is read was taken all the same.
 	if (Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals)) return undefined;

@@ -386,7 +386,7 @@ bool Reader::label_with_face(std::uint32_t& label, Face& face) {
   const std::string_view name = both.substr(0, low), of = both.substr(low + 1);
   label = find_label(name);
   if (label == nobody)
-    return fail(Reason::undefined, here(), "Nothing says what % is; add #define %%.", {name, name, numbers_of_volume});
+    return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.", {name, name, numbers_of_volume});
   if (!face_named(of, face)) return wrong(here(), advice, {both});
   return ++at_, true;
 }
@@ -395,7 +395,7 @@ bool Reader::label_named(std::uint32_t& label) {
   if (!on_name()) return wrong(here(), "A volume's name is expected here, not '%'.", {found()});
   label = find_label(found());
   if (label == nobody)
-    return fail(Reason::undefined, here(), "Nothing says what % is; add #define %%.",
+    return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.",
                 {found(), found(), numbers_of_volume});
   ++at_;
   return true;

@@ -11,8 +11,8 @@ import { outlineOf, withConstants } from "./outline";
 export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & WithGrammar> {
 	/** What sentences call a plant of it: "bunch". */
 	readonly noun: string;
-	/** The group of the panel that says so where a plant has a grammar of its own. */
-	readonly group: string;
+	/** The group of the panel that says so where a plant has a grammar of its own; absent: one at the panel's end, for hands write texts. */
+	readonly group?: string;
 	/**
 	 * The text by which a document grows that has none of its own. One that has yet to be fetched is promised: once the promise is
 	 * kept, this gives it.

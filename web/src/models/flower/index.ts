@@ -1,4 +1,5 @@
 /** Flowers from generalized maps (Petrenko 2014): docs/models/flower/flower.md. */
+import { titledBy } from "../../specimen/preset_texts";
 import type { Model } from "../model";
 import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
 import { FLOWER_FORMATS } from "./formats";
@@ -7,7 +8,7 @@ import { flowerRecord, tooHeavy } from "./record";
 import { encodeFlower } from "./request";
 import { FLOWER, isXml } from "./species";
 import type { FlowerSpecimen } from "./specimen";
-import { fetchTexts } from "./texts";
+import { fetchedText, fetchTexts } from "./texts";
 import { flowerInWords } from "./words";
 
 export const model = {
@@ -21,7 +22,7 @@ export const model = {
 	encode: encodeFlower,
 	read: readFlowerPlant,
 	parts: flowerParts,
-	titled: ({ grammar }) => (grammar === undefined ? undefined : "A flower grammar of one’s own"),
+	titled: titledBy("A flower grammar of one’s own", fetchedText),
 	words: flowerInWords,
 	record: flowerRecord,
 	heavy: tooHeavy,

@@ -8,7 +8,6 @@ import { FLOWER_LANGUAGE } from "./language";
 /** Where a flower's text comes from. */
 export const source: GrammarSource<FlowerSpecimen> = {
 	noun: "flower",
-	group: "life",
 	dialect: FLOWER_LANGUAGE,
 	always: true,
 	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),
