@@ -161,6 +161,15 @@ test("a text without descriptions says so, and a design begins", async ({ page }
 	await studio.button("Undo").click();
 	await written(page, () => studio.button("Design a new flower").click());
 	await expect(page.getByText("K0 C5 A5 G(3)")).toBeVisible();
+	const count = page.getByRole("textbox", { name: "Count, typed" });
+	for (const [typed, said] of [
+		["abc", "“abc” is not a number; Count stays 5."],
+		["99", "99 became 21."],
+	]) {
+		await count.fill(typed);
+		await count.press("Enter");
+		await expect(page.getByText(said)).toBeVisible();
+	}
 	await expect(page.getByRole("region", { name: "Diagram view" })).toBeVisible();
 });
 

@@ -7,6 +7,7 @@ import { HeldKey } from "./held_key";
 import { OWN_LENGTHS } from "./own_lengths";
 import { sliderRow } from "./slider_row";
 import { symbol } from "./symbol";
+import { refusal } from "./typed";
 
 /**
  * One numeric parameter: a slider and the same number to type. Dragging edits live and is one undo step, as is a run of
@@ -80,13 +81,11 @@ export class NumberControl extends EntryElement<NumberEntry> {
 	};
 }
 
-/** What to say where the number taken is not the one typed. */
+/** What to say where the number taken is not the one typed; undefined where it is. */
 function complaint(entry: NumberEntry, scale: Scale, text: string, typed: number, value: number): string | undefined {
-	const taken = readOf(entry, scale, value);
-	if (!Number.isFinite(typed)) return `“${text.slice(0, 20)}” is not a number; ${entry.label} stays ${taken}.`;
 	// What is typed finer than it is read was taken all the same.
 	if (Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals)) return undefined;
-	return `${entry.label} takes ${rangeInWords(entry, scale)} ${typed} became ${taken}.`;
+	return refusal(entry.label, rangeInWords(entry, scale), text, typed, readOf(entry, scale, value));
 }
 
 /** "12.5 … 250 mm." */

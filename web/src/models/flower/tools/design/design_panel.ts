@@ -7,6 +7,7 @@ import type { Stateful } from "../../../../controls/desk";
 import { HeldKey } from "../../../../controls/held_key";
 import { PICTURES } from "../../../../controls/picture_file";
 import { sliderRow } from "../../../../controls/slider_row";
+import { refusal } from "../../../../controls/typed";
 import { outlineOf } from "../../design/blade";
 import { isEdited, madeAnew } from "../../design/choose";
 import { type Description, described } from "../../design/description";
@@ -41,6 +42,8 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 	declare tool: Stateful<Organ>;
 	declare drafts: Drafts;
 
+	/** What became of a number that could not be taken as typed. */
+	#refused: { readonly of: string; readonly value: number; readonly text: string } | undefined;
 	readonly #held = new HeldKey(() => this.drafts.settle(this.desk));
 
 	protected override shows({ state, toolState }: FlowerDesk): readonly unknown[] {
@@ -85,7 +88,9 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 		const { key, label, help } = field;
 		const id = this.idOf(key);
 		const value = description.values[key];
-		if (field.kind === "number") return html`<div class="control">${this.#number(description, field, id)}</div>`;
+		if (field.kind === "number")
+			return html`<div class="control">${this.#number(description, field, id)}</div>
+				${this.#refused?.of === `${description.organ} ${key}` && this.#refused.value === value ? html`<p class="clamped" role="status">${this.#refused.text}</p>` : nothing}`;
 		const words = html`<label for=${id}>${label}</label>`;
 		const told = html`<span class="unseen" id=${`${id}-help`}>${help}</span>`;
 		if (field.kind === "choice")
@@ -103,6 +108,7 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 
 	#number(description: Description, { key, label, unit, least, most, step, help }: NumberField, id: string): unknown {
 		const value = Number(description.values[key]);
+		const range = `${least} … ${most}${unit && ` ${unit}`}.`;
 		return sliderRow({
 			id,
 			label,
@@ -114,13 +120,21 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 			text: String(value),
 			unit,
 			spoken: `${value} ${unit}`.trim(),
-			help: `${help} ${least} … ${most}${unit && ` ${unit}`}.`,
+			help: `${help} ${range}`,
 			held: this.#held,
 			slide: (to) => this.#edit(description, key, to, this.#held.run),
-			type: (typed) => {
+			type: (typed, text) => {
 				if (Number.isFinite(typed)) this.#choose(description, key, typed);
 				const design = designIn(this.desk.state.specimen);
-				return String(design ? describedIn(design, description.organ).values[key] : value);
+				const taken = design ? Number(describedIn(design, description.organ).values[key]) : value;
+				const said = {
+					of: `${description.organ} ${key}`,
+					value: taken,
+					text: refusal(label, range, text, typed, String(taken)),
+				};
+				this.#refused = taken === typed ? undefined : said;
+				this.requestUpdate();
+				return String(taken);
 			},
 		});
 	}
