@@ -452,7 +452,8 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
 
 bool same_map(const Program& program, const Program& other) {
   return program.bones == other.bones && program.notes == other.notes &&
-         program.once_bound.size() == other.once_bound.size();
+         std::equal(program.grammars.begin(), program.grammars.end(), other.grammars.begin(), other.grammars.end(),
+                    [](const Grammar& a, const Grammar& b) { return a.once_bound.size() == b.once_bound.size(); });
 }
 
 bool rebuilds(const Program& program, const Given& before, const Given& now) {

@@ -147,6 +147,40 @@ class Draws {
   Diagnostic trouble_;
 };
 
+// What follows from variables, told apart by whose they are: with those of the text alone it stands first, then what
+// each module's own are in. A module's step into another instance so takes no more work the more modules there are.
+void part_once_bound(Program& program, lsystem::Range all) {
+  std::vector<std::uint32_t> owner(program.code.registers.size(), 0);
+  for (const Variable& variable : program.variables) owner[variable.to] = variable.grammar;
+  std::vector<std::vector<std::uint32_t>> own(program.grammars.size());
+  for (std::uint32_t at = all.begin; at < all.end; ++at) {
+    const lsystem::Instruction& instruction = program.code.instructions[at];
+    // Nothing sees the variables of two modules.
+    const std::uint32_t grammar = std::max(owner[instruction.a], owner[instruction.b]);
+    owner[instruction.out] = grammar;
+    own[grammar].push_back(at);
+  }
+  lsystem::Code& code = program.code;
+  std::vector<lsystem::Instruction> instructions;
+  std::vector<lsystem::Place> places;
+  for (std::uint32_t g = 0; g < own.size(); ++g) {
+    lsystem::Range& range = program.grammars[g].once_bound;
+    range.begin = all.begin + static_cast<std::uint32_t>(instructions.size());
+    for (const std::uint32_t at : own[g]) {
+      instructions.push_back(code.instructions[at]);
+      places.push_back(code.places[at]);
+    }
+    range.end = all.begin + static_cast<std::uint32_t>(instructions.size());
+  }
+  for (Variable& variable : program.variables) {
+    const std::vector<std::uint32_t>& of = own[variable.grammar];
+    const auto before = std::lower_bound(of.begin(), of.end(), all.begin + variable.needs) - of.begin();
+    variable.needs = program.grammars[variable.grammar].once_bound.begin + static_cast<std::uint32_t>(before);
+  }
+  std::copy(instructions.begin(), instructions.end(), code.instructions.begin() + all.begin);
+  std::copy(places.begin(), places.end(), code.places.begin() + all.begin);
+}
+
 }  // namespace
 
 float light_through(std::string_view kind) {
@@ -183,7 +217,7 @@ Result<Program> read_program(std::string_view text, const Limits& limits) {
   lsystem::Lowering lowering(program.code);
   Reader reader(tokens.value(), program, lowering);
   if (!reader.run()) return reader.trouble();
-  program.once_bound = lowering.finish();
+  part_once_bound(program, lowering.finish());
   return program;
 }
 

@@ -134,7 +134,8 @@ struct Variable {
   std::uint32_t grammar = 0;
   std::uint32_t to = 0;  // register
   Number number;
-  bool rebuilds = false;  // whether the map depends on it, and not only where its corners are
+  std::uint32_t needs = 0;  // to where of its grammar's once_bound it has to be worked out before
+  bool rebuilds = false;    // whether the map depends on it, and not only where its corners are
 };
 
 // Where an organ begins and where it ends: red, green and blue, 8 bits each, as sRGB.
@@ -167,8 +168,10 @@ struct Grammar {
   std::uint32_t axiom = nobody;  // a label
   Description axiom_arguments;
   lsystem::Range variables;  // in Program::variables
-  Number final_step;         // where given
-  bool draws = false;        // whether a variable does, or a call gives one, so that each instance has its own
+  // What follows from its variables, and those of the text, alone: code that runs where they have their values.
+  lsystem::Range once_bound;
+  Number final_step;   // where given
+  bool draws = false;  // whether a variable does, or a call gives one, so that each instance has its own
   lsystem::Place place;
 };
 
@@ -184,7 +187,6 @@ struct Program {
   // number of steps depends on.
   std::string bones;
   lsystem::Code code;
-  lsystem::Range once_bound;  // to run when variables are known
   std::vector<std::string> notes;
 
   std::uint64_t bytes() const;  // that it holds, but for names

@@ -239,6 +239,7 @@ bool Reader::variable() {
   of_blocks_ = {};
   Number& value = program_.variables[at].number;
   if (!number(end_, Scope::variable, false, value)) return false;
+  program_.variables[at].needs = lowering_.once_bound();
   uses_of_variables_[at] = of_blocks_;
   grammar.draws |= value.draws;
   return true;
