@@ -137,7 +137,7 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
           asked.smooth = static_cast<float>(drawn(3));
           break;
         case 3:
-          asked.outputs = drawn(2) == 0 ? "meshes sky measures map" : "measures";
+          asked.outputs = std::vector<std::string>{"meshes sky measures map", "measures", "levels", "levels measures"}[drawn(4)];
           break;
         default: {
           const auto [from, to] = all[drawn(all.size())];

@@ -2,6 +2,7 @@
 import type { Model } from "../model";
 import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
 import { FLOWER_FORMATS } from "./formats";
+import { flowerLevels } from "./levels";
 import { flowerParts } from "./parts";
 import { flowerRecord } from "./record";
 import { encodeFlower } from "./request";
@@ -21,6 +22,7 @@ export const model = {
 	encode: encodeFlower,
 	read: readFlowerPlant,
 	parts: flowerParts,
+	levels: flowerLevels,
 	titled: ({ grammar }) => (grammar === undefined ? undefined : "A flower grammar of one’s own"),
 	words: flowerInWords,
 	record: flowerRecord,
