@@ -75,6 +75,7 @@ export async function grownMembers(
 	const notes = new Set<string>();
 	const read = await resolved(model, asked, notes);
 	const looks = kept?.looks ?? new Looks();
+	const order = alikeTogether(asked);
 	const done: (Member | undefined)[] = kept?.keep(asked, meshes) ?? asked.map(() => undefined);
 	const joined = () => members.joined({ ...grown, notes: [...grown.notes, ...notes, ...notesOf(done)] }, [...done]);
 	let count = done.filter(Boolean).length;
@@ -84,7 +85,7 @@ export async function grownMembers(
 	let failed = false;
 	const work = async () => {
 		while (next < asked.length && !failed) {
-			const at = next++;
+			const at = order[next++];
 			if (done[at]) continue;
 			const member = await memberOf(read[at], asked[at], run, meshes, looks);
 			bytes += bytesOf(member);
@@ -105,6 +106,18 @@ export async function grownMembers(
 	);
 	await Promise.all(works);
 	return joined();
+}
+
+/** In which order they are grown: those of one preset one after the other, for cores keep what the next one has of the last. */
+function alikeTogether(asked: readonly MemberAsked[]): readonly number[] {
+	const presets = new Map<string, number[]>();
+	for (const [i, { model, preset }] of asked.entries()) {
+		const key = `${model}/${preset}`;
+		const those = presets.get(key) ?? [];
+		presets.set(key, those);
+		those.push(i);
+	}
+	return [...presets.values()].flat();
 }
 
 /** What was to be said of members, each once, in the order in which they are asked for. */

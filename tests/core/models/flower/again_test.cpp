@@ -137,7 +137,8 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
           asked.smooth = static_cast<float>(drawn(3));
           break;
         case 3:
-          asked.outputs = std::vector<std::string>{"meshes sky measures map", "measures", "levels", "levels measures"}[drawn(4)];
+          asked.outputs =
+              std::vector<std::string>{"meshes sky measures map", "measures", "levels", "levels measures"}[drawn(4)];
           break;
         default: {
           const auto [from, to] = all[drawn(all.size())];

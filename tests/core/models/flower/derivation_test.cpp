@@ -352,7 +352,8 @@ TEST_CASE("other numbers are placed on the same map as if it had grown with them
   // Another seed, where luck has nothing to do with the map; where it has, what it has drawn tells.
   CHECK_FALSE(flower::rebuilds(orders, {}, {{}, 0, 1, 2}));
   const auto lucky = [](const std::string& order) {
-    return program_of("#define n=floor(math.random(4,6))\n#define A(" + order + ",0,0,0,1,1,1,1)\n#axiom: A\nA->A[&M{k=" + order +
+    return program_of("#define n=floor(math.random(4,6))\n#define A(" + order +
+                      ",0,0,0,1,1,1,1)\n#axiom: A\nA->A[&M{k=" + order +
                       "}]_{E}\n#module M\n#define k=4\n#define finalStep=k\n#axiom: A\n#define A(4)\nA->A[A]_{E}");
   };
   const Program drawn = lucky("n"), anyhow = lucky("floor(math.random(4,6))");

@@ -1,10 +1,11 @@
 // A flower at four distances.
+#include "models/flower/levels.hpp"
+
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 
 #include "flowers.hpp"
-#include "models/flower/levels.hpp"
 #include "models/flower/skin.hpp"
 
 using namespace panicle;
@@ -101,9 +102,10 @@ TEST_CASE("a flower at four distances has few triangles, and is as large, as wid
       CHECK(size > (k < 2 ? 0.97 : 0.87));
       CHECK(size < (k < 2 ? 1.03 : 1.25));
       if (k > 0 && !thousands)
-        for (const auto& [kind, share] : shares(mesh)) CHECK_MESSAGE(std::abs(share - near.at(kind)) < (k < 2 ? 0.25 : 0.32), kind, " ", share);
+        for (const auto& [kind, share] : shares(mesh))
+          CHECK_MESSAGE(std::abs(share - near.at(kind)) < (k < 2 ? 0.25 : 0.32), kind, " ", share);
       for (std::size_t v = 0; v < mesh.mesh.normals.size(); v += 3) {
-        const float *const n = &mesh.mesh.normals[v];
+        const float* const n = &mesh.mesh.normals[v];
         REQUIRE(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] == doctest::Approx(1).epsilon(0.001));
       }
     }

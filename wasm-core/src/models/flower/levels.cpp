@@ -30,9 +30,9 @@ constexpr std::uint32_t bearing = 6;         // by a sixth of the stride those a
 constexpr std::uint32_t fewest = 8;          // triangles of what has more than a kite's sides
 constexpr float flat = 0.3f;                 // what a kite is off by, as a share of half its width
 constexpr float narrowest = 0.1f, fullest = 1.3f, widest_kite = 1.8f;  // how wide it may be for its area
-constexpr std::uint8_t free_foot = 2;        // of what stands attached, and so may go like any vertex
-constexpr float widest = 4;                     // times as wide what is left may be
-constexpr float crease = -0.25f;                // the cosine between two normals that are not smoothed into one
+constexpr std::uint8_t free_foot = 2;  // of what stands attached, and so may go like any vertex
+constexpr float widest = 4;            // times as wide what is left may be
+constexpr float crease = -0.25f;       // the cosine between two normals that are not smoothed into one
 constexpr float sky_cells = 14;
 constexpr std::uint32_t sky_directions = 14;
 constexpr std::array<const char*, 7> kinds{"petal", "sepal", "leaf", "stem", "stamen", "pistil", "seed"};
@@ -160,7 +160,7 @@ void Levels::find_form(const Derived& derived, std::uint32_t organ, const std::v
                        const std::vector<std::uint32_t>& owner) {
   std::vector<std::uint32_t> sign = number_vertices(organ, owner);
   Organ& of = organs_[organ];
-  const std::span<const std::uint32_t> own(own_vertices_.begin() + of.vertices, own_vertices_.end());
+  const auto own = std::span<const std::uint32_t>(own_vertices_).subspan(of.vertices);
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
   for (const std::uint32_t vertex : own) {
     low = glm::min(low, places[vertex]);
@@ -179,7 +179,8 @@ void Levels::find_form(const Derived& derived, std::uint32_t organ, const std::v
   Patch patch;
   for (const std::uint32_t vertex : own) patch.positions.push_back(places[vertex]);
   patch.is_fixed.assign(own.size(), 0);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> open;  // edges, and whether they have no face on their other side
+  std::map<std::pair<std::uint32_t, std::uint32_t>, bool>
+      open;  // edges, and whether they have no face on their other side
   for (std::size_t i = 0, face = 0; i < corners; ++face) {
     const std::size_t first = i + 1, end = first + sign[i];
     for (std::size_t c = first; c < end; ++c) {
@@ -295,7 +296,9 @@ std::size_t Levels::triangles(const std::vector<std::uint8_t>& kept, float error
   std::vector<std::size_t> of_form(forms_.size());
   for (std::size_t i = 0; i < forms_.size(); ++i) {
     const std::size_t gone = within(forms_[i].thinning, error);
-    of_form[i] = forms_[i].is_kite(error) ? 4 : gone == 0 ? forms_[i].triangles.size() : forms_[i].thinning[gone - 1].triangles;
+    of_form[i] = forms_[i].is_kite(error) ? 4
+                 : gone == 0              ? forms_[i].triangles.size()
+                                          : forms_[i].thinning[gone - 1].triangles;
   }
   std::size_t all = 0;
   for (std::size_t i = 0; i < organs_.size(); ++i) all += kept[i] != 0 ? of_form[organs_[i].form] : 0;
@@ -318,8 +321,8 @@ void Levels::choose(Level& level, std::size_t most, const std::vector<glm::vec3>
     errors.push_back(form.kite_error);
   }
   std::sort(errors.begin(), errors.end());
-  const auto enough = std::partition_point(errors.begin(), errors.end(),
-                                           [&](float error) { return triangles(there, error) > most; });
+  const auto enough =
+      std::partition_point(errors.begin(), errors.end(), [&](float error) { return triangles(there, error) > most; });
   const float error = enough == errors.end() ? all : *enough;
 
   std::vector<std::vector<std::uint32_t>> to(forms_.size());
@@ -347,7 +350,8 @@ void Levels::choose(Level& level, std::size_t most, const std::vector<glm::vec3>
       const auto at = [&](std::size_t k) { return places[own[form.kite[k]]]; };
       behind = 2 * (area_of(at(0), at(1), at(2)) + area_of(at(0), at(2), at(3)));
     }
-    fuller[organ.form] = behind > 0 ? std::clamp(before / behind, is_kite ? narrowest : 1.0f, is_kite ? widest_kite : fullest) : 1;
+    fuller[organ.form] =
+        behind > 0 ? std::clamp(before / behind, is_kite ? narrowest : 1.0f, is_kite ? widest_kite : fullest) : 1;
   }
   const auto last = [&](std::uint32_t vertex) {
     while (gone[vertex] != vertex) vertex = gone[vertex];
@@ -362,7 +366,7 @@ void Levels::choose(Level& level, std::size_t most, const std::vector<glm::vec3>
     const bool is_kite = form.is_kite(error);
     for (std::size_t k = 0; k < 4 && is_kite; ++k) {
       // Left and right of the upper side, then of the lower.
-      const std::array<std::size_t, 3> of = k == 0 ? std::array<std::size_t, 3>{0, 1, 2}
+      const std::array<std::size_t, 3> of = k == 0   ? std::array<std::size_t, 3>{0, 1, 2}
                                             : k == 1 ? std::array<std::size_t, 3>{0, 2, 3}
                                             : k == 2 ? std::array<std::size_t, 3>{0, 2, 1}
                                                      : std::array<std::size_t, 3>{0, 3, 2};
@@ -422,8 +426,7 @@ void Levels::dress(Level& level, const Program& program) {
   for (std::uint32_t number = 0; number < kind.size(); ++number)
     kind[number] = place_of(material_of(program, number).kind);
   std::array<std::vector<std::uint32_t>, kinds.size()> triangles;
-  for (std::uint32_t t = 0; t < level.volumes.size(); ++t)
-    triangles[kind[numbers_[level.volumes[t]]]].push_back(t);
+  for (std::uint32_t t = 0; t < level.volumes.size(); ++t) triangles[kind[numbers_[level.volumes[t]]]].push_back(t);
   level.runs.clear();
   level.indices.clear();
   level.drawn.clear();
@@ -479,8 +482,8 @@ void Levels::widen(const Level& level, std::vector<glm::vec3>& places) const {
   }
 }
 
-void Levels::add_to(Plant& plant, const Program& program, const Derived& derived,
-                    generalized_map::Embedding& embedding, std::vector<std::uint32_t>& numbers) {
+void Levels::add_to(Plant& plant, const Program& program, const Derived& derived, generalized_map::Embedding& embedding,
+                    std::vector<std::uint32_t>& numbers) {
   const ClosedSurface& surface = boundary_.surface;
   const std::vector<glm::vec3> places = rounded(derived, embedding);
   std::vector<std::uint8_t> own(derived.map.volumes());
@@ -500,7 +503,8 @@ void Levels::add_to(Plant& plant, const Program& program, const Derived& derived
 
   std::array<std::uint8_t, 256> index{};
   std::array<bool, 256> is_known{};
-  for (std::size_t i = 0; i < numbers.size(); ++i) index[numbers[i]] = static_cast<std::uint8_t>(i), is_known[numbers[i]] = true;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    index[numbers[i]] = static_cast<std::uint8_t>(i), is_known[numbers[i]] = true;
   std::vector<Screen> screens;
   const std::size_t first = plant.meshes.size();
   for (std::size_t k = 0; k < levels_.size(); ++k) {
@@ -508,12 +512,13 @@ void Levels::add_to(Plant& plant, const Program& program, const Derived& derived
     std::vector<glm::vec3> wider = places, normals(level.smooth.size(), glm::vec3(0));
     widen(level, wider);
     for (std::size_t t = 0; t < level.corners.size(); t += 3) {
-      const std::uint32_t *const corner = &level.corners[t];
+      const std::uint32_t* const corner = &level.corners[t];
       const glm::vec3 &a = wider[level.smooth[corner[0]]], &b = wider[level.smooth[corner[1]]],
                       &c = wider[level.smooth[corner[2]]];
       const glm::vec3 normal = glm::cross(b - a, c - a);
       for (std::size_t i = 0; i < 3; ++i) normals[corner[i]] += normal;
-      if (k == 0) screens.push_back({metres * upright((a + b + c) / 3.0f), 0.25f * metres * metres * glm::length(normal)});
+      if (k == 0)
+        screens.push_back({metres * upright((a + b + c) / 3.0f), 0.25f * metres * metres * glm::length(normal)});
     }
     PlantMesh& out = plant.meshes.emplace_back();
     out.name = names[k];

@@ -1,9 +1,10 @@
 // A flower at four distances, for beds and meadows: what is seen of hundreds, few of which are near.
 //
-// Its levels are its own skin, unrounded but with vertices where rounding would put them, less what its size in the view
-// cannot show. What that is follows from the map, and from the text's sizes as an open flower of seed 1 would have them:
-// so it is found once for all plants that have one map, and each level of each is only placed. Organs that hang together
-// alike and are about as large are thinned by one list; of a crowd of those only some are left from afar, wider.
+// Its levels are its own skin, unrounded but with vertices where rounding would put them, less what its size in the
+// view cannot show. What that is follows from the map, and from the text's sizes as an open flower of seed 1 would have
+// them: so it is found once for all plants that have one map, and each level of each is only placed. Organs that hang
+// together alike and are about as large are thinned by one list; of a crowd of those only some are left from afar,
+// wider.
 #pragma once
 
 #include <cstdint>
@@ -53,8 +54,8 @@ class Levels {
     bool is_kite(float error) const { return rooted && !bears && error >= kite_error; }
   };
   struct Organ {
-    std::uint32_t form = 0, number = 0;   // the how manieth of its form
-    std::uint32_t maker = 0;              // another organ
+    std::uint32_t form = 0, number = 0;     // the how manieth of its form
+    std::uint32_t maker = 0;                // another organ
     std::uint32_t vertices = 0, faces = 0;  // where its own begin
   };
   // An organ that is drawn wider.
@@ -63,9 +64,9 @@ class Levels {
     float times = 1;
   };
   struct Level {
-    std::vector<std::uint32_t> corners;   // of triangles, by `smooth`
-    std::vector<std::uint32_t> volumes;   // of triangles
-    std::vector<std::uint32_t> smooth;    // what has one normal: of each its vertex
+    std::vector<std::uint32_t> corners;  // of triangles, by `smooth`
+    std::vector<std::uint32_t> volumes;  // of triangles
+    std::vector<std::uint32_t> smooth;   // what has one normal: of each its vertex
     std::vector<Wide> wide;
     // As materials have it: what is drawn.
     std::vector<MeshRun> runs;

@@ -239,7 +239,9 @@ Result<Grown*> grown(std::string_view text, const Given& given, const Limits& li
   for (std::size_t i = 0; i < all.size() && !again; ++i) {
     if (same_text ? all[i]->text != text : i > 0 || !same_map(*program, *all[i]->program)) continue;
     again = replaced(*all[i], *program, given, limits);
-    if (again) std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), all.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    if (again)
+      std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
+                  all.begin() + static_cast<std::ptrdiff_t>(i) + 1);
   }
   if (!again) {
     // Before another grows: but for beds there is never room needed for two.

@@ -1,5 +1,5 @@
-// What volumes are to be as wide as so that their skin is as thick as the text says: rounding draws tubes in, by a third
-// where they have four sides.
+// What volumes are to be as wide as so that their skin is as thick as the text says: rounding draws tubes in, by a
+// third where they have four sides.
 #pragma once
 
 #include <cstdint>
