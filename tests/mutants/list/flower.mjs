@@ -185,4 +185,34 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/controls/grammar/source.ts",
+		suites: ["tests/web/models/flower/values.test.ts"],
+		faults: [
+			{
+				id: "flower-slider-brings-a-text",
+				find: "if (!presetConstants || isOwn(specimen))",
+				replace: "if (true)",
+				breaks: "one slider of a preset puts its whole text into the link",
+			},
+			{
+				id: "flower-value-twice",
+				find: ".filter(([name]) => !written.has(name))",
+				replace: "",
+				breaks: "a number of the text that is edited stays what a slider said before",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/request.ts",
+		suites: ["tests/web/models/flower/values.test.ts"],
+		faults: [
+			{
+				id: "flower-values-stay-at-home",
+				find: "names.length === 0",
+				replace: "true",
+				breaks: "values of the link change nothing",
+			},
+		],
+	},
 ];

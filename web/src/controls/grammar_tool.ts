@@ -22,7 +22,7 @@ const EDIT = "Edit the grammar";
 const CONSTANTS = {
 	key: "constants",
 	title: "Constants",
-	help: "The numbers and curves that the grammar defines. A slider writes into the text.",
+	help: "The numbers and curves that the grammar defines, to be given other values.",
 	everyday: true,
 } as const;
 

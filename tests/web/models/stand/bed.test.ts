@@ -6,7 +6,7 @@ import { exportJson } from "../../../../web/src/export/json";
 import { growPlant } from "../../../../web/src/files/growth";
 import { modelNamed } from "../../../../web/src/models/index";
 import { model } from "../../../../web/src/models/stand/index";
-import type { PlantRecord } from "../../../../web/src/models/stand/record";
+import { type PlantRecord, placementsCsv } from "../../../../web/src/models/stand/record";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { decodeLink } from "../../../../web/src/specimen/link";
@@ -78,6 +78,36 @@ describe("a small bed", () => {
 				fingerprint,
 			);
 		}
+	});
+
+	it("draws values for what its texts call their own, which each plant's link and the table of plants have", async () => {
+		const flower = await modelNamed("flower");
+		const plan = (setting: string) => planned(`plants 6, stratified\nflower/tulip: age 0.5 to 1, ${setting}`);
+		const some = await grownStand(plan("length 200 to 400, bend -2"));
+		const { plants } = exportJson(model, some, plan("")) as unknown as { plants: PlantRecord[] };
+		const lengths = plants.map(({ values }) => values.length as number);
+		expect(Math.min(...lengths)).toBeGreaterThanOrEqual(200);
+		expect(new Set(lengths).size).toBe(6);
+		const alone = async (link = "") =>
+			growPlant(flower, (await decodeLink(flower, link)).specimen, { meshes: false }, run);
+		for (const { link, values, fingerprint } of plants) {
+			expect(link).toContain(`define=bend:-2,length:${values.length}`);
+			const grown = await alone(link);
+			expect(grown.fingerprint).toBe(fingerprint);
+			// Nothing but its length is another.
+			const taller = await alone(link?.replace(/length:[\d.]+/, "length:500"));
+			const height = ({ measures }: typeof grown) => measures?.[0] ?? 0;
+			expect(height(taller)).toBeGreaterThan(height(grown));
+		}
+		expect(placementsCsv(some, plan("")).split("\r\n")[0]).toContain("age,length,bend,fingerprint");
+		const error = await grownStand(plan("\n  lenght 3")).catch((reason: unknown) => reason);
+		expect(error).toMatchObject({
+			message: expect.stringMatching(
+				/no parameter lenght \(there are steps, age, smooth\), and of tulip .*there are length, bend/,
+			),
+			...{ line: 3, column: 3 },
+		});
+		await expect(grownStand(plan('length "tall"'))).rejects.toThrow("no parameter length");
 	});
 
 	it("is a GLB that the Khronos validator has nothing against, at each fineness", async () => {

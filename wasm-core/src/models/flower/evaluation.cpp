@@ -27,12 +27,6 @@ Evaluation::Evaluation(const Program& program, const Given& given)
 bool Evaluation::bind(const Limits& limits) {
   most_steps_ = limits.steps;
   for (const Given::Value& value : given_.values) {
-    const bool known = std::any_of(program_.variables.begin(), program_.variables.end(), [&](const Variable& variable) {
-      return variable.grammar == 0 && variable.name == value.name;
-    });
-    if (!known)
-      return fail(error_at(Reason::bad_input, {}, "There is no variable '%' in the text; a value was given for it.",
-                           {value.name}));
     if (!std::isfinite(value.value))
       return fail(error_at(Reason::bad_input, {}, "'%' was given %; give it a finite number.",
                            {value.name, number_text(value.value)}));

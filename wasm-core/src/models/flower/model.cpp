@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "generalized_map/embedding.hpp"
+#include "lsystem/diagnostics.hpp"
 #include "models/flower/derivation.hpp"
 #include "models/flower/levels.hpp"
 #include "models/flower/measures/measures.generated.hpp"
@@ -180,6 +181,22 @@ void measure_surface(Plant& plant) {
   plant.measures[static_cast<std::size_t>(Measure::surface)] = static_cast<float>(1e4 * area);
 }
 
+// A text that is edited may no longer have what was given a value: the flower grows without it.
+void note_strangers(Plant& plant, const Program& program, const Given& given) {
+  for (const Given::Value& value : given.values) {
+    std::string others;
+    bool known = false;
+    for (const Variable& variable : program.variables) {
+      if (variable.grammar != 0) continue;
+      known = known || variable.name == value.name;
+      others.append(others.empty() ? "" : ", ").append(variable.name);
+    }
+    if (!known)
+      plant.notes.push_back(lsystem::sentence("The text has no #define %=, so a value of it changes nothing; it has %.",
+                                              {value.name, others.empty() ? "none" : others}));
+  }
+}
+
 bool read_values(Request& request, Given& given) {
   const std::vector<std::string> names = words_of(request.text("values.names"));
   const std::span<const float> values = request.floats("values");
@@ -296,6 +313,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   auto& [own_text, own_program, own_given, derived, embedding, skin, own_levels] = *flower.value();
   const Program& program = *own_program;
   plant.notes.insert(plant.notes.end(), derived.notes.begin(), derived.notes.end());
+  note_strangers(plant, program, given);
 
   embedding.place(derived.shapes());
   add_segments(plant, program, derived, embedding);

@@ -1,8 +1,8 @@
 // A flower of a grammar on generalized maps (Petrenko 2014; docs/models/flower/flower.md).
 //
 // Blocks of a request besides everyone's (plant/request.hpp): `text`, which must be there, a text of the flower
-// language; `values.names` (text, words) and `values` (float32, as many): variables of the text that are given. Outputs
-// besides everyone's: `map`.
+// language; `values.names` (text, words) and `values` (float32, as many): variables of the text that are given; a note
+// tells of those that it does not have. Outputs besides everyone's: `map`.
 //
 // A segment for each volume that has grown end on end in its organ, tagged by its label. Columns besides everyone's
 // (boundary/panicle.h), of volumes in the order in which they were made:

@@ -8,10 +8,10 @@ import { handBack, handOver, isForField, readTyped } from "../typed";
 import { type Constant, type Curve, decimals, type Outline } from "./outline";
 import { ReadOutline } from "./read_outline";
 import { written } from "./scrub";
-import { type GrammarDesk, type GrammarSource, textOf, withText } from "./source";
+import { type GrammarDesk, type GrammarSource, isOwn, textOf, withText, withValues } from "./source";
 import "./curve_editor";
 
-/** Sliders of a text's constants, and its curves: what they change is written into the text. */
+/** Sliders of a text’s constants, and its curves: what they change goes into the document’s values, or into a text of its own. */
 export class Constants extends ControlElement<GrammarDesk> {
 	static override properties = { ...ControlElement.properties, source: { attribute: false } };
 	declare source: GrammarSource;
@@ -106,6 +106,9 @@ export class Constants extends ControlElement<GrammarDesk> {
 	}
 
 	#changed(name: string, value: string) {
+		const { specimen } = this.desk.state;
+		if (!isOwn(specimen)) return withValues(this.source, specimen, { [name]: Number(value) });
+		// In a text of one's own the number keeps the digits that it is written with.
 		const constant = this.#outline.constants.find((each) => each.name === name);
 		return constant && this.#withStretch(constant.number, value);
 	}
@@ -131,8 +134,8 @@ export class Constants extends ControlElement<GrammarDesk> {
 
 	/** What a constant is in the text that the preset grows by, as it is written there. */
 	#builtIn(name: string): string | undefined {
-		const text = this.source.builtIn(this.desk.preset);
-		if (typeof text !== "string") return undefined;
+		const text = textOf(this.source, this.desk.preset, () => {});
+		if (text === undefined) return undefined;
 		return this.#published.of(text, this.source).constants.find((each) => each.name === name)?.number.text;
 	}
 }

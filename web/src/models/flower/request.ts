@@ -27,9 +27,10 @@ export function encodeFlower(specimen: FlowerSpecimen, options: RequestOptions =
 		meshFingerprint && "mesh_fingerprint",
 		levels && "levels",
 	];
-	const { model, seed, parameters } = specimen;
+	const { model, seed, parameters, constants } = specimen;
 	const text = fetchedText(specimen);
 	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
+	const names = Object.keys(constants);
 	return [
 		{ name: "model", data: model },
 		{ name: "seed", data: Uint32Array.of(seed) },
@@ -38,6 +39,12 @@ export function encodeFlower(specimen: FlowerSpecimen, options: RequestOptions =
 			name: "parameters",
 			data: Float32Array.from(FLOWER_TABLE.core, ({ key }) => number(key, parameters[key as keyof typeof parameters])),
 		},
+		...(names.length === 0
+			? []
+			: [
+					{ name: "values.names", data: names.join(" ") },
+					{ name: "values", data: Float32Array.from(names, (name) => number(name, constants[name])) },
+				]),
 		{ name: "text", data: text },
 	];
 }
