@@ -25,8 +25,10 @@ export async function benchBeds(source) {
 			const run = async (wasm, blocks) => {
 				if (!core.has(wasm))
 					core.set(wasm, await loadCoreFromBytes(readFileSync(join(repository, "build/core", wasm))));
+				const before = process.cpuUsage();
 				const answer = core.get(wasm).grow(blocks);
-				if (wasm !== model.wasm) plants.push(plantOf(known, textNames, blocks, answer));
+				const { user, system } = process.cpuUsage(before);
+				if (wasm !== model.wasm) plants.push(plantOf(known, textNames, blocks, answer, (user + system) / 1000));
 				return answer;
 			};
 			await growPlant(model, fromPreset(model, preset), {}, run);
@@ -60,7 +62,7 @@ export async function benchBeds(source) {
 }
 
 /** @returns what grew, and whether one before has the same triangles: then it was placed on its map, or could be */
-function plantOf(known, textNames, blocks, { columns, milliseconds }) {
+function plantOf(known, textNames, blocks, { columns }, time) {
 	const text = blocks.find(({ name }) => name === "text")?.data;
 	const levels = [0, 1, 2, 3].map((k) => columns.words(`mesh.level${k}.indices`));
 	const key = `${text}${levels[0].join()}`;

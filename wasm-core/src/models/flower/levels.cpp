@@ -395,27 +395,28 @@ void Levels::choose(Level& level, std::size_t most, const std::vector<glm::vec3>
 
 // Parts vertices where the surface has an edge there.
 void Levels::smoothen(Level& level, const std::vector<std::uint32_t>& vertices, const std::vector<glm::vec3>& places) {
-  struct Side {
-    glm::vec3 normal;
-    std::uint32_t smooth;
-  };
-  std::map<std::uint32_t, std::vector<Side>> sides;
+  std::vector<glm::vec3> normals;  // of `smooth`, sums
+  // Of each vertex the first of its sides, and of each side the next.
+  std::vector<std::uint32_t> first(places.size(), nobody), next;
   for (std::size_t t = 0; t < vertices.size(); t += 3) {
     const glm::vec3 &a = places[vertices[t]], &b = places[vertices[t + 1]], &c = places[vertices[t + 2]];
     const glm::vec3 normal = glm::cross(b - a, c - a);
+    const float length = glm::length(normal);
     for (std::size_t i = t; i < t + 3; ++i) {
-      std::vector<Side>& about = sides[vertices[i]];
-      const auto side = std::find_if(about.begin(), about.end(), [&](const Side& each) {
-        return glm::dot(each.normal, normal) >= crease * glm::length(each.normal) * glm::length(normal);
-      });
-      if (side != about.end()) {
-        side->normal += normal;
-        level.corners.push_back(side->smooth);
-        continue;
+      std::uint32_t* side = &first[vertices[i]];
+      while (*side != nobody && glm::dot(normals[*side], normal) < crease * glm::length(normals[*side]) * length)
+        side = &next[*side];
+      if (*side == nobody) {
+        *side = static_cast<std::uint32_t>(level.smooth.size());
+        level.corners.push_back(*side);
+        level.smooth.push_back(vertices[i]);
+        normals.push_back(normal);
+        // From here on `side` may point to what was.
+        next.push_back(nobody);
+      } else {
+        normals[*side] += normal;
+        level.corners.push_back(*side);
       }
-      about.push_back({normal, static_cast<std::uint32_t>(level.smooth.size())});
-      level.corners.push_back(about.back().smooth);
-      level.smooth.push_back(vertices[i]);
     }
   }
 }
@@ -431,7 +432,8 @@ void Levels::dress(Level& level, const Program& program) {
   level.indices.clear();
   level.drawn.clear();
   level.number.clear();
-  std::map<std::uint32_t, std::uint32_t> known;  // by what has one normal and its material
+  // Of what has one normal the first of its vertices, and of each vertex the next: one a material.
+  std::vector<std::uint32_t> first(level.smooth.size(), nobody), next;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     if (triangles[k].empty()) continue;
     MeshRun run;
@@ -441,12 +443,16 @@ void Levels::dress(Level& level, const Program& program) {
     for (const std::uint32_t t : triangles[k])
       for (std::size_t i = 3 * std::size_t{t}; i < 3 * std::size_t{t} + 3; ++i) {
         const std::uint8_t number = numbers_[level.volumes[t]];
-        const auto [vertex, anew] =
-            known.try_emplace(256 * level.corners[i] + number, static_cast<std::uint32_t>(level.drawn.size()));
-        level.indices.push_back(vertex->second);
-        if (!anew) continue;
-        level.drawn.push_back(level.corners[i]);
-        level.number.push_back(number);
+        std::uint32_t vertex = first[level.corners[i]], last = nobody;
+        while (vertex != nobody && level.number[vertex] != number) vertex = next[last = vertex];
+        if (vertex == nobody) {
+          vertex = static_cast<std::uint32_t>(level.drawn.size());
+          (last == nobody ? first[level.corners[i]] : next[last]) = vertex;
+          next.push_back(nobody);
+          level.drawn.push_back(level.corners[i]);
+          level.number.push_back(number);
+        }
+        level.indices.push_back(vertex);
       }
     run.vertex_count = static_cast<std::uint32_t>(level.drawn.size()) - run.first_vertex;
     run.index_count = static_cast<std::uint32_t>(level.indices.size()) - run.first_index;

@@ -54,25 +54,26 @@ growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 
    about: Lilies and poppies behind, globeflowers and buttercups, pansies and daisies in front, each of its own age, grass between.
    source: own text
 */
-ground 2.6 x 1.6, relief 0.05, hills 0.9
+ground 2.2 x 1.3, relief 0.05, hills 0.9
 
-plants 46, stratified, depth 0 to 0.4
-flower/lily, share 2, crown 0.24 x 0.8, scale 0.72 to 0.9: age 0.35 to 1.3
+plants 44, stratified, depth 0 to 0.4
+flower/lily, share 2, crown 0.24 x 0.7, scale 0.6 to 0.76: age 0.3 to 1.3, flowers 2
 flower/poppy, share 3, crown 0.2 x 0.55, scale 0.85 to 1.1: age 0.1 to 1.6
-flower/umbel, share 1, crown 0.12 x 0.6, scale 0.8 to 1: age 0.5 to 1.2
+flower/umbel, share 1, crown 0.12 x 0.6, scale 0.8 to 1: age 0.5 to 1.2, flowers 70
 
-plants 104, stratified, depth 0.28 to 0.74
-flower/globeflower, share 3, crown 0.2 x 0.42, scale 0.8 to 1.05: age 0.3 to 1.5
+plants 106, stratified, depth 0.25 to 0.74
+flower/globeflower, share 3, crown 0.2 x 0.42, scale 0.85 to 1.1: age 0.3 to 1.5
 flower/buttercup, share 2, crown 0.24 x 0.35, scale 0.8 to 1.1: age 0.4 to 1.3
-flower/poppy, share 2, crown 0.2 x 0.5, scale 0.7 to 0.95: age 0 to 1.7
+flower/poppy, share 2, crown 0.2 x 0.5, scale 0.7 to 0.95: age 0 to 1.7, length 180 to 320
 flower/cyme, share 1, crown 0.2 x 0.4, scale 0.7 to 0.95: age 0.5 to 1.4
 
-plants 150, stratified, depth 0.66 to 1
-flower/pansy, share 3, crown 0.16 x 0.2, scale 0.75 to 1.1: age 0.4 to 1.4
-flower/daisy, share 3, crown 0.12 x 0.14, scale 0.9 to 1.3: age 0.2 to 1.5
+plants 150, stratified, depth 0.62 to 1
+flower/pansy, share 3, crown 0.16 x 0.2, scale 0.9 to 1.3: age 0.4 to 1.4
+flower/daisy, share 1, crown 0.12 x 0.14, scale 1 to 1.5: age 0.2 to 1.5, leaves 7, rays 40, discs 84
+flower/daisy, share 1, crown 0.12 x 0.14, scale 1 to 1.5: age 0.2 to 1.5, leaves 8, rays 48, discs 96
 
-plants 170, stratified
-flower/grass, crown 0.12 x 0.14, scale 0.7 to 1.5: age 0.8 to 1.5
+plants 420, stratified
+flower/grass, crown 0.1 x 0.12, scale 0.6 to 1.3, seeds 60: age 0.8 to 1.4
 `,
 	"forest-edge": `/* The edge of a forest
    about: Tall trees at the back, smaller ones before them, hazel at the seam: three strips of one ground.
@@ -118,29 +119,31 @@ growth/cherry, share 1, crown 6 x 7, scale 0.6 to 0.9: season 0.2 to 0.26
    about: Tulips in drifts over crocuses and bluebells, from bud to bloom, at the edge of a lawn.
    source: own text
 */
-ground 3.2 x 1.7, relief 0.04, hills 1.2
+ground 2.6 x 1.4, relief 0.04, hills 1.2
 
 plants 90, stratified, depth 0.1 to 0.56
 flower/tulip, share 5, crown 0.18 x 0.42, scale 0.9 to 1.1: age 0.35 to 1.25
-flower/bluebell, share 2, crown 0.2 x 0.34, scale 0.85 to 1.1: age 0.6 to 1.3
+flower/bluebell, share 2, crown 0.2 x 0.34, scale 0.85 to 1.1: age 0.6 to 1.3, bells 9
 
 plants 70, stratified, depth 0 to 0.3
-flower/bluebell, share 3, crown 0.2 x 0.36, scale 1 to 1.25: age 0.5 to 1.3
-flower/tulip, share 1, crown 0.18 x 0.45, scale 1 to 1.2: age 0.2 to 1
+flower/bluebell, share 2, crown 0.2 x 0.36, scale 1 to 1.25: age 0.5 to 1.3, bells 8
+flower/bluebell, share 1, crown 0.2 x 0.36, scale 1 to 1.25: age 0.5 to 1.3, bells 10
+flower/tulip, share 1, crown 0.18 x 0.45, scale 1 to 1.2: age 0.2 to 1, length 330 to 420
 
 plants 110, stratified, depth 0.5 to 0.8
-flower/crocus, share 4, crown 0.1 x 0.14, scale 0.9 to 1.2: age 0.2 to 1.3
-flower/pansy, share 1, crown 0.14 x 0.16, scale 0.7 to 0.9: age 0.5 to 1.2
+flower/crocus, share 2, crown 0.1 x 0.14, scale 1 to 1.3: age 0.3 to 1.3, leaves 4
+flower/crocus, share 2, crown 0.1 x 0.14, scale 1 to 1.3: age 0.3 to 1.3, leaves 5
+flower/pansy, share 1, crown 0.14 x 0.16, scale 0.8 to 1: age 0.5 to 1.2
 
 plants 30, stratified, depth 0.74 to 1
-flower/daisy, share 3, crown 0.1 x 0.1, scale 0.7 to 1: age 0.3 to 1.4
-flower/crocus, share 1, crown 0.1 x 0.12, scale 0.8 to 1: age 0.3 to 1.2
+flower/daisy, share 3, crown 0.1 x 0.1, scale 0.8 to 1.1: age 0.3 to 1.4, leaves 7, rays 42, discs 90
+flower/crocus, share 1, crown 0.1 x 0.12, scale 0.8 to 1: age 0.3 to 1.2, leaves 4
 
-plants 150, stratified, depth 0 to 0.76
-flower/grass, crown 0.1 x 0.1, scale 0.6 to 1: age 0.8 to 1.2
+plants 260, stratified, depth 0 to 0.78
+flower/grass, crown 0.1 x 0.1, scale 0.5 to 1, seeds 40: age 0.8 to 1.2
 
-plants 500, stratified, depth 0.74 to 1
-flower/grass, crown 0.07 x 0.05, scale 0.3 to 0.5, seeds 40: age 0.9 to 1.2
+plants 900, stratified, depth 0.72 to 1
+flower/grass, crown 0.07 x 0.05, scale 0.3 to 0.55, seeds 30: age 0.9 to 1.2
 `,
 	vineyard: `/* A vineyard
    about: Rows of vines on a cordon, and on each of them bunches that hang from it.
