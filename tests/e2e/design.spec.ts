@@ -76,11 +76,17 @@ test("what is edited by hand survives a choice elsewhere; what cannot is told, a
 	await studio.button("Close the grammar").click();
 	await page.getByLabel("Pistil", { exact: true }).check();
 	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
-	const length = page.getByRole("textbox", { name: "Ovary, typed" });
+	// By keys alone: digits on the slider go to its field, Enter brings them back.
+	const length = studio.slider("Ovary");
+	await length.focus();
 	await written(page, async () => {
-		await length.fill("30");
-		await length.press("Enter");
+		await page.keyboard.type("30");
+		await expect(page.getByRole("textbox", { name: "Ovary, typed" })).toBeFocused();
+		await page.keyboard.press("Enter");
 	});
+	await expect(length).toBeFocused();
+	await expect(length).toHaveValue("30");
+	await expect(length).toHaveAttribute("aria-valuetext", "30 mm");
 	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
 	await expect(studio.notices).not.toContainText("gave way");
 	await written(page, () => studio.button("Write its grammar anew").click());

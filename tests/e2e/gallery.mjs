@@ -8,8 +8,8 @@ import { drawPresets } from "./preset_pictures.mjs";
 
 /** Twice the size they are shown at, for dense screens. */
 const PICTURE = { size: { width: 120, height: 150 }, oversampling: 4, quality: 0.86, views: ["three-quarter"] };
-/** A ground is wide where pictures are tall: of a stand its middle is shown. */
-const ZOOM = { stand: 2.2 };
+/** A ground is wide where pictures are tall: of a stand or a meadow its middle is shown. */
+const ZOOM = { stand: 2.2, meadow: 2 };
 
 /** Folders that hold an index.ts, in a family or by themselves. */
 function everyModel() {
@@ -26,7 +26,7 @@ for (const asked of named.length > 0 ? named : everyModel()) {
 	let total = 0;
 	await drawPresets(
 		model,
-		["light", "dark"].map((theme) => ({ ...PICTURE, zoom: ZOOM[model], theme })),
+		["light", "dark"].map((theme) => ({ ...PICTURE, zoom: ({ name }) => ZOOM[model] ?? ZOOM[name], theme })),
 		({ name }, { pictures }, { theme }) => {
 			const bytes = pictures["three-quarter"];
 			total += bytes.length;

@@ -9,7 +9,7 @@ import { openSources } from "./sources_page.mjs";
  * @property {number} quality of the WebP, 0 … 1
  * @property {"light" | "dark"} theme
  * @property {("three-quarter" | "front" | "side")[]} views
- * @property {number} [zoom] how many times as large as it is in the whole view
+ * @property {(preset: { name: string }) => number | undefined} [zoom] how many times as large as it is in the whole view
  */
 
 /** Runs in the page, where Vite serves the sources. */
@@ -81,6 +81,7 @@ export async function drawPresets(model, asked, keep, wanted = () => true) {
 				model,
 				name: preset.name,
 				...each,
+				zoom: each.zoom?.(preset),
 			});
 			const decoded = Object.entries(pictures).map(([view, base64]) => [view, Buffer.from(base64, "base64")]);
 			keep(preset, { pictures: Object.fromEntries(decoded), measures }, each);

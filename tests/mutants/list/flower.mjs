@@ -60,6 +60,18 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/evaluation.cpp`,
+		suites: [`${TESTS}/limits_test.cpp`],
+		faults: [
+			{
+				id: "flower-long-conditions-for-nothing",
+				find: "  work_ += code.size();",
+				replace: "  ++work_;",
+				breaks: "a text whose conditions are long keeps the core busy far beyond its limit",
+			},
+		],
+	},
+	{
 		file: `${SRC}/production_reader.cpp`,
 		suites: DERIVATION,
 		faults: [
@@ -182,6 +194,24 @@ export default [
 				find: '} else if (this.#on("<!")) {',
 				replace: '} else if (this.#on("<!") && false) {',
 				breaks: "a document type is no mistake of its own",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/texts.generated.ts",
+		suites: ["tests/web/models/flower/species.test.ts"],
+		faults: [
+			{
+				id: "flower-rose-of-many-leaflets",
+				find: "-> SPENT[RACHIS(",
+				replace: "-> RACHIS[RACHIS(",
+				breaks: "a rose's leaf has nineteen leaflets",
+			},
+			{
+				id: "flower-crocus-of-many-leaves",
+				find: "-> GROWN[SHEATH(",
+				replace: "-> SHEATH[SHEATH(",
+				breaks: "a crocus has up to ten leaves",
 			},
 		],
 	},

@@ -8,6 +8,24 @@ const SCENES = [`${TESTS}/scenes.test.ts`];
 
 export default [
 	{
+		file: "web/src/models/flower/tools/chosen_volume.ts",
+		suites: ["tests/web/models/flower/chosen_volume.test.ts"],
+		faults: [
+			{
+				id: "volume-first-of-its-name",
+				find: "if (before++ < nth) continue;",
+				replace: "",
+				breaks: "another petal than the one clicked on is chosen",
+			},
+			{
+				id: "volume-of-any-descent",
+				find: " || volumes.parent[at] !== last",
+				replace: "",
+				breaks: "a volume of the same name on another ring is chosen once the clicked one is gone",
+			},
+		],
+	},
+	{
 		file: `${DESIGN}/polynomial.ts`,
 		suites: [`${TESTS}/polynomial.test.ts`],
 		faults: [

@@ -22,8 +22,8 @@ export default [
 			},
 			{
 				id: "same-colours-grow",
-				find: "look: b.look, preset: b.preset",
-				replace: "preset: b.preset",
+				find: "alike({ ...a, look: b.look }, b)",
+				replace: "alike(a, b)",
 				breaks: "a colour regrows the bunch",
 			},
 		],

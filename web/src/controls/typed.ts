@@ -19,7 +19,7 @@ export function handOver(event: KeyboardEvent, field: HTMLInputElement | null): 
 }
 
 /** In the field: Enter takes what was typed, Escape leaves it, and both go back to the slider. */
-export function handBack(event: KeyboardEvent, value: number, slider: HTMLInputElement | null): void {
+export function handBack(event: KeyboardEvent, value: number | string, slider: HTMLInputElement | null): void {
 	if (event.key !== "Enter" && event.key !== "Escape") return;
 	event.preventDefault();
 	if (event.key === "Escape") (event.target as HTMLInputElement).value = String(value);

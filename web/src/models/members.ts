@@ -274,5 +274,6 @@ async function grownMember({ model, specimen }: Read, run: RunCore, meshes: bool
 	const plant = model.read(await run(model.wasm, model.encode(specimen, options)), specimen);
 	const { fingerprint, notes } = plant;
 	const link = await encodeLink(model, specimen);
-	return { specimen, link, fingerprint, notes, ...(await levelsOf(model, plant, specimen, meshes, looks)) };
+	const title = model.presets.named(specimen.preset)?.title ?? model.title;
+	return { specimen, title, link, fingerprint, notes, ...(await levelsOf(model, plant, specimen, meshes, looks)) };
 }

@@ -107,6 +107,33 @@ TEST_CASE("a face may be worked out") {
   CHECK(std::set<std::uint32_t>(sides.begin(), sides.end()) == std::set<std::uint32_t>{1, 9, 17, 4, 12});
 }
 
+TEST_CASE("a volume knows how far along its organ it stands, and how far beside the axis") {
+  const std::string text =
+      "#define A(4,0,0,0,1,1,1,1)\n#define F(4,0,0,0,along,beside,1,2)\n#define R(4,0,0,0,1,1,1,1)\n#axiom: A\n"
+      "A{}{along<3}{} -> A[A]_{E}\nA -> A[R]_{C2}\nR{}{beside<2+along}{} -> R[R]_{E}\nR -> R[F]_{C1}\n"
+      "R{}{beside==2}{} -> R[&M]_{C3}\n#module M\n#define G(4,0,0,0,along,beside,1,2)\n#axiom: G\nG -> "
+      "G[G(,,,,along,beside,,)]_{E}";
+  const Flower flower = grown(text, steps(9));
+  // Four rows, of 2, 3, 4 and 5 volumes beside the axis.
+  CHECK(flower.count("A") == 4);
+  CHECK(flower.count("R") == 2 + 3 + 4 + 5);
+  std::set<std::pair<float, float>> places;
+  for (std::uint32_t v = 0; v < flower.derived.map.volumes(); ++v) {
+    const std::pair place(flower.value(v, Field::height), flower.value(v, Field::length));
+    if (flower.name(v) == "F") places.insert(place);
+    // A module counts its own, from 0 on, and what it begins with is told where it is called.
+    if (flower.name(v) != "G") continue;
+    const bool begins = flower.name(flower.derived.map.volume(v).parent) == "R";
+    CHECK(place.second == (begins ? 2 : 0));
+    if (!begins) CHECK(place.first <= 9);
+  }
+  CHECK(places.size() == 2 + 3 + 4 + 5);
+  for (const auto& [along, beside] : places) CHECK((beside >= 1 && beside <= 2 + along));
+  CHECK(grown("#define along=7\n#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA{beside=3}{}{} -> A[A(,,,,along,beside,,)]_{E}",
+              steps(1))
+            .derived.values[1] == VolumeValues{4, 1, 0, 0, 0, 7, 3, 1, 1});
+}
+
 TEST_CASE("blocks work values out for what stands behind them") {
   const Flower flower = grown(volume + "A{w = 2*step+1; v = w*w;}{w < 6}{u = v+1} -> A[A(,,,,w,v,u,)]_{E}", steps(6));
   REQUIRE(flower.derived.map.volumes() == 4);

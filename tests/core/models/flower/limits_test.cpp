@@ -72,6 +72,26 @@ TEST_CASE("what calls give counts as work") {
             .noted("which is the limit"));
 }
 
+TEST_CASE("conditions, blocks and numbers count as work by their length") {
+  Limits limits;
+  limits.evaluations = 100'000;
+  std::string sum = "0*step";
+  for (int i = 0; i < 1000; ++i) sum += "+step*0";
+  const auto volumes = [&](const std::string& production) {
+    const Flower flower = grown("#define A(4)\n#axiom: A\n" + production + "\n", steps(4000), limits);
+    CHECK(flower.noted("which is the limit"));
+    return flower.derived.map.volumes();
+  };
+  // Each works out a thousand instructions or more, for which there is room a hundred times.
+  CHECK(volumes("A{}{" + sum + "==0}{} -> A[A]_{E}") <= 100);
+  CHECK(volumes("A{a=" + sum + "}{a==0}{} -> A[A]_{E}") <= 100);
+  CHECK(volumes("A{}{}{a=" + sum + "} -> A[A(,a,,,,,,)]_{E}") <= 100);
+  CHECK(volumes("A -> A[A(," + sum + ",,,,,,)]_{E}") <= 100);
+  CHECK(volumes("A -> A[A]_{C(1+" + sum + ")}") <= 100);
+  CHECK(volumes("A -> A[A(" + sum + "+4,,,,,,,)]_{E}") <= 100);
+  CHECK(grown("#define A(4)\n#axiom: A\nA -> A[A]_{E}\n", steps(4000), limits).derived.map.volumes() == 4001);
+}
+
 TEST_CASE("what a call gives is a variable's own, in whatever order it is given") {
   const Flower flower = grown(
       "#define A(4)\n#axiom: A\nA -> A[&M{c=2*step+4; a=1; d=(2*step+4)*2}]_{E}\n#module M\n#define a=9\n#define b=9\n"

@@ -83,6 +83,7 @@ describe("the paint of organs", () => {
 		const { images, materials = [] } = documentOf(glb);
 		expect(images).toHaveLength(1);
 		expect(materials[0].pbrMetallicRoughness.baseColorTexture).toBeDefined();
+		expect(materials[0].extensions).toHaveProperty("KHR_materials_diffuse_transmission");
 	});
 
 	it("reads what the core says of it", () => {

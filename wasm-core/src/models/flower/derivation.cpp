@@ -7,6 +7,7 @@
 #include "foundation/random.hpp"
 #include "lsystem/number_text.hpp"
 #include "models/flower/numbers.hpp"
+#include "models/flower/ranks.hpp"
 
 namespace panicle::flower {
 namespace {
@@ -116,7 +117,7 @@ class Deriver {
       const bool grows = production.kind == Production::Kind::grow;
       if (grows && production.becomes == nobody && !room_for(production, volume)) continue;
       may_act = true;
-      evaluation_.stand(derived_.values[record], step_);
+      evaluation_.stand(derived_.values[record], derived_.records[record].rank, step_);
       evaluation_.face(0);
       if (!evaluation_.holds(production.condition, address)) {
         if (evaluation_.failed()) return false;
@@ -145,10 +146,10 @@ class Deriver {
     return true;
   }
 
-  // Work is counted by what is looked at; what variables take counts as well.
+  // Work is counted by what is looked at, and by the instructions of all that is worked out.
   bool is_spent(std::uint64_t more) {
     work_ += more;
-    return work_ + evaluation_.settled() > limits_.evaluations;
+    return work_ + evaluation_.work() > limits_.evaluations;
   }
 
   // Notes a production that fits and does nothing, since a later one does the like.
@@ -215,6 +216,7 @@ class Deriver {
     record.instance = growth.module ? static_cast<std::uint32_t>(derived_.instances.size()) : instance_;
     record.maker = instance_;
     record.step = step_;
+    if (!growth.module) record.rank = next_rank(derived_.records[before].rank, record.side);
     record.address =
         hash_combine(hash_combine(derived_.records[before].address, of_step + step_), of_face + chosen.face);
     if (growth.module) derived_.instances.push_back({growth.target, host.depth + 1, record.address});
@@ -253,6 +255,7 @@ class Deriver {
       record.label = rest ? production.rest : production.part;
       record.instance = record.maker = instance_;
       record.step = step_;
+      record.rank = rest ? derived_.records[before].rank : next_rank(derived_.records[before].rank, 0);
       record.address = hash_combine(hash_combine(derived_.records[before].address, of_step + step_), rest ? 1 : 2);
       VolumeValues values;
       if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values,
@@ -315,8 +318,8 @@ class Deriver {
   bool stop_for_work() {
     stopped_ = true;
     first_note(sentence(
-        "Growth ended in step %: productions were tried more than % times, which is the limit; let fewer things "
-        "wait for their turn.",
+        "Growth ended in step %: trying productions took more than % evaluations, which is the limit; let fewer things "
+        "wait for their turn, or let them work out less.",
         {std::to_string(step_), std::to_string(limits_.evaluations)}));
     return true;
   }
@@ -408,8 +411,8 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
     const Record& record = derived.records[i];
     const auto order = static_cast<float>(derived.map.volume(record.volume).order);
     if (!numbers.work_out(record, derived.records, derived.instances, all, order, all[i])) return evaluation.trouble();
-    if (evaluation.settled() > limits.evaluations)
-      return error_at(Reason::limit, {}, "Variables take more work than %, which is the limit.",
+    if (evaluation.work() > limits.evaluations)
+      return error_at(Reason::limit, {}, "Numbers take more work than %, which is the limit.",
                       {std::to_string(limits.evaluations)});
   }
   return all;

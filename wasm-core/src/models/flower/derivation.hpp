@@ -22,6 +22,7 @@ struct Record {
   Kind kind = Kind::axiom;
   bool inherits = false;   // the numbers of what it grew from: it has its name
   std::uint16_t side = 0;  // that it grew on, 0 of O and E
+  Rank rank;               // of its volume
   std::uint32_t volume = 0;
   std::uint32_t before = nobody;  // the record of what it grew from
   std::uint32_t source = 0;       // which growth or split of the program

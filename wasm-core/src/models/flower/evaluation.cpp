@@ -51,7 +51,6 @@ bool Evaluation::bind(const Limits& limits) {
 
 bool Evaluation::count(const Number& number, std::uint32_t& steps) {
   if (!number.value.given) return true;
-  settled_ += number.value.code.size();
   if (!run(number.value.code, hash_text("finalStep"))) return false;
   const float value = at(number.value.source);
   if (!(value >= 0 && std::floor(value) == value))
@@ -68,14 +67,14 @@ bool Evaluation::variable(std::size_t at, std::uint64_t address) {
   const Variable& variable = program_.variables[at];
   float value = 0;
   const lsystem::Value& of = variable.number.value;
-  settled_ += of.code.size();
-  // Whether it is given or not: work is the same for all that is the same map.
   settle();
   const auto given = variable.grammar != 0
                          ? given_.values.end()
                          : std::find_if(given_.values.begin(), given_.values.end(),
                                         [&](const Given::Value& each) { return each.name == variable.name; });
   if (given != given_.values.end()) {
+    // Work is the same for all that is the same map.
+    work_ += of.code.size();
     value = given->value;
   } else {
     if (!run(of.code, address)) return false;
@@ -95,7 +94,7 @@ bool Evaluation::is_finite(std::uint32_t variable, float value, const lsystem::P
 
 // What follows from variables alone.
 void Evaluation::settle() {
-  settled_ += program_.once_bound.size();
+  work_ += program_.once_bound.size();
   Diagnostic unheard;
   for (std::uint32_t at = program_.once_bound.begin; at < program_.once_bound.end; ++at)
     lsystem::execute(program_.code, at, at + 1, registers_.data(), sources_, unheard);
@@ -109,7 +108,7 @@ bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const Given
   };
   const Grammar& of = program_.grammars[grammar];
   if (!of.draws || grammar == 0) return ends_at(steps_[grammar]);
-  settled_ += of.variables.size();
+  work_ += of.variables.size();
   auto said = given.begin();
   for (std::uint32_t i = of.variables.begin; i < of.variables.end; ++i) {
     if (said != given.end() && said->first == i) {
@@ -127,7 +126,7 @@ bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const Given
 bool Evaluation::settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given) {
   given.clear();
   for (const Setting& setting : settings) {
-    settled_ += 1 + setting.value.code.size();
+    ++work_;
     if (!run(setting.value.code, address)) return false;
     const float value = at(setting.value.source);
     if (!is_finite(setting.variable, value, setting.value.place)) return false;
@@ -138,9 +137,11 @@ bool Evaluation::settle(const std::vector<Setting>& settings, std::uint64_t addr
   return true;
 }
 
-void Evaluation::stand(const VolumeValues& values, std::uint32_t step) {
+void Evaluation::stand(const VolumeValues& values, const Rank& rank, std::uint32_t step) {
   std::copy(values.begin(), values.end(), registers_.begin());
   set(Word::step, static_cast<float>(step));
+  set(Word::along, rank.along);
+  set(Word::beside, rank.beside);
 }
 
 bool Evaluation::holds(const Number& condition, std::uint64_t address) {
@@ -149,6 +150,7 @@ bool Evaluation::holds(const Number& condition, std::uint64_t address) {
 }
 
 bool Evaluation::run(lsystem::Range code, std::uint64_t address) {
+  work_ += code.size();
   sources_.address = address;
   return lsystem::execute(program_.code, code.begin, code.end, registers_.data(), sources_, trouble_);
 }

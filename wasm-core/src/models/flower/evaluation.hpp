@@ -10,6 +10,12 @@
 
 namespace panicle::flower {
 
+// Where in its organ a volume is. The axis of an instance is what has grown end on end from the volume that it begins
+// with; all else lies beside it, as far along as what bears it, and one further out than that.
+struct Rank {
+  std::uint16_t along = 0, beside = 0;
+};
+
 // What is given beside the text.
 struct Given {
   struct Value {
@@ -38,7 +44,7 @@ class Evaluation {
   bool enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given);
 
   // The volume that a production is for, or that another grows from.
-  void stand(const VolumeValues& values, std::uint32_t step);
+  void stand(const VolumeValues& values, const Rank& rank, std::uint32_t step);
   void face(std::uint32_t side) { set(Word::face, static_cast<float>(side)); }
   bool holds(const Number& condition, std::uint64_t address);
   bool run(lsystem::Range code, std::uint64_t address);
@@ -49,8 +55,9 @@ class Evaluation {
   // What a call gives a module's variables.
   bool settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given);
 
-  // What variables and those that calls give have taken so far, in instructions and values, for limits of work.
-  std::uint64_t settled() const { return settled_; }
+  // What all that was worked out has taken so far, in instructions and values, for limits of work: by the text, and not
+  // by what it comes to.
+  std::uint64_t work() const { return work_; }
   // Variables of the text itself, by their place in the program, as they were bound.
   const std::vector<float>& variables() const { return variables_; }
   bool failed() const { return trouble_.reason != Reason::none; }
@@ -74,7 +81,7 @@ class Evaluation {
   std::vector<std::uint32_t> steps_;  // by grammar
   std::uint32_t own_steps_ = 0, most_steps_ = 0;
   lsystem::Sources sources_;
-  std::uint64_t settled_ = 0;
+  std::uint64_t work_ = 0;
   Diagnostic trouble_;
 };
 

@@ -15,7 +15,6 @@
 #include "models/flower/levels.hpp"
 #include "models/flower/measures/measures.generated.hpp"
 #include "models/flower/parameters.generated.hpp"
-#include "models/flower/ranks.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/upright.hpp"
 #include "plant/kept.hpp"
@@ -50,14 +49,13 @@ glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embe
 
 void add_segments(Plant& plant, const Program& program, const Derived& derived,
                   const generalized_map::Embedding& embedding) {
-  const Ranks ranks = ranks_of(derived);
   std::vector<std::int32_t> tags(program.labels.size(), -1), of_volume(derived.map.volumes(), -1);
   for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
     const Record& record = derived.records[derived.record_of[v]];
     const std::uint32_t before = record.before == nobody ? nobody : derived.records[record.before].volume;
     const std::int32_t parent = before == nobody || before == v ? -1 : of_volume[before];
     of_volume[v] = parent;
-    if (ranks.of_volume[v].beside > 0) continue;
+    if (record.rank.beside > 0) continue;
     const std::uint32_t label = derived.map.volume(v).label;
     if (tags[label] < 0) {
       tags[label] = static_cast<std::int32_t>(plant.tags.size());

@@ -35,6 +35,7 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
   values = nothing_said;
   values[at(Field::order)] = order;
   const VolumeValues& before = record.before == nobody ? values : known[record.before];
+  const Rank rank = record.before == nobody ? Rank{} : records[record.before].rank;
   if (record.kind == Record::Kind::rest || record.kind == Record::Kind::part) {
     const Production& split = production(record.source);
     const bool rest = record.kind == Record::Kind::rest;
@@ -52,7 +53,7 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
       values[at(Field::width)] = before[at(Field::height)];
     }
     if (!enter(instances, record.instance)) return false;
-    evaluation_.stand(before, record.step);
+    evaluation_.stand(before, rank, record.step);
     evaluation_.face(record.side);
     return evaluation_.run(split.blocks, records[record.before].address) &&
            evaluation_.describe(rest ? split.rest_description : split.part_description, record.address, values);
@@ -72,7 +73,7 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
     values = before;
   } else {
     if (!enter(instances, record.instance)) return false;
-    evaluation_.stand(before, 0);
+    evaluation_.stand(before, rank, 0);
     evaluation_.face(record.side);
     if (!of_label(record, values)) return false;
   }
@@ -91,7 +92,7 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
 bool Numbers::stand_at_call(const Record& record, const std::vector<Record>& records,
                             const std::vector<Instance>& instances, const VolumeValues& before) {
   if (!enter(instances, record.maker)) return false;
-  evaluation_.stand(before, record.step);
+  evaluation_.stand(before, records[record.before].rank, record.step);
   evaluation_.face(record.side);
   return evaluation_.run(growth(record.source).blocks, hash_combine(records[record.before].address, record.step));
 }

@@ -102,8 +102,7 @@ bool Reader::assignments(std::size_t begin, std::size_t end) {
     if (tokens_[at_].kind != TokenKind::name || !next_is(at_, '=') || at_ + 2 >= end)
       return wrong(here(), "A block gives names their values, as in {w = 2 * step;}.");
     const std::string_view name = found();
-    for (const std::string_view word : word_names)
-      if (word == name) return wrong(here(), "% has a meaning of its own and cannot be set.", {name});
+    if (is_reserved(name)) return wrong(here(), "% has a meaning of its own and cannot be set.", {name});
     at_ += 2;
     std::size_t semicolon = at_;
     while (semicolon < end && !tokens_[semicolon].is(';')) ++semicolon;

@@ -2,6 +2,7 @@
 // variables, productions and modules, with byte code for their numbers and nothing of their text.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -40,11 +41,21 @@ using VolumeValues = std::array<float, fields>;
 enum class Word : std::uint8_t {
   step = fields,  // of the grammar that the volume is of, from 0 on
   final_step,
-  face,  // the side's number that it grows on, 0 on O and E
-  age,   // of the flower: 0 a bud, 1 open, 2 wilted
+  face,    // the side's number that it grows on, 0 on O and E
+  age,     // of the flower: 0 a bud, 1 open, 2 wilted
+  along,   // where the volume stands that it grows from: how many volumes along the axis of its organ,
+  beside,  // and how many beside that
 };
-inline constexpr std::size_t words = 4;
-inline constexpr std::array<std::string_view, words> word_names = {"step", "finalStep", "face", "age"};
+inline constexpr std::size_t words = 6;
+inline constexpr std::array<std::string_view, words> word_names = {"step", "finalStep", "face",
+                                                                   "age",  "along",     "beside"};
+// Of these, the first, whose names nothing else may have; the others are hidden by variables, as a volume's numbers
+// are.
+inline constexpr std::size_t reserved_words = 4;
+inline bool is_reserved(std::string_view name) {
+  return std::find(word_names.begin(), word_names.begin() + reserved_words, name) !=
+         word_names.begin() + reserved_words;
+}
 
 // An expression of the text, with code of its own.
 struct Number {

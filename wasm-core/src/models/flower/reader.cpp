@@ -172,8 +172,7 @@ bool Reader::declare_volume(const Statement& statement) {
 bool Reader::declare_variable(const Statement& statement) {
   const std::string_view name = found();
   if (name == final_step) return true;
-  for (const std::string_view word : word_names)
-    if (word == name) return wrong(here(), "% has a meaning of its own here; call the variable otherwise.", {name});
+  if (is_reserved(name)) return wrong(here(), "% has a meaning of its own here; call the variable otherwise.", {name});
   const std::string key = key_of(name, statement.grammar);
   if (variables_.find(key) != lsystem::Names::none)
     return wrong(here(), "% has been given a value already; take one out.", {name});
@@ -468,11 +467,11 @@ bool Reader::unknown(const Node& node, Scope scope) {
   if (scope == Scope::variable)
     return fail(Reason::undefined, node.place, "Nothing above this line gives % a value; add #define %=… before it.",
                 {node.name, node.name});
-  return fail(
-      Reason::undefined, node.place,
-      "There is no '%' here; add #define %=…, or use step, finalStep, face, age or a number of the volume that it "
-      "grows from (N, T, atx, aty, atz, H, L, W, m).",
-      {node.name, node.name});
+  return fail(Reason::undefined, node.place,
+              "There is no '%' here; add #define %=…, or use step, finalStep, face, age, along, beside or a number of "
+              "the volume "
+              "that it grows from (N, T, atx, aty, atz, H, L, W, m).",
+              {node.name, node.name});
 }
 
 void Reader::rebuilds(const Uses& uses) {

@@ -27,6 +27,7 @@ export const model = {
 	words: flowerInWords,
 	record: flowerRecord,
 	formats: FLOWER_FORMATS,
-	translated: (text) => (isXml(text) ? import("./xml/read").then(({ textOfXml }) => textOfXml(text)) : undefined),
+	translated: (text) =>
+		isXml(text) ? import("./xml/designed").then(({ grammarOfXml }) => grammarOfXml(text)) : undefined,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<FlowerSpecimen, FlowerPlant>;

@@ -8,6 +8,7 @@ export type TextPreset = Preset & { readonly text: string };
 export const PRESET_KINDS: readonly PresetKind[] = [
 	{"key":"species","title":"Flowers"},
 	{"key":"inflorescences","title":"Inflorescences"},
+	{"key":"meadows","title":"Meadows"},
 	{"key":"designed","title":"Designed by choices"},
 	{"key":"figures","title":"Figures of the thesis"},
 ];
@@ -36,6 +37,7 @@ export const PRESETS: readonly TextPreset[] = [
 	{"name":"raceme","kind":"inflorescences","title":"Raceme","since":2,"about":"Flowers on stalks along an axis, the lowest first: lily of the valley, its bells hollow as a prism that grows backwards makes them. own text; the method is Petrenko 2014, section 2.2.3.","parameters":{},"look":{},"text":"raceme"},
 	{"name":"spike","kind":"inflorescences","title":"Spike","since":2,"about":"Flowers without stalks along an axis, the lowest first: gladiolus, all to one side, in bud above. own text; the method is Petrenko 2014, section 2.2.3.","parameters":{},"look":{},"text":"spike"},
 	{"name":"umbel","kind":"inflorescences","title":"Umbel","since":2,"about":"Flowers on stalks from one point: an ornamental onion, a ball of stars. own text; the method is Petrenko 2014, section 2.2.3.","parameters":{},"look":{},"text":"umbel"},
+	{"name":"meadow","kind":"meadows","title":"Meadow","since":2,"about":"A ground of volumes, grown and glued like a petal, on whose tops seeds are sown by luck: each is a module of its own, grass or one of five flowers, in drifts of their kind. Petrenko 2014, whose grammar is not printed; the text is ours.","figure":"24","parameters":{},"look":{},"text":"meadow"},
 	{"name":"designed-buttercup","kind":"designed","title":"Buttercup by choices","since":2,"about":"Five sepals, five obovate petals, many stamens, and carpels each for itself. own text, assembled; the method is Petrenko 2014, section 3.3.","parameters":{},"look":{},"text":"designed-buttercup"},
 	{"name":"designed-lily","kind":"designed","title":"Lily by choices","since":2,"about":"Two whorls of lanceolate petals that roll back, long filaments with dorsifixed anthers, one long style. own text, assembled; the method is Petrenko 2014, section 3.3.","parameters":{},"look":{},"text":"designed-lily"},
 	{"name":"designed-tulip","kind":"designed","title":"Tulip by choices","since":2,"about":"The thesis's example, described organ by organ: an erect round stem, apical leaves, no sepals, six rounded petals, six basifixed stamens, a syncarpous pistil. own text, assembled; the method is Petrenko 2014, section 3.3.","parameters":{},"look":{},"text":"designed-tulip"},

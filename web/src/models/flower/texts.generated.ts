@@ -28,11 +28,11 @@ export const TEXTS: Readonly<Record<string, string>> = {
 #material 7 petal "4d5590" "5c64b8"
 
 #axiom: STEM(,,,55,,,,)
-STEM{}{step<4}{} -> OLD[STEM]_{E}[&PETAL{K=12; J=1; len=math.random(205,240); wide=math.random(8,12); thick=0.9; start=-66+math.random(-9,9); sway=math.random(-8,8); low=6; mid=16; high=math.random(30,80); cup=14; peak=0.8; foot=0.4; tip=1.2; claw=0.8; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
+STEM{}{step<4}{} -> OLD[STEM]_{E}[&PETAL{K=12; J=1; len=math.random(250,300); wide=math.random(8,12); thick=0.9; start=-66+math.random(-9,9); sway=math.random(-8,8); low=6; mid=16; high=math.random(30,80); cup=14; peak=0.8; foot=0.4; tip=1.2; claw=0.8; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
 STEM{}{step>3&&step<12}{} -> OLD[STEM(,<bend+0.9+math.random(-1,1)>,<math.random(-1,1)>,,<tall/9>,3.2,3.2,)]_{E}
 STEM{}{step==12}{} -> OLD[NODE]_{E}
 /* Each node bows a little more; pedicels stand to this side and that, and all hang to the front. */
-NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<7+9*q>,<math.random(-4,4)>,,<15-7*q>,<2.8-1.4*q>,<2.8-1.4*q>,)]_{E}[&BELL{open=min(1,max(0,open*1.5-0.75*q)); wilt=wilt; size=math.random(0.94,1.06)*(1-0.3*q); droop=18-q*8}]_{C(3-(step%2)*4+12*(step%2))}
+NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<7+9*q>,<math.random(-4,4)>,,<15-7*q>,<2.8-1.4*q>,<2.8-1.4*q>,)]_{E}[&BELL{open=min(1,max(0,open*1.5-0.75*q)); wilt=wilt; size=math.random(0.94,1.06)*(1-0.1*q); droop=18-q*8}]_{C(3-(step%2)*4+12*(step%2))}
 
 #module BELL
 #define open=1
@@ -47,8 +47,8 @@ NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<7+9*q>,<math.rando
 STALK{}{step<5}{} -> STALK[STALK(,<droop+math.random(-2,2)>,,,,,,)]_{E}
 STALK{}{step==5}{} -> STALK[WHORL]_{E}
 WHORL -> WHORL[INNER]_{E}
-WHORL -> WHORL[&PETAL{K=8; J=1; len=size*(11+6*open); wide=size*(3.6+1.5*open); thick=0.45; start=-52-6*(1-open); low=-44+10*(1-open); mid=4-14*(1-open); high=-20+(160+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C1,C5,C9}
-INNER -> INNER[&PETAL{K=8; J=1; len=size*(11+6*open); wide=size*(3.6+1.5*open); thick=0.45; start=-56-6*(1-open); low=-40+8*(1-open); mid=4-14*(1-open); high=-20+(150+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C3,C7,C11}
+WHORL -> WHORL[&PETAL{K=8; J=1; len=size*(12.5+5*open); wide=size*(2.8+1*open); thick=0.45; start=-52-6*(1-open); low=-44+10*(1-open); mid=4-14*(1-open); high=-20+(160+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C1,C5,C9}
+INNER -> INNER[&PETAL{K=8; J=1; len=size*(12.5+5*open); wide=size*(2.8+1*open); thick=0.45; start=-56-6*(1-open); low=-40+8*(1-open); mid=4-14*(1-open); high=-20+(150+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C3,C7,C11}
 INNER -> INNER[&STAMEN{long=size*(5+2*open); lean=-84; head=2.6*size}]_{C1,C5,C9}
 
 #module PETAL
@@ -121,7 +121,7 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=115 /* 60 … 190 mm, of the stem */
+#define length=150 /* 80 … 250 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
@@ -174,9 +174,9 @@ SHOOT{}{step==6}{} -> SHOOT[&FLOWER{open=open; size=math.random(0.86,1)}]_{E}
 #define finalStep=14
 #axiom: CALYX(,<20*open>,,,,,,)
 CALYX -> CALYX[DISC]_{E}
-CALYX -> CALYX[&PETAL{K=6; J=1; len=size*6.2; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=3; lower=3}]_{C1,C3,C5,C7,C9}
+CALYX -> CALYX[&PETAL{K=6; J=1; len=size*7.5; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=3; lower=3}]_{C1,C3,C5,C7,C9}
 DISC -> DISC[RING]_{E}
-DISC -> DISC[&PETAL{K=9; J=3; len=size*(5.3+8.1*open)*math.random(0.95,1.03); wide=size*(4+6.6*open); thick=0.42; start=-50+44*open+math.random(-5,5)+20*wilt; low=-48+20*open; mid=-6; high=-44+36*open; cup=18-9*open; edge=3; wave=4*wilt; peak=1.3; foot=1; tip=0.6; claw=0.22; upper=4; lower=5}]_{C2,C4,C6,C8,C10}
+DISC -> DISC[&PETAL{K=9; J=3; len=size*(5.3+8.1*open)*math.random(0.95,1.03); wide=size*(3.6+5.1*open); thick=0.42; start=-50+44*open+math.random(-5,5)+20*wilt; low=-48+20*open; mid=-6; high=-44+36*open; cup=18-9*open; edge=3; wave=4*wilt; peak=1.3; foot=1; tip=0.6; claw=0.22; upper=4; lower=5}]_{C2,C4,C6,C8,C10}
 RING{}{step<6}{} -> RING[RING]_{E}
 RING{}{step==6}{} -> RING[HEART]_{E}
 RING -> RING[&STAMEN{long=(1+2.4*open)*math.random(0.85,1.15); lean=-70+34*open+step*-4+math.random(-8,8); head=1.5}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
@@ -424,16 +424,17 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=80 /* 40 … 130 mm, of the tube */
+#define length=62 /* 30 … 100 mm, of the tube */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.75,1.19)
 #define size=scale*math.random(0.9,1.12)
-#define leaves=floor(math.random(3,6))
+#define leaves=floor(math.random(3,5))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
 #define SHEATH(12,0,0,0,6,6,6,10)
+#define GROWN(12,0,0,0,6,6,6,10)
 #define TUBE(12,0,0,0,10,3.6,3.6,11)
 #define WHORL(12,0,0,0,1.6,5.4,5.4,4)
 #define INNER(12,0,0,0,1.4,5,5,4)
@@ -451,7 +452,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 11 petal "eeeaf2" "cbb5e2"
 
 #axiom: SHEATH
-SHEATH{}{step<4}{} -> SHEATH[SHEATH(,,,,6,<6-0.4*step>,<6-0.4*step>,)]_{E}
+SHEATH{}{step<4}{} -> GROWN[SHEATH(,,,,6,<6-0.4*step>,<6-0.4*step>,)]_{E}
 SHEATH{}{step<leaves}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(80,130); wide=math.random(4.4,6.5); thick=1; start=-66+math.random(-8,8)-10*(1-open); sway=math.random(-6,6); low=8; mid=14; high=20+math.random(0,40); cup=-14; peak=0.8; foot=0.4; tip=0.8; claw=0.9; upper=2; middle=3; lower=2}]_{C(2+5*step%12)}
 SHEATH{}{step==4}{} -> SHEATH[TUBE]_{E}
 TUBE{}{step<10}{} -> TUBE[TUBE(,<bend+math.random(-2,2)+3*wilt>,<math.random(-2,2)>,,<tall*(0.7+0.3*open)/6>,<3.6+0.16*(step-4)>,<3.6+0.16*(step-4)>,)]_{E}
@@ -754,7 +755,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.73,1.30)
 #define size=scale*math.random(0.9,1.12)
-#define rays=floor(math.random(36,54))
+#define rays=floor(math.random(35,51))
 #define discs=floor(math.random(80,104))
 #define radius=4*size
 #define open=sin(90*min(age,1))
@@ -921,7 +922,7 @@ ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)>,<math.random(-2,2)>,,<tall/10>,,,)]_{E}
 STEM{}{step==leaves+10}{} -> STEM[CUP]_{E}
 CUP -> CUP[BALL]_{E}
-CUP -> CUP[&BLADE{len=15*size; wide=2.6; thick=0.6; start=66-130*(1-open)+math.random(-9,9); bend=20*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+CUP -> CUP[&BLADE{len=16.5*size; wide=2.6; thick=0.6; start=66-130*(1-open)+math.random(-9,9); bend=20*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 /* The ball's own outline: what stands on it leans as far as its pole is away. */
 BALL{q=(step-leaves-11)/seeds; r=sqrt(max(0.02,1-(2*q-1)^2*0.96))}{step<finalStep-1}{} -> BARE[BALL(,,,,<8.4*size/seeds>,<8.4*size*r>,<8.4*size*r>,)]_{E}[&ACHENE{start=-90*open*(2*q-1)-86*(1-open)+math.random(-4,4); open=open; far=size*(0.55+0.45*open); gone=clamp(4*(wilt*math.random(0.6,1.6)-0.6),0,1)}]_{C(1+(5*step)%13)}
 
@@ -1073,9 +1074,9 @@ ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)+2*wilt>,<math.random(-2,2)>,,<tall*(0.35+0.65*open)/10>,,,)]_{E}
 STEM{}{step==leaves+10}{} -> STEM[CUP(,<22*open>,,,,,,)]_{E}
 CUP -> CUP[RIM]_{E}
-CUP -> CUP[&BLADE{len=11*size; wide=2.6; thick=0.6; start=-64+122*open-20*wilt+math.random(-9,9); bend=36*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+CUP -> CUP[&BLADE{len=14*size; wide=2.6; thick=0.6; start=-64+122*open-20*wilt+math.random(-9,9); bend=36*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 RIM -> RIM[HEAD]_{E}
-RIM -> RIM[&BLADE{len=14*size; wide=3; thick=0.6; start=-74+44*open-30*wilt+math.random(-5,5); bend=-14; peak=0.8; claw=0.95; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+RIM -> RIM[&BLADE{len=17*size; wide=3; thick=0.6; start=-74+44*open-30*wilt+math.random(-5,5); bend=-14; peak=0.8; claw=0.95; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 HEAD{k=step-leaves-12; q=k/florets; shut=max(1-open,wilt)}{step<finalStep-1}{} -> BARE[HEAD(,,,,<0.045*size>,<12*size*sqrt(max(0.01,1-q))>,<12*size*sqrt(max(0.01,1-q))>,)]_{E}[&BLADE{S=6; len=size*(18-11*q)*math.random(0.9,1.06)*(1-0.35*(1-open)); wide=size*(1.3+0.9*open); thick=0.3; start=-84+(96-92*q)*(1-shut)-q*4+math.random(-7,7); bend=(-22*(1-q)+10)*(1-shut); peak=1.2; round=0.5; claw=0.45; blunt=0.7; paint=4+(q>0.5)}]_{C(1+(5*step)%13)}
 
 #module BLADE
@@ -2580,9 +2581,9 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=145 /* 70 … 240 mm, of the stem */
+#define length=290 /* 140 … 450 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
-#define scale=1.20 /* 0.7 … 1.6, of the flower */
+#define scale=1.35 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
@@ -2613,9 +2614,9 @@ STEM{}{step==6}{} -> STEM[LOWER]_{E}
 STEM{}{step==9}{} -> STEM[UPPER]_{E}
 LOWER -> LOWER[STEM(,,,,<tall*(0.8+0.2*open)/13>,3,3,)]_{E}
 UPPER -> UPPER[STEM(,,,,<tall*(0.8+0.2*open)/13>,2.9,2.9,)]_{E}
-STEM{}{step==0}{} -> STEM[&PALMATE{stalk=math.random(70,105); len=math.random(36,46); start=-42+math.random(-10,10); sway=math.random(-12,12); teeth=0.45}]_{C1,C4,C8}
-LOWER -> LOWER[&PALMATE{stalk=10; len=math.random(30,40); start=-34; teeth=0.45}]_{C3}
-UPPER -> UPPER[&PALMATE{stalk=6; len=math.random(20,27); start=-40; teeth=0.45}]_{C8}
+STEM{}{step==0}{} -> STEM[&PALMATE{stalk=math.random(110,160); len=math.random(46,58); start=-60+math.random(-10,10); sway=math.random(-12,12); teeth=0.45}]_{C1,C4,C8}
+LOWER -> LOWER[&PALMATE{stalk=10; len=math.random(38,50); start=-34; teeth=0.45}]_{C3}
+UPPER -> UPPER[&PALMATE{stalk=6; len=math.random(26,34); start=-40; teeth=0.45}]_{C8}
 STEM{}{step==14}{} -> STEM[WHORL(,<10*open>,,,,,,)]_{E}
 WHORL -> WHORL[SECOND]_{E}
 WHORL -> WHORL[&PETAL{K=9; J=3; len=size*(14+13*open)*math.random(0.95,1.04); wide=size*(11+11*open); thick=0.6; start=-30+20*open+math.random(-4,4)+34*wilt; low=-48-4*open+18*wilt; mid=-22+16*wilt; high=-66+10*open+20*wilt+math.random(-6,6); cup=17-3*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3}]_{C1,C4,C8}
@@ -2822,7 +2823,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(0.
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1.98 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
-#define size=scale*math.random(0.94,1.06)
+#define size=scale*math.random(0.95,1.05)
 #define flowers=floor(math.random(2,4))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -2843,7 +2844,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(0.
 #material 9 pistil "8aa858" "a8bd70"
 
 #axiom: STEM
-STEM{}{step<16}{} -> LEAFY[STEM(,<bend+math.random(-1,1)>,<math.random(-1,1)>,,<tall/16>,<7-0.12*step>,<7-0.12*step>,)]_{E}[&PETAL{K=8; J=1; len=(125-5*step)*math.random(0.9,1.1); wide=(19-0.5*step)*math.random(0.9,1.1); thick=0.9; start=-40+step+math.random(-8,8); low=14; mid=16; high=math.random(0,30); cup=9; peak=0.75; foot=0.5; tip=1.5; claw=0.5; upper=2; middle=2; lower=2}]_{C(1+(3*step)%8)}
+STEM{}{step<16}{} -> LEAFY[STEM(,<bend+math.random(-1,1)>,<math.random(-1,1)>,,<tall/16>,<7-0.12*step>,<7-0.12*step>,)]_{E}[&PETAL{K=8; J=1; len=(165-5*step)*math.random(0.9,1.1); wide=(16-0.4*step)*math.random(0.9,1.1); thick=0.9; start=-40+step+math.random(-8,8); low=14; mid=16; high=math.random(0,30); cup=9; peak=0.75; foot=0.5; tip=1.5; claw=0.5; upper=2; middle=2; lower=2}]_{C(1+(3*step)%8)}
 STEM{}{step==16}{} -> LEAFY[NODE]_{E}
 NODE{k=step-17}{step<finalStep-1}{} -> DONE[NODE(,<math.random(-3,3)>,<math.random(-3,3)>,,<26-3*k>,<5-0.5*k>,<5-0.5*k>,)]_{E}[&FLOWER{open=min(1,max(0,open*1.45-0.14*k)); wilt=wilt; size=size; stalk=math.random(52,66)-3*k; start=-50+8*k+math.random(-6,6)}]_{C(1+(3*step)%8)}
 
@@ -2864,9 +2865,9 @@ STALK{}{step==5}{} -> STALK[WHORL]_{E}
 WHORL -> WHORL[INNER]_{E}
 WHORL -> WHORL[&PETAL{K=10; J=2; len=size*(48+24*open); wide=size*(9+9*open); thick=0.8; start=-80+12*open+20*wilt; low=2+8*open; mid=-14+18*open+10*wilt; high=-30+96*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.05; foot=0.8; tip=1.3; claw=0.36; upper=4; middle=4; lower=5}]_{C1,C5,C9}
 INNER -> INNER[TOP]_{E}
-INNER -> INNER[&PETAL{K=10; J=2; len=size*(47+23*open); wide=size*(9+14*open); thick=0.8; start=-82+12*open+18*wilt; low=2+8*open; mid=-14+17*open+10*wilt; high=-30+92*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.2; claw=0.36; upper=4; middle=4; lower=5}]_{C3,C7,C11}
-TOP -> TOP[&STAMEN{long=size*(24+26*open); lean=-84+16*open+math.random(-4,4); open=open}]_{C1,C3,C5,C7,C9,C11}
-TOP -> TOP[&PISTIL{long=size*(28+32*open)}]_{E}
+INNER -> INNER[&PETAL{K=10; J=2; len=size*(47+23*open); wide=size*(9+10.5*open); thick=0.8; start=-82+12*open+18*wilt; low=2+8*open; mid=-14+17*open+10*wilt; high=-30+92*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.2; claw=0.36; upper=4; middle=4; lower=5}]_{C3,C7,C11}
+TOP -> TOP[&STAMEN{long=size*(20+23*open); lean=-84+16*open+math.random(-4,4); open=open}]_{C1,C3,C5,C7,C9,C11}
+TOP -> TOP[&PISTIL{long=size*(28+36.3*open)}]_{E}
 
 #module PETAL
 /* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
@@ -2960,7 +2961,7 @@ ANTHER{}{step<11}{} -> ANTHER[ANTHER(,,,,<1+2.6*open>,<3.6-0.5*(step-8)>,<2.8-0.
 #module PISTIL
 #define long=60
 #define OVARY(6,0,0,0,long/12,4.6,4.6,9)
-#define STYLE(6,0,0,0,long/9,2.4,2.4,8)
+#define STYLE(6,0,0,0,long/14,2.4,2.4,8)
 #define STIGMA(6,0,0,0,3,6,6,9)
 #define finalStep=13
 #axiom: OVARY
@@ -2969,6 +2970,310 @@ OVARY{}{step==3}{} -> OVARY[STYLE]_{E}
 STYLE{}{step<10}{} -> STYLE[STYLE]_{E}
 STYLE{}{step==10}{} -> STYLE[STIGMA]_{E}
 STIGMA{}{step<12}{} -> STIGMA[STIGMA(,,,,2,4,4,)]_{E}
+`,
+	meadow: `/* Meadow
+   about: A ground of volumes, grown and glued like a petal, on whose tops seeds are sown by luck: each is a module of its own, grass or one of five flowers, in drifts of their kind.
+   source: Petrenko 2014, figure 24, whose grammar is not printed; the text is ours
+*/
+
+#define across=24 /* 4 … 60 step 2, volumes of ground */
+#define flowers=1 /* 0 … 3 step 0.1, how many */
+#define height=1 /* 0.5 … 1.6 step 0.05, of all that grows */
+#define wind=0 /* -1 … 1 step 0.05 */
+
+#define reach=across/2
+#define fall=26 /* degrees, at the margin */
+#define finalStep=across+reach+2
+/* Where drifts of a kind lie is luck, and the same for all seeds. */
+#define here=math.random(0,360)
+#define there=math.random(0,360)
+#define elsewhere=math.random(0,360)
+#define hill=math.random(0,360)
+#define dale=math.random(0,360)
+
+#define SPINE(4,0,0,0,38,38,12,1)
+#define RIGHT(4,0,0,0,38,12,38,1)
+#define LEFT(4,0,0,0,38,12,38,1)
+
+#material 1 stem "363a1c" "3a3f1f"
+#material 2 leaf "35511f" "7d9c42" foot 0.8
+#material 3 leaf "3b5a24" "93ad4e" foot 0.8
+#material 4 leaf "2f4a20" "6a8f45" foot 0.8
+#material 5 leaf "6f6a38" "b7a866" foot 0.7
+#material 6 stem "5f7f3e" "83a055"
+#material 7 leaf "476b31" "6f9448"
+#material 8 petal "1d0d10" "d4271b" foot 0.3 veins "9c130f" 7 0.25 bud "3a1014" "b83024" wilted "1d0d10" "8e1f22"
+#material 9 pistil "7f9463" "a5b88a"
+#material 10 stamen "221b2a" "3c3148"
+#material 11 petal "f3f1ea" "ffffff" bud "e6e8d0" "eef0e0" wilted "d8cdb8" "b9a68c"
+#material 12 stamen "c98a12" "edb91f"
+#material 13 petal "d9a800" "f7d21c" foot 0.4 bud "9aa23c" "c9b62c" wilted "b8922c" "a8843a"
+#material 14 petal "27348c" "4a67d8" foot 0.5 bud "39407a" "4a55a0" wilted "7a86b8" "a4a8c0"
+#material 15 petal "4c2a80" "6a3fa0"
+#material 16 sepal "4f6a3c" "5d7a48"
+#material 17 petal "b0568e" "c96fa6" bud "8a6a7a" "a8638c" wilted "9a7468" "8a6a58"
+#material 18 seed "a08d5a" "b9a070"
+
+#axiom: SPINE(,<90-fall>,,,,,,)
+/* A vein of volumes, towards the one who looks; rows to its right and left, as wide as a circle has them there. It falls off to its margin. */
+SPINE{t=2*along/across-1; u=2*(along+1)/across-1}{along<across-1}{} -> SPINE[SPINE(,<fall*(u^5-t^5)+4*(sin(31*(along+1)+dale)-sin(31*along+dale))>,,,,38,<12-9*u^8>,)]_{E}
+SPINE{c=along-reach+0.5; p=hill+19*along}{reach*reach-c*c>1}{} -> SPINE[RIGHT(,,<4*sin(p+24)>,,,,,)]_{C2}[LEFT(,,<-4*sin(24-p)>,,,,,)]_{C4}
+SPINE -> SPINE[&SOW{x=along-reach+0.5}]_{C3}
+RIGHT{c=along-reach+0.5; w=sqrt(max(0,reach*reach-c*c)); p=hill+19*along; q=(beside+1)/w}{beside+1<w+0.6*sin(103*along+dale)-0.2}{} -> RIGHT[RIGHT(,,<4*(sin(p+24*(beside+1))-sin(p+24*beside))-fall*(q^5-(q-1/w)^5)>,,,<12-9*q^4>,,)]_{E}
+RIGHT -> RIGHT[&SOW{x=along-reach+0.5; y=beside}]_{C2}
+LEFT{c=along-reach+0.5; w=sqrt(max(0,reach*reach-c*c)); p=hill+19*along; q=(beside+1)/w}{beside+1<w+0.6*sin(137*along+hill)-0.2}{} -> LEFT[LEFT(,,<fall*(q^5-(q-1/w)^5)-4*(sin(24*(beside+1)-p)-sin(24*beside-p))>,,,<12-9*q^4>,,)]_{E}
+LEFT -> LEFT[&SOW{x=along-reach+0.5; y=-beside}]_{C4}
+RIGHT : RIGHT_C1 < RIGHT_C3 -> RIGHT_C1 | RIGHT_C3
+LEFT : LEFT_C1 < LEFT_C3 -> LEFT_C1 | LEFT_C3
+
+#module SOW
+/* One seed. What grows of it is luck, and where it lies: the last line that holds has the place. */
+#define x=0
+#define y=0
+#define margin=sqrt(x*x+y*y)/reach
+#define SEED(4,math.random(-26,26),math.random(-26,26),math.random(-40,40),22-16*min(1,margin)^6,12,12,1)
+#define red=max(0,sin(17*x+23*y+here)+sin(29*x-13*y+there)-0.2)
+#define white=max(0,sin(19*x-21*y+elsewhere)+sin(11*x+27*y+here)-0.1)
+#define yellow=max(0,sin(24*x+14*y+there)+sin(31*y-9*x+elsewhere)-0.2)
+#define blue=max(0,sin(13*x-25*y+here+there)+sin(33*x+7*y+hill)-0.4)
+#define pink=max(0,sin(27*x+9*y+hill)+sin(15*x-29*y+dale)-0.2)
+#define finalStep=1
+#axiom: SEED
+SEED -> SEED[&GRASS(,<-atx>,<-aty>,<math.random(0,360)>,,,,){splay=max(0,margin-0.75)*4; lush=0.85+0.15*sin(21*x+16*y+dale)+0.15*sin(26*y-12*x+hill)}]_{E}
+SEED{}{math.random()<0.5*flowers*pink&&margin<0.95}{} -> SEED[&CLOVER(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
+SEED{}{math.random()<0.34*flowers*yellow&&margin<0.95}{} -> SEED[&BUTTERCUP(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
+SEED{}{math.random()<0.5*flowers*white&&margin<0.95}{} -> SEED[&DAISY(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
+SEED{}{math.random()<0.3*flowers*blue&&margin<0.95}{} -> SEED[&CORNFLOWER(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
+SEED{}{math.random()<0.36*flowers*red&&margin<0.95}{} -> SEED[&POPPY(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
+
+#module GRASS
+#define splay=0
+#define lush=1
+#define long=height*lush*math.random(130,230)
+#define green=2+floor(math.random(0,3))
+#define ROOT(8,0,0,0,3,9,9,2)
+#define finalStep=1
+#axiom: ROOT
+ROOT -> ROOT[&BLADE{len=long*math.random(0.4,1.15); start=-90+math.random(4,42)+splay*math.random(0,40); sway=math.random(-24,24); bend=math.random(10,90); paint=green}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+ROOT{}{math.random()<0.35}{} -> ROOT[&BLADE{len=long*math.random(0.3,0.8); start=-90+math.random(20,60); sway=math.random(-24,24); bend=math.random(30,110); paint=5}]_{C4}
+
+ROOT{}{math.random()<0.22}{} -> ROOT[&CULM{len=height*lush*math.random(200,330)}]_{E}
+
+#module BLADE
+#define len=100
+#define wide=3.8
+#define start=-60
+#define sway=0
+#define bend=40
+#define paint=2
+#define B(3,0,0,0,len/3,wide,0.3*wide,paint)
+#define finalStep=2
+#axiom: B(,start,sway,,,,,)
+B -> B[B(,<bend/2+wind*16>,,,,<wide*(0.82-0.72*step)>,<0.3*wide*(0.82-0.72*step)>,)]_{E}
+
+#module CULM
+/* A stalk of grass in flower: spikelets about its upper third. */
+#define len=300
+#define STALK(4,0,0,0,len/6,1.1,1.1,6)
+#define EAR(4,0,0,30,len/22,0.8,0.8,18)
+#define finalStep=10
+#axiom: STALK
+STALK{}{along<4}{} -> STALK[STALK(,<math.random(-5,5)+wind*7>,<math.random(-5,5)>,,,,,)]_{E}
+STALK{}{along==4}{} -> STALK[EAR]_{E}
+EAR{}{along<9}{} -> EAR[EAR(,<math.random(-2,6)+wind*3>,,30,,,,)]_{E}
+EAR -> EAR[&SCALE{len=len*0.06*(1-0.08*(along-4)); wide=2.6; start=-90+math.random(16,40); paint=18}]_{C(1+along%2),C(3+along%2)}
+
+#module SCALE
+/* A flat scale of two volumes: spikelets, anthers, florets. */
+#define len=8
+#define wide=3
+#define start=-40
+#define sway=0
+#define bend=0
+#define tip=0.35
+#define paint=18
+#define S(3,0,0,0,len/2,wide,0.35*wide,paint)
+#define finalStep=1
+#axiom: S(,start,sway,,,,,)
+S -> S[S(,bend,,,,<wide*tip>,<0.35*wide*tip>,)]_{E}
+
+#module RAY
+/* A flat petal of three volumes, blunt at its end. */
+#define len=16
+#define wide=5
+#define start=-20
+#define sway=0
+#define bend=0
+#define foot=0.45
+#define tip=0.7
+#define paint=11
+#define R(3,0,0,0,len/3,wide,0.5,paint)
+#define finalStep=2
+#axiom: R(,start,sway,,,<wide*(foot+1)/2>,,)
+R -> R[R(,<bend/2>,,,,<wide*(1-(1-tip)*step)>,,)]_{E}
+
+#module PETAL
+/* One layer of the thesis's petal: a vein of K segments and J lobes on either side, glued. */
+#define K=6
+#define J=2
+#define len=30
+#define wide=30
+#define start=0
+#define sway=0
+#define low=0
+#define mid=0
+#define high=0
+#define cup=6
+#define wave=0
+#define waves=4
+#define peak=1
+#define foot=1
+#define tip=1
+#define claw=0
+#define paint=8
+#define phase=math.random(0,360)
+#define VEIN(4,0,0,0,len*sin(90/K)^2,0.06*wide,0.5,paint)
+#define RIGHT(4,0,0,0,1,0.4,1,paint)
+#define LEFT(4,0,0,0,1,0.4,1,paint)
+#define finalStep=K+J+1
+#axiom: VEIN(,start,sway,,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=along/K; w=0.47*wide/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))}{}{} -> VEIN[RIGHT(,,<cup/2>,,w,,H,)]_{C2}[LEFT(,,<-cup/2>,,w,,H,)]_{C4}
+RIGHT{r=wave*beside/J*sin(360*waves*along/K+phase)}{beside<J}{} -> RIGHT[RIGHT(,,<cup+r>,,H,,W,)]_{E}
+LEFT{r=wave*beside/J*sin(360*waves*along/K+phase)}{beside<J}{} -> LEFT[LEFT(,,<-cup-r>,,H,,W,)]_{E}
+RIGHT : RIGHT_C1 < RIGHT_C3 -> RIGHT_C1 | RIGHT_C3
+LEFT : LEFT_C1 < LEFT_C3 -> LEFT_C1 | LEFT_C3
+
+#module POPPY
+#define open=min(1,max(0,age*math.random(0.3,1.9)-0.2))
+#define wilt=max(0,age-1)
+#define size=math.random(0.85,1.15)
+#define long=height*math.random(190,290)
+#define STEM(8,0,0,0,long/7,2,2,6)
+#define BASE(8,0,0,0,1.2,3.4,3.4,9)
+#define TOP(8,0,0,0,1.2,3.4,3.4,9)
+#define WALL(8,0,0,0,2,5,5,9)
+#define LID(8,0,0,0,1,7,7,10)
+#define finalStep=14
+#axiom: STEM(,,,,6,,,)
+STEM{hang=(1-open)*max(0,along-3)}{along<7}{} -> STEM[STEM(,<math.random(-4,4)+9*hang*hang+wind*5>,<math.random(-4,4)>,,<long*(0.7+0.3*open)/7>,,,)]_{E}
+STEM{}{along<1}{} -> STEM[&BLADE{len=math.random(60,110); wide=9; start=-90+math.random(20,60); bend=math.random(20,60); paint=7}]_{C1,C3,C4,C6,C8}
+STEM{}{along==7}{} -> STEM[BASE]_{E}
+BASE -> BASE[&PETAL{K=5; J=2; len=size*(11+21*open); wide=size*(9+41*open); start=-60+52*open+math.random(-6,6)+18*wilt; low=-16-22*open; mid=4; high=-30+46*open+math.random(-8,8); cup=14-8*open; wave=8+12*wilt; peak=1.3; tip=0.68; claw=0.24}]_{C1,C5}
+BASE -> BASE[TOP]_{E}
+TOP -> TOP[&PETAL{K=5; J=2; len=size*(10+19*open); wide=size*(8+36*open); start=-66+48*open+math.random(-6,6)+18*wilt; low=-14-26*open; mid=4; high=-26+38*open+math.random(-8,8); cup=16-8*open; wave=8+12*wilt; peak=1.3; tip=0.68; claw=0.24}]_{C3,C7}
+TOP -> TOP[WALL(,,,,<2.4*open+0.4>,<3.4+1.6*open>,<3.4+1.6*open>,)]_{E}
+WALL{}{along==10}{} -> WALL[WALL(,,,,<3.6*open+0.4>,<3.6+2.6*open>,<3.6+2.6*open>,)]_{E}[&SCALE{len=3+6*open; wide=0.8; start=-90+math.random(20,50); tip=2; paint=10}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+WALL{}{along==11}{} -> WALL[LID(,,,,0.8,<3.6+3.4*open>,<3.6+3.4*open>,)]_{E}[&SCALE{len=3+6*open; wide=0.8; start=-90+math.random(30,70); tip=2; paint=10}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+
+#module DAISY
+#define open=min(1,max(0,age*math.random(0.9,2.2)-0.3))
+#define wilt=max(0,age-1)
+#define size=math.random(0.85,1.15)
+#define long=height*math.random(140,240)
+#define STEM(8,0,0,0,long/7,1.8,1.8,6)
+#define CUP(8,0,0,0,2.4,9*size,9*size,16)
+#define RIM(8,0,0,15,0.5,12*size,12*size,11)
+#define DISC(8,0,0,11,1,12,12,12)
+#define finalStep=15
+#axiom: STEM(,,,,6,,,)
+STEM{}{along<7}{} -> STEM[STEM(,<math.random(-4,4)+wind*5>,<math.random(-4,4)>,,<long*(0.7+0.3*open)/7>,,,)]_{E}
+STEM{}{along<1}{} -> STEM[&BLADE{len=math.random(40,80); wide=8; start=-90+math.random(30,75); bend=math.random(10,40); paint=7}]_{C1,C2,C4,C5,C7}
+STEM{}{along==3}{} -> STEM[&BLADE{len=math.random(20,40); wide=5; start=-90+math.random(20,50); bend=30; paint=7}]_{C3}
+STEM{}{along==7}{} -> STEM[CUP(,<math.random(10,48)>,<math.random(-14,14)>,,,,,)]_{E}
+CUP -> CUP[RIM]_{E}
+RIM{}{along<10}{} -> RIM[RIM]_{E}
+RIM -> RIM[&RAY{len=size*(6+11*open)*math.random(0.92,1.06); wide=size*(2+2.6*open); start=-80+66*open-6*(along-9)+math.random(-7,7)+40*wilt; sway=math.random(-5,5); bend=-30+38*open; paint=11}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+RIM{}{along==10}{} -> RIM[DISC(,,,,<1.4*size>,<11.5*size>,<11.5*size>,)]_{E}
+DISC{}{along<14}{} -> DISC[DISC(,,,,<0.9*size>,<size*(11-2.6*(along-11))>,<size*(11-2.6*(along-11))>,)]_{E}
+DISC{}{along<14}{} -> DISC[&SCALE{len=2.1*size; wide=2.4*size; start=-60-8*(along-11); tip=0.8; paint=12}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+
+#module BUTTERCUP
+#define long=height*math.random(150,240)
+#define STEM(5,0,0,0,long/6,1.7,1.7,6)
+#define finalStep=8
+#axiom: STEM(,,,,6,,,)
+STEM{}{along<5}{} -> STEM[STEM(,<math.random(-6,6)+wind*6>,<math.random(-6,6)>,,<long/6>,<1.7-0.12*along>,<1.7-0.12*along>,)]_{E}
+STEM{}{along<1}{} -> STEM[&LOBED{stalk=math.random(30,60)}]_{C1,C3}
+STEM{}{along==2}{} -> STEM[&GOLD{long=long*math.random(0.35,0.5)}]_{C2}
+STEM{}{along==3}{} -> STEM[&GOLD{long=long*math.random(0.3,0.45)}]_{C4}
+STEM{}{along==2||along==3}{} -> STEM[&BLADE{len=math.random(24,40); wide=4; start=-90+math.random(30,60); bend=20; paint=7}]_{C5}
+STEM{}{along==5}{} -> STEM[&GOLD{long=long*0.2; start=0}]_{E}
+
+#module GOLD
+/* A stalk and its flower of five petals. */
+#define long=60
+#define start=-58
+#define open=min(1,max(0,age*math.random(0.7,2.2)-0.2))
+#define wilt=max(0,age-1)
+#define size=math.random(0.85,1.15)
+#define S(5,0,0,0,long/3,1.1,1.1,6)
+#define CUP(5,0,0,0,1.6,3.4,3.4,16)
+#define KNOB(5,0,0,36,1.4,3,3,12)
+#define finalStep=8
+#axiom: S(,<start+math.random(-8,8)>,,,,,,)
+S{}{along<3}{} -> S[S(,<math.random(2,12)*(start<0)>,<math.random(-6,6)>,,,,,)]_{E}
+S{}{along==3}{} -> S[CUP(,<math.random(-10,30)>,<math.random(-16,16)>,,,,,)]_{E}
+CUP -> CUP[&RAY{len=size*(5+8*open); wide=size*(3.5+7.5*open); start=-70+46*open+math.random(-6,6)+30*wilt; bend=-30; foot=0.4; tip=0.75; paint=13}]_{C1,C2,C3,C4,C5}
+CUP -> CUP[KNOB]_{E}
+KNOB{}{along<6}{} -> KNOB[KNOB(,,,,,2.2,2.2,)]_{E}[&SCALE{len=2+2*open; wide=1; start=-50+math.random(-12,12); tip=1.5; paint=12}]_{C1,C2,C3,C4,C5}
+
+#module LOBED
+/* A leaf of three lobes on its stalk. */
+#define stalk=40
+#define len=math.random(16,24)
+#define S(4,0,0,0,stalk/3,1,1,6)
+#define finalStep=4
+#axiom: S(,<-90+math.random(20,60)>,,,,,,)
+S{}{along<2}{} -> S[S(,<10+math.random(-4,6)>,,,,,,)]_{E}
+S{}{along==2}{} -> S[&RAY{len=len; wide=len*0.6; start=30; foot=0.4; tip=0.5; bend=20; paint=7}]_{E}[&RAY{len=len*0.9; wide=len*0.55; start=20; sway=50; foot=0.4; tip=0.5; bend=20; paint=7}]_{C2}[&RAY{len=len*0.9; wide=len*0.55; start=20; sway=-50; foot=0.4; tip=0.5; bend=20; paint=7}]_{C4}
+
+#module CORNFLOWER
+#define open=min(1,max(0,age*math.random(0.8,2)-0.2))
+#define wilt=max(0,age-1)
+#define size=math.random(0.85,1.15)
+#define long=height*math.random(210,310)
+#define STEM(8,0,0,0,long/7,1.6,1.6,6)
+#define HEAD(8,0,0,0,3,6,6,16)
+#define RIM(8,0,0,22,0.8,6,6,15)
+#define finalStep=14
+#axiom: STEM(,,,,6,,,)
+STEM{}{along<7}{} -> STEM[STEM(,<math.random(-4,4)+wind*5>,<math.random(-4,4)>,,<long/7>,,,)]_{E}
+STEM{}{along<5}{} -> STEM[&BLADE{len=math.random(45,80)-6*along; wide=3.4; start=-90+math.random(20,45); bend=math.random(10,50); paint=7}]_{C(1+(3*along)%8),C(1+(3*along+4)%8)}
+STEM{}{along==7}{} -> STEM[HEAD(,<math.random(-4,40)>,<math.random(-10,10)>,,,<4*size>,<4*size>,)]_{E}
+HEAD{}{along<10}{} -> HEAD[HEAD(,,,,<4*size>,<size*(9-2.5*(along-8))>,<size*(9-2.5*(along-8))>,)]_{E}
+HEAD{}{along==10}{} -> HEAD[RIM]_{E}
+RIM{}{along<13}{} -> RIM[RIM(,,,,,<5-1.2*(along-11)>,<5-1.2*(along-11)>,)]_{E}
+RIM{}{along==11}{} -> RIM[&TRUMPET{len=size*(6+10*open); start=-84+66*open+math.random(-12,12)+20*wilt; open=open}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+RIM{}{along==12}{} -> RIM[&SCALE{len=size*(5+6*open); wide=1.7; start=-78+20*open+math.random(-12,12); tip=0.9; paint=15}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+RIM{}{along==13}{} -> RIM[&SCALE{len=size*(5+5*open); wide=1.7; start=-86+math.random(-6,12); tip=0.9; paint=15}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+
+#module TRUMPET
+/* A floret of the rim: a tube that widens, and its lobes. */
+#define len=14
+#define start=0
+#define open=1
+#define TUBE(4,0,0,0,len/4,1.2,1.2,14)
+#define finalStep=3
+#axiom: TUBE(,start,<math.random(-14,14)>,,,,,)
+TUBE{}{along<1}{} -> TUBE[TUBE(,<8*open>,,,,<1.4+2*open>,<1.4+1.2*open>,)]_{E}
+TUBE{}{along==1}{} -> TUBE[&SCALE{len=len*0.55; wide=1.8+1.8*open; start=6; paint=14}]_{E}[&SCALE{len=len*0.5; wide=1.7+1.7*open; start=-52+math.random(-8,8); paint=14}]_{C1,C2,C4}
+
+#module CLOVER
+#define open=min(1,max(0,age*math.random(0.8,2)-0.2))
+#define wilt=max(0,age-1)
+#define size=math.random(0.85,1.2)
+#define long=height*math.random(90,150)
+#define STEM(8,0,0,0,long/5,1.8,1.8,6)
+#define HEAD(8,0,0,21,3,10,10,17)
+#define finalStep=11
+#axiom: STEM(,,,,6,,,)
+STEM{}{along<5}{} -> STEM[STEM(,<math.random(-7,7)+wind*4>,<math.random(-7,7)>,,<long/5>,,,)]_{E}
+STEM{}{along<1}{} -> STEM[&LOBED{stalk=math.random(40,80)}]_{C1,C4,C6}
+STEM{}{along==4}{} -> STEM[&LOBED{stalk=12}]_{C2,C6}
+STEM{}{along==5}{} -> STEM[HEAD(,,,,<2*size>,<6*size>,<6*size>,)]_{E}
+HEAD{}{along<10}{} -> HEAD[HEAD(,,,,<2.6*size>,<size*(11*sin(36*(along-4.4))+1)>,<size*(11*sin(36*(along-4.4))+1)>,)]_{E}
+HEAD -> HEAD[&SCALE{len=size*(4+4*open); wide=2*size; start=-20-13*(along-6)+math.random(-10,10)+40*wilt; bend=-30; tip=0.6; paint=17}]_{C1,C2,C3,C4,C5,C6,C7,C8}
 `,
 	panicle: `/* Panicle
    about: A raceme of racemes, shorter towards the tip: lilac, florets of four lobes, in bud above.
@@ -3138,7 +3443,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 
 #define length=90 /* 40 … 150 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
-#define scale=0.94 /* 0.7 … 1.6, of the flower */
+#define scale=0.74 /* 0.5 … 1.2, of the flower */
 #define tall=length*math.random(0.78,1.22)
 #define size=scale*math.random(0.91,1.09)
 #define open=sin(90*min(age,1))
@@ -3189,7 +3494,7 @@ NODEC -> NODEC[&LEAF{len=math.random(22,28)}]_{C4}[&LEAF{len=math.random(18,24)}
 STALK{}{step<8}{} -> STALK[STALK(,<(step<5)*-(90+start)*0.16+(step>=5)*(25-4*open+10*wilt)+math.random(-2,2)>,<math.random(-2,2)>,,,,,)]_{E}
 STALK{}{step==8}{} -> STALK[CALYX(,<18-6*open>,,,,,,)]_{E}
 CALYX -> CALYX[FACE]_{E}
-CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(6+2*open); wide=size*2.8; thick=0.4; start=-64+92*open; low=-10+10*open; cup=10; peak=0.7; tip=1.7; claw=0.8; upper=3; middle=3; lower=3}]_{C2,C4,C6,C8,C10}
+CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(6+5*open); wide=size*2.8; thick=0.4; start=-64+92*open; low=-10+10*open; cup=10; peak=0.7; tip=1.7; claw=0.8; upper=3; middle=3; lower=3}]_{C2,C4,C6,C8,C10}
 CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(2+4*open); wide=size*2.6; thick=2*size; start=66; low=-6; cup=30; foot=0.4; tip=0.6; claw=0.9; upper=8; middle=8; lower=8}]_{C1}
 FACE -> FACE[HEART]_{E}
 FACE -> FACE[&PETAL{K=10; J=3; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+60*open+8*wilt; sway=8*open; low=-20+16*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+6*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=4; lower=5}]_{C5}
@@ -3419,9 +3724,9 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 
 #define length=235 /* 120 … 370 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
-#define scale=1.04 /* 0.7 … 1.6, of the flower */
+#define scale=1.1 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
-#define size=scale*math.random(0.92,1.08)
+#define size=scale*math.random(0.94,1.06)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -3445,7 +3750,7 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 
 #axiom: STEM
 STEM{hang=(1-open)*max(0,step-9)^2}{step<16}{} -> OLD[STEM(,<bend+math.random(-2.5,2.5)+3.8*hang>,<math.random(-2.5,2.5)>,,<tall*(0.75+0.25*open)/16>,<2.6-0.05*step>,<2.6-0.05*step>,)]_{E}
-STEM{l=math.random(86,112)-10*step}{step<7&&step!=5}{} -> STEM[&PETAL{K=18; J=2; len=l; wide=l*0.5; thick=0.7; start=-52+math.random(-8,8)-3*step; sway=math.random(-6,6); low=20; mid=24; high=math.random(0,40); cup=-5; peak=0.95; foot=0.7; tip=1.6; claw=0.12; teeth=0.85; bites=4; barb=-24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
+STEM{l=math.random(92,114)-10*step}{step<7&&step!=5}{} -> STEM[&PETAL{K=18; J=2; len=l; wide=l*0.5; thick=0.7; start=-52+math.random(-8,8)-3*step; sway=math.random(-6,6); low=20; mid=24; high=math.random(0,40); cup=-5; peak=0.95; foot=0.7; tip=1.6; claw=0.12; teeth=0.85; bites=4; barb=-24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
 STEM{}{step==16}{} -> STEM[CALYX(,<22*open>,,,,,,)]_{E}
 CALYX -> CALYX[RECEPTACLE(,<12*open>,,,,,,)]_{E}
 CALYX -> CALYX[&PETAL{K=8; len=0.3+23*max(0,1-2*open); wide=0.2+21*max(0,1-2*open); thick=0.05+0.8*max(0,1-2*open); start=-22; low=-66; mid=-6; high=-66; cup=34; claw=0.4; upper=3; middle=3; lower=3}]_{C1,C7}
@@ -3599,12 +3904,12 @@ LL5 : LL5_C4 < LM5_C2 -> LL5_C4 | LM5_C2
 LM5 : LM5_C4 < LU5_C2 -> LM5_C4 | LU5_C2
 
 #module STAMEN
-#define FILAMENT(4,0,0,0,1.6,0.35,0.35,6)
+#define FILAMENT(4,0,0,0,1.4,0.35,0.35,6)
 #define ANTHER(4,0,0,0,0.8,1.1,0.8,7)
 #define finalStep=7
 #define lean=math.random(-62,-18)
 #axiom: FILAMENT(,<lean-24*(1-open)>,,,,,,)
-FILAMENT{}{step<4}{} -> FILAMENT[FILAMENT(,<-lean*0.1-7>,,,<0.5+1.6*open>,,,)]_{E}
+FILAMENT{}{step<4}{} -> FILAMENT[FILAMENT(,<-lean*0.1-7>,,,<0.4+1.25*open>,,,)]_{E}
 FILAMENT{}{step==4}{} -> FILAMENT[ANTHER]_{E}
 ANTHER -> ANTHER[ANTHER(,,,,1,,,)]_{E}
 
@@ -3820,7 +4125,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #axiom: STEM
 STEM{}{step<13}{} -> WOOD[STEM(,<bend+math.random(-2,2)+1.2*wilt>,<math.random(-2,2)>,,<tall/13>,<4.8-0.07*step>,<4.8-0.07*step>,)]_{E}
 STEM{}{step<11}{} -> STEM[&BLADE{S=3; len=math.random(4,6); wide=2.6; thick=1.1; start=18; bend=30; peak=0.5; claw=1; blunt=0.1; paint=9}]_{C(1+(3*step+5)%8)}
-STEM{}{step==2||step==5||step==8}{} -> STEM[&ROSELEAF{len=math.random(36,46)}]_{C(1+(3*step)%8)}
+STEM{}{step==2||step==5||step==8}{} -> STEM[&ROSELEAF{len=math.random(44,56)}]_{C(1+(3*step)%8)}
 STEM{}{step==13}{} -> STEM[HIP(,<14*open+6*wilt>,,,,,,)]_{E}
 HIP -> HIP[CALYX(,<16*open+8*wilt>,,,3.4,9,9,)]_{E}
 CALYX -> CALYX[RING]_{E}
@@ -3947,9 +4252,10 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 /* Five leaflets on a rachis. */
 #define len=40
 #define RACHIS(8,0,0,0,len*0.2,1.4,1.4,1)
+#define SPENT(8,0,0,0,len*0.2,1.4,1.4,1)
 #define finalStep=12
 #axiom: RACHIS(,<-46+math.random(-8,8)>,<math.random(-8,8)>,,,,,)
-RACHIS{}{step<10}{} -> RACHIS[RACHIS(,<7+math.random(-2,2)>,<math.random(-2,2)>,,,<1.4-0.06*step>,<1.4-0.06*step>,)]_{E}
+RACHIS{}{step<10}{} -> SPENT[RACHIS(,<7+math.random(-2,2)>,<math.random(-2,2)>,,,<1.4-0.06*step>,<1.4-0.06*step>,)]_{E}
 RACHIS{g=0.74+0.03*step}{step==4||step==8}{} -> RACHIS[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=-90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{C3}[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{C7}
 RACHIS{}{step==10}{} -> RACHIS[&PETAL{K=9; J=1; len=len*1.1; wide=len*0.7; thick=0.6; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{E}
 `,
@@ -4076,7 +4382,7 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
    source: Petrenko 2014, figure 39, whose grammar is not printed; the text is ours
 */
 
-#define length=580 /* 290 … 950 mm, of the stem */
+#define length=1000 /* 500 … 1600 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
@@ -4111,7 +4417,7 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 
 #axiom: STEM
 STEM{}{step<10}{} -> OLD[STEM(,<bend+0.5*step+math.random(-0.6,0.6)+2*wilt>,<math.random(-0.6,0.6)>,,<tall*(0.75+0.25*open)/10>,<16-0.3*step>,<16-0.3*step>,)]_{E}
-STEM{}{step>1&&step<8}{} -> STEM[&LEAF{len=(150-10*(step-2))*math.random(0.9,1.08)}]_{C(1+(5*step)%13)}
+STEM{}{step>1&&step<8}{} -> STEM[&LEAF{len=(240-18*(step-2))*math.random(0.9,1.08)}]_{C(1+(5*step)%13)}
 STEM{}{step==10}{} -> STEM[CUP(,<46-10*(1-open)+26*wilt>,,,,,,)]_{E}
 CUP -> CUP[BRACTS]_{E}
 CUP -> CUP[&PETAL{K=7; J=1; len=size*46; wide=size*22; thick=1.2; start=-64+88*open+math.random(-6,6); low=-12; high=-30+50*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=2; lower=2}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
@@ -4573,10 +4879,10 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define scale=1 /* 0.7 … 1.4, of the flower */
+#define scale=0.92 /* 0.7 … 1.4, of the flower */
 #define size=scale*math.random(0.92,1.08)
 #define petals=floor(math.random(20,26))
-#define pad=math.random(150,190)
+#define pad=math.random(200,245)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 

@@ -61,6 +61,8 @@ export const FLOWER_LANGUAGE: Dialect = {
 		word("finalStep", "How many steps this grammar has; #define finalStep=12 says so."),
 		word("age", "0 a bud, 1 open, 2 wilted."),
 		word("face", "The number of the side that it grows on."),
+		word("along", "How many volumes along the axis of its organ that stands which it grows from."),
+		word("beside", "How many volumes beside the axis of its organ that stands which it grows from."),
 		word("math.random", "A number drawn between two, for each volume.", "math.random(from, to)"),
 	],
 };
