@@ -7,10 +7,15 @@ import { fromPreset } from "../../web/src/specimen/from_preset";
 
 await model.prepare(fromPreset(model));
 
-/** The shelf's species and inflorescences. */
+/** The shelf's species, inflorescences and meadows. */
 export const FLOWERS = model.presets.list
-	.filter(({ kind }) => /^(?:species|inflorescences)$/.test(kind))
+	.filter(({ kind }) => /^(?:species|inflorescences|meadows)$/.test(kind))
 	.map(({ name }) => name);
+
+/** What presets are called, by their texts. */
+export const textNames = new Map(
+	model.presets.list.map(({ name }) => [fetchedText(fromPreset(model, name)), name] as const),
+);
 
 /** What of a flower is another than what it is on the shelf. */
 export interface Changed {

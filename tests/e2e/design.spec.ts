@@ -1,4 +1,5 @@
 import type { Page } from "@playwright/test";
+import { drawnBlade } from "./drawn_picture";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
@@ -117,6 +118,38 @@ test("what is edited by hand survives a choice elsewhere; what cannot is told, a
 	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
 	await studio.button("Undo").click();
 	await expect(page).toHaveURL(lost);
+});
+
+test("a picture that is dropped is traced as the chosen organ; a handle of the diagram adds a whorl of it", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-buttercup");
+	const [outline, width] = [page.getByRole("combobox", { name: "Outline" }), studio.slider("Width")];
+	const [before, length] = [page.url(), Number(await studio.slider("Length").inputValue())];
+	await written(page, async () => studio.drop("petal.png", await drawnBlade(page)));
+	await expect(studio.notices).toContainText("The outline of a petal was traced");
+	await expect(outline).toHaveValue("drawn");
+	// 100 of 160 wide, without its stalk.
+	expect(Number(await width.inputValue()) / length).toBeCloseTo(100 / 160, 1);
+	await studio.button("Undo").click();
+	await expect(page).toHaveURL(before);
+	await expect(outline).not.toHaveValue("drawn");
+	await page.getByLabel("Sepal", { exact: true }).check();
+	await written(page, async () => studio.drop("sepal.png", await drawnBlade(page)));
+	await expect(studio.notices).toContainText("The outline of a sepal was traced");
+	await expect(outline).toHaveValue("drawn");
+	const traced = page.url();
+	await studio.drop("no.png", Buffer.from("no picture"));
+	await expect(studio.notices).toContainText("The file is no picture that this browser reads");
+	await expect(page).toHaveURL(traced);
+
+	await page.getByLabel("Petal", { exact: true }).check();
+	const whorls = page.getByRole("button", { name: /^Petals, whorls/ });
+	await expect(whorls).toHaveAccessibleName(/: 1$/);
+	await whorls.focus();
+	await written(page, () => whorls.press("ArrowUp"));
+	await expect(whorls).toHaveAccessibleName(/: 2$/);
+	await expect(page.getByText("C5+5")).toBeVisible();
 });
 
 test("a text without descriptions says so, and a design begins", async ({ page }) => {

@@ -38,6 +38,30 @@ export default [
 		],
 	},
 	{
+		file: `${DESIGN}/sections.ts`,
+		suites: ASSEMBLED,
+		faults: [
+			{
+				id: "flower-stalked-leaves-of-one-size",
+				find: "LEAF{part=H/",
+				replace: "LEAF{part=1+0*H/",
+				breaks: "leaves on stalks do not become smaller up the stem",
+			},
+		],
+	},
+	{
+		file: `${VIEWS}/floral_diagram.ts`,
+		suites: SCENES,
+		faults: [
+			{
+				id: "diagram-whorls-outwards",
+				find: "(ring - Math.hypot(x, y)) / BETWEEN",
+				replace: "(Math.hypot(x, y) - ring) / BETWEEN",
+				breaks: "whoever draws the innermost whorl farther in gets none",
+			},
+		],
+	},
+	{
 		file: `${DESIGN}/whorl.ts`,
 		suites: ASSEMBLED,
 		faults: [
@@ -67,8 +91,8 @@ export default [
 		faults: [
 			{
 				id: "flower-choice-forgets-edits",
-				find: "else if (same(other, was)) both(...own);",
-				replace: "else if (same(other, was)) both(...was);",
+				find: "else if (same(other, was)) both(own);",
+				replace: "else if (same(other, was)) both(was);",
 				breaks: "what was edited by hand goes with the next choice, and nobody is told",
 			},
 		],

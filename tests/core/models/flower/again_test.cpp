@@ -147,7 +147,8 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
           break;
         }
         case 4:
-          asked.outputs = drawn(2) == 0 ? "meshes sky measures map" : "measures";
+          asked.outputs =
+              std::vector<std::string>{"meshes sky measures map", "measures", "levels", "levels measures"}[drawn(4)];
           break;
         default: {
           const auto [from, to] = all[drawn(all.size())];
@@ -179,6 +180,19 @@ TEST_CASE("a value in a request takes the place of a variable's, and one that th
   CHECK(strange.measures[0] == doctest::Approx(0.8));
   REQUIRE(strange.notes.size() == grown("k", {8}).notes.size() + 1);
   CHECK(strange.notes.back() == "The text has no #define j=, so a value of it changes nothing; it has k, own.");
+}
+
+TEST_CASE("an m that is no material is told with the line that gives it") {
+  const auto noted = [](const std::string& text, std::string_view words) {
+    const Plant plant = sound(ask({text}, nullptr));
+    return std::any_of(plant.notes.begin(), plant.notes.end(),
+                       [&](const std::string& note) { return note.find(words) != std::string::npos; });
+  };
+  const std::string rest = "\n#define B(4,0,0,0,2,2,2,1)\n#axiom: A\n#define finalStep=4\n";
+  CHECK(noted("#define A(4,0,0,0,2,2,2,999)" + rest + "A -> A[A]_{E}", "Line 1: A has m 999; a material's number"));
+  CHECK(noted("#define A(4,0,0,0,2,2,2,1)" + rest + "A{}{step==1}{} -> A[B(,,,,,,,1.5)]_{E}\nB -> B[B]_{E}",
+              "Line 5: B has m 1.5"));
+  CHECK_FALSE(noted("#define A(4,0,0,0,2,2,2,255)" + rest + "A -> A[A]_{E}", "has m"));
 }
 
 TEST_CASE("figures that only place the map are no part of its bones") {

@@ -3,8 +3,9 @@ import { titledBy } from "../../specimen/preset_texts";
 import type { Model } from "../model";
 import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
 import { FLOWER_FORMATS } from "./formats";
+import { flowerLevels } from "./levels";
 import { flowerParts } from "./parts";
-import { flowerRecord } from "./record";
+import { flowerRecord, tooHeavy } from "./record";
 import { encodeFlower } from "./request";
 import { FLOWER, isXml } from "./species";
 import type { FlowerSpecimen } from "./specimen";
@@ -22,9 +23,11 @@ export const model = {
 	encode: encodeFlower,
 	read: readFlowerPlant,
 	parts: flowerParts,
+	levels: flowerLevels,
 	titled: titledBy("A flower grammar of one’s own", fetchedText),
 	words: flowerInWords,
 	record: flowerRecord,
+	heavy: tooHeavy,
 	formats: FLOWER_FORMATS,
 	translated: (text) =>
 		isXml(text) ? import("./xml/designed").then(({ grammarOfXml }) => grammarOfXml(text)) : undefined,

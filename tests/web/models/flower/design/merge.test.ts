@@ -101,5 +101,8 @@ describe("a choice", () => {
 			assembled().replace(/@organ pistil .*@/, "@organ pistil count=5 width=900 nonsense=1 base=red@"),
 		);
 		expect(describedIn(design, "pistil").values).toMatchObject({ count: 5, width: 30, base: "a3b873", style: 5 });
+		// A line that says less, as before there were stalks, is no grammar that was edited.
+		const older = designed(assembled().replace(" stalk=0", ""));
+		expect(older.sections.filter(isEdited)).toEqual([]);
 	});
 });
