@@ -94,6 +94,18 @@ test("what is edited by hand survives a choice elsewhere; what cannot is told, a
 	await expect(length).toBeFocused();
 	await expect(length).toHaveValue("30");
 	await expect(length).toHaveAttribute("aria-valuetext", "30 mm");
+	// What cannot be taken as typed is said, here as everywhere.
+	const carpels = page.getByRole("textbox", { name: "Count, typed" });
+	await written(page, async () => {
+		await carpels.fill("99");
+		await carpels.press("Enter");
+	});
+	await expect(carpels).toHaveValue("16");
+	await expect(page.getByText("Count takes 0 … 16. 99 became 16.")).toBeVisible();
+	await carpels.fill("abc");
+	await carpels.press("Enter");
+	await expect(page.getByText("“abc” is not a number; Count stays 16.")).toBeVisible();
+	await expect(carpels).toHaveValue("16");
 	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
 	await expect(studio.notices).not.toContainText("gave way");
 	await written(page, () => studio.button("Write its grammar anew").click());

@@ -5,7 +5,7 @@ import type { Change } from "./desk";
 import { EntryElement } from "./entry_element";
 import { HeldKey } from "./held_key";
 import { OWN_LENGTHS } from "./own_lengths";
-import { sliderRow } from "./slider_row";
+import { clamped, complaint, sliderRow } from "./slider_row";
 import { symbol } from "./symbol";
 
 /**
@@ -52,7 +52,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 			type: this.#type,
 			reset: () => this.reset(),
 		})}</div>
-			${this.#message?.text && this.#message.value === value ? html`<p class="clamped" role="status">${this.#message.text}</p>` : nothing}`;
+			${clamped(this.#message?.value === value ? this.#message.text : undefined)}`;
 	}
 
 	protected override change(value: number): Change {
@@ -74,19 +74,14 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		const scale = this.#scale;
 		if (Number.isFinite(typed)) this.desk.set(this.change(typed / scale.per));
 		const value = Number(this.value);
-		this.#message = { text: complaint(this.entry, scale, text, typed, value), value };
+		const taken = readOf(this.entry, scale, value);
+		// What is typed finer than it is read was taken all the same.
+		const same = Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals);
+		const range = rangeInWords(this.entry, scale);
+		this.#message = { text: complaint({ label: this.entry.label, text, typed, taken, same, range }), value };
 		this.requestUpdate();
-		return readOf(this.entry, scale, value);
+		return taken;
 	};
-}
-
-/** What to say where the number taken is not the one typed. */
-function complaint(entry: NumberEntry, scale: Scale, text: string, typed: number, value: number): string | undefined {
-	const taken = readOf(entry, scale, value);
-	if (!Number.isFinite(typed)) return `“${text.slice(0, 20)}” is not a number; ${entry.label} stays ${taken}.`;
-	// What is typed finer than it is read was taken all the same.
-	if (Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals)) return undefined;
-	return `${entry.label} takes ${rangeInWords(entry, scale)} ${typed} became ${taken}.`;
 }
 
 /** "12.5 … 250 mm." */

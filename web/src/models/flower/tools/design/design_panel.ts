@@ -6,7 +6,7 @@ import { ControlElement } from "../../../../controls/control_element";
 import type { Stateful } from "../../../../controls/desk";
 import { HeldKey } from "../../../../controls/held_key";
 import { PICTURES } from "../../../../controls/picture_file";
-import { sliderRow } from "../../../../controls/slider_row";
+import { clamped, complaint, sliderRow } from "../../../../controls/slider_row";
 import { outlineOf } from "../../design/blade";
 import { isEdited, madeAnew } from "../../design/choose";
 import { type Description, described } from "../../design/description";
@@ -42,6 +42,8 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 	declare drafts: Drafts;
 
 	readonly #held = new HeldKey(() => this.drafts.settle(this.desk));
+	/** What became of a number that was typed last, and of which field of which organ. */
+	#said: { of: string; value: string | number; words: string | undefined } | undefined;
 
 	protected override shows({ state, toolState }: FlowerDesk): readonly unknown[] {
 		return [designIn(state.specimen), toolState.call(this.desk, this.tool)];
@@ -85,7 +87,11 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 		const { key, label, help } = field;
 		const id = this.idOf(key);
 		const value = description.values[key];
-		if (field.kind === "number") return html`<div class="control">${this.#number(description, field, id)}</div>`;
+		if (field.kind === "number") {
+			const said =
+				this.#said?.of === `${description.organ} ${key}` && this.#said.value === value ? this.#said.words : undefined;
+			return html`<div class="control">${this.#number(description, field, id)}</div>${clamped(said)}`;
+		}
 		const words = html`<label for=${id}>${label}</label>`;
 		const told = html`<span class="unseen" id=${`${id}-help`}>${help}</span>`;
 		if (field.kind === "choice")
@@ -103,6 +109,7 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 
 	#number(description: Description, { key, label, unit, least, most, step, help }: NumberField, id: string): unknown {
 		const value = Number(description.values[key]);
+		const range = `${least} … ${most}${unit && ` ${unit}`}.`;
 		return sliderRow({
 			id,
 			label,
@@ -114,13 +121,17 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 			text: String(value),
 			unit,
 			spoken: `${value} ${unit}`.trim(),
-			help: `${help} ${least} … ${most}${unit && ` ${unit}`}.`,
+			help: `${help} ${range}`,
 			held: this.#held,
 			slide: (to) => this.#edit(description, key, to, this.#held.run),
-			type: (typed) => {
+			type: (typed, text) => {
 				if (Number.isFinite(typed)) this.#choose(description, key, typed);
 				const design = designIn(this.desk.state.specimen);
-				return String(design ? describedIn(design, description.organ).values[key] : value);
+				const taken = design ? describedIn(design, description.organ).values[key] : value;
+				const words = complaint({ label, text, typed, taken: String(taken), same: typed === taken, range });
+				this.#said = { of: `${description.organ} ${key}`, value: taken, words };
+				this.requestUpdate();
+				return String(taken);
 			},
 		});
 	}
