@@ -7,9 +7,9 @@ import { fromPreset } from "../../web/src/specimen/from_preset";
 
 await model.prepare(fromPreset(model));
 
-/** The shelf's species and inflorescences. */
+/** The shelf's species, inflorescences and meadows. */
 export const FLOWERS = model.presets.list
-	.filter(({ kind }) => /^(?:species|inflorescences)$/.test(kind))
+	.filter(({ kind }) => /^(?:species|inflorescences|meadows)$/.test(kind))
 	.map(({ name }) => name);
 
 /** What of a flower is another than what it is on the shelf. */

@@ -27,6 +27,12 @@ export default [
 				replace: "waits = false;",
 				breaks: "faces that are not adjacent at once are never glued",
 			},
+			{
+				id: "flower-never-told-under-other-steps",
+				find: "asked_[production.number] == 1 && !stopped_ && !cut_short_",
+				replace: "asked_[production.number] == 1 && !stopped_",
+				breaks: "a flower of fewer steps has notes on all that it has not come to",
+			},
 		],
 	},
 	{
@@ -242,6 +248,42 @@ export default [
 				find: "names.length === 0",
 				replace: "true",
 				breaks: "values of the link change nothing",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/request.ts",
+		suites: ["tests/web/models/flower/grown.test.ts"],
+		faults: [
+			{
+				id: "flower-document-without-surface",
+				find: "(meshes || measures) &&",
+				replace: "meshes &&",
+				breaks: "a flower's JSON has no surface and counts no triangles",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/record.ts",
+		suites: ["tests/web/models/flower/values.test.ts"],
+		faults: [
+			{
+				id: "flower-any-map-is-sent",
+				find: "if (count <= MOST_DARTS) return undefined;",
+				replace: "return undefined;",
+				breaks: "a text of a few lines has a server send 300 MB",
+			},
+		],
+	},
+	{
+		file: `${SRC}/skin.cpp`,
+		suites: AGAIN,
+		faults: [
+			{
+				id: "flower-material-of-no-line",
+				find: "if (growth != nullptr && gives(growth->arguments)) place = growth->arguments.place;",
+				replace: "",
+				breaks: "a material that is none is looked for where the volume is defined",
 			},
 		],
 	},

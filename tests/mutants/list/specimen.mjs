@@ -29,6 +29,24 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/altered_text.ts`,
+		suites: [`${TESTS}/altered_text.test.ts`],
+		faults: [
+			{
+				id: "text-dragged-loses-its-name",
+				find: 'line.replace(NUMBER, "0")',
+				replace: "line",
+				breaks: "an oak whose handle was dragged is a grammar of one's own",
+			},
+			{
+				id: "text-any-is-the-preset",
+				find: "> SHARE * lines.length",
+				replace: ">= 0",
+				breaks: "a tree of another text is called an oak, altered",
+			},
+		],
+	},
+	{
 		file: `${SRC}/link.ts`,
 		suites: [`${TESTS}/link.test.ts`],
 		faults: [

@@ -51,6 +51,8 @@ class Lowering {
   // Puts the code that runs once the inputs are bound behind all other code, and tells where it is. An instruction of
   // it that goes wrong is no error by itself: it stands once more in the code of each expression that needs it.
   Range finish();
+  // How much of that there is by now.
+  std::uint32_t once_bound() const { return static_cast<std::uint32_t>(once_bound_.size()); }
 
  private:
   struct Branch {  // the second operand of && or ||, which may be passed over

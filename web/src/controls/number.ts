@@ -5,8 +5,9 @@ import type { Change } from "./desk";
 import { EntryElement } from "./entry_element";
 import { HeldKey } from "./held_key";
 import { OWN_LENGTHS } from "./own_lengths";
-import { clamped, complaint, sliderRow } from "./slider_row";
+import { sliderRow } from "./slider_row";
 import { symbol } from "./symbol";
+import { refusal } from "./typed";
 
 /**
  * One numeric parameter: a slider and the same number to type. Dragging edits live and is one undo step, as is a run of
@@ -52,7 +53,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 			type: this.#type,
 			reset: () => this.reset(),
 		})}</div>
-			${clamped(this.#message?.value === value ? this.#message.text : undefined)}`;
+			${this.#message?.text && this.#message.value === value ? html`<p class="clamped" role="status">${this.#message.text}</p>` : nothing}`;
 	}
 
 	protected override change(value: number): Change {
@@ -74,14 +75,17 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		const scale = this.#scale;
 		if (Number.isFinite(typed)) this.desk.set(this.change(typed / scale.per));
 		const value = Number(this.value);
-		const taken = readOf(this.entry, scale, value);
-		// What is typed finer than it is read was taken all the same.
-		const same = Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals);
-		const range = rangeInWords(this.entry, scale);
-		this.#message = { text: complaint({ label: this.entry.label, text, typed, taken, same, range }), value };
+		this.#message = { text: complaint(this.entry, scale, text, typed, value), value };
 		this.requestUpdate();
-		return taken;
+		return readOf(this.entry, scale, value);
 	};
+}
+
+/** What to say where the number taken is not the one typed; undefined where it is. */
+function complaint(entry: NumberEntry, scale: Scale, text: string, typed: number, value: number): string | undefined {
+	// What is typed finer than it is read was taken all the same.
+	if (Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals)) return undefined;
+	return refusal(entry.label, rangeInWords(entry, scale), text, typed, readOf(entry, scale, value));
 }
 
 /** "12.5 … 250 mm." */

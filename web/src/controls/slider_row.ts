@@ -73,30 +73,6 @@ export function sliderRow(row: SliderRow): TemplateResult {
 		<span class="unseen" id=${help}>${row.help} Shift goes ten steps. Enter types a number.</span>`;
 }
 
-/** A number that was typed, and what became of it. */
-export interface Typed {
-	readonly label: string;
-	readonly text: string;
-	/** NaN where `text` is no number. */
-	readonly typed: number;
-	/** As it is read. */
-	readonly taken: string;
-	/** Whether that is what was typed. */
-	readonly same: boolean;
-	/** "12.5 … 250 mm." */
-	readonly range: string;
-}
-
-/** What to say where the number taken is not the one typed. */
-export function complaint({ label, text, typed, taken, same, range }: Typed): string | undefined {
-	if (!Number.isFinite(typed)) return `“${text.slice(0, 20)}” is not a number; ${label} stays ${taken}.`;
-	return same ? undefined : `${label} takes ${range} ${typed} became ${taken}.`;
-}
-
-/** The same below the row. */
-export const clamped = (words: string | undefined): unknown =>
-	words === undefined ? nothing : html`<p class="clamped" role="status">${words}</p>`;
-
 const doneIn = ({ min, max, value }: SliderRow): number => (100 * (value - min)) / (max - min);
 
 function beside({ currentTarget }: Event, selector: string): HTMLInputElement | null {

@@ -30,6 +30,8 @@ export interface Asked {
 	readonly options: FileOptions;
 	/** Whether measures are to be worked out for a JSON document. */
 	readonly measures: boolean;
+	/** Whether such a document is to tell all of the plant's topology, where its model has one. */
+	readonly map: boolean;
 }
 
 /** Longer ones are not read. */
@@ -39,7 +41,7 @@ const FOLDER = "/specimens/";
 const HOW = "write specimens/PRESET.glb?seed=7, or specimens/NAME.glb?v=2&… with a link’s query";
 
 /** What a query says of the file, not of the specimen, as `file-triangles` and so on. */
-export const FILE_KEYS = ["triangles", "thickness", "points", "translucent", "textures", "measures"] as const;
+export const FILE_KEYS = ["triangles", "thickness", "points", "translucent", "textures", "measures", "map"] as const;
 type FileKey = (typeof FILE_KEYS)[number];
 
 /** @throws Refused where it means no file of a specimen */
@@ -65,6 +67,7 @@ export async function readAddress({ pathname, search, href }: URL): Promise<Aske
 		ending,
 		options: optionsOf(own),
 		measures: readSwitch("measures", own.get("measures")) ?? true,
+		map: readSwitch("map", own.get("map")) ?? true,
 	};
 }
 

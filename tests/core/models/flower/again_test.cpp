@@ -181,6 +181,19 @@ TEST_CASE("a value in a request takes the place of a variable's, and one that th
   CHECK(strange.notes.back() == "The text has no #define j=, so a value of it changes nothing; it has k, own.");
 }
 
+TEST_CASE("an m that is no material is told with the line that gives it") {
+  const auto noted = [](const std::string& text, std::string_view words) {
+    const Plant plant = sound(ask({text}, nullptr));
+    return std::any_of(plant.notes.begin(), plant.notes.end(),
+                       [&](const std::string& note) { return note.find(words) != std::string::npos; });
+  };
+  const std::string rest = "\n#define B(4,0,0,0,2,2,2,1)\n#axiom: A\n#define finalStep=4\n";
+  CHECK(noted("#define A(4,0,0,0,2,2,2,999)" + rest + "A -> A[A]_{E}", "Line 1: A has m 999; a material's number"));
+  CHECK(noted("#define A(4,0,0,0,2,2,2,1)" + rest + "A{}{step==1}{} -> A[B(,,,,,,,1.5)]_{E}\nB -> B[B]_{E}",
+              "Line 5: B has m 1.5"));
+  CHECK_FALSE(noted("#define A(4,0,0,0,2,2,2,255)" + rest + "A -> A[A]_{E}", "has m"));
+}
+
 TEST_CASE("figures that only place the map are no part of its bones") {
   const auto same = [](std::string_view a, std::string_view b) { return same_map(program_of(a), program_of(b)); };
   const std::string text =

@@ -92,6 +92,29 @@ TEST_CASE("conditions, blocks and numbers count as work by their length") {
   CHECK(grown("#define A(4)\n#axiom: A\nA -> A[A]_{E}\n", steps(4000), limits).derived.map.volumes() == 4001);
 }
 
+TEST_CASE("what an instance takes does not grow with what other modules have") {
+  Limits limits;
+  limits.evaluations = 20'000;
+  const auto instances = [&](std::size_t modules) {
+    std::string text =
+        "#define A(4)\n#axiom: A\nA -> A[A]_{E}[&M{v=step}]_{C1}\n#module M\n#define v=1\n#define w=v*v+1\n"
+        "#define B(4,w/(v+1),0,0,1,1,1,1)\n#axiom: B\n";
+    for (std::size_t i = 0; i < modules; ++i)
+      text += "#module N" + std::to_string(i) + "\n#define v=1\n#define w=v*v+1\n#define B(4,w/(v+1))\n#axiom: B\n";
+    const Flower flower = grown(text, steps(4000), limits);
+    CHECK_FALSE(flower.derived.whole);
+    for (std::uint32_t v = 0; v < flower.derived.map.volumes(); ++v) {
+      if (flower.name(v) != "B") continue;
+      const auto step = static_cast<float>(flower.derived.records[flower.derived.record_of[v]].step);
+      CHECK(flower.value(v, Field::turn_x) == (step * step + 1) / (step + 1));
+    }
+    return flower.derived.instances.size();
+  };
+  CHECK(instances(0) > 100);
+  // But for what it takes to work those out once.
+  CHECK(instances(200) > 0.9 * static_cast<double>(instances(0)));
+}
+
 TEST_CASE("what a call gives is a variable's own, in whatever order it is given") {
   const Flower flower = grown(
       "#define A(4)\n#axiom: A\nA -> A[&M{c=2*step+4; a=1; d=(2*step+4)*2}]_{E}\n#module M\n#define a=9\n#define b=9\n"

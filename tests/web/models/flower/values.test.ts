@@ -8,6 +8,7 @@ import { model } from "../../../../web/src/models/flower/index";
 import { fetchedText, fetchTexts, variablesIn } from "../../../../web/src/models/flower/texts";
 import { source as flowerSource } from "../../../../web/src/models/flower/tools/text";
 import { makeService } from "../../../../web/src/service/service";
+import { compressText } from "../../../../web/src/specimen/compressed_text";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { decodeLink, encodeLink } from "../../../../web/src/specimen/link";
 import { restore } from "../../../../web/src/specimen/restore";
@@ -69,6 +70,18 @@ describe("an address", () => {
 		);
 		expect(json[0].specimen.constants).toEqual({ rd: 9 });
 		expect(json[1]).toEqual(json[0]);
+	});
+
+	it("leaves the map out where it is not wanted, and refuses one that is too large to send", async () => {
+		const { alpha, position, label, measures } = await (await ask("table-3.json?file-map=0")).json();
+		expect([alpha, position]).toEqual([undefined, undefined]);
+		expect([label.length > 0, measures.surface > 0]).toEqual([true, true]);
+		const grows = "#define A(24)\n#define finalStep=4\n#axiom: A\nA -> A[A(24)]_{E,C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}";
+		const address = `tulip.json?g=${await compressText(grows)}`;
+		const refused = await ask(address);
+		expect(`${refused.status} ${await refused.text()}`).toMatch(
+			/^413 the flower’s map has [\d,]+ darts, and at most 600,000 are sent; file-map=0 leaves the map out\n$/,
+		);
 	});
 
 	it.each([

@@ -32,9 +32,8 @@ bool Evaluation::bind(const Limits& limits) {
                            {value.name, number_text(value.value)}));
   }
   variables_.assign(program_.variables.size(), 0);
-  for (std::size_t i = 0; i < program_.variables.size(); ++i)
-    if (!variable(i, hash_text(program_.grammars[program_.variables[i].grammar].name))) return false;
-  settle();
+  for (std::uint32_t i = 0; i < program_.grammars.size(); ++i)
+    if (!variables(i, hash_text(program_.grammars[i].name), {})) return false;
   for (const Grammar& grammar : program_.grammars) {
     std::uint32_t& steps = steps_.emplace_back(otherwise_steps);
     if (&grammar == &program_.grammars[0] && given_.steps > 0) {
@@ -63,11 +62,28 @@ bool Evaluation::count(const Number& number, std::uint32_t& steps) {
   return true;
 }
 
+// All of a grammar, each after what it is worked out from, and then what follows from them.
+bool Evaluation::variables(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given) {
+  const Grammar& of = program_.grammars[grammar];
+  std::uint32_t followed = of.once_bound.begin;
+  auto said = given.begin();
+  for (std::uint32_t i = of.variables.begin; i < of.variables.end; ++i) {
+    follow(followed, program_.variables[i].needs);
+    followed = program_.variables[i].needs;
+    if (said != given.end() && said->first == i) {
+      registers_[program_.variables[i].to] = said++->second;
+    } else if (!variable(i, address)) {
+      return false;
+    }
+  }
+  follow(followed, of.once_bound.end);
+  return true;
+}
+
 bool Evaluation::variable(std::size_t at, std::uint64_t address) {
   const Variable& variable = program_.variables[at];
   float value = 0;
   const lsystem::Value& of = variable.number.value;
-  settle();
   const auto given = variable.grammar != 0
                          ? given_.values.end()
                          : std::find_if(given_.values.begin(), given_.values.end(),
@@ -93,10 +109,10 @@ bool Evaluation::is_finite(std::uint32_t variable, float value, const lsystem::P
 }
 
 // What follows from variables alone.
-void Evaluation::settle() {
-  work_ += program_.once_bound.size();
+void Evaluation::follow(std::uint32_t begin, std::uint32_t end) {
+  work_ += end - begin;
   Diagnostic unheard;
-  for (std::uint32_t at = program_.once_bound.begin; at < program_.once_bound.end; ++at)
+  for (std::uint32_t at = begin; at < end; ++at)
     lsystem::execute(program_.code, at, at + 1, registers_.data(), sources_, unheard);
 }
 
@@ -109,15 +125,7 @@ bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const Given
   const Grammar& of = program_.grammars[grammar];
   if (!of.draws || grammar == 0) return ends_at(steps_[grammar]);
   work_ += of.variables.size();
-  auto said = given.begin();
-  for (std::uint32_t i = of.variables.begin; i < of.variables.end; ++i) {
-    if (said != given.end() && said->first == i) {
-      registers_[program_.variables[i].to] = said++->second;
-    } else if (!variable(i, address)) {
-      return false;
-    }
-  }
-  settle();
+  if (!variables(grammar, address, given)) return false;
   // With what this one was given and has drawn.
   std::uint32_t steps = steps_[grammar];
   return count(of.final_step, steps) && ends_at(steps);
@@ -162,12 +170,14 @@ bool Evaluation::describe(const Description& description, std::uint64_t address,
     if ((description.given >> i & 1) == 0) continue;
     const float value = at(description.sources[i]);
     if (!(value >= -largest && value <= largest))
-      return fail(error_at(Reason::evaluation, description.place,
-                           "% comes to %; it must be a number between -1000000 and 1000000.",
-                           {field_names[i], number_text(value)}));
+      return fail(
+          error_at(Reason::evaluation, description.places[i],
+                   "% comes to % in step %%; it must be a number between -1000000 and 1000000.",
+                   {field_names[i], number_text(value), number_text(registers_[static_cast<std::size_t>(Word::step)]),
+                    std::isinf(value) ? ", as by a division by 0" : ""}));
     if (i == 0 && !(std::floor(value) == value && value >= generalized_map::least_order &&
                     value <= generalized_map::largest_order))
-      return fail(error_at(Reason::evaluation, description.place,
+      return fail(error_at(Reason::evaluation, description.places[i],
                            "N comes to %; a prism has a whole number of sides, 3 to 4096.", {number_text(value)}));
     values[i] = value;
   }

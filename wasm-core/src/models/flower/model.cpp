@@ -138,16 +138,19 @@ void add_columns(Plant& plant, const Program& program, const Derived& derived, b
 void add_materials(Plant& plant, const Program& program, float age) {
   std::vector<std::uint32_t> numbers, colours;
   std::vector<float> paint;
+  std::string names;
   for (const PlantMesh& mesh : plant.meshes) {
     const auto number = static_cast<std::uint32_t>(std::stoul(mesh.name.substr(1)));
     const Material material = material_of(program, number);
     const Colours now = colours_at(material, age);
     numbers.push_back(number);
+    names.append(numbers.size() > 1 ? "\n" : "").append(material.name);
     colours.insert(colours.end(), {now.base, now.tip, material.margin, material.veins});
     paint.insert(paint.end(),
                  {material.foot, material.margin_width, material.vein_count, material.vein_strength, material.light});
   }
   plant.columns.add("materials.number", std::move(numbers));
+  plant.columns.add("materials.name", names);
   plant.columns.add("materials.colours", std::move(colours), 4);
   plant.columns.add("materials.paint", std::move(paint), 5);
 }

@@ -14,6 +14,7 @@
 //   volumes.line       uint32: the line of the text where each is grown; 0 for none
 //   volumes.call       uint32: the line where its module is called; 0 for none
 //   materials.number   uint32, one a mesh
+//   materials.name     text, a line a mesh: what the text calls it; empty where it does not
 //   materials.colours  uint32 × 4: where an organ begins and ends, of its margin and of its veins; red, green and blue
 //                      of 8 bits each
 //   materials.paint    float32 × 5: foot, width of the margin, number of veins, their strength, light that comes

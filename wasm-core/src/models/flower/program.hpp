@@ -69,6 +69,7 @@ struct Description {
   std::array<std::uint32_t, fields> sources{};  // registers
   std::uint16_t given = 0;                      // bits of fields
   lsystem::Place place;
+  std::array<lsystem::Place, fields> places{};  // of what is given
 
   bool has(Field field) const { return (given >> static_cast<std::uint32_t>(field) & 1) != 0; }
 };
@@ -112,12 +113,14 @@ struct Production {
   Kind kind = Kind::grow;
   std::uint32_t predecessor = 0;  // a label
   lsystem::Place place;
-  Number condition;  // where given
+  Number condition;      // where given
+  bool by_step = false;  // whether that asks for steps and nothing else
   // grow
   std::uint32_t becomes = nobody;  // another label, where the successor begins with one
   std::vector<Growth> growths;
   // glue: own face, and whose other one; split: where
   Face face = generalized_map::base_face, other_face = generalized_map::base_face;
+  lsystem::Place face_place, other_place;
   std::uint32_t other = 0;
   std::uint32_t rest = 0, part = 0;
   Description rest_description, part_description;
@@ -131,7 +134,8 @@ struct Variable {
   std::uint32_t grammar = 0;
   std::uint32_t to = 0;  // register
   Number number;
-  bool rebuilds = false;  // whether the map depends on it, and not only where its corners are
+  std::uint32_t needs = 0;  // to where of its grammar's once_bound it has to be worked out before
+  bool rebuilds = false;    // whether the map depends on it, and not only where its corners are
 };
 
 // Where an organ begins and where it ends: red, green and blue, 8 bits each, as sRGB.
@@ -144,6 +148,7 @@ struct Colours {
 struct Material {
   std::uint32_t number = 0;
   std::string kind;  // stem, leaf, sepal, petal, stamen, pistil or seed
+  std::string name;  // of what is made of it; empty: its kind's
   Colours open;
   Colours bud, wilted;                      // at an age of 0 and of 2; mixed between
   float foot = 0.6f;                        // over how much of an organ's length the first colour goes into the second
@@ -163,8 +168,10 @@ struct Grammar {
   std::uint32_t axiom = nobody;  // a label
   Description axiom_arguments;
   lsystem::Range variables;  // in Program::variables
-  Number final_step;         // where given
-  bool draws = false;        // whether a variable does, or a call gives one, so that each instance has its own
+  // What follows from its variables, and those of the text, alone: code that runs where they have their values.
+  lsystem::Range once_bound;
+  Number final_step;   // where given
+  bool draws = false;  // whether a variable does, or a call gives one, so that each instance has its own
   lsystem::Place place;
 };
 
@@ -180,7 +187,6 @@ struct Program {
   // number of steps depends on.
   std::string bones;
   lsystem::Code code;
-  lsystem::Range once_bound;  // to run when variables are known
   std::vector<std::string> notes;
 
   std::uint64_t bytes() const;  // that it holds, but for names

@@ -8,6 +8,7 @@
 
 #include "environment/openness.hpp"
 #include "lsystem/diagnostics.hpp"
+#include "lsystem/number_text.hpp"
 #include "models/flower/ranks.hpp"
 #include "models/flower/upright.hpp"
 
@@ -70,6 +71,28 @@ bool number_of(float m, std::uint8_t& number) {
 template <class Value>
 std::uint64_t bytes_of(const std::vector<Value>& values) {
   return values.capacity() * sizeof(Value);
+}
+
+// Of a volume whose m is no material's number: where the text gives it.
+std::string strange_material(const Program& program, const Derived& derived, std::uint32_t volume) {
+  std::vector<const Growth*> growths(program.growths, nullptr);
+  for (const Production& production : program.productions)
+    for (const Growth& growth : production.growths) growths[growth.number] = &growth;
+  const auto gives = [](const Description& description) { return description.has(Field::material); };
+  const Record* record = &derived.records[derived.record_of[volume]];
+  lsystem::Place place;
+  for (;;) {
+    const Growth* const growth = record->kind == Record::Kind::grown ? growths[record->source] : nullptr;
+    if (growth != nullptr && gives(growth->arguments)) place = growth->arguments.place;
+    const bool own = place.line > 0 || record->before == nobody;
+    if (own || (record->kind == Record::Kind::grown && !record->inherits)) break;
+    record = &derived.records[record->before];
+  }
+  if (place.line == 0) place = program.labels[record->label].description.place;
+  const float m = derived.values[derived.record_of[volume]][static_cast<std::size_t>(Field::material)];
+  return lsystem::sentence(
+      "Line %: % has m %; a material's number is a whole one from 0 to 255, and 0 is taken.",
+      {std::to_string(place.line), program.labels[derived.map.volume(volume).label].name, lsystem::number_text(m)});
 }
 
 }  // namespace
@@ -207,14 +230,14 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
   const std::vector<glm::vec2> places = places_in_organs(derived);
 
   std::vector<std::uint8_t> numbers(derived.map.volumes());
-  bool strange = false;
+  std::uint32_t strange = nobody;
   std::vector<std::uint8_t> is_seen(derived.map.volumes(), 0);
   for (const std::uint32_t volume : volume_) is_seen[volume] = 1;
   for (std::uint32_t v = 0; v < numbers.size(); ++v) {
     const float m = derived.values[derived.record_of[v]][static_cast<std::size_t>(Field::material)];
-    strange |= !number_of(m, numbers[v]) && is_seen[v] != 0;
+    if (!number_of(m, numbers[v]) && is_seen[v] != 0 && strange == nobody) strange = v;
   }
-  if (strange) plant.notes.emplace_back("Where m is no whole number from 0 to 255 it is taken for 0.");
+  if (strange != nobody) plant.notes.push_back(strange_material(program, derived, strange));
   if (numbers != numbers_ || parts_.empty()) part(numbers);
   numbers_ = std::move(numbers);
 

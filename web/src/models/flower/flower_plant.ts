@@ -37,6 +37,8 @@ export interface FlowerPlant extends Plant {
 	volumes: Volumes;
 	/** Of each mesh, of each triangle the volume that it is of. */
 	cells: readonly Uint32Array[];
+	/** Of each mesh, what the text calls its material; empty where it does not. */
+	names: readonly string[];
 	/** 4 × meshes: where an organ begins and where it ends, of its margin, of its veins; 0xrrggbb as sRGB. */
 	colours: Uint32Array;
 	/** 5 × meshes: foot, width of the margin, veins a side, their strength, light that comes through. */
@@ -60,6 +62,7 @@ export function readFlowerPlant(answer: Answer): FlowerPlant {
 			values: columns.floats("volumes.values"),
 		},
 		...(columns.has("alpha0") ? { darts: readDarts(columns) } : {}),
+		names: columns.has("materials.name") ? columns.lines("materials.name") : [],
 		colours: columns.has("materials.colours") ? columns.words("materials.colours") : new Uint32Array(),
 		paint: columns.has("materials.paint") ? columns.floats("materials.paint") : new Float32Array(),
 	};

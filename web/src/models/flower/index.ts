@@ -4,7 +4,7 @@ import type { Model } from "../model";
 import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
 import { FLOWER_FORMATS } from "./formats";
 import { flowerParts } from "./parts";
-import { flowerRecord } from "./record";
+import { flowerRecord, tooHeavy } from "./record";
 import { encodeFlower } from "./request";
 import { FLOWER, isXml } from "./species";
 import type { FlowerSpecimen } from "./specimen";
@@ -25,6 +25,7 @@ export const model = {
 	titled: titledBy("A flower grammar of one’s own", fetchedText),
 	words: flowerInWords,
 	record: flowerRecord,
+	heavy: tooHeavy,
 	formats: FLOWER_FORMATS,
 	translated: (text) =>
 		isXml(text) ? import("./xml/designed").then(({ grammarOfXml }) => grammarOfXml(text)) : undefined,

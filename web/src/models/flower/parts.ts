@@ -24,7 +24,7 @@ export function* flowerParts(plant: FlowerPlant): Generator<Part> {
 	for (const [i, plain] of plant.meshes.entries()) {
 		const mesh = { ...plain, cells: plant.cells[i] };
 		const paint = paints[i];
-		const named = mesh.material.charAt(0).toUpperCase() + mesh.material.slice(1);
+		const named = capital(plant.names[i] || mesh.material);
 		const before = names.get(named) ?? 0;
 		names.set(named, before + 1);
 		const name = before === 0 ? named : `${named} ${before + 1}`;
@@ -43,6 +43,8 @@ export function* flowerParts(plant: FlowerPlant): Generator<Part> {
 		yield { name, shape: { mesh: fine ? mesh : coloured(mesh, paint), material } };
 	}
 }
+
+const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
 
 /** A colour for each vertex, where there is nothing finer. */
 function coloured(mesh: PartMesh, paint: Paint): PartMesh {

@@ -9,8 +9,6 @@ import { fetchedText } from "./texts";
 export interface RequestOptions extends GrowthOptions {
 	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
 	sky?: boolean;
-	/** Whether the map is wanted, dart by dart; the default is yes, but not in passing. */
-	map?: boolean;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
 	meshFingerprint?: boolean;
 }
@@ -20,7 +18,8 @@ export function encodeFlower(specimen: FlowerSpecimen, options: RequestOptions =
 	const { meshes = true, passing = false, meshFingerprint = false } = options;
 	const { measures = !passing, sky = meshes && !passing, map = !passing } = options;
 	const outputs = [
-		meshes && "meshes",
+		// How large its surface is, only its skin says: the same in a file without meshes.
+		(meshes || measures) && "meshes",
 		measures && "measures",
 		sky && "sky",
 		map && "map",

@@ -3604,7 +3604,9 @@ LM4 : LM4_C4 < LU4_C2 -> LM4_C4 | LU4_C2
 #axiom: STEM
 #define finalStep=1
 STEM -> STEM[&PETAL]_{E}
-#material 4 petal "f3c14b" "d1253f" foot 0.5 margin "f3a9a0" 0.35 veins "8d1230" 9 0.45 light 0.5
+#material 4 petal "f3c14b" "d1253f" foot 0.5 margin "f3a9a0" 0.35 veins "8d1230" 9 0.45 light 0.5 name "upper epidermis"
+#material 5 petal "f6e3ae" "e9a08e" foot 0.5 light 0.5 name "mesophyll"
+#material 6 petal "e9cf86" "b8485a" foot 0.5 margin "d99a90" 0.35 veins "8d1230" 9 0.3 light 0.5 name "lower epidermis"
 #module PETAL
 #define K=12
 #define len=60
@@ -3612,25 +3614,25 @@ STEM -> STEM[&PETAL]_{E}
 #define t=1.2
 #define cup=9
 #define finalStep=15
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
+#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,5)
 #define RU1(4,0,0,0,1,t,1,4)
 #define RU2(4,0,0,0,1,t,1,4)
 #define RU3(4,0,0,0,1,t,1,4)
-#define RM1(4,0,0,0,1,t,1,4)
-#define RM2(4,0,0,0,1,t,1,4)
-#define RM3(4,0,0,0,1,t,1,4)
-#define RL1(4,0,0,0,1,t,1,4)
-#define RL2(4,0,0,0,1,t,1,4)
-#define RL3(4,0,0,0,1,t,1,4)
+#define RM1(4,0,0,0,1,t,1,5)
+#define RM2(4,0,0,0,1,t,1,5)
+#define RM3(4,0,0,0,1,t,1,5)
+#define RL1(4,0,0,0,1,t,1,6)
+#define RL2(4,0,0,0,1,t,1,6)
+#define RL3(4,0,0,0,1,t,1,6)
 #define LU1(4,0,0,0,1,t,1,4)
 #define LU2(4,0,0,0,1,t,1,4)
 #define LU3(4,0,0,0,1,t,1,4)
-#define LM1(4,0,0,0,1,t,1,4)
-#define LM2(4,0,0,0,1,t,1,4)
-#define LM3(4,0,0,0,1,t,1,4)
-#define LL1(4,0,0,0,1,t,1,4)
-#define LL2(4,0,0,0,1,t,1,4)
-#define LL3(4,0,0,0,1,t,1,4)
+#define LM1(4,0,0,0,1,t,1,5)
+#define LM2(4,0,0,0,1,t,1,5)
+#define LM3(4,0,0,0,1,t,1,5)
+#define LL1(4,0,0,0,1,t,1,6)
+#define LL2(4,0,0,0,1,t,1,6)
+#define LL3(4,0,0,0,1,t,1,6)
 #axiom: VEIN(, 0, , , , , , )
 VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<6-10*u>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
 VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C2}
@@ -4572,12 +4574,13 @@ p1 VEIN -> VEIN[VEIN(,<8-1.4*step>,,,2.5,2+sin(18*step),,)]_{E}
 
 #material 1 stem "7f9a55" "9ab36c"
 #material 2 leaf "587f58" "6c9a64" wilted "8a9450" "b0a060"
-#material 4 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238"
-#material 5 petal "d8a23a" "d4343c" foot 0.4 bud "8d9c4e" "a8433a" wilted "c9a060" "984a40"
+#material 4 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238" name "tepal, lower epidermis"
+#material 5 petal "d8a23a" "d4343c" foot 0.4 bud "8d9c4e" "a8433a" wilted "c9a060" "984a40" name "tepal, upper epidermis"
 #material 6 stamen "e8dfa5" "d8c987"
 #material 7 stamen "2f2633" "40313f"
 #material 8 pistil "a3b873" "bccb86"
 #material 9 pistil "e3dfa0" "efe9b5"
+#material 11 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238" name "tepal, mesophyll"
 #material 10 petal "e9c04a" "e9b53a"
 
 #axiom: STEM
@@ -4590,9 +4593,9 @@ UPPER -> UPPER[STEM]_{E}
 UPPER -> UPPER[&PETAL{K=14; J=3; len=math.random(150,190); wide=math.random(26,36); thick=1.4; start=-72+math.random(-5,5)-8*(1-open); low=6; mid=8; high=14+math.random(0,20)+30*wilt; cup=17-4*open; wave=4; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=2; lower=2}]_{C7}
 STEM{}{step==16}{} -> STEM[RECEPTACLE(,<6*open>,,,,,,)]_{E}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
-RECEPTACLE -> RECEPTACLE[&PETAL{len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5}]_{C1,C5,C9}
+RECEPTACLE -> RECEPTACLE[&PETAL{len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C1,C5,C9}
 BASE -> BASE[TOP]_{E}
-BASE -> BASE[&PETAL{len=size*(36+25*open); wide=size*(22+13*open); thick=1; start=-38+22*open+math.random(-2,2)+22*wilt; low=-64-open*10; mid=-2+wilt*12; high=-32+36*open+math.random(-4,4)+30*wilt; cup=21-7*open-5*wilt; peak=0.95; foot=0.9; tip=1; claw=0.22; wave=10*wilt; upper=5}]_{C3,C7,C11}
+BASE -> BASE[&PETAL{len=size*(36+25*open); wide=size*(22+13*open); thick=1; start=-38+22*open+math.random(-2,2)+22*wilt; low=-64-open*10; mid=-2+wilt*12; high=-32+36*open+math.random(-4,4)+30*wilt; cup=21-7*open-5*wilt; peak=0.95; foot=0.9; tip=1; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C3,C7,C11}
 TOP -> TOP[&STAMEN]_{C1,C3,C5,C7,C9,C11}
 TOP -> TOP[&PISTIL]_{E}
 

@@ -6,7 +6,8 @@ import { ControlElement } from "../../../../controls/control_element";
 import type { Stateful } from "../../../../controls/desk";
 import { HeldKey } from "../../../../controls/held_key";
 import { PICTURES } from "../../../../controls/picture_file";
-import { clamped, complaint, sliderRow } from "../../../../controls/slider_row";
+import { sliderRow } from "../../../../controls/slider_row";
+import { refusal } from "../../../../controls/typed";
 import { outlineOf } from "../../design/blade";
 import { isEdited, madeAnew } from "../../design/choose";
 import { type Description, described } from "../../design/description";
@@ -41,9 +42,9 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 	declare tool: Stateful<Organ>;
 	declare drafts: Drafts;
 
+	/** What became of a number that could not be taken as typed. */
+	#refused: { readonly of: string; readonly value: number; readonly text: string } | undefined;
 	readonly #held = new HeldKey(() => this.drafts.settle(this.desk));
-	/** What became of a number that was typed last, and of which field of which organ. */
-	#said: { of: string; value: string | number; words: string | undefined } | undefined;
 
 	protected override shows({ state, toolState }: FlowerDesk): readonly unknown[] {
 		return [designIn(state.specimen), toolState.call(this.desk, this.tool)];
@@ -87,11 +88,9 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 		const { key, label, help } = field;
 		const id = this.idOf(key);
 		const value = description.values[key];
-		if (field.kind === "number") {
-			const said =
-				this.#said?.of === `${description.organ} ${key}` && this.#said.value === value ? this.#said.words : undefined;
-			return html`<div class="control">${this.#number(description, field, id)}</div>${clamped(said)}`;
-		}
+		if (field.kind === "number")
+			return html`<div class="control">${this.#number(description, field, id)}</div>
+				${this.#refused?.of === `${description.organ} ${key}` && this.#refused.value === value ? html`<p class="clamped" role="status">${this.#refused.text}</p>` : nothing}`;
 		const words = html`<label for=${id}>${label}</label>`;
 		const told = html`<span class="unseen" id=${`${id}-help`}>${help}</span>`;
 		if (field.kind === "choice")
@@ -127,9 +126,13 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 			type: (typed, text) => {
 				if (Number.isFinite(typed)) this.#choose(description, key, typed);
 				const design = designIn(this.desk.state.specimen);
-				const taken = design ? describedIn(design, description.organ).values[key] : value;
-				const words = complaint({ label, text, typed, taken: String(taken), same: typed === taken, range });
-				this.#said = { of: `${description.organ} ${key}`, value: taken, words };
+				const taken = design ? Number(describedIn(design, description.organ).values[key]) : value;
+				const said = {
+					of: `${description.organ} ${key}`,
+					value: taken,
+					text: refusal(label, range, text, typed, String(taken)),
+				};
+				this.#refused = taken === typed ? undefined : said;
 				this.requestUpdate();
 				return String(taken);
 			},
