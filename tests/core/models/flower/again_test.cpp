@@ -147,7 +147,8 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
           break;
         }
         case 4:
-          asked.outputs = drawn(2) == 0 ? "meshes sky measures map" : "measures";
+          asked.outputs =
+              std::vector<std::string>{"meshes sky measures map", "measures", "levels", "levels measures"}[drawn(4)];
           break;
         default: {
           const auto [from, to] = all[drawn(all.size())];

@@ -456,21 +456,18 @@ bool same_map(const Program& program, const Program& other) {
                     [](const Grammar& a, const Grammar& b) { return a.once_bound.size() == b.once_bound.size(); });
 }
 
-bool rebuilds(const Program& program, const Given& before, const Given& now) {
+bool rebuilds(const Program& program, const Given& before, const Given& now, const Limits& limits) {
   // 0 and −0 are equal, and 1/0 and 1/−0 are far apart.
   const auto differ = [](float a, float b) { return a != b || std::signbit(a) != std::signbit(b); };
-  if (before.seed != now.seed || before.steps != now.steps) return true;
-  if (program.values_rebuild) return true;
+  if (before.steps != now.steps || program.values_rebuild) return true;
+  if (program.luck_rebuilds && before.seed != now.seed) return true;
   if (program.age_rebuilds && differ(before.age, now.age)) return true;
-  const auto value_of = [](const Given& given, const std::string& name) -> const Given::Value* {
-    const auto found = std::find_if(given.values.begin(), given.values.end(),
-                                    [&](const Given::Value& each) { return each.name == name; });
-    return found == given.values.end() ? nullptr : &*found;
-  };
-  for (const Variable& variable : program.variables) {
-    if (!variable.rebuilds || variable.grammar != 0) continue;
-    const Given::Value *const a = value_of(before, variable.name), *const b = value_of(now, variable.name);
-    if ((a == nullptr) != (b == nullptr) || (a != nullptr && differ(a->value, b->value))) return true;
+  // What the text's own variables come to tells, be it given, drawn or worked out of others.
+  Evaluation then(program, before), here(program, now);
+  if (!then.bind(limits) || !here.bind(limits)) return true;
+  for (std::size_t i = 0; i < program.variables.size(); ++i) {
+    const Variable& variable = program.variables[i];
+    if (variable.rebuilds && variable.grammar == 0 && differ(then.variables()[i], here.variables()[i])) return true;
   }
   return false;
 }

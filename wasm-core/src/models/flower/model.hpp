@@ -20,7 +20,9 @@
 //   materials.paint    float32 × 5: foot, width of the margin, number of veins, their strength, light that comes
 //   through
 // with `map`: alpha0 … alpha3, darts.volume, darts.vertex (uint32 a dart), vertices.position (float32 × 3).
-// Meshes: skin.hpp. Counts: volumes, darts, organs, triangles.
+// with `levels`, and without those of volumes and labels where no `meshes` are asked for: materials of levels behind
+// those of meshes, and of level0 … level3 (levels.hpp) besides `sky` paint, uint8 a vertex: which of the materials it
+// is of. Meshes: skin.hpp, and levels. Counts: volumes, darts, organs, triangles.
 #pragma once
 
 #include "plant/model.hpp"

@@ -183,6 +183,7 @@ struct Program {
   std::vector<Material> materials;
   std::uint32_t growths = 0;
   bool age_rebuilds = false, values_rebuild = false;  // whether the map depends on `age`, or on volumes' own numbers
+  bool luck_rebuilds = false;                         // or on what is drawn but in variables of the text
   // The text less all that only places the map: materials, and the figures of numbers that no order, face, condition or
   // number of steps depends on.
   std::string bones;

@@ -37,6 +37,7 @@ void Reader::Uses::add(const Uses& other) {
   age |= other.age;
   values |= other.values;
   locals |= other.locals;
+  draws |= other.draws;
 }
 
 Reader::Reader(std::span<const Token> tokens, Program& program, lsystem::Lowering& lowering)
@@ -468,6 +469,7 @@ bool Reader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& draws) {
                    "% asks about a place of the plant, which a flower's grammar does not know; take it out.",
                    {node.name});
     draws |= node.kind == Node::Kind::operation && lsystem::is_random(node.op);
+    uses.draws |= draws;
     // It refuses some bounds: whether it does is known where it is drawn.
     program_.values_rebuild |= node.kind == Node::Kind::operation && node.op == lsystem::Op::random_whole;
     if (node.kind != Node::Kind::name) continue;
@@ -512,6 +514,7 @@ void Reader::rebuilds(const Uses& uses) {
   rebuilding_ |= uses.variables;
   program_.age_rebuilds |= uses.age;
   program_.values_rebuild |= uses.values;
+  program_.luck_rebuilds |= uses.draws;
   if (uses.locals) {
     Uses of_blocks = of_blocks_;
     of_blocks.locals = false;
@@ -617,7 +620,10 @@ void Reader::finish() {
     for (std::size_t i = program_.variables.size(); i-- > 0;) {
       if (!rebuilding_[i] || gone_into[i]) continue;
       gone_into.set(i);
-      rebuilds(uses_of_variables_[i]);
+      Uses uses = uses_of_variables_[i];
+      // What a variable of the text has drawn can be asked for.
+      uses.draws &= program_.variables[i].grammar != 0;
+      rebuilds(uses);
     }
   }
   for (std::size_t i = 0; i < program_.variables.size(); ++i) program_.variables[i].rebuilds = rebuilding_[i];

@@ -35,7 +35,7 @@ class Reader : lsystem::TokenReader {
   // What of a plant an expression depends on: no larger for a text that says a thing over and over.
   struct Uses {
     std::bitset<most_variables> variables;
-    bool age = false, values = false, locals = false;
+    bool age = false, values = false, locals = false, draws = false;
     void add(const Uses& other);
   };
   // What an expression may call by name.

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 
 #include "environment/openness.hpp"
 #include "lsystem/diagnostics.hpp"
 #include "lsystem/number_text.hpp"
 #include "models/flower/ranks.hpp"
+#include "models/flower/thickness.hpp"
 #include "models/flower/upright.hpp"
 
 namespace panicle::flower {
@@ -33,23 +33,6 @@ constexpr std::array<Standard, 10> standards = {{{"stem", 0x6f8f4a, 0x6f8f4a},
                                                  {"pistil", 0x9db36a, 0xc7cf8c},
                                                  {"seed", 0x5a4630, 0x6b5438},
                                                  {"petal", 0xf4f1e8, 0xffffff}}};
-
-// How far a tube of radius 1 is drawn in by so many rounds: across it Catmull and Clark's rule is the cubic spline's.
-float drawn_in(std::uint32_t order, std::uint32_t rounds) {
-  std::vector<glm::vec2> ring = generalized_map::polygon(order), finer;
-  for (std::uint32_t round = 0; round < rounds; ++round) {
-    finer.clear();
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const glm::vec2 &before = ring[(i + ring.size() - 1) % ring.size()], &after = ring[(i + 1) % ring.size()];
-      finer.push_back((before + 6.0f * ring[i] + after) / 8.0f);
-      finer.push_back((ring[i] + after) / 2.0f);
-    }
-    std::swap(ring, finer);
-  }
-  float sum = 0;
-  for (const glm::vec2& point : ring) sum += std::sqrt(glm::dot(point, point));
-  return 2 * sum / static_cast<float>(ring.size());
-}
 
 // Of two colours, channel by channel.
 std::uint32_t mixed(std::uint32_t from, std::uint32_t to, float share) {
@@ -130,11 +113,7 @@ Diagnostic Skin::trouble_of(const Derived& derived, std::uint32_t rounds) {
 Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, std::uint32_t rounds) {
   const generalized_map::Map& map = derived.map;
   generalized_map::Boundary boundary = generalized_map::boundary_of(map, embedding);
-  std::vector<std::uint32_t> free_sides(map.volumes(), 0);
-  for (std::uint32_t f = 0; f < boundary.surface.faces; ++f)
-    free_sides[boundary.volume[f]] += generalized_map::is_side(boundary.face[f]);
-  is_tube_.resize(map.volumes());
-  for (std::uint32_t v = 0; v < map.volumes(); ++v) is_tube_[v] = 2 * free_sides[v] > map.volume(v).order;
+  is_tube_ = tubes_of(derived, boundary);
 
   volume_ = std::move(boundary.volume);
   face_ = std::move(boundary.face);
@@ -163,18 +142,7 @@ Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, 
 }
 
 std::vector<generalized_map::Shape> Skin::shapes(const Derived& derived) const {
-  std::vector<generalized_map::Shape> shapes = derived.shapes();
-  if (rounds() == 0) return shapes;
-  std::map<std::uint32_t, float> wider;  // by order
-  for (std::uint32_t v = 0; v < shapes.size(); ++v) {
-    if (!is_tube_[v]) continue;
-    const std::uint32_t order = derived.map.volume(v).order;
-    const auto [known, anew] = wider.try_emplace(order, 1.0f);
-    if (anew) known->second = 1 / drawn_in(order, rounds());
-    shapes[v].length *= known->second;
-    shapes[v].width *= known->second;
-  }
-  return shapes;
+  return shapes_to_round(derived, is_tube_, rounds());
 }
 
 void Skin::part(const std::vector<std::uint8_t>& numbers) {

@@ -3,6 +3,7 @@ import { titledBy } from "../../specimen/preset_texts";
 import type { Model } from "../model";
 import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
 import { FLOWER_FORMATS } from "./formats";
+import { flowerLevels } from "./levels";
 import { flowerParts } from "./parts";
 import { flowerRecord, tooHeavy } from "./record";
 import { encodeFlower } from "./request";
@@ -22,6 +23,7 @@ export const model = {
 	encode: encodeFlower,
 	read: readFlowerPlant,
 	parts: flowerParts,
+	levels: flowerLevels,
 	titled: titledBy("A flower grammar of one’s own", fetchedText),
 	words: flowerInWords,
 	record: flowerRecord,

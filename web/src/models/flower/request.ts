@@ -15,8 +15,8 @@ export interface RequestOptions extends GrowthOptions {
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeFlower(specimen: FlowerSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false } = options;
-	const { measures = !passing, sky = meshes && !passing, map = !passing } = options;
+	const { meshes = true, passing = false, meshFingerprint = false, levels = false } = options;
+	const { measures = !passing, sky = meshes && !passing, map = !passing && !levels } = options;
 	const outputs = [
 		// How large its surface is, only its skin says: the same in a file without meshes.
 		(meshes || measures) && "meshes",
@@ -24,6 +24,7 @@ export function encodeFlower(specimen: FlowerSpecimen, options: RequestOptions =
 		sky && "sky",
 		map && "map",
 		meshFingerprint && "mesh_fingerprint",
+		levels && "levels",
 	];
 	const { model, seed, parameters, constants } = specimen;
 	const text = fetchedText(specimen);

@@ -2779,6 +2779,41 @@ NODE -> NODE[LAST]_{E}
 NODE -> NODE[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}
 LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}[&PETAL{K=7; J=1; len=len; wide=len*0.48; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{E}
 `,
+	grass: `/* Grass
+   about: A tuft of thirteen blades that bow outwards: what stands between the flowers of a bed.
+   source: own text
+*/
+
+#define length=120 /* 30 … 400 mm, of the blades */
+#define bow=45 /* 0 … 120 degrees, over a blade */
+#define tall=length*math.random(0.8,1.2)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+/* Five faces on of thirteen are 138.46 degrees, and each is turned back by 0.954. */
+#define TUFT(13,0,0,-0.954,0.4,2.4,2.4,1)
+#define GROWN(13,0,0,0,0.4,2.4,2.4,1)
+#define finalStep=14
+
+#material 1 stem "8f9a5c" "7d9a4a"
+#material 2 leaf "5d7f3a" "83a04c" light 0.4 wilted "a89a5a" "c2ad6c"
+
+#axiom: TUFT
+TUFT{k=step/13}{step<13}{} -> GROWN[TUFT]_{E}[&BLADE{len=tall*(0.5+0.5*open)*math.random(0.6,1)*(0.75+0.25*k); wide=math.random(2.2,3.6); start=-58-24*k+math.random(-9,9); sway=math.random(-20,20); bend=bow*math.random(0.3,1); high=bow*math.random(0,1)+50*wilt}]_{C(1+(5*step)%13)}
+
+#module BLADE
+#define S=7
+#define len=80     /* mm */
+#define wide=3
+#define start=-70  /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define bend=20    /* over all of it */
+#define high=20    /* more of it towards the tip */
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*0.7,0.5,2)
+#axiom: B(,start,sway,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(0.08,(1-s^3)*(0.7+0.6*s))>,,)]_{E}
+`,
 	lily: `/* Lily
    about: A few white trumpets, six tepals each, with golden anthers hung by their backs; narrow leaves all up the stem.
    source: own text; the method is Petrenko 2014, section 2.2.3
