@@ -58,7 +58,8 @@ await drawPresets("bunch", [{ ...PICTURE, views: VIEWS }], (preset, { pictures, 
 const head = `# Gallery
 
 Every preset as the app grows and draws it with seed 1, from the front and from the side. Length and width are the berries' own;
-coverage and spill are explained in [measures](models/bunch/measures.md). Made by \`npm run gallery:docs\`.
+coverage and spill are explained in [measures](models/bunch/measures.md). Made by \`npm run gallery:docs\`. Flowers stand with their sizes in [flower/species.md](models/flower/species.md), trees
+in [growth/species.md](models/growth/species.md), stands in [stand.md](models/stand/stand.md).
 `;
 writeFileSync(new URL("gallery.md", docs), [head, ...SECTIONS.map((each) => section(each, rows))].join("\n"));
 console.log(`docs/gallery: ${(total / 1024).toFixed(0)} kB in all`);

@@ -53,7 +53,11 @@ describe("--grammar", () => {
 	it("gives the derived string where it is asked for", async () => {
 		const { json } = await grow(["--grammar", "g.lsys", "--string"], { "g.lsys": TEXT });
 		expect(json.string).toBe("F(2)F(2)A(1)");
-		expect(await complaint(["riesling", "--string"])).toBe("--string: the bunch is not grown by any text");
+		expect(await complaint(["riesling", "--string"])).toBe("--string: of a bunch’s text there is no string to tell");
+		expect(await complaint(["flower/tulip", "--string"])).toBe(
+			"--string: of a flower’s text there is no string to tell",
+		);
+		expect(await complaint(["leaf", "--string"])).toBe("--string: the leaf is not grown by a text");
 		expect(await complaint(["grammar", "--string", "--out", "x.glb"])).toBe("--string: the string stands in JSON");
 	});
 

@@ -57,15 +57,16 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		throw new UsageError(`--out ${out}: pictures take a graphics card; take them in the page, from its Download menu`);
 	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
 	checkForm(call, ending, model, from);
+	const texted = model.details.some(({ packed }) => packed?.key === "grammar");
+	const untold = (what: string) =>
+		texted ? `of a ${model.noun}’s text there is no ${what} to tell` : `the ${model.noun} is not grown by a text`;
 	if (call.string && !(model.strings && ending === "json"))
-		throw new UsageError(
-			model.strings ? "--string: the string stands in JSON" : `--string: the ${model.noun} is not grown by any text`,
-		);
+		throw new UsageError(model.strings ? "--string: the string stands in JSON" : `--string: ${untold("string")}`);
 	if (call.chronicle && !(model.chronicles && ending === "json"))
 		throw new UsageError(
 			model.chronicles
 				? "--chronicle: what is told of the derivation stands in JSON"
-				: `--chronicle: the ${model.noun} is not grown by a text`,
+				: `--chronicle: ${untold("derivation")}`,
 		);
 	const cores = new Cores((wasm) => world.loadCore(wasm));
 	const run = cores.grow.bind(cores);

@@ -449,7 +449,8 @@ TEST_CASE("growth ends where a limit is reached, and what has grown stays") {
   limits.darts = 48 * 100;
   const Flower flower = grown(volume + "A -> A[A]_{E}", steps(500), limits);
   CHECK(flower.derived.map.volumes() == 100);
-  CHECK(flower.noted("growth ended in step 99. The map has reached its limit of darts. Let it grow on fewer faces"));
+  CHECK(flower.noted(
+      "Growth ended in step 99, line 5: The map has reached its limit of darts. Let it grow on fewer faces"));
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
   limits = {};
   limits.evaluations = 50;

@@ -5,6 +5,7 @@ import { exportGlb } from "../../../../web/src/export/glb";
 import { exportJson } from "../../../../web/src/export/json";
 import { type FlowerPlant, readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
+import { volumesTable } from "../../../../web/src/models/flower/record";
 import type { RequestOptions } from "../../../../web/src/models/flower/request";
 import type { FlowerSpecimen } from "../../../../web/src/models/flower/specimen";
 import { fetchTexts } from "../../../../web/src/models/flower/texts";
@@ -127,6 +128,19 @@ describe("a flower", () => {
 		const grown = grow(specimen);
 		const about = await aboutPlant(model, grown, specimen, "https://example.org/");
 		expect(await complaints(exportGlb(model.parts(grown), about, {}))).toEqual([]);
+	});
+
+	it("is a table with a line for each volume", () => {
+		const specimen = {
+			...fromPreset(model, "tulip"),
+			grammar: "#define A(6,0,0,0,9,3,3,1)\n#axiom: A\n#define finalStep=1\nA -> A[A(,5)]_{E}",
+		};
+		expect(volumesTable(grow(specimen, { meshes: false })).split("\r\n")).toEqual([
+			"volume,parent,label,order,line,N,T,atx,aty,atz,H,L,W,m",
+			"0,,A,6,,6,1,0,0,0,9,3,3,1",
+			"1,0,A,6,4,6,1,5,0,0,9,3,3,1",
+			"",
+		]);
 	});
 
 	it("is known by its text", () => {

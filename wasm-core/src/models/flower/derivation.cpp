@@ -313,8 +313,8 @@ class Deriver {
 
   void stop(Refusal refusal, std::uint32_t step, const lsystem::Place& place) {
     stopped_ = true;
-    first_note(sentence("Line %: growth ended in step %. %%",
-                        {std::to_string(place.line), std::to_string(step), generalized_map::words(refusal),
+    first_note(sentence("Growth ended in step %, line %: %%",
+                        {std::to_string(step), std::to_string(place.line), generalized_map::words(refusal),
                          refusal == Refusal::full ? " Let it grow on fewer faces, or for fewer steps." : ""}));
   }
 

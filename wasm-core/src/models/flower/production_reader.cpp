@@ -401,4 +401,36 @@ bool Reader::label_named(std::uint32_t& label) {
   return true;
 }
 
+// Productions of volumes that nothing can make of what is begun with.
+void Reader::tell_unreached() {
+  std::vector<bool> reached(program_.labels.size());
+  std::vector<std::uint32_t> waiting;
+  const auto reach = [&](std::uint32_t label) {
+    if (!reached[label]) waiting.push_back(label);
+    reached[label] = true;
+  };
+  reach(program_.grammars[0].axiom);
+  while (!waiting.empty()) {
+    const Label& label = program_.labels[waiting.back()];
+    waiting.pop_back();
+    for (std::uint32_t i = label.productions.begin; i < label.productions.end; ++i) {
+      const Production& production = program_.productions[i];
+      if (production.becomes != nobody) reach(production.becomes);
+      for (const Growth& growth : production.growths)
+        reach(growth.module ? program_.grammars[growth.target].axiom : growth.target);
+      if (production.kind != Production::Kind::split) continue;
+      reach(production.rest);
+      reach(production.part);
+    }
+  }
+  for (const Production& production : program_.productions) {
+    const Label& label = program_.labels[production.predecessor];
+    // Of a module that is called by nobody the call may be what is still to be written.
+    const bool called = label.grammar == 0 || reached[program_.grammars[label.grammar].axiom];
+    if (called && !reached[production.predecessor])
+      program_.notes.push_back(lsystem::sentence("Line %: nothing grows a %, so this never comes about.",
+                                                 {std::to_string(production.place.line), label.name}));
+  }
+}
+
 }  // namespace panicle::flower

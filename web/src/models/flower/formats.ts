@@ -1,6 +1,7 @@
 /** Files of a flower besides those of every plant: its grammar, in both forms of Petrenko's Table 4. */
 import type { Format } from "../model";
 import type { FlowerPlant } from "./flower_plant";
+import { volumesTable } from "./record";
 import type { FlowerSpecimen } from "./specimen";
 import { fetchedText, fetchTexts } from "./texts";
 
@@ -43,5 +44,13 @@ export const FLOWER_FORMATS: readonly Format<FlowerSpecimen, FlowerPlant>[] = [
 		suffix: ".xml",
 		type: "application/xml",
 		make: async (_, specimen) => (await import("./xml/write")).xmlOf(await textOf(specimen)),
+	},
+	{
+		key: "csv",
+		title: "Volumes as a table",
+		about: "A line for each volume: what it grew from, its name, its numbers",
+		suffix: ".csv",
+		type: "text/csv",
+		make: async (grown) => volumesTable(grown),
 	},
 ];

@@ -1,4 +1,5 @@
 /** What the JSON document says of a flower besides what it says of any plant: its map, so that anyone can check it. */
+import { type Cell, writeCsv } from "../../export/csv";
 import { shortFloat } from "../../export/numbers";
 import type { FlowerPlant } from "./flower_plant";
 
@@ -50,4 +51,19 @@ export function tooHeavy({ darts }: FlowerPlant): string | undefined {
 	if (count <= MOST_DARTS) return undefined;
 	const [own, most] = [count, MOST_DARTS].map((each) => each.toLocaleString("en"));
 	return `the flower’s map has ${own} darts, and at most ${most} are sent; file-map=0 leaves the map out`;
+}
+
+/** A line a volume, in the order in which they were made. */
+export function volumesTable({ volumes }: FlowerPlant): string {
+	const { labels, label, order, parent, line, values } = volumes;
+	const header = ["volume", "parent", "label", "order", "line", "N", "T", "atx", "aty", "atz", "H", "L", "W", "m"];
+	const rows = Array.from(label, (of, i): Cell[] => [
+		i,
+		parent[i] === NOBODY ? null : parent[i],
+		labels[of],
+		order[i],
+		line[i] === 0 ? null : line[i],
+		...Array.from(values.subarray(9 * i, 9 * i + 9), shortFloat),
+	]);
+	return writeCsv([header, ...rows]);
 }
