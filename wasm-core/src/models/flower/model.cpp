@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "generalized_map/embedding.hpp"
+#include "lsystem/diagnostics.hpp"
 #include "models/flower/derivation.hpp"
 #include "models/flower/measures/measures.generated.hpp"
 #include "models/flower/parameters.generated.hpp"
@@ -262,11 +263,12 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   add_segments(plant, program, derived, embedding);
   add_columns(plant, program, derived, whole, embedding);
   if (meshes) {
-    if (!skin || skin->rounds() != values.whole(smooth)) {
-      const Diagnostic trouble = Skin::trouble_of(derived, values.whole(smooth));
-      if (trouble.reason != Reason::none) return trouble;
-      skin.emplace(derived, embedding, values.whole(smooth));
-    }
+    const std::uint32_t rounds = Skin::rounds_for(derived, values.whole(smooth));
+    if (rounds < values.whole(smooth))
+      plant.notes.push_back(lsystem::sentence(
+          "Its skin is rounded %×, as far as the limit of % triangles lets it be, and not %×.",
+          {std::to_string(rounds), std::to_string(Skin::most_triangles), std::to_string(values.whole(smooth))}));
+    if (!skin || skin->rounds() != rounds) skin.emplace(derived, embedding, rounds);
     embedding.place(skin->shapes(derived));
     skin->add_to(plant, program, derived, embedding, sky);
     add_materials(plant, program, given.age);
