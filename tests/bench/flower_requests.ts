@@ -12,6 +12,11 @@ export const FLOWERS = model.presets.list
 	.filter(({ kind }) => /^(?:species|inflorescences|meadows)$/.test(kind))
 	.map(({ name }) => name);
 
+/** What presets are called, by their texts. */
+export const textNames = new Map(
+	model.presets.list.map(({ name }) => [fetchedText(fromPreset(model, name)), name] as const),
+);
+
 /** What of a flower is another than what it is on the shelf. */
 export interface Changed {
 	seed?: number;

@@ -6,7 +6,7 @@ import { microseconds } from "./statistics.mjs";
 
 const image = () => ({ addEventListener() {}, removeEventListener() {}, style: {} });
 
-/** Each preset of it: its name, the branches and the vertices of its tree, and `grow(rounds)`. */
+/** Each preset of it: its name, the branches, the leaves and the vertices of its tree, and `time(runs)`. */
 export async function peerTrees() {
 	globalThis.document ??= { createElementNS: image };
 	const { Tree, TreePreset } = await import("@dgreenheck/ez-tree");
@@ -14,14 +14,14 @@ export async function peerTrees() {
 		const tree = new Tree();
 		tree.loadPreset(name);
 		const branches = branchesOf(tree);
-		const vertices = [tree.branchesMesh, tree.leavesMesh].reduce(
-			(sum, { geometry }) => sum + geometry.attributes.position.count,
-			0,
+		const [bark, leafy] = [tree.branchesMesh, tree.leavesMesh].map(
+			({ geometry }) => geometry.attributes.position.count,
 		);
+		const leaves = leafy / (tree.options.leaves.billboard === "double" ? 8 : 4);
 		const grow = (rounds) => {
 			for (let i = 0; i < rounds; i++) tree.generate();
 		};
-		return { name, branches, vertices, time: (runs) => microseconds(3, runs, grow) };
+		return { name, branches, leaves, vertices: bark + leafy, time: (runs) => microseconds(3, runs, grow) };
 	});
 }
 

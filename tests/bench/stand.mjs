@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { createServer, preview } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
 import { launch } from "../e2e/browser.mjs";
+import { benchBeds } from "./beds.mjs";
 import { median, printTable } from "./statistics.mjs";
 
 const PRESETS = ["ecosystem-500", "ecosystem-1000", "ecosystem-2000"];
@@ -23,7 +24,9 @@ export async function benchStand() {
 		logLevel: "warn",
 	});
 	try {
-		memories = await benchCores((path) => server.ssrLoadModule(join(repository, path)));
+		const source = (path) => server.ssrLoadModule(join(repository, path));
+		await benchBeds(source);
+		memories = await benchCores(source);
 	} finally {
 		await server.close();
 	}

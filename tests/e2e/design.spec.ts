@@ -1,4 +1,5 @@
 import type { Page } from "@playwright/test";
+import { drawnBlade } from "./drawn_picture";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
@@ -16,6 +17,10 @@ test("a flower is designed: choices, the diagram and the outline write its text,
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-buttercup");
 	const before = page.url();
 	await expect(page.getByText("K5 C5 A12+12+12 G14")).toBeVisible();
+	await expect(page.getByRole("slider", { name: /^Steps/ })).toHaveAttribute("aria-valuetext", "auto");
+	const download = page.waitForEvent("download");
+	await studio.button("Diagram as SVG").click();
+	expect((await download).suggestedFilename()).toBe("designed-buttercup-diagram.svg");
 	// A choice: each petal is lanceolate, and the fit says so.
 	const chosen = await written(page, () => page.getByRole("combobox", { name: "Outline" }).selectOption("Lanceolate"));
 	await expect(page.getByText(/within 1\.\d % of its width/)).toBeVisible();
@@ -62,6 +67,8 @@ test("a flower is designed: choices, the diagram and the outline write its text,
 	await expect(studio.fingerprint).toHaveText(print ?? "");
 	await expect(count).toHaveAccessibleName(/: 3$/);
 	await expect(page.getByRole("combobox", { name: "Outline" })).toHaveValue("drawn");
+	// It is still the preset, altered, though its whole text came by the link.
+	await expect(page).toHaveTitle(/^Buttercup by choices, altered/);
 });
 
 test("what is edited by hand survives a choice elsewhere; what cannot is told, and can be kept", async ({ page }) => {
@@ -76,11 +83,17 @@ test("what is edited by hand survives a choice elsewhere; what cannot is told, a
 	await studio.button("Close the grammar").click();
 	await page.getByLabel("Pistil", { exact: true }).check();
 	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
-	const length = page.getByRole("textbox", { name: "Ovary, typed" });
+	// By keys alone: digits on the slider go to its field, Enter brings them back.
+	const length = studio.slider("Ovary");
+	await length.focus();
 	await written(page, async () => {
-		await length.fill("30");
-		await length.press("Enter");
+		await page.keyboard.type("30");
+		await expect(page.getByRole("textbox", { name: "Ovary, typed" })).toBeFocused();
+		await page.keyboard.press("Enter");
 	});
+	await expect(length).toBeFocused();
+	await expect(length).toHaveValue("30");
+	await expect(length).toHaveAttribute("aria-valuetext", "30 mm");
 	await expect(page.getByText("Its grammar was edited by hand")).toBeVisible();
 	await expect(studio.notices).not.toContainText("gave way");
 	await written(page, () => studio.button("Write its grammar anew").click());
@@ -107,12 +120,56 @@ test("what is edited by hand survives a choice elsewhere; what cannot is told, a
 	await expect(page).toHaveURL(lost);
 });
 
+test("a picture that is dropped is traced as the chosen organ; a handle of the diagram adds a whorl of it", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-buttercup");
+	const [outline, width] = [page.getByRole("combobox", { name: "Outline" }), studio.slider("Width")];
+	const [before, length] = [page.url(), Number(await studio.slider("Length").inputValue())];
+	await written(page, async () => studio.drop("petal.png", await drawnBlade(page)));
+	await expect(studio.notices).toContainText("The outline of a petal was traced");
+	await expect(outline).toHaveValue("drawn");
+	// 100 of 160 wide, without its stalk.
+	expect(Number(await width.inputValue()) / length).toBeCloseTo(100 / 160, 1);
+	await studio.button("Undo").click();
+	await expect(page).toHaveURL(before);
+	await expect(outline).not.toHaveValue("drawn");
+	await page.getByLabel("Sepal", { exact: true }).check();
+	await written(page, async () => studio.drop("sepal.png", await drawnBlade(page)));
+	await expect(studio.notices).toContainText("The outline of a sepal was traced");
+	await expect(outline).toHaveValue("drawn");
+	const traced = page.url();
+	await studio.drop("no.png", Buffer.from("no picture"));
+	await expect(studio.notices).toContainText("The file is no picture that this browser reads");
+	await expect(page).toHaveURL(traced);
+
+	await page.getByLabel("Petal", { exact: true }).check();
+	const whorls = page.getByRole("button", { name: /^Petals, whorls/ });
+	await expect(whorls).toHaveAccessibleName(/: 1$/);
+	await whorls.focus();
+	await written(page, () => whorls.press("ArrowUp"));
+	await expect(whorls).toHaveAccessibleName(/: 2$/);
+	await expect(page.getByText("C5+5")).toBeVisible();
+});
+
 test("a text without descriptions says so, and a design begins", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=table-3");
 	await expect(page.getByText("has no descriptions of its organs")).toBeVisible();
 	await expect(page.getByRole("region", { name: "Diagram view" })).toHaveCount(0);
+	await studio.button("Open Tulip by choices").click();
+	await expect(page.getByRole("region", { name: "Diagram view" })).toBeVisible();
+	await studio.button("Undo").click();
 	await written(page, () => studio.button("Design a new flower").click());
 	await expect(page.getByText("K0 C5 A5 G(3)")).toBeVisible();
+	const count = page.getByRole("textbox", { name: "Count, typed" });
+	for (const [typed, said] of [
+		["abc", "“abc” is not a number; Count stays 5."],
+		["99", "99 became 21."],
+	]) {
+		await count.fill(typed);
+		await count.press("Enter");
+		await expect(page.getByText(said)).toBeVisible();
+	}
 	await expect(page.getByRole("region", { name: "Diagram view" })).toBeVisible();
 });
 

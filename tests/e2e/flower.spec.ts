@@ -18,12 +18,17 @@ test("a flower's text is edited: it regrows, a mistake is told, undo and the lin
 	await expect(page).toHaveURL(/#g=/);
 	const [more, link] = [await studio.fingerprint.textContent(), page.url()];
 	await page.keyboard.insertText("p0 PETAL -> PETAL[SEPAL]_{E}\n");
-	await expect(page.getByText("Nothing says what SEPAL is").first()).toBeVisible();
+	await expect(page.getByText("Nothing says what 'SEPAL' is").first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(more);
 	await page.goto("about:blank");
 	await page.goto(link);
 	await expect(studio.fingerprint).toHaveText(more ?? "");
 	await page.goto("?v=2&model=flower&preset=table-3");
+	await expect(studio.fingerprint).toHaveText(grown ?? "");
+	// Another preset differs in nothing but its text.
+	await studio.regrown(() => page.locator("[data-preset=figure-16]").click());
+	await expect(words).not.toContainText("4 organs");
+	await studio.regrown(() => studio.button("Undo").click());
 	await expect(studio.fingerprint).toHaveText(grown ?? "");
 });
 
@@ -50,6 +55,12 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	await expect(studio.fingerprint).not.toHaveText(before ?? "");
 	await studio.regrown(() => page.keyboard.press("ControlOrMeta+z"));
 	await expect(studio.fingerprint).toHaveText(before ?? "");
+	await page.keyboard.press("Enter");
+	await expect(page.getByRole("textbox", { name: "H, Every STEM, typed" })).toBeFocused();
+	await page.keyboard.type("11");
+	await studio.regrown(() => page.keyboard.press("Enter"));
+	await expect(length).toHaveValue("11");
+	await expect(length).toBeFocused();
 	// Another order is another map.
 	const darts = studio.readout("Darts");
 	const few = await darts.textContent();
@@ -57,6 +68,8 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	await sides.focus();
 	await sides.press("ArrowRight");
 	await expect(darts).not.toHaveText(few ?? "");
+	// It is still the same one, and its name is all that is said of it.
+	await expect(page.locator("panicle-volume [aria-live]")).toHaveText("STEM");
 });
 
 test("a grammar as XML is dropped and grows; a mistake in one is told with its place", async ({ page }) => {

@@ -28,6 +28,9 @@ test("single letters can be switched off, in every tab and for good, and the hel
 	await studio.button("Help").click();
 	const help = page.getByRole("dialog", { name: "Panicle" });
 	await expect(help).toContainText("New variation");
+	// It is read from its beginning.
+	await expect(help.getByRole("heading", { name: "Panicle" })).toBeFocused();
+	expect(await help.evaluate(({ scrollTop }) => scrollTop)).toBe(0);
 	await help.getByRole("switch", { name: "Single letters are keys" }).uncheck();
 	await expect(help).not.toContainText("New variation");
 	await expect(help).toContainText("Ctrl+Z");

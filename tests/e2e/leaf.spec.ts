@@ -1,4 +1,5 @@
 import { validateBytes } from "gltf-validator";
+import { drawnBlade } from "./drawn_picture";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
@@ -75,23 +76,9 @@ test("a leaf is downloaded as GLB, JSON and SVG", async ({ page }) => {
 
 test("a picture's leaf is traced, and what is none is refused in plain words", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?model=leaf");
-	const picture = await page.evaluate(async () => {
-		const canvas = new OffscreenCanvas(200, 240);
-		const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
-		pen.fillStyle = "#eee";
-		pen.fillRect(0, 0, 200, 240);
-		pen.fillStyle = "#376b2a";
-		pen.beginPath();
-		pen.ellipse(100, 100, 50, 80, 0, 0, 7);
-		pen.fill();
-		pen.fillRect(98, 170, 4, 60);
-		const bytes = new Uint8Array(await (await canvas.convertToBlob({ type: "image/png" })).arrayBuffer());
-		return [...bytes];
-	});
+	const picture = await drawnBlade(page);
 	const [chooser] = await Promise.all([page.waitForEvent("filechooser"), studio.button("Trace a picture…").click()]);
-	await studio.regrown(() =>
-		chooser.setFiles({ name: "leaf.png", mimeType: "image/png", buffer: Buffer.from(picture) }),
-	);
+	await studio.regrown(() => chooser.setFiles({ name: "leaf.png", mimeType: "image/png", buffer: picture }));
 	await expect(studio.notices).toContainText(/An outline of \d+ points was traced/);
 	await expect(studio.notices).toContainText("Teeth is 0 now");
 	await expect(studio.notices).toContainText("The stalk in the picture is the petiole");

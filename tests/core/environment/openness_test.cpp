@@ -46,6 +46,16 @@ TEST_CASE("a plant is open about its edge and dark within, however large it is")
   CHECK(large.at({32, 76.8f, 32}) == above);
 }
 
+TEST_CASE("many places at once are as open as each of them alone, outside the lattice too") {
+  const Openness open({}, crowd(1));
+  std::vector<glm::vec3> places;
+  for (std::uint64_t i = 0; i < 403; ++i) places.push_back(2.0f * random_direction(5, 1, i) * random_unit(5, 2, i));
+  const std::vector<std::uint8_t> bytes =
+      open.of(places.size(), [&](std::size_t i) -> const glm::vec3& { return places[i]; });
+  REQUIRE(bytes.size() == places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) CHECK(bytes[i] == open.at(places[i]));
+}
+
 TEST_CASE("a rod hides as much as a screen of a quarter of its surface") {
   Segment rod;
   rod.end = {0, 2, 0};

@@ -8,6 +8,24 @@ const SCENES = [`${TESTS}/scenes.test.ts`];
 
 export default [
 	{
+		file: "web/src/models/flower/tools/chosen_volume.ts",
+		suites: ["tests/web/models/flower/chosen_volume.test.ts"],
+		faults: [
+			{
+				id: "volume-first-of-its-name",
+				find: "if (before++ < nth) continue;",
+				replace: "",
+				breaks: "another petal than the one clicked on is chosen",
+			},
+			{
+				id: "volume-of-any-descent",
+				find: " || volumes.parent[at] !== last",
+				replace: "",
+				breaks: "a volume of the same name on another ring is chosen once the clicked one is gone",
+			},
+		],
+	},
+	{
 		file: `${DESIGN}/polynomial.ts`,
 		suites: [`${TESTS}/polynomial.test.ts`],
 		faults: [
@@ -16,6 +34,30 @@ export default [
 				find: "for (let k = 0; k < size; k++) reflect(rows, k);",
 				replace: "for (let k = 0; k < size - 1; k++) reflect(rows, k);",
 				breaks: "the last coefficient is of one sample alone",
+			},
+		],
+	},
+	{
+		file: `${DESIGN}/sections.ts`,
+		suites: ASSEMBLED,
+		faults: [
+			{
+				id: "flower-stalked-leaves-of-one-size",
+				find: "LEAF{part=H/",
+				replace: "LEAF{part=1+0*H/",
+				breaks: "leaves on stalks do not become smaller up the stem",
+			},
+		],
+	},
+	{
+		file: `${VIEWS}/floral_diagram.ts`,
+		suites: SCENES,
+		faults: [
+			{
+				id: "diagram-whorls-outwards",
+				find: "(ring - Math.hypot(x, y)) / BETWEEN",
+				replace: "(Math.hypot(x, y) - ring) / BETWEEN",
+				breaks: "whoever draws the innermost whorl farther in gets none",
 			},
 		],
 	},
@@ -49,8 +91,8 @@ export default [
 		faults: [
 			{
 				id: "flower-choice-forgets-edits",
-				find: "else if (same(other, was)) both(...own);",
-				replace: "else if (same(other, was)) both(...was);",
+				find: "else if (same(other, was)) both(own);",
+				replace: "else if (same(other, was)) both(was);",
 				breaks: "what was edited by hand goes with the next choice, and nobody is told",
 			},
 		],

@@ -245,14 +245,20 @@ export default [
 		],
 	},
 	{
-		file: `${WEB}/models/grammar/details/constants.ts`,
-		suites: ["tests/web/models/grammar/document.test.ts"],
+		file: `${WEB}/specimen/constants.ts`,
+		suites: ["tests/web/models/grammar/document.test.ts", "tests/web/models/flower/values.test.ts"],
 		faults: [
 			{
 				id: "constants-unsorted",
-				find: "[...found].sort(([a], [b]) => (a < b ? -1 : 1))",
-				replace: "[...found]",
+				find: "[...values].sort(([a], [b]) => (a < b ? -1 : 1))",
+				replace: "[...values]",
 				breaks: "the same constants in another order are another document",
+			},
+			{
+				id: "constants-strangers-pass",
+				find: "!known.includes(each)",
+				replace: "false",
+				breaks: "an address with a name that its text does not define is answered as if it had none",
 			},
 		],
 	},

@@ -51,7 +51,7 @@ export default [
 		faults: [
 			{
 				id: "grammar-editor-built-in-text-of-its-own",
-				find: "text === undefined || text === source.builtIn(specimen) ? undefined : text",
+				find: "text === builtIn ? undefined : text",
 				replace: "text",
 				breaks: "after Undo by hand a bunch keeps a copy of the built-in text in its link",
 			},

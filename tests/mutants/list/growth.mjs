@@ -171,6 +171,12 @@ export default [
 				replace: "return",
 				breaks: "spruces are bare in winter",
 			},
+			{
+				id: "growth-leaves-of-another-turn",
+				find: "luck.about[held] = about + golden_turn * static_cast<float>(k);",
+				replace: "luck.about[held] = about + golden_turn * static_cast<float>(held);",
+				breaks: "leaves that are worked out with others hang elsewhere",
+			},
 		],
 	},
 	{

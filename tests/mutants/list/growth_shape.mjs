@@ -46,6 +46,12 @@ export default [
 				breaks: "where few stand about a tip, it grows through them",
 			},
 			{
+				id: "growth-nowhere-is-free",
+				find: "auto taken = somewhere != somewhere;",
+				replace: "auto taken = seen & ~seen;",
+				breaks: "a number that is none bends a shoot towards nothing in particular",
+			},
+			{
 				id: "growth-places-at-one-depth",
 				find: "deep = turned - (turned >= 1.0f ? all_of(1) : all_of(0))",
 				replace: "deep = turned - turned",

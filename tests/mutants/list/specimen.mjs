@@ -22,9 +22,27 @@ export default [
 			},
 			{
 				id: "same-colours-grow",
-				find: "look: b.look, preset: b.preset",
-				replace: "preset: b.preset",
+				find: "alike({ ...a, look: b.look }, b)",
+				replace: "alike(a, b)",
 				breaks: "a colour regrows the bunch",
+			},
+		],
+	},
+	{
+		file: `${SRC}/altered_text.ts`,
+		suites: [`${TESTS}/altered_text.test.ts`],
+		faults: [
+			{
+				id: "text-dragged-loses-its-name",
+				find: 'line.replace(NUMBER, "0")',
+				replace: "line",
+				breaks: "an oak whose handle was dragged is a grammar of one's own",
+			},
+			{
+				id: "text-any-is-the-preset",
+				find: "> SHARE * lines.length",
+				replace: ">= 0",
+				breaks: "a tree of another text is called an oak, altered",
 			},
 		],
 	},

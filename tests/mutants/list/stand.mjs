@@ -32,6 +32,12 @@ export default [
 				replace: "const float high = 0 * luck.unit(8 * k + 5);",
 				breaks: "bunches lie on the ground",
 			},
+			{
+				id: "stand-fewer-fill-the-back",
+				find: "if (fewer) keep_middle(found, count);",
+				replace: "if (fewer && found.size() > count) found.resize(count);",
+				breaks: "a vineyard of few vines has them all in its rear rows",
+			},
 		],
 	},
 	{
@@ -91,6 +97,18 @@ export default [
 				find: "kept?.looks ?? new Looks()",
 				replace: "new Looks()",
 				breaks: "a file's bytes hang on what was edited before",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/words.ts",
+		suites: [`${WEB}/parts.test.ts`],
+		faults: [
+			{
+				id: "stand-bunches-are-plants",
+				find: "countInWords(counts.plants - borne,",
+				replace: "countInWords(counts.plants,",
+				breaks: "a vineyard is said to have five times its vines",
 			},
 		],
 	},
@@ -230,6 +248,18 @@ export default [
 		file: "web/src/models/stand/walker.ts",
 		suites: [`${WEB}/parts.test.ts`],
 		faults: [
+			{
+				id: "stand-walk-begins-in-a-crown",
+				find: "if (room > best.room) best = { x, room };",
+				replace: "if (i === 0) best = { x, room };",
+				breaks: "who walks sees nothing but leaves",
+			},
+			{
+				id: "stand-bunches-keep-walkers-off",
+				find: "if (places.bearer[plant] >= 0) continue;",
+				replace: "",
+				breaks: "a walk begins far aside of vines with bunches",
+			},
 			{
 				id: "stand-walker-leaves-the-ground",
 				find: "Math.min(0.5 * size, Math.max(-0.5 * size, value));",

@@ -47,9 +47,12 @@ describe("what cannot be used", () => {
 		expect(await complaint(["--grammar", "none.lsys"])).toBe("--grammar none.lsys: no such file or folder");
 		expect(await grammar("axiom: A\nA --> F(1\n")).toMatch(/^g\.lsys:[23]:\d+: \S/);
 		expect(await grammar("axiom: A\nA --> A\n")).toMatch(/^g\.lsys: The string is still rewritten/);
-		expect(await grammar("")).toBe("--grammar g.lsys: is empty");
+		for (const empty of ["", "\n \n"])
+			expect(await grammar(empty)).toMatch(
+				/^--grammar g.lsys: is empty; begin with “axiom: F”, a flower with “#define STEM/,
+			);
 		expect(await grammar(Uint8Array.of(0xff, 0xfe, 0x41))).toBe("--grammar g.lsys: not text in UTF-8");
-		expect(await grammar("F".repeat(300_000))).toBe("--grammar g.lsys: longer than 256 KiB");
+		expect(await grammar("F".repeat(300_000))).toBe("--grammar g.lsys: longer than 256 KiB; make it shorter");
 		const link = await encodeLink({ ...specimenFromPreset(), grammar: "axiom: (" });
 		expect(await complaint([link])).toMatch(/^the link's grammar:1:\d+: /);
 	});

@@ -48,6 +48,12 @@ describe("what is drawn together", () => {
 		expect(firstColour(both, 8)).toEqual(close([0.5, 0.25, 0.1]));
 	});
 
+	it("keeps what light comes through apart from what it does not", () => {
+		const through: Partial<Material> = { sheet: { through: [1, 1, 1], reverse: [1, 1, 1] } };
+		const [petal, leaf, stem] = [made("Petal", 0.5, through), made("Leaf", 0.7, through), made("Stem", 0.6)];
+		expect(names(drawCalls([piece(petal), piece(leaf), piece(leaf), piece(stem)], 2))).toEqual(["Leaf", "Stem"]);
+	});
+
 	it("takes pictures of one size for tints of one, and others for their means", () => {
 		const leaf = (name: string, colour: Colour) => made(name, 0.6, { colour, textures: { colour: picture(4) } });
 		const [green, red] = [leaf("Green", [0.2, 0.4, 0.1]), leaf("Red", [0.4, 0.2, 0.1])];

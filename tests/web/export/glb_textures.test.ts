@@ -104,3 +104,62 @@ describe("textures", () => {
 		expect(file.slice(from, from + byteLength)).toEqual(png(tinted(picture, [0.5, 0.5, 0.5])));
 	});
 });
+
+describe("light through sheets", () => {
+	const NAME = "KHR_materials_diffuse_transmission";
+	const LEAF: Material = { ...HAIR, sheet: { through: [0.4, 0.8, 0.2], reverse: [1, 1, 1] } };
+	const told = (material: Material, options: GlbOptions = {}) => {
+		const file = exportGlb([{ name: "Leaf", shape: { mesh: tetrahedron([0, 0, 0], 1), material } }], ABOUT, options);
+		const { materials = [], extensionsUsed, extensionsRequired = [] } = documentOf(file);
+		const said = (materials[0].extensions ?? {}) as Record<string, Record<string, number & number[]> | undefined>;
+		return { file, told: said[NAME], extensionsUsed, extensionsRequired };
+	};
+
+	it.each(FORMS)(
+		"is to the light that they throw back as in view, and no more than falls on them (%o)",
+		async (form) => {
+			const { file, told: found, extensionsUsed, extensionsRequired } = told(LEAF, form);
+			expect(await complaints(file)).toEqual([]);
+			expect(extensionsUsed).toContain(NAME);
+			expect(extensionsRequired).not.toContain(NAME);
+			const { diffuseTransmissionFactor: factor, diffuseTransmissionColorFactor: colour } = found as Record<
+				string,
+				never
+			>;
+			for (const [k, through] of [0.4, 0.8, 0.2].entries()) {
+				const [passing, back] = [factor * colour[k], (1 - factor) * LEAF.colour[k]];
+				// lights_fragment of scene/standard_material.ts: sheetThrough * sqrt(colour) * colour beside colour.
+				expect(passing / back).toBeCloseTo(through * Math.sqrt(LEAF.colour[k]), 4);
+				expect(passing + back).toBeLessThanOrEqual(1);
+			}
+			expect(Math.max(...(colour as number[]))).toBe(1);
+		},
+	);
+
+	it("has the colours of the sheet's own picture, where there is one", async () => {
+		const picture = { width: 2, height: 2, pixels: Uint8Array.from({ length: 12 }, (_, i) => 20 * i) };
+		const { file, told: found } = told({ ...LEAF, textures: { normal: picture, colour: picture } });
+		expect(await complaints(file)).toEqual([]);
+		const { pbrMetallicRoughness } = documentOf(file).materials?.[0] ?? {};
+		expect(found?.diffuseTransmissionColorTexture).toEqual(pbrMetallicRoughness?.baseColorTexture);
+		const { diffuseTransmissionFactor: factor, diffuseTransmissionColorFactor: colour } = found as Record<
+			string,
+			never
+		>;
+		expect((factor * colour[1]) / (1 - factor)).toBeCloseTo(0.8 * Math.sqrt(LEAF.colour[1]), 4);
+		// A colour of vertices stands in a picture of one pixel, which says nothing of what a place lets through.
+		const green = tetrahedron([0, 0, 0], 1, [0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0]);
+		const plain = documentOf(exportGlb([{ name: "Leaf", shape: { mesh: green, material: LEAF } }], ABOUT));
+		expect(JSON.stringify(plain.materials)).not.toContain("diffuseTransmissionColorTexture");
+	});
+
+	it("is not told of what lets none through, nor a second time of flesh", () => {
+		expect(told(HAIR).told).toBeUndefined();
+		expect(told({ ...LEAF, sheet: { through: [0, 0, 0], reverse: [1, 1, 1] } }).told).toBeUndefined();
+		const flesh = { factor: 0.2, thickness: 0.001, colour: [0.5, 0.6, 0.2], distance: 0.001 } as const;
+		expect(
+			told({ ...LEAF, flesh: { ...flesh, colour: [...flesh.colour] } }, { translucent: true }).told,
+		).toBeUndefined();
+		expect(told({ ...LEAF, flesh: { ...flesh, colour: [...flesh.colour] } }).told).toBeDefined();
+	});
+});

@@ -72,17 +72,20 @@ export function unpictured(glb: Uint8Array): Uint8Array {
 	return file;
 }
 
+/** Extensions that Khronos' validator does not know. */
+const UNKNOWN = ["EXT_mesh_gpu_instancing", "KHR_materials_diffuse_transmission"];
+
 /**
  * What Khronos' validator has to say, but for what it says of every such file: hardly anything is textured (the
- * texture coordinates are for whoever paints the bunch), and it does not look inside EXT_mesh_gpu_instancing, so that what is
- * used there only seems unused. Errors and warnings are never left out.
+ * texture coordinates are for whoever paints the bunch), it does not know KHR_materials_diffuse_transmission, and it does not look
+ * inside EXT_mesh_gpu_instancing, so that what is used there only seems unused. Errors and warnings are never left out.
  */
 export async function complaints(glb: Uint8Array): Promise<Issue[]> {
 	const { issues } = await validateBytes(glb, { maxIssues: 0 });
 	const instances = instanceAccessors(documentOf(glb));
 	return issues.messages.filter(({ code, severity, pointer = "", message }) => {
 		if (severity < 2) return true;
-		if (code === "UNSUPPORTED_EXTENSION") return !message.includes("EXT_mesh_gpu_instancing");
+		if (code === "UNSUPPORTED_EXTENSION") return !UNKNOWN.some((name) => message.includes(name));
 		return code !== "UNUSED_OBJECT" || !(pointer.endsWith("/attributes/TEXCOORD_0") || instances.includes(pointer));
 	});
 }

@@ -130,6 +130,26 @@ describe("the figure of any plant", () => {
 		expect(points).toHaveLength(3 * (8 + 8 + 4));
 	});
 
+	it("tells cells from what has none, which is counted behind the last cell", () => {
+		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
+		const figure = partFigure<unknown, Part[]>((parts) => parts)(stage);
+		const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
+		const part = (x: number, cells?: Uint32Array): Part => ({
+			name: `At ${x}`,
+			shape: { mesh: { ...tetrahedron([x, 0, 0], 1), ...(cells && { cells }) }, material: PULP },
+		});
+		figure.show([part(-5), part(0, Uint32Array.of(1, 1, 1, 1)), part(5), part(10, Uint32Array.of(2, 2, 2, 2))], {});
+		const pickAt = (x: number) => figure.pick({ origin: [x, 0.1, 9], direction: [0, 0, -1] });
+		expect([-5, 0, 5, 10].map(pickAt)).toEqual([3, 1, 4, 2]);
+		for (const [picked, x] of [3, 1, 4, 2].map((picked, i) => [picked, 5 * i - 5] as const)) {
+			figure.mark(picked);
+			const marks = meshes().slice(4);
+			expect(marks).toHaveLength(1);
+			marks[0].geometry.computeBoundingBox();
+			expect(marks[0].geometry.boundingBox?.getCenter(new Vector3()).x).toBeCloseTo(x, 5);
+		}
+	});
+
 	it("finds the part that a ray meets first, each instance by itself, and marks it", () => {
 		const { figure, meshes } = staged();
 		figure.show(plant, {});

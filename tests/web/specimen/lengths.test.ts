@@ -1,5 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { readIn, scaleOf } from "../../../web/src/specimen/lengths";
+import { STAND } from "../../../web/src/models/stand/species";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { readIn, readOf, scaleOf } from "../../../web/src/specimen/lengths";
 import type { Entry } from "../../../web/src/specimen/table";
 import { explainedBy, presetInWords } from "../../../web/src/studio/explained";
 import { BUNCH, entryOf, specimenFromPreset, withParameters } from "../bunch";
@@ -22,5 +24,12 @@ describe("lengths in units of the paper", () => {
 		expect(explainedBy(BUNCH, specimen, "size")?.text).toMatch(/3 … 60 mm\. $/);
 		expect(presetInWords(BUNCH, specimen, "density")).toBe("7");
 		expect(presetInWords(BUNCH, specimen, "procedure")).toBe("natural");
+	});
+
+	it("0 is read as what it leaves to the text, where it does", () => {
+		expect(presetInWords(STAND, fromPreset(STAND, "orchard"), "many")).toBe("auto");
+		expect(presetInWords(STAND, fromPreset(STAND, "orchard"), "relief")).toBe("1");
+		const scale = { per: 1, unit: "", decimals: 2 };
+		expect([readOf({ zero: "auto" }, scale, 3), readOf({}, scale, 0)]).toEqual(["3", "0"]);
 	});
 });

@@ -31,6 +31,16 @@ describe("the panel's groups", () => {
 		expect([rest.entries, rest.below]).toEqual([[], [below]]);
 	});
 
+	it("of tools stand before the table's, or at the end", () => {
+		const brought = (key: string, last: boolean): Tool => ({
+			name: key,
+			initial: 0,
+			panel: { group: { key, title: key, help: "", last }, place: "above", draw: () => "" },
+		});
+		const tools = [brought("end", true), brought("front", false)];
+		expect(keysOf(groupsFor(toy.table, fromPreset(toy), tools))).toEqual(["front", "pole", "end"]);
+	});
+
 	it("of a bunch show what its procedure heeds; the age stands below the view", async () => {
 		const { studio } = await studioWith(specimenFromPreset());
 		const shown = (version: number) => {

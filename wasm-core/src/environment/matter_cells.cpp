@@ -7,13 +7,14 @@ namespace panicle {
 MatterCells::MatterCells(const glm::vec3& low, const glm::vec3& high, float edge)
     : low_(low),
       edge_(edge),
+      per_volume_(1 / (edge * edge * edge)),
       count_(glm::ivec3((high - low) / edge) + 1),
       matter_(static_cast<std::size_t>(count_.x) * static_cast<std::size_t>(count_.y) *
               static_cast<std::size_t>(count_.z)) {}
 
 void MatterCells::put(const glm::vec3& place, float area) {
   const glm::ivec3 at = glm::clamp(glm::ivec3((place - low_) / edge_), glm::ivec3(0), count_ - 1);
-  matter_[static_cast<std::size_t>((at.z * count_.y + at.y) * count_.x + at.x)] += area * (1 / (edge_ * edge_ * edge_));
+  matter_[static_cast<std::size_t>((at.z * count_.y + at.y) * count_.x + at.x)] += area * per_volume_;
 }
 
 VoxelLight MatterCells::light(std::span<const Lamp> lamps) const {

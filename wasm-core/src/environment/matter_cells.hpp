@@ -23,7 +23,7 @@ class MatterCells {
 
  private:
   glm::vec3 low_;
-  float edge_;
+  float edge_, per_volume_;  // of a cell, and 1 over its volume
   glm::ivec3 count_;
   std::vector<float> matter_;
 };

@@ -44,16 +44,13 @@ Openness::Openness(std::span<const Segment> segments, std::span<const Screen> sc
                    std::uint32_t directions)
     : light_(light_of(segments, screens, cells, directions)) {}
 
-std::uint8_t Openness::at(const glm::vec3& place) const {
-  return static_cast<std::uint8_t>(std::clamp(light_.at(place), 0.0f, 1.0f) * 255 + 0.5f);
-}
+std::uint8_t Openness::at(const glm::vec3& place) const { return byte_of(light_.at(place)); }
 
 std::vector<std::uint8_t> Openness::of(const Mesh& mesh) const {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(mesh.positions.size() / 3);
-  for (std::size_t v = 0; v + 2 < mesh.positions.size(); v += 3)
-    bytes.push_back(at({mesh.positions[v], mesh.positions[v + 1], mesh.positions[v + 2]}));
-  return bytes;
+  return of(mesh.positions.size() / 3, [&](std::size_t v) {
+    const float* const p = &mesh.positions[3 * v];
+    return glm::vec3(p[0], p[1], p[2]);
+  });
 }
 
 }  // namespace panicle

@@ -132,6 +132,34 @@ float VoxelLight::at(const glm::vec3& p) const {
   return mix(mix(along[0], along[1], at.share[1]), mix(along[2], along[3], at.share[1]), at.share[2]);
 }
 
+Four VoxelLight::at(const FourVectors& p) const {
+  FourIntegers lower[3], upper[3];
+  Four share[3];
+  const Four from[3] = {p.x - low_.x, p.y - low_.y, p.z - low_.z};
+  std::int32_t stride = 1;
+  for (int k = 0; k < 3; ++k) {
+    const std::int32_t last = count_[k] - 1;
+    const Four most = all_of(static_cast<float>(last));
+    Four place = from[k] / edge_ - 0.5f;
+    place = place > 0.0f ? place : Four{};
+    place = place < most ? place : most;
+    const FourIntegers cell = __builtin_convertvector(place, FourIntegers);
+    share[k] = place - __builtin_convertvector(cell, Four);
+    lower[k] = cell * stride;
+    upper[k] = lower[k] + (FourIntegers)((cell < last) & FourIntegers{stride, stride, stride, stride});
+    stride *= count_[k];
+  }
+  const float* const light = light_.data();
+  const auto mix = [](const Four& a, const Four& b, const Four& t) { return a + t * (b - a); };
+  const auto row = [&](const FourIntegers& begin) {
+    const FourIntegers left = begin + lower[0], right = begin + upper[0];
+    return mix(Four{light[left[0]], light[left[1]], light[left[2]], light[left[3]]},
+               Four{light[right[0]], light[right[1]], light[right[2]], light[right[3]]}, share[0]);
+  };
+  return mix(mix(row(lower[1] + lower[2]), row(upper[1] + lower[2]), share[1]),
+             mix(row(lower[1] + upper[2]), row(upper[1] + upper[2]), share[1]), share[2]);
+}
+
 glm::vec3 VoxelLight::ascent(const glm::vec3& p) const {
   const Corner at = corner_of(p);
   glm::vec3 ascent(0);

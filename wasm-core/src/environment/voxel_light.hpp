@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "foundation/lane_vectors.hpp"
+
 namespace panicle {
 
 // Where light comes from: unit vectors towards it, and how much of all of it comes from there.
@@ -30,6 +32,8 @@ class VoxelLight {
   // The share of all light that comes to a place, 0 … 1: between the middles of cells in between, outside the box as at
   // its edge.
   float at(const glm::vec3& p) const;
+  // Of four places, each as it is alone.
+  Four at(const FourVectors& p) const;
   // The way in which that grows, per length: 0 where it is the same all about, and across the box's edges.
   glm::vec3 ascent(const glm::vec3& p) const;
   float edge() const { return edge_; }  // of a cell

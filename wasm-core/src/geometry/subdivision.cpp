@@ -5,6 +5,16 @@
 #include <glm/geometric.hpp>
 
 namespace panicle {
+namespace {
+
+// Of a vertex with n edges: the mean of its faces' points, twice that of its edges' middles, n − 3 times itself.
+glm::vec3 rounded(const glm::vec3& place, const glm::vec3& faces, const glm::vec3& middles, std::uint32_t valence) {
+  if (valence == 0) return faces;
+  const auto n = static_cast<float>(valence);
+  return (faces / n + 2.0f * middles / n + (n - 3) * place) / n;
+}
+
+}  // namespace
 
 ClosedSurface refined(const ClosedSurface& surface) {
   const std::uint32_t halves = surface.half_edges();
@@ -57,9 +67,8 @@ void place_refined(const ClosedSurface& surface, ClosedSurface& fine) {
   }
   for (std::uint32_t f = 0; f < surface.faces; ++f) of_face[f] /= static_cast<float>(degree[f]);
 
-  // Of a vertex with n edges: the mean of its faces' points, twice that of its edges' middles, n − 3 times itself.
-  std::vector<std::uint32_t> valence(vertices, 0);
   std::vector<glm::vec3> middles(vertices, glm::vec3(0));
+  std::vector<std::uint32_t> valence(vertices, 0);
   for (std::uint32_t h = 0; h < halves; ++h) {
     const std::uint32_t from = surface.origin[h], twin = surface.twin[h], to = surface.origin[twin];
     const glm::vec3 middle = 0.5f * (surface.positions[from] + surface.positions[to]);
@@ -71,11 +80,29 @@ void place_refined(const ClosedSurface& surface, ClosedSurface& fine) {
     middles[from] += middle;
     ++valence[from];
   }
-  for (std::uint32_t v = 0; v < vertices; ++v) {
-    if (valence[v] == 0) continue;
-    const auto n = static_cast<float>(valence[v]);
-    of_vertex[v] = (of_vertex[v] / n + 2.0f * middles[v] / n + (n - 3) * surface.positions[v]) / n;
+  for (std::uint32_t v = 0; v < vertices; ++v)
+    of_vertex[v] = rounded(surface.positions[v], of_vertex[v], middles[v], valence[v]);
+}
+
+std::vector<glm::vec3> rounded_vertices(const ClosedSurface& surface) {
+  const auto vertices = static_cast<std::uint32_t>(surface.positions.size());
+  const std::uint32_t halves = surface.half_edges();
+  std::vector<glm::vec3> of_face(surface.faces, glm::vec3(0)), about(vertices, glm::vec3(0)), middles(about);
+  std::vector<std::uint32_t> degree(surface.faces, 0), valence(vertices, 0);
+  for (std::uint32_t h = 0; h < halves; ++h) {
+    of_face[surface.face[h]] += surface.positions[surface.origin[h]];
+    ++degree[surface.face[h]];
   }
+  for (std::uint32_t f = 0; f < surface.faces; ++f) of_face[f] /= static_cast<float>(degree[f]);
+  for (std::uint32_t h = 0; h < halves; ++h) {
+    const std::uint32_t from = surface.origin[h];
+    about[from] += of_face[surface.face[h]];
+    middles[from] += 0.5f * (surface.positions[from] + surface.positions[surface.origin[surface.twin[h]]]);
+    ++valence[from];
+  }
+  for (std::uint32_t v = 0; v < vertices; ++v)
+    about[v] = rounded(surface.positions[v], about[v], middles[v], valence[v]);
+  return about;
 }
 
 ClosedSurface subdivided(const ClosedSurface& surface) {

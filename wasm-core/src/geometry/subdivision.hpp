@@ -26,6 +26,9 @@ void place_refined(const ClosedSurface& surface, ClosedSurface& fine);
 // Both.
 ClosedSurface subdivided(const ClosedSurface& surface);
 
+// Where its own vertices come to lie when it is subdivided once, without those that come between.
+std::vector<glm::vec3> rounded_vertices(const ClosedSurface& surface);
+
 // Unit normals of the vertices: of the faces about them, by their area.
 std::vector<glm::vec3> normals_of(const ClosedSurface& surface);
 

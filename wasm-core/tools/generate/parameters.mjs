@@ -110,7 +110,7 @@ function object(properties, indent) {
 
 const fields = (
 	"key link slot label symbol group kind unit options min max gapBelow default step " +
-	"where help since before define look"
+	"zero where help since before define look"
 ).split(" ");
 
 function info(p) {

@@ -12,7 +12,7 @@ import { reachedInWords } from "../targets/words";
 import { aimed } from "./aimed";
 import { crc32 } from "./crc32";
 import { Unusable } from "./unusable";
-import { drawn, type Varied } from "./vary";
+import { drawn, type Varied, withVaried } from "./vary";
 
 export interface Series {
 	readonly model: Model;
@@ -71,8 +71,12 @@ function suffixOf({ formats }: Model, format: string): string {
 export async function memberOf(series: Series, seed: number): Promise<Member> {
 	const { model, from, varied, format } = series;
 	const values = varied.map((each) => drawn(each, seed));
-	const record = { ...Object.fromEntries(varied.map(({ entry }, at) => [entry.key, values[at]])), seed };
-	const { specimen } = restore(model, record, from);
+	const seeded = restore(model, { seed }, from).specimen;
+	const { specimen } = withVaried(
+		model,
+		seeded,
+		varied.map((each, at) => [each, values[at]]),
+	);
 	const link = await encodeLink(model, specimen);
 	return { seed, specimen, values, link, file: `${from.preset}-${seed}${suffixOf(model, format)}` };
 }

@@ -1,16 +1,17 @@
 /** What is varied from plant to plant of a series: `age=60..110,density=3..8,fruit=lychee|duku`. */
 import { readNumber } from "../specimen/read_values";
-import { restore } from "../specimen/restore";
+import { type Restored, restore } from "../specimen/restore";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 import { type Entry, nearestWithin, onStep } from "../specimen/table";
 import { Unusable } from "./unusable";
 
 /** A parameter and where its values come from: anywhere from one number to another, or one of a few. */
-export type Varied = { readonly entry: Entry } & (
-	| { readonly from: number; readonly to: number }
-	| { readonly values: readonly string[] }
-);
+export type Varied = {
+	readonly entry: Entry;
+	/** Whether it is no parameter, but a name of the text's own (`named` of specimen/species.ts). */
+	readonly own?: true;
+} & ({ readonly from: number; readonly to: number } | { readonly values: readonly string[] });
 
 /**
  * @param from the specimen that all plants have but for what is varied
@@ -27,24 +28,26 @@ export function readVary<S extends Specimen>(species: Species<S>, text: string, 
 function readOne<S extends Specimen>(species: Species<S>, part: string, from: S): Varied {
 	const [, key, values] = /^([^=\s]+)\s*=\s*(.+)$/.exec(part) ?? [];
 	if (key === undefined) throw new Unusable(`“${part}”: write KEY=FROM..TO or KEY=ONE|ANOTHER, as in age=60..110`);
-	const entry = entryOf(species, key);
+	const entry = entryOf(species, key) ?? constantOf(key);
+	const own = entryOf(species, key) ? {} : ({ own: true } as const);
 	const [, low, high] = /^(.*?)\.\.(.*)$/.exec(values) ?? [];
 	if (low === undefined) {
 		const list = values.split("|").map((value) => value.trim());
-		for (const value of list) check(species, entry, value, from);
-		return { entry, values: list };
+		for (const value of list) check(species, { entry, own }, value, from);
+		return { entry, ...own, values: list };
 	}
 	if (entry.kind === "choice" || entry.kind === "colour") {
 		const some = entry.kind === "choice" ? entry.options.slice(0, 2).join("|") : "43264f|88aa44";
 		throw new Unusable(`${key} has no values between two others; write ${key}=${some}`);
 	}
-	for (const value of [low, high]) check(species, entry, value, from);
+	for (const value of [low, high]) check(species, { entry, own }, value, from);
 	const [least, most] = [readNumber(low) ?? 0, readNumber(high) ?? 0];
 	if (least > most) throw new Unusable(`${part} runs backwards; write ${key}=${most}..${least}`);
-	return { entry, from: least, to: most };
+	return { entry, ...own, from: least, to: most };
 }
 
-function entryOf<S extends Specimen>({ table, details }: Species<S>, key: string): Entry {
+/** The parameter of that key; undefined where it may be a name of the text's own. */
+function entryOf<S extends Specimen>({ table, details }: Species<S>, key: string): Entry | undefined {
 	const entry = table.entry(key);
 	if (entry) return entry;
 	const [first, ...others] = table.linked(key);
@@ -54,16 +57,67 @@ function entryOf<S extends Specimen>({ table, details }: Species<S>, key: string
 		);
 	}
 	if (first) return first;
-	const known = details.some(({ keys }) => keys.includes(key))
-		? "is no parameter, and cannot be varied"
-		: "no parameter has that key";
+	const isDetail = details.some(({ keys }) => keys.includes(key));
+	if (!isDetail && details.some(({ named }) => named)) return undefined;
+	const known = isDetail ? "is no parameter, and cannot be varied" : "no parameter has that key";
 	throw new Unusable(`${key}: ${known}; see --help or the parameters' page`);
 }
 
+/** Of any size, and as fine as it is drawn. */
+const constantOf = (key: string): Entry => ({
+	...{ key, link: key, label: key, symbol: "", group: "", unit: "", help: "", since: 1 },
+	...{ kind: "number", min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY, default: 0, step: 0 },
+});
+
+/** The specimen with values of what is varied. */
+export function withVaried<S extends Specimen>(
+	species: Species<S>,
+	from: S,
+	values: readonly (readonly [Varied, value: string])[],
+): Restored<S> {
+	const [own, parameters] = [true, false].map((named) =>
+		Object.fromEntries(
+			values.filter(([of]) => (of.own ?? false) === named).map(([{ entry }, value]) => [entry.key, value]),
+		),
+	);
+	const { specimen, notes } = restore(species, parameters, from);
+	if (Object.keys(own).length === 0) return { specimen, notes };
+	const named = species.details.find(({ named }) => named)?.named?.(specimen, own);
+	const all = restore(species, named, specimen);
+	return { specimen: all.specimen, notes: [...notes, ...all.notes] };
+}
+
+/**
+ * Refuses names that the text does not have.
+ * @throws Unusable
+ */
+export async function checkVaried<S extends Specimen>(
+	species: Species<S>,
+	varied: readonly Varied[],
+	from: S,
+): Promise<void> {
+	const own = varied.filter((each) => each.own);
+	const { specimen } = withVaried(
+		species,
+		from,
+		own.map((each) => [each, "0"]),
+	);
+	const stranger = await species.details.find(({ stranger }) => stranger)?.stranger?.(specimen);
+	if (stranger && own.some(({ entry }) => entry.key === stranger.name))
+		throw new Unusable(`${stranger.name}: no parameter has that key, and ${stranger.problem}`);
+}
+
 /** Refuses what would not be used as it is. */
-function check<S extends Specimen>(species: Species<S>, entry: Entry, value: string, from: S): void {
-	const [note] = restore(species, { [entry.key]: value }, from).notes;
+function check<S extends Specimen>(
+	species: Species<S>,
+	{ entry, own }: { entry: Entry; own: { own?: true } },
+	value: string,
+	from: S,
+): void {
+	const varied = { entry, ...own, values: [] };
+	const [note] = withVaried(species, from, [[varied, value]]).notes;
 	if (note) throw new Unusable(`${entry.key}: ${note.problem}`);
+	if (own.own) return;
 	const number = entry.kind === "colour" ? undefined : readNumber(value);
 	if (number !== undefined && onStep(number) !== number) {
 		throw new Unusable(`${entry.key}: ${value} has more than two decimals`);
@@ -77,7 +131,8 @@ export function drawn(varied: Varied, seed: number): string {
 	const { entry, from, to } = varied;
 	if (entry.kind === "colour") throw new RangeError("Colours have no range.");
 	if (entry.kind === "integer") return String(from + Math.floor(share * (to - from + 1)));
-	return String(nearestWithin(entry, from + share * (to - from)));
+	const value = from + share * (to - from);
+	return String(varied.own ? Number(value.toPrecision(6)) : nearestWithin(entry, value));
 }
 
 /** A number from 0 up to but not 1, as good as drawn by lot. */

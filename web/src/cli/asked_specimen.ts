@@ -162,6 +162,8 @@ async function readBoundary(
 	});
 }
 
+const BEGIN = "begin with “axiom: F”, a flower with “#define STEM(8,0,0,0,9,3,3,1)” and “#axiom: STEM”";
+
 /** A text that is in another form than its model's grammars, as one of those. */
 async function translated(said: string, file: string | undefined): Promise<string> {
 	try {
@@ -176,8 +178,9 @@ async function readGrammar(file: string, readFile: Surroundings["readFile"]): Pr
 	const bytes = await readFile(file).catch((error: unknown) => {
 		throw new UsageError(`--grammar ${file}: ${reasonOf(error)}`);
 	});
-	if (bytes.length > GRAMMAR_BYTES) throw new UsageError(`--grammar ${file}: longer than ${GRAMMAR_BYTES / 1024} KiB`);
-	if (bytes.length === 0) throw new UsageError(`--grammar ${file}: is empty`);
+	if (bytes.length > GRAMMAR_BYTES)
+		throw new UsageError(`--grammar ${file}: longer than ${GRAMMAR_BYTES / 1024} KiB; make it shorter`);
+	if (bytes.every((byte) => byte <= 32)) throw new UsageError(`--grammar ${file}: is empty; ${BEGIN}`);
 	try {
 		return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
 	} catch {

@@ -9,7 +9,7 @@ import { checkFormat, growMember, type Member, memberOf, type Series } from "../
 import { partOf, readShard, type Shard } from "../batch/shard";
 import { columnsOf, failedRow, type Line, readLines, rowOf, written } from "../batch/table";
 import { Unusable } from "../batch/unusable";
-import { readVary } from "../batch/vary";
+import { checkVaried, readVary } from "../batch/vary";
 import { Cores } from "../core/cores";
 import { growPlant } from "../files/growth";
 import { makeFile } from "../files/make";
@@ -70,6 +70,9 @@ async function readSeries(call: Call, batch: BatchCall, world: Surroundings): Pr
 	const aims = readTargets(model, from, call.targets);
 	const all = typed("--seeds", batch.seeds, readSeeds);
 	const varied = batch.vary === undefined ? [] : typed("--vary", batch.vary, (text) => readVary(model, text, from));
+	await checkVaried(model, varied, from).catch((error: unknown) => {
+		throw error instanceof Unusable ? new UsageError(`--vary ${error.message}`) : error;
+	});
 	const shard =
 		batch.shard === undefined ? undefined : typed("--shard", batch.shard, (text) => readShard(text, world.environment));
 	typed("--as", batch.format, (format) => checkFormat(model, format));

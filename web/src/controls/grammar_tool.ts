@@ -22,8 +22,17 @@ const EDIT = "Edit the grammar";
 const CONSTANTS = {
 	key: "constants",
 	title: "Constants",
-	help: "The numbers and curves that the grammar defines. A slider writes into the text.",
+	help: "The numbers and curves that the grammar defines, to be given other values.",
 	everyday: true,
+} as const;
+
+/** Where handles and gestures write the text, nothing above is to move when they do. */
+const OWN = {
+	key: "own-grammar",
+	title: "Grammar",
+	help: "The text that this plant grows by.",
+	plain: true,
+	last: true,
 } as const;
 
 /**
@@ -36,10 +45,44 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 	derived?: DerivationSource<S, G>,
 ): readonly Tool<S, G>[] {
 	const tool = editorTool<S, G>(source, derived !== undefined);
-	const { group, noun } = source;
+	const { group = OWN, noun } = source;
 	const drop = (desk: Desk<S, G>) =>
 		desk.set(withText(source as unknown as GrammarSource, desk.state.specimen, undefined));
 	const words = "Use the built-in grammar";
+	const own: Tool<S, G, boolean> = {
+		name: "own-grammar",
+		initial: false,
+		applies: isOwn,
+		// Whether it is its preset's, altered, is told once that has come.
+		start: (desk) => {
+			const builtIn = group === OWN && isOwn(desk.state.specimen) ? source.builtIn(desk.state.specimen) : "";
+			if (typeof builtIn !== "string")
+				builtIn.then(
+					() => desk.setToolState(own, true),
+					() => {},
+				);
+			return () => {};
+		},
+		panel: {
+			group,
+			place: "above",
+			// The editor says so itself, and has the way back.
+			draw: (desk) =>
+				desk.toolState(tool).open
+					? nothing
+					: html`<div class="override">
+					<p>This ${noun} brings a grammar of its own.</p>
+					<div class="actions">
+						<button class="button" type="button" @click=${() => show(desk, tool)}>${EDIT}</button>
+						<button class="button" type="button" @click=${() => drop(desk)}>${words}</button>
+					</div>
+				</div>`,
+		},
+		remedies: [
+			{ words: EDIT, press: (desk) => show(desk, tool) },
+			{ words, press: drop },
+		],
+	};
 	return [
 		tool as Tool<S, G>,
 		...(derived ? [derivationTool(derived) as Tool<S, G>] : []),
@@ -56,30 +99,7 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 			},
 			applies: (specimen) => source.constants !== false && (source.always === true || isOwn(specimen)),
 		},
-		{
-			name: "own-grammar",
-			initial: undefined,
-			applies: isOwn,
-			panel: {
-				group,
-				place: "above",
-				// The editor says so itself, and has the way back.
-				draw: (desk) =>
-					desk.toolState(tool).open
-						? nothing
-						: html`<div class="override">
-					<p>This ${noun} brings a grammar of its own.</p>
-					<div class="actions">
-						<button class="button" type="button" @click=${() => show(desk, tool)}>${EDIT}</button>
-						<button class="button" type="button" @click=${() => drop(desk)}>${words}</button>
-					</div>
-				</div>`,
-			},
-			remedies: [
-				{ words: EDIT, press: (desk) => show(desk, tool) },
-				{ words, press: drop },
-			],
-		},
+		own as Tool<S, G>,
 	];
 }
 

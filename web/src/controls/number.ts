@@ -1,14 +1,13 @@
 import { html, nothing } from "lit";
-import { live } from "lit/directives/live.js";
-import { readIn, type Scale, scaleOf } from "../specimen/lengths";
+import { readIn, readOf, type Scale, scaleOf } from "../specimen/lengths";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
-import { coarseStep } from "./coarse_step";
 import type { Change } from "./desk";
 import { EntryElement } from "./entry_element";
 import { HeldKey } from "./held_key";
 import { OWN_LENGTHS } from "./own_lengths";
+import { sliderRow } from "./slider_row";
 import { symbol } from "./symbol";
-import { handBack, handOver, isForField, readTyped } from "./typed";
+import { refusal } from "./typed";
 
 /**
  * One numeric parameter: a slider and the same number to type. Dragging edits live and is one undo step, as is a run of
@@ -35,32 +34,26 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		const scale = this.#scale;
 		const { key, label } = entry;
 		const { unit } = scale;
-		const read = readIn(scale, value);
+		const read = readOf(entry, scale, value);
 		const own = unit !== entry.unit && this.desk.toolState(OWN_LENGTHS);
-		const [slide, help] = [this.idOf("slide"), this.idOf("help")];
-		return html`<div class="control ${value === this.published ? "" : "changed"}" data-key=${key}>
-			<label for=${slide} @dblclick=${this.reset}>${label}${symbol(entry.symbol)}${own ? html` <small>${value} ${entry.unit}</small>` : nothing}</label>
-			<input
-				type="range" id=${slide} min=${entry.min} max=${entry.max} step=${entry.step} .value=${live(String(value))}
-				aria-valuetext=${`${read} ${spoken(unit)}`.trim()} aria-describedby=${help}
-				@input=${this.#slide} @change=${this.#held.slid} @dblclick=${this.reset}
-				@keydown=${this.#keyDown} @keyup=${this.#held.up} @blur=${this.#held.up}
-			>
-			<input
-				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${String(read)}
-				aria-label=${unit ? `${label} in ${spoken(unit)}` : `${label}, typed`} aria-describedby=${help}
-				@change=${this.#type} @keydown=${this.#fieldKey} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
-			>
-			<span class="unit" aria-hidden="true">${unit}</span>
-			<span class="unseen" id=${help}>${entry.help} ${rangeInWords(entry, scale)} Shift goes ten steps. Enter types a number.</span>
-			</div>
+		return html`<div class="control ${value === this.published ? "" : "changed"}" data-key=${key}>${sliderRow({
+			id: this.idOf("slide"),
+			label: html`${label}${symbol(entry.symbol)}${own ? html` <small>${value} ${entry.unit}</small>` : nothing}`,
+			typedName: unit ? `${label} in ${spoken(unit)}` : `${label}, typed`,
+			min: entry.min,
+			max: entry.max,
+			step: entry.step,
+			value,
+			text: read,
+			unit,
+			spoken: `${read} ${spoken(unit)}`.trim(),
+			help: `${entry.help} ${rangeInWords(entry, scale)}`,
+			held: this.#held,
+			slide: this.#slide,
+			type: this.#type,
+			reset: () => this.reset(),
+		})}</div>
 			${this.#message?.text && this.#message.value === value ? html`<p class="clamped" role="status">${this.#message.text}</p>` : nothing}`;
-	}
-
-	protected override updated(): void {
-		const { min, max } = this.entry;
-		const done = (Number(this.value) - min) / (max - min);
-		this.querySelector<HTMLElement>("input[type=range]")?.style.setProperty("--done", `${done * 100}%`);
 	}
 
 	protected override change(value: number): Change {
@@ -72,56 +65,27 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		super.reset();
 	}
 
-	#slide(event: Event): void {
+	readonly #slide = (value: number): void => {
 		this.#message = undefined;
-		this.#edit(Number((event.target as HTMLInputElement).value));
-		this.requestUpdate(); // Where the value taken is another, the slider goes there too.
-	}
-
-	#edit(value: number): void {
 		this.desk.edit({ ...this.change(value), run: this.#held.run });
-	}
+		this.requestUpdate(); // Where the value taken is another, the slider goes there too.
+	};
 
-	#keyDown(event: KeyboardEvent): void {
-		if (event.key === "Delete" || event.key === "Backspace") this.reset();
-		else if (isForField(event)) handOver(event, this.querySelector("input.typed"));
-		else {
-			this.#held.down(event);
-			this.#stepFar(event);
-		}
-	}
-
-	#stepFar(event: KeyboardEvent): void {
-		const by = coarseStep(this.entry.step, event);
-		if (by === undefined) return;
-		event.preventDefault();
-		this.#message = undefined;
-		this.#edit(Number(this.value) + by);
-	}
-
-	#fieldKey(event: KeyboardEvent): void {
-		handBack(event, readIn(this.#scale, Number(this.value)), this.querySelector("input[type=range]"));
-	}
-
-	#type(event: Event): void {
-		const field = event.target as HTMLInputElement;
-		const typed = readTyped(field.value);
+	readonly #type = (typed: number, text: string): string => {
 		const scale = this.#scale;
 		if (Number.isFinite(typed)) this.desk.set(this.change(typed / scale.per));
 		const value = Number(this.value);
-		this.#message = { text: complaint(this.entry, scale, field.value, typed, value), value };
-		field.value = String(readIn(scale, value));
+		this.#message = { text: complaint(this.entry, scale, text, typed, value), value };
 		this.requestUpdate();
-	}
+		return readOf(this.entry, scale, value);
+	};
 }
 
-/** What to say where the number taken is not the one typed. */
+/** What to say where the number taken is not the one typed; undefined where it is. */
 function complaint(entry: NumberEntry, scale: Scale, text: string, typed: number, value: number): string | undefined {
-	const taken = readIn(scale, value);
-	if (!Number.isFinite(typed)) return `“${text.slice(0, 20)}” is not a number; ${entry.label} stays ${taken}.`;
 	// What is typed finer than it is read was taken all the same.
 	if (Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals)) return undefined;
-	return `${entry.label} takes ${rangeInWords(entry, scale)} ${typed} became ${taken}.`;
+	return refusal(entry.label, rangeInWords(entry, scale), text, typed, readOf(entry, scale, value));
 }
 
 /** "12.5 … 250 mm." */

@@ -105,8 +105,12 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 	press?(desk: Desk<S, G>): void;
 	readonly button?: ToolButton<S, G>;
 	readonly key?: ToolKey;
+	/** Whether letters are its own now: those of the page rest meanwhile. */
+	holdsLetters?(desk: Desk<S, G>): boolean;
 	readonly panel?: ToolPanel<S, G>;
 	readonly bar?: ToolPlace<S, G>;
+	/** Over the 3-D view's lower edge: what is said of something that is chosen there, the ways on from it. */
+	readonly chip?: ToolPlace<S, G>;
 	readonly drop?: ToolDrop<S, G>;
 	readonly editor?: ToolPlace<S, G>;
 	readonly pane?: ToolPane<S, G>;

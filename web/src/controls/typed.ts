@@ -6,6 +6,15 @@ export function readTyped(text: string): number {
 	return plain === "" ? Number.NaN : Number(plain);
 }
 
+/**
+ * What to say where the number taken is not what was typed.
+ * @param range "1 … 21." @param typed NaN where the text is no number @param taken as the field shows it
+ */
+export function refusal(label: string, range: string, text: string, typed: number, taken: string): string {
+	if (!Number.isFinite(typed)) return `“${text.slice(0, 20)}” is not a number; ${label} stays ${taken}.`;
+	return `${label} takes ${range} ${typed} became ${taken}.`;
+}
+
 /** Whether a key on a slider is for the field beside it: Enter, or what a number begins with. */
 export function isForField({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
 	return !ctrlKey && !metaKey && !altKey && (key === "Enter" || /^[-−.,\d]$/.test(key));
@@ -19,7 +28,7 @@ export function handOver(event: KeyboardEvent, field: HTMLInputElement | null): 
 }
 
 /** In the field: Enter takes what was typed, Escape leaves it, and both go back to the slider. */
-export function handBack(event: KeyboardEvent, value: number, slider: HTMLInputElement | null): void {
+export function handBack(event: KeyboardEvent, value: number | string, slider: HTMLInputElement | null): void {
 	if (event.key !== "Enter" && event.key !== "Escape") return;
 	event.preventDefault();
 	if (event.key === "Escape") (event.target as HTMLInputElement).value = String(value);

@@ -55,6 +55,7 @@ function distanceBetween(one: Material, other: Material): number {
 		(one.textures ? 1 : 0) +
 		differs(({ doubleSided = false }) => doubleSided, 0.5) +
 		differs(({ flesh }) => flesh !== undefined, 2) +
+		differs(({ sheet }) => sheet !== undefined, 0.25) +
 		differs(({ sheen }) => sheen !== undefined, 0.25) +
 		differs(({ clearcoat }) => clearcoat !== undefined, 1) +
 		Math.abs(one.roughness - other.roughness)

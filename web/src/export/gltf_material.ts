@@ -1,6 +1,6 @@
-/** Materials as glTF has them; keys of `extensions` are the extensions' names, all ratified. */
+/** Materials as glTF has them; keys of `extensions` are the extensions' names. */
 import type { Colour } from "../plant/colour";
-import type { Material } from "../plant/material";
+import { lightThrough, type Material } from "../plant/material";
 import { rounded } from "./numbers";
 
 const DECIMALS = 6;
@@ -54,11 +54,8 @@ export function gltfMaterial(
 	};
 }
 
-function extensionsOf(
-	{ sheen, ior, specular, clearcoat, flesh }: Material,
-	thickness: number,
-	textures: TextureIndices,
-): Record<string, object> {
+function extensionsOf(material: Material, thickness: number, textures: TextureIndices): Record<string, object> {
+	const { sheen, ior, specular, clearcoat, flesh } = material;
 	const extensions: Record<string, object> = {};
 	if (sheen) {
 		extensions.KHR_materials_sheen = {
@@ -81,7 +78,28 @@ function extensionsOf(
 			attenuationDistance: one(flesh.distance),
 		};
 	}
+	// What flesh lets through it has said already.
+	const through = flesh ? undefined : diffuseTransmission(material, textures);
+	if (through) extensions.KHR_materials_diffuse_transmission = through;
 	return extensions;
+}
+
+/**
+ * What a sheet lets through, of which each colour is to what it throws back as in view. Together they are no more than falls
+ * on it, which glTF asks for, so that what is thrown back is less by as much as comes through.
+ */
+function diffuseTransmission(material: Material, { colour: picture }: TextureIndices): object | undefined {
+	const shares = lightThrough(material);
+	// Base colours are no part of it: it has the same picture, or the colour itself.
+	const pictured = material.textures?.colour !== undefined && picture !== undefined;
+	const colour = pictured ? shares : shares.map((share, k) => share * material.colour[k]);
+	const most = Math.max(...colour);
+	if (!(most > 0)) return undefined;
+	return {
+		diffuseTransmissionFactor: one(most / (1 + most)),
+		diffuseTransmissionColorFactor: colour.map((value) => one(value / most)),
+		...(pictured ? { diffuseTransmissionColorTexture: { index: picture } } : {}),
+	};
 }
 
 function one(value: number): number {

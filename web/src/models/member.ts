@@ -35,6 +35,8 @@ export interface MemberMesh {
 /** One that has grown. */
 export interface Member {
 	readonly specimen: Specimen;
+	/** Of its preset. */
+	readonly title: string;
 	/** Query and fragment that grow it by itself, as it is here. */
 	readonly link: string;
 	/** 16 hexadecimal digits. */

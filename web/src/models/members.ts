@@ -6,6 +6,7 @@ import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 import { CoreError } from "../core/errors";
 import type { Plant } from "../plant/plant";
+import { fromPreset } from "../specimen/from_preset";
 import { encodeLink } from "../specimen/link";
 import { restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
@@ -75,6 +76,7 @@ export async function grownMembers(
 	const notes = new Set<string>();
 	const read = await resolved(model, asked, notes);
 	const looks = kept?.looks ?? new Looks();
+	const order = alikeTogether(asked);
 	const done: (Member | undefined)[] = kept?.keep(asked, meshes) ?? asked.map(() => undefined);
 	const joined = () => members.joined({ ...grown, notes: [...grown.notes, ...notes, ...notesOf(done)] }, [...done]);
 	let count = done.filter(Boolean).length;
@@ -84,7 +86,7 @@ export async function grownMembers(
 	let failed = false;
 	const work = async () => {
 		while (next < asked.length && !failed) {
-			const at = next++;
+			const at = order[next++];
 			if (done[at]) continue;
 			const member = await memberOf(read[at], asked[at], run, meshes, looks);
 			bytes += bytesOf(member);
@@ -105,6 +107,18 @@ export async function grownMembers(
 	);
 	await Promise.all(works);
 	return joined();
+}
+
+/** In which order they are grown: those of one preset one after the other, for cores keep what the next one has of the last. */
+function alikeTogether(asked: readonly MemberAsked[]): readonly number[] {
+	const presets = new Map<string, number[]>();
+	for (const [i, { model, preset }] of asked.entries()) {
+		const key = `${model}/${preset}`;
+		const those = presets.get(key) ?? [];
+		presets.set(key, those);
+		those.push(i);
+	}
+	return [...presets.values()].flat();
 }
 
 /** What was to be said of members, each once, in the order in which they are asked for. */
@@ -148,9 +162,11 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 		models.set(each.model, model);
 		checked(model, each);
 		const { values, seed, preset, surroundings } = each;
+		const own = ownNames(model, each);
 		const restored = restore(model, {
 			...{ model: model.name, preset, seed, surroundings },
 			...whole(model, values),
+			...(own ? namerOf(model)?.named?.(fromPreset(model, preset), own) : {}),
 		});
 		for (const { text } of restored.notes) notes.add(`${each.model}/${preset}: ${text}`);
 		const { specimen } = restored;
@@ -158,6 +174,7 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 		const key = preparedBy(each);
 		keys.push(key);
 		if (fetched.has(key)) continue;
+		if (own) await noStranger(model, specimen, each);
 		const failed = (error: unknown) => {
 			const why = error instanceof Error ? error.message : String(error);
 			notes.add(`${each.model}/${preset}: What it needs could not be fetched: ${why}`);
@@ -179,14 +196,34 @@ function preparedBy({ model, preset, values }: MemberAsked): string {
 	return JSON.stringify([model, preset, telling]);
 }
 
-/** What is drawn is any number; of what is counted, the nearest whole one. */
+/** What reads names that are a text's own. */
+const namerOf = ({ details }: Model) => details.find(({ named }) => named);
+
+/** Values of the text's own names; undefined where all are of the table. */
+function ownNames({ table }: Model, { values }: MemberAsked): Record<string, string> | undefined {
+	const own = Object.entries(values).filter(([key]) => !table.entry(key));
+	return own.length > 0 ? Object.fromEntries(own.map(([key, value]) => [key, String(value)])) : undefined;
+}
+
+/** @throws CoreError at the place of a name that neither the table nor the text has */
+async function noStranger(model: Model, specimen: Specimen, { place, places, preset }: MemberAsked): Promise<void> {
+	const stranger = await namerOf(model)?.stranger?.(specimen);
+	if (!stranger) return;
+	const { name, problem } = stranger;
+	const keys = model.table.entries.map(({ key }) => key).join(", ");
+	throw wrong(
+		`The ${model.noun} has no parameter ${name} (there are ${keys}), and of ${preset} ${problem}.`,
+		places[name] ?? place,
+	);
+}
+
+/** What is drawn is any number; of what is counted, the nearest whole one. What is no parameter is left out. */
 function whole({ table }: Model, values: MemberAsked["values"]): MemberAsked["values"] {
 	const counted = (key: string) => table.entry(key)?.kind === "integer";
 	return Object.fromEntries(
-		Object.entries(values).map(([key, value]) => [
-			key,
-			typeof value === "number" && counted(key) ? Math.round(value) : value,
-		]),
+		Object.entries(values)
+			.filter(([key]) => table.entry(key))
+			.map(([key, value]) => [key, typeof value === "number" && counted(key) ? Math.round(value) : value]),
 	);
 }
 
@@ -197,14 +234,16 @@ async function known(of: Model, { model: name, place }: MemberAsked): Promise<Mo
 	throw wrong(`${why}; there are ${others.join(", ")}.`, place);
 }
 
-function checked({ presets, table, noun }: Model, { preset, values, place, places }: MemberAsked): void {
+function checked(model: Model, { preset, values, place, places }: MemberAsked): void {
+	const { presets, table, noun } = model;
 	if (!presets.named(preset))
 		throw wrong(
 			`There is no ${noun} called ${preset}; there are ${presets.list.map(({ name }) => name).join(", ")}.`,
 			place,
 		);
 	for (const key of Object.keys(values)) {
-		if (table.entry(key)) continue;
+		// What its text calls its own is known when that is there.
+		if (table.entry(key) || (namerOf(model) && typeof values[key] === "number")) continue;
 		const keys = table.entries.map((each) => each.key).join(", ");
 		throw wrong(`The ${noun} has no parameter ${key}; there are ${keys}.`, places[key] ?? place);
 	}
@@ -235,5 +274,6 @@ async function grownMember({ model, specimen }: Read, run: RunCore, meshes: bool
 	const plant = model.read(await run(model.wasm, model.encode(specimen, options)), specimen);
 	const { fingerprint, notes } = plant;
 	const link = await encodeLink(model, specimen);
-	return { specimen, link, fingerprint, notes, ...(await levelsOf(model, plant, specimen, meshes, looks)) };
+	const title = model.presets.named(specimen.preset)?.title ?? model.title;
+	return { specimen, title, link, fingerprint, notes, ...(await levelsOf(model, plant, specimen, meshes, looks)) };
 }

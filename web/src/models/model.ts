@@ -35,6 +35,8 @@ export interface GrowthOptions {
 	steps?: number;
 	/** Which step of the derivation is to be told, of models that have one to tell of (`chronicles`); the default is none. */
 	chronicle?: ChronicleAsked;
+	/** Whether all of its topology is wanted, of models that tell it; the default is yes, but not in passing. */
+	map?: boolean;
 	/** Whether meshes for four distances are wanted, of models that make such (`levels`); the default is no. */
 	levels?: boolean;
 }
@@ -128,6 +130,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	words(grown: G, specimen: S): string;
 	/** What the JSON document has of it besides its segments and organs, or in their place, by key. */
 	record?(grown: G, specimen: S): object;
+	/** Why its JSON document is too large to be sent, and how to ask for less; undefined where it is not. */
+	heavy?(grown: G): string | undefined;
 	/** What files with meshes (glTF) say of it besides what they say of every plant, by key. */
 	extras?(grown: G, specimen: S): Record<string, unknown>;
 	/** A grammar's text out of another form that the model claims; undefined of what is one already. Rejects with a TextError. */

@@ -45,8 +45,8 @@ export interface Material {
 	/** Of sheets without thickness. */
 	doubleSided?: boolean;
 	/**
-	 * Of sheets, what files cannot say: light that comes through, as a factor on what the colour lets pass, and the colour of
-	 * the other side, as a factor on this one's.
+	 * Of sheets: light that comes through, as a factor on what the colour lets pass (`lightThrough`), and the colour of the
+	 * other side, as a factor on this one's, which files cannot say.
 	 */
 	sheet?: { through: Colour; reverse: Colour };
 	/** Fine fibres or wax, seen at grazing angles: linear colour and roughness. */
@@ -91,4 +91,9 @@ const PLAIN: Omit<Material, "name"> = { colour: linear("86a046"), roughness: 0.7
 /** The material of a kind that a model does not dress itself: a kind nobody has heard of is a leaf's matt green. */
 export function standardMaterial(kind: string): Material {
 	return STANDARD[kind] ?? { name: kind.charAt(0).toUpperCase() + kind.slice(1), ...PLAIN };
+}
+
+/** Light that comes through a sheet as a share of what it throws back, colour by colour: what is paler lets more pass. The view does the same pixel by pixel. */
+export function lightThrough({ sheet, colour }: Material): Colour {
+	return (sheet?.through ?? [0, 0, 0]).map((share, k) => share * Math.sqrt(colour[k])) as Colour;
 }

@@ -1,9 +1,12 @@
-import { type Mesh, type Texture, Vector3 } from "three";
+import { type Mesh, type PerspectiveCamera, type Texture, Vector2, Vector3 } from "three";
 import { linear } from "../plant/colour";
 import { FullScreen } from "./full_screen";
 import type { LightRig } from "./light";
 
-/** Paper: a pool of light that comes from the key's side, the plant's shadow, a breath of grain against banding. */
+/** Of the way from horizon to zenith, how soon it is gone. */
+const SKY_RISE = 3;
+
+/** Paper: a pool of light that comes from the key's side, the plant's shadow, a breath of grain against banding. Where someone stands within, a sky. */
 const FRAGMENT = /* glsl */ `
 varying vec2 place;
 uniform sampler2D shadowMap;
@@ -12,6 +15,11 @@ uniform vec3 pool;
 uniform vec3 shade;
 uniform float shadow;
 uniform float aspect;
+uniform float sky;
+uniform vec3 horizon;
+uniform vec3 zenith;
+uniform vec2 sight;
+uniform vec3 rise;
 float grain(vec2 at) {
 	uvec2 c = uvec2(at) * uvec2(0x9e3779b1u, 0x85ebca6bu);
 	uint h = (c.x ^ c.y) * 0x27d4eb2du;
@@ -25,15 +33,19 @@ void main() {
 	// The shadow fades out before the view's edge so that no edge ever cuts it.
 	vec2 rim = 1.0 - smoothstep(vec2(0.7), vec2(1.02), abs(place));
 	paper *= mix(vec3(1.0), shade, shadow * hidden * rim.x * rim.y);
-	gl_FragColor = vec4(paper, 1.0);
+	float high = dot(rise, vec3(place, 1.0)) / length(vec3(sight * place, 1.0));
+	vec3 above = mix(zenith, horizon, exp(-${SKY_RISE.toFixed(1)} * max(high, 0.0)));
+	gl_FragColor = vec4(mix(paper, above, sky), 1.0);
 	#include <colorspace_fragment>
-	gl_FragColor.rgb += grain(gl_FragCoord.xy) * (shadow > 0.0 ? 0.006 : 0.0);
+	gl_FragColor.rgb += grain(gl_FragCoord.xy) * (shadow + sky > 0.0 ? 0.006 : 0.0);
 }
 `;
 
 /** The paper behind everything; not tone-mapped, so that its edges are exactly the page's colour. */
 export class Backdrop {
 	readonly #paper: FullScreen;
+	/** Whether it is neither paper nor sky. */
+	#flat = false;
 
 	constructor(shadowMap: Texture) {
 		this.#paper = new FullScreen({
@@ -46,6 +58,11 @@ export class Backdrop {
 				shade: { value: new Vector3(0.42, 0.36, 0.34) },
 				shadow: { value: 0 },
 				aspect: { value: 1 },
+				sky: { value: 0 },
+				horizon: { value: new Vector3() },
+				zenith: { value: new Vector3() },
+				sight: { value: new Vector2(1, 1) },
+				rise: { value: new Vector3() },
 			},
 			behind: true,
 		});
@@ -62,6 +79,9 @@ export class Backdrop {
 		uniforms.edge.value.fromArray(linear(rig.paper.edge));
 		uniforms.pool.value.fromArray(linear(rig.paper.pool));
 		uniforms.shadow.value = rig.shadow.depth;
+		uniforms.horizon.value.fromArray(linear(rig.sky.horizon));
+		uniforms.zenith.value.fromArray(linear(rig.sky.zenith));
+		this.#flat = false;
 	}
 
 	/** Flat black or white in place of the paper, without shadow or grain. */
@@ -70,6 +90,19 @@ export class Backdrop {
 		uniforms.edge.value.setScalar(grey);
 		uniforms.pool.value.setScalar(grey);
 		uniforms.shadow.value = 0;
+		this.#flat = true;
+	}
+
+	/** Has a sky in place of the paper, as the camera looks at it; the paper again without one. */
+	setSky(camera: PerspectiveCamera | undefined): void {
+		const { sky, sight, rise } = this.#paper.uniforms;
+		sky.value = camera && !this.#flat ? 1 : 0;
+		if (!camera) return;
+		const up = Math.tan((camera.fov * Math.PI) / 360);
+		sight.value.set(up * camera.aspect, up);
+		// How far each way across the view leads up: the world's y of the camera's axes.
+		const { elements } = camera.matrixWorld;
+		rise.value.set(up * camera.aspect * elements[1], up * elements[5], -elements[9]);
 	}
 
 	setAspect(aspect: number): void {

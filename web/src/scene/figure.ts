@@ -55,6 +55,8 @@ export interface Figure<S, G> {
 	setMode(mode: string): void;
 	/** How far above the plant's horizon the view begins, degrees; absent: a little. */
 	readonly elevation?: number;
+	/** Whether it is seen from within, since `prepare`: a sky is then behind it, and no paper. */
+	readonly within?: boolean;
 	/** Settles when nothing of what is shown is still being made; absent where `show` makes all of it. */
 	whenFinished?(): Promise<void>;
 	/** The graphics card has lost all that it was given: what the page has no copy of is made anew. */

@@ -33,6 +33,8 @@ export interface LightRig {
 	shadow: { depth: number; direction: Vector3 };
 	/** The paper: at its edges (the page's own colour) and where the light falls, as sRGB hexadecimal. */
 	paper: { edge: string; pool: string };
+	/** Over who stands within the figure, sRGB hexadecimal: the paper would be black over lit ground. */
+	sky: { horizon: string; zenith: string };
 }
 
 const toward = (x: number, y: number, z: number) => new Vector3(x, y, z).normalize();
@@ -49,6 +51,7 @@ const RIGS: Record<Theme, LightRig> = {
 		],
 		shadow: { depth: 0.42, direction: toward(-0.5, 0.3, 0.85) },
 		paper: { edge: "f4efe4", pool: "fbf8f1" },
+		sky: { horizon: "f6f3ea", zenith: "b4cbdd" },
 	},
 	dark: {
 		key: { direction: toward(-0.66, 0.62, 0.5), half: [0.26, 0.36], irradiance: [4.3, 4.0, 3.55], bars: 0.022 },
@@ -61,6 +64,7 @@ const RIGS: Record<Theme, LightRig> = {
 		],
 		shadow: { depth: 0.7, direction: toward(-0.5, 0.3, 0.85) },
 		paper: { edge: "14100e", pool: "33271f" },
+		sky: { horizon: "9a8d88", zenith: "29334a" },
 	},
 };
 

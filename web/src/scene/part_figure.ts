@@ -35,8 +35,8 @@ const CELL = {
 };
 
 /**
- * The figure of any model that gives parts: drawn in three's standard material under the stage's light. `pick` counts what
- * is drawn in the order of the parts, each instance by itself; of meshes with `cells` it is those.
+ * The figure of any model that gives parts: drawn in three's standard material under the stage's light. `pick` gives the cell of
+ * meshes with `cells`; what has none is counted in the order of the parts, each instance by itself, from behind the last cell on.
  */
 export class PartFigure<S, G> implements Figure<S, G> {
 	readonly modes = ["whole"];
@@ -50,6 +50,8 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	readonly #swayOf: (grown: G) => Sway | undefined;
 	#sway: Sway | undefined;
 	#shown: PartMeshes;
+	/** One more than the last cell of any mesh. */
+	#cells = 0;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 	/** 3 × points that the view is to hold besides. */
 	#about: Float32Array = new Float32Array(0);
@@ -81,6 +83,7 @@ export class PartFigure<S, G> implements Figure<S, G> {
 		const parts = [...this.#parts(grown, specimen)];
 		this.#wardrobe.change();
 		this.#shown = new PartMeshes(parts, this.#wardrobe);
+		this.#cells = cellsIn(this.#shown.objects);
 		for (const object of this.#shown.objects) {
 			if (object.material.userData.blown) object.customDepthMaterial = this.#depth;
 			this.#stage.root.add(object);
@@ -115,10 +118,10 @@ export class PartFigure<S, G> implements Figure<S, G> {
 		if (!hit) return undefined;
 		const cells = cellsOf(hit.object as PartObject);
 		if (cells) return cells[hit.faceIndex ?? 0];
-		let before = 0;
+		let before = this.#cells;
 		for (const object of this.#shown.objects) {
 			if (object === hit.object) break;
-			before += countOf(object);
+			if (!cellsOf(object)) before += countOf(object);
 		}
 		return before + (hit.instanceId ?? 0);
 	}
@@ -126,7 +129,7 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	mark(picked: number | undefined): void {
 		this.#unmark();
 		if (picked === undefined) return;
-		let left = picked;
+		let left = picked - this.#cells;
 		for (const object of this.#shown.objects) {
 			const cells = cellsOf(object);
 			if (cells) this.#lightCell(object, cells, picked);
@@ -181,6 +184,13 @@ export class PartFigure<S, G> implements Figure<S, G> {
 }
 
 const cellsOf = ({ userData }: PartObject): Uint32Array | undefined => userData.cells;
+
+/** One more than the last cell of any mesh. */
+function cellsIn(objects: readonly PartObject[]): number {
+	let count = 0;
+	for (const object of objects) for (const cell of cellsOf(object) ?? []) count = Math.max(count, cell + 1);
+	return count;
+}
 
 function lightened(of: PartObject["material"]): PartObject["material"] {
 	const material = of.clone();

@@ -120,6 +120,7 @@ export class Stage<S, G> implements Drawable {
 		this.#backdrop.setAspect(camera.aspect);
 		this.#light.aim(camera);
 		if (this.#filled) this.#figure?.prepare(camera);
+		this.#backdrop.setSky(this.#filled && this.#figure?.within ? camera : undefined);
 		this.#shadow.draw(renderer, camera, paper);
 		renderer.render(this.scene, camera);
 	}

@@ -121,7 +121,7 @@ const LAMP = "getDirectionalLightInfo( directionalLight, directLight );";
 
 const SHEET = "uniform vec3 sheetThrough;\nuniform vec3 sheetReverse;\n";
 
-/** Light of both lamps and of the surroundings that falls on the other side, as it comes out on this one. */
+/** Light of both lamps and of the surroundings that falls on the other side, as it comes out on this one: `lightThrough` (plant/material.ts). */
 const THROUGH = /* glsl */ `
 vec3 behind = 0.6 * PI * diffuse_surroundings(-normal);
 for (int i = 0; i < NUM_DIR_LIGHTS; i++) {

@@ -2,7 +2,7 @@
  * The address of a specimen's file. Two ways to write one:
  *
  * - `specimens/riesling.glb?seed=7&age=80`, `specimens/leaf/oak.low.glb?file-triangles=5000`, `specimens/tree.json`: a preset, and in the query what is to be
- *   otherwise. Typed by hand: what cannot be used is refused.
+ *   otherwise: parameters, and values that the text of a grammar or a flower gives a name. Typed by hand: what cannot be used is refused.
  * - `specimens/any-name.glb?v=2&preset=riesling&seed=7`, `specimens/v=2&preset=riesling&seed=7/any-name.glb`: a link, in the query or as
  *   a folder, so that a file's neighbours (an OBJ's materials) have addresses beside it. Links are for ever: what cannot be used
  *   is brought into range as everywhere, with a note. Texts that a link has in its fragment, which no server is sent, come as
@@ -13,7 +13,7 @@ import { isModel, modelNamed } from "../models/index";
 import type { Model } from "../models/model";
 import { decodeLink, modelInQuery } from "../specimen/link";
 import type { Note } from "../specimen/notes";
-import { isKnown } from "../specimen/restore";
+import { isKnown, restore } from "../specimen/restore";
 import { SPECIMEN_VERSION, type Specimen } from "../specimen/specimen";
 import { Refused } from "./refused";
 
@@ -30,6 +30,8 @@ export interface Asked {
 	readonly options: FileOptions;
 	/** Whether measures are to be worked out for a JSON document. */
 	readonly measures: boolean;
+	/** Whether such a document is to tell all of the plant's topology, where its model has one. */
+	readonly map: boolean;
 }
 
 /** Longer ones are not read. */
@@ -39,7 +41,7 @@ const FOLDER = "/specimens/";
 const HOW = "write specimens/PRESET.glb?seed=7, or specimens/NAME.glb?v=2&… with a link’s query";
 
 /** What a query says of the file, not of the specimen, as `file-triangles` and so on. */
-export const FILE_KEYS = ["triangles", "thickness", "points", "translucent", "textures", "measures"] as const;
+export const FILE_KEYS = ["triangles", "thickness", "points", "translucent", "textures", "measures", "map"] as const;
 type FileKey = (typeof FILE_KEYS)[number];
 
 /** @throws Refused where it means no file of a specimen */
@@ -65,6 +67,7 @@ export async function readAddress({ pathname, search, href }: URL): Promise<Aske
 		ending,
 		options: optionsOf(own),
 		measures: readSwitch("measures", own.get("measures")) ?? true,
+		map: readSwitch("map", own.get("map")) ?? true,
 	};
 }
 
@@ -81,17 +84,23 @@ async function readPreset(folder: string | undefined, preset: string, query: URL
 	const model = await modelNamed(bare ? preset : folder);
 	if (!bare && !model.presets.named(preset))
 		throw new Refused(404, `the ${model.noun} has no preset “${preset.slice(0, 60)}”; there are ${presetsOf(model)}`);
-	const unknown = [...query.keys()].find((key) => !isKnown(model, key) && !packedKeys(model).includes(key));
-	if (unknown !== undefined)
-		throw new Refused(400, `${unknown.slice(0, 60)}: no parameter of the ${model.noun} has that key`);
+	const unknown = [...query.keys()].filter((key) => !isKnown(model, key) && !packedKeys(model).includes(key));
+	const namer = model.details.find(({ named }) => named);
+	if (unknown.length > 0 && !namer)
+		throw new Refused(400, `${unknown[0].slice(0, 60)}: no parameter of the ${model.noun} has that key`);
+	const own = Object.fromEntries(unknown.map((key) => [key, taken(query, key) ?? ""]));
 	const start = [
 		["v", `${SPECIMEN_VERSION}`],
 		["model", model.name],
 		["preset", bare ? model.presets.standard : preset],
 	];
 	const named = new URLSearchParams([...start, ...query]);
-	const { specimen, notes } = await decode(model, named);
-	if (notes.length > 0) throw new Refused(400, `${notes[0].key}: ${notes[0].problem}`);
+	const { specimen: linked, notes } = await decode(model, named);
+	const { specimen, notes: more } = restore(model, namer?.named?.(linked, own), linked);
+	const [note] = [...notes, ...more];
+	if (note) throw new Refused(400, `${note.key}: ${note.problem}`);
+	const stranger = await namer?.stranger?.(specimen);
+	if (stranger) throw new Refused(400, `${stranger.name}: ${stranger.problem}`);
 	return { model, specimen, notes };
 }
 

@@ -51,7 +51,7 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 
 	async function grow(
 		{ model, specimen, notes }: Asked,
-		options: { meshes: boolean; measures: boolean },
+		options: { meshes: boolean; measures: boolean; map: boolean },
 	): Promise<Plant> {
 		try {
 			const grown = untimed(await growPlant(model, specimen, options, run));
@@ -70,10 +70,13 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 		const asked = await readAddress(new URL(request.url));
 		const format = formatOf(asked);
 		const link = await encodeLink(asked.model, asked.specimen);
-		const address = JSON.stringify([link, format, asked.options, asked.measures, release]);
+		const address = JSON.stringify([link, format, asked.options, asked.measures, asked.map, release]);
 		const before = known.tag(address);
 		if (before && matches(request, before)) return unchanged(before);
-		const plant = await grow(asked, { meshes: format !== "json", measures: asked.measures });
+		const json = format === "json";
+		const plant = await grow(asked, { meshes: !json, measures: asked.measures, map: asked.map && json });
+		const heavy = json ? asked.model.heavy?.(plant) : undefined;
+		if (heavy !== undefined) throw new Refused(413, heavy);
 		const tag = `"${plant.fingerprint}-${crc32(encoder.encode(address))}"`;
 		known.keep(address, tag);
 		if (matches(request, tag)) return unchanged(tag);

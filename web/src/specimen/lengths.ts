@@ -33,3 +33,8 @@ export function readIn({ per, decimals }: Scale, value: number): number {
 	const tens = 10 ** decimals;
 	return Math.round(value * per * tens) / tens;
 }
+
+/** A value of an entry as a field shows it. */
+export function readOf({ zero }: { readonly zero?: string }, scale: Scale, value: number): string {
+	return value === 0 && zero !== undefined ? zero : String(readIn(scale, value));
+}

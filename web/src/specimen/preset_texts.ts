@@ -1,5 +1,7 @@
 /** The texts that presets of a model grow by. They are no part of what a page loads first: all come together when one is asked for. */
 
+import { comesOf } from "./altered_text";
+
 /** What is known of a preset before its text is there. */
 interface Named {
 	readonly name: string;
@@ -12,6 +14,24 @@ export interface PresetTexts {
 	fetchTexts(): Promise<void>;
 	/** What a document grows by: its own text, or its preset's; undefined where that has not been fetched. */
 	fetchedText(document: { readonly grammar?: string | undefined; readonly preset: string }): string | undefined;
+}
+
+/**
+ * What a plant with a text of its own is called; undefined of one that grows by its preset's, be it altered. Before that has been fetched
+ * nobody can tell.
+ */
+export function titledBy(own: string, fetchedText: PresetTexts["fetchedText"]) {
+	return ({
+		grammar,
+		preset,
+	}: {
+		readonly grammar?: string | undefined;
+		readonly preset: string;
+	}): string | undefined => {
+		if (grammar === undefined) return undefined;
+		const published = fetchedText({ preset });
+		return published !== undefined && comesOf(grammar, published) ? undefined : own;
+	};
 }
 
 export function presetTexts(

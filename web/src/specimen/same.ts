@@ -5,9 +5,9 @@ export function sameSpecimen<S extends Specimen>(a: S, b: S): boolean {
 	return alike(a, b);
 }
 
-/** Whether two specimens grow the same plant; colours do not count. */
+/** Whether two specimens are sure to grow the same plant; colours do not count. Another preset may bring another text. */
 export function growsAlike<S extends Specimen>(a: S, b: S): boolean {
-	return alike({ ...a, look: b.look, preset: b.preset }, b);
+	return alike({ ...a, look: b.look }, b);
 }
 
 /** Equality of plain data; what is undefined is absent. */

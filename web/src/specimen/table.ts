@@ -39,6 +39,8 @@ interface Numeric extends Common {
 
 export interface NumberEntry extends Numeric {
 	readonly kind: "number" | "integer";
+	/** What is read in place of 0, where that leaves a number to the text: "auto". */
+	readonly zero?: string;
 }
 
 /** One of a few named options; its number is the place among them. */
@@ -69,6 +71,8 @@ export interface Group {
 	readonly everyday?: boolean;
 	/** Whether a first visit finds it closed. */
 	readonly closed?: boolean;
+	/** Whether it stands at the panel's end: what comes and goes while a hand moves something else. */
+	readonly last?: boolean;
 	/** Whether the panel may do without its help. */
 	readonly plain?: boolean;
 }

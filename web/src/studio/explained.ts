@@ -1,5 +1,5 @@
 /** One sentence about whatever of the panel is under the pointer or in focus: a parameter or a measure. */
-import { readIn, type Scale, scaleOf } from "../specimen/lengths";
+import { readIn, readOf, type Scale, scaleOf } from "../specimen/lengths";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 import { type Entry, valueIn } from "../specimen/table";
@@ -12,7 +12,8 @@ export interface Explained {
 	readonly text: string;
 }
 
-export const FIRST_WORDS = "Drag a handle or a slider. Double-click a slider to bring its preset's value back.";
+export const FIRST_WORDS =
+	"What is under the pointer is explained here. Double-click a slider to bring its preset's value back.";
 
 /** What the panel's `data-key` stands for; measures have `measure-` before their key. */
 export function explainedBy(species: Species, specimen: Specimen, key: string): Explained | undefined {
@@ -35,7 +36,8 @@ export function presetInWords(species: Species, preset: Specimen, key: string): 
 	if (!entry) return undefined;
 	const value = valueIn(preset, entry);
 	if (entry.kind === "choice") return entry.options[Number(value)];
-	return typeof value === "number" ? String(readIn(scaleOf(species, preset, entry), value)) : value;
+	if (typeof value !== "number" || entry.kind === "colour") return String(value);
+	return readOf(entry, scaleOf(species, preset, entry), value);
 }
 
 function range(entry: Entry, scale: Scale): string {

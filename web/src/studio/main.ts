@@ -108,8 +108,8 @@ function draw(studio: Studio): void {
 	// Tabs and bookmarks are told apart by what they hold.
 	let named: readonly unknown[] | undefined;
 	const nameTab = () => {
-		const { model, specimen, face } = studio.state;
-		const shown = [model, face, ...allBut(specimen, runningBy(face?.tools))];
+		const { model, specimen, face, tools } = studio.state;
+		const shown = [model, face, tools, ...allBut(specimen, runningBy(face?.tools))];
 		if (named && !changed(named, shown)) return;
 		named = shown;
 		document.title = `${titleOf(specimen, model, face?.tools)} ${specimen.seed} · Panicle`;

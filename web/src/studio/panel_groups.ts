@@ -12,14 +12,17 @@ export interface PanelGroup {
 }
 
 /**
- * The groups with anything in them: those that tools bring, then the table's in its order.
+ * The groups with anything in them: those that tools bring, then the table's in its order, then what tools have for the end.
  * @param tools those that mean anything to the specimen
  */
 export function groupsFor(table: Table, specimen: Specimen, tools: readonly Tool[]): readonly PanelGroup[] {
 	const elsewhere = new Set(tools.flatMap(({ parameters = [] }) => parameters));
 	const heeded = table.entries.filter((entry) => table.heeds(specimen, entry) && !elsewhere.has(entry.key));
 	const brought = tools.flatMap(({ panel }) => (typeof panel?.group === "object" ? [panel.group] : []));
-	return [...new Set(brought), ...table.groups]
+	const [last, first] = [true, false].map((end) =>
+		[...new Set(brought)].filter((group) => (group.last ?? false) === end),
+	);
+	return [...first, ...table.groups, ...last]
 		.map((group) => {
 			const own = tools.filter(({ panel }) => panel?.group === group.key || panel?.group === group);
 			return {

@@ -34,11 +34,13 @@ function letterOf(event: KeyboardEvent, studio: Studio, { help }: Opens): (() =>
 	if (!studio.state.ui.letters) return undefined;
 	// "?" may need Shift; no letter does.
 	if (event.shiftKey && event.key !== "?") return undefined;
+	const { face, specimen } = studio.state;
+	const tools = applying(face?.tools, specimen);
+	if (tools.some((tool) => tool.holdsLetters?.(studio))) return undefined;
 	const pressed = event.key.toLowerCase();
 	if (pressed === "n") return () => studio.newVariation();
 	if (pressed === "?") return help;
-	const { face, specimen } = studio.state;
-	const tool = applying(face?.tools, specimen).find(({ key }) => key?.letter === pressed);
+	const tool = tools.find(({ key }) => key?.letter === pressed);
 	return tool && (() => tool.press?.(studio));
 }
 

@@ -19,7 +19,9 @@ export function titleOf(specimen: Specimen, model: Model, tools: readonly Tool[]
 export function isAltered(specimen: Specimen, model: Model, tools: readonly Tool[] = []): boolean {
 	const preset = presetOf(model, specimen.preset);
 	const values = Object.fromEntries(runningBy(tools).map((key) => [key, preset.parameters[key]]));
-	return !growsAlike(withParameters(model, { ...specimen, seed: preset.seed }, values), preset);
+	// A name that no preset has stands for the first.
+	const named = { ...specimen, seed: preset.seed, preset: preset.preset };
+	return !growsAlike(withParameters(model, named, values), preset);
 }
 
 /** The last one: a life that runs asks for it at every frame. */

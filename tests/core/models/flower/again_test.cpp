@@ -20,6 +20,8 @@ struct Asked {
   float age = 1, smooth = 1;
   std::uint32_t seed = 1;
   std::string outputs = "meshes";
+  std::string names = "";
+  std::vector<float> values = {};
 };
 
 Result<Plant> ask(const Asked& asked, Keeping* kept) {
@@ -31,8 +33,10 @@ Result<Plant> ask(const Asked& asked, Keeping* kept) {
     return ColumnView{block, element_of<Value>(), 1, static_cast<std::uint32_t>(values.size()),
                       reinterpret_cast<const std::uint8_t*>(values.data())};
   };
-  const std::vector<ColumnView> blocks{view("model", name), view("outputs", asked.outputs), view("text", asked.text),
-                                       view("parameters", parameters), view("seed", seed)};
+  const std::vector<ColumnView> blocks{view("model", name),         view("outputs", asked.outputs),
+                                       view("text", asked.text),    view("parameters", parameters),
+                                       view("seed", seed),          view("values.names", asked.names),
+                                       view("values", asked.values)};
   Request request(blocks, nullptr, kept);
   return model.grow(request, Limits{});
 }
@@ -125,7 +129,7 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
     std::string before = answer(asked, &kept);
     for (int i = 0; i < 60; ++i) {
       // Mostly a figure of the text, sometimes the panel's, and back.
-      switch (drawn(8)) {
+      switch (drawn(9)) {
         case 0:
           asked.text = whole;
           asked.seed = static_cast<std::uint32_t>(1 + drawn(2));
@@ -136,8 +140,15 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
         case 2:
           asked.smooth = static_cast<float>(drawn(3));
           break;
-        case 3:
-          asked.outputs = drawn(2) == 0 ? "meshes sky measures map" : "measures";
+        case 3: {
+          const std::size_t at = drawn(3);
+          asked.names = std::vector<std::string>{"", "rd", "rd nothing"}[at];
+          asked.values = std::vector<std::vector<float>>{{}, {static_cast<float>(drawn(9))}, {3, 4}}[at];
+          break;
+        }
+        case 4:
+          asked.outputs =
+              std::vector<std::string>{"meshes sky measures map", "measures", "levels", "levels measures"}[drawn(4)];
           break;
         default: {
           const auto [from, to] = all[drawn(all.size())];
@@ -154,6 +165,34 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
     }
   }
   CHECK(changed > 100);
+}
+
+TEST_CASE("a value in a request takes the place of a variable's, and one that the text does not have is told") {
+  const std::string text =
+      "#define k=3\n#define own=1\n#define A(4,0,0,0,k,2,2,1)\n#axiom: A\n#module M\n#define j=1\n"
+      "#define B(4)\n#axiom: B";
+  const auto grown = [&](const std::string& names, std::vector<float> values) {
+    return sound(ask({text, 1, 1, 1, "measures", names, std::move(values)}, nullptr));
+  };
+  CHECK(grown("", {}).measures[0] == doctest::Approx(0.3));
+  CHECK(grown("own k", {1, 8}).measures[0] == doctest::Approx(0.8));
+  const Plant strange = grown("k j", {8, 5});
+  CHECK(strange.measures[0] == doctest::Approx(0.8));
+  REQUIRE(strange.notes.size() == grown("k", {8}).notes.size() + 1);
+  CHECK(strange.notes.back() == "The text has no #define j=, so a value of it changes nothing; it has k, own.");
+}
+
+TEST_CASE("an m that is no material is told with the line that gives it") {
+  const auto noted = [](const std::string& text, std::string_view words) {
+    const Plant plant = sound(ask({text}, nullptr));
+    return std::any_of(plant.notes.begin(), plant.notes.end(),
+                       [&](const std::string& note) { return note.find(words) != std::string::npos; });
+  };
+  const std::string rest = "\n#define B(4,0,0,0,2,2,2,1)\n#axiom: A\n#define finalStep=4\n";
+  CHECK(noted("#define A(4,0,0,0,2,2,2,999)" + rest + "A -> A[A]_{E}", "Line 1: A has m 999; a material's number"));
+  CHECK(noted("#define A(4,0,0,0,2,2,2,1)" + rest + "A{}{step==1}{} -> A[B(,,,,,,,1.5)]_{E}\nB -> B[B]_{E}",
+              "Line 5: B has m 1.5"));
+  CHECK_FALSE(noted("#define A(4,0,0,0,2,2,2,255)" + rest + "A -> A[A]_{E}", "has m"));
 }
 
 TEST_CASE("figures that only place the map are no part of its bones") {

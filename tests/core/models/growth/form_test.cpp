@@ -356,3 +356,26 @@ TEST_CASE("what is too much is refused in words, before memory is asked for it")
   habit.many = 12;
   CHECK(add_leaves(plant, tree.population, tree.form, at(tree, 9), 9, habit, few).reason == Reason::limit);
 }
+
+TEST_CASE("leaves that are worked out together hang as each does alone") {
+  // One that is to fall long after now is no other leaf yet, and parts those about it.
+  Tree tree = tree_of("tree -> DivFunc(\"sigma1\"){branches}\nk >= 1 -> foliage(7)\n", 5);
+  const Moment moment = at(tree, 5);
+  const auto organs = [&] {
+    LeafHabit habit;
+    habit.many = 3;
+    Plant plant;
+    CHECK(add_leaves(plant, tree.population, tree.form, moment, 5, habit, Limits{}).reason == Reason::none);
+    return plant.organs;
+  };
+  const auto together = organs();
+  for (std::size_t l = 0; l < tree.population.leaves.size(); l += 2) tree.population.leaves[l].falls = 4000;
+  const auto alone = organs();
+  REQUIRE(together.size() == alone.size());
+  REQUIRE(together.size() > 100);
+  for (std::size_t i = 0; i < together.size(); ++i) {
+    CHECK(together[i].position == alone[i].position);
+    CHECK(together[i].rotation == alone[i].rotation);
+    CHECK(together[i].scale == alone[i].scale);
+  }
+}

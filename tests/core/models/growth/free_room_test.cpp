@@ -102,6 +102,29 @@ TEST_CASE("the quick search finds the places that the plain one finds") {
   CHECK(doubtful < 40);
 }
 
+TEST_CASE("a place that is no number is not free, and a node that is none takes no room") {
+  const float none = std::nanf("");
+  const FreeRoom::Look look{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, 1, 0.5f, 1};
+  const auto free = [](const FreeRoom::Look& at, const std::vector<glm::vec3>& nodes) {
+    FreeRoom room;
+    room.lay(nodes, 1);
+    return room.about(at, VolumeShape(GrowthVolume{}), Surroundings{});
+  };
+  const std::vector<glm::vec3> nodes = {{0, 1, 0}, {0, 1.5f, 0}};
+  const float usual = free(look, nodes).sum;
+  CHECK(usual > 0);
+  for (const std::vector<glm::vec3>& about : {nodes, std::vector<glm::vec3>{}}) {
+    FreeRoom::Look lucky = look, lost = look, boundless = look;
+    lucky.luck = lost.tip.x = boundless.radius = none;
+    for (const FreeRoom::Look& each : {lucky, lost, boundless}) {
+      const FreeRoom::Found found = free(each, about);
+      CHECK(found.sum == 0);
+      CHECK(found.middle == glm::vec3(0));
+    }
+  }
+  CHECK(free(look, {nodes[0], nodes[1], {none, 1, 0}, {0, none, none}}).sum == usual);
+}
+
 TEST_CASE("where all places about one are said to be within the room, they are") {
   int sure = 0;
   for (std::uint64_t k = 0; k < 300; ++k) {

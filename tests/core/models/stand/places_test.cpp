@@ -118,6 +118,24 @@ TEST_CASE("stand: rows run where they are told, as far apart as said, and fill t
   CHECK(off <= 0.5f);
 }
 
+TEST_CASE("stand: asked for fewer, rows about the middle are whole, and the last of them is begun at its middle") {
+  // Five rows of eleven.
+  for (const char* const count : {"plants", "plants 55"}) {
+    const std::string text = "ground 20 x 20\n" + std::string(count) + ", rows 4 x 2\na/b";
+    CHECK(laid(text).plants.size() == 55);
+    const auto plants = laid(text, 1, 25).plants;
+    REQUIRE(plants.size() == 25);
+    const auto in_row = [&](float z) {
+      return std::count_if(plants.begin(), plants.end(), [&](const Placement& each) { return each.at.z == z; });
+    };
+    CHECK(in_row(0) == 11);
+    CHECK(in_row(-4) == 11);
+    CHECK(in_row(4) == 3);
+    for (const Placement& plant : plants)
+      if (plant.at.z == 4) CHECK(std::abs(plant.at.x) <= 2);
+  }
+}
+
 TEST_CASE("stand: however rows run, all of their places that lie in the strip are taken") {
   for (const int towards : {0, 1, 30, 45, 90, 137, 180, -89, -270}) {
     CAPTURE(towards);

@@ -35,6 +35,18 @@ describe("a flower", () => {
 		}
 	});
 
+	it("has the same measures, counts and notes where no meshes are asked for", () => {
+		const specimen = {
+			...fromPreset(model, "figure-16"),
+			grammar: "#define A(6,0,0,0,9,3,3,300)\n#axiom: A\nA -> A[A]_{E}",
+		};
+		const [with_, without] = [true, false].map((meshes) => exportJson(model, grow(specimen, { meshes }), specimen));
+		expect(without.measures.surface).toBeGreaterThan(1);
+		expect(without.counts.triangles).toBeGreaterThan(100);
+		expect([without.measures, without.counts, without.notes]).toEqual([with_.measures, with_.counts, with_.notes]);
+		expect(without.notes?.join()).toContain("Line 1: A has m 300");
+	});
+
 	it("tells its map in the JSON document, whose αs are involutions as they must be", () => {
 		const specimen = fromPreset(model, "petal");
 		const grown = grow(specimen);
@@ -59,6 +71,16 @@ describe("a flower", () => {
 			for (const a of [a1, a2, a3]) must("corner", `${position[a[dart]]}` === `${position[dart]}`);
 		}
 		expect(wrong).toEqual([]);
+		// As docs/generalized-maps.md numbers darts: of one that no split has touched the face follows from the number.
+		const faceOf = (dart: number) => {
+			const [n, at] = [order[volume[dart]], dart - volume.indexOf(volume[dart])];
+			return at < 2 * n ? 0 : at < 4 * n ? 1 : 2 + Math.floor((at - 4 * n) / 8);
+		};
+		const few = Array.from({ length: 40 }, (_, i) => Math.floor((i * volume.length) / 40));
+		for (const dart of few) {
+			expect([a0, a1].map((a) => faceOf(a[dart]))).toEqual([faceOf(dart), faceOf(dart)]);
+			expect(faceOf(a2[dart])).not.toBe(faceOf(dart));
+		}
 	});
 
 	it("is closed in all its skin, and each triangle faces outwards", () => {
@@ -108,7 +130,7 @@ describe("a flower", () => {
 	});
 
 	it("is known by its text", () => {
-		const [{ claims }] = model.details;
+		const claims = model.details.find((each) => each.claims)?.claims;
 		expect(claims?.("#define A(4)\n#axiom: A\nA -> A[A]_ {E}")).toBe(true);
 		expect(claims?.("#axiome: A\nA->A[&B]C1,C2")).toBe(true);
 		expect(claims?.("axiom: A\nA --> F[+A]F")).toBe(false);

@@ -12,8 +12,8 @@ export interface Organ {
 const HEIGHT = 5;
 const BREADTH = 6;
 
-/** Petals, sepals and leaves with a vein and lobes, and small ones that are a chain. */
-export function organsOf({ volumes }: FlowerPlant): Organ[] {
+/** A plant's volumes, by number: what they are called, their sizes, and the chains they make. */
+function chainsOf({ volumes }: FlowerPlant) {
 	const { labels, label, parent, values } = volumes;
 	const name = (v: number) => labels[label[v]];
 	const value = (v: number, field: number) => values[9 * v + field];
@@ -23,20 +23,37 @@ export function organsOf({ volumes }: FlowerPlant): Organ[] {
 	const chain = (v: number | undefined, is: RegExp): number[] =>
 		v === undefined ? [] : [v, ...chain(next(v, is), is)];
 	const long = (all: readonly number[]) => all.reduce((sum, v) => sum + value(v, HEIGHT), 0);
-	const organs: Organ[] = [];
-	for (let v = 0; v < label.length; v++) {
-		const kind = name(v);
-		const begins = (kind === "VEIN" || kind === "B") && name(parent[v]) !== kind;
-		if (!begins) continue;
-		const axis = chain(v, new RegExp(`^${kind}$`));
+	/** Those that are so called and do not stand on another such. */
+	const begin = (kinds: readonly string[]) =>
+		[...label.keys()].filter((v) => kinds.includes(name(v)) && name(parent[v]) !== name(v));
+	return { name, value, parent, next, chain, long, begin };
+}
+
+/** Petals, sepals and leaves with a vein and lobes, and small ones that are a chain. */
+export function organsOf(plant: FlowerPlant): Organ[] {
+	const { name, value, parent, next, chain, long, begin } = chainsOf(plant);
+	return begin(["VEIN", "B"]).map((v) => {
+		const axis = chain(v, new RegExp(`^${name(v)}$`));
 		const widths = axis.map((each) =>
-			kind === "B"
+			name(v) === "B"
 				? value(each, BREADTH)
 				: long(chain(next(each, /^RM1$/), /^RM/)) + long(chain(next(each, /^LM1$/), /^LM/)) + value(each, BREADTH),
 		);
-		organs.push({ bearer: name(parent[v]), length: long(axis), width: Math.max(...widths) });
-	}
-	return organs;
+		return { bearer: name(parent[v]), length: long(axis), width: Math.max(...widths) };
+	});
+}
+
+/** Filaments, styles, achenes: each a chain of prisms that are called `kind`, as thick as its thickest. */
+export function rodsOf(plant: FlowerPlant, kind: string): Organ[] {
+	const { name, value, parent, chain, long, begin } = chainsOf(plant);
+	return begin([kind]).map((v) => {
+		const axis = chain(v, new RegExp(`^${kind}$`));
+		return {
+			bearer: name(parent[v]),
+			length: long(axis),
+			width: Math.max(...axis.map((each) => value(each, BREADTH))),
+		};
+	});
 }
 
 /** How wide all is that is petal, millimetres: the mean along x and z. */

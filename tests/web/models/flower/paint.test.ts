@@ -57,6 +57,29 @@ describe("the paint of organs", () => {
 		expect(pictureOf({ ...PLAIN, foot: 0.3 }).picture).not.toBe(pictureOf(PLAIN).picture);
 	});
 
+	it("is called what the text calls it, in a file too: three layers are three primitives", async () => {
+		await model.prepare(fromPreset(model));
+		expect(parts('petal "ff0000" name "upper epidermis"').map(({ name }) => name)).toEqual(["Upper epidermis"]);
+		expect(parts('petal "ff0000"').map(({ name }) => name)).toEqual(["Petal"]);
+		for (const [preset, of] of [
+			["petal", ""],
+			["tulip", "tepal, "],
+		]) {
+			const specimen = fromPreset(model, preset);
+			const plant = readFlowerPlant(core.grow(model.encode(specimen)));
+			const about = await aboutPlant(model, plant, specimen, "https://example.org/");
+			const { nodes, materials } = documentOf(exportGlb([...model.parts(plant)], about, {}));
+			for (const all of [nodes, materials]) {
+				const names = (all ?? []).map(({ name }: { name?: string }) => name?.toLowerCase());
+				for (const layer of ["upper epidermis", "mesophyll", "lower epidermis"])
+					expect(
+						names.filter((name) => name === of + layer),
+						preset,
+					).toHaveLength(1);
+			}
+		}
+	});
+
 	it("lets light through petals, and as much as the text says", () => {
 		const through = (material: string) => parts(material)[0].shape?.material.sheet?.through[0];
 		expect(through('petal "ff0000" light 0.8')).toBeCloseTo(2 * (through('petal "ff0000" light 0.4') ?? 0));
@@ -83,6 +106,7 @@ describe("the paint of organs", () => {
 		const { images, materials = [] } = documentOf(glb);
 		expect(images).toHaveLength(1);
 		expect(materials[0].pbrMetallicRoughness.baseColorTexture).toBeDefined();
+		expect(materials[0].extensions).toHaveProperty("KHR_materials_diffuse_transmission");
 	});
 
 	it("reads what the core says of it", () => {

@@ -1,11 +1,13 @@
 import fc from "fast-check";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
+import { isEdited } from "../../../../web/src/models/flower/design/choose";
 import { usual } from "../../../../web/src/models/flower/design/description";
 import { assembled, designOf } from "../../../../web/src/models/flower/design/design";
 import { readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
 import { fetchedText, fetchTexts } from "../../../../web/src/models/flower/texts";
+import { grammarOfXml } from "../../../../web/src/models/flower/xml/designed";
 import { textOfXml } from "../../../../web/src/models/flower/xml/read";
 import { xmlOf } from "../../../../web/src/models/flower/xml/write";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
@@ -88,6 +90,17 @@ describe("a flower's grammar as XML", () => {
 		const [amid, none] = ["A ->\n@organ stem@\nA[A]_{E}", "A -> @organ stem@ A[A]_{E}\n@organ thorn@"];
 		expect(textOfXml(xmlOf(amid))).toBe("A -> A[A]_{E}\n@organ stem@\n");
 		expect(textOfXml(xmlOf(none))).toBe("A -> A[A]_{E}\n");
+	});
+
+	it("reads what a design wrote as the design has it, and what was edited by hand as that", () => {
+		const text = assembled([usual("petal", { outline: "cordate", count: 7 })]);
+		expect(grammarOfXml(xmlOf(text))).toBe(text);
+		const edited = text.replace("STIGMA -> STIGMA[LOBE]", "STIGMA -> STIGMA[LOBE(,20)]");
+		expect(edited).not.toBe(text);
+		const back = designOf(grammarOfXml(xmlOf(`p0 STEM -> STEM[COLLAR]_{C1}\n${edited}`)));
+		expect(back?.sections.filter(isEdited).map(({ description }) => description.organ)).toEqual(["pistil"]);
+		expect(back?.head).toBe("p0 STEM -> STEM[COLLAR]_{C1}\n");
+		expect(grammarOfXml(TABLE_4)).toBe(textOfXml(TABLE_4));
 	});
 
 	it("says what lists leave out as their definitions' form has it", () => {

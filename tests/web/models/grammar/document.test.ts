@@ -1,12 +1,12 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { modelForText } from "../../../../web/src/models/for_text";
-import { MOST_CONSTANTS } from "../../../../web/src/models/grammar/details/constants";
 import { model } from "../../../../web/src/models/grammar/index";
 import { PRESETS } from "../../../../web/src/models/grammar/presets.generated";
 import { fetchedText, presetText, textOf } from "../../../../web/src/models/grammar/texts";
 import { titleOfText } from "../../../../web/src/models/grammar/words";
 import { withValues } from "../../../../web/src/models/grammar/written_text";
+import { MOST_CONSTANTS } from "../../../../web/src/specimen/constants";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { decodeLink, encodeLink } from "../../../../web/src/specimen/link";
 import { restore } from "../../../../web/src/specimen/restore";

@@ -1,7 +1,7 @@
 import { expect, it, vi } from "vitest";
 import type { Change } from "../../../../web/src/controls/desk";
 import { takeMesh } from "../../../../web/src/models/particles/boundary/mesh_tool";
-import { traceFile } from "../../../../web/src/models/particles/leaf/tools/trace";
+import { traceLeafFile } from "../../../../web/src/models/particles/leaf/tools/trace";
 import { TREE } from "../../../../web/src/models/particles/tree/species";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 
@@ -23,7 +23,7 @@ function deskWith() {
 
 const READERS = [
 	["mesh", (desk: object) => takeMesh(desk as never, new File([OBJ], "a.obj"), "height")],
-	["outline", (desk: object) => traceFile(desk as never, new Blob())],
+	["outline", (desk: object) => traceLeafFile(desk as never, new Blob())],
 ] as const;
 
 it.each(READERS)("a file read late changes the document that it was brought for: %s", async (_, take) => {

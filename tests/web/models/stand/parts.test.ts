@@ -6,8 +6,10 @@ import { STEPS, stepAt } from "../../../../web/src/models/stand/figure/level_cho
 import { plantMet } from "../../../../web/src/models/stand/figure/plant_met";
 import { shadedBall, walks } from "../../../../web/src/models/stand/figure/shaded";
 import { model } from "../../../../web/src/models/stand/index";
+import { titlesOf } from "../../../../web/src/models/stand/members";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { atFront, gazeOf, heightAt, stepped, turned } from "../../../../web/src/models/stand/walker";
+import { standInWords } from "../../../../web/src/models/stand/words";
 import { packed, reachOf, unpacked } from "../../../../web/src/plant/packed_mesh";
 import { complaints, documentOf } from "../../export/reading";
 import { grownStand, PLAN, planned } from "./stands";
@@ -89,7 +91,7 @@ it("a level is chosen by size, and two share the pixels of what is between them"
 });
 
 it("who walks stays on the ground, at eye height over it, and looks where they turn", () => {
-	let pose = atFront(stand);
+	let pose = { ...atFront(stand), x: 0 };
 	for (let i = 0; i < 100; i++) pose = stepped(pose, "forward", stand);
 	expect([pose.x, pose.z]).toEqual([0, -5]);
 	const { eye, towards } = gazeOf(turned(pose, 90, 0), stand);
@@ -99,6 +101,36 @@ it("who walks stays on the ground, at eye height over it, and looks where they t
 	const ground = stand.meshes[0].positions;
 	expect(heightAt(stand, ground[30], ground[32])).toBeCloseTo(ground[31], 5);
 	expect(turned(pose, 0, 500).pitch).toBe(60);
+});
+
+it("who enters stands clear of crowns, as near to the middle of the front as there is room", () => {
+	const planted = (...across: number[]) => ({
+		...stand,
+		ground: { width: 40, depth: 40, relief: 0 },
+		places: {
+			...stand.places,
+			count: across.length,
+			at: Float32Array.from(across.flatMap((x) => [x, 0, 18])),
+			scale: new Float32Array(across.length).fill(1),
+			kind: new Uint32Array(across.length),
+			bearer: new Int32Array(across.length).fill(-1),
+		},
+		kinds: stand.kinds.map((kind) => ({ ...kind, crown: { width: 4, height: 8 } })),
+	});
+	expect(atFront(planted())).toEqual({ x: 0, z: 19.2, yaw: 0, pitch: 0 });
+	expect(Math.abs(atFront(planted(0)).x)).toBeCloseTo(5.6, 5);
+	expect(atFront(planted(0, 4, 8, 12, 16)).x).toBeCloseTo(-5.6, 5);
+	const borne = planted(0);
+	borne.places.bearer[0] = 0;
+	expect(atFront(borne).x).toBe(0);
+});
+
+it("the caption tells those that stand from what they bear, the map calls kinds by their titles", () => {
+	expect(standInWords(stand)).toBe("10 plants and 4 borne, of 4 kinds on 20 × 10 m");
+	const titles = titlesOf(stand);
+	expect(titles[3]).toBe("Oak");
+	expect(titles.join()).not.toContain("/");
+	expect(titlesOf({ ...stand, members: [] })[3]).toBe("leaf/oak");
 });
 
 it("shadows are drawn of all, and for who walks of what is ahead, by steps", () => {

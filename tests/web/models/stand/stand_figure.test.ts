@@ -25,11 +25,13 @@ it("is turned in the light, and walked through under a sun that stays", async ()
 		return light.uniforms.keyDirection.value.clone();
 	};
 	const far = [sunFrom([60, 30, 0], [0, 0, 0]), sunFrom([0, 30, 60], [0, 0, 0])];
+	expect(figure.within).toBe(false);
 	expect(far[0].distanceTo(far[1])).toBeGreaterThan(0.3);
 	const walking = [0, 90, 180].map((right) => {
 		const { eye, towards } = gazeOf(turned(atFront(stand), right, 0), stand);
 		return sunFrom(eye, towards);
 	});
+	expect(figure.within).toBe(true);
 	for (const sun of walking) expect(sun.distanceTo(walking[0])).toBeLessThan(1e-9);
 	expect(sunFrom([60, 30, 0], [0, 0, 0]).distanceTo(far[0])).toBeLessThan(1e-9);
 	expect(figure.sway()?.height).toBeGreaterThan(1);

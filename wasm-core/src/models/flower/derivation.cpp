@@ -34,6 +34,8 @@ class Deriver {
         attached_(program.growths, 0),
         glued_(program.productions.size(), 0),
         displaced_(program.productions.size(), 0),
+        cut_short_(given.steps > 0),
+        asked_(program.productions.size(), 0),
         refusals_(program.productions.size(), Refusal::nothing) {}
 
   Result<Derived> run() {
@@ -42,7 +44,7 @@ class Deriver {
     // Instances come at the end while these run.
     for (std::uint32_t instance = 0; instance < derived_.instances.size() && !stopped_; ++instance)
       if (!run(instance)) return evaluation_.trouble();
-    tell();
+    if (!tell()) return evaluation_.trouble();
     derived_.whole = !stopped_;
     return std::move(derived_);
   }
@@ -64,7 +66,7 @@ class Deriver {
     VolumeValues values;
     if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values, 4, values)) return false;
     const auto grown = derived_.map.plant(static_cast<std::uint32_t>(values[0]), main.axiom);
-    if (grown.refusal != Refusal::nothing) return stop(grown.refusal, 0), true;
+    if (grown.refusal != Refusal::nothing) return stop(grown.refusal, 0, main.place), true;
     record.volume = grown.volume;
     keep(record, values);
     firsts_.push_back(grown.volume);
@@ -121,8 +123,10 @@ class Deriver {
       evaluation_.face(0);
       if (!evaluation_.holds(production.condition, address)) {
         if (evaluation_.failed()) return false;
+        asked_[production.number] |= 1;
         continue;
       }
+      asked_[production.number] |= 2;
       if (!grows) {
         displaced(split == nobody ? nullptr : &program_.productions[split]);
         split = i;
@@ -202,7 +206,7 @@ class Deriver {
     const Growth& growth = numbers_.growth(chosen.growth);
     const Instance& host = derived_.instances[instance_];
     if (growth.module && host.depth + 1 > deepest) {
-      too_deep_ = true;
+      if (too_deep_ == 0) too_deep_ = growth.arguments.place.line;
       return true;
     }
     Record record;
@@ -226,7 +230,7 @@ class Deriver {
     const auto grown = derived_.map.grow(volume, chosen.face, static_cast<std::uint32_t>(values[0]), record.label);
     if (grown.refusal != Refusal::nothing) {
       if (growth.module) derived_.instances.pop_back();
-      return stop(grown.refusal, step_), true;
+      return stop(grown.refusal, step_, growth.arguments.place), true;
     }
     attached_[chosen.growth] += grown.attached;
     record.volume = grown.volume;
@@ -241,7 +245,7 @@ class Deriver {
 
   bool part(std::uint32_t volume, std::uint32_t before, const Production& production) {
     const auto parted = derived_.map.split(volume, production.face, production.rest, production.part, stamp_);
-    if (parted.refusal == Refusal::full) return stop(parted.refusal, step_), true;
+    if (parted.refusal == Refusal::full) return stop(parted.refusal, step_, production.place), true;
     if (parted.refusal != Refusal::nothing) {
       refusals_[production.number] = parted.refusal;
       return true;
@@ -307,9 +311,11 @@ class Deriver {
     return derived_.records[derived_.record_of[volume]].instance;
   }
 
-  void stop(Refusal refusal, std::uint32_t step) {
+  void stop(Refusal refusal, std::uint32_t step, const lsystem::Place& place) {
     stopped_ = true;
-    first_note(sentence("Growth ended in step %: %", {std::to_string(step), generalized_map::words(refusal)}));
+    first_note(sentence("Line %: growth ended in step %. %%",
+                        {std::to_string(place.line), std::to_string(step), generalized_map::words(refusal),
+                         refusal == Refusal::full ? " Let it grow on fewer faces, or for fewer steps." : ""}));
   }
 
   // What is most to be known stands before all else.
@@ -324,8 +330,22 @@ class Deriver {
     return true;
   }
 
-  // What did not come as the text has it.
-  void tell() {
+  // Whether what is to be glued can have such a face at all.
+  bool has_face(std::uint32_t label, Face face, const lsystem::Place& place) {
+    std::uint32_t order = 0;
+    for (std::uint32_t volume = 0; volume < derived_.map.volumes(); ++volume) {
+      if (label_of(volume) != label) continue;
+      if (derived_.map.has(volume, face)) return true;
+      order = derived_.map.volume(volume).order;
+    }
+    return order == 0 ||
+           evaluation_.fail(error_at(Reason::evaluation, place, "% is a prism with % sides, which has no C%.",
+                                     {program_.labels[label].name, std::to_string(order),
+                                      std::to_string(generalized_map::side_number(face))}));
+  }
+
+  // What did not come as the text has it. False where it cannot.
+  bool tell() {
     for (std::size_t i = 0; i < attached_.size(); ++i) {
       if (attached_[i] == 0) continue;
       const Growth& growth = numbers_.growth(static_cast<std::uint32_t>(i));
@@ -345,18 +365,27 @@ class Deriver {
       if (refusal != Refusal::nothing && glues) note("Line %: some of these faces were not glued: %", words(refusal));
       if (refusal != Refusal::nothing && !glues)
         note("Line %: what cannot be split there stays whole: %", words(refusal));
-      if (glues && refusal == Refusal::nothing && glued_[production.number] == 0)
+      if (glues && refusal == Refusal::nothing && glued_[production.number] == 0) {
+        if (!has_face(production.predecessor, production.face, production.face_place) ||
+            !has_face(production.other, production.other_face, production.other_place))
+          return false;
         note("Line %: these faces never came to be adjacent, and nothing was glued.");
+      }
+      // Where it is the text that says how many steps there are.
+      if (production.by_step && asked_[production.number] == 1 && !stopped_ && !cut_short_)
+        note("Line %: this never came about: whenever there was room for it its condition did not hold.");
       if (displaced_[production.number] != 0)
         note("Line %: where a later line splits or renames the same volume in the same step, this one does not.");
     }
-    if (too_deep_)
-      derived_.notes.push_back(sentence("Modules stand in one another more than % deep; what is deeper was left out.",
-                                        {std::to_string(deepest)}));
-    if (derived_.notes.size() <= most_notes) return;
+    if (too_deep_ > 0)
+      derived_.notes.push_back(
+          sentence("Line %: modules stand in one another more than % deep; what is deeper was left out.",
+                   {std::to_string(too_deep_), std::to_string(deepest)}));
+    if (derived_.notes.size() <= most_notes) return true;
     const std::size_t more = derived_.notes.size() - most_notes;
     derived_.notes.resize(most_notes);
     derived_.notes.push_back(sentence("There are % more notes.", {std::to_string(more)}));
+    return true;
   }
 
   const Program& program_;
@@ -369,11 +398,14 @@ class Deriver {
   std::vector<Chosen> chosen_;
   std::vector<std::uint32_t> attached_, glued_;  // of growths and productions, how often
   std::vector<std::uint8_t> displaced_;          // of productions
+  bool cut_short_;                               // whether it is not the text that says how many steps there are
+  std::vector<std::uint8_t> asked_;              // productions whose condition was asked: 1 did not hold, 2 held once
   std::vector<Refusal> refusals_;                // of productions, the last
   std::uint32_t instance_ = 0, step_ = 0;
   std::uint32_t stamp_ = 0;  // one a step of an instance: what is split in it is cut together
   std::uint64_t work_ = 0;
-  bool stopped_ = false, too_deep_ = false;
+  bool stopped_ = false;
+  std::size_t too_deep_ = 0;  // the line of a call that was left out; 0: none was
 };
 
 }  // namespace
@@ -424,21 +456,18 @@ bool same_map(const Program& program, const Program& other) {
                     [](const Grammar& a, const Grammar& b) { return a.once_bound.size() == b.once_bound.size(); });
 }
 
-bool rebuilds(const Program& program, const Given& before, const Given& now) {
+bool rebuilds(const Program& program, const Given& before, const Given& now, const Limits& limits) {
   // 0 and −0 are equal, and 1/0 and 1/−0 are far apart.
   const auto differ = [](float a, float b) { return a != b || std::signbit(a) != std::signbit(b); };
-  if (before.seed != now.seed || before.steps != now.steps) return true;
-  if (program.values_rebuild) return true;
+  if (before.steps != now.steps || program.values_rebuild) return true;
+  if (program.luck_rebuilds && before.seed != now.seed) return true;
   if (program.age_rebuilds && differ(before.age, now.age)) return true;
-  const auto value_of = [](const Given& given, const std::string& name) -> const Given::Value* {
-    const auto found = std::find_if(given.values.begin(), given.values.end(),
-                                    [&](const Given::Value& each) { return each.name == name; });
-    return found == given.values.end() ? nullptr : &*found;
-  };
-  for (const Variable& variable : program.variables) {
-    if (!variable.rebuilds || variable.grammar != 0) continue;
-    const Given::Value *const a = value_of(before, variable.name), *const b = value_of(now, variable.name);
-    if ((a == nullptr) != (b == nullptr) || (a != nullptr && differ(a->value, b->value))) return true;
+  // What the text's own variables come to tells, be it given, drawn or worked out of others.
+  Evaluation then(program, before), here(program, now);
+  if (!then.bind(limits) || !here.bind(limits)) return true;
+  for (std::size_t i = 0; i < program.variables.size(); ++i) {
+    const Variable& variable = program.variables[i];
+    if (variable.rebuilds && variable.grammar == 0 && differ(then.variables()[i], here.variables()[i])) return true;
   }
   return false;
 }

@@ -67,7 +67,8 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
 // Whether two texts grow the same map from the same that is given, with the same words to it.
 bool same_map(const Program& program, const Program& other);
 
-// Whether what has been given changes the map, and not only where its corners are.
-bool rebuilds(const Program& program, const Given& before, const Given& now);
+// Whether what has been given changes the map, and not only where its corners are: where it cannot be known, and where
+// something cannot be worked out.
+bool rebuilds(const Program& program, const Given& before, const Given& now, const Limits& limits = {});
 
 }  // namespace panicle::flower

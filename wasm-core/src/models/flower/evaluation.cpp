@@ -27,12 +27,6 @@ Evaluation::Evaluation(const Program& program, const Given& given)
 bool Evaluation::bind(const Limits& limits) {
   most_steps_ = limits.steps;
   for (const Given::Value& value : given_.values) {
-    const bool known = std::any_of(program_.variables.begin(), program_.variables.end(), [&](const Variable& variable) {
-      return variable.grammar == 0 && variable.name == value.name;
-    });
-    if (!known)
-      return fail(error_at(Reason::bad_input, {}, "There is no variable '%' in the text; a value was given for it.",
-                           {value.name}));
     if (!std::isfinite(value.value))
       return fail(error_at(Reason::bad_input, {}, "'%' was given %; give it a finite number.",
                            {value.name, number_text(value.value)}));
@@ -176,12 +170,14 @@ bool Evaluation::describe(const Description& description, std::uint64_t address,
     if ((description.given >> i & 1) == 0) continue;
     const float value = at(description.sources[i]);
     if (!(value >= -largest && value <= largest))
-      return fail(error_at(Reason::evaluation, description.place,
-                           "% comes to %; it must be a number between -1000000 and 1000000.",
-                           {field_names[i], number_text(value)}));
+      return fail(
+          error_at(Reason::evaluation, description.places[i],
+                   "% comes to % in step %%; it must be a number between -1000000 and 1000000.",
+                   {field_names[i], number_text(value), number_text(registers_[static_cast<std::size_t>(Word::step)]),
+                    std::isinf(value) ? ", as by a division by 0" : ""}));
     if (i == 0 && !(std::floor(value) == value && value >= generalized_map::least_order &&
                     value <= generalized_map::largest_order))
-      return fail(error_at(Reason::evaluation, description.place,
+      return fail(error_at(Reason::evaluation, description.places[i],
                            "N comes to %; a prism has a whole number of sides, 3 to 4096.", {number_text(value)}));
     values[i] = value;
   }

@@ -12,6 +12,7 @@
 #include "generalized_map/embedding.hpp"
 #include "lsystem/diagnostics.hpp"
 #include "models/flower/derivation.hpp"
+#include "models/flower/levels.hpp"
 #include "models/flower/measures/measures.generated.hpp"
 #include "models/flower/parameters.generated.hpp"
 #include "models/flower/skin.hpp"
@@ -135,19 +136,20 @@ void add_columns(Plant& plant, const Program& program, const Derived& derived, b
                     3);
 }
 
-void add_materials(Plant& plant, const Program& program, float age) {
-  std::vector<std::uint32_t> numbers, colours;
+void add_materials(Plant& plant, const Program& program, float age, std::vector<std::uint32_t> numbers) {
+  std::vector<std::uint32_t> colours;
   std::vector<float> paint;
-  for (const PlantMesh& mesh : plant.meshes) {
-    const auto number = static_cast<std::uint32_t>(std::stoul(mesh.name.substr(1)));
+  std::string names;
+  for (const std::uint32_t number : numbers) {
     const Material material = material_of(program, number);
     const Colours now = colours_at(material, age);
-    numbers.push_back(number);
+    names.append(colours.empty() ? "" : "\n").append(material.name);
     colours.insert(colours.end(), {now.base, now.tip, material.margin, material.veins});
     paint.insert(paint.end(),
                  {material.foot, material.margin_width, material.vein_count, material.vein_strength, material.light});
   }
   plant.columns.add("materials.number", std::move(numbers));
+  plant.columns.add("materials.name", names);
   plant.columns.add("materials.colours", std::move(colours), 4);
   plant.columns.add("materials.paint", std::move(paint), 5);
 }
@@ -162,6 +164,12 @@ void measure(Plant& plant, const generalized_map::Embedding& embedding, std::siz
   }
   set(Measure::height, 100 * (high.y - low.y));
   set(Measure::spread, 50 * (high.x - low.x + high.z - low.z));
+  set(Measure::surface, std::nanf(""));
+  set(Measure::organs, static_cast<float>(organs));
+}
+
+void measure_surface(Plant& plant) {
+  if (plant.meshes.empty()) return;
   double area = 0;
   for (const PlantMesh& each : plant.meshes) {
     const auto corner = [&](std::uint32_t i) {
@@ -171,8 +179,23 @@ void measure(Plant& plant, const generalized_map::Embedding& embedding, std::siz
     for (std::uint32_t i = 0; i + 2 < each.mesh.indices.size(); i += 3)
       area += 0.5 * static_cast<double>(glm::length(glm::cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i))));
   }
-  set(Measure::surface, plant.meshes.empty() ? std::nanf("") : static_cast<float>(1e4 * area));
-  set(Measure::organs, static_cast<float>(organs));
+  plant.measures[static_cast<std::size_t>(Measure::surface)] = static_cast<float>(1e4 * area);
+}
+
+// A text that is edited may no longer have what was given a value: the flower grows without it.
+void note_strangers(Plant& plant, const Program& program, const Given& given) {
+  for (const Given::Value& value : given.values) {
+    std::string others;
+    bool known = false;
+    for (const Variable& variable : program.variables) {
+      if (variable.grammar != 0) continue;
+      known = known || variable.name == value.name;
+      others.append(others.empty() ? "" : ", ").append(variable.name);
+    }
+    if (!known)
+      plant.notes.push_back(lsystem::sentence("The text has no #define %=, so a value of it changes nothing; it has %.",
+                                              {value.name, others.empty() ? "none" : others}));
+  }
 }
 
 bool read_values(Request& request, Given& given) {
@@ -183,25 +206,34 @@ bool read_values(Request& request, Given& given) {
   return true;
 }
 
-// The last flower, as far as another can be made of it that differs only in where its volumes are.
-struct LastFlower : Kept {
-  explicit LastFlower(Derived grown) : derived(std::move(grown)) { embedding.lay(derived.map); }
+// A flower that has grown, as far as another can be made of it that differs only in where its volumes are.
+struct Grown {
+  explicit Grown(Derived grown) : derived(std::move(grown)) { embedding.lay(derived.map); }
 
   std::string text;
-  Program program;
+  std::shared_ptr<const Program> program;
   Given given;
   Derived derived;
   generalized_map::Embedding embedding;
   std::optional<Skin> skin;
+  std::optional<Levels> levels;
 
   std::uint64_t bytes() const {
-    return text.capacity() + program.bytes() + derived.bytes() + embedding.bytes() + (skin ? skin->bytes() : 0);
+    return text.capacity() + program->bytes() + derived.bytes() + embedding.bytes() + (skin ? skin->bytes() : 0) +
+           (levels ? levels->bytes() : 0);
   }
 };
 
+// The last flower first. Of a bed's there are several: plants of one text whose maps differ come by turns.
+struct LastFlowers : Kept {
+  std::vector<std::unique_ptr<Grown>> all;
+};
+
+constexpr std::size_t most_kept = 12;
+
 // The same map placed anew for a text that grows the same, where that is the same as growing; else it stays as it is.
-bool replaced(LastFlower& last, const Program& program, const Given& given, const Limits& limits) {
-  if (rebuilds(program, last.given, given)) return false;
+bool replaced(Grown& last, const Program& program, const Given& given, const Limits& limits) {
+  if (rebuilds(program, last.given, given, limits)) return false;
   auto values = reworked(program, given, last.derived, limits);
   // What went wrong is told by growing.
   if (!values) return false;
@@ -209,30 +241,51 @@ bool replaced(LastFlower& last, const Program& program, const Given& given, cons
   return true;
 }
 
-// Errors: those of reading and of growing.
-Result<std::unique_ptr<LastFlower>> grown(std::string_view text, const Given& given, const Limits& limits,
-                                          std::unique_ptr<LastFlower> last) {
-  Program program;
-  bool same = last != nullptr;
-  if (last && last->text == text) {
-    program = std::move(last->program);
-  } else {
+// The flower now stands first. Errors: those of reading and of growing.
+Result<Grown*> grown(std::string_view text, const Given& given, const Limits& limits, bool of_bed, LastFlowers& last) {
+  auto& all = last.all;
+  std::shared_ptr<const Program> program;
+  for (const auto& each : all)
+    if (each->text == text) program = each->program;
+  const bool same_text = program != nullptr;
+  if (!same_text) {
     auto read = read_program(text, limits);
     if (!read) return read.error();
-    program = std::move(read.value());
-    same = last && same_map(program, last->program);
+    program = std::make_shared<const Program>(std::move(read.value()));
   }
-  if (!same || !replaced(*last, program, given, limits)) {
-    // Before another grows: there is never room needed for two.
-    last.reset();
-    auto derived = derive(program, given, limits);
+  bool again = false;
+  for (std::size_t i = 0; i < all.size() && !again; ++i) {
+    if (same_text ? all[i]->text != text : i > 0 || !same_map(*program, *all[i]->program)) continue;
+    again = replaced(*all[i], *program, given, limits);
+    if (again)
+      std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
+                  all.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  }
+  if (!again) {
+    // Before another grows: but for beds there is never room needed for two.
+    if (!of_bed) all.clear();
+    auto derived = derive(*program, given, limits);
     if (!derived) return derived.error();
-    last = std::make_unique<LastFlower>(std::move(derived.value()));
+    all.insert(all.begin(), std::make_unique<Grown>(std::move(derived.value())));
   }
-  last->program = std::move(program);
-  last->text = text;
-  last->given = given;
-  return last;
+  Grown& flower = *all.front();
+  // Levels are thinned by the text's own sizes.
+  if (!same_text) flower.levels.reset();
+  flower.program = std::move(program);
+  flower.text = text;
+  flower.given = given;
+  return &flower;
+}
+
+// What is kept for the next, those used last first.
+void let_go(LastFlowers& last) {
+  auto& all = last.all;
+  if (all.front()->levels && !all.front()->levels->lasting()) all.front()->levels.reset();
+  if (!all.front()->derived.whole) all.erase(all.begin());
+  std::uint64_t bytes = 0;
+  std::size_t count = 0;
+  while (count < all.size() && count < most_kept && (bytes += all[count]->bytes()) <= Kept::most_bytes) ++count;
+  all.resize(count);
 }
 
 Result<Plant> grow(Request& request, const Limits& limits) {
@@ -240,7 +293,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   Given given;
   given.seed = request.word("seed", 1);
   const bool meshes = request.wants("meshes"), measures = request.wants("measures"), sky = request.wants("sky"),
-             whole = request.wants("map"), mesh_fingerprint = request.wants("mesh_fingerprint");
+             whole = request.wants("map"), mesh_fingerprint = request.wants("mesh_fingerprint"),
+             levels = request.wants("levels");
   const std::span<const float> asked = request.floats("parameters");
   const bool has_text = request.has("text");
   const std::string_view text = request.text("text");
@@ -253,15 +307,21 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   given.steps = values.whole(steps);
   given.age = values[age];
   Keeping* const kept = request.kept();
-  std::unique_ptr<LastFlower> last(kept ? static_cast<LastFlower*>(kept->release()) : nullptr);
-  auto flower = grown(text, given, limits, std::move(last));
+  std::unique_ptr<LastFlowers> last(kept ? static_cast<LastFlowers*>(kept->release()) : nullptr);
+  if (!last) last = std::make_unique<LastFlowers>();
+  const auto flower = grown(text, given, limits, levels && !meshes, *last);
   if (!flower) return flower.error();
-  auto& [own_text, program, own_given, derived, embedding, skin] = *flower.value();
+  auto& [own_text, own_program, own_given, derived, embedding, skin, own_levels] = *flower.value();
+  const Program& program = *own_program;
   plant.notes.insert(plant.notes.end(), derived.notes.begin(), derived.notes.end());
+  note_strangers(plant, program, given);
 
   embedding.place(derived.shapes());
   add_segments(plant, program, derived, embedding);
-  add_columns(plant, program, derived, whole, embedding);
+  // Of hundreds nobody asks what each volume is.
+  if (meshes || !levels) add_columns(plant, program, derived, whole, embedding);
+  if (measures) measure(plant, embedding, derived.instances.size() - 1);
+  std::vector<std::uint32_t> numbers;
   if (meshes) {
     const std::uint32_t rounds = Skin::rounds_for(derived, values.whole(smooth));
     if (rounds < values.whole(smooth))
@@ -271,7 +331,9 @@ Result<Plant> grow(Request& request, const Limits& limits) {
     if (!skin || skin->rounds() != rounds) skin.emplace(derived, embedding, rounds);
     embedding.place(skin->shapes(derived));
     skin->add_to(plant, program, derived, embedding, sky);
-    add_materials(plant, program, given.age);
+    for (const PlantMesh& mesh : plant.meshes)
+      numbers.push_back(static_cast<std::uint32_t>(std::stoul(mesh.name.substr(1))));
+    if (measures) measure_surface(plant);
   }
   std::uint32_t triangles = 0;
   for (const PlantMesh& mesh : plant.meshes) triangles += static_cast<std::uint32_t>(mesh.mesh.indices.size() / 3);
@@ -279,13 +341,17 @@ Result<Plant> grow(Request& request, const Limits& limits) {
                   {"darts", derived.map.darts()},
                   {"organs", static_cast<std::uint32_t>(derived.instances.size() - 1)},
                   {"triangles", triangles}};
-  if (measures) {
-    embedding.place(derived.shapes());
-    measure(plant, embedding, derived.instances.size() - 1);
+  if (levels) {
+    if (!own_levels) own_levels.emplace(program, given, limits, derived, embedding);
+    own_levels->add_to(plant, program, derived, embedding, numbers);
   }
+  if (meshes || levels) add_materials(plant, program, given.age, std::move(numbers));
   plant.fingerprint = fingerprint_of(plant);
   if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
-  if (kept && derived.whole && flower.value()->bytes() <= Kept::most_bytes) *kept = std::move(flower.value());
+  if (kept) {
+    let_go(*last);
+    *kept = std::move(last);
+  }
   return plant;
 }
 

@@ -124,7 +124,9 @@ bool Reader::condition_of(const Blocks& blocks, Production& production) {
   if (!assignments(blocks.before, blocks.before_end)) return false;
   const std::size_t behind = at_;
   at_ = blocks.condition;
-  if (!number(blocks.condition_end, Scope::production, true, production.condition)) return false;
+  Uses uses;
+  if (!number(blocks.condition_end, Scope::production, true, production.condition, &uses)) return false;
+  production.by_step = !(uses.variables.any() || uses.age || uses.values || uses.locals || production.condition.draws);
   production.condition.value.code.begin = begin;
   at_ = behind;
   return true;
@@ -182,6 +184,7 @@ bool Reader::growth(const Blocks& blocks, Production& production) {
   if (growth.module) ++at_;
   if (!on_name()) return wrong(here(), "A volume's name is expected here, not '%'.", {found()});
   const std::size_t name = at_;
+  if (is_unclosed(growth.module)) return false;
   if (growth.module) {
     growth.target = find_grammar(found());
     if (growth.target == nobody)
@@ -216,6 +219,25 @@ bool Reader::growth(const Blocks& blocks, Production& production) {
   end_ = end;
   at_ = behind;
   production.growths.push_back(std::move(growth));
+  return true;
+}
+
+// `A[A_{E}`: what stands behind the bracket was read as the name's end.
+bool Reader::is_unclosed(bool module) {
+  const std::string_view both = found();
+  const std::size_t low = both.rfind('_');
+  if (low == std::string_view::npos || low == 0) return false;
+  const auto is_known = [&](std::string_view name) {
+    return (module ? find_grammar(name) : find_label(name)) != nobody;
+  };
+  Face face;
+  const std::string_view behind = both.substr(low + 1);
+  if (is_known(both)) return false;
+  // A statement that is never closed goes on over what follows, so that the module may not be known.
+  const bool opens_faces = behind.empty() && next_is(at_, '{');
+  if (!(module && opens_faces) && !is_known(both.substr(0, low))) return false;
+  if (!opens_faces && !face_named(behind, face)) return false;
+  wrong(here(), "A ] is missing before _%: write %]_{E}.", {behind.empty() ? "{" : behind, both.substr(0, low)});
   return true;
 }
 
@@ -308,8 +330,9 @@ bool Reader::glue(Production& production) {
   ++at_;
   std::array<std::uint32_t, 4> labels{};
   std::array<Face, 4> sides{};
+  std::array<Place, 4> places{};
   for (std::size_t i = 0; i < 4; ++i) {
-    const Place place = here();
+    const Place place = places[i] = here();
     if (!label_with_face(labels[i], sides[i])) return false;
     if (i == 0 && labels[0] != production.predecessor)
       return wrong(place, "The first face is one of % here, which stands before the colon.",
@@ -324,6 +347,8 @@ bool Reader::glue(Production& production) {
     }
     if (i == 2 && !expect('|', "A | is expected here, between the faces that are glued.")) return false;
   }
+  production.face_place = places[0];
+  production.other_place = places[1];
   production.face = sides[0];
   production.other = labels[1];
   production.other_face = sides[1];
@@ -361,7 +386,7 @@ bool Reader::label_with_face(std::uint32_t& label, Face& face) {
   const std::string_view name = both.substr(0, low), of = both.substr(low + 1);
   label = find_label(name);
   if (label == nobody)
-    return fail(Reason::undefined, here(), "Nothing says what % is; add #define %%.", {name, name, numbers_of_volume});
+    return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.", {name, name, numbers_of_volume});
   if (!face_named(of, face)) return wrong(here(), advice, {both});
   return ++at_, true;
 }
@@ -370,7 +395,7 @@ bool Reader::label_named(std::uint32_t& label) {
   if (!on_name()) return wrong(here(), "A volume's name is expected here, not '%'.", {found()});
   label = find_label(found());
   if (label == nobody)
-    return fail(Reason::undefined, here(), "Nothing says what % is; add #define %%.",
+    return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.",
                 {found(), found(), numbers_of_volume});
   ++at_;
   return true;

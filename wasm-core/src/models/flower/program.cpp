@@ -1,6 +1,7 @@
 #include "models/flower/program.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "models/flower/reader.hpp"
@@ -15,6 +16,59 @@ using lsystem::TokenKind;
 using Tokens = std::vector<Token>;
 
 constexpr std::string_view random_number = "math.random";
+
+// Functions of the thesis's Lua that are here under the name behind the point. Its angles are radians, ours degrees.
+constexpr std::string_view same_in_lua[] = {"abs", "floor", "ceil", "sqrt", "exp", "log", "min", "max", "pow"};
+constexpr std::string_view of_angles[] = {"sin", "cos", "tan"}, to_angles[] = {"asin", "acos", "atan"};
+constexpr float degrees_a_radian = 57.2957795f, radians_a_degree = 0.0174532925f, pi = 3.14159265f;
+
+// math.abs(x) → abs(x), math.pi → 3.14…, math.sin(x) → sin(57.3*(x)), math.atan(x) → (0.0175*atan(x)); math.random is
+// for who spells out draws, and what else begins so is refused by who reads it.
+Tokens without_lua(const Tokens& tokens) {
+  static constexpr std::string_view begins = "math.";
+  const auto is_one_of = [](const auto& names, std::string_view name) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+  };
+  Tokens out;
+  out.reserve(tokens.size());
+  std::vector<std::size_t> closes;  // at which depth one more ) is due
+  std::size_t depth = 0;
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    const Token& token = tokens[at];
+    const bool of_lua = token.kind == TokenKind::name && token.text.substr(0, begins.size()) == begins;
+    const std::string_view name = of_lua ? token.text.substr(begins.size()) : std::string_view();
+    const bool called = at + 1 < tokens.size() && tokens[at + 1].is('(');
+    const auto put = [&](TokenKind kind, std::string_view text, float number = 0) {
+      out.push_back({kind, token.first_on_line, token.place, text, number});
+    };
+    if (token.is('(')) ++depth;
+    if (name == "pi") {
+      put(TokenKind::number, "3.14159265", pi);
+    } else if (called && is_one_of(same_in_lua, name)) {
+      put(TokenKind::name, name);
+    } else if (called && is_one_of(of_angles, name)) {
+      put(TokenKind::name, name);
+      put(TokenKind::sign, "(");
+      put(TokenKind::number, "57.2957795", degrees_a_radian);
+      put(TokenKind::sign, "*");
+      closes.push_back(depth);
+    } else if (called && is_one_of(to_angles, name)) {
+      put(TokenKind::sign, "(");
+      put(TokenKind::number, "0.0174532925", radians_a_degree);
+      put(TokenKind::sign, "*");
+      put(TokenKind::name, name);
+      closes.push_back(depth);
+    } else {
+      out.push_back(token);
+    }
+    if (!token.is(')') || depth == 0) continue;
+    --depth;
+    if (closes.empty() || closes.back() != depth) continue;
+    closes.pop_back();
+    put(TokenKind::sign, ")");
+  }
+  return out;
+}
 
 // The thesis's draw, in functions that there are: math.random() as ran(1), math.random(a, b) as a + ran(b − a).
 class Draws {
@@ -153,7 +207,8 @@ Result<Program> read_program(std::string_view text, const Limits& limits) {
   if (!kept) return kept.error();
   const auto written = lsystem::tokenize(kept.value(), lsystem::Writing::rules);
   if (!written) return written.error();
-  const auto tokens = Draws(written.value()).spelled_out();
+  const Tokens ours = without_lua(written.value());
+  const auto tokens = Draws(ours).spelled_out();
   if (!tokens) return tokens.error();
   if (tokens->empty())
     return error_at(Reason::syntax, {1, 1},

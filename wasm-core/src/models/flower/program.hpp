@@ -69,6 +69,7 @@ struct Description {
   std::array<std::uint32_t, fields> sources{};  // registers
   std::uint16_t given = 0;                      // bits of fields
   lsystem::Place place;
+  std::array<lsystem::Place, fields> places{};  // of what is given
 
   bool has(Field field) const { return (given >> static_cast<std::uint32_t>(field) & 1) != 0; }
 };
@@ -112,12 +113,14 @@ struct Production {
   Kind kind = Kind::grow;
   std::uint32_t predecessor = 0;  // a label
   lsystem::Place place;
-  Number condition;  // where given
+  Number condition;      // where given
+  bool by_step = false;  // whether that asks for steps and nothing else
   // grow
   std::uint32_t becomes = nobody;  // another label, where the successor begins with one
   std::vector<Growth> growths;
   // glue: own face, and whose other one; split: where
   Face face = generalized_map::base_face, other_face = generalized_map::base_face;
+  lsystem::Place face_place, other_place;
   std::uint32_t other = 0;
   std::uint32_t rest = 0, part = 0;
   Description rest_description, part_description;
@@ -145,6 +148,7 @@ struct Colours {
 struct Material {
   std::uint32_t number = 0;
   std::string kind;  // stem, leaf, sepal, petal, stamen, pistil or seed
+  std::string name;  // of what is made of it; empty: its kind's
   Colours open;
   Colours bud, wilted;                      // at an age of 0 and of 2; mixed between
   float foot = 0.6f;                        // over how much of an organ's length the first colour goes into the second
@@ -179,6 +183,7 @@ struct Program {
   std::vector<Material> materials;
   std::uint32_t growths = 0;
   bool age_rebuilds = false, values_rebuild = false;  // whether the map depends on `age`, or on volumes' own numbers
+  bool luck_rebuilds = false;                         // or on what is drawn but in variables of the text
   // The text less all that only places the map: materials, and the figures of numbers that no order, face, condition or
   // number of steps depends on.
   std::string bones;

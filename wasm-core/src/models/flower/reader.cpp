@@ -1,10 +1,12 @@
 #include "models/flower/reader.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
 #include "foundation/random.hpp"
+#include "lsystem/foreign.hpp"
 #include "lsystem/number_text.hpp"
 
 namespace panicle::flower {
@@ -21,6 +23,7 @@ constexpr std::uint32_t most_material = 255;
 constexpr std::array<std::string_view, 7> material_kinds = {"stem",   "leaf",   "sepal", "petal",
                                                             "stamen", "pistil", "seed"};
 constexpr float most_veins = 60;
+constexpr std::size_t longest_name = 40;
 constexpr std::string_view final_step = "finalStep";
 constexpr const char* directives =
     "A line with # is #define NAME(…), #define name=…, #axiom: NAME, #module NAME or #material; '%' is none of these.";
@@ -34,6 +37,7 @@ void Reader::Uses::add(const Uses& other) {
   age |= other.age;
   values |= other.values;
   locals |= other.locals;
+  draws |= other.draws;
 }
 
 Reader::Reader(std::span<const Token> tokens, Program& program, lsystem::Lowering& lowering)
@@ -282,12 +286,12 @@ bool Reader::material() {
 
 // `margin "ffffff" 0.2 light 0.6`: each once, in any order.
 bool Reader::said_of(Material& material) {
-  static constexpr std::array<std::string_view, 6> sayable = {"foot", "margin", "veins", "light", "bud", "wilted"};
-  std::array<bool, 6> said{};
+  static constexpr std::array<std::string_view, 7> sayable = {"foot", "margin", "veins", "light", "bud", "wilted", "name"};
+  std::array<bool, sayable.size()> said{};
   while (at_ < end_) {
     const auto word = static_cast<std::size_t>(std::find(sayable.begin(), sayable.end(), found()) - sayable.begin());
     if (!on_name() || word == sayable.size())
-      return wrong(here(), "Of a material one can say foot, margin, veins, light, bud and wilted; '%' is none.",
+      return wrong(here(), "Of a material one can say foot, margin, veins, light, bud, wilted and name; '%' is none.",
                    {found()});
     if (said[word]) return wrong(here(), "% has been said already; take one out.", {found()});
     said[word] = true;
@@ -298,9 +302,21 @@ bool Reader::said_of(Material& material) {
                                         share(material.vein_strength, 1)
                       : word == 3 ? share(material.light, 1)
                       : word == 4 ? colours(material.bud)
-                                  : colours(material.wilted);
+                      : word == 5 ? colours(material.wilted)
+                                  : part_name(material.name);
     if (!fine) return false;
   }
+  return true;
+}
+
+bool Reader::part_name(std::string& name) {
+  const auto plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '-' || c == ','; };
+  if (at_ >= end_ || tokens_[at_].kind != TokenKind::quoted || tokens_[at_].text.empty() ||
+      tokens_[at_].text.size() > longest_name || tokens_[at_].text.front() == ' ' ||
+      !std::all_of(tokens_[at_].text.begin(), tokens_[at_].text.end(), plain))
+    return wrong(here(), "A name stands in quotes, of letters, digits, spaces, commas and hyphens, at most %.",
+                 {std::to_string(longest_name)});
+  name = std::string(tokens_[at_++].text);
   return true;
 }
 
@@ -392,6 +408,7 @@ bool Reader::description(Form form, Scope scope, Description& description) {
     at_ = first;
     if (!this->number(end, scope, field == 0, number)) return false;
     description.sources[field] = number.value.source;
+    description.places[field] = number.value.place;
     description.given = static_cast<std::uint16_t>(description.given | 1u << field);
   }
   at_ = behind;
@@ -399,10 +416,11 @@ bool Reader::description(Form form, Scope scope, Description& description) {
   return true;
 }
 
-bool Reader::number(std::size_t end, Scope scope, bool of_map, Number& number) {
+bool Reader::number(std::size_t end, Scope scope, bool of_map, Number& number, Uses* used) {
   for (std::size_t at = at_; at < end; ++at)
     if (figures_[at] == Figure::unread) figures_[at] = Figure::free;
   if (of_map) pin(at_, end);
+  if (!knows_functions(end)) return false;
   Expression tree;
   const std::size_t whole = end_;
   end_ = end;
@@ -420,6 +438,24 @@ bool Reader::number(std::size_t end, Scope scope, bool of_map, Number& number) {
   number.value = {true, {begin, lowering_.here()}, source.value(), tree.place};
   if (of_map) rebuilds(uses);
   of_blocks_.add(uses);
+  if (used != nullptr) *used = uses;
+  return true;
+}
+
+// Of an expression up to `end`, that what is called is one of the functions that there are here.
+bool Reader::knows_functions(std::size_t end) {
+  for (std::size_t at = at_; at + 1 < end; ++at) {
+    const std::string_view name = tokens_[at].text;
+    if (tokens_[at].kind != TokenKind::name || !tokens_[at + 1].is('(')) continue;
+    const auto is_called = [&](const lsystem::Function& function) { return function.name == name; };
+    if (std::any_of(lsystem::functions.begin(), lsystem::functions.end(), is_called)) continue;
+    // Who reads the expression has a word for it.
+    if (!lsystem::foreign_function(name).empty()) continue;
+    std::string known = "math.random";
+    for (const lsystem::Function& function : lsystem::functions)
+      if (!lsystem::is_asked(function.op)) known.append(", ").append(function.name);
+    return fail(Reason::undefined, tokens_[at].place, "There is no function '%'; there are %.", {name, known});
+  }
   return true;
 }
 
@@ -433,6 +469,7 @@ bool Reader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& draws) {
                    "% asks about a place of the plant, which a flower's grammar does not know; take it out.",
                    {node.name});
     draws |= node.kind == Node::Kind::operation && lsystem::is_random(node.op);
+    uses.draws |= draws;
     // It refuses some bounds: whether it does is known where it is drawn.
     program_.values_rebuild |= node.kind == Node::Kind::operation && node.op == lsystem::Op::random_whole;
     if (node.kind != Node::Kind::name) continue;
@@ -477,6 +514,7 @@ void Reader::rebuilds(const Uses& uses) {
   rebuilding_ |= uses.variables;
   program_.age_rebuilds |= uses.age;
   program_.values_rebuild |= uses.values;
+  program_.luck_rebuilds |= uses.draws;
   if (uses.locals) {
     Uses of_blocks = of_blocks_;
     of_blocks.locals = false;
@@ -542,6 +580,38 @@ std::uint32_t Reader::find_grammar(std::string_view name) const {
   return found == lsystem::Names::none || found == 0 ? nobody : found;
 }
 
+// Productions of volumes that nothing can make of what is begun with.
+void Reader::tell_unreached() {
+  std::vector<bool> reached(program_.labels.size());
+  std::vector<std::uint32_t> waiting;
+  const auto reach = [&](std::uint32_t label) {
+    if (!reached[label]) waiting.push_back(label);
+    reached[label] = true;
+  };
+  reach(program_.grammars[0].axiom);
+  while (!waiting.empty()) {
+    const Label& label = program_.labels[waiting.back()];
+    waiting.pop_back();
+    for (std::uint32_t i = label.productions.begin; i < label.productions.end; ++i) {
+      const Production& production = program_.productions[i];
+      if (production.becomes != nobody) reach(production.becomes);
+      for (const Growth& growth : production.growths)
+        reach(growth.module ? program_.grammars[growth.target].axiom : growth.target);
+      if (production.kind != Production::Kind::split) continue;
+      reach(production.rest);
+      reach(production.part);
+    }
+  }
+  for (const Production& production : program_.productions) {
+    const Label& label = program_.labels[production.predecessor];
+    // Of a module that is called by nobody the call may be what is still to be written.
+    const bool called = label.grammar == 0 || reached[program_.grammars[label.grammar].axiom];
+    if (called && !reached[production.predecessor])
+      program_.notes.push_back(lsystem::sentence("Line %: nothing grows a %, so this never comes about.",
+                                                 {std::to_string(production.place.line), label.name}));
+  }
+}
+
 void Reader::finish() {
   // A variable that is made of others, or given by a call: whoever depends on it depends on those. Calls may stand in
   // any order, and so it is gone through again until nothing is new.
@@ -550,7 +620,10 @@ void Reader::finish() {
     for (std::size_t i = program_.variables.size(); i-- > 0;) {
       if (!rebuilding_[i] || gone_into[i]) continue;
       gone_into.set(i);
-      rebuilds(uses_of_variables_[i]);
+      Uses uses = uses_of_variables_[i];
+      // What a variable of the text has drawn can be asked for.
+      uses.draws &= program_.variables[i].grammar != 0;
+      rebuilds(uses);
     }
   }
   for (std::size_t i = 0; i < program_.variables.size(); ++i) program_.variables[i].rebuilds = rebuilding_[i];
@@ -562,6 +635,7 @@ void Reader::finish() {
     if (of.end == 0) of.begin = i;
     of.end = i + 1;
   }
+  tell_unreached();
   for (const Renamed& each : renamed_) {
     const Label& to = program_.labels[each.to];
     if (to.productions.size() == 0) continue;

@@ -35,7 +35,7 @@ class Reader : lsystem::TokenReader {
   // What of a plant an expression depends on: no larger for a text that says a thing over and over.
   struct Uses {
     std::bitset<most_variables> variables;
-    bool age = false, values = false, locals = false;
+    bool age = false, values = false, locals = false, draws = false;
     void add(const Uses& other);
   };
   // What an expression may call by name.
@@ -64,6 +64,7 @@ class Reader : lsystem::TokenReader {
   bool said_of(Material& material);
   bool colour(std::uint32_t& colour);
   bool colours(Colours& colours);
+  bool part_name(std::string& name);
   bool share(float& value, float most);
   bool production();
   bool blocks(Blocks& blocks);
@@ -73,6 +74,7 @@ class Reader : lsystem::TokenReader {
   bool both_blocks(const Blocks& blocks, const Production& production);
   bool grow(const Blocks& blocks, Production& production);
   bool growth(const Blocks& blocks, Production& production);
+  bool is_unclosed(bool module);
   bool settings(Growth& growth);
   bool too_much(const lsystem::Place& place);
   bool faces(Growth& growth);
@@ -85,7 +87,9 @@ class Reader : lsystem::TokenReader {
   // `( , , 2, )`, where there is one: what is given, each in its field.
   bool description(Form form, Scope scope, Description& description);
   bool entry_end(std::size_t& end) const;
-  bool number(std::size_t end, Scope scope, bool of_map, Number& number);
+  // `used`, where given: what of a plant it depends on.
+  bool number(std::size_t end, Scope scope, bool of_map, Number& number, Uses* used = nullptr);
+  bool knows_functions(std::size_t end);
   bool rewritten(lsystem::Expression& tree, Scope scope, Uses& uses, bool& draws);
   bool unknown(const lsystem::Node& node, Scope scope);
   void rebuilds(const Uses& uses);
@@ -98,6 +102,7 @@ class Reader : lsystem::TokenReader {
   std::uint32_t find_grammar(std::string_view name) const;
   std::string key_of(std::string_view name, std::uint32_t grammar) const;
   std::uint64_t next_key() { return ++keys_; }
+  void tell_unreached();
   void finish();
 
   Program& program_;

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 
 #include "environment/openness.hpp"
+#include "lsystem/diagnostics.hpp"
+#include "lsystem/number_text.hpp"
 #include "models/flower/ranks.hpp"
+#include "models/flower/thickness.hpp"
 #include "models/flower/upright.hpp"
 
 namespace panicle::flower {
@@ -30,23 +32,6 @@ constexpr std::array<Standard, 10> standards = {{{"stem", 0x6f8f4a, 0x6f8f4a},
                                                  {"seed", 0x5a4630, 0x6b5438},
                                                  {"petal", 0xf4f1e8, 0xffffff}}};
 
-// How far a tube of radius 1 is drawn in by so many rounds: across it Catmull and Clark's rule is the cubic spline's.
-float drawn_in(std::uint32_t order, std::uint32_t rounds) {
-  std::vector<glm::vec2> ring = generalized_map::polygon(order), finer;
-  for (std::uint32_t round = 0; round < rounds; ++round) {
-    finer.clear();
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const glm::vec2 &before = ring[(i + ring.size() - 1) % ring.size()], &after = ring[(i + 1) % ring.size()];
-      finer.push_back((before + 6.0f * ring[i] + after) / 8.0f);
-      finer.push_back((ring[i] + after) / 2.0f);
-    }
-    std::swap(ring, finer);
-  }
-  float sum = 0;
-  for (const glm::vec2& point : ring) sum += std::sqrt(glm::dot(point, point));
-  return 2 * sum / static_cast<float>(ring.size());
-}
-
 // Of two colours, channel by channel.
 std::uint32_t mixed(std::uint32_t from, std::uint32_t to, float share) {
   std::uint32_t colour = 0;
@@ -67,6 +52,28 @@ bool number_of(float m, std::uint8_t& number) {
 template <class Value>
 std::uint64_t bytes_of(const std::vector<Value>& values) {
   return values.capacity() * sizeof(Value);
+}
+
+// Of a volume whose m is no material's number: where the text gives it.
+std::string strange_material(const Program& program, const Derived& derived, std::uint32_t volume) {
+  std::vector<const Growth*> growths(program.growths, nullptr);
+  for (const Production& production : program.productions)
+    for (const Growth& growth : production.growths) growths[growth.number] = &growth;
+  const auto gives = [](const Description& description) { return description.has(Field::material); };
+  const Record* record = &derived.records[derived.record_of[volume]];
+  lsystem::Place place;
+  for (;;) {
+    const Growth* const growth = record->kind == Record::Kind::grown ? growths[record->source] : nullptr;
+    if (growth != nullptr && gives(growth->arguments)) place = growth->arguments.place;
+    const bool own = place.line > 0 || record->before == nobody;
+    if (own || (record->kind == Record::Kind::grown && !record->inherits)) break;
+    record = &derived.records[record->before];
+  }
+  if (place.line == 0) place = program.labels[record->label].description.place;
+  const float m = derived.values[derived.record_of[volume]][static_cast<std::size_t>(Field::material)];
+  return lsystem::sentence(
+      "Line %: % has m %; a material's number is a whole one from 0 to 255, and 0 is taken.",
+      {std::to_string(place.line), program.labels[derived.map.volume(volume).label].name, lsystem::number_text(m)});
 }
 
 }  // namespace
@@ -101,11 +108,7 @@ std::uint32_t Skin::rounds_for(const Derived& derived, std::uint32_t asked) {
 Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, std::uint32_t rounds) {
   const generalized_map::Map& map = derived.map;
   generalized_map::Boundary boundary = generalized_map::boundary_of(map, embedding);
-  std::vector<std::uint32_t> free_sides(map.volumes(), 0);
-  for (std::uint32_t f = 0; f < boundary.surface.faces; ++f)
-    free_sides[boundary.volume[f]] += generalized_map::is_side(boundary.face[f]);
-  is_tube_.resize(map.volumes());
-  for (std::uint32_t v = 0; v < map.volumes(); ++v) is_tube_[v] = 2 * free_sides[v] > map.volume(v).order;
+  is_tube_ = tubes_of(derived, boundary);
 
   volume_ = std::move(boundary.volume);
   face_ = std::move(boundary.face);
@@ -134,18 +137,7 @@ Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, 
 }
 
 std::vector<generalized_map::Shape> Skin::shapes(const Derived& derived) const {
-  std::vector<generalized_map::Shape> shapes = derived.shapes();
-  if (rounds() == 0) return shapes;
-  std::map<std::uint32_t, float> wider;  // by order
-  for (std::uint32_t v = 0; v < shapes.size(); ++v) {
-    if (!is_tube_[v]) continue;
-    const std::uint32_t order = derived.map.volume(v).order;
-    const auto [known, anew] = wider.try_emplace(order, 1.0f);
-    if (anew) known->second = 1 / drawn_in(order, rounds());
-    shapes[v].length *= known->second;
-    shapes[v].width *= known->second;
-  }
-  return shapes;
+  return shapes_to_round(derived, is_tube_, rounds());
 }
 
 void Skin::part(const std::vector<std::uint8_t>& numbers) {
@@ -201,14 +193,14 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
   const std::vector<glm::vec2> places = places_in_organs(derived);
 
   std::vector<std::uint8_t> numbers(derived.map.volumes());
-  bool strange = false;
+  std::uint32_t strange = nobody;
   std::vector<std::uint8_t> is_seen(derived.map.volumes(), 0);
   for (const std::uint32_t volume : volume_) is_seen[volume] = 1;
   for (std::uint32_t v = 0; v < numbers.size(); ++v) {
     const float m = derived.values[derived.record_of[v]][static_cast<std::size_t>(Field::material)];
-    strange |= !number_of(m, numbers[v]) && is_seen[v] != 0;
+    if (!number_of(m, numbers[v]) && is_seen[v] != 0 && strange == nobody) strange = v;
   }
-  if (strange) plant.notes.emplace_back("Where m is no whole number from 0 to 255 it is taken for 0.");
+  if (strange != nobody) plant.notes.push_back(strange_material(program, derived, strange));
   if (numbers != numbers_ || parts_.empty()) part(numbers);
   numbers_ = std::move(numbers);
 

@@ -23,7 +23,8 @@ constexpr float least_size = 0.7f;     // of the largest
 constexpr float drift = 0.15f;         // how far they come down from below where they hung, of that height
 constexpr float above = 0.01f;         // the ground, metres
 constexpr float least_bearing = 0.6f;  // of a leaf's length, what an internode is long that bears this year's
-constexpr float near_tip = 0.35f;      // from where on along an internode they stand
+constexpr std::size_t most_together = 256;
+constexpr float near_tip = 0.35f;  // from where on along an internode they stand
 
 // The year, from 0 to 1: when the first bud opens, over how long others follow, how long one takes; when the first leaf
 // falls, and over how long; and the same of blossoms, which come before the leaves and wither while these unfold.
@@ -71,25 +72,41 @@ class Crown {
         falls_(habit.seed, stream_fall),
         blooms_(habit.seed, stream_bloom) {}
 
-  void leaves_of(std::size_t l) {
+  // How many of the counted leaves from the l-th on stand on one twig, and come and go together; not too many to count
+  // what there is in between.
+  std::size_t together(std::size_t l) const {
+    std::size_t end = l + 1;
+    const std::size_t last = std::min(population_.leaves.size(), l + most_together);
+    while (end < last && population_.leaves[end] == population_.leaves[l]) ++end;
+    return end - l;
+  }
+
+  // Of `count` counted leaves from the l-th on, which stand together.
+  void leaves_of(std::size_t l, std::size_t count) {
     Place place;
     if (!place_of(l, place)) return;
     const Twig twig{place.along, place.one, place.other};
-    const float about = turns_.unit(hash_combine(l, 0));
-    for (std::uint32_t first = 0; first < habit_.many; first += 4) {
-      const std::uint32_t count = std::min(habit_.many - first, 4u);
-      LeafLuck luck{};
-      std::array<std::uint64_t, 4> addresses{};
-      for (std::uint32_t i = 0; i < count; ++i) {
-        addresses[i] = hash_combine(l, first + i);
-        const auto [height, around] = faces_.units(addresses[i]);
-        luck.about[i] = about + golden_turn * static_cast<float>(first + i);
-        luck.height[i] = 2 * height - 1;
-        luck.around[i] = around;
-      }
+    LeafLuck luck{};
+    std::array<Which, 4> four;
+    std::uint32_t held = 0;
+    const auto hang = [&] {
       const auto poses = habit_.needles ? needle_poses(twig, luck) : leaf_poses(twig, luck);
-      for (std::uint32_t i = 0; i < count; ++i) leaf(l, first + i, addresses[i], place, poses[i]);
+      for (std::uint32_t i = 0; i < held; ++i) leaf(four[i], place, poses[i]);
+      held = 0;
+    };
+    for (const std::size_t end = l + count; l < end; ++l) {
+      const float about = turns_.unit(hash_combine(l, 0));
+      for (std::uint32_t k = 0; k < habit_.many; ++k) {
+        const std::uint64_t address = hash_combine(l, k);
+        const auto [height, around] = faces_.units(address);
+        luck.about[held] = about + golden_turn * static_cast<float>(k);
+        luck.height[held] = 2 * height - 1;
+        luck.around[held] = around;
+        four[held] = {l * habit_.many + k, address};
+        if (++held == 4) hang();
+      }
     }
+    if (held > 0) hang();
   }
 
   void blossoms_of(std::size_t l) {
@@ -115,6 +132,12 @@ class Crown {
   }
 
  private:
+  // A leaf among all of the tree, and where its luck is drawn.
+  struct Which {
+    std::size_t number = 0;
+    std::uint64_t address = 0;
+  };
+
   // The twig that a leaf stands on, and how much of it is there.
   struct Place {
     std::int32_t bearer = -1;
@@ -167,10 +190,11 @@ class Crown {
            habit_.season > first_fall + fall_spread * falls_.unit(address);
   }
 
-  void leaf(std::size_t l, std::uint32_t k, std::uint64_t address, const Place& place, const glm::vec4& pose) {
+  void leaf(const Which& which, const Place& place, const glm::vec4& pose) {
+    const std::uint64_t address = which.address;
     const float share = place.share * unfolded(address);
     if (!(share > 0)) return;
-    const float turns = golden * static_cast<float>(l * habit_.many + k);
+    const float turns = golden * static_cast<float>(which.number);
     Organ leaf = on(place, (1 - near_tip) * (turns - std::floor(turns)));
     leaf.tag = place.falls ? falling_tag : leaf_tag;
     leaf.rotation = pose;
@@ -218,9 +242,11 @@ Diagnostic add_leaves(Plant& plant, const Population& population, const Form& fo
                            "The tree has more than " + std::to_string(limits.copies) +
                                " leaves; ask for fewer steps, or for fewer leaves for one.",
                            0, 0};
-  for (std::size_t l = 0; l < population.leaves.size(); ++l) {
-    crown.leaves_of(l);
+  for (std::size_t l = 0; l < population.leaves.size();) {
+    const std::size_t count = crown.together(l);
+    crown.leaves_of(l, count);
     if (too_many()) return trouble;
+    l += count;
   }
   for (std::size_t l = 0; habit.blossoms > 0 && l < population.leaves.size(); ++l) {
     crown.blossoms_of(l);

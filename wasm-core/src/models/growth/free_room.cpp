@@ -118,12 +118,14 @@ FreeRoom::Found FreeRoom::about(const Look& look, const VolumeShape& volume, con
     const Four turned = load(group.turn.data()) + look.luck, deep = turned - (turned >= 1.0f ? all_of(1) : all_of(0));
     const Four out = (0.5f + 0.5f * deep) * reach;
     const Four off_x = out * way_x, off_y = out * way_y, off_z = out * way_z;
-    auto taken = seen & ~seen;
+    const Four place_x = off_x + look.tip.x, place_y = off_y + look.tip.y, place_z = off_z + look.tip.z;
+    // What is no number is no place that is free; and a node that is none takes no room, for the grid leaves it out.
+    const Four somewhere = place_x + place_y + place_z;
+    auto taken = somewhere != somewhere;
     for (const float *node = near_.data(), *const end = node + 3 * near_count_; node < end; node += 3) {
       const Four to_x = off_x - node[0], to_y = off_y - node[1], to_z = off_z - node[2];
       taken |= to_x * to_x + to_y * to_y + to_z * to_z < square;
     }
-    const Four place_x = off_x + look.tip.x, place_y = off_y + look.tip.y, place_z = off_z + look.tip.z;
     for (std::size_t lane = 0; walled && lane < lanes; ++lane)
       if (!about.holds({place_x[lane], place_y[lane], place_z[lane]})) taken[lane] = -1;
     const Four lit = way_x * look.light.x + way_y * look.light.y + way_z * look.light.z;

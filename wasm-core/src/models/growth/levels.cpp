@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "environment/openness.hpp"
+#include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 #include "geometry/turn.hpp"
 #include "models/growth/foliage.hpp"
@@ -34,6 +35,32 @@ constexpr float sparse = 0.8f;  // leaves that reach less far than this share of
 constexpr float sky_cells = 7;
 constexpr std::uint32_t sky_directions = 6;
 constexpr std::size_t few = 8;
+
+// Of vertices, x, y and z by turns: four of them are three times four floats.
+Box box_of(std::span<const float> vertices) {
+  constexpr std::size_t once = 12;
+  Box box;
+  const std::size_t whole = vertices.size() / once * once;
+  if (whole > 0) {
+    std::array<Four, 3> low{}, high{};
+    for (std::size_t k = 0; k < 3; ++k) low[k] = high[k] = load(&vertices[4 * k]);
+    for (std::size_t i = once; i < whole; i += once)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Four here = load(&vertices[i + 4 * k]);
+        low[k] = here < low[k] ? here : low[k];
+        high[k] = here > high[k] ? here : high[k];
+      }
+    const auto of = [](const std::array<Four, 3>& fours, std::size_t i) {
+      return fours[i / 4][static_cast<int>(i % 4)];
+    };
+    for (std::size_t i = 0; i < once; i += 3) {
+      box.hold({of(low, i), of(low, i + 1), of(low, i + 2)});
+      box.hold({of(high, i), of(high, i + 1), of(high, i + 2)});
+    }
+  }
+  for (std::size_t i = whole; i < vertices.size(); i += 3) box.hold({vertices[i], vertices[i + 1], vertices[i + 2]});
+  return box;
+}
 
 // The segments of one shoot, which stand side by side.
 struct Run {
@@ -75,6 +102,9 @@ class Maker {
  private:
   static Openness openness_of(const Moment& moment, std::span<const Crowd> crowds) {
     std::vector<Screen> screens;
+    std::size_t count = 0;
+    for (const Crowd& crowd : crowds) count += crowd.sheets.all().size();
+    screens.reserve(count);
     for (const Crowd& crowd : crowds)
       for (const Sheet& sheet : crowd.sheets.all()) screens.push_back({sheet.middle, 0.5f * sheet.area});
     return {moment.segments, screens, sky_cells, sky_directions};
@@ -115,12 +145,13 @@ class Maker {
       first_wood_ = triangles();
       for (Crowd& crowd : crowds_) {
         open_room(4 * crowd.sheets.all().size(), 2 * crowd.sheets.all().size());
-        for (const Sheet& sheet : crowd.sheets.all()) add_folded(sheet);
+        const std::span<const Sheet> all = crowd.sheets.all();
+        const std::vector<std::uint8_t> sky = sky_of(all);
+        for (std::size_t i = 0; i < all.size(); ++i) add_folded(all[i], sky[i]);
         end_run(crowd.name);
-        crowd.reach = reach_of(out.runs.back());
       }
       first_all_ = triangles();
-      whole_ = reach_of({"", 0, static_cast<std::uint32_t>(sky_.size()), 0, 0});
+      if (made_.meshes.size() > 1) find_reaches(out.runs);
     } else {
       const float left = static_cast<float>(first_all_) / fall(level) - static_cast<float>(triangles());
       for (const Crowd& crowd : crowds_) {
@@ -148,12 +179,14 @@ class Maker {
                     static_cast<std::uint32_t>(mesh_->indices.size()) - index});
   }
 
-  Box reach_of(const MeshRun& run) const {
-    Box box;
-    for (std::size_t v = 3 * std::size_t{run.first_vertex}; v < 3 * std::size_t{run.first_vertex + run.vertex_count};
-         v += 3)
-      box.hold({mesh_->positions[v], mesh_->positions[v + 1], mesh_->positions[v + 2]});
-    return box;
+  // How far the first level and its crowds, whose runs stand behind the bark's, reach: later ones do too.
+  void find_reaches(std::span<const MeshRun> runs) {
+    whole_ = box_of(mesh_->positions);
+    for (std::size_t i = 0; i < crowds_.size(); ++i) crowds_[i].reach = box_of(vertices_of(runs[i + 1]));
+  }
+
+  std::span<const float> vertices_of(const MeshRun& run) const {
+    return std::span(mesh_->positions).subspan(3 * std::size_t{run.first_vertex}, 3 * std::size_t{run.vertex_count});
   }
 
   // By how much a level has fewer triangles than the first.
@@ -300,8 +333,12 @@ class Maker {
     *index_++ = c;
   }
 
+  std::vector<std::uint8_t> sky_of(std::span<const Sheet> sheets) const {
+    return open_.of(sheets.size(), [&](std::size_t i) -> const glm::vec3& { return sheets[i].middle; });
+  }
+
   // Two triangles, folded up along the midrib.
-  void add_folded(const Sheet& leaf) {
+  void add_folded(const Sheet& leaf, std::uint8_t sky) {
     static const SinCos fold = sincos_degrees(folded);
     const glm::vec3 face = leaf.face(), tip = 0.5f * leaf.length * leaf.along;
     const glm::vec3 out = fold.cosine * leaf.across, up = fold.sine * face;
@@ -309,14 +346,14 @@ class Maker {
     const float half = leaf.area / leaf.length;
     add_corners(
         {leaf.middle - tip, leaf.middle + half * (up + out), leaf.middle + half * (up - out), leaf.middle + tip},
-        {face, level - lean, level + lean, face}, open_.at(leaf.middle));
+        {face, level - lean, level + lean, face}, sky);
   }
 
-  void add_flat(const Sheet& leaf) {
+  void add_flat(const Sheet& leaf, std::uint8_t sky) {
     std::array<glm::vec3, 4> places = leaf.corners();
     for (glm::vec3& place : places) place += leaf.middle;
     const glm::vec3 face = leaf.face();
-    add_corners(places, {face, face, face, face}, open_.at(leaf.middle));
+    add_corners(places, {face, face, face, face}, sky);
   }
 
   // A foot, what is at its two sides, and a tip.
@@ -337,9 +374,10 @@ class Maker {
     if (tells_outline(crowd.sheets)) target = {{whole_.low.x, crowd.reach.low.y, whole_.low.z}, whole_.high};
     const std::vector<Sheet> merged = crowd.sheets.merged(count, target);
     open_room(4 * merged.size(), 2 * merged.size());
-    for (const Sheet& sheet : merged) {
-      if (!sheet.one) made_.tolerance[level] = std::max(made_.tolerance[level], sheet.length);
-      add_flat(sheet);
+    const std::vector<std::uint8_t> sky = sky_of(merged);
+    for (std::size_t i = 0; i < merged.size(); ++i) {
+      if (!merged[i].one) made_.tolerance[level] = std::max(made_.tolerance[level], merged[i].length);
+      add_flat(merged[i], sky[i]);
     }
   }
 

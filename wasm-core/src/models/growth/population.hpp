@@ -37,6 +37,8 @@ struct Leaf {
   std::uint16_t born = 0;
   std::uint16_t falls = never;  // step at which it becomes a falling leaf
   std::uint16_t gone = never;   // step in the course of which it goes, as the foliage of an earlier year
+
+  bool operator==(const Leaf&) const = default;
 };
 
 // wb, h, wt of section 3.3 in metres, gradient in radians.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <tuple>
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
@@ -121,28 +122,52 @@ Steps within(const Strip& strip, const glm::vec2& from, const glm::vec2& step, f
   return {std::max(std::floor(steps.first) - 1, -most), std::min(std::ceil(steps.last) + 1, most)};
 }
 
-// Parallel lines over the whole strip, its middle in the midst of them. `count` 0: all there is room for.
+// A place in rows, by the numbers of its row and of its place in that, from the middle.
+struct InRow {
+  std::int32_t row, place;
+  glm::vec2 at;
+};
+
+// Of too many those of the rows nearest to the middle, and of the last of these from its own middle; in the order they had.
+void keep_middle(std::vector<InRow>& spots, std::uint32_t count) {
+  if (spots.size() <= count) return;
+  std::sort(spots.begin(), spots.end(), [](const InRow& a, const InRow& b) {
+    return std::tuple(std::abs(a.row), a.row, std::abs(a.place), a.place) <
+           std::tuple(std::abs(b.row), b.row, std::abs(b.place), b.place);
+  });
+  spots.resize(count);
+  std::sort(spots.begin(), spots.end(),
+            [](const InRow& a, const InRow& b) { return std::tie(a.row, a.place) < std::tie(b.row, b.place); });
+}
+
+// Parallel lines over the whole strip, its middle in the midst of them. `count` 0: all there is room for; the text's own
+// count fills them from the back, fewer than the text says stand in the middle.
 std::vector<glm::vec2> in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const Luck& luck) {
   const SinCos turn = sincos_degrees(layer.towards);
   const glm::vec2 along(turn.cosine, turn.sine), across(-turn.sine, turn.cosine);
   const glm::vec2 middle = strip.at(0.5f, 0.5f);
   const float reach = 0.5f * glm::length(strip.size);
-  const std::uint32_t most = count > 0 ? std::min(count, most_plants) : most_plants + 1;
+  const bool fewer = count > 0 && (layer.count == 0 || count < layer.count);
+  const std::uint32_t most = count > 0 && !fewer ? std::min(count, most_plants) : most_plants + 1;
   // So many fit beside the middle one, as the shorter of both sides has room: a symmetrical field.
   const auto rows = static_cast<std::int32_t>(std::min(reach / layer.apart, 1e5f));
   const float places = std::floor(std::min(reach / layer.along, 1e5f));
-  std::vector<glm::vec2> spots;
-  for (std::int32_t row = -rows; row <= rows && spots.size() < most; ++row) {
+  std::vector<InRow> found;
+  for (std::int32_t row = -rows; row <= rows && found.size() < most; ++row) {
     const glm::vec2 of_row = middle + layer.apart * static_cast<float>(row) * across;
     const Steps steps = within(strip, of_row, layer.along * along, places);
     const auto last = static_cast<std::int32_t>(steps.last);
-    for (auto place = static_cast<std::int32_t>(steps.first); place <= last && spots.size() < most; ++place) {
+    for (auto place = static_cast<std::int32_t>(steps.first); place <= last && found.size() < most; ++place) {
       const glm::vec2 spot = of_row + layer.along * static_cast<float>(place) * along;
-      if (!strip.holds(spot)) continue;
-      const std::uint64_t address = hash_combine(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(place));
-      const glm::vec2 off(2 * luck.unit(address) - 1, 2 * luck.unit(hash_combine(address, 1)) - 1);
-      spots.push_back(glm::clamp(spot + layer.jitter * off, strip.low, strip.low + strip.size));
+      if (strip.holds(spot)) found.push_back({row, place, spot});
     }
+  }
+  if (fewer) keep_middle(found, count);
+  std::vector<glm::vec2> spots;
+  for (const auto& [row, place, spot] : found) {
+    const std::uint64_t address = hash_combine(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(place));
+    const glm::vec2 off(2 * luck.unit(address) - 1, 2 * luck.unit(hash_combine(address, 1)) - 1);
+    spots.push_back(glm::clamp(spot + layer.jitter * off, strip.low, strip.low + strip.size));
   }
   return spots;
 }

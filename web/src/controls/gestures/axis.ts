@@ -2,10 +2,10 @@
 import { scaleOf } from "../../specimen/lengths";
 import { nearestWithin } from "../../specimen/table";
 import type { Change, DeskState } from "../desk";
-import { decimals, withConstants } from "../grammar/outline";
+import { decimals } from "../grammar/outline";
 import { ReadOutline } from "../grammar/read_outline";
 import { written } from "../grammar/scrub";
-import { type GrammarDesk, type GrammarSource, textOf, withText } from "../grammar/source";
+import { type GrammarDesk, type GrammarSource, textOf, withValues } from "../grammar/source";
 
 /** A number of the document, and where it may go. */
 export interface Axis {
@@ -54,10 +54,8 @@ export class Axes {
 			if (kind === "constant") constants[key] = Number(written(onSteps(value, min, max, step), decimals(String(step))));
 			else if (entry && entry.kind !== "colour") parameters[key] = nearestWithin(entry, value);
 		}
-		const text = this.#text;
-		const rewritten = text === undefined ? text : withConstants(text, constants, this.#source?.dialect?.scan(text));
-		const own = this.#source && rewritten !== undefined && rewritten !== text;
-		return { parameters, ...(own ? withText(this.#source, this.#desk.state.specimen, rewritten) : {}) };
+		const given = this.#source && Object.keys(constants).length > 0;
+		return { parameters, ...(given ? withValues(this.#source, this.#desk.state.specimen, constants) : {}) };
 	}
 
 	get #text(): string | undefined {

@@ -1,17 +1,15 @@
-import { html, nothing } from "lit";
-import { live } from "lit/directives/live.js";
+import { html } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import { coarseStep } from "../coarse_step";
 import { ControlElement } from "../control_element";
 import { HeldKey } from "../held_key";
-import { handBack, handOver, isForField, readTyped } from "../typed";
+import { sliderRow } from "../slider_row";
 import { type Constant, type Curve, decimals, type Outline } from "./outline";
 import { ReadOutline } from "./read_outline";
 import { written } from "./scrub";
-import { type GrammarDesk, type GrammarSource, textOf, withText } from "./source";
+import { type GrammarDesk, type GrammarSource, isOwn, textOf, withText, withValues } from "./source";
 import "./curve_editor";
 
-/** Sliders of a text's constants, and its curves: what they change is written into the text. */
+/** Sliders of a text’s constants, and its curves: what they change goes into the document’s values, or into a text of its own. */
 export class Constants extends ControlElement<GrammarDesk> {
 	static override properties = { ...ControlElement.properties, source: { attribute: false } };
 	declare source: GrammarSource;
@@ -46,50 +44,26 @@ export class Constants extends ControlElement<GrammarDesk> {
 
 	#slider(constant: Constant): unknown {
 		const { name, number, min, max, step, words } = constant;
-		const slide = this.idOf(`slide-${name}`);
-		const help = this.idOf(`help-${name}`);
 		const published = this.#builtIn(name);
-		const reset = () => published !== undefined && this.#set(name, published);
-		const edit = (value: number) => this.#edit(constant, value);
-		const press = (event: KeyboardEvent) => {
-			const field = (event.currentTarget as HTMLElement).parentElement?.querySelector<HTMLInputElement>(".typed");
-			if (event.key === "Delete" || event.key === "Backspace") reset();
-			else if (isForField(event)) handOver(event, field ?? null);
-			else {
-				this.#held.down(event);
-				const by = coarseStep(step, event);
-				if (by === undefined) return;
-				event.preventDefault();
-				edit(number.value + by);
-			}
-		};
-		const type = (event: Event) => {
-			const field = event.target as HTMLInputElement;
-			const typed = readTyped(field.value);
-			if (Number.isFinite(typed)) this.#set(name, String(typed));
-			field.value = this.#outline.constants.find((each) => each.name === name)?.number.text ?? "";
-		};
 		const changed = published !== undefined && Number(published) !== number.value;
-		return html`<div class="control ${changed ? "changed" : ""}" data-constant=${name}>
-			<label for=${slide} title=${words || nothing} @dblclick=${reset}>${name}</label>
-			<input
-				type="range" id=${slide} min=${min} max=${max} step=${step} .value=${live(String(number.value))} aria-describedby=${help}
-				style-done=${(100 * (number.value - min)) / (max - min)}
-				@input=${(event: Event) => edit(Number((event.target as HTMLInputElement).value))} @change=${this.#held.slid} @dblclick=${reset}
-				@keydown=${press} @keyup=${this.#held.up} @blur=${this.#held.up}
-			>
-			<input
-				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${live(number.text)} aria-label=${`${name}, typed`}
-				@change=${type} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
-				@keydown=${(event: KeyboardEvent) => handBack(event, number.value, (event.currentTarget as HTMLElement).parentElement?.querySelector("input[type=range]") ?? null)}
-			>
-			<span class="unseen" id=${help}>${words ? `${words}. ` : ""}${min} … ${max}. Line ${constant.line} of the grammar.</span>
-		</div>`;
-	}
-
-	protected override updated(): void {
-		for (const slider of this.querySelectorAll<HTMLElement>("[style-done]"))
-			slider.style.setProperty("--done", `${slider.getAttribute("style-done")}%`);
+		return html`<div class="control ${changed ? "changed" : ""}">${sliderRow({
+			id: this.idOf(`slide-${name}`),
+			label: words ? html`<span title=${words}>${name}</span>` : name,
+			typedName: `${name}, typed`,
+			min,
+			max,
+			step,
+			value: number.value,
+			text: number.text,
+			help: `${words ? `${words}. ` : ""}${min} … ${max}. Line ${constant.line} of the grammar.`,
+			held: this.#held,
+			slide: (value) => this.#edit(constant, value),
+			type: (typed) => {
+				if (Number.isFinite(typed)) this.#set(name, String(typed));
+				return this.#outline.constants.find((each) => each.name === name)?.number.text ?? "";
+			},
+			...(published === undefined ? {} : { reset: () => this.#set(name, published) }),
+		})}</div>`;
 	}
 
 	/** A slider moves: the number takes as many digits as its steps need. */
@@ -106,6 +80,9 @@ export class Constants extends ControlElement<GrammarDesk> {
 	}
 
 	#changed(name: string, value: string) {
+		const { specimen } = this.desk.state;
+		if (!isOwn(specimen)) return withValues(this.source, specimen, { [name]: Number(value) });
+		// In a text of one's own the number keeps the digits that it is written with.
 		const constant = this.#outline.constants.find((each) => each.name === name);
 		return constant && this.#withStretch(constant.number, value);
 	}
@@ -131,8 +108,8 @@ export class Constants extends ControlElement<GrammarDesk> {
 
 	/** What a constant is in the text that the preset grows by, as it is written there. */
 	#builtIn(name: string): string | undefined {
-		const text = this.source.builtIn(this.desk.preset);
-		if (typeof text !== "string") return undefined;
+		const text = textOf(this.source, this.desk.preset, () => {});
+		if (text === undefined) return undefined;
 		return this.#published.of(text, this.source).constants.find((each) => each.name === name)?.number.text;
 	}
 }

@@ -147,6 +147,8 @@ export class Editor {
 		if (this.#told && sameProblems(this.#told, problems)) return;
 		this.#told = problems;
 		tell(this.#view, problems);
+		// Their list below has taken room from the line that is typed in.
+		if (problems.length > 0) requestAnimationFrame(() => this.showCursor());
 		this.#view.contentDOM.ariaInvalid = String(problems.some(({ severity }) => severity === "error"));
 	}
 

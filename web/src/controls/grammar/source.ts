@@ -1,16 +1,18 @@
 /** Where a model's grammars come from, and what a change of one writes into the document. */
 import type { Plant } from "../../plant/plant";
+import { type Constants, inOrder, type WithConstants } from "../../specimen/constants";
 import type { WithGrammar } from "../../specimen/grammar_text";
 import type { Specimen } from "../../specimen/specimen";
 import type { Change, Desk } from "../desk";
 import type { Dialect } from "./dialect";
+import { outlineOf, withConstants } from "./outline";
 
 /** What the editor of grammars has to know of a model. */
 export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & WithGrammar> {
 	/** What sentences call a plant of it: "bunch". */
 	readonly noun: string;
-	/** The group of the panel that says so where a plant has a grammar of its own. */
-	readonly group: string;
+	/** The group of the panel that says so where a plant has a grammar of its own; absent: one at the panel's end, for hands write texts. */
+	readonly group?: string;
 	/**
 	 * The text by which a document grows that has none of its own. One that has yet to be fetched is promised: once the promise is
 	 * kept, this gives it.
@@ -28,15 +30,17 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
 	readonly governed?: ReadonlySet<string>;
 	/** What a plant lacks of what its text asks for, a line each: said below the text. */
 	warnings?(grown: Plant, specimen: S): readonly string[];
-	/** What a text of its own changes in the document; its `grammar` where absent. */
-	details?(text: string | undefined, specimen: S): NonNullable<Change["details"]>;
+	/** The values of constants that a preset sets, where documents hold such (specimen/constants.ts): sliders then leave the text as it is. */
+	presetConstants?(preset: string): Constants;
 }
 
-/** The text that a document grows by; undefined while it is fetched, and then `later` is called once it is there. */
+/**
+ * The text that a document grows by, with the values of its constants in it; undefined while it is fetched, and then `later` is called
+ * once it is there.
+ */
 export function textOf(source: GrammarSource, specimen: Specimen & WithGrammar, later: () => void): string | undefined {
-	if (specimen.grammar !== undefined) return specimen.grammar;
-	const text = source.builtIn(specimen);
-	if (typeof text === "string") return text;
+	const text = specimen.grammar ?? source.builtIn(specimen);
+	if (typeof text === "string") return source.presetConstants ? valued(source, text, constantsOf(specimen)) : text;
 	text.then(later, () => {}); // Who grows it says why it did not come.
 	return undefined;
 }
@@ -46,10 +50,62 @@ export function isOwn({ grammar }: WithGrammar): boolean {
 	return grammar !== undefined;
 }
 
-/** The change that makes a text the document's: one that is the built-in one is none of its own. */
+/**
+ * The change that makes a text the document's, undefined the built-in one: one that is that is none of its own. Values of constants that
+ * the text says itself are then nowhere else: one number, one place.
+ */
 export function withText(source: GrammarSource, specimen: Specimen & WithGrammar, text: string | undefined): Change {
-	const own = text === undefined || text === source.builtIn(specimen) ? undefined : text;
-	return { details: source.details?.(own, specimen) ?? { grammar: own } };
+	const { presetConstants } = source;
+	const builtIn = source.builtIn(specimen);
+	if (!presetConstants) return { details: { grammar: text === builtIn ? undefined : text } };
+	const published = presetConstants(specimen.preset);
+	const own = constantsOf(specimen);
+	if (text === undefined) return { details: { grammar: text, constants: published } };
+	const same = (constants: Constants) => typeof builtIn === "string" && text === valued(source, builtIn, constants);
+	const constants = !isOwn(specimen) && same(own) ? own : same(published) ? published : undefined;
+	if (constants) return { details: { grammar: undefined, constants } };
+	const written = new Set(outlineOf(text, source.dialect?.scan(text)).constants.map(({ name }) => name));
+	const given = Object.entries(own).filter(([name]) => !written.has(name));
+	return { details: { grammar: text, constants: Object.fromEntries(given) } };
+}
+
+/**
+ * The change that gives constants of the text other values: beside a preset's text, which so stays the preset's, or else within the text;
+ * undefined while that is fetched.
+ */
+export function withValues(
+	source: GrammarSource,
+	specimen: Specimen & WithGrammar,
+	values: Constants,
+): Change | undefined {
+	const text = textOf(source, specimen, () => {});
+	if (text === undefined) return undefined;
+	const { presetConstants } = source;
+	if (!presetConstants || isOwn(specimen))
+		return withText(source, specimen, withConstants(text, values, source.dialect?.scan(text)));
+	const published = presetConstants(specimen.preset);
+	const builtIn = source.builtIn(specimen) as string;
+	const said = new Map(
+		outlineOf(builtIn, source.dialect?.scan(builtIn)).constants.map((each) => [each.name, each.number]),
+	);
+	// What the text says itself need not be said.
+	const told = Object.entries({ ...constantsOf(specimen), ...values }).filter(
+		([name, value]) => name in published || said.get(name)?.value !== value,
+	);
+	return { details: { constants: inOrder(told) } };
+}
+
+const constantsOf = (specimen: Specimen & Partial<WithConstants>): Constants => specimen.constants ?? {};
+
+/** Texts as they were last written, by the values in them: asked for whenever something is drawn. */
+const written = new WeakMap<Constants, { readonly text: string; readonly valued: string }>();
+
+function valued({ dialect }: GrammarSource, text: string, constants: Constants): string {
+	const before = written.get(constants);
+	if (before?.text === text) return before.valued;
+	const now = Object.keys(constants).length === 0 ? text : withConstants(text, constants, dialect?.scan(text));
+	written.set(constants, { text, valued: now });
+	return now;
 }
 
 /** What all of the studio that has to do with grammars is given. */

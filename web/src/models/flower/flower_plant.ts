@@ -1,6 +1,6 @@
 /** Columns of an answer → a flower (wasm-core/src/models/flower/model.hpp). */
 import type { Answer } from "../../core/core";
-import type { Plant } from "../../plant/plant";
+import type { Plant, PlantMesh } from "../../plant/plant";
 import { readPlant } from "../../plant/read_plant";
 
 /** Volumes in the order in which they were made. */
@@ -31,37 +31,66 @@ export interface Darts {
 	positions: Float32Array;
 }
 
+/** The whole flower as one mesh for one distance; its runs are called by their kind of material. */
+export interface Level {
+	mesh: PlantMesh;
+	/** Of each vertex, which of the flower's paints it has. */
+	paint: Uint8Array;
+}
+
 export interface FlowerPlant extends Plant {
 	/** Absent of what has grown in passing. */
 	darts?: Darts;
+	/** None of what has grown for its levels alone. */
 	volumes: Volumes;
+	/** From near to far; none where they were not asked for. */
+	levels: readonly Level[];
 	/** Of each mesh, of each triangle the volume that it is of. */
 	cells: readonly Uint32Array[];
-	/** 4 × meshes: where an organ begins and where it ends, of its margin, of its veins; 0xrrggbb as sRGB. */
+	/** Of each mesh, what the text calls its material; empty where it does not. */
+	names: readonly string[];
+	/** 4 × meshes, and behind those 4 for each other paint of levels: where an organ begins and where it ends, of its margin, of its veins; 0xrrggbb as sRGB. */
 	colours: Uint32Array;
-	/** 5 × meshes: foot, width of the margin, veins a side, their strength, light that comes through. */
+	/** 5 × as many: foot, width of the margin, veins a side, their strength, light that comes through. */
 	paint: Float32Array;
 }
 
+const LEVEL = /^level\d$/;
+const NONE = new Uint32Array();
+const NO_VOLUMES: Volumes = {
+	...{ labels: [], module: NONE, label: NONE, order: NONE, parent: NONE, line: NONE, call: NONE },
+	values: new Float32Array(),
+};
+
 export function readFlowerPlant(answer: Answer): FlowerPlant {
 	const { columns } = answer;
-	const plant = readPlant(answer);
+	const { meshes: all, ...plant } = readPlant(answer);
+	const meshes = all.filter(({ name }) => !LEVEL.test(name));
 	return {
 		...plant,
-		cells: plant.meshes.map(({ name }) => columns.words(`mesh.${name}.volume`)),
-		volumes: {
-			labels: columns.text("labels").split(" "),
-			module: columns.words("labels.module"),
-			label: columns.words("volumes.label"),
-			order: columns.words("volumes.order"),
-			parent: columns.words("volumes.parent"),
-			line: columns.words("volumes.line"),
-			call: columns.words("volumes.call"),
-			values: columns.floats("volumes.values"),
-		},
+		meshes,
+		cells: meshes.map(({ name }) => columns.words(`mesh.${name}.volume`)),
+		levels: all
+			.filter(({ name }) => LEVEL.test(name))
+			.map((mesh) => ({ mesh, paint: columns.octets(`mesh.${mesh.name}.paint`) })),
+		volumes: columns.has("volumes.label") ? readVolumes(columns) : NO_VOLUMES,
 		...(columns.has("alpha0") ? { darts: readDarts(columns) } : {}),
+		names: columns.has("materials.name") ? columns.lines("materials.name") : [],
 		colours: columns.has("materials.colours") ? columns.words("materials.colours") : new Uint32Array(),
 		paint: columns.has("materials.paint") ? columns.floats("materials.paint") : new Float32Array(),
+	};
+}
+
+function readVolumes(columns: Answer["columns"]): Volumes {
+	return {
+		labels: columns.text("labels").split(" "),
+		module: columns.words("labels.module"),
+		label: columns.words("volumes.label"),
+		order: columns.words("volumes.order"),
+		parent: columns.words("volumes.parent"),
+		line: columns.words("volumes.line"),
+		call: columns.words("volumes.call"),
+		values: columns.floats("volumes.values"),
 	};
 }
 

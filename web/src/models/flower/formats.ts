@@ -6,18 +6,26 @@ import { fetchedText, fetchTexts } from "./texts";
 
 async function textOf(specimen: FlowerSpecimen): Promise<string> {
 	if (specimen.grammar === undefined) await fetchTexts();
-	return withSteps(fetchedText(specimen) ?? "", specimen.parameters.steps);
+	return writtenText(fetchedText(specimen) ?? "", specimen);
 }
 
-/** The text with as many steps as the panel gives it, in front of its modules, so that it grows as far wherever it is read. */
-function withSteps(text: string, steps: number): string {
-	if (!(steps > 0)) return text;
+/** The text with the document's values and steps in front of its modules, so that it grows the same flower wherever it is read. */
+export function writtenText(
+	text: string,
+	{ constants, parameters: { steps } }: Pick<FlowerSpecimen, "constants" | "parameters">,
+) {
 	const modules = text.search(/^[ \t]*#module\b/m);
-	const own = modules < 0 ? text : text.slice(0, modules);
-	const line = /^([ \t]*#define[ \t]+finalStep[ \t]*=)[^\n@]*/m;
-	const said = line.test(own) ? own.replace(line, `$1${steps}`) : `${own.trimEnd()}\n#define finalStep=${steps}\n`;
-	return said + text.slice(own.length);
+	let own = modules < 0 ? text : text.slice(0, modules);
+	const behind = text.slice(own.length);
+	for (const [name, value] of Object.entries(constants)) own = own.replace(defining(name), `$1${value}`);
+	if (!(steps > 0)) return own + behind;
+	const line = defining("finalStep");
+	return (line.test(own) ? own.replace(line, `$1${steps}`) : `${own.trimEnd()}\n#define finalStep=${steps}\n`) + behind;
 }
+
+/** The line that gives a variable its value, up to the comment behind that. */
+const defining = (name: string): RegExp =>
+	new RegExp(`^([ \\t]*#[ \\t]*define[ \\t]+${name}[ \\t]*=)(?:[^\\n@/]|/(?!\\*))*?(?=[ \\t]*(?:@|/\\*|$))`, "mu");
 
 export const FLOWER_FORMATS: readonly Format<FlowerSpecimen, FlowerPlant>[] = [
 	{

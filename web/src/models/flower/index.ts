@@ -1,13 +1,15 @@
 /** Flowers from generalized maps (Petrenko 2014): docs/models/flower/flower.md. */
+import { titledBy } from "../../specimen/preset_texts";
 import type { Model } from "../model";
 import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
 import { FLOWER_FORMATS } from "./formats";
+import { flowerLevels } from "./levels";
 import { flowerParts } from "./parts";
-import { flowerRecord } from "./record";
+import { flowerRecord, tooHeavy } from "./record";
 import { encodeFlower } from "./request";
 import { FLOWER, isXml } from "./species";
 import type { FlowerSpecimen } from "./specimen";
-import { fetchTexts } from "./texts";
+import { fetchedText, fetchTexts } from "./texts";
 import { flowerInWords } from "./words";
 
 export const model = {
@@ -21,10 +23,13 @@ export const model = {
 	encode: encodeFlower,
 	read: readFlowerPlant,
 	parts: flowerParts,
-	titled: ({ grammar }) => (grammar === undefined ? undefined : "A flower grammar of one’s own"),
+	levels: flowerLevels,
+	titled: titledBy("A flower grammar of one’s own", fetchedText),
 	words: flowerInWords,
 	record: flowerRecord,
+	heavy: tooHeavy,
 	formats: FLOWER_FORMATS,
-	translated: (text) => (isXml(text) ? import("./xml/read").then(({ textOfXml }) => textOfXml(text)) : undefined),
+	translated: (text) =>
+		isXml(text) ? import("./xml/designed").then(({ grammarOfXml }) => grammarOfXml(text)) : undefined,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<FlowerSpecimen, FlowerPlant>;

@@ -47,6 +47,16 @@ export function colourAt({ base, tip, foot, margin, veins }: Paint, u: number, v
 	return veins.count >= 1 ? mixed(edged, veins.colour, veins.strength * ink(veins.count, u, v)) : edged;
 }
 
+/** What a vein's ink comes to on the average, where it is dark. */
+const INK = 0.25;
+
+/** The same where single veins cannot be told any more: what they do to the colour about them. */
+export function colourFromAfar(paint: Paint, u: number, v: number): Colour {
+	const { veins } = paint;
+	const plain = colourAt({ ...paint, veins: { ...veins, count: 0 } }, u, v);
+	return veins.count >= 1 ? mixed(plain, veins.colour, INK * veins.strength * (1 - smooth((u - 0.5) / 0.5))) : plain;
+}
+
 /** How much of a place is vein: one in the middle, others that spread from the foot, fork, and fade before the tip. */
 function ink(count: number, u: number, v: number): number {
 	const across = (v * (Math.floor(count) + 0.5)) / (0.55 + 0.45 * Math.sqrt(u));

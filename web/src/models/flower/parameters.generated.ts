@@ -25,6 +25,7 @@ export const PARAMETERS: readonly Entry[] = [
 		max: 400,
 		default: 0,
 		step: 1,
+		zero: "auto",
 		help: "Steps of the text itself; 0: as many as it says, and 10 where it says nothing. Modules have their own.",
 		since: 2,
 	},

@@ -24,24 +24,36 @@ export function* flowerParts(plant: FlowerPlant): Generator<Part> {
 	for (const [i, plain] of plant.meshes.entries()) {
 		const mesh = { ...plain, cells: plant.cells[i] };
 		const paint = paints[i];
-		const named = mesh.material.charAt(0).toUpperCase() + mesh.material.slice(1);
+		const named = capital(plant.names[i] || mesh.material);
 		const before = names.get(named) ?? 0;
 		names.set(named, before + 1);
 		const name = before === 0 ? named : `${named} ${before + 1}`;
 		const fine = isFine(paint) ? pictureOf(paint) : undefined;
-		const { sheet: _, ...usual } = standardMaterial(KINDS[mesh.material] ?? mesh.material);
 		const material: Material = {
-			...usual,
-			...OWN[mesh.material],
-			name,
-			colour: fine?.mean ?? colourAt(paint, paint.foot / 2, 0),
-			// The skin is closed: there is no other side to see.
-			doubleSided: false,
-			...(paint.light > 0 ? { sheet: { through: THROUGH.map((c) => c * paint.light) as Colour, reverse: SAME } } : {}),
+			...materialOf(mesh.material, name, fine?.mean ?? colourAt(paint, paint.foot / 2, 0), paint.light),
 			...(fine ? { textures: { colour: fine.picture } } : {}),
 		};
 		yield { name, shape: { mesh: fine ? mesh : coloured(mesh, paint), material } };
 	}
+}
+
+const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
+
+/**
+ * What organs of a kind are made of.
+ * @param light that comes through, as a share
+ */
+export function materialOf(kind: string, name: string, colour: Colour, light: number): Material {
+	const { sheet: _, ...usual } = standardMaterial(KINDS[kind] ?? kind);
+	return {
+		...usual,
+		...OWN[kind],
+		name,
+		colour,
+		// The skin is closed: there is no other side to see.
+		doubleSided: false,
+		...(light > 0 ? { sheet: { through: THROUGH.map((c) => c * light) as Colour, reverse: SAME } } : {}),
+	};
 }
 
 /** A colour for each vertex, where there is nothing finer. */

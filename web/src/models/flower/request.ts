@@ -9,26 +9,27 @@ import { fetchedText } from "./texts";
 export interface RequestOptions extends GrowthOptions {
 	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
 	sky?: boolean;
-	/** Whether the map is wanted, dart by dart; the default is yes, but not in passing. */
-	map?: boolean;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
 	meshFingerprint?: boolean;
 }
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeFlower(specimen: FlowerSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false } = options;
-	const { measures = !passing, sky = meshes && !passing, map = !passing } = options;
+	const { meshes = true, passing = false, meshFingerprint = false, levels = false } = options;
+	const { measures = !passing, sky = meshes && !passing, map = !passing && !levels } = options;
 	const outputs = [
-		meshes && "meshes",
+		// How large its surface is, only its skin says: the same in a file without meshes.
+		(meshes || measures) && "meshes",
 		measures && "measures",
 		sky && "sky",
 		map && "map",
 		meshFingerprint && "mesh_fingerprint",
+		levels && "levels",
 	];
-	const { model, seed, parameters } = specimen;
+	const { model, seed, parameters, constants } = specimen;
 	const text = fetchedText(specimen);
 	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
+	const names = Object.keys(constants);
 	return [
 		{ name: "model", data: model },
 		{ name: "seed", data: Uint32Array.of(seed) },
@@ -37,6 +38,12 @@ export function encodeFlower(specimen: FlowerSpecimen, options: RequestOptions =
 			name: "parameters",
 			data: Float32Array.from(FLOWER_TABLE.core, ({ key }) => number(key, parameters[key as keyof typeof parameters])),
 		},
+		...(names.length === 0
+			? []
+			: [
+					{ name: "values.names", data: names.join(" ") },
+					{ name: "values", data: Float32Array.from(names, (name) => number(name, constants[name])) },
+				]),
 		{ name: "text", data: text },
 	];
 }

@@ -1,10 +1,12 @@
 /** The document's side of the model: its table, its presets, and what a specimen of it holds besides. */
+import { constantValues } from "../../specimen/constants";
 import { grammarText } from "../../specimen/grammar_text";
 import { Presets } from "../../specimen/presets";
 import type { Species } from "../../specimen/species";
 import { PRESET_KINDS, PRESETS } from "./presets.generated";
 import type { FlowerSpecimen } from "./specimen";
 import { FLOWER_TABLE } from "./table";
+import { variablesIn } from "./texts";
 
 /** The preset a link without `preset` means. */
 export const DEFAULT_PRESET = "tulip";
@@ -25,5 +27,8 @@ export const FLOWER: Species<FlowerSpecimen> = {
 	name: "flower",
 	table: FLOWER_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [grammarText((text) => isXml(text) || (OWN.test(text) && /^[ \t]*#axiome?\b/m.test(text)))],
+	details: [
+		constantValues<FlowerSpecimen>(variablesIn),
+		grammarText((text) => isXml(text) || (OWN.test(text) && /^[ \t]*#axiome?\b/m.test(text))),
+	],
 };

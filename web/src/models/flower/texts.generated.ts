@@ -28,11 +28,11 @@ export const TEXTS: Readonly<Record<string, string>> = {
 #material 7 petal "4d5590" "5c64b8"
 
 #axiom: STEM(,,,55,,,,)
-STEM{}{step<4}{} -> OLD[STEM]_{E}[&PETAL{K=12; J=1; len=math.random(205,240); wide=math.random(8,12); thick=0.9; start=-66+math.random(-9,9); sway=math.random(-8,8); low=6; mid=16; high=math.random(30,80); cup=14; peak=0.8; foot=0.4; tip=1.2; claw=0.8; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
+STEM{}{step<4}{} -> OLD[STEM]_{E}[&PETAL{K=12; J=1; len=math.random(250,300); wide=math.random(8,12); thick=0.9; start=-66+math.random(-9,9); sway=math.random(-8,8); low=6; mid=16; high=math.random(30,80); cup=14; peak=0.8; foot=0.4; tip=1.2; claw=0.8; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
 STEM{}{step>3&&step<12}{} -> OLD[STEM(,<bend+0.9+math.random(-1,1)>,<math.random(-1,1)>,,<tall/9>,3.2,3.2,)]_{E}
 STEM{}{step==12}{} -> OLD[NODE]_{E}
 /* Each node bows a little more; pedicels stand to this side and that, and all hang to the front. */
-NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<7+9*q>,<math.random(-4,4)>,,<15-7*q>,<2.8-1.4*q>,<2.8-1.4*q>,)]_{E}[&BELL{open=min(1,max(0,open*1.5-0.75*q)); wilt=wilt; size=math.random(0.94,1.06)*(1-0.3*q); droop=18-q*8}]_{C(3-(step%2)*4+12*(step%2))}
+NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<7+9*q>,<math.random(-4,4)>,,<15-7*q>,<2.8-1.4*q>,<2.8-1.4*q>,)]_{E}[&BELL{open=min(1,max(0,open*1.5-0.75*q)); wilt=wilt; size=math.random(0.94,1.06)*(1-0.1*q); droop=18-q*8}]_{C(3-(step%2)*4+12*(step%2))}
 
 #module BELL
 #define open=1
@@ -47,8 +47,8 @@ NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<7+9*q>,<math.rando
 STALK{}{step<5}{} -> STALK[STALK(,<droop+math.random(-2,2)>,,,,,,)]_{E}
 STALK{}{step==5}{} -> STALK[WHORL]_{E}
 WHORL -> WHORL[INNER]_{E}
-WHORL -> WHORL[&PETAL{K=8; J=1; len=size*(11+6*open); wide=size*(3.6+1.5*open); thick=0.45; start=-52-6*(1-open); low=-44+10*(1-open); mid=4-14*(1-open); high=-20+(160+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C1,C5,C9}
-INNER -> INNER[&PETAL{K=8; J=1; len=size*(11+6*open); wide=size*(3.6+1.5*open); thick=0.45; start=-56-6*(1-open); low=-40+8*(1-open); mid=4-14*(1-open); high=-20+(150+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C3,C7,C11}
+WHORL -> WHORL[&PETAL{K=8; J=1; len=size*(12.5+5*open); wide=size*(2.8+1*open); thick=0.45; start=-52-6*(1-open); low=-44+10*(1-open); mid=4-14*(1-open); high=-20+(160+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C1,C5,C9}
+INNER -> INNER[&PETAL{K=8; J=1; len=size*(12.5+5*open); wide=size*(2.8+1*open); thick=0.45; start=-56-6*(1-open); low=-40+8*(1-open); mid=4-14*(1-open); high=-20+(150+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C3,C7,C11}
 INNER -> INNER[&STAMEN{long=size*(5+2*open); lean=-84; head=2.6*size}]_{C1,C5,C9}
 
 #module PETAL
@@ -121,7 +121,7 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=115 /* 60 … 190 mm, of the stem */
+#define length=150 /* 80 … 250 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
@@ -174,9 +174,9 @@ SHOOT{}{step==6}{} -> SHOOT[&FLOWER{open=open; size=math.random(0.86,1)}]_{E}
 #define finalStep=14
 #axiom: CALYX(,<20*open>,,,,,,)
 CALYX -> CALYX[DISC]_{E}
-CALYX -> CALYX[&PETAL{K=6; J=1; len=size*6.2; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=3; lower=3}]_{C1,C3,C5,C7,C9}
+CALYX -> CALYX[&PETAL{K=6; J=1; len=size*7.5; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=3; lower=3}]_{C1,C3,C5,C7,C9}
 DISC -> DISC[RING]_{E}
-DISC -> DISC[&PETAL{K=9; J=3; len=size*(5.3+8.1*open)*math.random(0.95,1.03); wide=size*(4+6.6*open); thick=0.42; start=-50+44*open+math.random(-5,5)+20*wilt; low=-48+20*open; mid=-6; high=-44+36*open; cup=18-9*open; edge=3; wave=4*wilt; peak=1.3; foot=1; tip=0.6; claw=0.22; upper=4; lower=5}]_{C2,C4,C6,C8,C10}
+DISC -> DISC[&PETAL{K=9; J=3; len=size*(5.3+8.1*open)*math.random(0.95,1.03); wide=size*(3.6+5.1*open); thick=0.42; start=-50+44*open+math.random(-5,5)+20*wilt; low=-48+20*open; mid=-6; high=-44+36*open; cup=18-9*open; edge=3; wave=4*wilt; peak=1.3; foot=1; tip=0.6; claw=0.22; upper=4; lower=5}]_{C2,C4,C6,C8,C10}
 RING{}{step<6}{} -> RING[RING]_{E}
 RING{}{step==6}{} -> RING[HEART]_{E}
 RING -> RING[&STAMEN{long=(1+2.4*open)*math.random(0.85,1.15); lean=-70+34*open+step*-4+math.random(-8,8); head=1.5}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
@@ -424,16 +424,17 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=80 /* 40 … 130 mm, of the tube */
+#define length=62 /* 30 … 100 mm, of the tube */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.75,1.19)
 #define size=scale*math.random(0.9,1.12)
-#define leaves=floor(math.random(3,6))
+#define leaves=floor(math.random(3,5))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
 #define SHEATH(12,0,0,0,6,6,6,10)
+#define GROWN(12,0,0,0,6,6,6,10)
 #define TUBE(12,0,0,0,10,3.6,3.6,11)
 #define WHORL(12,0,0,0,1.6,5.4,5.4,4)
 #define INNER(12,0,0,0,1.4,5,5,4)
@@ -451,7 +452,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 11 petal "eeeaf2" "cbb5e2"
 
 #axiom: SHEATH
-SHEATH{}{step<4}{} -> SHEATH[SHEATH(,,,,6,<6-0.4*step>,<6-0.4*step>,)]_{E}
+SHEATH{}{step<4}{} -> GROWN[SHEATH(,,,,6,<6-0.4*step>,<6-0.4*step>,)]_{E}
 SHEATH{}{step<leaves}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(80,130); wide=math.random(4.4,6.5); thick=1; start=-66+math.random(-8,8)-10*(1-open); sway=math.random(-6,6); low=8; mid=14; high=20+math.random(0,40); cup=-14; peak=0.8; foot=0.4; tip=0.8; claw=0.9; upper=2; middle=3; lower=2}]_{C(2+5*step%12)}
 SHEATH{}{step==4}{} -> SHEATH[TUBE]_{E}
 TUBE{}{step<10}{} -> TUBE[TUBE(,<bend+math.random(-2,2)+3*wilt>,<math.random(-2,2)>,,<tall*(0.7+0.3*open)/6>,<3.6+0.16*(step-4)>,<3.6+0.16*(step-4)>,)]_{E}
@@ -754,7 +755,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.73,1.30)
 #define size=scale*math.random(0.9,1.12)
-#define rays=floor(math.random(36,54))
+#define rays=floor(math.random(35,51))
 #define discs=floor(math.random(80,104))
 #define radius=4*size
 #define open=sin(90*min(age,1))
@@ -921,7 +922,7 @@ ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)>,<math.random(-2,2)>,,<tall/10>,,,)]_{E}
 STEM{}{step==leaves+10}{} -> STEM[CUP]_{E}
 CUP -> CUP[BALL]_{E}
-CUP -> CUP[&BLADE{len=15*size; wide=2.6; thick=0.6; start=66-130*(1-open)+math.random(-9,9); bend=20*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+CUP -> CUP[&BLADE{len=16.5*size; wide=2.6; thick=0.6; start=66-130*(1-open)+math.random(-9,9); bend=20*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 /* The ball's own outline: what stands on it leans as far as its pole is away. */
 BALL{q=(step-leaves-11)/seeds; r=sqrt(max(0.02,1-(2*q-1)^2*0.96))}{step<finalStep-1}{} -> BARE[BALL(,,,,<8.4*size/seeds>,<8.4*size*r>,<8.4*size*r>,)]_{E}[&ACHENE{start=-90*open*(2*q-1)-86*(1-open)+math.random(-4,4); open=open; far=size*(0.55+0.45*open); gone=clamp(4*(wilt*math.random(0.6,1.6)-0.6),0,1)}]_{C(1+(5*step)%13)}
 
@@ -1073,9 +1074,9 @@ ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)+2*wilt>,<math.random(-2,2)>,,<tall*(0.35+0.65*open)/10>,,,)]_{E}
 STEM{}{step==leaves+10}{} -> STEM[CUP(,<22*open>,,,,,,)]_{E}
 CUP -> CUP[RIM]_{E}
-CUP -> CUP[&BLADE{len=11*size; wide=2.6; thick=0.6; start=-64+122*open-20*wilt+math.random(-9,9); bend=36*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+CUP -> CUP[&BLADE{len=14*size; wide=2.6; thick=0.6; start=-64+122*open-20*wilt+math.random(-9,9); bend=36*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 RIM -> RIM[HEAD]_{E}
-RIM -> RIM[&BLADE{len=14*size; wide=3; thick=0.6; start=-74+44*open-30*wilt+math.random(-5,5); bend=-14; peak=0.8; claw=0.95; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+RIM -> RIM[&BLADE{len=17*size; wide=3; thick=0.6; start=-74+44*open-30*wilt+math.random(-5,5); bend=-14; peak=0.8; claw=0.95; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 HEAD{k=step-leaves-12; q=k/florets; shut=max(1-open,wilt)}{step<finalStep-1}{} -> BARE[HEAD(,,,,<0.045*size>,<12*size*sqrt(max(0.01,1-q))>,<12*size*sqrt(max(0.01,1-q))>,)]_{E}[&BLADE{S=6; len=size*(18-11*q)*math.random(0.9,1.06)*(1-0.35*(1-open)); wide=size*(1.3+0.9*open); thick=0.3; start=-84+(96-92*q)*(1-shut)-q*4+math.random(-7,7); bend=(-22*(1-q)+10)*(1-shut); peak=1.2; round=0.5; claw=0.45; blunt=0.7; paint=4+(q>0.5)}]_{C(1+(5*step)%13)}
 
 #module BLADE
@@ -2580,9 +2581,9 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=145 /* 70 … 240 mm, of the stem */
+#define length=290 /* 140 … 450 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
-#define scale=1.20 /* 0.7 … 1.6, of the flower */
+#define scale=1.35 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
@@ -2613,9 +2614,9 @@ STEM{}{step==6}{} -> STEM[LOWER]_{E}
 STEM{}{step==9}{} -> STEM[UPPER]_{E}
 LOWER -> LOWER[STEM(,,,,<tall*(0.8+0.2*open)/13>,3,3,)]_{E}
 UPPER -> UPPER[STEM(,,,,<tall*(0.8+0.2*open)/13>,2.9,2.9,)]_{E}
-STEM{}{step==0}{} -> STEM[&PALMATE{stalk=math.random(70,105); len=math.random(36,46); start=-42+math.random(-10,10); sway=math.random(-12,12); teeth=0.45}]_{C1,C4,C8}
-LOWER -> LOWER[&PALMATE{stalk=10; len=math.random(30,40); start=-34; teeth=0.45}]_{C3}
-UPPER -> UPPER[&PALMATE{stalk=6; len=math.random(20,27); start=-40; teeth=0.45}]_{C8}
+STEM{}{step==0}{} -> STEM[&PALMATE{stalk=math.random(110,160); len=math.random(46,58); start=-60+math.random(-10,10); sway=math.random(-12,12); teeth=0.45}]_{C1,C4,C8}
+LOWER -> LOWER[&PALMATE{stalk=10; len=math.random(38,50); start=-34; teeth=0.45}]_{C3}
+UPPER -> UPPER[&PALMATE{stalk=6; len=math.random(26,34); start=-40; teeth=0.45}]_{C8}
 STEM{}{step==14}{} -> STEM[WHORL(,<10*open>,,,,,,)]_{E}
 WHORL -> WHORL[SECOND]_{E}
 WHORL -> WHORL[&PETAL{K=9; J=3; len=size*(14+13*open)*math.random(0.95,1.04); wide=size*(11+11*open); thick=0.6; start=-30+20*open+math.random(-4,4)+34*wilt; low=-48-4*open+18*wilt; mid=-22+16*wilt; high=-66+10*open+20*wilt+math.random(-6,6); cup=17-3*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3}]_{C1,C4,C8}
@@ -2778,6 +2779,41 @@ NODE -> NODE[LAST]_{E}
 NODE -> NODE[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}
 LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}[&PETAL{K=7; J=1; len=len; wide=len*0.48; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{E}
 `,
+	grass: `/* Grass
+   about: A tuft of thirteen blades that bow outwards: what stands between the flowers of a bed.
+   source: own text
+*/
+
+#define length=120 /* 30 … 400 mm, of the blades */
+#define bow=45 /* 0 … 120 degrees, over a blade */
+#define tall=length*math.random(0.8,1.2)
+#define open=sin(90*min(age,1))
+#define wilt=max(0,age-1)
+
+/* Five faces on of thirteen are 138.46 degrees, and each is turned back by 0.954. */
+#define TUFT(13,0,0,-0.954,0.4,2.4,2.4,1)
+#define GROWN(13,0,0,0,0.4,2.4,2.4,1)
+#define finalStep=14
+
+#material 1 stem "8f9a5c" "7d9a4a"
+#material 2 leaf "5d7f3a" "83a04c" light 0.4 wilted "a89a5a" "c2ad6c"
+
+#axiom: TUFT
+TUFT{k=step/13}{step<13}{} -> GROWN[TUFT]_{E}[&BLADE{len=tall*(0.5+0.5*open)*math.random(0.6,1)*(0.75+0.25*k); wide=math.random(2.2,3.6); start=-58-24*k+math.random(-9,9); sway=math.random(-20,20); bend=bow*math.random(0.3,1); high=bow*math.random(0,1)+50*wilt}]_{C(1+(5*step)%13)}
+
+#module BLADE
+#define S=7
+#define len=80     /* mm */
+#define wide=3
+#define start=-70  /* degrees: 0 stands out, -90 stands up */
+#define sway=0     /* to a side */
+#define bend=20    /* over all of it */
+#define high=20    /* more of it towards the tip */
+#define finalStep=12
+#define B(4,0,0,0,len/S,wide*0.7,0.5,2)
+#axiom: B(,start,sway,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(0.08,(1-s^3)*(0.7+0.6*s))>,,)]_{E}
+`,
 	lily: `/* Lily
    about: A few white trumpets, six tepals each, with golden anthers hung by their backs; narrow leaves all up the stem.
    source: own text; the method is Petrenko 2014, section 2.2.3
@@ -2787,7 +2823,7 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1.98 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
-#define size=scale*math.random(0.94,1.06)
+#define size=scale*math.random(0.95,1.05)
 #define flowers=floor(math.random(2,4))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -2808,7 +2844,7 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 #material 9 pistil "8aa858" "a8bd70"
 
 #axiom: STEM
-STEM{}{step<16}{} -> LEAFY[STEM(,<bend+math.random(-1,1)>,<math.random(-1,1)>,,<tall/16>,<7-0.12*step>,<7-0.12*step>,)]_{E}[&PETAL{K=8; J=1; len=(125-5*step)*math.random(0.9,1.1); wide=(19-0.5*step)*math.random(0.9,1.1); thick=0.9; start=-40+step+math.random(-8,8); low=14; mid=16; high=math.random(0,30); cup=9; peak=0.75; foot=0.5; tip=1.5; claw=0.5; upper=2; middle=2; lower=2}]_{C(1+(3*step)%8)}
+STEM{}{step<16}{} -> LEAFY[STEM(,<bend+math.random(-1,1)>,<math.random(-1,1)>,,<tall/16>,<7-0.12*step>,<7-0.12*step>,)]_{E}[&PETAL{K=8; J=1; len=(165-5*step)*math.random(0.9,1.1); wide=(16-0.4*step)*math.random(0.9,1.1); thick=0.9; start=-40+step+math.random(-8,8); low=14; mid=16; high=math.random(0,30); cup=9; peak=0.75; foot=0.5; tip=1.5; claw=0.5; upper=2; middle=2; lower=2}]_{C(1+(3*step)%8)}
 STEM{}{step==16}{} -> LEAFY[NODE]_{E}
 NODE{k=step-17}{step<finalStep-1}{} -> DONE[NODE(,<math.random(-3,3)>,<math.random(-3,3)>,,<26-3*k>,<5-0.5*k>,<5-0.5*k>,)]_{E}[&FLOWER{open=min(1,max(0,open*1.45-0.14*k)); wilt=wilt; size=size; stalk=math.random(52,66)-3*k; start=-50+8*k+math.random(-6,6)}]_{C(1+(3*step)%8)}
 
@@ -2829,9 +2865,9 @@ STALK{}{step==5}{} -> STALK[WHORL]_{E}
 WHORL -> WHORL[INNER]_{E}
 WHORL -> WHORL[&PETAL{K=10; J=2; len=size*(48+24*open); wide=size*(9+9*open); thick=0.8; start=-80+12*open+20*wilt; low=2+8*open; mid=-14+18*open+10*wilt; high=-30+96*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.05; foot=0.8; tip=1.3; claw=0.36; upper=4; middle=4; lower=5}]_{C1,C5,C9}
 INNER -> INNER[TOP]_{E}
-INNER -> INNER[&PETAL{K=10; J=2; len=size*(47+23*open); wide=size*(9+14*open); thick=0.8; start=-82+12*open+18*wilt; low=2+8*open; mid=-14+17*open+10*wilt; high=-30+92*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.2; claw=0.36; upper=4; middle=4; lower=5}]_{C3,C7,C11}
-TOP -> TOP[&STAMEN{long=size*(24+26*open); lean=-84+16*open+math.random(-4,4); open=open}]_{C1,C3,C5,C7,C9,C11}
-TOP -> TOP[&PISTIL{long=size*(28+32*open)}]_{E}
+INNER -> INNER[&PETAL{K=10; J=2; len=size*(47+23*open); wide=size*(9+10.5*open); thick=0.8; start=-82+12*open+18*wilt; low=2+8*open; mid=-14+17*open+10*wilt; high=-30+92*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.2; claw=0.36; upper=4; middle=4; lower=5}]_{C3,C7,C11}
+TOP -> TOP[&STAMEN{long=size*(20+23*open); lean=-84+16*open+math.random(-4,4); open=open}]_{C1,C3,C5,C7,C9,C11}
+TOP -> TOP[&PISTIL{long=size*(28+36.3*open)}]_{E}
 
 #module PETAL
 /* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
@@ -2925,7 +2961,7 @@ ANTHER{}{step<11}{} -> ANTHER[ANTHER(,,,,<1+2.6*open>,<3.6-0.5*(step-8)>,<2.8-0.
 #module PISTIL
 #define long=60
 #define OVARY(6,0,0,0,long/12,4.6,4.6,9)
-#define STYLE(6,0,0,0,long/9,2.4,2.4,8)
+#define STYLE(6,0,0,0,long/14,2.4,2.4,8)
 #define STIGMA(6,0,0,0,3,6,6,9)
 #define finalStep=13
 #axiom: OVARY
@@ -3409,7 +3445,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 
 #define length=90 /* 40 … 150 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
-#define scale=0.94 /* 0.7 … 1.6, of the flower */
+#define scale=0.74 /* 0.5 … 1.2, of the flower */
 #define tall=length*math.random(0.78,1.22)
 #define size=scale*math.random(0.91,1.09)
 #define open=sin(90*min(age,1))
@@ -3460,7 +3496,7 @@ NODEC -> NODEC[&LEAF{len=math.random(22,28)}]_{C4}[&LEAF{len=math.random(18,24)}
 STALK{}{step<8}{} -> STALK[STALK(,<(step<5)*-(90+start)*0.16+(step>=5)*(25-4*open+10*wilt)+math.random(-2,2)>,<math.random(-2,2)>,,,,,)]_{E}
 STALK{}{step==8}{} -> STALK[CALYX(,<18-6*open>,,,,,,)]_{E}
 CALYX -> CALYX[FACE]_{E}
-CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(6+2*open); wide=size*2.8; thick=0.4; start=-64+92*open; low=-10+10*open; cup=10; peak=0.7; tip=1.7; claw=0.8; upper=3; middle=3; lower=3}]_{C2,C4,C6,C8,C10}
+CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(6+5*open); wide=size*2.8; thick=0.4; start=-64+92*open; low=-10+10*open; cup=10; peak=0.7; tip=1.7; claw=0.8; upper=3; middle=3; lower=3}]_{C2,C4,C6,C8,C10}
 CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(2+4*open); wide=size*2.6; thick=2*size; start=66; low=-6; cup=30; foot=0.4; tip=0.6; claw=0.9; upper=8; middle=8; lower=8}]_{C1}
 FACE -> FACE[HEART]_{E}
 FACE -> FACE[&PETAL{K=10; J=3; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+60*open+8*wilt; sway=8*open; low=-20+16*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+6*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=4; lower=5}]_{C5}
@@ -3605,7 +3641,9 @@ LM4 : LM4_C4 < LU4_C2 -> LM4_C4 | LU4_C2
 #axiom: STEM
 #define finalStep=1
 STEM -> STEM[&PETAL]_{E}
-#material 4 petal "f3c14b" "d1253f" foot 0.5 margin "f3a9a0" 0.35 veins "8d1230" 9 0.45 light 0.5
+#material 4 petal "f3c14b" "d1253f" foot 0.5 margin "f3a9a0" 0.35 veins "8d1230" 9 0.45 light 0.5 name "upper epidermis"
+#material 5 petal "f6e3ae" "e9a08e" foot 0.5 light 0.5 name "mesophyll"
+#material 6 petal "e9cf86" "b8485a" foot 0.5 margin "d99a90" 0.35 veins "8d1230" 9 0.3 light 0.5 name "lower epidermis"
 #module PETAL
 #define K=12
 #define len=60
@@ -3613,25 +3651,25 @@ STEM -> STEM[&PETAL]_{E}
 #define t=1.2
 #define cup=9
 #define finalStep=15
-#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
+#define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,5)
 #define RU1(4,0,0,0,1,t,1,4)
 #define RU2(4,0,0,0,1,t,1,4)
 #define RU3(4,0,0,0,1,t,1,4)
-#define RM1(4,0,0,0,1,t,1,4)
-#define RM2(4,0,0,0,1,t,1,4)
-#define RM3(4,0,0,0,1,t,1,4)
-#define RL1(4,0,0,0,1,t,1,4)
-#define RL2(4,0,0,0,1,t,1,4)
-#define RL3(4,0,0,0,1,t,1,4)
+#define RM1(4,0,0,0,1,t,1,5)
+#define RM2(4,0,0,0,1,t,1,5)
+#define RM3(4,0,0,0,1,t,1,5)
+#define RL1(4,0,0,0,1,t,1,6)
+#define RL2(4,0,0,0,1,t,1,6)
+#define RL3(4,0,0,0,1,t,1,6)
 #define LU1(4,0,0,0,1,t,1,4)
 #define LU2(4,0,0,0,1,t,1,4)
 #define LU3(4,0,0,0,1,t,1,4)
-#define LM1(4,0,0,0,1,t,1,4)
-#define LM2(4,0,0,0,1,t,1,4)
-#define LM3(4,0,0,0,1,t,1,4)
-#define LL1(4,0,0,0,1,t,1,4)
-#define LL2(4,0,0,0,1,t,1,4)
-#define LL3(4,0,0,0,1,t,1,4)
+#define LM1(4,0,0,0,1,t,1,5)
+#define LM2(4,0,0,0,1,t,1,5)
+#define LM3(4,0,0,0,1,t,1,5)
+#define LL1(4,0,0,0,1,t,1,6)
+#define LL2(4,0,0,0,1,t,1,6)
+#define LL3(4,0,0,0,1,t,1,6)
 #axiom: VEIN(, 0, , , , , , )
 VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<6-10*u>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
 VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C2}
@@ -3690,9 +3728,9 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 
 #define length=235 /* 120 … 370 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
-#define scale=1.04 /* 0.7 … 1.6, of the flower */
+#define scale=1.1 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
-#define size=scale*math.random(0.92,1.08)
+#define size=scale*math.random(0.94,1.06)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -3716,7 +3754,7 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 
 #axiom: STEM
 STEM{hang=(1-open)*max(0,step-9)^2}{step<16}{} -> OLD[STEM(,<bend+math.random(-2.5,2.5)+3.8*hang>,<math.random(-2.5,2.5)>,,<tall*(0.75+0.25*open)/16>,<2.6-0.05*step>,<2.6-0.05*step>,)]_{E}
-STEM{l=math.random(86,112)-10*step}{step<7&&step!=5}{} -> STEM[&PETAL{K=18; J=2; len=l; wide=l*0.5; thick=0.7; start=-52+math.random(-8,8)-3*step; sway=math.random(-6,6); low=20; mid=24; high=math.random(0,40); cup=-5; peak=0.95; foot=0.7; tip=1.6; claw=0.12; teeth=0.85; bites=4; barb=-24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
+STEM{l=math.random(92,114)-10*step}{step<7&&step!=5}{} -> STEM[&PETAL{K=18; J=2; len=l; wide=l*0.5; thick=0.7; start=-52+math.random(-8,8)-3*step; sway=math.random(-6,6); low=20; mid=24; high=math.random(0,40); cup=-5; peak=0.95; foot=0.7; tip=1.6; claw=0.12; teeth=0.85; bites=4; barb=-24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
 STEM{}{step==16}{} -> STEM[CALYX(,<22*open>,,,,,,)]_{E}
 CALYX -> CALYX[RECEPTACLE(,<12*open>,,,,,,)]_{E}
 CALYX -> CALYX[&PETAL{K=8; len=0.3+23*max(0,1-2*open); wide=0.2+21*max(0,1-2*open); thick=0.05+0.8*max(0,1-2*open); start=-22; low=-66; mid=-6; high=-66; cup=34; claw=0.4; upper=3; middle=3; lower=3}]_{C1,C7}
@@ -3870,12 +3908,12 @@ LL5 : LL5_C4 < LM5_C2 -> LL5_C4 | LM5_C2
 LM5 : LM5_C4 < LU5_C2 -> LM5_C4 | LU5_C2
 
 #module STAMEN
-#define FILAMENT(4,0,0,0,1.6,0.35,0.35,6)
+#define FILAMENT(4,0,0,0,1.4,0.35,0.35,6)
 #define ANTHER(4,0,0,0,0.8,1.1,0.8,7)
 #define finalStep=7
 #define lean=math.random(-62,-18)
 #axiom: FILAMENT(,<lean-24*(1-open)>,,,,,,)
-FILAMENT{}{step<4}{} -> FILAMENT[FILAMENT(,<-lean*0.1-7>,,,<0.5+1.6*open>,,,)]_{E}
+FILAMENT{}{step<4}{} -> FILAMENT[FILAMENT(,<-lean*0.1-7>,,,<0.4+1.25*open>,,,)]_{E}
 FILAMENT{}{step==4}{} -> FILAMENT[ANTHER]_{E}
 ANTHER -> ANTHER[ANTHER(,,,,1,,,)]_{E}
 
@@ -4091,7 +4129,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #axiom: STEM
 STEM{}{step<13}{} -> WOOD[STEM(,<bend+math.random(-2,2)+1.2*wilt>,<math.random(-2,2)>,,<tall/13>,<4.8-0.07*step>,<4.8-0.07*step>,)]_{E}
 STEM{}{step<11}{} -> STEM[&BLADE{S=3; len=math.random(4,6); wide=2.6; thick=1.1; start=18; bend=30; peak=0.5; claw=1; blunt=0.1; paint=9}]_{C(1+(3*step+5)%8)}
-STEM{}{step==2||step==5||step==8}{} -> STEM[&ROSELEAF{len=math.random(36,46)}]_{C(1+(3*step)%8)}
+STEM{}{step==2||step==5||step==8}{} -> STEM[&ROSELEAF{len=math.random(44,56)}]_{C(1+(3*step)%8)}
 STEM{}{step==13}{} -> STEM[HIP(,<14*open+6*wilt>,,,,,,)]_{E}
 HIP -> HIP[CALYX(,<16*open+8*wilt>,,,3.4,9,9,)]_{E}
 CALYX -> CALYX[RING]_{E}
@@ -4218,9 +4256,10 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 /* Five leaflets on a rachis. */
 #define len=40
 #define RACHIS(8,0,0,0,len*0.2,1.4,1.4,1)
+#define SPENT(8,0,0,0,len*0.2,1.4,1.4,1)
 #define finalStep=12
 #axiom: RACHIS(,<-46+math.random(-8,8)>,<math.random(-8,8)>,,,,,)
-RACHIS{}{step<10}{} -> RACHIS[RACHIS(,<7+math.random(-2,2)>,<math.random(-2,2)>,,,<1.4-0.06*step>,<1.4-0.06*step>,)]_{E}
+RACHIS{}{step<10}{} -> SPENT[RACHIS(,<7+math.random(-2,2)>,<math.random(-2,2)>,,,<1.4-0.06*step>,<1.4-0.06*step>,)]_{E}
 RACHIS{g=0.74+0.03*step}{step==4||step==8}{} -> RACHIS[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=-90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{C3}[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{C7}
 RACHIS{}{step==10}{} -> RACHIS[&PETAL{K=9; J=1; len=len*1.1; wide=len*0.7; thick=0.6; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{E}
 `,
@@ -4347,7 +4386,7 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
    source: Petrenko 2014, figure 39, whose grammar is not printed; the text is ours
 */
 
-#define length=580 /* 290 … 950 mm, of the stem */
+#define length=1000 /* 500 … 1600 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
@@ -4382,7 +4421,7 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 
 #axiom: STEM
 STEM{}{step<10}{} -> OLD[STEM(,<bend+0.5*step+math.random(-0.6,0.6)+2*wilt>,<math.random(-0.6,0.6)>,,<tall*(0.75+0.25*open)/10>,<16-0.3*step>,<16-0.3*step>,)]_{E}
-STEM{}{step>1&&step<8}{} -> STEM[&LEAF{len=(150-10*(step-2))*math.random(0.9,1.08)}]_{C(1+(5*step)%13)}
+STEM{}{step>1&&step<8}{} -> STEM[&LEAF{len=(240-18*(step-2))*math.random(0.9,1.08)}]_{C(1+(5*step)%13)}
 STEM{}{step==10}{} -> STEM[CUP(,<46-10*(1-open)+26*wilt>,,,,,,)]_{E}
 CUP -> CUP[BRACTS]_{E}
 CUP -> CUP[&PETAL{K=7; J=1; len=size*46; wide=size*22; thick=1.2; start=-64+88*open+math.random(-6,6); low=-12; high=-30+50*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=2; lower=2}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
@@ -4572,12 +4611,13 @@ p1 VEIN -> VEIN[VEIN(,<8-1.4*step>,,,2.5,2+sin(18*step),,)]_{E}
 
 #material 1 stem "7f9a55" "9ab36c"
 #material 2 leaf "587f58" "6c9a64" wilted "8a9450" "b0a060"
-#material 4 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238"
-#material 5 petal "d8a23a" "d4343c" foot 0.4 bud "8d9c4e" "a8433a" wilted "c9a060" "984a40"
+#material 4 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238" name "tepal, lower epidermis"
+#material 5 petal "d8a23a" "d4343c" foot 0.4 bud "8d9c4e" "a8433a" wilted "c9a060" "984a40" name "tepal, upper epidermis"
 #material 6 stamen "e8dfa5" "d8c987"
 #material 7 stamen "2f2633" "40313f"
 #material 8 pistil "a3b873" "bccb86"
 #material 9 pistil "e3dfa0" "efe9b5"
+#material 11 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238" name "tepal, mesophyll"
 #material 10 petal "e9c04a" "e9b53a"
 
 #axiom: STEM
@@ -4590,9 +4630,9 @@ UPPER -> UPPER[STEM]_{E}
 UPPER -> UPPER[&PETAL{K=14; J=3; len=math.random(150,190); wide=math.random(26,36); thick=1.4; start=-72+math.random(-5,5)-8*(1-open); low=6; mid=8; high=14+math.random(0,20)+30*wilt; cup=17-4*open; wave=4; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=2; lower=2}]_{C7}
 STEM{}{step==16}{} -> STEM[RECEPTACLE(,<6*open>,,,,,,)]_{E}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
-RECEPTACLE -> RECEPTACLE[&PETAL{len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5}]_{C1,C5,C9}
+RECEPTACLE -> RECEPTACLE[&PETAL{len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C1,C5,C9}
 BASE -> BASE[TOP]_{E}
-BASE -> BASE[&PETAL{len=size*(36+25*open); wide=size*(22+13*open); thick=1; start=-38+22*open+math.random(-2,2)+22*wilt; low=-64-open*10; mid=-2+wilt*12; high=-32+36*open+math.random(-4,4)+30*wilt; cup=21-7*open-5*wilt; peak=0.95; foot=0.9; tip=1; claw=0.22; wave=10*wilt; upper=5}]_{C3,C7,C11}
+BASE -> BASE[&PETAL{len=size*(36+25*open); wide=size*(22+13*open); thick=1; start=-38+22*open+math.random(-2,2)+22*wilt; low=-64-open*10; mid=-2+wilt*12; high=-32+36*open+math.random(-4,4)+30*wilt; cup=21-7*open-5*wilt; peak=0.95; foot=0.9; tip=1; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C3,C7,C11}
 TOP -> TOP[&STAMEN]_{C1,C3,C5,C7,C9,C11}
 TOP -> TOP[&PISTIL]_{E}
 
@@ -4844,10 +4884,10 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define scale=1 /* 0.7 … 1.4, of the flower */
+#define scale=0.92 /* 0.7 … 1.4, of the flower */
 #define size=scale*math.random(0.92,1.08)
 #define petals=floor(math.random(20,26))
-#define pad=math.random(150,190)
+#define pad=math.random(200,245)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 

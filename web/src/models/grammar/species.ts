@@ -1,13 +1,14 @@
 /** The document's side of the model: its table, its presets, and what a specimen of it holds besides. */
+import { constantValues } from "../../specimen/constants";
 import { grammarText } from "../../specimen/grammar_text";
 import { Presets } from "../../specimen/presets";
 import type { Species } from "../../specimen/species";
 import { areas, path } from "./details/areas";
-import { constants } from "./details/constants";
 import { steps } from "./details/steps";
 import { PRESET_KINDS, PRESETS } from "./presets.generated";
 import type { GrammarSpecimen } from "./specimen";
 import { GRAMMAR_TABLE } from "./table";
+import { definedNames } from "./texts";
 
 /** The preset a link without `preset` means. */
 export const DEFAULT_PRESET = "shrub";
@@ -17,5 +18,5 @@ export const GRAMMAR: Species<GrammarSpecimen> = {
 	table: GRAMMAR_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	// Any text that no other model has claimed.
-	details: [steps, constants, areas, path, grammarText(() => true)],
+	details: [steps, constantValues<GrammarSpecimen>(definedNames), areas, path, grammarText(() => true)],
 };

@@ -15,3 +15,9 @@ export const asksForAreas = (text: string): boolean => /\b(bound|reach)\s*\(/.te
 
 /** The text of a preset by its name. */
 export const presetText = (preset: string): Promise<string> => textOf({ preset });
+
+/** The names to which the text that a specimen grows by lets values be given: of its `#define`s and `#input`s. */
+export async function definedNames(specimen: Pick<GrammarSpecimen, "grammar" | "preset">): Promise<string[]> {
+	const bare = (await textOf(specimen)).replace(/\/\*[\s\S]*?\*\//g, (all) => all.replace(/[^\n]/g, " "));
+	return [...bare.matchAll(/^[ \t]*#[ \t]*(?:define|input)[ \t]+(\p{L}[\p{L}\p{N}_]*)/gmu)].map(([, name]) => name);
+}

@@ -1,4 +1,5 @@
 /** Trees by divisor functions (Kim, Kim and Cho 2013): docs/models/growth/growth.md. */
+import { titledBy } from "../../specimen/preset_texts";
 import type { Model } from "../model";
 import { fetchLeafOf, type GrowthPlant, readGrowthPlant } from "./growth_plant";
 import { growthLevels } from "./levels";
@@ -7,7 +8,7 @@ import { growthRecord } from "./record";
 import { encodeGrowth } from "./request";
 import { GROWTH } from "./species";
 import type { GrowthSpecimen } from "./specimen";
-import { fetchTexts } from "./texts";
+import { fetchedText, fetchTexts } from "./texts";
 import { growthInWords } from "./words";
 
 export const model = {
@@ -24,7 +25,7 @@ export const model = {
 	read: readGrowthPlant,
 	parts: growthParts,
 	levels: growthLevels,
-	titled: ({ grammar }) => (grammar === undefined ? undefined : "A growth grammar of one’s own"),
+	titled: titledBy("A growth grammar of one’s own", fetchedText),
 	words: growthInWords,
 	record: growthRecord,
 	studio: async () => (await import("./tools/face")).face,

@@ -67,6 +67,7 @@ export const PARAMETERS: readonly Entry[] = [
 		max: 14,
 		default: 0,
 		step: 1,
+		zero: "auto",
 		help: "Growth steps; 0: as many as the text says, and 8 where it says nothing.",
 		since: 2,
 	},

@@ -1,4 +1,5 @@
 /** Stands of many plants over a ground: docs/models/stand/stand.md. */
+import { titledBy } from "../../specimen/preset_texts";
 import type { Model } from "../model";
 import { standMembers } from "./members";
 import { standParts } from "./parts";
@@ -7,7 +8,7 @@ import { encodeStand } from "./request";
 import { STAND } from "./species";
 import type { StandSpecimen } from "./specimen";
 import { readStand, type StandPlant } from "./stand_plant";
-import { fetchTexts } from "./texts";
+import { fetchedText, fetchTexts } from "./texts";
 import { standInWords } from "./words";
 
 export const model = {
@@ -25,7 +26,7 @@ export const model = {
 	still: "in files",
 	parts: standParts,
 	instanced: ({ members, memberOf }) => members.length < memberOf.length,
-	titled: ({ grammar }) => (grammar === undefined ? undefined : "A plan of one’s own"),
+	titled: titledBy("A plan of one’s own", fetchedText),
 	words: standInWords,
 	record: standRecord,
 	formats: [

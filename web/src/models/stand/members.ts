@@ -16,6 +16,16 @@ export function valuesOf({ kinds, places }: StandPlant, plant: number): Record<s
 	);
 }
 
+/** What each kind is called: by its preset's title, once one of it has grown. */
+export function titlesOf({ kinds, places, memberOf, members }: StandPlant): readonly string[] {
+	const titles = kinds.map(({ name }) => name);
+	for (const [plant, member] of memberOf.entries()) {
+		const title = members[member]?.title;
+		if (title !== undefined) titles[places.kind[plant]] = title;
+	}
+	return titles;
+}
+
 /** What is to be grown for one plant. */
 export function askedOf(stand: StandPlant, plant: number): MemberAsked {
 	const { kinds, places } = stand;

@@ -25,6 +25,7 @@ export const PARAMETERS: readonly Entry[] = [
 		max: 3000,
 		default: 0,
 		step: 10,
+		zero: "auto",
 		help: "How many plants stand there; 0: as many as the plan says.",
 		since: 2,
 	},

@@ -20,5 +20,7 @@ export const PRESETS: readonly TextPreset[] = [
 	{"name":"forest-edge","kind":"ecosystems","title":"The edge of a forest","since":2,"about":"Tall trees at the back, smaller ones before them, hazel at the seam: three strips of one ground.","parameters":{},"look":{},"text":"forest-edge"},
 	{"name":"orchard","kind":"planted","title":"An orchard in flower","since":2,"about":"Apple and cherry trees in rows, in spring; each in its own day.","parameters":{},"look":{},"text":"orchard"},
 	{"name":"vineyard","kind":"planted","title":"A vineyard","since":2,"about":"Rows of vines on a cordon, and on each of them bunches that hang from it.","parameters":{},"look":{},"text":"vineyard"},
-	{"name":"flowerbed","kind":"gardens","title":"A bed of lilacs","since":2,"about":"Panicles and umbels that L-systems grew, close together: stands are of any model.","parameters":{},"look":{},"text":"flowerbed"},
+	{"name":"flowerbed","kind":"gardens","title":"A flowerbed in June","since":2,"about":"Lilies and poppies behind, globeflowers and buttercups, pansies and daisies in front, each of its own age, grass between.","parameters":{},"look":{},"text":"flowerbed"},
+	{"name":"lilacs","kind":"gardens","title":"A bed of lilacs","since":2,"about":"Panicles and umbels that L-systems grew, close together: stands are of any model.","parameters":{},"look":{},"text":"lilacs"},
+	{"name":"spring-border","kind":"gardens","title":"A border in spring","since":2,"about":"Tulips in drifts over crocuses and bluebells, from bud to bloom, at the edge of a lawn.","parameters":{},"look":{},"text":"spring-border"},
 ];

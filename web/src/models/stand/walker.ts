@@ -20,6 +20,13 @@ const STEEPEST = 60;
 const EYE = 1.65;
 const SHARE = 0.05;
 
+/** Who enters stands there, as a share of the ground's depth before its middle, and looks for a place along so much of its width. */
+const FRONT = 0.48;
+const ALONG = 0.8;
+const PLACES = 40;
+/** Nobody minds a crown that is further off, metres. */
+const CLEAR = 3;
+
 type Grounded = Pick<StandPlant, "ground" | "meshes">;
 
 /** How high eyes are over a ground. */
@@ -27,9 +34,29 @@ export function eyeHeight({ ground }: Pick<StandPlant, "ground">): number {
 	return Math.min(EYE, SHARE * Math.max(ground.width, ground.depth));
 }
 
-/** At the front of the ground, looking over it. */
-export function atFront({ ground }: Pick<StandPlant, "ground">): Pose {
-	return { x: 0, z: 0.48 * ground.depth, yaw: 0, pitch: 0 };
+/** At the front of the ground, looking over it, where crowns leave room: as near to the middle as there is enough of it. */
+export function atFront(stand: Pick<StandPlant, "ground" | "places" | "kinds">): Pose {
+	const { width, depth } = stand.ground;
+	const z = FRONT * depth;
+	let best = { x: 0, room: Number.NEGATIVE_INFINITY };
+	for (let i = 0; i <= PLACES; i++) {
+		// From the middle outwards, to and fro.
+		const x = ((i % 2 === 0 ? 0.5 : -0.5) * ALONG * width * Math.ceil(i / 2) * 2) / PLACES;
+		const room = Math.min(CLEAR, roomAt(stand, x, z));
+		if (room > best.room) best = { x, room };
+	}
+	return { x: best.x, z, yaw: 0, pitch: 0 };
+}
+
+/** Metres to the nearest crown of those that stand; less than 0 within one. */
+function roomAt({ kinds, places }: Pick<StandPlant, "places" | "kinds">, x: number, z: number): number {
+	let room = Number.POSITIVE_INFINITY;
+	for (let plant = 0; plant < places.count; plant++) {
+		if (places.bearer[plant] >= 0) continue;
+		const crown = 0.5 * kinds[places.kind[plant]].crown.width * places.scale[plant];
+		room = Math.min(room, Math.hypot(places.at[3 * plant] - x, places.at[3 * plant + 2] - z) - crown);
+	}
+	return room;
 }
 
 /** One step on: half as long as the walker is high; nobody leaves the ground. */

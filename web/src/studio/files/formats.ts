@@ -97,13 +97,3 @@ function hasInstances({ model, grown }: Shown): boolean {
 export function fileName({ preset, seed }: Specimen, altered = false): string {
 	return altered ? `${preset}-altered-${seed}` : `${preset}-${seed}`;
 }
-
-/** Hands a file to the browser's downloads. */
-export function save(blob: Blob, name: string): void {
-	const anchor = document.createElement("a");
-	anchor.href = URL.createObjectURL(blob);
-	anchor.download = name;
-	anchor.click();
-	// The download has taken its own hold of the data by then.
-	setTimeout(() => URL.revokeObjectURL(anchor.href), 60_000);
-}

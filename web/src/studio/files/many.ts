@@ -2,7 +2,7 @@
 import { readSeeds } from "../../batch/seeds";
 import { formatsOf as formatsOfSeries, type Series } from "../../batch/series";
 import { type Watch, zipOf } from "../../batch/series_zip";
-import { readVary } from "../../batch/vary";
+import { checkVaried, readVary } from "../../batch/vary";
 import { Client } from "../../core/client";
 import { coreAddress } from "../../core/core_address";
 import { exportFile } from "../../files/exporter";
@@ -42,6 +42,7 @@ export function readMany(
  * @throws Unusable, the signal's reason, and what the workers say
  */
 export async function growMany({ series, seeds }: ReturnType<typeof readMany>, watch: Watch): Promise<Blob> {
+	await checkVaried(series.model, series.varied, series.from);
 	const client = new Client();
 	const cores = new Cores(coreAddress, client);
 	const { signal } = watch;

@@ -181,7 +181,7 @@ export class DownloadMenu extends StudioPart {
 			const asked = await this.#ask(offered, signal);
 			const blob = this.#ahead?.file(format, asked) ?? (await format.make(asked, signal));
 			signal.throwIfAborted();
-			offered.save(blob, `${asked.name}${format.suffix}`);
+			offered.saveFile(blob, `${asked.name}${format.suffix}`);
 		} catch (error) {
 			if (!signal.aborted) this.#explain(offered, error, format);
 		} finally {

@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { keyed } from "lit/directives/keyed.js";
+import { saveFile } from "../../controls/save_file";
 import { plantInWords } from "../../element/plant_in_words";
 import { encodeLink } from "../../specimen/link";
 import { notInLink } from "../address";
@@ -11,7 +12,7 @@ import {
 	frameAddress,
 	LONGEST_SIDE,
 } from "../files/embed_code";
-import { type Asked, type Download, fileName, formatsOf, save } from "../files/formats";
+import { type Asked, type Download, fileName, formatsOf } from "../files/formats";
 import { askedOf, sizeInWords } from "../files/made_ahead";
 import { type PageWeight, pageWeight } from "../files/page_weight";
 import { plantToSave } from "../files/plant_to_save";
@@ -141,7 +142,7 @@ export class EmbedDialog extends StudioPart {
 		return html`<label>File <select @change=${({ target }: Event) => this.#chooseFile((target as HTMLSelectElement).value)}>
 				${formats.map(({ key, title }) => html`<option value=${key} ?selected=${key === this.#format}>${title}</option>`)}
 			</select></label>
-			<button class="button" type="button" ?disabled=${!this.#file} @click=${() => this.#file && save(this.#file, `${asked.name}.glb`)}>
+			<button class="button" type="button" ?disabled=${!this.#file} @click=${() => this.#file && saveFile(this.#file, `${asked.name}.glb`)}>
 				Download ${asked.name}.glb
 			</button>`;
 	}

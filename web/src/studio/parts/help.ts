@@ -12,7 +12,7 @@ export class Help extends StudioPart {
 
 	protected override draw({ state }: Studio): unknown {
 		return html`<dialog class="help" aria-labelledby=${this.idOf("title")}>
-			<h2 id=${this.idOf("title")}>Panicle</h2>
+			<h2 id=${this.idOf("title")} tabindex="-1" autofocus>Panicle</h2>
 			${state.face?.about}
 			<p>The address bar always holds the ${state.model.noun}: the link is the file. What you export is yours.</p>
 			${state.model.preview ? html`<p>The ${state.model.noun} is a preview: what its links mean may still change.</p>` : nothing}
@@ -34,7 +34,7 @@ export class Help extends StudioPart {
 		this.desk.setUi({ letters: (event.target as HTMLInputElement).checked });
 	}
 
-	/** Opens the dialog; the browser keeps the focus in it and gives it back. */
+	/** Opens the dialog at its heading, for the first thing to press is far below; the browser keeps the focus in it and gives it back. */
 	open(): void {
 		this.querySelector("dialog")?.showModal();
 	}

@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
 import { Unusable } from "../../batch/unusable";
-import { save } from "../files/formats";
+import { saveFile } from "../../controls/save_file";
 import { formatsOfMany, growMany, type Many, readMany } from "../files/many";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
@@ -83,7 +83,7 @@ export class ManyDialog extends StudioPart {
 				},
 			});
 			cancel.signal.throwIfAborted();
-			save(archive, `${asked.series.from.preset}-${many.seeds.replaceAll(/[^\d-]+/g, "_").slice(0, 60)}.zip`);
+			saveFile(archive, `${asked.series.from.preset}-${many.seeds.replaceAll(/[^\d-]+/g, "_").slice(0, 60)}.zip`);
 			this.#say("", undefined);
 			this.#close();
 		} catch (error) {

@@ -1,8 +1,8 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { chooseFile } from "../../controls/choose_file";
+import { saveFile } from "../../controls/save_file";
 import { encodeLink } from "../../specimen/link";
 import { notInLink } from "../address";
-import { save } from "../files/formats";
 import { type Brought, broughtInWords, readLibrary, writeLibrary } from "../saved/library_file";
 import { openSaved, savedOf } from "../saved/on_screen";
 import { askToLast, ownLibrary } from "../saved/own_library";
@@ -202,7 +202,7 @@ export class SavedDialog extends StudioPart {
 
 	#export(saved: readonly Saved[]): void {
 		const now = Date.now();
-		save(writeLibrary(saved, now), `saved-${new Date(now).toISOString().slice(0, 10)}.panicle.json`);
+		saveFile(writeLibrary(saved, now), `saved-${new Date(now).toISOString().slice(0, 10)}.panicle.json`);
 	}
 
 	#import(file: File): Promise<void> {

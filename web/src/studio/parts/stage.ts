@@ -49,6 +49,7 @@ export class Stage extends StudioPart {
 			></canvas>
 			<p class="unseen" id=${this.idOf("keys")}>${ORBIT_KEYS}</p>
 			${shown ? caption(studio) : nothing}
+			${chips(studio)}
 			${warnings(studio)}
 			${this.#trouble && !failure ? message(this.#trouble.title, [this.#trouble.text], this.#trouble.again ? button("Try again", this.#trouble.again) : nothing) : nothing}
 			${failure ? message(failure.title, failure.details, remedies(studio, failure)) : nothing}
@@ -171,6 +172,18 @@ function caption(studio: Studio): unknown {
 		<h2>${titleOf(from, model, face && grown ? face.tools : [])}</h2>
 		<p>${words}</p>
 	</div>`;
+}
+
+/** What is chosen in the picture; nothing while there is no picture. */
+function chips(studio: Studio): unknown {
+	const { face, specimen, failure, shown } = studio.state;
+	if (failure || !shown) return nothing;
+	return applying(face?.tools, specimen).map(({ chip }) => {
+		const drawn = chip?.draw(studio) ?? nothing;
+		return drawn === nothing
+			? nothing
+			: html`<div class="stage-chip" role="group" aria-label=${chip?.title ?? ""}>${drawn}</div>`;
+	});
 }
 
 /** What the plant lacks, where the eye is. The pane says it as well, and is the one that is heard where it is open. */

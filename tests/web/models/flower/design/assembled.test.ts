@@ -78,7 +78,7 @@ describe("an assembled flower", () => {
 				expect(faults(grown)).toEqual([]);
 				expect(wrongDarts(grown)).toEqual([]);
 				const ringed = counted(grown, "VEIN", (parent) => parent.startsWith("RING"));
-				const leaves = counted(grown, "VEIN", (parent) => parent.startsWith("NODE"));
+				const leaves = counted(grown, "VEIN", (parent) => /^(?:NODE\d|STALK)/.test(parent));
 				const stamens = counted(grown, "FILAMENT", (parent) => parent.startsWith("RING"));
 				const ovaries = counted(grown, "OVARY", (parent) => parent.startsWith("RING"));
 				expect(leaves).toBe(numberOf(flower, "leaf", "count"));
@@ -103,6 +103,27 @@ describe("an assembled flower", () => {
 						const one = { ...usual(organ, { [field.key]: option }), ...(option === DRAWN && { margin }) };
 						expect(faults(grow(assembled([one]))), `${organ} ${field.key} ${option}`).toEqual([]);
 					}
+	});
+
+	it("has leaves on stalks as long as is said, which rise in their stead", () => {
+		const leaf = (values: Description["values"]) => grow(assembled([usual("leaf", { count: 3, ...values })]));
+		expect(counted(leaf({}), "STALK", () => true)).toBe(0);
+		const grown = leaf({ stalk: 40, angle: 30 });
+		expect(faults(grown)).toEqual([]);
+		const { labels, label, values, parent } = grown.volumes;
+		const stalks = [...label.keys()].filter((at) => labels[label[at]] === "STALK");
+		const said = stalks.map((at) => [values[9 * at + 2], Math.round(10 * values[9 * at + 5]) / 10]);
+		expect(said).toEqual([
+			[-30, 40],
+			[-30, 36.8],
+			[-30, 33.6],
+		]);
+		const feet = [...label.keys()].filter((at) => stalks.includes(parent[at]));
+		expect(feet.map((at) => labels[label[at]])).toEqual(["VEIN", "VEIN", "VEIN"]);
+		for (const at of feet) expect(Math.abs(values[9 * at + 2])).toBeLessThanOrEqual(3);
+		const [first, , third] = feet.map((at) => values[9 * at + 5]);
+		expect(third / first).toBeGreaterThan(0.7);
+		expect(third / first).toBeLessThan(0.95);
 	});
 
 	it("is read from its text as it was described", () => {

@@ -32,6 +32,27 @@ describe("two changes of a text", () => {
 	});
 });
 
+describe("changes of a text that is longer than anyone writes", () => {
+	const MANY = 100_000;
+	const numbered = (name: string) => Array.from({ length: MANY }, (_, i) => `${name} ${i}`);
+
+	it("are both there where the text begins and ends the same", () => {
+		const base = numbered("line");
+		const mine = base.toSpliced(50_000, 0, ...["mine", "mine too"]);
+		const made = [...base.slice(0, -1), "made"];
+		const { lines, kept, lost } = merged(base, mine, made);
+		expect([lines.length, kept.length, lost]).toEqual([MANY + 2, MANY + 2, []]);
+		expect([lines[50_000], lines[50_002], lines.at(-1)]).toEqual(["mine", "line 50000", "made"]);
+	});
+
+	it("that have no line in common are told apart, and what is lost is told", () => {
+		const mine = ["a", ...numbered("mine"), "z"];
+		const { lines, kept, lost } = merged(["a", ...numbered("base"), "z"], mine, ["a", ...numbered("made"), "z"]);
+		expect([lines.length, kept.length, lost.length]).toEqual([MANY + 2, MANY + 2, MANY]);
+		expect([lines[1], kept[1], lines.at(-1)]).toEqual(["made 0", "mine 0", "z"]);
+	});
+});
+
 const designed = (text: string): Design => {
 	const design = designOf(text);
 	if (!design) throw new Error("no design");
@@ -80,5 +101,8 @@ describe("a choice", () => {
 			assembled().replace(/@organ pistil .*@/, "@organ pistil count=5 width=900 nonsense=1 base=red@"),
 		);
 		expect(describedIn(design, "pistil").values).toMatchObject({ count: 5, width: 30, base: "a3b873", style: 5 });
+		// A line that says less, as before there were stalks, is no grammar that was edited.
+		const older = designed(assembled().replace(" stalk=0", ""));
+		expect(older.sections.filter(isEdited)).toEqual([]);
 	});
 });

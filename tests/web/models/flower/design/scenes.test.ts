@@ -67,6 +67,25 @@ describe("handles of the flat views", () => {
 		expect([round(120), round(90), round(45), round(310), round(240), round(2)]).toEqual([3, 4, 8, 0, 1, 21]);
 	});
 
+	it("make more whorls the farther in the innermost is drawn, as far as there can be", () => {
+		for (const [organ, most] of [
+			["petal", 3],
+			["stamen", 4],
+		] as const) {
+			const whorls = handleIn(floralDiagram(usually, organ), `${organ}-whorls`);
+			const inwards = (by: number) => {
+				const share = 1 - by / Math.hypot(whorls.at.x, whorls.at.y);
+				return whorls.pull({ x: share * whorls.at.x, y: share * whorls.at.y }).values.whorls;
+			};
+			expect([inwards(-20), inwards(0), inwards(8), inwards(13), inwards(40)]).toEqual([1, 1, 2, 3, most]);
+			expect([whorls.nudge(0, 1, false), whorls.nudge(-1, 0, true)].map(({ values }) => values.whorls)).toEqual([2, 1]);
+		}
+		// A calyx has one, and where there is nothing there is no whorl of it.
+		expect(floralDiagram(usually, "sepal").handles.map(({ id }) => id)).not.toContain("sepal-whorls");
+		const none = usually.map((each) => (each.organ === "petal" ? described(each, { count: 0 }) : each));
+		expect(floralDiagram(none, "petal").handles.map(({ id }) => id)).not.toContain("petal-whorls");
+	});
+
 	it("lengthen and raise a petal by its tip, and bend it inwards by its middle", () => {
 		const scene = elevation(usually, "petal");
 		const tip = handleIn(scene, "petal-tip");

@@ -33,8 +33,11 @@ export function choose(design: Design, description: Description): Chosen {
 	};
 }
 
-/** Whether a section is not what its description makes. */
-export const isEdited = ({ description, text }: Design["sections"][number]): boolean => text !== sectionOf(description);
+/** Whether a section is not what its description makes, however that is written. */
+export const isEdited = ({ description, text }: Design["sections"][number]): boolean =>
+	belowLine(text) !== belowLine(sectionOf(description));
+
+const belowLine = (section: string): string => section.slice(section.indexOf("\n"));
 
 /** The text with one organ's section as its description makes it. */
 export function madeAnew(design: Design, organ: Description["organ"]): string {

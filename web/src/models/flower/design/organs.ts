@@ -97,6 +97,7 @@ export const FIELDS: Readonly<Record<Organ, readonly Field[]>> = {
 		count(2, 8, "Of the whole stem."),
 		choice("arrangement", "Arrangement", ["alternate", "opposite", "basal"], "How they stand on the stem."),
 		...blade("lanceolate", 150, 34, 1.4),
+		number("stalk", "Stalk", "mm", 0, [0, 120, 0.5], "From the stem to the blade; 0: it sits on the stem."),
 		...held(62, 24, 10),
 		...colours("587f58", "6c9a64"),
 	],

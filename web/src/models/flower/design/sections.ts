@@ -38,10 +38,27 @@ function leafText(description: Description): string {
 			`#define ${node}(sides,0,0,0,${basal ? "1+0.3*thick" : "piece"},thick,thick,1)`,
 			...(basal && i > 0 ? [] : [`STEM{}{step==${i * apart + Number(apart > 2 && !basal)}}{} -> STEM[${node}]_{E}`]),
 			`${node} -> ${node}[${above}]_{E}`,
-			`${node} -> ${node}[&LEAF{part=${round(1 - 0.08 * i)}}]_{${faces.join(",")}}`,
+			`${node} -> ${node}[${leafOn(values, round(1 - 0.08 * i))}]_{${faces.join(",")}}`,
 		];
 	}).flat();
-	return `${lines.join("\n")}\n\n${bladeText("leaf", description)}`;
+	return `${[...lines, ...stalkLines(values)].join("\n")}\n\n${bladeText("leaf", description)}`;
+}
+
+type Values = Description["values"];
+
+/** What a node bears: a leaf, or the stalk of one, which rises in its stead. */
+function leafOn({ stalk, angle }: Values, part: number): string {
+	if (Number(stalk) === 0) return `&LEAF{part=${part}}`;
+	return `STALK(,<${-Number(angle)}>,,,<${round(Number(stalk) * part)}>,,,)`;
+}
+
+/** Its length says how large the leaf is that it bears; as many sides as a vein has. */
+function stalkLines({ stalk, angle, thickness }: Values): string[] {
+	if (Number(stalk) === 0) return [];
+	return [
+		`#define STALK(8,0,0,0,${stalk},${thickness},${thickness},1)`,
+		`STALK -> STALK[&LEAF{part=H/${stalk}; tilt=${-Number(angle)}}]_{E}`,
+	];
 }
 
 /** Which side of a node bears its kth leaf, in twelfths of the way round: a stem has as many sides as it has. */

@@ -1,4 +1,6 @@
 import type { GrammarSource } from "../../../controls/grammar/source";
+import { fromPreset } from "../../../specimen/from_preset";
+import { FLOWER } from "../species";
 import type { FlowerSpecimen } from "../specimen";
 import { fetchedText, fetchTexts } from "../texts";
 import { FLOWER_LANGUAGE } from "./language";
@@ -6,8 +8,8 @@ import { FLOWER_LANGUAGE } from "./language";
 /** Where a flower's text comes from. */
 export const source: GrammarSource<FlowerSpecimen> = {
 	noun: "flower",
-	group: "life",
 	dialect: FLOWER_LANGUAGE,
 	always: true,
 	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),
+	presetConstants: (preset) => fromPreset(FLOWER, preset).constants,
 };

@@ -1,12 +1,12 @@
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { repeat } from "lit/directives/repeat.js";
-import { coarseStep } from "../../../controls/coarse_step";
 import { ControlElement } from "../../../controls/control_element";
 import type { Desk } from "../../../controls/desk";
 import { type GrammarSource, textOf, withText } from "../../../controls/grammar/source";
 import { HeldKey } from "../../../controls/held_key";
-import { handBack, handOver, isForField, readTyped } from "../../../controls/typed";
+import { sliderRow } from "../../../controls/slider_row";
+import { readTyped } from "../../../controls/typed";
 import { shortFloat } from "../../../export/numbers";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
@@ -37,6 +37,8 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 	declare choose: (volume: number | undefined) => void;
 
 	readonly #held = new HeldKey(() => this.desk.settle());
+	/** What a slider has begun last: it may go from under the hand, with the volume that it tells of. */
+	#gesture: string | undefined;
 	/** How far sliders reach: a range does not run away from the hand. */
 	readonly #ranges = new Map<string, Range>();
 
@@ -55,10 +57,10 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 			</div>
 			<div aria-live="polite">${
 				grown && chosen !== undefined
-					? this.#tell(grown, chosen)
-					: html`<p>None of ${count.toLocaleString("en")} is chosen.</p>`
+					? html`<h3 class="volume-name">${grown.volumes.labels[grown.volumes.label[chosen]]}</h3>`
+					: html`<p>None is chosen.</p>`
 			}</div>
-			${grown && chosen !== undefined ? this.#said(grown, chosen) : nothing}`;
+			${grown && chosen !== undefined ? [this.#tell(grown, chosen), this.#said(grown, chosen)] : nothing}`;
 	}
 
 	#choose(typed: string, count: number): void {
@@ -69,10 +71,9 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 
 	#tell({ volumes }: FlowerPlant, chosen: number): unknown {
 		const own = volumes.values.subarray(9 * chosen, 9 * chosen + 9);
-		return html`<h3 class="volume-name">${volumes.labels[volumes.label[chosen]]}</h3>
-			<dl class="volume-values">
-				${FIELDS.map(([name, words, unit], i) => html`<div><dt><abbr title=${words}>${name}</abbr></dt><dd>${shortFloat(Number(own[i].toPrecision(4)))}${unit && html` <small>${unit}</small>`}</dd></div>`)}
-			</dl>`;
+		return html`<dl class="volume-values">
+			${FIELDS.map(([name, words, unit], i) => html`<div><dt><abbr title=${words}>${name}</abbr></dt><dd>${shortFloat(Number(own[i].toPrecision(4)))}${unit && html` <small>${unit}</small>`}</dd></div>`)}
+		</dl>`;
 	}
 
 	#said({ volumes }: FlowerPlant, chosen: number): unknown {
@@ -104,47 +105,45 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 		const range = within(this.#ranges.get(key), Number(text)) ?? rangeFor(name, Number(text));
 		this.#ranges.set(key, range);
 		const { min, max, step } = range;
-		const slide = this.idOf(key);
-		const edit = (value: number) => this.#edit(figure, range.written(value), key);
-		const field = (event: Event) =>
-			(event.currentTarget as HTMLElement).parentElement?.querySelector<HTMLInputElement>(".typed") ?? null;
-		const press = (event: KeyboardEvent) => {
-			if (isForField(event)) return handOver(event, field(event));
-			this.#held.down(event);
-			const by = coarseStep(step, event);
-			if (by === undefined) return;
-			event.preventDefault();
-			edit(Number(text) + by);
-		};
-		const type = (event: Event) => {
-			const typed = readTyped((event.target as HTMLInputElement).value);
-			if (Number.isFinite(typed)) this.desk.set(this.#changed(figure, String(typed)));
-			(event.target as HTMLInputElement).value = text;
-		};
-		return html`<div class="control">
-			<label for=${slide}>${name}</label>
-			<input
-				type="range" id=${slide} min=${min} max=${max} step=${step} .value=${live(text)} aria-label=${`${name}, ${title}`}
-				style-done=${(100 * (Number(text) - min)) / (max - min)}
-				@input=${(event: Event) => edit(Number((event.target as HTMLInputElement).value))} @change=${this.#held.slid}
-				@keydown=${press} @keyup=${this.#held.up} @blur=${this.#held.up}
-			>
-			<input
-				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${live(text)} aria-label=${`${name}, ${title}, typed`}
-				@change=${type} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
-				@keydown=${(event: KeyboardEvent) => handBack(event, Number(text), (event.currentTarget as HTMLElement).parentElement?.querySelector("input[type=range]") ?? null)}
-			>
-		</div>`;
+		return html`<div class="control">${sliderRow({
+			id: this.idOf(key),
+			label: name,
+			name: `${name}, ${title}`,
+			typedName: `${name}, ${title}, typed`,
+			min,
+			max,
+			step,
+			value: Number(text),
+			text,
+			help: `${min} … ${max}.`,
+			held: this.#held,
+			slide: (value) => this.#edit(figure, range.written(value), key),
+			type: (typed) => {
+				if (!Number.isFinite(typed)) return text;
+				this.desk.set(this.#changed(figure, String(typed)));
+				return String(typed);
+			},
+		})}</div>`;
+	}
+
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		this.#rest();
 	}
 
 	protected override updated(): void {
-		for (const slider of this.querySelectorAll<HTMLElement>("[style-done]"))
-			slider.style.setProperty("--done", `${slider.getAttribute("style-done")}%`);
+		if (this.chosen === undefined) this.#rest();
 	}
 
 	#edit(figure: Figure, written: string, key: string): void {
 		if (written === figure.text) return;
-		this.desk.edit({ ...this.#changed(figure, written), run: this.#held.run }, `figure ${key}`);
+		this.#gesture = `figure ${key}`;
+		this.desk.edit({ ...this.#changed(figure, written), run: this.#held.run }, this.#gesture);
+	}
+
+	#rest(): void {
+		if (this.#gesture !== undefined) this.desk.settle(this.#gesture);
+		this.#gesture = undefined;
 	}
 
 	/** The change that writes a figure in the place of another. */

@@ -5,6 +5,7 @@ import { PickPointer } from "../../../controls/pick_pointer";
 import type { Tool } from "../../../controls/tool";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
+import { type ChosenVolume, chosenOf, stillChosen } from "./chosen_volume";
 import "./volume_panel";
 
 export type FlowerDesk = Desk<FlowerSpecimen, FlowerPlant>;
@@ -16,15 +17,15 @@ const VOLUME = {
 	everyday: true,
 } as const;
 
-/** The volume that is chosen, by its number. */
-export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, number | undefined> = {
+/** The volume that is chosen. */
+export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, ChosenVolume | undefined> = {
 	name: "volume",
 	initial: undefined,
 	panel: {
 		group: VOLUME,
 		place: "below",
 		draw: (desk) =>
-			html`<panicle-volume .desk=${desk} .choose=${(volume: number | undefined) => desk.setToolState(volumeTool, volume)} .chosen=${chosenIn(desk)}></panicle-volume>`,
+			html`<panicle-volume .desk=${desk} .choose=${(volume: number | undefined) => choose(desk, volume)} .chosen=${chosenIn(desk)}></panicle-volume>`,
 	},
 	hands: (view, desk) => {
 		const pointer = new PickPointer(view, {
@@ -33,7 +34,7 @@ export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, number | undefined> =
 			// To look for what is under a pointer that only passes takes too long of so many triangles.
 			hovers: false,
 			mark: () => {},
-			take: (volume) => desk.setToolState(volumeTool, volume),
+			take: (volume) => choose(desk, volume),
 		});
 		pointer.enabled = true;
 		return {
@@ -43,8 +44,8 @@ export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, number | undefined> =
 	},
 };
 
-/** Of another flower there may be fewer. */
-function chosenIn(desk: FlowerDesk): number | undefined {
-	const chosen = desk.toolState(volumeTool);
-	return chosen !== undefined && chosen < (desk.state.grown?.volumes.order.length ?? 0) ? chosen : undefined;
+const chosenIn = (desk: FlowerDesk): number | undefined => stillChosen(desk.state.grown, desk.toolState(volumeTool));
+
+function choose(desk: FlowerDesk, volume: number | undefined): void {
+	desk.setToolState(volumeTool, chosenOf(desk.state.grown, volume));
 }

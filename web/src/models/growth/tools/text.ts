@@ -6,7 +6,6 @@ import { GROWTH_LANGUAGE } from "./language";
 /** Where a tree's text comes from. */
 export const source: GrammarSource<GrowthSpecimen> = {
 	noun: "tree",
-	group: "life",
 	dialect: GROWTH_LANGUAGE,
 	constants: false,
 	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),

@@ -59,6 +59,10 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		return this.#bounds;
 	}
 
+	get within(): boolean {
+		return this.#held !== undefined;
+	}
+
 	/** How each plant sways is the crowd's: here is what says that it does. */
 	sway(): Sway | undefined {
 		const { centre, radius } = this.#whole;

@@ -5,12 +5,14 @@ import { live } from "lit/directives/live.js";
 import type { Desk } from "../../../controls/desk";
 import { PickPointer } from "../../../controls/pick_pointer";
 import type { Tool } from "../../../controls/tool";
-import { valuesOf } from "../members";
+import { titlesOf, valuesOf } from "../members";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
 
 /** Hues of kinds, as far apart as they can be. */
 const HUE = 137.5;
+/** Room about the ground, as a share of its width: crowns reach over its edge. */
+const MARGIN = 0.05;
 /** A click so far beside a plant still means it, as a share of the map's width. */
 const NEAR = 0.04;
 
@@ -21,6 +23,13 @@ type Chosen = number | undefined;
 export const map: Tool<StandSpecimen, StandPlant, Chosen> = {
 	name: "map",
 	initial: undefined,
+	chip: {
+		title: "Chosen plant",
+		draw: (desk) => {
+			const chosen = chosenIn(desk);
+			return desk.state.grown && chosen !== undefined ? drawChip(desk, desk.state.grown, chosen) : nothing;
+		},
+	},
 	editor: { title: "Map", draw: (desk) => (desk.state.grown ? drawMap(desk, desk.state.grown) : nothing) },
 	hands: (view, desk) => {
 		const pointer = new PickPointer(view, {
@@ -47,30 +56,37 @@ const colourOf = (kind: number): string => `hsl(${(95 + HUE * kind) % 360} 45% 4
 
 function drawMap(desk: StandDesk, stand: StandPlant): unknown {
 	const { width, depth } = stand.ground;
+	const [wide, deep] = shownOf(stand);
+	const titles = titlesOf(stand);
 	const chosen = chosenIn(desk);
 	return html`<div class="stand-map">
-		<svg viewBox=${`${-0.5 * width} ${-0.5 * depth} ${width} ${depth}`} aria-hidden="true"
+		<svg viewBox=${`${-0.5 * wide} ${-0.5 * deep} ${wide} ${deep}`} aria-hidden="true"
 			@click=${(event: MouseEvent) => desk.setToolState(map, nearest(stand, event))}
 		>
 			<rect class="stand-ground" x=${-0.5 * width} y=${-0.5 * depth} width=${width} height=${depth}></rect>
 			${guard([stand.places], () => drawPlants(stand))}
 			${chosen === undefined ? nothing : drawChosen(stand, chosen)}
 		</svg>
-		<ul class="stand-kinds">
-			${stand.kinds.map(
-				(
-					{ name },
-					kind,
-				) => html`<li><svg viewBox="0 0 10 10" aria-hidden="true"><circle cx="5" cy="5" r="5" fill=${colourOf(kind)}></circle></svg>${name}
-					<small>${stand.places.kind.reduce((sum, each) => sum + Number(each === kind), 0)}</small></li>`,
-			)}
-		</ul>
 		<label class="stand-plant">Plant
 			<input type="number" min="1" max=${stand.places.count} .value=${live(chosen === undefined ? "" : String(chosen + 1))}
 				@change=${({ target }: Event) => choose(desk, stand, Number((target as HTMLInputElement).value))}>
 		</label>
-		<div aria-live="polite">${chosen === undefined ? html`<p>Choose a plant on the map or in the picture.</p>` : tell(stand, chosen)}</div>
+		<div aria-live="polite">${chosen === undefined ? html`<p>Choose a plant on the map or in the picture.</p>` : tell(stand, titles, chosen)}</div>
+		<ul class="stand-kinds">
+			${titles.map(
+				(
+					title,
+					kind,
+				) => html`<li><svg viewBox="0 0 10 10" aria-hidden="true"><circle cx="5" cy="5" r="5" fill=${colourOf(kind)}></circle></svg>${title}
+					<small>${stand.places.kind.reduce((sum, each) => sum + Number(each === kind), 0)}</small></li>`,
+			)}
+		</ul>
 	</div>`;
+}
+
+/** How wide and deep a piece of land the map shows, metres. */
+function shownOf({ ground: { width, depth } }: StandPlant): readonly [wide: number, deep: number] {
+	return [width + 2 * MARGIN * width, depth + 2 * MARGIN * width];
 }
 
 /** A path a kind: thousands of circles would each be an element. */
@@ -94,9 +110,11 @@ function drawChosen({ kinds, places, ground }: StandPlant, plant: number): unkno
 	return svg`<circle class="stand-chosen" cx=${places.at[3 * plant]} cy=${places.at[3 * plant + 2]} r=${r}></circle>`;
 }
 
-function nearest({ places, ground }: StandPlant, { currentTarget, clientX, clientY }: MouseEvent): Chosen {
+function nearest(stand: StandPlant, { currentTarget, clientX, clientY }: MouseEvent): Chosen {
 	const box = (currentTarget as SVGSVGElement).getBoundingClientRect();
-	const scale = Math.max(ground.width / box.width, ground.depth / box.height);
+	const { places, ground } = stand;
+	const [wide, deep] = shownOf(stand);
+	const scale = Math.max(wide / box.width, deep / box.height);
 	const x = (clientX - box.left - 0.5 * box.width) * scale;
 	const z = (clientY - box.top - 0.5 * box.height) * scale;
 	let least = NEAR * ground.width;
@@ -116,12 +134,25 @@ function choose(desk: StandDesk, { places }: StandPlant, number: number): void {
 }
 
 /** What a plant is, and the link that grows it alone. */
-function tell(stand: StandPlant, plant: number): unknown {
-	const { kinds, places, members, memberOf } = stand;
+function tell(stand: StandPlant, titles: readonly string[], plant: number): unknown {
+	const { kinds, places } = stand;
 	const [x, , z] = places.at.subarray(3 * plant, 3 * plant + 3);
 	const values = Object.entries(valuesOf(stand, plant)).map(([key, value]) => `${key} ${value}`);
-	const link = members[memberOf[plant]]?.link;
-	const told = `Plant ${plant + 1}: ${kinds[places.kind[plant]].name}, seed ${places.seed[plant]}, at ${x.toFixed(1)}, ${z.toFixed(1)} m, scale ${places.scale[plant].toFixed(2)}`;
-	return html`<p>${[told, ...values].join(", ")}.</p>
-		${link === undefined ? nothing : html`<p><a class="button" href=${link}>Open this plant alone</a></p>`}`;
+	const { name } = kinds[places.kind[plant]];
+	const told = `${name}, seed ${places.seed[plant]}, at ${x.toFixed(1)}, ${z.toFixed(1)} m, scale ${places.scale[plant].toFixed(2)}`;
+	const link = linkOf(stand, plant);
+	return html`<p>Plant ${plant + 1}: ${titles[places.kind[plant]]}</p>
+		${link === undefined ? nothing : html`<p><a class="button" href=${link}>Open this plant alone</a></p>`}
+		<p><small>${[told, ...values].join(", ")}.</small></p>`;
+}
+
+const linkOf = ({ members, memberOf }: StandPlant, plant: number): string | undefined => members[memberOf[plant]]?.link;
+
+/** The same in the picture, in few words. */
+function drawChip(desk: StandDesk, stand: StandPlant, plant: number): unknown {
+	const link = linkOf(stand, plant);
+	return html`<span>${titlesOf(stand)[stand.places.kind[plant]]}</span>
+		${link === undefined ? nothing : html`<a class="button" href=${link}>Open alone</a>`}
+		<button class="button icon quiet" type="button" aria-label="Choose no plant" title="Choose no plant" @click=${() => desk.setToolState(map, undefined)}
+		><span aria-hidden="true">×</span></button>`;
 }

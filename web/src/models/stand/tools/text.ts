@@ -6,7 +6,6 @@ import { STAND_LANGUAGE } from "./language";
 /** Where a stand's plan comes from. */
 export const source: GrammarSource<StandSpecimen> = {
 	noun: "stand",
-	group: "plan",
 	dialect: STAND_LANGUAGE,
 	constants: false,
 	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),

@@ -44,10 +44,12 @@ export const walk: Tool<StandSpecimen, StandPlant, Walking> = {
 		desk.setToolState(walk, desk.toolState(walk) || !grown ? undefined : atFront(grown));
 	},
 	button: { icon: WALK, label: "Walk through it", pressed: (desk) => desk.toolState(walk) !== undefined },
-	key: { letter: "w", does: "Walk through the stand, and back" },
+	key: { letter: "w", does: "Walk through the stand" },
+	holdsLetters: (desk) => desk.toolState(walk) !== undefined,
 	keys: [
 		{ keys: ["W A S D", "↑ ↓"], does: "While walking, on the picture: forward, left, back, right" },
 		{ keys: ["← →", "Page Up", "Page Down"], does: "While walking, on the picture: look around" },
+		{ keys: ["Esc"], does: "While walking, on the picture: leave" },
 	],
 	bar: {
 		title: "Walk",
@@ -70,7 +72,8 @@ class WalkBar extends DeskElement<StandDesk> {
 
 	protected override draw(desk: StandDesk): unknown {
 		if (desk.toolState(walk) === undefined) return nothing;
-		return html`<div class="walk-bar">
+		return html`<p class="walk-keys">Arrow keys walk and turn, a drag looks around, Esc leaves.</p>
+		<div class="walk-bar">
 			${BUTTONS.map(
 				([step, label, sign]) =>
 					html`<button class="button icon" type="button" aria-label=${label} title=${label} @click=${() => go(desk, step)}
@@ -96,7 +99,7 @@ class WalkHands implements ToolHands<StandSpecimen, StandPlant> {
 		this.#desk = desk;
 		const { canvas } = view;
 		const options = { signal: this.#ended.signal, capture: true };
-		canvas.addEventListener("keydown", (event) => this.#key(event), options);
+		window.addEventListener("keydown", (event) => this.#key(event), options);
 		canvas.addEventListener("pointerdown", (event) => this.#down(event), options);
 		canvas.addEventListener("pointermove", (event) => this.#move(event), options);
 		for (const end of ["pointerup", "pointercancel"] as const)
@@ -118,8 +121,10 @@ class WalkHands implements ToolHands<StandSpecimen, StandPlant> {
 		this.#shown = pose;
 		if (!pose) this.#drag = undefined;
 		this.#ground = grown?.meshes;
-		if (pose && grown) this.#view.look(gazeOf(pose, grown));
-		else if (before) {
+		if (pose && grown) {
+			this.#view.look(gazeOf(pose, grown));
+			if (!before) this.#view.canvas.focus({ preventScroll: true });
+		} else if (before) {
 			// The button that had the focus goes, or has gone already.
 			const focused = document.activeElement;
 			if (focused === document.body || focused?.closest(".walk-bar")) this.#view.canvas.focus();
@@ -135,13 +140,21 @@ class WalkHands implements ToolHands<StandSpecimen, StandPlant> {
 	}
 
 	#key(event: KeyboardEvent): void {
-		if (!this.#shown || event.ctrlKey || event.metaKey || event.altKey) return;
+		if (!this.#shown || event.ctrlKey || event.metaKey || event.altKey || !this.#hears(event)) return;
 		const step = KEYS[event.code];
 		if (event.key === "Escape") this.#desk.setToolState(walk, undefined);
 		else if (step) go(this.#desk, step);
 		else return;
 		event.preventDefault();
 		event.stopPropagation();
+	}
+
+	/** On the picture, on the steps, and where nothing has the focus; a slider's arrows are its own. */
+	#hears({ target }: KeyboardEvent): boolean {
+		if (document.querySelector("dialog[open]")) return false;
+		return (
+			target === this.#view.canvas || target === document.body || (target as Element).closest(".walk-bar") !== null
+		);
 	}
 
 	#down({ pointerId: pointer, clientX: x, clientY: y }: PointerEvent): void {

@@ -6,6 +6,8 @@ import { ControlElement } from "../../../../controls/control_element";
 import type { Stateful } from "../../../../controls/desk";
 import { HeldKey } from "../../../../controls/held_key";
 import { PICTURES } from "../../../../controls/picture_file";
+import { sliderRow } from "../../../../controls/slider_row";
+import { refusal } from "../../../../controls/typed";
 import { outlineOf } from "../../design/blade";
 import { isEdited, madeAnew } from "../../design/choose";
 import { type Description, described } from "../../design/description";
@@ -40,6 +42,8 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 	declare tool: Stateful<Organ>;
 	declare drafts: Drafts;
 
+	/** What became of a number that could not be taken as typed. */
+	#refused: { readonly of: string; readonly value: number; readonly text: string } | undefined;
 	readonly #held = new HeldKey(() => this.drafts.settle(this.desk));
 
 	protected override shows({ state, toolState }: FlowerDesk): readonly unknown[] {
@@ -84,10 +88,11 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 		const { key, label, help } = field;
 		const id = this.idOf(key);
 		const value = description.values[key];
+		if (field.kind === "number")
+			return html`<div class="control">${this.#number(description, field, id)}</div>
+				${this.#refused?.of === `${description.organ} ${key}` && this.#refused.value === value ? html`<p class="clamped" role="status">${this.#refused.text}</p>` : nothing}`;
 		const words = html`<label for=${id}>${label}</label>`;
 		const told = html`<span class="unseen" id=${`${id}-help`}>${help}</span>`;
-		if (field.kind === "number")
-			return html`<div class="control">${words}${this.#number(description, field, id)}${told}</div>`;
 		if (field.kind === "choice")
 			return html`<div class="control choice">${words}
 				<select id=${id} .value=${live(String(value))} aria-describedby=${`${id}-help`}
@@ -101,29 +106,37 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 			>${told}</div>`;
 	}
 
-	#number(description: Description, field: NumberField, id: string): unknown {
-		const { key, label, unit, least, most, step } = field;
-		const value = description.values[key];
-		const done = (100 * (Number(value) - least)) / (most - least);
-		return html`<input
-				type="range" id=${id} min=${least} max=${most} step=${step} .value=${live(String(value))}
-				.style=${`--done: ${done}%`} aria-valuetext=${`${value} ${unit}`.trim()} aria-describedby=${`${id}-help`}
-				@input=${(event: Event) => this.#edit(description, key, Number((event.target as HTMLInputElement).value), this.#held.run)}
-				@change=${this.#held.slid} @keydown=${(event: KeyboardEvent) => this.#held.down(event)}
-				@keyup=${this.#held.up} @blur=${this.#held.up}
-			>
-			<input
-				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${live(String(value))}
-				aria-label=${`${label}, typed`} @change=${(event: Event) => this.#typed(description, field, event)}
-			>
-			<span class="unit" aria-hidden="true">${unit}</span>`;
-	}
-
-	#typed(description: Description, { key }: NumberField, event: Event): void {
-		const input = event.target as HTMLInputElement;
-		const typed = Number(input.value.replace(",", "."));
-		if (input.value.trim() !== "" && Number.isFinite(typed)) this.#choose(description, key, typed);
-		this.requestUpdate();
+	#number(description: Description, { key, label, unit, least, most, step, help }: NumberField, id: string): unknown {
+		const value = Number(description.values[key]);
+		const range = `${least} … ${most}${unit && ` ${unit}`}.`;
+		return sliderRow({
+			id,
+			label,
+			typedName: `${label}, typed`,
+			min: least,
+			max: most,
+			step,
+			value,
+			text: String(value),
+			unit,
+			spoken: `${value} ${unit}`.trim(),
+			help: `${help} ${range}`,
+			held: this.#held,
+			slide: (to) => this.#edit(description, key, to, this.#held.run),
+			type: (typed, text) => {
+				if (Number.isFinite(typed)) this.#choose(description, key, typed);
+				const design = designIn(this.desk.state.specimen);
+				const taken = design ? Number(describedIn(design, description.organ).values[key]) : value;
+				const said = {
+					of: `${description.organ} ${key}`,
+					value: taken,
+					text: refusal(label, range, text, typed, String(taken)),
+				};
+				this.#refused = taken === typed ? undefined : said;
+				this.requestUpdate();
+				return String(taken);
+			},
+		});
 	}
 
 	/** How nearly the polynomial follows the outline, and the way to one from a picture. */

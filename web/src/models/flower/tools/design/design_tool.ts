@@ -1,18 +1,22 @@
 /** Designing a flower: six organs by choices in the panel, and flat views with handles. All is written into the text. */
 import { html, nothing } from "lit";
 import { isPicture } from "../../../../controls/picture_file";
+import { saveFile } from "../../../../controls/save_file";
 import type { Tool } from "../../../../controls/tool";
+import { fromPreset } from "../../../../specimen/from_preset";
 import type { Description } from "../../design/description";
 import { assembled } from "../../design/design";
+import { designedNear } from "../../design/near";
 import { ORGANS, type Organ } from "../../design/organs";
 import type { FlowerPlant } from "../../flower_plant";
+import { FLOWER } from "../../species";
 import type { FlowerSpecimen } from "../../specimen";
 import type { DesignEvent } from "./design_view";
 import { Drafts, descriptionsIn, designIn, type FlowerDesk } from "./drafts";
 import { elevation } from "./elevation";
 import { floralDiagram } from "./floral_diagram";
 import { outlineScene } from "./outline_scene";
-import type { Scene } from "./scene";
+import { pictureOf, type Scene } from "./scene";
 import { traceInto } from "./trace";
 import "./design_panel";
 import "./design_view";
@@ -39,12 +43,17 @@ export const beginTool: DesignTool = {
 	panel: {
 		group: GROUP,
 		place: "above",
-		draw: (desk) => html`<p>This flower’s text has no descriptions of its organs: it is edited as a grammar.</p>
+		draw: (desk) => {
+			const near = designedNear(desk.state.specimen.preset);
+			const title = FLOWER.presets.named(near)?.title;
+			return html`<p>This flower’s text has no descriptions of its organs: it is edited as a grammar.</p>
 			<div class="actions">
+				<button class="button" type="button" @click=${() => desk.replace(fromPreset(FLOWER, near))}>Open ${title}</button>
 				<button class="button" type="button" @click=${() => desk.set({ details: { grammar: assembled() } })}>
 					Design a new flower
 				</button>
-			</div>`,
+			</div>`;
+		},
 	},
 };
 
@@ -57,7 +66,11 @@ export const designTool: DesignTool<Organ> = {
 		group: GROUP,
 		place: "above",
 		draw: (desk) =>
-			html`<panicle-flower-organs .desk=${desk} .tool=${designTool} .drafts=${drafts}></panicle-flower-organs>`,
+			html`<panicle-flower-organs .desk=${desk} .tool=${designTool} .drafts=${drafts}></panicle-flower-organs>
+				<div class="actions">
+					<button class="button" type="button" @click=${() => saveScene(desk, "diagram", floralDiagram)}>Diagram as SVG</button>
+					<button class="button" type="button" @click=${() => saveScene(desk, "elevation", elevation)}>Elevation as SVG</button>
+				</div>`,
 	},
 	keys: [
 		{
@@ -99,6 +112,16 @@ function draw(
 		@design-input=${({ detail: { descriptions, run } }: DesignEvent) => drafts.edit(desk, descriptions, run)}
 		@design-change=${() => drafts.settle(desk)} @design-focus=${({ detail }: CustomEvent<string>) => meant(desk, detail)}
 	></panicle-flower-design>`;
+}
+
+/** A flat view as a file, with nothing chosen in it. */
+function saveScene(desk: FlowerDesk, name: string, of: (descriptions: readonly Description[]) => Scene): void {
+	const { specimen } = desk.state;
+	const design = designIn(specimen);
+	if (!design) return;
+	const title = `${FLOWER.presets.named(specimen.preset)?.title ?? "Flower"}, ${name}`;
+	const picture = pictureOf(of(descriptionsIn(design)), title);
+	saveFile(new Blob([picture], { type: "image/svg+xml" }), `${specimen.preset}-${name}.svg`);
 }
 
 /** Whoever takes hold of an organ's handle means that organ. */

@@ -35,11 +35,11 @@ interface Written {
 /** A design with its organs described so. Where nothing is described otherwise its text is what it was. */
 function written(design: Design, descriptions: readonly Description[]): Written {
 	let [mine, kept]: readonly [Design, Design] = [design, design];
-	const lost: string[] = [];
+	let lost: readonly string[] = [];
 	for (const [i, description] of descriptions.entries()) {
 		if (lineOf(description) === lineOf(design.sections[i].description)) continue;
 		const chosen = choose(mine, description);
-		lost.push(...chosen.lost);
+		lost = [...lost, ...chosen.lost];
 		mine = designOf(chosen.text) ?? mine;
 		kept = designOf(choose(kept, description).kept) ?? kept;
 	}

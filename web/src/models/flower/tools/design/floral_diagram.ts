@@ -89,7 +89,11 @@ function ringScene(organ: Ringed, description: Description): Part {
 		return { d, kind: "organ", fill };
 	});
 	const guide: SceneLine = { d: roundPath({ x: 0, y: 0 }, ring), kind: "faint" };
-	const handles = ringHandles(organ, description, ring, places[0]?.degrees ?? 0);
+	const first = places[0]?.degrees ?? 0;
+	const handles = [
+		...ringHandles(organ, description, ring, first),
+		...(count === 0 || organ === "sepal" ? [] : [whorlsHandle(organ, description, ring, first)]),
+	];
 	return { organ, lines: count === 0 ? [guide] : lines, handles };
 }
 
@@ -161,6 +165,20 @@ function ringHandles(organ: Ringed, description: Description, ring: number, firs
 		nudge: (right, up, large) => set("width", width + (right || up) * (large ? 5 : 0.5)),
 	});
 	return handles;
+}
+
+/** On the innermost whorl, where no other handle stands: farther in there are more. */
+function whorlsHandle(organ: Ringed, description: Description, ring: number, first: number): SceneHandle {
+	const whorls = value(description, "whorls");
+	const set = (to: number) => described(description, { whorls: to });
+	return {
+		id: `${organ}-whorls`,
+		label: `${NAMES[organ]}, whorls`,
+		value: String(whorls),
+		at: at(first + 225, ring - BETWEEN * (whorls - 1)),
+		pull: ({ x, y }) => set(1 + (ring - Math.hypot(x, y)) / BETWEEN),
+		nudge: (right, up, large) => set(whorls + (right || up) * (large ? 2 : 1)),
+	};
 }
 
 /** The ovary cut across: carpels grown together are one with so many rooms, free ones stand round the middle. */

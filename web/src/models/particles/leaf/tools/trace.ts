@@ -2,8 +2,7 @@ import { html } from "lit";
 import { chooseFile } from "../../../../controls/choose_file";
 import type { Change } from "../../../../controls/desk";
 import { isPicture, PICTURES } from "../../../../controls/picture_file";
-import { sameDocument } from "../../../../controls/same_document";
-import { FILE_TOPIC } from "../../../../controls/tool";
+import { traceFile } from "../../../../controls/tracing/trace_file";
 import type { LeafSpecimen } from "../specimen";
 import type { TracedLeaf } from "../trace/trace";
 import type { LeafDesk, LeafTool } from "./desk";
@@ -16,13 +15,13 @@ export const trace: LeafTool = {
 	drop: {
 		words: "a picture of a leaf is traced",
 		takes: isPicture,
-		take: (desk, file) => void traceFile(desk, file),
+		take: (desk, file) => void traceLeafFile(desk, file),
 	},
 };
 
 function draw(desk: LeafDesk): unknown {
 	const altered = desk.state.specimen.outline !== desk.preset.outline;
-	const take = (file: File) => void traceFile(desk, file);
+	const take = (file: File) => void traceLeafFile(desk, file);
 	return html`<div class="actions">
 		${chooseFile({ accept: PICTURES, label: "Picture of a leaf", words: "Trace a picture…", take })}
 		<button
@@ -33,32 +32,15 @@ function draw(desk: LeafDesk): unknown {
 }
 
 /** Takes the outline of the leaf in a picture, as one step; what is wrong with the picture is said. */
-export async function traceFile(desk: LeafDesk, file: Blob): Promise<void> {
-	const isStill = sameDocument(desk);
-	const again = () => void traceFile(desk, file);
-	const [reader, tracer, words, bitmaps] = await Promise.all([
-		import("../../../../controls/tracing/read_picture"),
-		import("../trace/trace"),
-		import("../../../../controls/tracing/picture"),
-		import("../../../../controls/read_bitmap"),
-	]).catch(() => []);
-	if (!reader || !tracer || !words || !bitmaps) {
-		desk.notify("The picture was not traced", ["Part of the page could not be fetched."], { topic: FILE_TOPIC, again });
-		return;
-	}
-	try {
-		const traced = tracer.traceLeaf(await reader.readPicture(file));
-		if (!isStill()) {
-			desk.notify("The outline was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
-			return;
-		}
-		const { change, said } = asChange(traced, desk.state.specimen);
-		desk.set(change);
-		desk.notify(`An outline of ${traced.outline.length} points was traced`, said, { topic: FILE_TOPIC, brief: true });
-	} catch (error) {
-		if (!(error instanceof words.TraceError || error instanceof bitmaps.PictureError)) throw error;
-		desk.notify("The picture was not traced", [error.message], { topic: FILE_TOPIC });
-	}
+export function traceLeafFile(desk: LeafDesk, file: Blob): Promise<void> {
+	return traceFile(desk, file, {
+		tracer: async () => (await import("../trace/trace")).traceLeaf,
+		take: (traced) => {
+			const { change, said } = asChange(traced, desk.state.specimen);
+			desk.set(change);
+			return { title: `An outline of ${traced.outline.length} points was traced`, details: said };
+		},
+	});
 }
 
 /** What a traced leaf changes, and what to say of it: teeth would be cut into an outline that has its own. */

@@ -1,0 +1,152 @@
+import { beforeAll, describe, expect, it } from "vitest";
+import { memberOf } from "../../../../web/src/batch/series";
+import { checkVaried, readVary } from "../../../../web/src/batch/vary";
+import type { GrammarSource } from "../../../../web/src/controls/grammar/source";
+import { textOf, withText, withValues } from "../../../../web/src/controls/grammar/source";
+import { FLOWER_FORMATS, writtenText } from "../../../../web/src/models/flower/formats";
+import { model } from "../../../../web/src/models/flower/index";
+import { fetchedText, fetchTexts, variablesIn } from "../../../../web/src/models/flower/texts";
+import { source as flowerSource } from "../../../../web/src/models/flower/tools/text";
+import { makeService } from "../../../../web/src/service/service";
+import { compressText } from "../../../../web/src/specimen/compressed_text";
+import { fromPreset } from "../../../../web/src/specimen/from_preset";
+import { decodeLink, encodeLink } from "../../../../web/src/specimen/link";
+import { restore } from "../../../../web/src/specimen/restore";
+import { writtenSpecimen } from "../../../../web/src/specimen/written";
+import { complaint, grow } from "../../cli/world";
+import { freshCore } from "../../core/wasm";
+
+beforeAll(fetchTexts);
+
+const source = flowerSource as unknown as GrammarSource;
+const tulip = fromPreset(model, "tulip");
+const taller = { ...tulip, constants: { length: 500 } };
+
+describe("values of a flower's text", () => {
+	it("are in its link by name, short, and in what is written", async () => {
+		const link = await encodeLink(model, taller);
+		expect(link).toBe("?v=2&model=flower&define=length:500");
+		expect((await decodeLink(model, link, "")).specimen).toEqual(taller);
+		expect(restore(model, writtenSpecimen(model, taller))).toEqual({ specimen: taller, notes: [] });
+		expect(await encodeLink(model, tulip)).toBe("?v=2&model=flower");
+	});
+
+	it("are what the text itself calls so, not its modules", async () => {
+		expect(await variablesIn(tulip)).toEqual(["length", "bend", "scale", "tall", "size", "open", "wilt"]);
+		const grammar =
+			"@\n#define no=1\n@ /*\n#define nor=1\n*/\n #define a=2\n# define b =3\n#define C\n#define finalStep=3\n#axiom: C";
+		expect(await variablesIn({ ...tulip, grammar })).toEqual(["a", "b"]);
+	});
+
+	it("change the flower as the text would, on the command line too", async () => {
+		const printed = fromPreset(model, "table-3");
+		const text = fetchedText(printed)?.replace("#define rd=7", "#define rd=9") ?? "";
+		const { json } = await grow(["flower/table-3", "--set", "rd=9", "--set", "rdd=9"]);
+		const written = await grow(["--grammar", "t.gl3"], { "t.gl3": text });
+		expect(json.specimen.constants).toEqual({ rd: 9, rdd: 9 });
+		expect(json.fingerprint).toBe(written.json.fingerprint);
+		expect(json.notes).toContain("The text has no #define rdd=, so a value of it changes nothing; it has rd.");
+		expect(await complaint(["flower/table-3", "--set", "rd=x"])).toContain("rd is “x”, which is not a number");
+	});
+
+	it("go into the text of a file, comments stay", async () => {
+		const text = "#define a=2*b/3 /* 1 … 2 */\n#define b=3@@\n#axiom: A\n#module M\n#define a=7\n";
+		const { parameters } = tulip;
+		expect(writtenText(text, { constants: { a: 1.5, b: -2, none: 4 }, parameters: { ...parameters, steps: 9 } })).toBe(
+			"#define a=1.5 /* 1 … 2 */\n#define b=-2@@\n#axiom: A\n#define finalStep=9\n#module M\n#define a=7\n",
+		);
+		const gl3 = FLOWER_FORMATS.find(({ key }) => key === "gl3");
+		expect(await gl3?.make({} as never, taller, "")).toContain("#define length=500 /* 160 … 530 mm");
+	});
+});
+
+describe("an address", () => {
+	const service = makeService({ loadCore: freshCore, release: "1" });
+	const ask = async (address: string) => service(new Request(`http://plants.example/specimens/flower/${address}`));
+
+	it("gives them by define= and by their bare names", async () => {
+		const json = await Promise.all(
+			["table-3.json?define=rd:9", "table-3.json?rd=9"].map(async (each) => (await ask(each)).json()),
+		);
+		expect(json[0].specimen.constants).toEqual({ rd: 9 });
+		expect(json[1]).toEqual(json[0]);
+	});
+
+	it("leaves the map out where it is not wanted, and refuses one that is too large to send", async () => {
+		const { alpha, position, label, measures } = await (await ask("table-3.json?file-map=0")).json();
+		expect([alpha, position]).toEqual([undefined, undefined]);
+		expect([label.length > 0, measures.surface > 0]).toEqual([true, true]);
+		const grows = "#define A(24)\n#define finalStep=4\n#axiom: A\nA -> A[A(24)]_{E,C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}";
+		const address = `tulip.json?g=${await compressText(grows)}`;
+		const refused = await ask(address);
+		expect(`${refused.status} ${await refused.text()}`).toMatch(
+			/^413 the flower’s map has [\d,]+ darts, and at most 600,000 are sent; file-map=0 leaves the map out\n$/,
+		);
+	});
+
+	it.each([
+		["tulip.obj?lenght=500", "400 lenght: the text defines no such constant; there are length, bend, scale, tall"],
+		["tulip.obj?define=K:5", "400 K: the text defines no such constant; there are length"],
+		["tulip.obj?length=x", "400 constants: length is “x”, which is not a number"],
+		["figure-16.obj?a=1", "400 a: the text defines no such constant; there are none"],
+	])("%s is refused: %s", async (address, words) => {
+		const answer = await ask(address);
+		expect(`${answer.status} ${await answer.text()}`).toContain(words);
+	});
+});
+
+describe("a series", () => {
+	it("varies them, each drawn by its seed", async () => {
+		const varied = readVary(model, "length=200..400,bend=-1|0|1,age=0..2", tulip);
+		await expect(checkVaried(model, varied, tulip)).resolves.toBeUndefined();
+		const series = { model: model as never, from: tulip, varied, format: "json" };
+		const members = await Promise.all([1, 2, 3, 4].map((seed) => memberOf(series, seed)));
+		const lengths = members.map(({ specimen }) => (specimen as typeof tulip).constants.length);
+		for (const length of lengths) expect(length >= 200 && length < 400).toBe(true);
+		expect(new Set(lengths).size).toBe(4);
+		expect(members[1].link).toMatch(/seed=2.*&define=bend:-?\d,length:[\d.]+$/);
+		expect(members[1].values.map(Number)).toEqual([
+			lengths[1],
+			(members[1].specimen as typeof tulip).constants.bend,
+			members[1].specimen.parameters.age,
+		]);
+	});
+
+	it("refuses names that the text does not have, and what is no number", async () => {
+		const unknown = readVary(model, "lenght=200..400", tulip);
+		await expect(checkVaried(model, unknown, tulip)).rejects.toThrow("lenght: no parameter has that key, and the text");
+		expect(() => readVary(model, "length=a..b", tulip)).toThrow("which is not a number");
+		expect(() => readVary(model, "length=4..2", tulip)).toThrow("runs backwards");
+	});
+});
+
+describe("a slider of a constant", () => {
+	it("gives the preset's text a value, and takes it back where the text says so itself", () => {
+		const moved = withValues(source, tulip, { length: 400, bend: 0 });
+		expect(moved).toEqual({ details: { constants: { length: 400 } } });
+		expect(textOf(source, taller, () => {})).toContain("#define length=500 /*");
+		expect(withValues(source, taller, { length: 325 })).toEqual({ details: { constants: {} } });
+	});
+
+	it("writes into a text of one's own, which then says it alone", () => {
+		const own = {
+			...tulip,
+			grammar: "#define length=3\n#define A(4,0,0,0,length,1,1,1)\n#axiom: A",
+			constants: { length: 7, tall: 2 },
+		};
+		expect(textOf(source, own, () => {})).toContain("#define length=7\n");
+		expect(withValues(source, own, { length: 9 })).toEqual({
+			details: { grammar: own.grammar.replace("length=3", "length=9"), constants: { tall: 2 } },
+		});
+	});
+
+	it("leaves text that is typed to be the document's own, unless it is the preset's", () => {
+		const text = textOf(source, taller, () => {}) ?? "";
+		expect(withText(source, taller, text)).toEqual({ details: { grammar: undefined, constants: { length: 500 } } });
+		expect(withText(source, taller, fetchedText(tulip))).toEqual({ details: { grammar: undefined, constants: {} } });
+		expect(withText(source, taller, `${text}\n`)).toEqual({ details: { grammar: `${text}\n`, constants: {} } });
+		expect(withText(source, { ...taller, grammar: `${text}\n` } as never, undefined)).toEqual({
+			details: { grammar: undefined, constants: {} },
+		});
+	});
+});

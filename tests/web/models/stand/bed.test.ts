@@ -1,0 +1,123 @@
+/** Beds: stands of flowers. */
+import { beforeAll, describe, expect, it } from "vitest";
+import { aboutPlant } from "../../../../web/src/export/about_plant";
+import { exportGlb } from "../../../../web/src/export/glb";
+import { exportJson } from "../../../../web/src/export/json";
+import { growPlant } from "../../../../web/src/files/growth";
+import { modelNamed } from "../../../../web/src/models/index";
+import { model } from "../../../../web/src/models/stand/index";
+import { type PlantRecord, placementsCsv } from "../../../../web/src/models/stand/record";
+import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
+import { fromPreset } from "../../../../web/src/specimen/from_preset";
+import { decodeLink } from "../../../../web/src/specimen/link";
+import { complaints, documentOf } from "../../export/reading";
+import { grownStand, planned, run } from "./stands";
+
+const FLOWERS = 300;
+/** Triangles, at the most, from near to far. */
+const MOST = [6000, 2200, 800, 390];
+
+const BED = `ground 1.2 x 0.8
+plants 12, stratified
+flower/tulip, share 3, crown 0.2 x 0.4, scale 0.8 to 1.1: age 0.2 to 1.6
+flower/daisy, share 1, crown 0.12 x 0.14: age 0.3 to 1.4
+flower/bluebell, share 2, crown 0.2 x 0.34: age 0.6 to 1.3
+plants 6, stratified
+flower/grass, crown 0.1 x 0.1, scale 0.5 to 1
+`;
+
+describe("a flowerbed", () => {
+	it("has 300 flowers, no two of them alike, of all ages and mixed by share", async () => {
+		const bed = await grownStand(fromPreset(model, "flowerbed"));
+		const flowers = bed.members.filter((_, plant) => !/grass/.test(bed.kinds[bed.places.kind[plant]].name));
+		expect(flowers).toHaveLength(FLOWERS);
+		expect(new Set(flowers.map((member) => member?.fingerprint)).size).toBe(FLOWERS);
+		const ages = flowers.map((member) => member?.specimen.parameters.age ?? 0);
+		expect(Math.min(...ages)).toBeLessThan(0.3);
+		expect(Math.max(...ages)).toBeGreaterThan(1.5);
+		const of = (name: string) => flowers.filter((member) => member?.specimen.preset === name).length;
+		expect(of("pansy")).toBeGreaterThan(55);
+		expect(of("pansy") + of("daisy")).toBe(150);
+	}, 300_000);
+});
+
+describe("a small bed", () => {
+	let bed: StandPlant;
+	beforeAll(async () => {
+		bed = await grownStand(planned(BED), { meshes: true });
+	}, 300_000);
+
+	it("shows each flower at four distances, in its own colours", () => {
+		for (const [plant, member] of bed.members.entries()) {
+			const { name } = bed.kinds[bed.places.kind[plant]];
+			expect(member?.levels).toHaveLength(4);
+			for (const [k, level] of (member?.levels ?? []).entries()) {
+				const triangles = level.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
+				expect(triangles).toBeLessThanOrEqual(MOST[k]);
+				expect(triangles).toBeGreaterThan(30);
+				for (const { mesh } of level) expect(mesh.colours).toHaveLength(mesh.positions.length);
+			}
+			const petals = member?.levels[0].find(({ material }) => material.name === "petal");
+			if (name === "flower/grass") expect(petals).toBeUndefined();
+			else expect(petals?.material.sheet).toBeDefined();
+		}
+		// What comes through is of one kind in all: they are drawn together.
+		const finishes = new Set(bed.members.flatMap((member) => member?.levels[0].map(({ material }) => material) ?? []));
+		expect(finishes.size).toBeLessThan(12);
+	});
+
+	it("opens each flower alone by the link that it tells, as the same flower", async () => {
+		const flower = await modelNamed("flower");
+		const { plants } = exportJson(model, bed, planned(BED)) as unknown as { plants: PlantRecord[] };
+		expect(plants).toHaveLength(18);
+		for (const { link = "", fingerprint, values } of plants.slice(0, 4)) {
+			const { specimen, notes } = await decodeLink(flower, link);
+			expect(notes).toEqual([]);
+			expect(specimen.parameters.age).toBeCloseTo(values.age as number, 2);
+			expect((await growPlant(flower, specimen, { meshes: false, measures: false }, run)).fingerprint).toBe(
+				fingerprint,
+			);
+		}
+	});
+
+	it("draws values for what its texts call their own, which each plant's link and the table of plants have", async () => {
+		const flower = await modelNamed("flower");
+		const plan = (setting: string) => planned(`plants 6, stratified\nflower/tulip: age 0.5 to 1, ${setting}`);
+		const some = await grownStand(plan("length 200 to 400, bend -2"));
+		const { plants } = exportJson(model, some, plan("")) as unknown as { plants: PlantRecord[] };
+		const lengths = plants.map(({ values }) => values.length as number);
+		expect(Math.min(...lengths)).toBeGreaterThanOrEqual(200);
+		expect(new Set(lengths).size).toBe(6);
+		const alone = async (link = "") =>
+			growPlant(flower, (await decodeLink(flower, link)).specimen, { meshes: false }, run);
+		for (const { link, values, fingerprint } of plants) {
+			expect(link).toContain(`define=bend:-2,length:${values.length}`);
+			const grown = await alone(link);
+			expect(grown.fingerprint).toBe(fingerprint);
+			// Nothing but its length is another.
+			const taller = await alone(link?.replace(/length:[\d.]+/, "length:500"));
+			const height = ({ measures }: typeof grown) => measures?.[0] ?? 0;
+			expect(height(taller)).toBeGreaterThan(height(grown));
+		}
+		expect(placementsCsv(some, plan("")).split("\r\n")[0]).toContain("age,length,bend,fingerprint");
+		const error = await grownStand(plan("\n  lenght 3")).catch((reason: unknown) => reason);
+		expect(error).toMatchObject({
+			message: expect.stringMatching(
+				/no parameter lenght \(there are steps, age, smooth\), and of tulip .*there are length, bend/,
+			),
+			...{ line: 3, column: 3 },
+		});
+		await expect(grownStand(plan('length "tall"'))).rejects.toThrow("no parameter length");
+	});
+
+	it("is a GLB that the Khronos validator has nothing against, at each fineness", async () => {
+		for (const detail of [0, 3]) {
+			const specimen = { ...planned(BED), look: { ...planned(BED).look, detail } };
+			const about = await aboutPlant(model, bed, specimen);
+			const file = exportGlb(model.parts(bed, specimen), about, { instancing: true });
+			expect(await complaints(file)).toEqual([]);
+			const { nodes } = documentOf(file) as { nodes: { name: string }[] };
+			expect(nodes.filter(({ name }) => /^flower\/grass/.test(name)).length).toBeGreaterThanOrEqual(6);
+		}
+	});
+});
