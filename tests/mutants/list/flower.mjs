@@ -6,6 +6,60 @@ const AGAIN = [`${TESTS}/again_test.cpp`];
 
 export default [
 	{
+		file: `${SRC}/ranks.hpp`,
+		suites: DERIVATION,
+		faults: [
+			{
+				id: "flower-beside-is-along",
+				find: "before.beside == 0 && side == 0",
+				replace: "before.beside == 0",
+				breaks: "what grows on an organ's sides counts as its axis, and rows have no place of their own",
+			},
+		],
+	},
+	{
+		file: `${SRC}/program.cpp`,
+		suites: [`${TESTS}/limits_test.cpp`],
+		faults: [
+			{
+				id: "flower-follows-another-module",
+				find: "std::max(owner[instruction.a], owner[instruction.b])",
+				replace: "owner[instruction.b]",
+				breaks: "what follows from a module's variables is not worked out anew for each of its instances",
+			},
+		],
+	},
+	{
+		file: `${SRC}/skin.cpp`,
+		suites: AGAIN,
+		faults: [
+			{
+				id: "flower-skin-past-its-limit",
+				find: "while (rounds > 1 && free",
+				replace: "while (rounds > 9 && free",
+				breaks: "a large map's skin has as many triangles as it is asked to have, and takes all memory",
+			},
+		],
+	},
+	{
+		file: "wasm-core/grammars/flower/meadow.gl3",
+		suites: [`${TESTS}/meadow_test.cpp`],
+		faults: [
+			{
+				id: "flower-meadow-in-strips",
+				find: "RIGHT : RIGHT_C1 < RIGHT_C3 -> RIGHT_C1 | RIGHT_C3\nLEFT : LEFT_C1 < LEFT_C3 -> LEFT_C1 | LEFT_C3\n\n#module SOW",
+				replace: "\n#module SOW",
+				breaks: "the ground's rows are not glued to each other",
+			},
+			{
+				id: "flower-meadow-without-clover",
+				find: "0.5*flowers*pink",
+				replace: "0*flowers*pink",
+				breaks: "one of the kinds never grows",
+			},
+		],
+	},
+	{
 		file: `${SRC}/derivation.cpp`,
 		suites: DERIVATION,
 		faults: [

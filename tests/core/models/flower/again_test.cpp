@@ -249,6 +249,29 @@ TEST_CASE("a tube's skin is as thick as the text says, however few sides it has"
     }
 }
 
+TEST_CASE("a skin that would have too many triangles is rounded less often, with a note") {
+  // Forty thousand prisms of three sides: more than half a million triangles when they are rounded once.
+  const std::string many =
+      "#define A(4)\n#define B(5)\n#axiom: A\n#define finalStep=400\nA -> A[A]_{E}[&M]_{C1}\n#module M\n"
+      "#define B(3)\n#axiom: B\n#define finalStep=100\nB -> B[B]_{E}";
+  const auto asked = [&](float smooth) {
+    Asked one{many};
+    one.smooth = smooth;
+    return sound(ask(one, nullptr));
+  };
+  const auto count = [](const Plant& plant) {
+    std::size_t triangles = 0;
+    for (const PlantMesh& mesh : plant.meshes) triangles += mesh.mesh.indices.size() / 3;
+    return triangles;
+  };
+  const Plant once = asked(1), thrice = asked(3);
+  CHECK(count(once) > 500'000);
+  CHECK(count(thrice) <= Skin::most_triangles);
+  CHECK(count(thrice) == 4 * count(once));
+  CHECK(once.notes.size() + 1 == thrice.notes.size());
+  CHECK(thrice.notes.back().find("rounded 2×, as far as the limit of 4000000 triangles") != std::string::npos);
+}
+
 TEST_CASE("a skin faces outwards") {
   const Mesh mesh = tube(6, 5, 1);
   const auto corner = [&](std::size_t i) {

@@ -323,11 +323,12 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (measures) measure(plant, embedding, derived.instances.size() - 1);
   std::vector<std::uint32_t> numbers;
   if (meshes) {
-    if (!skin || skin->rounds() != values.whole(smooth)) {
-      const Diagnostic trouble = Skin::trouble_of(derived, values.whole(smooth));
-      if (trouble.reason != Reason::none) return trouble;
-      skin.emplace(derived, embedding, values.whole(smooth));
-    }
+    const std::uint32_t rounds = Skin::rounds_for(derived, values.whole(smooth));
+    if (rounds < values.whole(smooth))
+      plant.notes.push_back(lsystem::sentence(
+          "Its skin is rounded %×, as far as the limit of % triangles lets it be, and not %×.",
+          {std::to_string(rounds), std::to_string(Skin::most_triangles), std::to_string(values.whole(smooth))}));
+    if (!skin || skin->rounds() != rounds) skin.emplace(derived, embedding, rounds);
     embedding.place(skin->shapes(derived));
     skin->add_to(plant, program, derived, embedding, sky);
     for (const PlantMesh& mesh : plant.meshes)

@@ -15,8 +15,6 @@
 namespace panicle::flower {
 namespace {
 
-constexpr std::uint32_t most_triangles = 4'000'000;
-
 struct Standard {
   const char* kind;
   std::uint32_t base, tip;
@@ -98,16 +96,13 @@ Colours colours_at(const Material& material, float age) {
   return {mixed(from.base, to.base, share), mixed(from.tip, to.tip, share)};
 }
 
-Diagnostic Skin::trouble_of(const Derived& derived, std::uint32_t rounds) {
+std::uint32_t Skin::rounds_for(const Derived& derived, std::uint32_t asked) {
   std::uint64_t free = 0;
   for (std::uint32_t dart = 0; dart < derived.map.darts(); ++dart) free += derived.map.alpha(3, dart) == dart;
-  // Two darts an edge of a face, which is two triangles when it has been rounded.
-  std::uint64_t triangles = free;
-  for (std::uint32_t round = 1; round < rounds; ++round) triangles *= 4;
-  if (triangles <= most_triangles) return {};
-  return lsystem::error_at(Reason::limit, {},
-                           "The flower has % triangles; the limit is %. Ask for it less smooth, or for fewer steps.",
-                           {std::to_string(triangles), std::to_string(most_triangles)});
+  // Two darts an edge of a face, which is two triangles when it has been rounded; each round makes four of each.
+  std::uint32_t rounds = asked;
+  while (rounds > 1 && free << 2 * (rounds - 1) > most_triangles) --rounds;
+  return rounds;
 }
 
 Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, std::uint32_t rounds) {

@@ -2976,7 +2976,7 @@ STIGMA{}{step<12}{} -> STIGMA[STIGMA(,,,,2,4,4,)]_{E}
    source: Petrenko 2014, figure 24, whose grammar is not printed; the text is ours
 */
 
-#define across=24 /* 4 … 60 step 2, volumes of ground */
+#define across=20 /* 4 … 60 step 2, volumes of ground */
 #define flowers=1 /* 0 … 3 step 0.1, how many */
 #define height=1 /* 0.5 … 1.6 step 0.05, of all that grows */
 #define wind=0 /* -1 … 1 step 0.05 */
@@ -3032,19 +3032,21 @@ LEFT : LEFT_C1 < LEFT_C3 -> LEFT_C1 | LEFT_C3
 #define y=0
 #define margin=sqrt(x*x+y*y)/reach
 #define SEED(4,math.random(-26,26),math.random(-26,26),math.random(-40,40),22-16*min(1,margin)^6,12,12,1)
-#define red=max(0,sin(17*x+23*y+here)+sin(29*x-13*y+there)-0.2)
-#define white=max(0,sin(19*x-21*y+elsewhere)+sin(11*x+27*y+here)-0.1)
-#define yellow=max(0,sin(24*x+14*y+there)+sin(31*y-9*x+elsewhere)-0.2)
+#define red=max(0.05,sin(17*x+23*y+here)+sin(29*x-13*y+there)-0.2)
+#define white=max(0.08,sin(19*x-21*y+elsewhere)+sin(11*x+27*y+here)-0.1)
+#define yellow=max(0.08,sin(24*x+14*y+there)+sin(31*y-9*x+elsewhere)-0.2)
 #define blue=max(0,sin(13*x-25*y+here+there)+sin(33*x+7*y+hill)-0.4)
-#define pink=max(0,sin(27*x+9*y+hill)+sin(15*x-29*y+dale)-0.2)
+#define pink=max(0.06,sin(27*x+9*y+hill)+sin(15*x-29*y+dale)-0.2)
 #define finalStep=1
 #axiom: SEED
+/* Low turf round whatever stands there. */
+SEED -> SEED[&SCALE{len=math.random(34,80); wide=math.random(3,5); start=-90+math.random(10,60); sway=math.random(-30,30); bend=math.random(10,60); tip=0.3; paint=2+floor(math.random(0,3))}]_{C1,C2,C3,C4}
 SEED -> SEED[&GRASS(,<-atx>,<-aty>,<math.random(0,360)>,,,,){splay=max(0,margin-0.75)*4; lush=0.85+0.15*sin(21*x+16*y+dale)+0.15*sin(26*y-12*x+hill)}]_{E}
 SEED{}{math.random()<0.5*flowers*pink&&margin<0.95}{} -> SEED[&CLOVER(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
 SEED{}{math.random()<0.34*flowers*yellow&&margin<0.95}{} -> SEED[&BUTTERCUP(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
 SEED{}{math.random()<0.5*flowers*white&&margin<0.95}{} -> SEED[&DAISY(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
 SEED{}{math.random()<0.3*flowers*blue&&margin<0.95}{} -> SEED[&CORNFLOWER(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
-SEED{}{math.random()<0.36*flowers*red&&margin<0.95}{} -> SEED[&POPPY(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
+SEED{}{math.random()<0.3*flowers*red&&margin<0.95}{} -> SEED[&POPPY(,<-atx>,<-aty>,<math.random(0,360)>,,,,)]_{E}
 
 #module GRASS
 #define splay=0
@@ -3054,7 +3056,7 @@ SEED{}{math.random()<0.36*flowers*red&&margin<0.95}{} -> SEED[&POPPY(,<-atx>,<-a
 #define ROOT(8,0,0,0,3,9,9,2)
 #define finalStep=1
 #axiom: ROOT
-ROOT -> ROOT[&BLADE{len=long*math.random(0.4,1.15); start=-90+math.random(4,42)+splay*math.random(0,40); sway=math.random(-24,24); bend=math.random(10,90); paint=green}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+ROOT -> ROOT[&BLADE{len=long*math.random(0.4,1.15); wide=math.random(2.8,4.6); start=-90+math.random(4,42)+splay*math.random(0,40); sway=math.random(-24,24); bend=math.random(10,95); paint=green}]_{C1,C2,C3,C5,C6,C7,C8}
 ROOT{}{math.random()<0.35}{} -> ROOT[&BLADE{len=long*math.random(0.3,0.8); start=-90+math.random(20,60); sway=math.random(-24,24); bend=math.random(30,110); paint=5}]_{C4}
 
 ROOT{}{math.random()<0.22}{} -> ROOT[&CULM{len=height*lush*math.random(200,330)}]_{E}
@@ -3183,7 +3185,7 @@ STEM{}{along==3}{} -> STEM[&BLADE{len=math.random(20,40); wide=5; start=-90+math
 STEM{}{along==7}{} -> STEM[CUP(,<math.random(10,48)>,<math.random(-14,14)>,,,,,)]_{E}
 CUP -> CUP[RIM]_{E}
 RIM{}{along<10}{} -> RIM[RIM]_{E}
-RIM -> RIM[&RAY{len=size*(6+11*open)*math.random(0.92,1.06); wide=size*(2+2.6*open); start=-80+66*open-6*(along-9)+math.random(-7,7)+40*wilt; sway=math.random(-5,5); bend=-30+38*open; paint=11}]_{C1,C2,C3,C4,C5,C6,C7,C8}
+RIM -> RIM[&RAY{len=size*(6+11*open)*math.random(0.92,1.06); wide=size*(2+3*open); start=-80+68*open-5*(along-9)+math.random(-7,7)+40*wilt; sway=math.random(-5,5); bend=-30+38*open; paint=11}]_{C1,C2,C3,C4,C5,C6,C7,C8}
 RIM{}{along==10}{} -> RIM[DISC(,,,,<1.4*size>,<11.5*size>,<11.5*size>,)]_{E}
 DISC{}{along<14}{} -> DISC[DISC(,,,,<0.9*size>,<size*(11-2.6*(along-11))>,<size*(11-2.6*(along-11))>,)]_{E}
 DISC{}{along<14}{} -> DISC[&SCALE{len=2.1*size; wide=2.4*size; start=-60-8*(along-11); tip=0.8; paint=12}]_{C1,C2,C3,C4,C5,C6,C7,C8}
