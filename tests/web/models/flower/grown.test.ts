@@ -108,7 +108,7 @@ describe("a flower", () => {
 	});
 
 	it("is known by its text", () => {
-		const [{ claims }] = model.details;
+		const claims = model.details.find((detail) => detail.claims)?.claims;
 		expect(claims?.("#define A(4)\n#axiom: A\nA -> A[A]_ {E}")).toBe(true);
 		expect(claims?.("#axiome: A\nA->A[&B]C1,C2")).toBe(true);
 		expect(claims?.("axiom: A\nA --> F[+A]F")).toBe(false);
