@@ -128,7 +128,8 @@ struct InRow {
   glm::vec2 at;
 };
 
-// Of too many those of the rows nearest to the middle, and of the last of these from its own middle; in the order they had.
+// Of too many those of the rows nearest to the middle, and of the last of these from its own middle; in the order they
+// had.
 void keep_middle(std::vector<InRow>& spots, std::uint32_t count) {
   if (spots.size() <= count) return;
   std::sort(spots.begin(), spots.end(), [](const InRow& a, const InRow& b) {
@@ -140,8 +141,8 @@ void keep_middle(std::vector<InRow>& spots, std::uint32_t count) {
             [](const InRow& a, const InRow& b) { return std::tie(a.row, a.place) < std::tie(b.row, b.place); });
 }
 
-// Parallel lines over the whole strip, its middle in the midst of them. `count` 0: all there is room for; the text's own
-// count fills them from the back, fewer than the text says stand in the middle.
+// Parallel lines over the whole strip, its middle in the midst of them. `count` 0: all there is room for; the text's
+// own count fills them from the back, fewer than the text says stand in the middle.
 std::vector<glm::vec2> in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const Luck& luck) {
   const SinCos turn = sincos_degrees(layer.towards);
   const glm::vec2 along(turn.cosine, turn.sine), across(-turn.sine, turn.cosine);
