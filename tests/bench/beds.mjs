@@ -70,7 +70,7 @@ function plantOf(known, textNames, blocks, { columns }, time) {
 	known.add(key);
 	return {
 		name: textNames.get(text) ?? "?",
-		time: milliseconds,
+		time,
 		again,
 		triangles: levels.map(({ length }) => length / 3),
 	};

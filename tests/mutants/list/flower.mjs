@@ -60,9 +60,39 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/levels.cpp`,
+		suites: [`${TESTS}/levels_test.cpp`],
+		faults: [
+			{
+				id: "flower-levels-by-own-luck",
+				find: "usual.steps = given.steps;",
+				replace: "usual = given;",
+				breaks: "what a level leaves out hangs on the seed and the age, and plants of one map have other triangles",
+			},
+			{
+				id: "flower-levels-crowd-stays-narrow",
+				find: "place = on + times * (place - on);",
+				replace: "place = on + (place - on);",
+				breaks: "what is left of a crowd from afar is as wide as near by, and its colour is gone",
+			},
+		],
+	},
+	{
 		file: `${SRC}/derivation.cpp`,
 		suites: DERIVATION,
 		faults: [
+			{
+				id: "flower-luck-always-rebuilds",
+				find: "if (program.luck_rebuilds && before.seed != now.seed) return true;",
+				replace: "if (before.seed != now.seed) return true;",
+				breaks: "every flower of a bed is grown anew",
+			},
+			{
+				id: "flower-luck-never-rebuilds",
+				find: "if (program.luck_rebuilds && before.seed != now.seed) return true;",
+				replace: "",
+				breaks: "what is drawn for each instance may change the map, and does not",
+			},
 			{
 				id: "flower-first-listed-wins",
 				find: "same->growth = growth.number;",
