@@ -1,4 +1,4 @@
-/** Flowers: the language, and what grows from it. */
+/** Flowers in the core: the language, and what grows from it. */
 const SRC = "wasm-core/src/models/flower";
 const TESTS = "tests/core/models/flower";
 const DERIVATION = [`${TESTS}/derivation_test.cpp`];
@@ -221,14 +221,14 @@ export default [
 		faults: [
 			{
 				id: "flower-keeps-its-seed",
-				find: "if (rebuilds(program, last.given, given)) return false;",
+				find: "if (rebuilds(program, last.given, given, limits)) return false;",
 				replace: ";",
 				breaks: "another seed has the last one's map",
 			},
 		],
 	},
 	{
-		file: `${SRC}/skin.cpp`,
+		file: `${SRC}/thickness.cpp`,
 		suites: AGAIN,
 		faults: [
 			{
@@ -236,126 +236,6 @@ export default [
 				find: "shapes[v].width *= known->second;",
 				replace: ";",
 				breaks: "stems are thinner than the text says",
-			},
-		],
-	},
-	{
-		file: "web/src/models/flower/paint.ts",
-		suites: ["tests/web/models/flower/paint.test.ts"],
-		faults: [
-			{
-				id: "flower-no-veins",
-				find: "return veins.count >= 1 ?",
-				replace: "return veins.count >= 99 ?",
-				breaks: "petals have no veins",
-			},
-		],
-	},
-	{
-		file: "web/src/models/flower/tools/said.ts",
-		suites: ["tests/web/models/flower/said.test.ts"],
-		faults: [
-			{
-				id: "flower-figures-of-another-module",
-				find: "const end = modules[module + 1]?.at ?? pieces.length;",
-				replace: "const end = pieces.length;",
-				breaks: "a click shows the figures of other modules' volumes of the same name",
-			},
-		],
-	},
-	{
-		file: "web/src/models/flower/xml/write.ts",
-		suites: ["tests/web/models/flower/xml.test.ts"],
-		faults: [
-			{
-				id: "flower-xml-short-lists",
-				find: 'said : [said[0] ?? "", "", ...said.slice(1)]',
-				replace: "said : said",
-				breaks: "lists without a translation are shifted in XML",
-			},
-		],
-	},
-	{
-		file: "web/src/models/flower/xml/elements.ts",
-		suites: ["tests/web/models/flower/xml.test.ts"],
-		faults: [
-			{
-				id: "flower-xml-document-type",
-				find: '} else if (this.#on("<!")) {',
-				replace: '} else if (this.#on("<!") && false) {',
-				breaks: "a document type is no mistake of its own",
-			},
-		],
-	},
-	{
-		file: "web/src/models/flower/texts.generated.ts",
-		suites: ["tests/web/models/flower/species.test.ts"],
-		faults: [
-			{
-				id: "flower-rose-of-many-leaflets",
-				find: "-> SPENT[RACHIS(",
-				replace: "-> RACHIS[RACHIS(",
-				breaks: "a rose's leaf has nineteen leaflets",
-			},
-			{
-				id: "flower-crocus-of-many-leaves",
-				find: "-> GROWN[SHEATH(",
-				replace: "-> SHEATH[SHEATH(",
-				breaks: "a crocus has up to ten leaves",
-			},
-		],
-	},
-	{
-		file: "web/src/controls/grammar/source.ts",
-		suites: ["tests/web/models/flower/values.test.ts"],
-		faults: [
-			{
-				id: "flower-slider-brings-a-text",
-				find: "if (!presetConstants || isOwn(specimen))",
-				replace: "if (true)",
-				breaks: "one slider of a preset puts its whole text into the link",
-			},
-			{
-				id: "flower-value-twice",
-				find: ".filter(([name]) => !written.has(name))",
-				replace: "",
-				breaks: "a number of the text that is edited stays what a slider said before",
-			},
-		],
-	},
-	{
-		file: "web/src/models/flower/request.ts",
-		suites: ["tests/web/models/flower/values.test.ts"],
-		faults: [
-			{
-				id: "flower-values-stay-at-home",
-				find: "names.length === 0",
-				replace: "true",
-				breaks: "values of the link change nothing",
-			},
-		],
-	},
-	{
-		file: "web/src/models/flower/request.ts",
-		suites: ["tests/web/models/flower/grown.test.ts"],
-		faults: [
-			{
-				id: "flower-document-without-surface",
-				find: "(meshes || measures) &&",
-				replace: "meshes &&",
-				breaks: "a flower's JSON has no surface and counts no triangles",
-			},
-		],
-	},
-	{
-		file: "web/src/models/flower/record.ts",
-		suites: ["tests/web/models/flower/values.test.ts"],
-		faults: [
-			{
-				id: "flower-any-map-is-sent",
-				find: "if (count <= MOST_DARTS) return undefined;",
-				replace: "return undefined;",
-				breaks: "a text of a few lines has a server send 300 MB",
 			},
 		],
 	},

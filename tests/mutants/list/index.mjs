@@ -18,6 +18,7 @@ import exporting from "./export.mjs";
 import files from "./files.mjs";
 import flower from "./flower.mjs";
 import flowerDesign from "./flower_design.mjs";
+import flowerPage from "./flower_page.mjs";
 import generalizedMap from "./generalized_map.mjs";
 import gestures from "./gestures.mjs";
 import grammar from "./grammar.mjs";
@@ -86,6 +87,7 @@ export const groups = [
 	...grammarEditor,
 	...flower,
 	...flowerDesign,
+	...flowerPage,
 	...growth,
 	...stand,
 	...growthShape,

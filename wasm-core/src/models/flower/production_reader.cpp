@@ -386,7 +386,8 @@ bool Reader::label_with_face(std::uint32_t& label, Face& face) {
   const std::string_view name = both.substr(0, low), of = both.substr(low + 1);
   label = find_label(name);
   if (label == nobody)
-    return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.", {name, name, numbers_of_volume});
+    return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.",
+                {name, name, numbers_of_volume});
   if (!face_named(of, face)) return wrong(here(), advice, {both});
   return ++at_, true;
 }
