@@ -86,7 +86,7 @@ TEST_CASE("a meadow that is too large is cut short, and says so") {
   limits.darts = 200'000;
   const Flower flower = meadow({}, 1, limits);
   CHECK_FALSE(flower.derived.whole);
-  CHECK(flower.derived.notes.front().find("growth ended in step") != std::string::npos);
+  CHECK(flower.derived.notes.front().find("Growth ended in step") != std::string::npos);
   CHECK(flower.derived.map.darts() > 190'000);
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
 }

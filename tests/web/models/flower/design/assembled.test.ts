@@ -22,7 +22,7 @@ const grow = (grammar: string, map = false): FlowerPlant =>
 	readFlowerPlant(core.grow(model.encode({ ...fromPreset(model), grammar }, { meshes: false, map })));
 
 /** That a volume stands on a face of other sides than its own is how whorls stand on each other. */
-const faults = ({ notes }: FlowerPlant) => notes.filter((note) => !note.includes("attached there"));
+const faults = ({ notes }: FlowerPlant) => notes.filter((note) => !note.includes("sewn to nothing"));
 
 const anyOf = (field: Field): fc.Arbitrary<string | number> => {
 	if (field.kind === "choice") return fc.constantFrom(...field.options);
