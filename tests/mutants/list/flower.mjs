@@ -70,6 +70,12 @@ export default [
 				breaks: "what a level leaves out hangs on the seed and the age, and plants of one map have other triangles",
 			},
 			{
+				id: "flower-levels-all-unlike",
+				find: "i < strides.size() && triangles(there, all) > most;",
+				replace: "false;",
+				breaks: "organs that are all unlike are never too many, and a flower afar has thousands of triangles",
+			},
+			{
 				id: "flower-levels-crowd-stays-narrow",
 				find: "place = on + times * (place - on);",
 				replace: "place = on + (place - on);",
@@ -116,6 +122,60 @@ export default [
 				find: "asked_[production.number] == 1 && !stopped_ && !cut_short_",
 				replace: "asked_[production.number] == 1 && !stopped_",
 				breaks: "a flower of fewer steps has notes on all that it has not come to",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/geometry/thinning.cpp",
+		suites: ["tests/core/geometry/thinning_test.cpp"],
+		faults: [
+			{
+				id: "thinning-turns-over",
+				find: "if (turns(vertex, into)) continue;",
+				replace: "",
+				breaks: "a level has triangles that face inwards",
+			},
+			{
+				id: "thinning-error-falls",
+				find: "error = std::max(error, static_cast<float>(std::sqrt(cost)));",
+				replace: "error = static_cast<float>(std::sqrt(cost));",
+				breaks: "a list of collapses cannot be cut at an error",
+			},
+			{
+				id: "thinning-fixed-goes",
+				find: "patch_.is_fixed[vertex] != 0 || ",
+				replace: "",
+				breaks: "organs come off what bears them",
+			},
+			{
+				id: "thinning-closing-counts",
+				find: "left_ -= t < patch_.counted;",
+				replace: "--left_;",
+				breaks: "what only closes a patch counts as its triangles",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/models/stand/places.cpp",
+		suites: ["tests/core/models/stand/places_test.cpp"],
+		faults: [
+			{
+				id: "stand-middle-of-the-back",
+				find: "!fewer ? i - rows : i % 2 == 0 ? i / 2 : -(i + 1) / 2",
+				replace: "i - rows",
+				breaks: "fewer plants than a large ground has places stand at its back",
+			},
+		],
+	},
+	{
+		file: `${SRC}/production_reader.cpp`,
+		suites: AGAIN,
+		faults: [
+			{
+				id: "flower-blocks-need-all",
+				find: "    if (of_blocks) uses.add(of_blocks_);",
+				replace: "    for (std::size_t i = 0; of_blocks && i < program_.variables.size(); ++i) uses.variables.set(i);",
+				breaks: "a panicle's length grows it anew, since its branches are counted by a name of a block",
 			},
 		],
 	},
@@ -245,7 +305,7 @@ export default [
 		faults: [
 			{
 				id: "flower-material-of-no-line",
-				find: "if (growth != nullptr && gives(growth->arguments)) place = growth->arguments.place;",
+				find: "if (grown) gives(growths[record->source]->arguments);",
 				replace: "",
 				breaks: "a material that is none is looked for where the volume is defined",
 			},
