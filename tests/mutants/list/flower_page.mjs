@@ -120,4 +120,16 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/models/flower/texts.ts",
+		suites: ["tests/web/models/flower/age.test.ts"],
+		faults: [
+			{
+				id: "flower-life-of-texts-without-one",
+				find: "text === undefined || OF_AGE.test(uncommented(text))",
+				replace: "true",
+				breaks: "a life is offered to be played in which nothing happens",
+			},
+		],
+	},
 ];
