@@ -13,6 +13,18 @@ export default [
 		],
 	},
 	{
+		file: "web/src/models/flower/tools/chosen_volume.ts",
+		suites: ["tests/web/models/flower/chosen_volume.test.ts"],
+		faults: [
+			{
+				id: "flower-children-behind-their-parents",
+				find: "const from = Math.min(parent[at], count);",
+				replace: "const from = parent[at] > at ? count : parent[at];",
+				breaks: "where a text splits, another volume is chosen than was clicked on",
+			},
+		],
+	},
+	{
 		file: "web/src/models/flower/tools/said.ts",
 		suites: ["tests/web/models/flower/said.test.ts"],
 		faults: [
