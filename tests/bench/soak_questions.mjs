@@ -5,7 +5,17 @@ const BUNCHES = ["riesling", "merlot", "long-conical", "short-conical", "lychee"
 const PAPERS = ["short-conical", "long-conical", "cylindrical", "grape-15b", "grape-15c"];
 const FILES = ["glb", "web.glb", "low.glb", "instanced.glb", "growth.glb", "usdz", "obj", "mtl", "obj.zip"];
 const MORE_FILES = ["ply", "stl", "3mf", "csv", "json"];
-const OTHERS = ["root/carrot", "root/tap", "leaf/oak", "leaf/grapevine", "tree/birch"];
+const OTHERS = [
+	"root/carrot.json?n=100",
+	"root/tap.json?n=100",
+	"leaf/oak.json?n=100",
+	"leaf/grapevine.json?n=100",
+	"tree/birch.json?n=100",
+	"flower/buttercup.json?age=0.5&file-map=0",
+	"flower/petal.json?smooth=0",
+	"flower/crocus.glb?smooth=0",
+	"growth/table-1-star.json?steps=4",
+];
 const BAD = [
 	"specimens/nettle.glb",
 	"specimens/fern/oak.glb",
@@ -29,10 +39,7 @@ const KINDS = [
 	(i) => `specimens/redcurrant.json?count=${5 + (i % 26)}&seed=${i}`,
 	(i) => `specimens/${of(BUNCHES, i / 20)}.json?file-measures=0&count=${20 + (i % 41)}&seed=${i}`,
 	(i) => `specimens/paper.json?v=1&preset=${of(PAPERS, i / 20)}&seed=${i}`,
-	(i) =>
-		i % 50 < 10
-			? `specimens/${of(OTHERS, i / 50)}.json?n=100&seed=${i}`
-			: `specimens/redcurrant.json?seed=${i}.5&count=9`,
+	(i) => (i % 50 < 10 ? `specimens/${of(OTHERS, i / 50)}&seed=${i}` : `specimens/redcurrant.json?seed=${i}.5&count=9`),
 	(i) => `specimens/own.json?v=2&g=${packed(`axiom: F(0.${i})\n`)}`,
 	(i) => `specimens/own.json?v=2&g=${packed(`axiom: F(0.${i}\n`)}`,
 	(i) => of(BAD, i / 20),

@@ -40,13 +40,16 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	const { x, y, width, height } = (await page.getByRole("application", { name: /^Flower/ }).boundingBox())!;
 	await page.mouse.click(x + 0.5 * width, y + 0.45 * height);
 	const name = page.locator(".volume-name");
-	await expect(name).toHaveText(/^(?:VEIN|[RL][UML]\d)$/);
+	await expect(name).toHaveText(/^Petal/);
+	await expect(page.locator(".volume-place")).toHaveText(
+		/^(?:VEIN|[RL][UML]\d), volume \d+: segment \d+ of PETAL, which has \d+ volumes\.$/,
+	);
 	await expect(page.locator(".volume-values")).toContainText("atx");
 	// The way without a pointer: the first volume is the stem.
 	const number = page.getByLabel("Volume", { exact: true });
 	await number.fill("1");
 	await number.press("Enter");
-	await expect(name).toHaveText("STEM");
+	await expect(name).toHaveText("Stem");
 	const before = await studio.fingerprint.textContent();
 	const length = page.getByRole("slider", { name: "H, Every STEM", exact: true });
 	await length.focus();
@@ -69,7 +72,7 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	await sides.press("ArrowRight");
 	await expect(darts).not.toHaveText(few ?? "");
 	// It is still the same one, and its name is all that is said of it.
-	await expect(page.locator("panicle-volume [aria-live]")).toHaveText("STEM");
+	await expect(page.locator("panicle-volume [aria-live]")).toHaveText("StemSTEM, volume 1.");
 });
 
 test("a grammar as XML is dropped and grows; a mistake in one is told with its place", async ({ page }) => {
@@ -82,6 +85,8 @@ test("a grammar as XML is dropped and grows; a mistake in one is told with its p
 	const grown = await studio.fingerprint.textContent();
 	await studio.drop("wrong.xml", Buffer.from(xml.replace("<axiom>", "<axiom>\n&")));
 	await expect(page.getByText("wrong.xml: Line 2, column 1").first()).toBeVisible();
+	await studio.drop("bare.gl3", Buffer.from("\n"));
+	await expect(page.getByText("bare.gl3 is empty.").first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(grown);
 	const { name, bytes } = await studio.download("xml");
 	expect(name).toMatch(/\.xml$/);

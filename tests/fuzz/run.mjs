@@ -1,6 +1,6 @@
 /**
- * The longer run of a fuzz test, by the number of its cases: `npm run fuzz -- links [100000]`, or `npm run fuzz -- texts [100000]` and
- * `-- growth`, which run natively under the sanitizers. Texts that make the engine fall over are kept as tests/fuzz/grammars/*.lsys.
+ * The longer run of a fuzz test, by the number of its cases: `npm run fuzz -- links [100000]`, or `npm run fuzz -- texts [100000]`, `-- growth` and
+ * `-- flower`, which run natively under the sanitizers. Texts that make the engine fall over are kept as tests/fuzz/grammars/*.lsys.
  */
 import { spawnSync } from "node:child_process";
 import { join } from "node:path";
@@ -18,6 +18,7 @@ const TESTS = {
 	links: () => [process.execPath, "node_modules/vitest/vitest.mjs", "run", "tests/fuzz/any_link.test.ts"],
 	texts: () => native("lsystem_tests"),
 	growth: () => native("growth_tests"),
+	flower: () => native("flower_tests"),
 };
 
 const [name = "links", runs = "100000"] = process.argv.slice(2);

@@ -81,6 +81,13 @@ export default [
 				breaks: "plants grow as if each stood alone",
 			},
 			{
+				id: "members-told-what-they-do-not-know",
+				find: 'details.some(({ keys }) => keys.includes("surroundings"))',
+				replace: "true",
+				breaks: "a bed notes of each flower that it knows of no neighbours, and grows all anew when one is moved",
+				suites: [`${WEB}/bed.test.ts`],
+			},
+			{
 				id: "stand-grown-anew-each-time",
 				find: "if (done[at]) continue;",
 				replace: "",

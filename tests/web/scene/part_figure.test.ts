@@ -5,6 +5,7 @@ import {
 	InstancedMesh,
 	Matrix4,
 	type Mesh,
+	type MeshBasicMaterial,
 	type MeshPhysicalMaterial,
 	PerspectiveCamera,
 	type Texture,
@@ -148,6 +149,12 @@ describe("the figure of any plant", () => {
 			marks[0].geometry.computeBoundingBox();
 			expect(marks[0].geometry.boundingBox?.getCenter(new Vector3()).x).toBeCloseTo(x, 5);
 		}
+		// What it is one of is marked more softly, and itself no twice.
+		figure.mark(1, new Set([1, 2]));
+		const marks = meshes().slice(4);
+		expect(marks.map(({ geometry }) => geometry.index?.count)).toEqual([12, 12]);
+		const [own, others] = marks.map(({ material }) => (material as MeshBasicMaterial).opacity);
+		expect(others).toBeLessThan(own);
 	});
 
 	it("finds the part that a ray meets first, each instance by itself, and marks it", () => {

@@ -75,8 +75,8 @@ export interface ToolView {
 	requestRender(): void;
 	/** What is under a point of the canvas (CSS pixels from its top left corner), by the model's own number for it. */
 	pick(x: number, y: number): number | undefined;
-	/** Marks that, by the same number; nothing where undefined. */
-	mark(picked: number | undefined): void;
+	/** Marks that, by the same number, and softly the cells that it is one of; nothing where undefined. */
+	mark(picked: number | undefined, whole?: ReadonlySet<number>): void;
 	/** The line of sight through a point of the canvas (CSS pixels from its top left corner). */
 	sightThrough(x: number, y: number): Sight;
 	/** Where a place of the plant is seen: CSS pixels from the canvas's top left corner. */

@@ -47,8 +47,8 @@ export interface Figure<S, G> {
 	prepare(camera: PerspectiveCamera): void;
 	/** What is met first along a line of sight, by the model's own number for it; undefined where nothing is. */
 	pick(ray: Ray): number | undefined;
-	/** Marks what `pick` found; undefined marks nothing. */
-	mark(picked: number | undefined): void;
+	/** Marks what `pick` found, and softly what it is a part of, where it can; undefined marks nothing. */
+	mark(picked: number | undefined, whole?: ReadonlySet<number>): void;
 	/** Ways of showing a plant by name, the usual one first. */
 	readonly modes: readonly string[];
 	/** One of `modes`; a plant shown later keeps to it. */

@@ -30,9 +30,11 @@ const CELL = {
 	transparent: true,
 	opacity: 0.6,
 	polygonOffset: true,
-	polygonOffsetFactor: -1,
-	polygonOffsetUnits: -1,
+	polygonOffsetFactor: -2,
+	polygonOffsetUnits: -2,
 };
+/** And over those that it is one of, below it. */
+const WHOLE = { ...CELL, opacity: 0.22, polygonOffsetFactor: -1, polygonOffsetUnits: -1 };
 
 /**
  * The figure of any model that gives parts: drawn in three's standard material under the stage's light. `pick` gives the cell of
@@ -126,21 +128,23 @@ export class PartFigure<S, G> implements Figure<S, G> {
 		return before + (hit.instanceId ?? 0);
 	}
 
-	mark(picked: number | undefined): void {
+	mark(picked: number | undefined, whole: ReadonlySet<number> = new Set()): void {
 		this.#unmark();
 		if (picked === undefined) return;
 		let left = picked - this.#cells;
 		for (const object of this.#shown.objects) {
 			const cells = cellsOf(object);
-			if (cells) this.#lightCell(object, cells, picked);
-			else if (left >= 0 && left < countOf(object)) this.#light(instanceOf(object, left));
+			if (cells) {
+				this.#lightCells(object, cells, (cell) => cell === picked, CELL);
+				this.#lightCells(object, cells, (cell) => cell !== picked && whole.has(cell), WHOLE);
+			} else if (left >= 0 && left < countOf(object)) this.#light(instanceOf(object, left));
 			if (!cells) left -= countOf(object);
 		}
 	}
 
-	#lightCell({ geometry }: PartObject, cells: Uint32Array, cell: number): void {
-		if (!cells.includes(cell)) return;
-		const mark = new Mesh(onlyOf(geometry, cells, cell), new MeshBasicMaterial(CELL));
+	#lightCells({ geometry }: PartObject, cells: Uint32Array, which: (cell: number) => boolean, by: typeof CELL): void {
+		if (!cells.some(which)) return;
+		const mark = new Mesh(onlyOf(geometry, cells, which), new MeshBasicMaterial(by));
 		mark.userData.own = true;
 		this.#light(mark);
 	}
@@ -211,14 +215,14 @@ function instanceOf(object: PartObject, index: number): PartObject {
 	return mark;
 }
 
-/** The triangles of one cell. */
-function onlyOf(geometry: BufferGeometry, cells: Uint32Array, cell: number): BufferGeometry {
+/** The triangles of some cells. */
+function onlyOf(geometry: BufferGeometry, cells: Uint32Array, which: (cell: number) => boolean): BufferGeometry {
 	const only = new BufferGeometry();
 	for (const [name, attribute] of Object.entries(geometry.attributes)) only.setAttribute(name, attribute);
 	const indices = geometry.index?.array ?? [];
 	const own: number[] = [];
 	for (let t = 0; t < cells.length; t++)
-		if (cells[t] === cell) own.push(indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]);
+		if (which(cells[t])) own.push(indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]);
 	only.setIndex(own);
 	return only;
 }

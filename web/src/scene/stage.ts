@@ -19,6 +19,7 @@ export class Stage<S, G> implements Drawable {
 	#figure: Figure<S, G> | undefined;
 	#mode = "";
 	#marked: number | undefined;
+	#whole: ReadonlySet<number> | undefined;
 	#filled = false;
 
 	readonly #changed: () => void;
@@ -81,10 +82,11 @@ export class Stage<S, G> implements Drawable {
 	}
 
 	/** @returns whether anything changed */
-	mark(picked: number | undefined): boolean {
-		if (picked === this.#marked) return false;
+	mark(picked: number | undefined, whole?: ReadonlySet<number>): boolean {
+		if (picked === this.#marked && (picked === undefined || whole === this.#whole)) return false;
 		this.#marked = picked;
-		this.#figure?.mark(picked);
+		this.#whole = whole;
+		this.#figure?.mark(picked, whole);
 		return true;
 	}
 

@@ -175,8 +175,8 @@ export class Viewer<S, G> {
 	}
 
 	/** Marks what is pointed at, by the number that `pick` gives; nothing where undefined. A new plant starts without. */
-	mark(picked: number | undefined): void {
-		if (this.#stage.mark(picked)) this.#loop.request();
+	mark(picked: number | undefined, whole?: ReadonlySet<number>): void {
+		if (this.#stage.mark(picked, whole)) this.#loop.request();
 	}
 
 	/** Has the eye stand somewhere; undefined brings back the plant that turns before it. */

@@ -201,8 +201,8 @@ export class SolidView implements ToolView {
 		return this.#view.pick(x, y);
 	}
 
-	mark(picked: number | undefined): void {
-		this.#view.mark(picked);
+	mark(picked: number | undefined, whole?: ReadonlySet<number>): void {
+		this.#view.mark(picked, whole);
 	}
 
 	sightThrough(x: number, y: number): Sight {

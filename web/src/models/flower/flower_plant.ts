@@ -47,7 +47,9 @@ export interface FlowerPlant extends Plant {
 	levels: readonly Level[];
 	/** Of each mesh, of each triangle the volume that it is of. */
 	cells: readonly Uint32Array[];
-	/** Of each mesh, what the text calls its material; empty where it does not. */
+	/** Of each mesh, what number the text gives its material. */
+	numbers: Uint32Array;
+	/** And what it calls it; empty where it does not. */
 	names: readonly string[];
 	/** 4 × meshes, and behind those 4 for each other paint of levels: where an organ begins and where it ends, of its margin, of its veins; 0xrrggbb as sRGB. */
 	colours: Uint32Array;
@@ -75,6 +77,7 @@ export function readFlowerPlant(answer: Answer): FlowerPlant {
 			.map((mesh) => ({ mesh, paint: columns.octets(`mesh.${mesh.name}.paint`) })),
 		volumes: columns.has("volumes.label") ? readVolumes(columns) : NO_VOLUMES,
 		...(columns.has("alpha0") ? { darts: readDarts(columns) } : {}),
+		numbers: columns.has("materials.number") ? columns.words("materials.number") : NONE,
 		names: columns.has("materials.name") ? columns.text("materials.name").split("\n") : [],
 		colours: columns.has("materials.colours") ? columns.words("materials.colours") : new Uint32Array(),
 		paint: columns.has("materials.paint") ? columns.floats("materials.paint") : new Float32Array(),

@@ -26,5 +26,6 @@ const OF_AGE = /\bage\b|^[ \t]*#[ \t]*material\b.*(?<!")\b(?:bud|wilted)\b/mu;
 /** It is asked at every change of a document, and texts are long. */
 let lastAsked: { readonly text: string | undefined; readonly heeds: boolean } | undefined;
 
-const uncommented = (text: string): string =>
+/** The text with blanks for its comments; lines stay. */
+export const uncommented = (text: string): string =>
 	text.replace(/@[^@]*@|\/\*[\s\S]*?\*\//g, (all) => all.replace(/[^\n]/g, " "));

@@ -11,6 +11,7 @@ import { shortFloat } from "../../../export/numbers";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
 import { type Range, rangeFor, within } from "./figure_range";
+import { organOf, placeOfVolume, titleOfVolume } from "./organ";
 import { type Figure, type Said, saidOf } from "./said";
 import { source } from "./text";
 
@@ -56,9 +57,7 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 					@change=${({ target }: Event) => this.#choose((target as HTMLInputElement).value, count)}>
 			</div>
 			<div aria-live="polite">${
-				grown && chosen !== undefined
-					? html`<h3 class="volume-name">${grown.volumes.labels[grown.volumes.label[chosen]]}</h3>`
-					: html`<p>None is chosen.</p>`
+				grown && chosen !== undefined ? this.#name(grown, chosen) : html`<p>None is chosen.</p>`
 			}</div>
 			${grown && chosen !== undefined ? [this.#tell(grown, chosen), this.#said(grown, chosen)] : nothing}`;
 	}
@@ -67,6 +66,12 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 		const number = Math.round(readTyped(typed));
 		this.choose(number >= 1 && number <= count ? number - 1 : undefined);
 		this.requestUpdate();
+	}
+
+	#name(grown: FlowerPlant, chosen: number): unknown {
+		const { volumes } = grown;
+		const place = placeOfVolume(volumes, chosen, organOf(volumes, chosen), this.#text() ?? "");
+		return html`<h3 class="volume-name">${titleOfVolume(grown, chosen)}</h3><p class="volume-place">${place}</p>`;
 	}
 
 	#tell({ volumes }: FlowerPlant, chosen: number): unknown {

@@ -6,6 +6,7 @@ import type { Tool } from "../../../controls/tool";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
 import { type ChosenVolume, chosenOf, stillChosen } from "./chosen_volume";
+import { type Organ, organOf } from "./organ";
 import "./volume_panel";
 
 export type FlowerDesk = Desk<FlowerSpecimen, FlowerPlant>;
@@ -38,11 +39,24 @@ export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, ChosenVolume | undefi
 		});
 		pointer.enabled = true;
 		return {
-			update: () => view.mark(chosenIn(desk)),
+			update: () => {
+				const chosen = chosenIn(desk);
+				view.mark(chosen, chosen === undefined ? undefined : organIn(desk, chosen)?.volumes);
+			},
 			dispose: () => pointer.dispose(),
 		};
 	},
 };
+
+/** The last one asked for: it is marked at every change of the state. */
+let lastOrgan: { readonly grown: FlowerPlant; readonly chosen: number; readonly organ: Organ } | undefined;
+
+function organIn({ state: { grown } }: FlowerDesk, chosen: number): Organ | undefined {
+	if (!grown) return undefined;
+	if (lastOrgan?.grown !== grown || lastOrgan.chosen !== chosen)
+		lastOrgan = { grown, chosen, organ: organOf(grown.volumes, chosen) };
+	return lastOrgan.organ;
+}
 
 const chosenIn = (desk: FlowerDesk): number | undefined => stillChosen(desk.state.grown, desk.toolState(volumeTool));
 
