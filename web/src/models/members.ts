@@ -121,12 +121,16 @@ function alikeTogether(asked: readonly MemberAsked[]): readonly number[] {
 	return [...presets.values()].flat();
 }
 
-/** What was to be said of members, each once, in the order in which they are asked for. */
+/**
+ * What was to be said of members, each once, in the order in which they are asked for. Remarks on a line of a preset’s own text are
+ * for whoever opens that.
+ */
 function notesOf(members: readonly (Member | undefined)[]): Set<string> {
 	return new Set(
 		members.flatMap((member) => {
 			const { model, preset } = member?.specimen ?? {};
-			return member?.notes.map((note) => `${model}/${preset}: ${note}`) ?? [];
+			const told = member?.notes.filter((note) => !/^Line \d+: /.test(note)) ?? [];
+			return told.map((note) => `${model}/${preset}: ${note}`);
 		}),
 	);
 }
@@ -164,7 +168,7 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 		const { values, seed, preset, surroundings } = each;
 		const own = ownNames(model, each);
 		const restored = restore(model, {
-			...{ model: model.name, preset, seed, surroundings },
+			...{ model: model.name, preset, seed, ...(heeds(model) ? { surroundings } : {}) },
 			...whole(model, values),
 			...(own ? namerOf(model)?.named?.(fromPreset(model, preset), own) : {}),
 		});
@@ -195,6 +199,9 @@ function preparedBy({ model, preset, values }: MemberAsked): string {
 	const telling = Object.entries(values).map(([key, value]) => [key, typeof value === "number" ? value > 0 : value]);
 	return JSON.stringify([model, preset, telling]);
 }
+
+/** Whether what stands about a plant of it changes how it grows. */
+const heeds = ({ details }: Model) => details.some(({ keys }) => keys.includes("surroundings"));
 
 /** What reads names that are a text's own. */
 const namerOf = ({ details }: Model) => details.find(({ named }) => named);
