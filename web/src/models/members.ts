@@ -75,9 +75,10 @@ export async function grownMembers(
 	const asked = members.asked(grown);
 	const notes = new Set<string>();
 	const read = await resolved(model, asked, notes);
+	const heard = read.map(({ asked: each }) => each);
 	const looks = kept?.looks ?? new Looks();
 	const order = alikeTogether(asked);
-	const done: (Member | undefined)[] = kept?.keep(asked, meshes) ?? asked.map(() => undefined);
+	const done: (Member | undefined)[] = kept?.keep(heard, meshes) ?? asked.map(() => undefined);
 	const joined = () => members.joined({ ...grown, notes: [...grown.notes, ...notes, ...notesOf(done)] }, [...done]);
 	let count = done.filter(Boolean).length;
 	let bytes = done.reduce((sum, member) => sum + (member ? bytesOf(member) : 0), 0);
@@ -88,12 +89,12 @@ export async function grownMembers(
 		while (next < asked.length && !failed) {
 			const at = order[next++];
 			if (done[at]) continue;
-			const member = await memberOf(read[at], asked[at], run, meshes, looks);
+			const member = await memberOf(read[at], run, meshes, looks);
 			bytes += bytesOf(member);
 			if (bytes > most) throw tooMuch(asked[at], most);
 			done[at] = member;
 			// What could not be fetched may be there the next time.
-			if (read[at].prepared) kept?.add(asked[at], meshes, member);
+			if (read[at].prepared) kept?.add(heard[at], meshes, member);
 			if (++count < tell || count === asked.length) continue;
 			tell = Math.ceil(count * (1 + STEP));
 			grew?.(joined(), count, asked.length);
@@ -148,6 +149,8 @@ function tooMuch({ place }: MemberAsked, most: number): CoreError {
 }
 
 interface Read {
+	/** What was asked, of which the model takes heed. */
+	readonly asked: MemberAsked;
 	readonly model: Model;
 	readonly specimen: Specimen;
 	/** Whether all that it needs besides the core is there. */
@@ -161,20 +164,21 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 	// Whether what it takes came, by what decides what that is.
 	const fetched = new Map<string, Promise<boolean>>();
 	const keys: string[] = [];
-	for (const each of asked) {
-		const model = models.get(each.model) ?? (await known(of, each));
-		models.set(each.model, model);
+	for (const told of asked) {
+		const model = models.get(told.model) ?? (await known(of, told));
+		models.set(told.model, model);
+		const each = heeded(model, told);
 		checked(model, each);
 		const { values, seed, preset, surroundings } = each;
 		const own = ownNames(model, each);
 		const restored = restore(model, {
-			...{ model: model.name, preset, seed, ...(heeds(model) ? { surroundings } : {}) },
+			...{ model: model.name, preset, seed, surroundings },
 			...whole(model, values),
 			...(own ? namerOf(model)?.named?.(fromPreset(model, preset), own) : {}),
 		});
 		for (const { text } of restored.notes) notes.add(`${each.model}/${preset}: ${text}`);
 		const { specimen } = restored;
-		read.push({ model, specimen });
+		read.push({ asked: each, model, specimen });
 		const key = preparedBy(each);
 		keys.push(key);
 		if (fetched.has(key)) continue;
@@ -194,14 +198,17 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 	return read.map((each, i) => ({ ...each, prepared: prepared.get(keys[i]) ?? true }));
 }
 
+/** What a model knows nothing of makes no other plant. */
+function heeded({ details }: Model, { surroundings, ...asked }: MemberAsked): MemberAsked {
+	const heeds = surroundings !== undefined && details.some(({ keys }) => keys.includes("surroundings"));
+	return heeds ? { ...asked, surroundings } : asked;
+}
+
 /** What to fetch follows from what is chosen, and of numbers from whether there is any of it. */
 function preparedBy({ model, preset, values }: MemberAsked): string {
 	const telling = Object.entries(values).map(([key, value]) => [key, typeof value === "number" ? value > 0 : value]);
 	return JSON.stringify([model, preset, telling]);
 }
-
-/** Whether what stands about a plant of it changes how it grows. */
-const heeds = ({ details }: Model) => details.some(({ keys }) => keys.includes("surroundings"));
 
 /** What reads names that are a text's own. */
 const namerOf = ({ details }: Model) => details.find(({ named }) => named);
@@ -261,12 +268,12 @@ function wrong(message: string, { line, column }: Place): CoreError {
 }
 
 /** What is wrong with one is so of the line that asks for it: the place in its own text says nothing in this one. */
-async function memberOf(read: Read, asked: MemberAsked, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
+async function memberOf(read: Read, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
 	try {
 		return await grownMember(read, run, meshes, looks);
 	} catch (error) {
 		if (!(error instanceof CoreError)) throw error;
-		const { model, preset, place } = asked;
+		const { model, preset, place } = read.asked;
 		throw new CoreError(error.reason, `${model}/${preset}: ${error.message}`, place.line, place.column);
 	}
 }
