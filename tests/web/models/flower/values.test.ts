@@ -219,6 +219,7 @@ describe("a slider of a constant", () => {
 		for (const [values, held] of [
 			[{ length: 1e9 }, true],
 			[{ length: 2e9 }, false],
+			[{ length: 1e-50 }, false],
 		] as const) {
 			const { details } = withValues(source, tulip, values) as { details: object };
 			const moved = { ...tulip, ...details };
@@ -226,5 +227,13 @@ describe("a slider of a constant", () => {
 			const again = (await decodeLink(model, ...split(await encodeLink(model, moved)))).specimen;
 			expect(textOf(source, again, () => {})).toContain(`#define length=${values.length} `);
 		}
+	});
+
+	it("is kept by its text where its name is longer than links hold", async () => {
+		const name = "n".repeat(65);
+		const long: GrammarSource = { ...source, builtIn: () => `#define ${name}=1\n` };
+		expect(withValues(long, tulip, { [name]: 2 })).toEqual({
+			details: { grammar: `#define ${name}=2\n`, constants: {} },
+		});
 	});
 });
