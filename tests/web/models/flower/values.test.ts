@@ -48,7 +48,7 @@ describe("values of a flower's text", () => {
 		const written = await grow(["--grammar", "t.gl3"], { "t.gl3": text });
 		expect(json.specimen.constants).toEqual({ rd: 9, rdd: 9 });
 		expect(json.fingerprint).toBe(written.json.fingerprint);
-		expect(json.notes).toContain("The text has no #define rdd=, so a value of it changes nothing; it has rd.");
+		expect(json.notes).toContain("The text has no #define of rdd, so a value of it changes nothing; it has rd.");
 		expect(await complaint(["flower/table-3", "--set", "rd=x"])).toContain("rd is “x”, which is not a number");
 	});
 
