@@ -39,9 +39,9 @@ export function constantValues<S extends Specimen & WithConstants>(
 			return written === before ? [] : [["define", written]];
 		},
 		named: ({ constants: own }, values) => ({ constants: { ...own, ...values } }),
-		stranger: async (specimen) => {
+		stranger: async (specimen, asked = Object.keys(specimen.constants)) => {
 			const known = await names(specimen);
-			const name = Object.keys(specimen.constants).find((each) => !known.includes(each));
+			const name = asked.find((each) => !known.includes(each));
 			if (name === undefined) return undefined;
 			const [shown, more] = [known.slice(0, MOST_SHOWN), known.length - MOST_SHOWN];
 			const there = shown.length === 0 ? "there are none" : `there are ${shown.join(", ")}`;

@@ -168,6 +168,13 @@ describe("a series", () => {
 	it("refuses names that the text does not have, and what is no number", async () => {
 		const unknown = readVary(model, "lenght=200..400", tulip);
 		await expect(checkVaried(model, unknown, tulip)).rejects.toThrow("lenght: no parameter has that key, and the text");
+		// Whatever else is unknown came another way, and is told there.
+		const strange = { ...tulip, constants: { aaa: 1 } };
+		for (const [vary, problem] of [["zzz=1..2", "zzz: no"] as const, ["length=200..400", undefined] as const]) {
+			const checked = checkVaried(model, readVary(model, vary, strange), strange);
+			if (problem) await expect(checked).rejects.toThrow(problem);
+			else await expect(checked).resolves.toBeUndefined();
+		}
 		expect(() => readVary(model, "length=a..b", tulip)).toThrow("which is not a number");
 		expect(() => readVary(model, "length=4..2", tulip)).toThrow("runs backwards");
 	});
