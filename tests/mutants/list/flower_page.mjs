@@ -90,9 +90,21 @@ export default [
 			},
 			{
 				id: "flower-value-twice",
-				find: ".filter(([name]) => !written.has(name))",
+				find: ".filter(([name]) => !defined.has(name))",
 				replace: "",
 				breaks: "a number of the text that is edited stays what a slider said before",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/tools/text.ts",
+		suites: ["tests/web/models/flower/values.test.ts"],
+		faults: [
+			{
+				id: "flower-final-step-as-a-variable",
+				find: 'governed: new Set(["finalStep"])',
+				replace: "governed: new Set()",
+				breaks: "a slider finalStep changes nothing but the text that is shown",
 			},
 		],
 	},

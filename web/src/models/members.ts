@@ -122,12 +122,16 @@ function alikeTogether(asked: readonly MemberAsked[]): readonly number[] {
 	return [...presets.values()].flat();
 }
 
-/** What was to be said of members, each once, in the order in which they are asked for. */
+/**
+ * What was to be said of members, each once, in the order in which they are asked for. Remarks on a line of a preset’s own text are
+ * for whoever opens that.
+ */
 function notesOf(members: readonly (Member | undefined)[]): Set<string> {
 	return new Set(
 		members.flatMap((member) => {
 			const { model, preset } = member?.specimen ?? {};
-			return member?.notes.map((note) => `${model}/${preset}: ${note}`) ?? [];
+			const told = member?.notes.filter((note) => !/^Line \d+: /.test(note)) ?? [];
+			return told.map((note) => `${model}/${preset}: ${note}`);
 		}),
 	);
 }

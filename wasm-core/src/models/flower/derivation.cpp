@@ -348,21 +348,25 @@ class Deriver {
   // One note for all, since most flowers have such places: a stem of twelve sides bears a leaf of four.
   void tell_attached() {
     constexpr std::size_t most_named = 6;
-    std::string named;
+    std::string first, others;
     std::size_t count = 0;
     for (std::size_t i = 0; i < attached_.size(); ++i) {
       if (attached_[i] == 0 || ++count > most_named) continue;
       const Growth& growth = numbers_.growth(static_cast<std::uint32_t>(i));
       const std::string& name =
           growth.module ? program_.grammars[growth.target].name : program_.labels[growth.target].name;
-      named += sentence(
-          "%% in line % (% times)",
-          {count > 1 ? ", " : "", name, std::to_string(growth.arguments.place.line), std::to_string(attached_[i])});
+      const std::string line = std::to_string(growth.arguments.place.line), times = std::to_string(attached_[i]);
+      if (count == 1)
+        first = sentence(
+            "Line %: % stands on faces that have other numbers of edges (% times): it is attached there, and sewn to "
+            "nothing",
+            {line, name, times});
+      else
+        others += sentence("%% in line % (% times)", {count > 2 ? ", " : "", name, line, times});
     }
     if (count == 0) return;
-    if (count > most_named) named += sentence(", and % more", {std::to_string(count - most_named)});
-    derived_.notes.push_back(
-        sentence("Attached, and sewn to nothing, since the face has another number of edges: %.", {named}));
+    if (count > most_named) others += sentence(", and % more", {std::to_string(count - most_named)});
+    derived_.notes.push_back(first + (others.empty() ? "." : sentence("; so are %.", {others})));
   }
 
   // What did not come as the text has it.
