@@ -1,8 +1,9 @@
 import { describe, expect, it } from "vitest";
+import { FLOWER_TABLE } from "../../../web/src/models/flower/table";
 import { STAND } from "../../../web/src/models/stand/species";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
-import { readIn, readOf, scaleOf } from "../../../web/src/specimen/lengths";
-import type { Entry } from "../../../web/src/specimen/table";
+import { rangeInWords, readIn, readOf, scaleOf, typedOf } from "../../../web/src/specimen/lengths";
+import type { Entry, NumberEntry } from "../../../web/src/specimen/table";
 import { explainedBy, presetInWords } from "../../../web/src/studio/explained";
 import { BUNCH, entryOf, specimenFromPreset, withParameters } from "../bunch";
 
@@ -32,4 +33,15 @@ describe("lengths in units of the paper", () => {
 		const scale = { per: 1, unit: "", decimals: 2 };
 		expect([readOf({ zero: "auto" }, scale, 3), readOf({}, scale, 0)]).toEqual(["3", "0"]);
 	});
+});
+
+it("a word that stands for 0 is read, told with the range, and typed", () => {
+	const entry = FLOWER_TABLE.entry("steps") as NumberEntry;
+	const scale = scaleOf({}, undefined as never, entry);
+	expect(readOf(entry, scale, 0)).toBe("auto");
+	expect(rangeInWords(entry, scale)).toBe("whole numbers 0 (auto) … 400.");
+	expect([" Auto ", "automatic", "3"].map((text) => typedOf(entry, text, Number(text)))).toEqual([0, Number.NaN, 3]);
+	const age = FLOWER_TABLE.entry("age") as NumberEntry;
+	expect(rangeInWords(age, scale)).toBe("0 … 2.");
+	expect(typedOf(age, "auto", Number.NaN)).toBeNaN();
 });

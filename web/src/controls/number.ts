@@ -1,5 +1,5 @@
 import { html, nothing } from "lit";
-import { readIn, readOf, type Scale, scaleOf } from "../specimen/lengths";
+import { rangeInWords, readOf, type Scale, scaleOf, typedOf } from "../specimen/lengths";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
 import type { Change } from "./desk";
 import { EntryElement } from "./entry_element";
@@ -72,8 +72,9 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		this.requestUpdate(); // Where the value taken is another, the slider goes there too.
 	};
 
-	readonly #type = (typed: number, text: string): string => {
+	readonly #type = (number: number, text: string): string => {
 		const scale = this.#scale;
+		const typed = typedOf(this.entry, text, number);
 		if (Number.isFinite(typed)) this.desk.set(this.change(typed / scale.per));
 		const value = Number(this.value);
 		this.#message = { text: complaint(this.entry, scale, text, typed, value), value };
@@ -87,12 +88,6 @@ function complaint(entry: NumberEntry, scale: Scale, text: string, typed: number
 	// What is typed finer than it is read was taken all the same.
 	if (Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals)) return undefined;
 	return refusal(entry.label, rangeInWords(entry, scale), text, typed, readOf(entry, scale, value));
-}
-
-/** "12.5 … 250 mm." */
-function rangeInWords({ min, max, kind }: NumberEntry, scale: Scale): string {
-	const { unit } = scale;
-	return `${kind === "integer" && scale.per === 1 ? "whole numbers " : ""}${readIn(scale, min)} … ${readIn(scale, max)}${unit ? ` ${unit}` : ""}.`;
 }
 
 customElements.define("panicle-number", NumberControl);

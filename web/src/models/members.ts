@@ -283,6 +283,7 @@ async function grownMember({ model, specimen }: Read, run: RunCore, meshes: bool
 	const options: GrowthOptions = {
 		meshes: meshes && !levels,
 		measures: false,
+		map: false,
 		...(levels ? { levels } : {}),
 	};
 	const plant = model.read(await run(model.wasm, model.encode(specimen, options)), specimen);

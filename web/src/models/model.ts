@@ -130,7 +130,7 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	words(grown: G, specimen: S): string;
 	/** What the JSON document has of it besides its segments and organs, or in their place, by key. */
 	record?(grown: G, specimen: S): object;
-	/** Why its JSON document is too large to be sent, and how to ask for less; undefined where it is not. */
+	/** Why its JSON document with all its topology (`map`) is too large to be sent, and how to ask for less; undefined where it is not. It has grown without. */
 	heavy?(grown: G): string | undefined;
 	/** What files with meshes (glTF) say of it besides what they say of every plant, by key. */
 	extras?(grown: G, specimen: S): Record<string, unknown>;

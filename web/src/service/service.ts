@@ -74,9 +74,13 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 		const before = known.tag(address);
 		if (before && matches(request, before)) return unchanged(before);
 		const json = format === "json";
-		const plant = await grow(asked, { meshes: !json, measures: asked.measures, map: asked.map && json });
-		const heavy = json ? asked.model.heavy?.(plant) : undefined;
-		if (heavy !== undefined) throw new Refused(413, heavy);
+		const map = asked.map && json;
+		if (map && asked.model.heavy) {
+			// How large it is shows before it is measured and told; what has grown for that is kept by the core.
+			const heavy = asked.model.heavy(await grow(asked, { meshes: false, measures: false, map: false }));
+			if (heavy !== undefined) throw new Refused(413, heavy);
+		}
+		const plant = await grow(asked, { meshes: !json, measures: asked.measures, map });
 		const tag = `"${plant.fingerprint}-${crc32(encoder.encode(address))}"`;
 		known.keep(address, tag);
 		if (matches(request, tag)) return unchanged(tag);

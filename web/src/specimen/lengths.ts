@@ -1,6 +1,6 @@
 /** Numbers as people read them: a model whose parameters are lengths in a unit of its own shows them in millimetres. */
 import type { Specimen } from "./specimen";
-import type { Entry } from "./table";
+import type { Entry, NumberEntry } from "./table";
 
 /** Millimetres to one of each unit that a model counts lengths in besides, as its table writes them: `px`. */
 export type OwnLengths = Readonly<Record<string, number>>;
@@ -37,4 +37,16 @@ export function readIn({ per, decimals }: Scale, value: number): number {
 /** A value of an entry as a field shows it. */
 export function readOf({ zero }: { readonly zero?: string }, scale: Scale, value: number): string {
 	return value === 0 && zero !== undefined ? zero : String(readIn(scale, value));
+}
+
+/** A number that was typed for an entry, `zero` in words included. */
+export function typedOf({ zero }: { readonly zero?: string }, text: string, typed: number): number {
+	return zero !== undefined && text.trim().toLowerCase() === zero ? 0 : typed;
+}
+
+/** How far an entry goes: "12.5 … 250 mm.", "whole numbers 0 (auto) … 400." */
+export function rangeInWords({ min, max, kind, zero }: NumberEntry, scale: Scale): string {
+	const { unit, per } = scale;
+	const least = `${readIn(scale, min)}${min === 0 && zero !== undefined ? ` (${zero})` : ""}`;
+	return `${kind === "integer" && per === 1 ? "whole numbers " : ""}${least} … ${readIn(scale, max)}${unit ? ` ${unit}` : ""}.`;
 }

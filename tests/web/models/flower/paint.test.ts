@@ -150,3 +150,12 @@ describe("the paint of organs", () => {
 		expect(paint.veins).toEqual({ colour: [0, 0, 0], count: 7, strength: 0.5 });
 	});
 });
+
+it("parts and materials each have a name of their own, whatever the text calls some", () => {
+	const plant = readFlowerPlant(core.grow(model.encode(fromPreset(model))));
+	const three = plant.meshes.slice(0, 3).map((mesh) => ({ ...mesh, material: "petal" }));
+	expect(three).toHaveLength(3);
+	const parts = [...model.parts({ ...plant, meshes: three, names: ["petal 2", "", ""] })];
+	expect(parts.map(({ name }) => name)).toEqual(["Petal 2", "Petal", "Petal 3"]);
+	expect(parts.map(({ shape }) => shape?.material.name)).toEqual(["Petal 2", "Petal", "Petal 3"]);
+});

@@ -114,7 +114,17 @@ describe("a value", () => {
 });
 
 describe("an address", () => {
-	const service = makeService({ loadCore: freshCore, release: "1" });
+	const outputs: unknown[] = [];
+	const loadCore = async (wasm: string) => {
+		const core = await freshCore(wasm);
+		const whole = core.grow.bind(core);
+		core.grow = (blocks) => {
+			outputs.push(blocks.find(({ name }) => name === "outputs")?.data);
+			return whole(blocks);
+		};
+		return core;
+	};
+	const service = makeService({ loadCore, release: "1" });
 	const ask = async (address: string) => service(new Request(`http://plants.example/specimens/flower/${address}`));
 
 	it("gives them by define= and by their bare names", async () => {
@@ -131,7 +141,10 @@ describe("an address", () => {
 		expect([label.length > 0, measures.surface > 0]).toEqual([true, true]);
 		const grows = "#define A(24)\n#define finalStep=4\n#axiom: A\nA -> A[A(24)]_{E,C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}";
 		const address = `tulip.json?g=${await compressText(grows)}`;
+		outputs.length = 0;
 		const refused = await ask(address);
+		// Neither its skin nor its map was made.
+		expect(outputs).toEqual([""]);
 		expect(`${refused.status} ${await refused.text()}`).toMatch(
 			/^413 the flower’s map has [\d,]+ darts, and at most 600,000 are sent; file-map=0 leaves the map out\n$/,
 		);

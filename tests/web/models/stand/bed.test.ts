@@ -88,6 +88,20 @@ describe("a small bed", () => {
 		expect(grown).toBe(0);
 	});
 
+	it("asks for no flower's map, be it for a table or a view", async () => {
+		for (const meshes of [false, true]) {
+			const outputs = new Set<unknown>();
+			await grownStand(planned("plants 2, stratified\nflower/tulip"), {
+				meshes,
+				run: async (wasm, blocks) => {
+					if (wasm === "flower.wasm") outputs.add(blocks.find(({ name }) => name === "outputs")?.data);
+					return run(wasm, blocks);
+				},
+			});
+			expect([...outputs]).toEqual([meshes ? "levels" : ""]);
+		}
+	});
+
 	it("opens each flower alone by the link that it tells, as the same flower", async () => {
 		const flower = await modelNamed("flower");
 		const { plants } = exportJson(model, bed, planned(BED)) as unknown as { plants: PlantRecord[] };

@@ -19,15 +19,16 @@ const THROUGH: Colour = [1.5, 1.4, 1.2];
 const SAME: Colour = [1, 1, 1];
 
 export function* flowerParts(plant: FlowerPlant): Generator<Part> {
-	const names = new Map<string, number>();
+	const names = new Set<string>();
 	const paints = paintsOf(plant.colours, plant.paint);
 	for (const [i, plain] of plant.meshes.entries()) {
 		const mesh = { ...plain, cells: plant.cells[i] };
 		const paint = paints[i];
 		const named = capital(plant.names[i] || mesh.material);
-		const before = names.get(named) ?? 0;
-		names.set(named, before + 1);
-		const name = before === 0 ? named : `${named} ${before + 1}`;
+		// A text may itself call one so.
+		let name = named;
+		for (let more = 2; names.has(name); more++) name = `${named} ${more}`;
+		names.add(name);
 		const fine = isFine(paint) ? pictureOf(paint) : undefined;
 		const material: Material = {
 			...materialOf(mesh.material, name, fine?.mean ?? colourAt(paint, paint.foot / 2, 0), paint.light),

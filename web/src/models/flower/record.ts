@@ -45,9 +45,8 @@ export function flowerRecord({ volumes, darts }: FlowerPlant): FlowerRecord {
 /** A server sends no more darts: some 50 MB. */
 export const MOST_DARTS = 600_000;
 
-/** Why such a document is not to be sent; undefined where it may. */
-export function tooHeavy({ darts }: FlowerPlant): string | undefined {
-	const count = darts?.volume.length ?? 0;
+/** Why its document with the map is not to be sent; undefined where it may. It may have grown without the map. */
+export function tooHeavy({ counts: { darts: count = 0 } }: Pick<FlowerPlant, "counts">): string | undefined {
 	if (count <= MOST_DARTS) return undefined;
 	const [own, most] = [count, MOST_DARTS].map((each) => each.toLocaleString("en"));
 	return `the flower’s map has ${own} darts, and at most ${most} are sent; file-map=0 leaves the map out`;

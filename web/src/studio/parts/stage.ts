@@ -49,7 +49,7 @@ export class Stage extends StudioPart {
 			></canvas>
 			<p class="unseen" id=${this.idOf("keys")}>${ORBIT_KEYS}</p>
 			${shown ? caption(studio) : nothing}
-			${chips(studio)}
+			<div aria-live="polite">${chips(studio)}</div>
 			${warnings(studio)}
 			${this.#trouble && !failure ? message(this.#trouble.title, [this.#trouble.text], this.#trouble.again ? button("Try again", this.#trouble.again) : nothing) : nothing}
 			${failure ? message(failure.title, failure.details, remedies(studio, failure)) : nothing}

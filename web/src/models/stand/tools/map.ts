@@ -4,6 +4,7 @@ import { guard } from "lit/directives/guard.js";
 import { live } from "lit/directives/live.js";
 import type { Desk } from "../../../controls/desk";
 import { PickPointer } from "../../../controls/pick_pointer";
+import { takeFocus } from "../../../controls/take_focus";
 import type { Tool } from "../../../controls/tool";
 import { firstAlike, sortsOf, titlesOf, valuesOf } from "../members";
 import type { StandSpecimen } from "../specimen";
@@ -39,8 +40,14 @@ export const map: Tool<StandSpecimen, StandPlant, Chosen> = {
 			take: (plant) => desk.setToolState(map, plant),
 		});
 		pointer.enabled = true;
+		let before = chosenIn(desk);
 		return {
-			update: () => view.mark(chosenIn(desk)),
+			update: () => {
+				const chosen = chosenIn(desk);
+				view.mark(chosen);
+				if (before !== undefined && chosen === undefined) takeFocus(view.canvas, ".stage-chip");
+				before = chosen;
+			},
 			dispose: () => pointer.dispose(),
 		};
 	},

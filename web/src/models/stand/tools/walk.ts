@@ -2,6 +2,7 @@
 import { html, nothing, svg } from "lit";
 import type { Desk } from "../../../controls/desk";
 import { DeskElement } from "../../../controls/desk_element";
+import { takeFocus } from "../../../controls/take_focus";
 import type { Tool, ToolHands, ToolView } from "../../../controls/tool";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
@@ -125,9 +126,7 @@ class WalkHands implements ToolHands<StandSpecimen, StandPlant> {
 			this.#view.look(gazeOf(pose, grown));
 			if (!before) this.#view.canvas.focus({ preventScroll: true });
 		} else if (before) {
-			// The button that had the focus goes, or has gone already.
-			const focused = document.activeElement;
-			if (focused === document.body || focused?.closest(".walk-bar")) this.#view.canvas.focus();
+			takeFocus(this.#view.canvas, ".walk-bar");
 			this.#view.look(undefined);
 		}
 	}
