@@ -50,8 +50,8 @@ export class KeptMembers {
 	}
 }
 
-function keyOf({ model, preset, seed, values, surroundings }: MemberAsked, meshes: boolean): string {
-	return JSON.stringify([model, preset, seed, values, surroundings, meshes]);
+function keyOf({ model, preset, seed, values, surroundings, spots }: MemberAsked, meshes: boolean): string {
+	return JSON.stringify([model, preset, seed, values, surroundings, spots, meshes]);
 }
 
 /** What is told in between is told when so many more have grown, as a share of those there are. */
@@ -256,7 +256,7 @@ function wrong(message: string, { line, column }: Place): CoreError {
 /** What is wrong with one is so of the line that asks for it: the place in its own text says nothing in this one. */
 async function memberOf(read: Read, asked: MemberAsked, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
 	try {
-		return await grownMember(read, run, meshes, looks);
+		return await grownMember(read, asked, run, meshes, looks);
 	} catch (error) {
 		if (!(error instanceof CoreError)) throw error;
 		const { model, preset, place } = asked;
@@ -264,7 +264,13 @@ async function memberOf(read: Read, asked: MemberAsked, run: RunCore, meshes: bo
 	}
 }
 
-async function grownMember({ model, specimen }: Read, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
+async function grownMember(
+	{ model, specimen }: Read,
+	{ spots }: MemberAsked,
+	run: RunCore,
+	meshes: boolean,
+	looks: Looks,
+): Promise<Member> {
 	const levels = meshes && model.levels !== undefined;
 	const options: GrowthOptions = {
 		meshes: meshes && !levels,
@@ -275,5 +281,18 @@ async function grownMember({ model, specimen }: Read, run: RunCore, meshes: bool
 	const { fingerprint, notes } = plant;
 	const link = await encodeLink(model, specimen);
 	const title = model.presets.named(specimen.preset)?.title ?? model.title;
-	return { specimen, title, link, fingerprint, notes, ...(await levelsOf(model, plant, specimen, meshes, looks)) };
+	return {
+		...{ specimen, title, link, fingerprint, notes },
+		...(spots ? { spots: Object.fromEntries(spots.map((tag) => [tag, spotsIn(plant, tag)])) } : {}),
+		...(await levelsOf(model, plant, specimen, meshes, looks)),
+	};
+}
+
+/** Where a plant's organs of a tag are. */
+function spotsIn({ organs: { tag, tags, count, transforms } }: Plant, wanted: string): Float32Array {
+	const width = transforms.length / Math.max(1, count);
+	const spots: number[] = [];
+	for (let i = 0; i < count; i++)
+		if (tags[tag[i]] === wanted) spots.push(...transforms.subarray(width * i, width * i + 3));
+	return Float32Array.from(spots);
 }
