@@ -2,6 +2,7 @@
 import { writeContainer } from "../../web/src/core/container";
 import { model } from "../../web/src/models/flower/index";
 import { encodeFlower } from "../../web/src/models/flower/request";
+import type { FlowerSpecimen } from "../../web/src/models/flower/specimen";
 import { fetchedText } from "../../web/src/models/flower/texts";
 import { fromPreset } from "../../web/src/specimen/from_preset";
 
@@ -19,20 +20,28 @@ export const textNames = new Map(
 
 /** What of a flower is another than what it is on the shelf. */
 export interface Changed {
-	seed?: number;
 	/** A variable’s number, read where the text first gives it. */
 	number?: [name: string, value: number];
 }
 
+/** One volume, which takes some microseconds: what the core keeps after it is no flower. */
+export const stemAlone = asked(
+	{ ...fromPreset(model), grammar: "#define STEM(4,0,0,0,1,1,1,1)\n#axiom: STEM\n" },
+	false,
+);
+
 /** A flower's map alone, or with its skin, rounded so often, and nothing else. */
-export function flowerOf(name: string, meshes: boolean, smooth = 1, { seed, number }: Changed = {}): Uint8Array {
+export function flowerOf(name: string, meshes: boolean, smooth = 1, { number }: Changed = {}): Uint8Array {
 	const plain = fromPreset(model, name);
 	const text = fetchedText(plain) ?? "";
 	const specimen = {
 		...plain,
-		seed: seed ?? plain.seed,
 		parameters: { ...plain.parameters, smooth },
 		...(number ? { grammar: text.replace(RegExp(`(#define ${number[0]}=)[\\d.]+`), `$1${number[1]}`) } : {}),
 	};
+	return asked(specimen, meshes);
+}
+
+function asked(specimen: FlowerSpecimen, meshes: boolean): Uint8Array {
 	return writeContainer(encodeFlower(specimen, { meshes, sky: false, measures: false, map: false }));
 }

@@ -87,3 +87,32 @@ test("a grammar as XML is dropped and grows; a mistake in one is told with its p
 	expect(name).toMatch(/\.xml$/);
 	expect(bytes.toString()).toContain("<axiom");
 });
+
+test("a flower's life is played from the bud, by stages and by numbers; undo and the link bring it back", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=bluebell&smooth=0");
+	const age = studio.slider("Age");
+	const open = await studio.fingerprint.textContent();
+	await expect(age).toHaveAttribute("aria-valuetext", "Open, 1");
+	// It stands open, so all of its life is shown.
+	await studio.regrown(() => studio.button("Play").click());
+	await expect.poll(async () => Number(await age.inputValue())).toBeLessThan(0.9);
+	await studio.button("Pause").click();
+	await studio.regrown(() => studio.button("Undo").click());
+	await expect(studio.fingerprint).toHaveText(open ?? "");
+	await age.focus();
+	const shut = await studio.regrown(() => page.keyboard.press("PageDown"));
+	await expect(age).toHaveAttribute("aria-valuetext", "Opening, 0.5");
+	await expect(page).toHaveURL(/[?&]age=0\.5\b/);
+	const field = page.getByRole("textbox", { name: "Age, typed" });
+	await field.fill("3");
+	await studio.regrown(() => field.press("Enter"));
+	await expect(age).toHaveAttribute("aria-valuetext", "Wilted, 2");
+	await expect(studio.notices).toContainText("Age takes 0 … 2");
+	await studio.regrown(() => studio.button("Undo").click());
+	await expect(studio.fingerprint).toHaveText(shut);
+	// A text that says nothing of age has no life to be played.
+	await studio.regrown(() => page.locator("[data-preset=figure-16]").click());
+	await expect(studio.button("Play")).toHaveCount(0);
+});

@@ -60,24 +60,6 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/levels.cpp`,
-		suites: [`${TESTS}/levels_test.cpp`],
-		faults: [
-			{
-				id: "flower-levels-by-own-luck",
-				find: "usual.steps = given.steps;",
-				replace: "usual = given;",
-				breaks: "what a level leaves out hangs on the seed and the age, and plants of one map have other triangles",
-			},
-			{
-				id: "flower-levels-crowd-stays-narrow",
-				find: "place = on + times * (place - on);",
-				replace: "place = on + (place - on);",
-				breaks: "what is left of a crowd from afar is as wide as near by, and its colour is gone",
-			},
-		],
-	},
-	{
 		file: `${SRC}/derivation.cpp`,
 		suites: DERIVATION,
 		faults: [
@@ -116,6 +98,18 @@ export default [
 				find: "asked_[production.number] == 1 && !stopped_ && !cut_short_",
 				replace: "asked_[production.number] == 1 && !stopped_",
 				breaks: "a flower of fewer steps has notes on all that it has not come to",
+			},
+		],
+	},
+	{
+		file: `${SRC}/production_reader.cpp`,
+		suites: AGAIN,
+		faults: [
+			{
+				id: "flower-blocks-need-all",
+				find: "    if (of_blocks) uses.add(of_blocks_);",
+				replace: "    for (std::size_t i = 0; of_blocks && i < program_.variables.size(); ++i) uses.variables.set(i);",
+				breaks: "a panicle's length grows it anew, since its branches are counted by a name of a block",
 			},
 		],
 	},
@@ -245,7 +239,7 @@ export default [
 		faults: [
 			{
 				id: "flower-material-of-no-line",
-				find: "if (growth != nullptr && gives(growth->arguments)) place = growth->arguments.place;",
+				find: "if (grown) gives(growths[record->source]->arguments);",
 				replace: "",
 				breaks: "a material that is none is looked for where the volume is defined",
 			},

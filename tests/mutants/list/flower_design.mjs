@@ -13,15 +13,21 @@ export default [
 		faults: [
 			{
 				id: "volume-first-of-its-name",
-				find: "if (before++ < nth) continue;",
+				find: " && before++ === nth",
 				replace: "",
 				breaks: "another petal than the one clicked on is chosen",
 			},
 			{
 				id: "volume-of-any-descent",
-				find: " || volumes.parent[at] !== last",
-				replace: "",
+				find: "first[last ?? first.length - 1]",
+				replace: "first[first.length - 1]",
 				breaks: "a volume of the same name on another ring is chosen once the clicked one is gone",
+			},
+			{
+				id: "volume-behind-what-it-bears",
+				find: "const from = Math.min(parent[at], count);",
+				replace: "const from = parent[at] > at ? count : parent[at];",
+				breaks: "where a text splits, what is clicked on is not chosen",
 			},
 		],
 	},

@@ -13,6 +13,18 @@ export default [
 		],
 	},
 	{
+		file: "web/src/models/flower/tools/chosen_volume.ts",
+		suites: ["tests/web/models/flower/chosen_volume.test.ts"],
+		faults: [
+			{
+				id: "flower-children-behind-their-parents",
+				find: "const from = Math.min(parent[at], count);",
+				replace: "const from = parent[at] > at ? count : parent[at];",
+				breaks: "where a text splits, another volume is chosen than was clicked on",
+			},
+		],
+	},
+	{
 		file: "web/src/models/flower/tools/said.ts",
 		suites: ["tests/web/models/flower/said.test.ts"],
 		faults: [
@@ -78,9 +90,21 @@ export default [
 			},
 			{
 				id: "flower-value-twice",
-				find: ".filter(([name]) => !written.has(name))",
+				find: ".filter(([name]) => !defined.has(name))",
 				replace: "",
 				breaks: "a number of the text that is edited stays what a slider said before",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/tools/text.ts",
+		suites: ["tests/web/models/flower/values.test.ts"],
+		faults: [
+			{
+				id: "flower-final-step-as-a-variable",
+				find: 'governed: new Set(["finalStep"])',
+				replace: "governed: new Set()",
+				breaks: "a slider finalStep changes nothing but the text that is shown",
 			},
 		],
 	},
@@ -117,6 +141,18 @@ export default [
 				find: "if (count <= MOST_DARTS) return undefined;",
 				replace: "return undefined;",
 				breaks: "a text of a few lines has a server send 300 MB",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/texts.ts",
+		suites: ["tests/web/models/flower/age.test.ts"],
+		faults: [
+			{
+				id: "flower-life-of-texts-without-one",
+				find: "text === undefined || OF_AGE.test(uncommented(text))",
+				replace: "true",
+				breaks: "a life is offered to be played in which nothing happens",
 			},
 		],
 	},

@@ -14,6 +14,12 @@ export default [
 				breaks: "dragging the 2 of x-2 rewrites the minus",
 			},
 			{
+				id: "grammar-editor-half-an-expression",
+				find: '(open <= 0 && last !== "<")',
+				replace: "true",
+				breaks: "a value is written over the first line of what it stands for, and the file is no grammar",
+			},
+			{
 				id: "grammar-editor-constant-outside-its-slider",
 				find: "Math.max(low, high, value)]",
 				replace: "Math.max(low, high)]",

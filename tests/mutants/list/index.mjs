@@ -18,6 +18,7 @@ import exporting from "./export.mjs";
 import files from "./files.mjs";
 import flower from "./flower.mjs";
 import flowerDesign from "./flower_design.mjs";
+import flowerLevels from "./flower_levels.mjs";
 import flowerPage from "./flower_page.mjs";
 import generalizedMap from "./generalized_map.mjs";
 import gestures from "./gestures.mjs";
@@ -87,6 +88,7 @@ export const groups = [
 	...grammarEditor,
 	...flower,
 	...flowerDesign,
+	...flowerLevels,
 	...flowerPage,
 	...growth,
 	...stand,

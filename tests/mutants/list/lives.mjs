@@ -17,6 +17,13 @@ export default [
 				breaks: "the bunch moves for those who asked for no motion",
 			},
 			{
+				id: "life-of-an-open-flower-only-wilts",
+				find: "age >= end || age === height ?",
+				replace: "age >= end ?",
+				breaks: "a flower that stands open is played from there, and never seen to open",
+				suites: ["tests/web/models/flower/age.test.ts"],
+			},
+			{
 				id: "life-fights-the-hand",
 				find: "if (this.#made && desk.state.specimen !== this.#made) {",
 				replace: "if (false) {",

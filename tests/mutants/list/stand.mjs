@@ -268,4 +268,16 @@ export default [
 			},
 		],
 	},
+	{
+		file: "wasm-core/src/models/stand/places.cpp",
+		suites: ["tests/core/models/stand/places_test.cpp"],
+		faults: [
+			{
+				id: "stand-middle-of-the-back",
+				find: "!fewer ? i - rows : i % 2 == 0 ? i / 2 : -(i + 1) / 2",
+				replace: "i - rows",
+				breaks: "fewer plants than a large ground has places stand at its back",
+			},
+		],
+	},
 ];

@@ -16,6 +16,10 @@ constexpr double of_length = 0.015;
 // What a triangle may turn by: the cosine.
 constexpr double most_turned = 0.15;
 
+// A vertex with more triangles about it stays, and what is about it is not looked at again when another goes into it:
+// else a fan of thousands takes their square, over and over.
+constexpr std::size_t most_about = 96;
+
 // Squares of distances to planes, weighted by what lies in each.
 struct Quadric {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, x = 0, y = 0, z = 0, one = 0, weight = 0;
@@ -113,7 +117,7 @@ class Thinner {
   // The cheapest way for a vertex to go, in place of what it was before.
   void offer(std::uint32_t vertex) {
     const std::uint32_t stamp = ++stamps_[vertex];
-    if (patch_.is_fixed[vertex] != 0) return;
+    if (patch_.is_fixed[vertex] != 0 || about_[vertex].size() > most_about) return;
     double least = -1;
     std::uint32_t best = 0;
     for (const std::uint32_t t : about_[vertex])
@@ -135,11 +139,11 @@ class Thinner {
   void draw(std::uint32_t vertex, std::uint32_t into) {
     std::vector<std::uint32_t> near;
     for (const std::uint32_t t : about_[vertex]) {
+      near.insert(near.end(), triangles_[t].begin(), triangles_[t].end());
       if (has(t, into)) {
         left_ -= t < patch_.counted;
         for (const std::uint32_t v : triangles_[t])
           if (v != vertex) std::erase(about_[v], t);
-        near.insert(near.end(), triangles_[t].begin(), triangles_[t].end());
         continue;
       }
       std::replace(triangles_[t].begin(), triangles_[t].end(), vertex, into);
@@ -147,7 +151,8 @@ class Thinner {
     }
     about_[vertex].clear();
     quadrics_[into].add(quadrics_[vertex]);
-    for (const std::uint32_t t : about_[into]) near.insert(near.end(), triangles_[t].begin(), triangles_[t].end());
+    if (about_[into].size() <= most_about)
+      for (const std::uint32_t t : about_[into]) near.insert(near.end(), triangles_[t].begin(), triangles_[t].end());
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     for (const std::uint32_t v : near)

@@ -96,15 +96,9 @@ export async function checkVaried<S extends Specimen>(
 	varied: readonly Varied[],
 	from: S,
 ): Promise<void> {
-	const own = varied.filter((each) => each.own);
-	const { specimen } = withVaried(
-		species,
-		from,
-		own.map((each) => [each, "0"]),
-	);
-	const stranger = await species.details.find(({ stranger }) => stranger)?.stranger?.(specimen);
-	if (stranger && own.some(({ entry }) => entry.key === stranger.name))
-		throw new Unusable(`${stranger.name}: no parameter has that key, and ${stranger.problem}`);
+	const own = varied.filter((each) => each.own).map(({ entry }) => entry.key);
+	const stranger = await species.details.find(({ stranger }) => stranger)?.stranger?.(from, own);
+	if (stranger) throw new Unusable(`${stranger.name}: no parameter has that key, and ${stranger.problem}`);
 }
 
 /** Refuses what would not be used as it is. */

@@ -16,7 +16,7 @@ export interface Stage {
 export interface Life {
 	/** Of its tool; the parameter's where absent. */
 	readonly name?: string;
-	/** The parameter that runs, in percent. */
+	/** The parameter that runs. */
 	readonly parameter: string;
 	/** What it is called: "Age". */
 	readonly label: string;
@@ -24,13 +24,15 @@ export interface Life {
 	readonly stages: readonly Stage[];
 	/** Where a play ends. */
 	readonly end: number;
+	/** Where a plant is at its height, if a play that is begun there is to show its whole life and not its decline. */
+	readonly height?: number;
 	/** How long a play of the whole takes, milliseconds. */
 	readonly milliseconds: number;
 	/** What playing does: "Play from flower to ripe bunch". */
 	readonly play: string;
 	/** For those who hear the slider: what the numbers mean. */
 	readonly help: string;
-	/** In how many even steps a plant's life runs from 0 to 100, where it runs in steps: they can then be taken one by one. */
+	/** Of a parameter in percent: in how many even steps a plant's life runs from 0 to 100, where it runs in steps: they can then be taken one by one. */
 	steps?(plant: Plant): number;
 }
 

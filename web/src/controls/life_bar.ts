@@ -8,9 +8,8 @@ import { HeldKey } from "./held_key";
 import { icon } from "./icons";
 import { type Life, nextStage, nextStep, SPEEDS, stageOf } from "./life";
 import type { PlayState } from "./life_player";
+import { spoken } from "./spoken";
 import { handBack, handOver, isForField, readTyped } from "./typed";
-
-const STEP = 0.5;
 
 /** A life below the view: a slider over its stages, a button that lets it run, the number to type. */
 export class LifeBar extends ControlElement {
@@ -31,7 +30,8 @@ export class LifeBar extends ControlElement {
 
 	protected override draw(desk: Desk): unknown {
 		const { life, age } = this;
-		const { min, max } = this.#entry;
+		const { min, max, step, unit } = this.#entry;
+		const words = spoken(unit);
 		const stage = stageOf(life, age);
 		const { playing } = desk.toolState(this.play);
 		const name = life.label.toLowerCase();
@@ -45,27 +45,27 @@ export class LifeBar extends ControlElement {
 			</div>
 			<div class="life">
 				<input
-					type="range" min=${min} max=${max} step=${STEP} .value=${live(String(age))}
-					aria-label=${life.label} aria-valuetext="${stage.name}, ${age} percent" aria-describedby=${this.idOf("help")}
+					type="range" min=${min} max=${max} step=${step} .value=${live(String(age))}
+					aria-label=${life.label} aria-valuetext=${`${stage.name}, ${age} ${words}`.trim()} aria-describedby=${this.idOf("help")}
 					@input=${this.#slide} @change=${this.#held.slid} @dblclick=${this.#reset}
 					@keydown=${this.#keyDown} @keyup=${this.#held.up} @blur=${this.#held.up}
 				>
 				<div class="stages" role="group" aria-label="Stages">${life.stages.map(
-					({ at, name: words, icon: drawn }) => html`<button
-						class="stage-name" type="button" tabindex="-1" aria-current=${words === stage.name} .style=${`--at: ${(at - min) / (max - min)}`}
+					({ at, name, icon: drawn }) => html`<button
+						class="stage-name" type="button" tabindex="-1" aria-current=${name === stage.name} .style=${`--at: ${(at - min) / (max - min)}`}
 						@click=${() => this.#set(at)}
-					>${drawn ? icon(drawn) : nothing}${words}</button>`,
+					>${drawn ? icon(drawn) : nothing}${name}</button>`,
 				)}</div>
 				${life.stages[0].icon && stage !== life.stages[0] ? html`<span class="stage-first">${icon(life.stages[0].icon)}</span>` : nothing}
 				<p class="stage-now" aria-hidden="true">${stage.name}</p>
 			</div>
 			<input
 				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${String(age)}
-				aria-label="${life.label} in percent"
+				aria-label=${words ? `${life.label} in ${words}` : `${life.label}, typed`}
 				@change=${this.#type} @keydown=${this.#fieldKey} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
-			><span class="unit" aria-hidden="true">%</span>
+			><span class="unit" aria-hidden="true">${unit}</span>
 			<span class="unseen" id=${this.idOf("help")}>${life.help} Page keys go from stage to stage, K plays, Enter types a number, Delete brings the
-				preset’s ${name} back. ${min} … ${max} percent.</span>
+				preset’s ${name} back. ${`${min} … ${max} ${words}`.trim()}.</span>
 		</div>`;
 	}
 
@@ -130,7 +130,7 @@ export class LifeBar extends ControlElement {
 		if (key === "Delete" || key === "Backspace") this.#reset();
 		else if (isForField(event)) handOver(event, this.querySelector("input.typed"));
 		else this.#held.down(event);
-		const far = coarseStep(STEP, event);
+		const far = coarseStep(this.#entry.step, event);
 		if (far !== undefined) {
 			event.preventDefault();
 			this.#edit(nearestWithin(this.#entry, this.age + far));
@@ -160,12 +160,14 @@ export class LifeBar extends ControlElement {
 		const typed = readTyped(field.value);
 		if (Number.isFinite(typed)) this.#set(nearestWithin(this.#entry, typed));
 		const { age, life } = this;
-		const { min, max } = this.#entry;
+		const { min, max, unit } = this.#entry;
 		const name = life.label.toLowerCase();
 		if (!Number.isFinite(typed)) {
-			this.desk.notify(`“${field.value.trim().slice(0, 20)}” is not an ${name}`, [`${life.label} ${age} % stays.`]);
+			this.desk.notify(`“${field.value.trim().slice(0, 20)}” is not an ${name}`, [
+				`${life.label} ${`${age} ${unit}`.trim()} stays.`,
+			]);
 		} else if (age !== typed) {
-			this.desk.notify(`${life.label} takes ${min} … ${max} %`, [`${typed} became ${age}.`]);
+			this.desk.notify(`${life.label} takes ${`${min} … ${max} ${unit}`.trim()}`, [`${typed} became ${age}.`]);
 		}
 		field.value = String(age);
 	}

@@ -10,8 +10,9 @@ import { type Life, nextStage } from "./life";
 const STAND = 1500;
 /** A page that was hidden or busy goes on where it was, not where it would be; milliseconds. */
 const LONGEST_FRAME = 500;
-/** Ages are told to this part of a percent, so that a link stays short. */
-const STEPS_PER_PERCENT = 10;
+/** Ages are told to this share of a life, and no finer than a link holds them, so that it stays short. */
+const SHARES = 1000;
+const FINEST = 100;
 /** The gesture of a life that runs by itself: a drag meanwhile is a step of its own. */
 export const PLAY = "play";
 
@@ -65,7 +66,8 @@ export class LifePlayer {
 		const age = this.#desk.state.specimen.parameters[this.#life.parameter];
 		this.#running = true;
 		this.#made = undefined;
-		this.#age = age >= this.#life.end ? this.#life.stages[0].at : age;
+		const { end, height, stages } = this.#life;
+		this.#age = age >= end || age === height ? stages[0].at : age;
 		this.#last = Number.NaN;
 		this.#clock.request(this.#frame);
 	}
@@ -87,7 +89,8 @@ export class LifePlayer {
 			return;
 		}
 		if (this.#advance(now)) {
-			const age = Math.round(this.#age * STEPS_PER_PERCENT) / STEPS_PER_PERCENT;
+			const fine = Math.min(FINEST, SHARES / this.#whole);
+			const age = Math.round(this.#age * fine) / fine;
 			desk.edit({ parameters: { [this.#life.parameter]: age } }, PLAY);
 			this.#made = desk.state.specimen;
 		}
@@ -95,18 +98,22 @@ export class LifePlayer {
 		else this.#clock.request(this.#frame);
 	};
 
+	get #whole(): number {
+		return this.#life.end - this.#life.stages[0].at;
+	}
+
 	/** Moves the age on to a moment; tells whether it has moved. */
 	#advance(now: number): boolean {
 		const first = Number.isNaN(this.#last);
 		const passed = first ? 0 : now - this.#last;
-		const { end, milliseconds, stages } = this.#life;
+		const { end, milliseconds } = this.#life;
 		const { speed = 1 } = this.#desk.toolState(this.#state);
 		if (this.#clock.stepwise()) {
 			if (!first && passed < STAND / speed) return false;
 			if (!first) this.#age = nextStage(this.#life, this.#age, 1).at;
 		} else {
-			const whole = end - stages[0].at;
-			this.#age = Math.min(end, this.#age + ((Math.min(passed, LONGEST_FRAME) * speed) / milliseconds) * whole);
+			const share = (Math.min(passed, LONGEST_FRAME) * speed) / milliseconds;
+			this.#age = Math.min(end, this.#age + share * this.#whole);
 		}
 		this.#last = now;
 		return true;

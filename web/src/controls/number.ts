@@ -6,6 +6,7 @@ import { EntryElement } from "./entry_element";
 import { HeldKey } from "./held_key";
 import { OWN_LENGTHS } from "./own_lengths";
 import { sliderRow } from "./slider_row";
+import { spoken } from "./spoken";
 import { symbol } from "./symbol";
 import { refusal } from "./typed";
 
@@ -92,19 +93,6 @@ function complaint(entry: NumberEntry, scale: Scale, text: string, typed: number
 function rangeInWords({ min, max, kind }: NumberEntry, scale: Scale): string {
 	const { unit } = scale;
 	return `${kind === "integer" && scale.per === 1 ? "whole numbers " : ""}${readIn(scale, min)} … ${readIn(scale, max)}${unit ? ` ${unit}` : ""}.`;
-}
-
-const SPOKEN: Readonly<Record<string, string>> = {
-	px: "pixels",
-	mm: "millimetres",
-	"×": "times",
-	"°": "degrees",
-	"%": "percent",
-	u: "units",
-};
-
-function spoken(unit: string): string {
-	return SPOKEN[unit] ?? unit;
 }
 
 customElements.define("panicle-number", NumberControl);

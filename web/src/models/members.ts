@@ -13,6 +13,7 @@ import type { Specimen } from "../specimen/specimen";
 import { isModel, modelNamed, modelNames } from "./index";
 import type { Member, MemberAsked, Place } from "./member";
 import { Looks, levelsOf } from "./member_looks";
+import { spotsOf } from "./member_spots";
 import type { GrowthOptions, Model } from "./model";
 
 /** Has the core of that file (`growth.wasm`) grow a request. */
@@ -75,9 +76,10 @@ export async function grownMembers(
 	const asked = members.asked(grown);
 	const notes = new Set<string>();
 	const read = await resolved(model, asked, notes);
+	const heard = read.map(({ asked: each }) => each);
 	const looks = kept?.looks ?? new Looks();
 	const order = alikeTogether(asked);
-	const done: (Member | undefined)[] = kept?.keep(asked, meshes) ?? asked.map(() => undefined);
+	const done: (Member | undefined)[] = kept?.keep(heard, meshes) ?? asked.map(() => undefined);
 	const joined = () => members.joined({ ...grown, notes: [...grown.notes, ...notes, ...notesOf(done)] }, [...done]);
 	let count = done.filter(Boolean).length;
 	let bytes = done.reduce((sum, member) => sum + (member ? bytesOf(member) : 0), 0);
@@ -88,12 +90,12 @@ export async function grownMembers(
 		while (next < asked.length && !failed) {
 			const at = order[next++];
 			if (done[at]) continue;
-			const member = await memberOf(read[at], asked[at], run, meshes, looks);
+			const member = await memberOf(read[at], run, meshes, looks);
 			bytes += bytesOf(member);
 			if (bytes > most) throw tooMuch(asked[at], most);
 			done[at] = member;
 			// What could not be fetched may be there the next time.
-			if (read[at].prepared) kept?.add(asked[at], meshes, member);
+			if (read[at].prepared) kept?.add(heard[at], meshes, member);
 			if (++count < tell || count === asked.length) continue;
 			tell = Math.ceil(count * (1 + STEP));
 			grew?.(joined(), count, asked.length);
@@ -121,12 +123,16 @@ function alikeTogether(asked: readonly MemberAsked[]): readonly number[] {
 	return [...presets.values()].flat();
 }
 
-/** What was to be said of members, each once, in the order in which they are asked for. */
+/**
+ * What was to be said of members, each once, in the order in which they are asked for. Remarks on a line of a preset’s own text are
+ * for whoever opens that.
+ */
 function notesOf(members: readonly (Member | undefined)[]): Set<string> {
 	return new Set(
 		members.flatMap((member) => {
 			const { model, preset } = member?.specimen ?? {};
-			return member?.notes.map((note) => `${model}/${preset}: ${note}`) ?? [];
+			const told = member?.notes.filter((note) => !/^Line \d+: /.test(note)) ?? [];
+			return told.map((note) => `${model}/${preset}: ${note}`);
 		}),
 	);
 }
@@ -144,6 +150,8 @@ function tooMuch({ place }: MemberAsked, most: number): CoreError {
 }
 
 interface Read {
+	/** What was asked, of which the model takes heed. */
+	readonly asked: MemberAsked;
 	readonly model: Model;
 	readonly specimen: Specimen;
 	/** Whether all that it needs besides the core is there. */
@@ -157,9 +165,10 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 	// Whether what it takes came, by what decides what that is.
 	const fetched = new Map<string, Promise<boolean>>();
 	const keys: string[] = [];
-	for (const each of asked) {
-		const model = models.get(each.model) ?? (await known(of, each));
-		models.set(each.model, model);
+	for (const told of asked) {
+		const model = models.get(told.model) ?? (await known(of, told));
+		models.set(told.model, model);
+		const each = heeded(model, told);
 		checked(model, each);
 		const { values, seed, preset, surroundings } = each;
 		const own = ownNames(model, each);
@@ -170,7 +179,7 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 		});
 		for (const { text } of restored.notes) notes.add(`${each.model}/${preset}: ${text}`);
 		const { specimen } = restored;
-		read.push({ model, specimen });
+		read.push({ asked: each, model, specimen });
 		const key = preparedBy(each);
 		keys.push(key);
 		if (fetched.has(key)) continue;
@@ -188,6 +197,12 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 	const prepared = new Map<string, boolean>();
 	for (const [key, came] of fetched) prepared.set(key, await came);
 	return read.map((each, i) => ({ ...each, prepared: prepared.get(keys[i]) ?? true }));
+}
+
+/** What a model knows nothing of makes no other plant. */
+function heeded({ details }: Model, { surroundings, ...asked }: MemberAsked): MemberAsked {
+	const heeds = surroundings !== undefined && details.some(({ keys }) => keys.includes("surroundings"));
+	return heeds ? { ...asked, surroundings } : asked;
 }
 
 /** What to fetch follows from what is chosen, and of numbers from whether there is any of it. */
@@ -254,23 +269,18 @@ function wrong(message: string, { line, column }: Place): CoreError {
 }
 
 /** What is wrong with one is so of the line that asks for it: the place in its own text says nothing in this one. */
-async function memberOf(read: Read, asked: MemberAsked, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
+async function memberOf(read: Read, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
 	try {
-		return await grownMember(read, asked, run, meshes, looks);
+		return await grownMember(read, run, meshes, looks);
 	} catch (error) {
 		if (!(error instanceof CoreError)) throw error;
-		const { model, preset, place } = asked;
+		const { model, preset, place } = read.asked;
 		throw new CoreError(error.reason, `${model}/${preset}: ${error.message}`, place.line, place.column);
 	}
 }
 
-async function grownMember(
-	{ model, specimen }: Read,
-	{ spots }: MemberAsked,
-	run: RunCore,
-	meshes: boolean,
-	looks: Looks,
-): Promise<Member> {
+async function grownMember(read: Read, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
+	const { model, specimen, asked } = read;
 	const levels = meshes && model.levels !== undefined;
 	const options: GrowthOptions = {
 		meshes: meshes && !levels,
@@ -283,16 +293,7 @@ async function grownMember(
 	const title = model.presets.named(specimen.preset)?.title ?? model.title;
 	return {
 		...{ specimen, title, link, fingerprint, notes },
-		...(spots ? { spots: Object.fromEntries(spots.map((tag) => [tag, spotsIn(plant, tag)])) } : {}),
+		...spotsOf(plant, asked),
 		...(await levelsOf(model, plant, specimen, meshes, looks)),
 	};
-}
-
-/** Where a plant's organs of a tag are. */
-function spotsIn({ organs: { tag, tags, count, transforms } }: Plant, wanted: string): Float32Array {
-	const width = transforms.length / Math.max(1, count);
-	const spots: number[] = [];
-	for (let i = 0; i < count; i++)
-		if (tags[tag[i]] === wanted) spots.push(...transforms.subarray(width * i, width * i + 3));
-	return Float32Array.from(spots);
 }

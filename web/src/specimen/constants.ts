@@ -17,7 +17,11 @@ export const MOST_CONSTANTS = 200;
 /** A name as the notation has it (docs/language.md). */
 const NAME = /^\p{L}[\p{L}\p{N}_]{0,63}$/u;
 /** Beyond these nothing is drawn that could be seen. */
-const LARGEST = 1e9;
+export const LARGEST = 1e9;
+
+/** Whether links and files hold such a value of such a name. */
+export const isHeld = (name: string, value: number): boolean =>
+	NAME.test(name) && Math.abs(value) <= LARGEST && (value === 0 || Math.fround(value) !== 0);
 
 /** @param names those that a specimen's text defines, once it has been fetched */
 export function constantValues<S extends Specimen & WithConstants>(
@@ -35,9 +39,9 @@ export function constantValues<S extends Specimen & WithConstants>(
 			return written === before ? [] : [["define", written]];
 		},
 		named: ({ constants: own }, values) => ({ constants: { ...own, ...values } }),
-		stranger: async (specimen) => {
+		stranger: async (specimen, asked = Object.keys(specimen.constants)) => {
 			const known = await names(specimen);
-			const name = Object.keys(specimen.constants).find((each) => !known.includes(each));
+			const name = asked.find((each) => !known.includes(each));
 			if (name === undefined) return undefined;
 			const [shown, more] = [known.slice(0, MOST_SHOWN), known.length - MOST_SHOWN];
 			const there = shown.length === 0 ? "there are none" : `there are ${shown.join(", ")}`;

@@ -24,8 +24,14 @@ export interface Detail<S extends Specimen = Specimen> {
 	read?(specimen: S, key: string, value: unknown, notes: Notes): void;
 	/** What to read where someone sets names that neither the table nor a detail knows: those of a text's own. */
 	named?(specimen: S, values: Readonly<Record<string, string>>): Readonly<Record<string, unknown>>;
-	/** The first of such names that a specimen's text does not know, and what to say of it; undefined where it knows all. */
-	stranger?(specimen: S): Promise<{ readonly name: string; readonly problem: string } | undefined>;
+	/**
+	 * The first of such names that a specimen's text does not know, and what to say of it; undefined where it knows all.
+	 * @param asked those that are meant; all that the specimen has where absent
+	 */
+	stranger?(
+		specimen: S,
+		asked?: readonly string[],
+	): Promise<{ readonly name: string; readonly problem: string } | undefined>;
 	/** Whether a grammar's text that came without a model's name is for this one; the first model that says so has it. */
 	claims?(text: string): boolean;
 	/** Once everything has been read: makes what was read fit together, and notes what did not. */

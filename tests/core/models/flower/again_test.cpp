@@ -179,7 +179,19 @@ TEST_CASE("a value in a request takes the place of a variable's, and one that th
   const Plant strange = grown("k j", {8, 5});
   CHECK(strange.measures[0] == doctest::Approx(0.8));
   REQUIRE(strange.notes.size() == grown("k", {8}).notes.size() + 1);
-  CHECK(strange.notes.back() == "The text has no #define j=, so a value of it changes nothing; it has k, own.");
+  CHECK(strange.notes.back() == "The text has no #define of j, so a value of it changes nothing; it has k, own.");
+  std::string many, strangers;
+  std::vector<float> values;
+  for (int i = 0; i < 300; ++i) {
+    const std::string name = std::string(500, 'v') + std::to_string(i);
+    many += "#define " + name + "=1\n";
+    strangers += (i == 0 ? "u" : " u") + std::to_string(i);
+    values.push_back(1);
+  }
+  const std::string told = sound(ask({many + text, 1, 1, 1, "measures", strangers, values}, nullptr)).notes.back();
+  CHECK(told.find("u0, u1, u2") != std::string::npos);
+  CHECK(told.find(" and 288 more, so") != std::string::npos);
+  CHECK(told.size() < 2000);
 }
 
 TEST_CASE("an m that is no material is told with the line that gives it") {
@@ -192,6 +204,12 @@ TEST_CASE("an m that is no material is told with the line that gives it") {
   CHECK(noted("#define A(4,0,0,0,2,2,2,999)" + rest + "A -> A[A]_{E}", "Line 1: A has m 999; a material's number"));
   CHECK(noted("#define A(4,0,0,0,2,2,2,1)" + rest + "A{}{step==1}{} -> A[B(,,,,,,,1.5)]_{E}\nB -> B[B]_{E}",
               "Line 5: B has m 1.5"));
+  CHECK(noted("#define A(4,0,0,0,2,2,2,1)" + rest + "A -E-> B(,,,,,,,300) B", "Line 5: B has m 300"));
+  CHECK(noted("#define A(4,0,0,0,2,2,2,1)\n#axiom: A(,,,,,,,300)", "Line 2: A has m 300"));
+  CHECK(noted("#define A(4,0,0,0,2,2,2,1)" + rest +
+                  "A{}{step==0}{} -> A[&M]_{E}\n#module M\n#define B(4,0,0,0,2,2,2,1)\n"
+                  "#axiom: B(,,,,,,,300)",
+              "Line 8: B has m 300"));
   CHECK_FALSE(noted("#define A(4,0,0,0,2,2,2,255)" + rest + "A -> A[A]_{E}", "has m"));
 }
 
@@ -222,6 +240,11 @@ TEST_CASE("figures that only place the map are no part of its bones") {
                                                                                            {"k=3", "k=-3"},
                                                                                            {"k=3", "k=2+1"}})
     CHECK_FALSE_MESSAGE(same(text, with(from, to)), from);
+  // What a call gives is made of is only what its own blocks come to: other lists of the line may have figures.
+  const std::string line =
+      "#define k=3\n#define A(4,0,0,0,1,1,1,1)\n#axiom: A\n"
+      "A{q=step/2}{step<3}{} -> A[A(,,,,k,,,)]_{E}[&M{n=4+q}]_{C1}\n#module M\n#define n=4\n#define B(n)\n#axiom: B\n";
+  CHECK(same(line, "#define k=5" + line.substr(11)));
   // Nor what variables take, which counts as work: what is equal is worked out once.
   const std::string twice = "#define k=age*3+age*3\n#define A(4)\n#axiom: A";
   CHECK(same(twice, twice));

@@ -161,6 +161,10 @@ TEST_CASE("a glue waits until its faces are adjacent, and one that never was is 
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
   CHECK(flower.derived.notes.empty());
   CHECK(grown(lobes + "R : R_C2 < R_C4 -> R_C2 | R_C4", steps(6)).noted("never came to be adjacent"));
+  CHECK(grown(lobes + "R : R_C5 < R_C4 -> R_C5 | R_C4", steps(6))
+            .noted("Line 6: R is a prism with 4 sides, which has no C5, and"));
+  CHECK(grown(lobes + "R : R_C1 < V_C7 -> R_C1 | V_C7", steps(6))
+            .noted("Line 6: V is a prism with 4 sides, which has no C7, and"));
 }
 
 TEST_CASE("a glue finds its own instance's face behind another's") {
@@ -417,7 +421,7 @@ TEST_CASE("Table 3 has one receptacle, four petals and four modules") {
   }
   const Flower flower = grown(text_named("table-3"));
   CHECK(flower.noted("ten numbers"));
-  CHECK(flower.noted("sewn to nothing, since the face has another number of edges: PTULIP in line"));
+  CHECK(flower.noted("PTULIP stands on faces that have other numbers of edges"));
   for (std::uint32_t v = 0; v < flower.derived.map.volumes(); ++v) {
     if (flower.name(v) != "PETAL") continue;
     const std::uint32_t side = gm::side_number(flower.derived.map.volume(v).parent_face);

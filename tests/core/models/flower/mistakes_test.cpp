@@ -126,8 +126,6 @@ const Mistake mistakes[] = {
     {good + "A -> A[B(«4.5)]_{E}", "3 to 4096"},
     {good + "A -> A[B(,«1e7)]_{E}", "between"},
     {good + "A{}{step>1}{} -> A[B(,«1/(step-2))]_{E}", "infinity in step 2, as by a division by 0"},
-    {good + "A -> A[B]_{E}\nB : «B_C5 < A_C1 -> B_C5 | A_C1", "4 sides, which has no C5"},
-    {good + "A -> A[B]_{E}\nB : B_C1 < «A_C7 -> B_C1 | A_C7", "4 sides, which has no C7"},
     {good + "#define finalStep=«1.5", "whole number"},
     {good + "#define finalStep=«-1", "whole number"},
     {good + "#define finalStep=«5000", "limit"},

@@ -134,6 +134,13 @@ TEST_CASE("stand: asked for fewer, rows about the middle are whole, and the last
     for (const Placement& plant : plants)
       if (plant.at.z == 4) CHECK(std::abs(plant.at.x) <= 2);
   }
+  // Of more than may stand at all, too, in rows and within a row.
+  for (const char* const rows : {"1 x 1", "1 x 0.02"})
+    for (const Placement& plant :
+         laid("ground 200 x 200\nplants 5000, rows " + std::string(rows) + "\na/b", 1, 50).plants) {
+      CHECK(plant.at.z == 0);
+      CHECK(std::abs(plant.at.x) <= 25);
+    }
 }
 
 TEST_CASE("stand: however rows run, all of their places that lie in the strip are taken") {

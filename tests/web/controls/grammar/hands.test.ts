@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { complaintOf, takenOf } from "../../../../web/src/controls/grammar/constants";
 import { added, frameOf, inText, moved, removed, valueAt } from "../../../../web/src/controls/grammar/curve";
 import { difference } from "../../../../web/src/controls/grammar/difference";
 import { reach, stepped } from "../../../../web/src/controls/grammar/scrub";
@@ -79,6 +80,19 @@ describe("a text beside another", () => {
 		expect(withText(source, specimen, "axiom: F F")).toEqual({ details: { grammar: "axiom: F F" } });
 		expect(withText(source, specimen, "axiom: F")).toEqual({ details: { grammar: undefined } });
 		expect(withText(source, specimen, undefined)).toEqual({ details: { grammar: undefined } });
+	});
+});
+
+describe("a number typed for a constant", () => {
+	const number = (value: number) => ({ text: String(value), value });
+
+	it("is taken as far as links hold it, and it is said what it became", () => {
+		expect([3, 2e9, -2e9].map(takenOf)).toEqual([3, 1e9, -1e9]);
+		expect(complaintOf("length", "3", 3, number(3))).toBeUndefined();
+		expect(complaintOf("length", "2e9", 2e9, number(1e9))).toBe(
+			"length takes -1000000000 … 1000000000. 2000000000 became 1000000000.",
+		);
+		expect(complaintOf("length", "long", Number.NaN, number(3))).toBe("“long” is not a number; length stays 3.");
 	});
 });
 

@@ -68,6 +68,17 @@ describe("constants", () => {
 		expect([...outlineOf("#define x 2*y\n#input m[]").names.keys()]).toEqual(["x", "m"]);
 	});
 
+	it("and what is worked out have places in the text, not lists, nor comments and modules", () => {
+		const text =
+			"#define x 2*y /* z */\n/*\n#define x 7\n*/\n#define w (1 +\n 2)\n#define l[] 1, 2\n#define e\n#module M\n#define m 1";
+		const { definitions } = outlineOf(text);
+		expect(definitions.map(({ name, from, to }) => [name, text.slice(from, to)])).toEqual([
+			["x", "2*y"],
+			["w", "(1 +\n 2)"],
+		]);
+		expect(withConstants("#define f max(2,\naxiom: F", { f: 3 })).toBe("#define f 3\naxiom: F");
+	});
+
 	it("take other values in the text", () => {
 		const text = "#define x 1 /* 0 … 9 */\n#define y -2\naxiom: F(x)";
 		expect(withConstants(text, { x: 3.5, y: 40, z: 1 })).toBe("#define x 3.5 /* 0 … 9 */\n#define y 40\naxiom: F(x)");

@@ -65,6 +65,27 @@ describe("the chosen volume", () => {
 		expect(stillChosen(before, undefined)).toBeUndefined();
 	});
 
+	it.each([
+		["a rest that stands before what it was split from", "A -O-> B C\n"],
+		["parts of what bears", "A{}{step==0}{} -> A[D]_{E}\nA -E-> B C\n"],
+	])("is every volume's own where the text splits: %s", (_, productions) => {
+		const plant = grown(
+			`#define A(4)\n#define B(4)\n#define C(4)\n#define D(4)\n#axiom: A\n#define finalStep=2\n${productions}`,
+		);
+		const { order, parent } = plant.volumes;
+		// Or nothing is shown.
+		expect(parent.some((from, at) => from !== 0xffffffff && from > at)).toBe(true);
+		for (let volume = 0; volume < order.length; volume++)
+			expect(stillChosen(plant, chosenOf(plant, volume))).toBe(volume);
+	});
+
+	it("is none of volumes that grew from each other", () => {
+		const { volumes } = grown(TEXT);
+		const round = { volumes: { ...volumes, parent: volumes.parent.map((_, at) => (at + 1) % 10) } };
+		expect(chosenOf(round, 3)).toBeUndefined();
+		expect(stillChosen(round, [{ label: "STEM", nth: 0 }])).toBeUndefined();
+	});
+
 	it("is none where there is none of that number", () => {
 		const plant = grown(TEXT);
 		for (const volume of [plant.volumes.order.length, -1, undefined]) expect(chosenOf(plant, volume)).toBeUndefined();

@@ -4,11 +4,13 @@ import { exportGlb } from "../../../../web/src/export/glb";
 import { readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
 import { colourAt, type Paint, paintsOf, pictureOf } from "../../../../web/src/models/flower/paint";
+import { fetchTexts } from "../../../../web/src/models/flower/texts";
 import type { Part } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { freshCore } from "../../core/wasm";
 import { complaints, documentOf } from "../../export/reading";
 
+await fetchTexts();
 const core = await freshCore("flower.wasm");
 
 const PLAIN: Paint = {
@@ -21,6 +23,15 @@ const PLAIN: Paint = {
 };
 
 const LONE = "#define A(4,0,0,0,5,5,5,3)\n#axiom: A\nA -> A[A]_{E}\n";
+
+/** What volumes of a petal are: its vein, its lobes on either side, and of a ligule what stands on its sides. */
+const LAYER: Readonly<Record<string, string>> = {
+	VEIN: "mesophyll",
+	M: "mesophyll",
+	U: "upper epidermis",
+	L: "lower epidermis",
+	D: "lower epidermis",
+};
 
 function parts(material: string, age = 1): Part[] {
 	const preset = fromPreset(model);
@@ -77,6 +88,27 @@ describe("the paint of organs", () => {
 						preset,
 					).toHaveLength(1);
 			}
+		}
+	});
+
+	it("has an upper epidermis, a mesophyll and a lower epidermis in every petal, sepal and leaf of every species", () => {
+		for (const { name: preset } of model.presets.list.filter(({ kind }) => kind === "species")) {
+			const plant = readFlowerPlant(core.grow(model.encode(fromPreset(model, preset), { sky: false, map: false })));
+			const { labels, label, values } = plant.volumes;
+			const calledOf = new Map(plant.meshes.map(({ name }, i) => [name, plant.names[i]]));
+			for (const [v, of] of label.entries()) {
+				const layer = LAYER[/^(?:VEIN|[RL][UML]\d|[UD])$/.exec(labels[of])?.[0].replace(/^[RL](.)\d$/, "$1") ?? ""];
+				if (layer === undefined) continue;
+				const mesh = `m${values[9 * v + 8]}`;
+				expect(calledOf.get(mesh) ?? "unseen", `${preset}: ${labels[of]}`).toMatch(RegExp(`^[a-z ]+, ${layer}$`));
+			}
+			const made = plant.meshes.map(({ material }, i) => `${material} ${plant.names[i].replace(/.*, /, "")}`);
+			// A clock's petals have gone.
+			for (const kind of preset === "dandelion-clock" ? ["leaf"] : ["petal", "leaf"])
+				for (const layer of Object.values(LAYER)) expect(made, preset).toContain(`${kind} ${layer}`);
+			const parts = [...model.parts(plant)].map(({ name }) => name.toLowerCase());
+			for (const name of plant.names) expect(parts, preset).toContain(name || parts[0]);
+			expect(new Set(parts).size, preset).toBe(parts.length);
 		}
 	});
 

@@ -1,12 +1,14 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import { memberOf } from "../../../../web/src/batch/series";
 import { checkVaried, readVary } from "../../../../web/src/batch/vary";
-import type { GrammarSource } from "../../../../web/src/controls/grammar/source";
+import { Axes } from "../../../../web/src/controls/gestures/axis";
+import type { GrammarDesk, GrammarSource } from "../../../../web/src/controls/grammar/source";
 import { textOf, withText, withValues } from "../../../../web/src/controls/grammar/source";
-import { FLOWER_FORMATS, writtenText } from "../../../../web/src/models/flower/formats";
+import { FLOWER_FORMATS } from "../../../../web/src/models/flower/formats";
 import { model } from "../../../../web/src/models/flower/index";
 import { fetchedText, fetchTexts, variablesIn } from "../../../../web/src/models/flower/texts";
 import { source as flowerSource } from "../../../../web/src/models/flower/tools/text";
+import { writtenText } from "../../../../web/src/models/flower/written_text";
 import { makeService } from "../../../../web/src/service/service";
 import { compressText } from "../../../../web/src/specimen/compressed_text";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
@@ -20,6 +22,7 @@ beforeAll(fetchTexts);
 
 const source = flowerSource as unknown as GrammarSource;
 const tulip = fromPreset(model, "tulip");
+const split = (link: string): [string, string] => [link.replace(/#.*$/, ""), /#.*$/.exec(link)?.[0] ?? ""];
 const taller = { ...tulip, constants: { length: 500 } };
 
 describe("values of a flower's text", () => {
@@ -45,7 +48,7 @@ describe("values of a flower's text", () => {
 		const written = await grow(["--grammar", "t.gl3"], { "t.gl3": text });
 		expect(json.specimen.constants).toEqual({ rd: 9, rdd: 9 });
 		expect(json.fingerprint).toBe(written.json.fingerprint);
-		expect(json.notes).toContain("The text has no #define rdd=, so a value of it changes nothing; it has rd.");
+		expect(json.notes).toContain("The text has no #define of rdd, so a value of it changes nothing; it has rd.");
 		expect(await complaint(["flower/table-3", "--set", "rd=x"])).toContain("rd is “x”, which is not a number");
 	});
 
@@ -57,6 +60,56 @@ describe("values of a flower's text", () => {
 		);
 		const gl3 = FLOWER_FORMATS.find(({ key }) => key === "gl3");
 		expect(await gl3?.make({} as never, taller, "")).toContain("#define length=500 /* 160 … 530 mm");
+	});
+});
+
+describe("a value", () => {
+	const bluebell = { ...fromPreset(model, "bluebell"), constants: { bells: 5 } };
+
+	it("of what is worked out is in the text that is shown, as it is in what grows", async () => {
+		const text = textOf(source, bluebell, () => {}) ?? "";
+		expect(text).toMatch(/^#define bells=5(?= |$)/m);
+		expect(writtenText(fetchedText(bluebell) ?? "", bluebell)).toBe(text);
+		const [set, written] = [
+			await grow(["flower/bluebell", "--set", "bells=5"]),
+			await grow(["--grammar", "b.gl3"], { "b.gl3": text }),
+		];
+		expect(written.json.fingerprint).toBe(set.json.fingerprint);
+	});
+
+	it("of such goes where its line is edited", () => {
+		const text = (textOf(source, bluebell, () => {}) ?? "").replace(/^#define bells=5/m, "#define bells=2*4");
+		expect(withText(source, bluebell, text)).toEqual({ details: { grammar: text, constants: {} } });
+	});
+
+	it("of finalStep is none: it has no slider, and stands in no text", async () => {
+		const poppy = { ...fromPreset(model, "poppy"), constants: { finalStep: 5 } };
+		const text = fetchedText(poppy) ?? "";
+		expect(text).toMatch(/^#define finalStep=\d+/m);
+		const desk = { state: { model, specimen: poppy } } as unknown as GrammarDesk;
+		const ids = new Axes(desk, source, () => {}).all.map(({ id }) => id);
+		expect(ids).toContain("constant length");
+		expect(ids).toContain("parameter steps");
+		expect(ids).not.toContain("constant finalStep");
+		expect(textOf(source, poppy, () => {})).toBe(text);
+		expect(withText(source, poppy, `${text}\n`)).toEqual({ details: { grammar: `${text}\n`, constants: {} } });
+		expect(writtenText(text, poppy)).toBe(text);
+	});
+
+	it("goes in front of modules and beside comments, over all lines of what it stands for", () => {
+		const written = (text: string, constants: Record<string, number>, steps = 0) =>
+			writtenText(text, { constants, parameters: { ...tulip.parameters, steps } });
+		expect(written("@ old:\n#define a=1\n@\n#define a=2\n", { a: 9 })).toBe("@ old:\n#define a=1\n@\n#define a=9\n");
+		expect(written("/*\n#module M\n*/\n#define a=2", { a: 9 }, 4)).toBe(
+			"/*\n#module M\n*/\n#define a=9\n#define finalStep=4\n",
+		);
+		expect(written("#define a=max(1,\n 2) @ so @\n#define b=1 <\n2\n", { a: 9, b: 8 })).toBe(
+			"#define a=9 @ so @\n#define b=8\n",
+		);
+		expect(written("# define a=1 @ one @\n#define A(4)\n#define A=3\n# module M\n", { a: 2, A: 7 }, 5)).toBe(
+			"# define a=2 @ one @\n#define A(4)\n#define A=7\n#define finalStep=5\n# module M\n",
+		);
+		expect(written("#define finalStep=1+\n(2)\n", {}, 6)).toBe("#define finalStep=6\n(2)\n");
 	});
 });
 
@@ -115,6 +168,13 @@ describe("a series", () => {
 	it("refuses names that the text does not have, and what is no number", async () => {
 		const unknown = readVary(model, "lenght=200..400", tulip);
 		await expect(checkVaried(model, unknown, tulip)).rejects.toThrow("lenght: no parameter has that key, and the text");
+		// Whatever else is unknown came another way, and is told there.
+		const strange = { ...tulip, constants: { aaa: 1 } };
+		for (const [vary, problem] of [["zzz=1..2", "zzz: no"] as const, ["length=200..400", undefined] as const]) {
+			const checked = checkVaried(model, readVary(model, vary, strange), strange);
+			if (problem) await expect(checked).rejects.toThrow(problem);
+			else await expect(checked).resolves.toBeUndefined();
+		}
 		expect(() => readVary(model, "length=a..b", tulip)).toThrow("which is not a number");
 		expect(() => readVary(model, "length=4..2", tulip)).toThrow("runs backwards");
 	});
@@ -147,6 +207,40 @@ describe("a slider of a constant", () => {
 		expect(withText(source, taller, `${text}\n`)).toEqual({ details: { grammar: `${text}\n`, constants: {} } });
 		expect(withText(source, { ...taller, grammar: `${text}\n` } as never, undefined)).toEqual({
 			details: { grammar: undefined, constants: {} },
+		});
+	});
+	it("leaves the preset its text where a letter is typed and taken back, or a number alone is another", () => {
+		const text = textOf(source, taller, () => {}) ?? "";
+		const typed = { ...taller, ...(withText(source, taller, `${text}x`).details as object) };
+		expect(typed).toMatchObject({ grammar: `${text}x`, constants: {} });
+		expect(withText(source, typed, text)).toEqual({ details: { grammar: undefined, constants: { length: 500 } } });
+		expect(withText(source, typed, text.replace("length=500", "length=50"))).toEqual({
+			details: { grammar: undefined, constants: { length: 50 } },
+		});
+		// As it is written: the digits are the text's own.
+		const own = text.replace("length=500", "length=50.0");
+		expect(withText(source, typed, own)).toEqual({ details: { grammar: own, constants: {} } });
+	});
+
+	it("is kept by its link, or else by its text", async () => {
+		for (const [values, held] of [
+			[{ length: 1e9 }, true],
+			[{ length: 2e9 }, false],
+			[{ length: 1e-50 }, false],
+		] as const) {
+			const { details } = withValues(source, tulip, values) as { details: object };
+			const moved = { ...tulip, ...details };
+			expect(moved.grammar === undefined).toBe(held);
+			const again = (await decodeLink(model, ...split(await encodeLink(model, moved)))).specimen;
+			expect(textOf(source, again, () => {})).toContain(`#define length=${values.length} `);
+		}
+	});
+
+	it("is kept by its text where its name is longer than links hold", async () => {
+		const name = "n".repeat(65);
+		const long: GrammarSource = { ...source, builtIn: () => `#define ${name}=1\n` };
+		expect(withValues(long, tulip, { [name]: 2 })).toEqual({
+			details: { grammar: `#define ${name}=2\n`, constants: {} },
 		});
 	});
 });

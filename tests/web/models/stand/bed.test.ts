@@ -5,7 +5,9 @@ import { exportGlb } from "../../../../web/src/export/glb";
 import { exportJson } from "../../../../web/src/export/json";
 import { growPlant } from "../../../../web/src/files/growth";
 import { modelNamed } from "../../../../web/src/models/index";
+import { KeptMembers } from "../../../../web/src/models/members";
 import { model } from "../../../../web/src/models/stand/index";
+import { sortsOf } from "../../../../web/src/models/stand/members";
 import { type PlantRecord, placementsCsv } from "../../../../web/src/models/stand/record";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
@@ -15,7 +17,7 @@ import { grownStand, planned, run } from "./stands";
 
 const FLOWERS = 300;
 /** Triangles, at the most, from near to far. */
-const MOST = [6000, 2200, 800, 390];
+const MOST = [6000, 2200, 800, 260];
 
 const BED = `ground 1.2 x 0.8
 plants 12, stratified
@@ -38,6 +40,13 @@ describe("a flowerbed", () => {
 		const of = (name: string) => flowers.filter((member) => member?.specimen.preset === name).length;
 		expect(of("pansy")).toBeGreaterThan(55);
 		expect(of("pansy") + of("daisy")).toBe(150);
+		expect(bed.notes).toEqual([]);
+		// Two lines of poppies and two of daisies are one sort each.
+		expect(bed.counts.kinds).toBe(9);
+		const sorts = sortsOf(bed);
+		expect(sorts.map(({ title }) => title).slice(0, 4)).toEqual(["Lily", "Poppy", "Umbel", "Globeflower"]);
+		expect(sorts[1].count).toBe(of("poppy"));
+		expect(sorts.reduce((sum, { count }) => sum + count, 0)).toBe(bed.places.count);
 	}, 300_000);
 });
 
@@ -64,6 +73,19 @@ describe("a small bed", () => {
 		// What comes through is of one kind in all: they are drawn together.
 		const finishes = new Set(bed.members.flatMap((member) => member?.levels[0].map(({ material }) => material) ?? []));
 		expect(finishes.size).toBeLessThan(12);
+	});
+
+	it("keeps its flowers where only what stands about them has changed", async () => {
+		let grown = 0;
+		const counted: typeof run = (wasm, blocks) => {
+			if (wasm === "flower.wasm") grown++;
+			return run(wasm, blocks);
+		};
+		const kept = new KeptMembers();
+		await grownStand(planned(BED), { kept });
+		const wider = await grownStand(planned(BED.replace("0.2 x 0.4", "0.6 x 0.9")), { kept, run: counted });
+		expect(wider.places.surroundings).not.toEqual(bed.places.surroundings);
+		expect(grown).toBe(0);
 	});
 
 	it("opens each flower alone by the link that it tells, as the same flower", async () => {

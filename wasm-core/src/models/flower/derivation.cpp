@@ -44,7 +44,7 @@ class Deriver {
     // Instances come at the end while these run.
     for (std::uint32_t instance = 0; instance < derived_.instances.size() && !stopped_; ++instance)
       if (!run(instance)) return evaluation_.trouble();
-    if (!tell()) return evaluation_.trouble();
+    tell();
     derived_.whole = !stopped_;
     return std::move(derived_);
   }
@@ -330,42 +330,47 @@ class Deriver {
     return true;
   }
 
-  // Whether what is to be glued can have such a face at all.
-  bool has_face(std::uint32_t label, Face face, const lsystem::Place& place) {
+  // Of what is to be glued: what its volumes have no such face for, where none has. How many sides they have may be
+  // luck, and so it is no mistake.
+  std::string without_face(std::uint32_t label, Face face) const {
     std::uint32_t order = 0;
     for (std::uint32_t volume = 0; volume < derived_.map.volumes(); ++volume) {
       if (label_of(volume) != label) continue;
-      if (derived_.map.has(volume, face)) return true;
+      if (derived_.map.has(volume, face)) return "";
       order = derived_.map.volume(volume).order;
     }
-    return order == 0 ||
-           evaluation_.fail(error_at(Reason::evaluation, place, "% is a prism with % sides, which has no C%.",
-                                     {program_.labels[label].name, std::to_string(order),
-                                      std::to_string(generalized_map::side_number(face))}));
+    if (order == 0) return "";
+    return sentence(
+        "% is a prism with % sides, which has no C%, and nothing was glued.",
+        {program_.labels[label].name, std::to_string(order), std::to_string(generalized_map::side_number(face))});
   }
 
   // One note for all, since most flowers have such places: a stem of twelve sides bears a leaf of four.
   void tell_attached() {
     constexpr std::size_t most_named = 6;
-    std::string named;
+    std::string first, others;
     std::size_t count = 0;
     for (std::size_t i = 0; i < attached_.size(); ++i) {
       if (attached_[i] == 0 || ++count > most_named) continue;
       const Growth& growth = numbers_.growth(static_cast<std::uint32_t>(i));
       const std::string& name =
           growth.module ? program_.grammars[growth.target].name : program_.labels[growth.target].name;
-      named += sentence(
-          "%% in line % (% times)",
-          {count > 1 ? ", " : "", name, std::to_string(growth.arguments.place.line), std::to_string(attached_[i])});
+      const std::string line = std::to_string(growth.arguments.place.line), times = std::to_string(attached_[i]);
+      if (count == 1)
+        first = sentence(
+            "Line %: % stands on faces that have other numbers of edges (% times): it is attached there, and sewn to "
+            "nothing",
+            {line, name, times});
+      else
+        others += sentence("%% in line % (% times)", {count > 2 ? ", " : "", name, line, times});
     }
     if (count == 0) return;
-    if (count > most_named) named += sentence(", and % more", {std::to_string(count - most_named)});
-    derived_.notes.push_back(
-        sentence("Attached, and sewn to nothing, since the face has another number of edges: %.", {named}));
+    if (count > most_named) others += sentence(", and % more", {std::to_string(count - most_named)});
+    derived_.notes.push_back(first + (others.empty() ? "." : sentence("; so are %.", {others})));
   }
 
-  // What did not come as the text has it. False where it cannot.
-  bool tell() {
+  // What did not come as the text has it.
+  void tell() {
     tell_attached();
     for (const Production& production : program_.productions) {
       const auto note = [&](const char* pattern, std::string_view more = {}) {
@@ -377,10 +382,12 @@ class Deriver {
       if (refusal != Refusal::nothing && !glues)
         note("Line %: what cannot be split there stays whole: %", words(refusal));
       if (glues && refusal == Refusal::nothing && glued_[production.number] == 0) {
-        if (!has_face(production.predecessor, production.face, production.face_place) ||
-            !has_face(production.other, production.other_face, production.other_place))
-          return false;
-        note("Line %: these faces never came to be adjacent, and nothing was glued.");
+        std::string lacks = without_face(production.predecessor, production.face);
+        if (lacks.empty()) lacks = without_face(production.other, production.other_face);
+        if (!lacks.empty())
+          note("Line %: %", lacks);
+        else
+          note("Line %: these faces never came to be adjacent, and nothing was glued.");
       }
       // Where it is the text that says how many steps there are.
       if (production.by_step && asked_[production.number] == 1 && !stopped_ && !cut_short_)
@@ -392,11 +399,10 @@ class Deriver {
       derived_.notes.push_back(
           sentence("Line %: modules stand in one another more than % deep; what is deeper was left out.",
                    {std::to_string(too_deep_), std::to_string(deepest)}));
-    if (derived_.notes.size() <= most_notes) return true;
+    if (derived_.notes.size() <= most_notes) return;
     const std::size_t more = derived_.notes.size() - most_notes;
     derived_.notes.resize(most_notes);
     derived_.notes.push_back(sentence("There are % more notes.", {std::to_string(more)}));
-    return true;
   }
 
   const Program& program_;

@@ -6,8 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "environment/openness.hpp"
@@ -24,7 +24,7 @@ constexpr std::array<std::size_t, level_count> most_triangles{6000, 2200, 800, 2
 constexpr float least_share = 0.65f;
 constexpr std::array<const char*, level_count> names{"level0", "level1", "level2", "level3"};
 // Of what stands close together one in so many is left, in this order.
-constexpr std::array<std::uint32_t, 14> strides{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 128, 256};
+constexpr std::array<std::uint32_t, 17> strides{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 1024, 4096};
 constexpr std::uint32_t crowd = 8, few = 4;  // organs of a form: those are a crowd, and so many are left of it
 constexpr std::uint32_t bearing = 6;         // by a sixth of the stride those are thinned that bear others
 constexpr std::uint32_t fewest = 8;          // triangles of what has more than a kite's sides
@@ -171,16 +171,15 @@ void Levels::find_form(const Derived& derived, std::uint32_t organ, const std::v
   if (!own.empty()) std::frexp(glm::length(high - low), &size);
   const std::size_t corners = sign.size();
   sign.push_back(static_cast<std::uint32_t>(size + 1024));
-  const auto same = std::find(known_.begin(), known_.end(), sign);
-  of.form = static_cast<std::uint32_t>(same - known_.begin());
+  const auto same = known_.find(sign);
+  of.form = same != known_.end() ? same->second : static_cast<std::uint32_t>(forms_.size());
   if (same != known_.end()) return;
 
   Form& form = forms_.emplace_back();
   Patch patch;
   for (const std::uint32_t vertex : own) patch.positions.push_back(places[vertex]);
   patch.is_fixed.assign(own.size(), 0);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, bool>
-      open;  // edges, and whether they have no face on their other side
+  std::set<std::pair<std::uint32_t, std::uint32_t>> open;  // edges that have no face on their other side
   for (std::size_t i = 0, face = 0; i < corners; ++face) {
     const std::size_t first = i + 1, end = first + sign[i];
     for (std::size_t c = first; c < end; ++c) {
@@ -194,7 +193,7 @@ void Levels::find_form(const Derived& derived, std::uint32_t organ, const std::v
       if (other != open.end()) {
         open.erase(other);
       } else {
-        open[{a, b}] = true;
+        open.insert({a, b});
       }
     }
     i = end;
@@ -205,9 +204,9 @@ void Levels::find_form(const Derived& derived, std::uint32_t organ, const std::v
   while (!open.empty()) {
     std::vector<std::uint32_t> ring;
     for (auto edge = open.begin(); edge != open.end(); edge = open.lower_bound({ring.back(), 0})) {
-      if (!ring.empty() && edge->first.first != ring.back()) break;
-      if (ring.empty()) ring.push_back(edge->first.first);
-      ring.push_back(edge->first.second);
+      if (!ring.empty() && edge->first != ring.back()) break;
+      if (ring.empty()) ring.push_back(edge->first);
+      ring.push_back(edge->second);
       open.erase(edge);
     }
     for (std::size_t i = 2; i < ring.size(); ++i)
@@ -225,7 +224,7 @@ void Levels::find_form(const Derived& derived, std::uint32_t organ, const std::v
   for (std::size_t i = 0, face = of.faces; i < corners; i += 1 + sign[i], ++face)
     labels.push_back(derived.map.volume(boundary_.volume[own_faces_[face]]).label);
   find_kite(form, patch.positions, labels);
-  known_.push_back(std::move(sign));
+  known_.emplace(std::move(sign), of.form);
 }
 
 void Levels::find_kite(Form& form, const std::vector<glm::vec3>& places, const std::vector<std::uint32_t>& labels) {
@@ -283,12 +282,22 @@ std::uint32_t Levels::stride(const Organ& organ, std::uint32_t thin) const {
   return std::min(thin, form.organs / few);
 }
 
-std::vector<std::uint8_t> Levels::kept(std::uint32_t thin) const {
+std::uint32_t Levels::stride_of_all(const Organ& organ, std::uint32_t thin) const {
+  const Form& form = forms_[organ.form];
+  return !form.rooted ? 1 : form.bears ? std::max(1u, thin / bearing) : thin;
+}
+
+std::vector<std::uint8_t> Levels::kept(const Sparse& sparse) const {
   std::vector<std::uint8_t> kept(organs_.size(), 1);
-  // Of each form, those whose bearers are kept.
+  // Of each form, those whose bearers are kept; and of those that are left, what bears and what does not.
   std::vector<std::uint32_t> count(forms_.size(), 0);
-  for (std::size_t i = 1; i < organs_.size(); ++i)
-    kept[i] = kept[organs_[i].maker] != 0 && count[organs_[i].form]++ % stride(organs_[i], thin) == 0;
+  std::array<std::uint32_t, 2> of_all{};
+  for (std::size_t i = 1; i < organs_.size(); ++i) {
+    const Organ& organ = organs_[i];
+    const Form& form = forms_[organ.form];
+    kept[i] = kept[organ.maker] != 0 && count[organ.form]++ % stride(organ, sparse.of_form) == 0 &&
+              (!form.rooted || of_all[form.bears ? 1 : 0]++ % stride_of_all(organ, sparse.of_all) == 0);
+  }
   return kept;
 }
 
@@ -309,11 +318,16 @@ std::size_t Levels::triangles(const std::vector<std::uint8_t>& kept, float error
 void Levels::choose(Level& level, std::size_t most, const std::vector<glm::vec3>& places) {
   constexpr float all = std::numeric_limits<float>::max();
   std::vector<std::uint8_t> there;
-  std::uint32_t thin = 1;
+  Sparse sparse;
   for (const std::uint32_t each : strides) {
-    thin = each;
-    there = kept(thin);
+    sparse.of_form = each;
+    there = kept(sparse);
     if (static_cast<float>(triangles(there, all)) <= least_share * static_cast<float>(most)) break;
+  }
+  // Organs that are all unlike are no crowds, and may still be too many.
+  for (std::size_t i = 1; i < strides.size() && triangles(there, all) > most; ++i) {
+    sparse.of_all = strides[i];
+    there = kept(sparse);
   }
   std::vector<float> errors{0};
   for (const Form& form : forms_) {
@@ -386,7 +400,10 @@ void Levels::choose(Level& level, std::size_t most, const std::vector<glm::vec3>
       level.volumes.push_back(boundary_.volume[own_faces_[organ.faces + form.faces[t]]]);
     }
     if (!form.rooted) continue;
-    const float crowded = form.bears ? 1 : std::min(widest, static_cast<float>(stride(organ, thin)));
+    const float crowded =
+        form.bears
+            ? 1
+            : std::min(widest, static_cast<float>(stride(organ, sparse.of_form) * stride_of_all(organ, sparse.of_all)));
     const float times = fuller[organ.form] * crowded;
     if (times != 1) level.wide.push_back({i, times});
   }

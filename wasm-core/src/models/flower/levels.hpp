@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -80,8 +81,13 @@ class Levels {
                  const std::vector<std::uint32_t>& owner);
   // `labels`: of the organ's faces, what their volumes are called.
   static void find_kite(Form& form, const std::vector<glm::vec3>& places, const std::vector<std::uint32_t>& labels);
+  // One in so many of what stands close together is left: of each form that is a crowd, and of all together.
+  struct Sparse {
+    std::uint32_t of_form = 1, of_all = 1;
+  };
   std::uint32_t stride(const Organ& organ, std::uint32_t thin) const;
-  std::vector<std::uint8_t> kept(std::uint32_t thin) const;
+  std::uint32_t stride_of_all(const Organ& organ, std::uint32_t thin) const;
+  std::vector<std::uint8_t> kept(const Sparse& sparse) const;
   std::size_t triangles(const std::vector<std::uint8_t>& kept, float error) const;
   void choose(Level& level, std::size_t most, const std::vector<glm::vec3>& places);
   void smoothen(Level& level, const std::vector<std::uint32_t>& vertices, const std::vector<glm::vec3>& places);
@@ -96,7 +102,7 @@ class Levels {
   std::vector<std::uint32_t> own_vertices_, own_faces_;  // of organs, one after the other
   std::vector<Form> forms_;
   // While forms are found: what tells each, and by vertex the number that it has in an organ.
-  std::vector<std::vector<std::uint32_t>> known_;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> known_;
   std::vector<std::uint32_t> local_;
   std::vector<Level> levels_;
   std::vector<std::uint8_t> numbers_;  // of materials, by volume, that levels are dressed by

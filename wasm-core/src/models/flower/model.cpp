@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -182,20 +183,30 @@ void measure_surface(Plant& plant) {
   plant.measures[static_cast<std::size_t>(Measure::surface)] = static_cast<float>(1e4 * area);
 }
 
+// `a, b and 7 more`, none of them longer than can be read.
+std::string listed(const std::vector<std::string_view>& names) {
+  constexpr std::size_t most_listed = 12, longest_listed = 64;
+  std::string all;
+  for (std::size_t i = 0; i < std::min(names.size(), most_listed); ++i) {
+    all.append(i == 0 ? "" : ", ").append(names[i].substr(0, longest_listed));
+    if (names[i].size() > longest_listed) all.append("…");
+  }
+  if (names.size() > most_listed)
+    all.append(lsystem::sentence(" and % more", {std::to_string(names.size() - most_listed)}));
+  return names.empty() ? "none" : all;
+}
+
 // A text that is edited may no longer have what was given a value: the flower grows without it.
 void note_strangers(Plant& plant, const Program& program, const Given& given) {
-  for (const Given::Value& value : given.values) {
-    std::string others;
-    bool known = false;
-    for (const Variable& variable : program.variables) {
-      if (variable.grammar != 0) continue;
-      known = known || variable.name == value.name;
-      others.append(others.empty() ? "" : ", ").append(variable.name);
-    }
-    if (!known)
-      plant.notes.push_back(lsystem::sentence("The text has no #define %=, so a value of it changes nothing; it has %.",
-                                              {value.name, others.empty() ? "none" : others}));
-  }
+  std::vector<std::string_view> own, strange;
+  for (const Variable& variable : program.variables)
+    if (variable.grammar == 0) own.push_back(variable.name);
+  const std::set<std::string_view> known(own.begin(), own.end());
+  for (const Given::Value& value : given.values)
+    if (!known.contains(value.name)) strange.push_back(value.name);
+  if (!strange.empty())
+    plant.notes.push_back(lsystem::sentence("The text has no #define of %, so a value of it changes nothing; it has %.",
+                                            {listed(strange), listed(own)}));
 }
 
 bool read_values(Request& request, Given& given) {
@@ -242,7 +253,8 @@ bool replaced(Grown& last, const Program& program, const Given& given, const Lim
 }
 
 // The flower now stands first. Errors: those of reading and of growing.
-Result<Grown*> grown(std::string_view text, const Given& given, const Limits& limits, bool of_bed, LastFlowers& last) {
+Result<Grown*> grown(std::string_view text, const Given& given, const Limits& limits, bool skinless,
+                     LastFlowers& last) {
   auto& all = last.all;
   std::shared_ptr<const Program> program;
   for (const auto& each : all)
@@ -262,8 +274,8 @@ Result<Grown*> grown(std::string_view text, const Given& given, const Limits& li
                   all.begin() + static_cast<std::ptrdiff_t>(i) + 1);
   }
   if (!again) {
-    // Before another grows: but for beds there is never room needed for two.
-    if (!of_bed) all.clear();
+    // Before another grows: where there are skins there is never room needed for two.
+    if (!skinless) all.clear();
     auto derived = derive(*program, given, limits);
     if (!derived) return derived.error();
     all.insert(all.begin(), std::make_unique<Grown>(std::move(derived.value())));
@@ -309,8 +321,11 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   Keeping* const kept = request.kept();
   std::unique_ptr<LastFlowers> last(kept ? static_cast<LastFlowers*>(kept->release()) : nullptr);
   if (!last) last = std::make_unique<LastFlowers>();
-  const auto flower = grown(text, given, limits, levels && !meshes, *last);
-  if (!flower) return flower.error();
+  const auto flower = grown(text, given, limits, !meshes, *last);
+  if (!flower) {
+    if (kept) *kept = std::move(last);
+    return flower.error();
+  }
   auto& [own_text, own_program, own_given, derived, embedding, skin, own_levels] = *flower.value();
   const Program& program = *own_program;
   plant.notes.insert(plant.notes.end(), derived.notes.begin(), derived.notes.end());

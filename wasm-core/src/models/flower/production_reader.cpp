@@ -107,7 +107,9 @@ bool Reader::assignments(std::size_t begin, std::size_t end) {
     std::size_t semicolon = at_;
     while (semicolon < end && !tokens_[semicolon].is(';')) ++semicolon;
     Number value;
-    if (!number(semicolon, Scope::production, false, value)) return false;
+    Uses uses;
+    if (!number(semicolon, Scope::production, false, value, &uses)) return false;
+    of_blocks_.add(uses);
     if (locals_.size() == most_locals) return fail(Reason::limit, here(), "A production sets at most 64 names.");
     lowering_.assign(name, value.value.source);
     locals_.push_back(name);
@@ -262,16 +264,14 @@ bool Reader::settings(Growth& growth) {
     std::size_t semicolon = at_;
     while (semicolon < end && !tokens_[semicolon].is(';')) ++semicolon;
     const std::size_t first = at_;
-    const Uses before = std::exchange(of_blocks_, {});
     Number number;
-    if (!this->number(semicolon, Scope::production, false, number)) return false;
-    Uses uses = of_blocks_;
-    const bool of_blocks = std::exchange(uses.locals, false);
-    if (of_blocks) uses.add(before);
+    Uses uses;
+    if (!this->number(semicolon, Scope::production, false, number, &uses)) return false;
+    const bool of_blocks = uses.locals;
+    if (of_blocks) uses.add(of_blocks_);
     uses.locals = false;
     uses_of_variables_[setting.variable].add(uses);
     calls_.emplace_back(setting.variable, of_blocks ? read_ : Statement{first, semicolon, grammar_});
-    of_blocks_.add(before);
     setting.value = number.value;
     growth.settings.push_back(setting);
     at_ = std::min(end, semicolon + 1);
@@ -347,8 +347,6 @@ bool Reader::glue(Production& production) {
     }
     if (i == 2 && !expect('|', "A | is expected here, between the faces that are glued.")) return false;
   }
-  production.face_place = places[0];
-  production.other_place = places[1];
   production.face = sides[0];
   production.other = labels[1];
   production.other_face = sides[1];

@@ -120,7 +120,6 @@ struct Production {
   std::vector<Growth> growths;
   // glue: own face, and whose other one; split: where
   Face face = generalized_map::base_face, other_face = generalized_map::base_face;
-  lsystem::Place face_place, other_place;
   std::uint32_t other = 0;
   std::uint32_t rest = 0, part = 0;
   Description rest_description, part_description;

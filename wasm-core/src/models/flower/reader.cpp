@@ -229,11 +229,9 @@ bool Reader::variable() {
   }
   const std::uint32_t at = find_variable(name, grammar_);
   known_variables_ = at;
-  of_blocks_ = {};
   Number& value = program_.variables[at].number;
-  if (!number(end_, Scope::variable, false, value)) return false;
+  if (!number(end_, Scope::variable, false, value, &uses_of_variables_[at])) return false;
   program_.variables[at].needs = lowering_.once_bound();
-  uses_of_variables_[at] = of_blocks_;
   grammar.draws |= value.draws;
   return true;
 }
@@ -335,7 +333,6 @@ bool Reader::number(std::size_t end, Scope scope, bool of_map, Number& number, U
   }
   number.value = {true, {begin, lowering_.here()}, source.value(), tree.place};
   if (of_map) rebuilds(uses);
-  of_blocks_.add(uses);
   if (used != nullptr) *used = uses;
   return true;
 }

@@ -122,7 +122,7 @@ class Reader : lsystem::TokenReader {
   lsystem::Names labels_, variables_, grammars_;            // by key_of; modules by name
   std::deque<std::string> spelled_;
   std::vector<std::string_view> locals_;
-  Uses of_blocks_;
+  Uses of_blocks_;  // of a production: what its names that are set come from
   struct Renamed {
     std::uint32_t line, from, to;
   };

@@ -57,19 +57,30 @@ std::uint64_t bytes_of(const std::vector<Value>& values) {
 // Of a volume whose m is no material's number: where the text gives it.
 std::string strange_material(const Program& program, const Derived& derived, std::uint32_t volume) {
   std::vector<const Growth*> growths(program.growths, nullptr);
-  for (const Production& production : program.productions)
+  std::vector<const Production*> splits(program.productions.size(), nullptr);
+  for (const Production& production : program.productions) {
+    splits[production.number] = &production;
     for (const Growth& growth : production.growths) growths[growth.number] = &growth;
-  const auto gives = [](const Description& description) { return description.has(Field::material); };
-  const Record* record = &derived.records[derived.record_of[volume]];
-  lsystem::Place place;
-  for (;;) {
-    const Growth* const growth = record->kind == Record::Kind::grown ? growths[record->source] : nullptr;
-    if (growth != nullptr && gives(growth->arguments)) place = growth->arguments.place;
-    const bool own = place.line > 0 || record->before == nobody;
-    if (own || (record->kind == Record::Kind::grown && !record->inherits)) break;
-    record = &derived.records[record->before];
   }
-  if (place.line == 0) place = program.labels[record->label].description.place;
+  lsystem::Place place;
+  const auto gives = [&](const Description& description) {
+    const bool does = place.line == 0 && description.has(Field::material);
+    if (does) place = description.places[static_cast<std::size_t>(Field::material)];
+  };
+  for (const Record* record = &derived.records[derived.record_of[volume]]; place.line == 0;
+       record = &derived.records[record->before]) {
+    const bool grown = record->kind == Record::Kind::grown;
+    if (grown) gives(growths[record->source]->arguments);
+    if (record->kind == Record::Kind::rest) gives(splits[record->source]->rest_description);
+    if (record->kind == Record::Kind::part) gives(splits[record->source]->part_description);
+    const bool begins = record->before == nobody || record->instance != record->maker;
+    if (begins) gives(program.grammars[derived.instances[record->instance].grammar].axiom_arguments);
+    if (record->before == nobody || (grown && !record->inherits)) {
+      gives(program.labels[record->label].description);
+      break;
+    }
+  }
+  if (place.line == 0) place = program.labels[derived.map.volume(volume).label].description.place;
   const float m = derived.values[derived.record_of[volume]][static_cast<std::size_t>(Field::material)];
   return lsystem::sentence(
       "Line %: % has m %; a material's number is a whole one from 0 to 255, and 0 is taken.",

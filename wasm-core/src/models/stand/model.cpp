@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,14 @@ std::vector<const Kind*> kinds_of(const Plan& plan) {
   for (const Layer& layer : plan.layers)
     for (const Kind& kind : layer.kinds) kinds.push_back(&kind);
   return kinds;
+}
+
+// A species may stand in several lines.
+std::uint32_t count_names(const std::vector<const Kind*>& kinds) {
+  std::vector<std::string_view> names;
+  for (const Kind* kind : kinds) names.push_back(kind->name);
+  std::sort(names.begin(), names.end());
+  return static_cast<std::uint32_t>(std::unique(names.begin(), names.end()) - names.begin());
 }
 
 void add_kinds(Plant& plant, const std::vector<const Kind*>& kinds) {
@@ -179,7 +188,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const auto borne = static_cast<std::uint32_t>(
       std::count_if(plants->begin(), plants->end(), [](const Placement& of) { return of.bearer >= 0; }));
   plant.counts = {{"plants", static_cast<std::uint32_t>(plants->size())},
-                  {"kinds", static_cast<std::uint32_t>(kinds.size())},
+                  {"kinds", count_names(kinds)},
                   {"borne", borne}};
   Trellises trellises = trellises_of(plan.value(), ground, plants.value());
   if (trellises.posts > 0) plant.counts.push_back({"posts", trellises.posts});

@@ -128,15 +128,15 @@ struct InRow {
   glm::vec2 at;
 };
 
-// Of too many those of the rows nearest to the middle, and of the last of these from its own middle; in the order they
-// had.
+// Of too many those of the rows nearest to the middle, and of the last of these from its own middle; from the back.
 void keep_middle(std::vector<InRow>& spots, std::uint32_t count) {
-  if (spots.size() <= count) return;
-  std::sort(spots.begin(), spots.end(), [](const InRow& a, const InRow& b) {
-    return std::tuple(std::abs(a.row), a.row, std::abs(a.place), a.place) <
-           std::tuple(std::abs(b.row), b.row, std::abs(b.place), b.place);
-  });
-  spots.resize(count);
+  if (spots.size() > count) {
+    std::sort(spots.begin(), spots.end(), [](const InRow& a, const InRow& b) {
+      return std::tuple(std::abs(a.row), a.row, std::abs(a.place), a.place) <
+             std::tuple(std::abs(b.row), b.row, std::abs(b.place), b.place);
+    });
+    spots.resize(count);
+  }
   std::sort(spots.begin(), spots.end(),
             [](const InRow& a, const InRow& b) { return std::tie(a.row, a.place) < std::tie(b.row, b.place); });
 }
@@ -154,11 +154,14 @@ void in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const 
   const auto rows = static_cast<std::int32_t>(std::min(reach / layer.apart, 1e5f));
   const float places = std::floor(std::min(reach / layer.along, 1e5f));
   std::vector<InRow> found;
-  for (std::int32_t row = -rows; row <= rows && found.size() < most; ++row) {
+  for (std::int32_t i = 0; i <= 2 * rows && found.size() < (fewer ? count : most); ++i) {
+    // 0, −1, 1, −2 … where those nearest to the middle are wanted, and else from the back.
+    const std::int32_t row = !fewer ? i - rows : i % 2 == 0 ? i / 2 : -(i + 1) / 2;
     const glm::vec2 of_row = middle + layer.apart * static_cast<float>(row) * across;
     const Steps steps = within(strip, of_row, layer.along * along, places);
     const auto last = static_cast<std::int32_t>(steps.last);
-    for (auto place = static_cast<std::int32_t>(steps.first); place <= last && found.size() < most; ++place) {
+    for (auto place = static_cast<std::int32_t>(steps.first); place <= last && (fewer || found.size() < most);
+         ++place) {
       const glm::vec2 spot = of_row + layer.along * static_cast<float>(place) * along;
       if (strip.holds(spot)) found.push_back({row, place, spot});
     }

@@ -1,9 +1,11 @@
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
+import { LARGEST } from "../../specimen/constants";
 import { ControlElement } from "../control_element";
 import { HeldKey } from "../held_key";
 import { sliderRow } from "../slider_row";
-import { type Constant, type Curve, decimals, type Outline } from "./outline";
+import { refusal } from "../typed";
+import { type Constant, type Curve, decimals, type NumberAt, type Outline } from "./outline";
 import { ReadOutline } from "./read_outline";
 import { written } from "./scrub";
 import { type GrammarDesk, type GrammarSource, isOwn, textOf, withText, withValues } from "./source";
@@ -18,6 +20,8 @@ export class Constants extends ControlElement<GrammarDesk> {
 	/** The outlines of the document's text and of the built-in one, as they were last read. */
 	readonly #read = new ReadOutline();
 	readonly #published = new ReadOutline();
+	/** What became of a value that could not be taken as typed. */
+	#message: { readonly name: string; readonly value: number; readonly text: string | undefined } | undefined;
 
 	protected override shows(): readonly unknown[] {
 		return [this.#text()];
@@ -58,12 +62,24 @@ export class Constants extends ControlElement<GrammarDesk> {
 			help: `${words ? `${words}. ` : ""}${min} … ${max}. Line ${constant.line} of the grammar.`,
 			held: this.#held,
 			slide: (value) => this.#edit(constant, value),
-			type: (typed) => {
-				if (Number.isFinite(typed)) this.#set(name, String(typed));
-				return this.#outline.constants.find((each) => each.name === name)?.number.text ?? "";
-			},
+			type: (typed, text) => this.#type(name, typed, text),
 			...(published === undefined ? {} : { reset: () => this.#set(name, published) }),
-		})}</div>`;
+		})}</div>${this.#complaint(name, number.value)}`;
+	}
+
+	#type(name: string, typed: number, text: string): string {
+		if (Number.isFinite(typed)) this.#set(name, String(takenOf(typed)));
+		const number = this.#outline.constants.find((each) => each.name === name)?.number;
+		if (!number) return "";
+		this.#message = { name, value: number.value, text: complaintOf(name, text, typed, number) };
+		this.requestUpdate();
+		return number.text;
+	}
+
+	#complaint(name: string, value: number): unknown {
+		const said = this.#message;
+		if (said?.text === undefined || said.name !== name || said.value !== value) return nothing;
+		return html`<p class="clamped" role="status">${said.text}</p>`;
 	}
 
 	/** A slider moves: the number takes as many digits as its steps need. */
@@ -112,6 +128,15 @@ export class Constants extends ControlElement<GrammarDesk> {
 		if (text === undefined) return undefined;
 		return this.#published.of(text, this.source).constants.find((each) => each.name === name)?.number.text;
 	}
+}
+
+/** What is taken of a number that is typed: links hold no larger one. */
+export const takenOf = (typed: number): number => Math.min(Math.max(typed, -LARGEST), LARGEST);
+
+/** What to say where the number taken is not the one typed; undefined where it is. */
+export function complaintOf(name: string, text: string, typed: number, taken: Pick<NumberAt, "text" | "value">) {
+	if (typed === taken.value) return undefined;
+	return refusal(name, `${-LARGEST} … ${LARGEST}.`, text, typed, taken.text);
 }
 
 customElements.define("panicle-constants", Constants);

@@ -26,6 +26,13 @@ export interface Constant extends Range {
 	readonly words: string;
 }
 
+/** What a `#define` gives its name, and where that stands in the text. */
+export interface Definition {
+	readonly name: string;
+	readonly from: number;
+	readonly to: number;
+}
+
 /** A `#curve`: a function through points. */
 export interface Curve {
 	readonly name: string;
@@ -40,6 +47,8 @@ export interface Curve {
 export interface Outline {
 	readonly pieces: readonly Piece[];
 	readonly constants: readonly Constant[];
+	/** Those and what is worked out. */
+	readonly definitions: readonly Definition[];
 	readonly curves: readonly Curve[];
 	/** Names that constants, inputs and curves explain, by what they are. */
 	readonly names: ReadonlyMap<string, string>;
@@ -50,19 +59,24 @@ export interface Outline {
 /** Reads what a text has; whatever cannot be read is left out. @param pieces the text's, of a language other than L-systems' */
 export function outlineOf(text: string, pieces: readonly Piece[] = scan(text)): Outline {
 	const constants: Constant[] = [];
+	const definitions: Definition[] = [];
 	const curves: Curve[] = [];
 	const names = new Map<string, string>();
 	for (const line of byStatement(pieces)) {
 		const [head, name] = line;
+		const word = wordOf(head);
 		// What follows is a grammar of its own, and so are its names.
-		if (head.text === "#module") break;
+		if (word === "#module") break;
 		if (name?.kind !== "name" && name?.kind !== "function") continue;
-		if (!/^#(?:define|input|curve)$/.test(head.text)) continue;
+		if (!/^#(?:define|input|curve)$/.test(word)) continue;
 		names.set(name.text, text.slice(head.from, line.findLast(({ kind }) => kind !== "comment")?.to));
-		if (head.text === "#define") constants.push(...constantIn(line));
-		if (head.text === "#curve") curves.push(...curveIn(line));
+		if (word === "#define") {
+			constants.push(...constantIn(line));
+			definitions.push(...definitionIn(line));
+		}
+		if (word === "#curve") curves.push(...curveIn(line));
 	}
-	return { pieces, constants, curves, names, symbols: symbolsIn(pieces, text) };
+	return { pieces, constants, definitions, curves, names, symbols: symbolsIn(pieces, text) };
 }
 
 /** The number at a place of the text, its ends included. */
@@ -75,27 +89,46 @@ export function numberAt(pieces: readonly Piece[], place: number): NumberAt | un
 	return number && number.from <= place ? number : undefined;
 }
 
-/** The text with other values for constants of it: what presets of one text differ by. @param pieces as `outlineOf` has them */
+/** What a statement begins with, be it written `# define`. */
+export const wordOf = ({ text }: Piece): string => text.replace(/^#\s+/, "#");
+
+/**
+ * The text with other values for what it defines, numbers or not: what presets of one text differ by.
+ * @param pieces as `outlineOf` has them
+ */
 export function withConstants(
 	text: string,
 	values: Readonly<Partial<Record<string, number>>>,
 	pieces?: readonly Piece[],
 ): string {
 	let result = text;
-	for (const { name, number } of outlineOf(text, pieces).constants.toReversed()) {
-		const value = values[name];
-		if (value !== undefined) result = result.slice(0, number.from) + value + result.slice(number.to);
-	}
+	for (const { name, from, to } of outlineOf(text, pieces).definitions.toReversed())
+		if (Object.hasOwn(values, name)) result = result.slice(0, from) + values[name] + result.slice(to);
 	return result;
 }
 
-/** The pieces from each statement on, up to the end of its line. */
+/** The pieces from each statement on, up to the end of its line; it goes on in the next one within brackets and behind `<`. */
 function* byStatement(pieces: readonly Piece[]): Iterable<Piece[]> {
 	for (let at = 0; at < pieces.length; at++) {
 		if (pieces[at].kind !== "statement") continue;
-		const end = pieces.findIndex(({ line }, index) => index > at && line > pieces[at].line);
-		yield pieces.slice(at, end < 0 ? undefined : end);
+		let [end, line, open, last] = [at + 1, pieces[at].line, 0, ""];
+		for (; end < pieces.length; end++) {
+			const piece = pieces[end];
+			if (piece.line > line && (piece.kind === "statement" || (open <= 0 && last !== "<"))) break;
+			line = piece.line;
+			if (piece.kind === "comment") continue;
+			open += Number(/^[([{]$/.test(piece.text)) - Number(/^[)\]}]$/.test(piece.text));
+			last = piece.text;
+		}
+		yield pieces.slice(at, end);
 	}
+}
+
+/** Lists and volumes have no value that could be another. */
+function definitionIn([, name, ...rest]: readonly Piece[]): Definition[] {
+	const body = rest.filter(({ kind, text }, index) => kind !== "comment" && !(index === 0 && text === "="));
+	if (name.kind !== "name" || body.length === 0 || body[0].text === "[") return [];
+	return [{ name: name.text, from: body[0].from, to: body[body.length - 1].to }];
 }
 
 function constantIn(line: readonly Piece[]): Constant[] {

@@ -128,8 +128,10 @@ class Scanner {
 		if (/^[\d.]/.test(piece) && piece !== ".") return "number";
 		if (/^[(),.;]$/.test(piece)) return this.#depth === 0 && piece !== "(" && piece !== ")" ? this.#loose() : "mark";
 		if (this.#depth > 0 || this.#sort === "values") {
-			if (named)
+			// What is defined is not called, whatever stands behind it.
+			if (named && this.pieces.at(-1)?.text !== "#define")
 				return /^[ \t]*\(/.test(this.#text.slice(at + piece.length, at + piece.length + 8)) ? "function" : "name";
+			if (named) return "name";
 			return VALUE_SIGNS.test(piece) ? "operator" : "mark";
 		}
 		if (piece === "[" || piece === "]") return "branch";

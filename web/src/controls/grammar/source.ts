@@ -1,6 +1,6 @@
 /** Where a model's grammars come from, and what a change of one writes into the document. */
 import type { Plant } from "../../plant/plant";
-import { type Constants, inOrder, type WithConstants } from "../../specimen/constants";
+import { type Constants, inOrder, isHeld, MOST_CONSTANTS, type WithConstants } from "../../specimen/constants";
 import type { WithGrammar } from "../../specimen/grammar_text";
 import type { Specimen } from "../../specimen/specimen";
 import type { Change, Desk } from "../desk";
@@ -51,22 +51,31 @@ export function isOwn({ grammar }: WithGrammar): boolean {
 }
 
 /**
- * The change that makes a text the document's, undefined the built-in one: one that is that is none of its own. Values of constants that
- * the text says itself are then nowhere else: one number, one place.
+ * The change that makes a text the document's, undefined the built-in one. One that is that but for numbers of its constants is none of
+ * its own, whoever wrote them. Values of names that a text of one's own defines are nowhere else: one number, one place.
  */
 export function withText(source: GrammarSource, specimen: Specimen & WithGrammar, text: string | undefined): Change {
 	const { presetConstants } = source;
 	const builtIn = source.builtIn(specimen);
 	if (!presetConstants) return { details: { grammar: text === builtIn ? undefined : text } };
 	const published = presetConstants(specimen.preset);
-	const own = constantsOf(specimen);
 	if (text === undefined) return { details: { grammar: text, constants: published } };
-	const same = (constants: Constants) => typeof builtIn === "string" && text === valued(source, builtIn, constants);
-	const constants = !isOwn(specimen) && same(own) ? own : same(published) ? published : undefined;
-	if (constants) return { details: { grammar: undefined, constants } };
-	const written = new Set(outlineOf(text, source.dialect?.scan(text)).constants.map(({ name }) => name));
-	const given = Object.entries(own).filter(([name]) => !written.has(name));
-	return { details: { grammar: text, constants: Object.fromEntries(given) } };
+	const { constants, definitions } = outlineOf(text, source.dialect?.scan(text));
+	const defined = new Set(definitions.map(({ name }) => name));
+	const strange = Object.entries(constantsOf(specimen)).filter(([name]) => !defined.has(name));
+	if (typeof builtIn === "string") {
+		const said = new Map(definitionsOf(source, builtIn));
+		const told = constants
+			.filter(
+				({ name, number }) =>
+					!source.governed?.has(name) && (Object.hasOwn(published, name) || said.get(name) !== number.text),
+			)
+			.map(({ name, number }) => [name, number.value] as const);
+		const own = inOrder([...strange, ...told]);
+		if (areHeld(own) && text === valued(source, builtIn, own))
+			return { details: { grammar: undefined, constants: own } };
+	}
+	return { details: { grammar: text, constants: Object.fromEntries(strange) } };
 }
 
 /**
@@ -90,20 +99,33 @@ export function withValues(
 	);
 	// What the text says itself need not be said.
 	const told = Object.entries({ ...constantsOf(specimen), ...values }).filter(
-		([name, value]) => name in published || said.get(name)?.value !== value,
+		([name, value]) => Object.hasOwn(published, name) || said.get(name)?.value !== value,
 	);
-	return { details: { constants: inOrder(told) } };
+	const constants = inOrder(told);
+	if (areHeld(constants)) return { details: { constants } };
+	return withText(source, specimen, withConstants(text, values, source.dialect?.scan(text)));
 }
+
+/** Whether links hold them; a text holds any. */
+const areHeld = (constants: Constants): boolean => {
+	const all = Object.entries(constants);
+	return all.length <= MOST_CONSTANTS && all.every(([name, value]) => isHeld(name, value));
+};
+
+/** What a text gives its names, as it is written there. */
+const definitionsOf = ({ dialect }: GrammarSource, text: string) =>
+	outlineOf(text, dialect?.scan(text)).definitions.map(({ name, from, to }) => [name, text.slice(from, to)] as const);
 
 const constantsOf = (specimen: Specimen & Partial<WithConstants>): Constants => specimen.constants ?? {};
 
 /** Texts as they were last written, by the values in them: asked for whenever something is drawn. */
 const written = new WeakMap<Constants, { readonly text: string; readonly valued: string }>();
 
-function valued({ dialect }: GrammarSource, text: string, constants: Constants): string {
+function valued({ dialect, governed }: GrammarSource, text: string, constants: Constants): string {
 	const before = written.get(constants);
 	if (before?.text === text) return before.valued;
-	const now = Object.keys(constants).length === 0 ? text : withConstants(text, constants, dialect?.scan(text));
+	const free = Object.entries(constants).filter(([name]) => !governed?.has(name));
+	const now = free.length === 0 ? text : withConstants(text, Object.fromEntries(free), dialect?.scan(text));
 	written.set(constants, { text, valued: now });
 	return now;
 }

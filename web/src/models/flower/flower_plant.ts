@@ -75,7 +75,7 @@ export function readFlowerPlant(answer: Answer): FlowerPlant {
 			.map((mesh) => ({ mesh, paint: columns.octets(`mesh.${mesh.name}.paint`) })),
 		volumes: columns.has("volumes.label") ? readVolumes(columns) : NO_VOLUMES,
 		...(columns.has("alpha0") ? { darts: readDarts(columns) } : {}),
-		names: columns.has("materials.name") ? columns.lines("materials.name") : [],
+		names: columns.has("materials.name") ? columns.text("materials.name").split("\n") : [],
 		colours: columns.has("materials.colours") ? columns.words("materials.colours") : new Uint32Array(),
 		paint: columns.has("materials.paint") ? columns.floats("materials.paint") : new Float32Array(),
 	};

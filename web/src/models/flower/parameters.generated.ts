@@ -36,7 +36,7 @@ export const PARAMETERS: readonly Entry[] = [
 		symbol: "age",
 		group: "life",
 		kind: "number",
-		unit: "×",
+		unit: "",
 		min: 0,
 		max: 2,
 		default: 1,

@@ -21,14 +21,17 @@ export const TEXTS: Readonly<Record<string, string>> = {
 #define finalStep=14+bells
 
 #material 1 stem "6c8450" "586880"
-#material 2 leaf "3f7038" "4f8044"
-#material 4 petal "5660b8" "7f88e6" veins "444c9e" 1 0.5 bud "5f6a9a" "5a64b4" wilted "8a86a8" "a8a0b4"
-#material 5 petal "4a50a6" "6a74d8" bud "5a6492" "545ea8" wilted "827e9c" "9a92a6"
+#material 2 leaf "3f7038" "4f8044" name "leaf, upper epidermis"
+#material 12 leaf "5b8a50" "6a985c" name "leaf, mesophyll"
+#material 13 leaf "587f52" "6a9060" name "leaf, lower epidermis"
+#material 4 petal "6670c0" "8890ec" bud "5f6a9a" "5a64b4" wilted "8a86a8" "a8a0b4" name "tepal, upper epidermis"
+#material 8 petal "363f8c" "4d57b2" bud "4c5688" "4a54a0" wilted "716d92" "8c86a0" name "tepal, mesophyll"
+#material 5 petal "4a50a6" "6a74d8" bud "5a6492" "545ea8" wilted "827e9c" "9a92a6" name "tepal, lower epidermis"
 #material 6 stamen "e6e2d0" "efe9cf"
 #material 7 petal "4d5590" "5c64b8"
 
 #axiom: STEM(,,,55,,,,)
-STEM{}{step<4}{} -> OLD[STEM]_{E}[&PETAL{K=12; J=1; len=math.random(250,300); wide=math.random(8,12); thick=0.9; start=-66+math.random(-9,9); sway=math.random(-8,8); low=6; mid=16; high=math.random(30,80); cup=14; peak=0.8; foot=0.4; tip=1.2; claw=0.8; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
+STEM{}{step<4}{} -> OLD[STEM]_{E}[&PETAL{K=12; J=1; len=math.random(250,300); wide=math.random(8,12); thick=0.9; start=-66+math.random(-9,9); sway=math.random(-8,8); low=6; mid=16; high=math.random(30,80); cup=14; peak=0.8; foot=0.4; tip=1.2; claw=0.8; upper=2; middle=12; lower=13}]_{C(1+(5*step)%12)}
 STEM{}{step>3&&step<12}{} -> OLD[STEM(,<bend+0.9+math.random(-1,1)>,<math.random(-1,1)>,,<tall/9>,3.2,3.2,)]_{E}
 STEM{}{step==12}{} -> OLD[NODE]_{E}
 /* Each node bows a little more; pedicels stand to this side and that, and all hang to the front. */
@@ -47,8 +50,8 @@ NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<7+9*q>,<math.rando
 STALK{}{step<5}{} -> STALK[STALK(,<droop+math.random(-2,2)>,,,,,,)]_{E}
 STALK{}{step==5}{} -> STALK[WHORL]_{E}
 WHORL -> WHORL[INNER]_{E}
-WHORL -> WHORL[&PETAL{K=8; J=1; len=size*(12.5+5*open); wide=size*(2.8+1*open); thick=0.45; start=-52-6*(1-open); low=-44+10*(1-open); mid=4-14*(1-open); high=-20+(160+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C1,C5,C9}
-INNER -> INNER[&PETAL{K=8; J=1; len=size*(12.5+5*open); wide=size*(2.8+1*open); thick=0.45; start=-56-6*(1-open); low=-40+8*(1-open); mid=4-14*(1-open); high=-20+(150+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=4; lower=5}]_{C3,C7,C11}
+WHORL -> WHORL[&PETAL{K=8; J=1; len=size*(12.5+5*open); wide=size*(2.8+1*open); thick=0.45; start=-52-6*(1-open); low=-44+10*(1-open); mid=4-14*(1-open); high=-20+(160+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=8; lower=5}]_{C1,C5,C9}
+INNER -> INNER[&PETAL{K=8; J=1; len=size*(12.5+5*open); wide=size*(2.8+1*open); thick=0.45; start=-56-6*(1-open); low=-40+8*(1-open); mid=4-14*(1-open); high=-20+(150+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=8; lower=5}]_{C3,C7,C11}
 INNER -> INNER[&STAMEN{long=size*(5+2*open); lean=-84; head=2.6*size}]_{C1,C5,C9}
 
 #module PETAL
@@ -135,10 +138,15 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 #define finalStep=18
 
 #material 1 stem "6f9150" "86a862"
-#material 2 leaf "47793a" "5f9449" veins "7cae60" 3 0.4
-#material 3 sepal "b7bd55" "c9c95e"
-#material 4 petal "e6b70c" "f8d414" veins "d99a08" 7 0.25 bud "b8b83a" "c9c040" wilted "e0c060" "e9dca0"
-#material 5 petal "e0a90a" "efc30f" bud "b8b83a" "c9c040" wilted "dcb858" "e2d08c"
+#material 2 leaf "47793a" "5f9449" veins "7cae60" 3 0.4 name "leaf, upper epidermis"
+#material 12 leaf "6f9c58" "82b066" name "leaf, mesophyll"
+#material 13 leaf "668c58" "7ca068" name "leaf, lower epidermis"
+#material 3 sepal "c2c45a" "d2d066" name "sepal, upper epidermis"
+#material 14 sepal "b9bd58" "c8c862" name "sepal, mesophyll"
+#material 15 sepal "a3ae4e" "bcc05c" name "sepal, lower epidermis"
+#material 4 petal "e6b70c" "f8d414" veins "d99a08" 7 0.25 bud "b8b83a" "c9c040" wilted "e0c060" "e9dca0" name "petal, upper epidermis"
+#material 9 petal "e3b40e" "f0cb14" bud "b8b83a" "c9c040" wilted "dcb858" "e2d08c" name "petal, mesophyll"
+#material 5 petal "d6b83a" "eed45c" bud "b8b83a" "c9c040" wilted "dcc070" "e6d8a0" name "petal, lower epidermis"
 #material 6 stamen "d9c238" "e3cd44"
 #material 7 stamen "dba51c" "ebb92a"
 #material 8 pistil "9ab04a" "b9c95a"
@@ -174,9 +182,9 @@ SHOOT{}{step==6}{} -> SHOOT[&FLOWER{open=open; size=math.random(0.86,1)}]_{E}
 #define finalStep=14
 #axiom: CALYX(,<20*open>,,,,,,)
 CALYX -> CALYX[DISC]_{E}
-CALYX -> CALYX[&PETAL{K=6; J=1; len=size*7.5; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=3; lower=3}]_{C1,C3,C5,C7,C9}
+CALYX -> CALYX[&PETAL{K=6; J=1; len=size*7.5; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=14; lower=15}]_{C1,C3,C5,C7,C9}
 DISC -> DISC[RING]_{E}
-DISC -> DISC[&PETAL{K=9; J=3; len=size*(5.3+8.1*open)*math.random(0.95,1.03); wide=size*(3.6+5.1*open); thick=0.42; start=-50+44*open+math.random(-5,5)+20*wilt; low=-48+20*open; mid=-6; high=-44+36*open; cup=18-9*open; edge=3; wave=4*wilt; peak=1.3; foot=1; tip=0.6; claw=0.22; upper=4; lower=5}]_{C2,C4,C6,C8,C10}
+DISC -> DISC[&PETAL{K=9; J=3; len=size*(5.3+8.1*open)*math.random(0.95,1.03); wide=size*(3.6+5.1*open); thick=0.42; start=-50+44*open+math.random(-5,5)+20*wilt; low=-48+20*open; mid=-6; high=-44+36*open; cup=18-9*open; edge=3; wave=4*wilt; peak=1.3; foot=1; tip=0.6; claw=0.22; upper=4; middle=9; lower=5}]_{C2,C4,C6,C8,C10}
 RING{}{step<6}{} -> RING[RING]_{E}
 RING{}{step==6}{} -> RING[HEART]_{E}
 RING -> RING[&STAMEN{long=(1+2.4*open)*math.random(0.85,1.15); lean=-70+34*open+step*-4+math.random(-8,8); head=1.5}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
@@ -317,7 +325,6 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 #define len=30
 #define start=0
 #define sway=0
-#define paint=2
 #define teeth=0.4
 #define PETIOLE(8,0,0,0,stalk/8,1.3,1.3,1)
 #define NODE(8,0,0,0,0.6,1.3,1.3,1)
@@ -327,8 +334,8 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 PETIOLE{}{step<7}{} -> PETIOLE[PETIOLE(,<4+math.random(-3,3)>,<math.random(-4,4)>,,,,,)]_{E}
 PETIOLE{}{step==7}{} -> PETIOLE[NODE(,<16>,,,,,,)]_{E}
 NODE -> NODE[LAST]_{E}
-NODE -> NODE[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}
-LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}[&PETAL{K=7; J=1; len=len; wide=len*0.48; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{E}
+NODE -> NODE[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C7}
+LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C7}[&PETAL{K=7; J=1; len=len; wide=len*0.48; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{E}
 `,
 	capitulum: `/* Capitulum
    about: Many florets on one receptacle, as if they were a flower: cornflower, trumpets round its violet middle, bracts like tiles below.
@@ -441,10 +448,13 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define TOP(12,0,0,0,1,4,4,11)
 #define finalStep=17
 
-#material 2 leaf "3d6b3c" "578546"
-#material 3 leaf "c9d6c0" "b9cbae"
-#material 4 petal "ece4f2" "8a5fc4" foot 0.4 veins "5a34a0" 7 0.5 bud "dcd3e6" "7b58b4" wilted "c4b0b8" "8a6a86"
-#material 5 petal "e4daee" "774cb2" foot 0.4 veins "4e2a92" 7 0.55 bud "d8cce4" "6a469f" wilted "bca8ae" "7d5f76"
+#material 2 leaf "3d6b3c" "578546" name "leaf, upper epidermis"
+#material 3 leaf "c9d6c0" "b9cbae" name "leaf, mesophyll"
+#material 13 leaf "5c8458" "729a62" name "leaf, lower epidermis"
+#material 4 petal "ece4f2" "8a5fc4" foot 0.4 veins "5a34a0" 7 0.5 bud "dcd3e6" "7b58b4" wilted "c4b0b8" "8a6a86" name "tepal, upper epidermis"
+#material 9 petal "d9cce8" "6f48ae" foot 0.4 bud "d0c2e0" "6442a0" wilted "baa4b0" "7c5e7a" name "tepal, mesophyll"
+#material 12 petal "5d3a9a" "b49ada" foot 0.9 margin "cdbce6" 0.22 veins "47228a" 3 0.7 bud "593a90" "9c84c6" wilted "80667e" "a08aa0" name "outer tepal, lower epidermis"
+#material 5 petal "e4daee" "774cb2" foot 0.4 veins "4e2a92" 7 0.55 bud "d8cce4" "6a469f" wilted "bca8ae" "7d5f76" name "inner tepal, lower epidermis"
 #material 6 stamen "e8dfb8" "e8d79a"
 #material 7 stamen "e9b62a" "f2c840"
 #material 8 pistil "e2952a" "ec7a1a"
@@ -453,14 +463,14 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 
 #axiom: SHEATH
 SHEATH{}{step<4}{} -> GROWN[SHEATH(,,,,6,<6-0.4*step>,<6-0.4*step>,)]_{E}
-SHEATH{}{step<leaves}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(80,130); wide=math.random(4.4,6.5); thick=1; start=-66+math.random(-8,8)-10*(1-open); sway=math.random(-6,6); low=8; mid=14; high=20+math.random(0,40); cup=-14; peak=0.8; foot=0.4; tip=0.8; claw=0.9; upper=2; middle=3; lower=2}]_{C(2+5*step%12)}
+SHEATH{}{step<leaves}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(80,130); wide=math.random(4.4,6.5); thick=1; start=-66+math.random(-8,8)-10*(1-open); sway=math.random(-6,6); low=8; mid=14; high=20+math.random(0,40); cup=-14; peak=0.8; foot=0.4; tip=0.8; claw=0.9; upper=2; middle=3; lower=13}]_{C(2+5*step%12)}
 SHEATH{}{step==4}{} -> SHEATH[TUBE]_{E}
 TUBE{}{step<10}{} -> TUBE[TUBE(,<bend+math.random(-2,2)+3*wilt>,<math.random(-2,2)>,,<tall*(0.7+0.3*open)/6>,<3.6+0.16*(step-4)>,<3.6+0.16*(step-4)>,)]_{E}
 TUBE{}{step==10}{} -> TUBE[WHORL(,<9*open>,,,,,,)]_{E}
 WHORL -> WHORL[INNER]_{E}
-WHORL -> WHORL[&PETAL{K=11; J=3; len=size*(28+15*open); wide=size*(9+7.8*open); thick=0.7; start=-72+34*open+math.random(-3,3)+22*wilt; low=-12-14*open; mid=-4+wilt*14; high=-16+22*open+40*wilt+math.random(-5,5); cup=20-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=4; lower=5}]_{C1,C5,C9}
+WHORL -> WHORL[&PETAL{K=11; J=3; len=size*(28+15*open); wide=size*(9+7.8*open); thick=0.7; start=-72+34*open+math.random(-3,3)+22*wilt; low=-12-14*open; mid=-4+wilt*14; high=-16+22*open+40*wilt+math.random(-5,5); cup=20-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=9; lower=12}]_{C1,C5,C9}
 INNER -> INNER[TOP]_{E}
-INNER -> INNER[&PETAL{K=11; J=3; len=size*(26+13*open); wide=size*(9+8*open); thick=0.7; start=-76+30*open+math.random(-3,3)+18*wilt; low=-10-14*open; mid=-4+wilt*10; high=-16+18*open+30*wilt+math.random(-5,5); cup=21-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=4; lower=5}]_{C3,C7,C11}
+INNER -> INNER[&PETAL{K=11; J=3; len=size*(26+13*open); wide=size*(9+8*open); thick=0.7; start=-76+30*open+math.random(-3,3)+18*wilt; low=-10-14*open; mid=-4+wilt*10; high=-16+18*open+30*wilt+math.random(-5,5); cup=21-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=9; lower=5}]_{C3,C7,C11}
 TOP -> TOP[&STAMEN{long=3+5*open; lean=-76; head=5+6*open}]_{C1,C5,C9}
 TOP -> TOP[&STYLE{long=size*(15+5*open)}]_{E}
 
@@ -774,21 +784,24 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=leaves+12+rays+discs+2
 
 #material 1 stem "7b9a56" "93ae6a"
-#material 2 leaf "4e7a3c" "669249" veins "86ac66" 3 0.3
-#material 3 sepal "557f40" "6f9450"
-#material 4 petal "fbfaf6" "ffffff" bud "f3e3e8" "eec2d0" wilted "e6dccb" "c9b79c"
-#material 5 petal "faf4f4" "f0d3dc" wilted "dcc4b4" "b99a86"
+#material 2 leaf "4e7a3c" "669249" veins "86ac66" 3 0.3 name "leaf, upper epidermis"
+#material 12 leaf "769f5c" "86ac66" name "leaf, mesophyll"
+#material 13 leaf "6c9058" "809f68" name "leaf, lower epidermis"
+#material 3 sepal "557f40" "6f9450" name "bract"
+#material 4 petal "fbfaf6" "ffffff" bud "f3e3e8" "eec2d0" wilted "e6dccb" "c9b79c" name "ray, upper epidermis"
+#material 8 petal "f6f1ec" "fbf6f4" bud "f0dce2" "ebbccb" wilted "e0d2c0" "c2ac94" name "ray, mesophyll"
+#material 5 petal "f6eeee" "ecb8c8" bud "efd3dc" "e29cb4" wilted "dcc4b4" "b99a86" name "ray, lower epidermis"
 #material 6 stamen "c9971a" "e3b021"
 #material 7 stamen "e9b922" "f6cf3e"
 
 #axiom: ROSETTE
-ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=10; J=2; len=math.random(20,32); wide=math.random(8,11); thick=0.8; start=-26+math.random(-9,9)-20*(1-open); sway=math.random(-8,8); low=14; mid=10; high=-8; cup=9; peak=2.1; foot=1.2; tip=0.75; claw=0.26; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=10; J=2; len=math.random(20,32); wide=math.random(8,11); thick=0.8; start=-26+math.random(-9,9)-20*(1-open); sway=math.random(-8,8); low=14; mid=10; high=-8; cup=9; peak=2.1; foot=1.2; tip=0.75; claw=0.26; upper=2; middle=12; lower=13}]_{C(1+(5*step)%13)}
 ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+9}{} -> STEM[STEM(,<bend+math.random(-2.5,2.5)+wilt*3>,<math.random(-2.5,2.5)>,,<tall*(0.5+0.5*open)/9>,,,)]_{E}
 STEM{}{step==leaves+9}{} -> STEM[CUP(,<26*open>,,,,,,)]_{E}
 CUP -> CUP[RIM]_{E}
 CUP -> CUP[&BLADE{len=5*size; wide=1.9*size; thick=0.4; start=-38-26*(1-open)+30*wilt; bend=-14; peak=0.9; claw=0.8; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
-RIM{k=step-leaves-11}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{K=5; J=1; len=size*(4.6+5*open)*math.random(0.93,1.05); wide=size*(1.4+0.7*open); thick=0.26; start=-76+(62-14*k/rays)*open+math.random(-6,6)*open+34*wilt; sway=math.random(-4,4); low=-14*open; mid=-10*(1-open); high=-76+82*open; cup=16; foot=0.6; tip=0.62; peak=1.3; claw=0.5; lower=5}]_{C(1+(5*step)%13)}
+RIM{k=step-leaves-11}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{K=5; J=1; len=size*(4.6+5*open)*math.random(0.93,1.05); wide=size*(1.4+0.7*open); thick=0.26; start=-76+(62-14*k/rays)*open+math.random(-6,6)*open+34*wilt; sway=math.random(-4,4); low=-14*open; mid=-10*(1-open); high=-76+82*open; cup=16; foot=0.6; tip=0.62; peak=1.3; claw=0.5; upper=4; middle=8; lower=5}]_{C(1+(5*step)%13)}
 RIM{k=step-leaves-11}{k>=rays}{} -> FULL[DISC]_{E}
 DISC{k=step-leaves-12-rays; r=sqrt(max(0.01,1-k/discs))}{step<finalStep-1}{} -> BARE[DISC(,,,,<(0.02+0.05*k/discs)*size>,<2*radius*r>,<2*radius*r>,)]_{E}[&BLADE{S=3; len=size*(0.5+0.65*open); wide=size*(0.4+0.2*open); thick=size*(0.4+0.2*open); start=-44-44*k/discs; claw=0.8; blunt=0.72; paint=6+(k<discs*0.45)}]_{C(1+(5*step)%13)}
 
@@ -910,14 +923,16 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=leaves+13+seeds
 
 #material 1 stem "a8927c" "a3b37c"
-#material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6
-#material 3 sepal "567f45" "6d9452"
+#material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6 name "leaf, upper epidermis"
+#material 12 leaf "9fb878" "a4ba78" name "leaf, mesophyll"
+#material 13 leaf "688f52" "7ba05c" name "leaf, lower epidermis"
+#material 3 sepal "567f45" "6d9452" name "bract"
 #material 5 seed "6f5a3c" "b9ab90"
-#material 6 sepal "c9c09a" "d8d0ac"
-#material 7 petal "eeece6" "ffffff"
+#material 6 sepal "c9c09a" "d8d0ac" name "receptacle"
+#material 7 petal "eeece6" "ffffff" name "pappus"
 
 #axiom: ROSETTE
-ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=12; lower=13}]_{C(1+(5*step)%13)}
 ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)>,<math.random(-2,2)>,,<tall/10>,,,)]_{E}
 STEM{}{step==leaves+10}{} -> STEM[CUP]_{E}
@@ -1062,14 +1077,18 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 #define finalStep=leaves+14+florets
 
 #material 1 stem "a8927c" "a3b37c"
-#material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6 light 0.35
-#material 3 sepal "567f45" "6d9452"
-#material 4 petal "eeb012" "f7cd1d" bud "d0a818" "d8b83a" wilted "d0a030" "b98f3c"
-#material 5 petal "eaa60e" "f2bd14" wilted "c8942a" "a8803a"
+#material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6 light 0.35 name "leaf, upper epidermis"
+#material 12 leaf "9fb878" "a4ba78" light 0.35 name "leaf, mesophyll"
+#material 13 leaf "688f52" "7ba05c" light 0.35 name "leaf, lower epidermis"
+#material 3 sepal "567f45" "6d9452" name "bract"
+#material 4 petal "eeb012" "f7cd1d" bud "d0a818" "d8b83a" wilted "d0a030" "b98f3c" name "ligule, upper epidermis"
+#material 8 petal "e2a612" "ecc01c" bud "c8a01a" "d0b038" wilted "c49630" "b0883a" name "ligule, mesophyll"
+#material 9 petal "958a58" "b8a648" foot 0.9 bud "7d8450" "8f9058" wilted "8a7a50" "94804c" name "ligule, lower epidermis"
+#material 5 petal "eaa60e" "f2bd14" wilted "c8942a" "a8803a" name "ligule"
 #material 6 stamen "d09a14" "e2b01a"
 
 #axiom: ROSETTE
-ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=12; lower=13}]_{C(1+(5*step)%13)}
 ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)+2*wilt>,<math.random(-2,2)>,,<tall*(0.35+0.65*open)/10>,,,)]_{E}
 STEM{}{step==leaves+10}{} -> STEM[CUP(,<22*open>,,,,,,)]_{E}
@@ -1077,7 +1096,7 @@ CUP -> CUP[RIM]_{E}
 CUP -> CUP[&BLADE{len=14*size; wide=2.6; thick=0.6; start=-64+122*open-20*wilt+math.random(-9,9); bend=36*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 RIM -> RIM[HEAD]_{E}
 RIM -> RIM[&BLADE{len=17*size; wide=3; thick=0.6; start=-74+44*open-30*wilt+math.random(-5,5); bend=-14; peak=0.8; claw=0.95; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
-HEAD{k=step-leaves-12; q=k/florets; shut=max(1-open,wilt)}{step<finalStep-1}{} -> BARE[HEAD(,,,,<0.045*size>,<12*size*sqrt(max(0.01,1-q))>,<12*size*sqrt(max(0.01,1-q))>,)]_{E}[&BLADE{S=6; len=size*(18-11*q)*math.random(0.9,1.06)*(1-0.35*(1-open)); wide=size*(1.3+0.9*open); thick=0.3; start=-84+(96-92*q)*(1-shut)-q*4+math.random(-7,7); bend=(-22*(1-q)+10)*(1-shut); peak=1.2; round=0.5; claw=0.45; blunt=0.7; paint=4+(q>0.5)}]_{C(1+(5*step)%13)}
+HEAD{k=step-leaves-12; q=k/florets; shut=max(1-open,wilt)}{step<finalStep-1}{} -> BARE[HEAD(,,,,<0.045*size>,<12*size*sqrt(max(0.01,1-q))>,<12*size*sqrt(max(0.01,1-q))>,)]_{E}[&LIGULE{len=size*(17.6-10.6*q)*math.random(0.9,1.06)*(1-0.35*(1-open)); wide=size*(1.3+0.9*open); start=-84+(96-92*q)*(1-shut)-q*4+math.random(-7,7); bend=(-22*(1-q)+10)*(1-shut); layered=(q<0.2); upper=4+(q>0.5)}]_{C(1+(5*step)%13)}
 
 #module BLADE
 /* A small petal or hair: a chain of S flat prisms. */
@@ -1172,6 +1191,28 @@ RL2 : RL2_C2 < RM2_C4 -> RL2_C2 | RM2_C4
 RM2 : RM2_C2 < RU2_C4 -> RM2_C2 | RU2_C4
 LL2 : LL2_C4 < LM2_C2 -> LL2_C4 | LM2_C2
 LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
+
+#module LIGULE
+/* A floret's one petal, as BLADE; of the outer ones, whose back is seen, the epidermises grow on both its sides. */
+#define S=5
+#define len=18     /* mm */
+#define wide=2
+#define thick=0.3
+#define start=0    /* degrees: 0 stands out, -90 stands up */
+#define bend=0     /* over all of it */
+#define layered=0
+#define upper=4
+#define middle=8
+#define lower=9
+#define finalStep=7
+#define B(4,0,0,0,len/S,wide*max(0.45,sin(180*(1/S)^1.2)^0.5),thick/(1+2*layered),upper+(middle-upper)*layered)
+#define U(4,0,0,0,thick/3,wide,1,upper)
+#define D(4,0,0,0,thick/3,wide,1,lower)
+#axiom: B(,start,,,,,,)
+B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S>,,,,<wide*max(max(0.45*(1-s),0.7),sin(180*min(1,s)^1.2)^0.5)>,,)]_{E}
+B{}{layered>0}{} -> B[U(,,,,,L,H,)]_{C3}[D(,,,,,L,H,)]_{C1}
+U : U_C1 < U_C3 -> U_C1 | U_C3
+D : D_C1 < D_C3 -> D_C1 | D_C3
 `,
 	"designed-buttercup": `/* Buttercup by choices
    about: Five sepals, five obovate petals, many stamens, and carpels each for itself.
@@ -2601,9 +2642,13 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
 #define finalStep=28
 
 #material 1 stem "6f9150" "7f9f5c"
-#material 2 leaf "3f7038" "578c45" veins "6fa052" 3 0.4
-#material 4 petal "c9b81e" "f3cb16" foot 0.35 veins "d8ac10" 6 0.25 bud "8fa032" "b4b636" wilted "d8b040" "d9b566"
-#material 5 petal "bfb01c" "e8bb10" bud "8fa032" "b4b636" wilted "cfa63a" "cda456"
+#material 2 leaf "3f7038" "578c45" veins "6fa052" 3 0.4 name "leaf, upper epidermis"
+#material 12 leaf "64944e" "76a45c" name "leaf, mesophyll"
+#material 13 leaf "5e8554" "749a62" name "leaf, lower epidermis"
+#material 4 petal "c9b81e" "f3cb16" foot 0.35 veins "d8ac10" 6 0.25 bud "8fa032" "b4b636" wilted "d8b040" "d9b566" name "sepal, upper epidermis"
+#material 9 petal "b9b226" "e6c01a" foot 0.35 bud "88983a" "a8b03a" wilted "cca844" "ceae64" name "sepal, mesophyll"
+#material 10 petal "a3ae3a" "f0cb22" foot 0.6 veins "c8b222" 6 0.25 bud "87a03c" "a6b23e" wilted "c4aa4c" "d4b468" name "sepal, lower epidermis"
+#material 5 petal "bfb01c" "e8bb10" bud "8fa032" "b4b636" wilted "cfa63a" "cda456" name "nectary"
 #material 6 stamen "dcc030" "e3c838"
 #material 7 stamen "e0a818" "eab524"
 #material 8 pistil "a8b548" "b9c455"
@@ -2619,11 +2664,11 @@ LOWER -> LOWER[&PALMATE{stalk=10; len=math.random(38,50); start=-34; teeth=0.45}
 UPPER -> UPPER[&PALMATE{stalk=6; len=math.random(26,34); start=-40; teeth=0.45}]_{C8}
 STEM{}{step==14}{} -> STEM[WHORL(,<10*open>,,,,,,)]_{E}
 WHORL -> WHORL[SECOND]_{E}
-WHORL -> WHORL[&PETAL{K=9; J=3; len=size*(14+13*open)*math.random(0.95,1.04); wide=size*(11+11*open); thick=0.6; start=-30+20*open+math.random(-4,4)+34*wilt; low=-48-4*open+18*wilt; mid=-22+16*wilt; high=-66+10*open+20*wilt+math.random(-6,6); cup=17-3*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3}]_{C1,C4,C8}
+WHORL -> WHORL[&PETAL{K=9; J=3; len=size*(14+13*open)*math.random(0.95,1.04); wide=size*(11+11*open); thick=0.6; start=-30+20*open+math.random(-4,4)+34*wilt; low=-48-4*open+18*wilt; mid=-22+16*wilt; high=-66+10*open+20*wilt+math.random(-6,6); cup=17-3*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3; upper=4; middle=9; lower=10}]_{C1,C4,C8}
 SECOND -> SECOND[THIRD]_{E}
-SECOND -> SECOND[&PETAL{K=9; J=3; len=size*(13+12*open)*math.random(0.95,1.04); wide=size*(11+10*open); thick=0.6; start=-36+18*open+math.random(-4,4)+24*wilt; low=-46-4*open+12*wilt; mid=-24+12*wilt; high=-64+14*open+14*wilt+math.random(-6,6); cup=17-2*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3}]_{C2,C6,C9}
+SECOND -> SECOND[&PETAL{K=9; J=3; len=size*(13+12*open)*math.random(0.95,1.04); wide=size*(11+10*open); thick=0.6; start=-36+18*open+math.random(-4,4)+24*wilt; low=-46-4*open+12*wilt; mid=-24+12*wilt; high=-64+14*open+14*wilt+math.random(-6,6); cup=17-2*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3; upper=4; middle=9; lower=10}]_{C2,C6,C9}
 THIRD -> THIRD[NECTAR]_{E}
-THIRD -> THIRD[&PETAL{K=9; J=3; len=size*(12+12*open)*math.random(0.95,1.04); wide=size*(10+10*open); thick=0.6; start=-42+16*open+math.random(-4,4)+12*wilt; low=-44-4*open+8*wilt; mid=-24+8*wilt; high=-64+8*open+10*wilt+math.random(-6,6); cup=18-2*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3}]_{C1,C3,C6,C8}
+THIRD -> THIRD[&PETAL{K=9; J=3; len=size*(12+12*open)*math.random(0.95,1.04); wide=size*(10+10*open); thick=0.6; start=-42+16*open+math.random(-4,4)+12*wilt; low=-44-4*open+8*wilt; mid=-24+8*wilt; high=-64+8*open+10*wilt+math.random(-6,6); cup=18-2*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3; upper=4; middle=9; lower=10}]_{C1,C3,C6,C8}
 NECTAR -> NECTAR[RING]_{E}
 NECTAR -> NECTAR[&BLADE{len=size*(4+4*open); wide=1.6; thick=0.5; start=-60+math.random(-5,5); bend=-12; peak=1.2; round=0.6; claw=0.6; paint=5}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
 RING{}{step<22}{} -> RING[RING]_{E}
@@ -2766,7 +2811,6 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 #define len=30
 #define start=0
 #define sway=0
-#define paint=2
 #define teeth=0.4
 #define PETIOLE(8,0,0,0,stalk/8,1.3,1.3,1)
 #define NODE(8,0,0,0,0.6,1.3,1.3,1)
@@ -2776,8 +2820,8 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 PETIOLE{}{step<7}{} -> PETIOLE[PETIOLE(,<4+math.random(-3,3)>,<math.random(-4,4)>,,,,,)]_{E}
 PETIOLE{}{step==7}{} -> PETIOLE[NODE(,<16>,,,,,,)]_{E}
 NODE -> NODE[LAST]_{E}
-NODE -> NODE[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}
-LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C3}[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{C7}[&PETAL{K=7; J=1; len=len; wide=len*0.48; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=paint; middle=paint; lower=paint}]_{E}
+NODE -> NODE[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C7}
+LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C7}[&PETAL{K=7; J=1; len=len; wide=len*0.48; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{E}
 `,
 	grass: `/* Grass
    about: A tuft of thirteen blades that bow outwards: what stands between the flowers of a bed.
@@ -2835,16 +2879,19 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(0.
 #define finalStep=18+flowers
 
 #material 1 stem "6f8f52" "83a263"
-#material 2 leaf "47793d" "639550" veins "8ab472" 3 0.4
-#material 4 petal "dfe6b8" "fdfcf7" foot 0.35 veins "dfe6c4" 4 0.4 bud "a9c070" "dbe3b8" wilted "e3d2a0" "c9a66c"
-#material 5 petal "cfdca0" "f7f5ee" veins "c9d9a0" 4 0.4 bud "a2ba68" "d0dcaa" wilted "d8c490" "b8935c"
+#material 2 leaf "47793d" "639550" veins "8ab472" 3 0.4 name "leaf, upper epidermis"
+#material 12 leaf "78a362" "8ab472" name "leaf, mesophyll"
+#material 13 leaf "658f58" "7ca568" name "leaf, lower epidermis"
+#material 4 petal "dfe6b8" "fdfcf7" foot 0.35 veins "dfe6c4" 4 0.4 bud "a9c070" "dbe3b8" wilted "e3d2a0" "c9a66c" name "tepal, upper epidermis"
+#material 10 petal "b4cc80" "f2f2e2" foot 0.8 bud "96b45e" "c4d49c" wilted "d0c48c" "c09c64" name "tepal, mesophyll"
+#material 5 petal "c3d68e" "f7f5ee" foot 0.75 veins "c2d696" 1 0.6 bud "a2ba68" "d0dcaa" wilted "d8c490" "b8935c" name "tepal, lower epidermis"
 #material 6 stamen "dfe6c0" "eef0dc"
 #material 7 stamen "dd8a14" "eda21e"
 #material 8 pistil "9ab66a" "dfe4b8"
 #material 9 pistil "8aa858" "a8bd70"
 
 #axiom: STEM
-STEM{}{step<16}{} -> LEAFY[STEM(,<bend+math.random(-1,1)>,<math.random(-1,1)>,,<tall/16>,<7-0.12*step>,<7-0.12*step>,)]_{E}[&PETAL{K=8; J=1; len=(165-5*step)*math.random(0.9,1.1); wide=(16-0.4*step)*math.random(0.9,1.1); thick=0.9; start=-40+step+math.random(-8,8); low=14; mid=16; high=math.random(0,30); cup=9; peak=0.75; foot=0.5; tip=1.5; claw=0.5; upper=2; middle=2; lower=2}]_{C(1+(3*step)%8)}
+STEM{}{step<16}{} -> LEAFY[STEM(,<bend+math.random(-1,1)>,<math.random(-1,1)>,,<tall/16>,<7-0.12*step>,<7-0.12*step>,)]_{E}[&PETAL{K=8; J=1; len=(165-5*step)*math.random(0.9,1.1); wide=(16-0.4*step)*math.random(0.9,1.1); thick=0.9; start=-40+step+math.random(-8,8); low=14; mid=16; high=math.random(0,30); cup=9; peak=0.75; foot=0.5; tip=1.5; claw=0.5; upper=2; middle=12; lower=13}]_{C(1+(3*step)%8)}
 STEM{}{step==16}{} -> LEAFY[NODE]_{E}
 NODE{k=step-17}{step<finalStep-1}{} -> DONE[NODE(,<math.random(-3,3)>,<math.random(-3,3)>,,<26-3*k>,<5-0.5*k>,<5-0.5*k>,)]_{E}[&FLOWER{open=min(1,max(0,open*1.45-0.14*k)); wilt=wilt; size=size; stalk=math.random(52,66)-3*k; start=-50+8*k+math.random(-6,6)}]_{C(1+(3*step)%8)}
 
@@ -2863,9 +2910,9 @@ NODE{k=step-17}{step<finalStep-1}{} -> DONE[NODE(,<math.random(-3,3)>,<math.rand
 STALK{}{step<5}{} -> STALK[STALK(,<7+3*open+math.random(-2,2)>,<math.random(-3,3)>,,,,,)]_{E}
 STALK{}{step==5}{} -> STALK[WHORL]_{E}
 WHORL -> WHORL[INNER]_{E}
-WHORL -> WHORL[&PETAL{K=10; J=2; len=size*(48+24*open); wide=size*(9+9*open); thick=0.8; start=-80+12*open+20*wilt; low=2+8*open; mid=-14+18*open+10*wilt; high=-30+96*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.05; foot=0.8; tip=1.3; claw=0.36; upper=4; middle=4; lower=5}]_{C1,C5,C9}
+WHORL -> WHORL[&PETAL{K=10; J=2; len=size*(48+24*open); wide=size*(9+9*open); thick=0.8; start=-80+12*open+20*wilt; low=2+8*open; mid=-14+18*open+10*wilt; high=-30+96*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.05; foot=0.8; tip=1.3; claw=0.36; upper=4; middle=10; lower=5}]_{C1,C5,C9}
 INNER -> INNER[TOP]_{E}
-INNER -> INNER[&PETAL{K=10; J=2; len=size*(47+23*open); wide=size*(9+10.5*open); thick=0.8; start=-82+12*open+18*wilt; low=2+8*open; mid=-14+17*open+10*wilt; high=-30+92*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.2; claw=0.36; upper=4; middle=4; lower=5}]_{C3,C7,C11}
+INNER -> INNER[&PETAL{K=10; J=2; len=size*(47+23*open); wide=size*(9+10.5*open); thick=0.8; start=-82+12*open+18*wilt; low=2+8*open; mid=-14+17*open+10*wilt; high=-30+92*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.2; claw=0.36; upper=4; middle=10; lower=5}]_{C3,C7,C11}
 TOP -> TOP[&STAMEN{long=size*(20+23*open); lean=-84+16*open+math.random(-4,4); open=open}]_{C1,C3,C5,C7,C9,C11}
 TOP -> TOP[&PISTIL{long=size*(28+36.3*open)}]_{E}
 
@@ -3459,13 +3506,21 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=16
 
 #material 1 stem "6f8f52" "86a862"
-#material 2 leaf "45753a" "639a50" veins "86b070" 4 0.4
-#material 3 sepal "5f8a48" "7aa25c"
-#material 4 petal "6a3a9e" "4b1f86" foot 0.3 veins "2c0f5c" 6 0.3 bud "5a3a86" "4a2a76" wilted "6d5472" "5d4262"
-#material 5 petal "5a2f92" "452080" wilted "665070" "5a4460"
-#material 6 petal "3b1440" "c9a8e6" foot 0.6 veins "4a1c5e" 5 0.55 bud "4a2450" "a98fc0" wilted "5a3a50" "9a8296"
-#material 7 petal "4a1a30" "f7d52e" foot 0.8 veins "3a1226" 7 0.75 margin "f9e06a" 0.1 bud "5a2a30" "d8c040" wilted "5a3030" "b89a48"
-#material 8 petal "b79ad8" "cdb2ec" wilted "94809c" "a08ea2"
+#material 2 leaf "45753a" "639a50" veins "86b070" 4 0.4 name "leaf, upper epidermis"
+#material 12 leaf "759f62" "84ac6c" name "leaf, mesophyll"
+#material 13 leaf "64905a" "7aa46a" name "leaf, lower epidermis"
+#material 3 sepal "6a9450" "82aa64" name "sepal, upper epidermis"
+#material 14 sepal "6c9454" "84aa68" name "sepal, mesophyll"
+#material 15 sepal "5a8444" "749c58" name "sepal, lower epidermis"
+#material 4 petal "6a3a9e" "4b1f86" foot 0.3 veins "2c0f5c" 6 0.3 bud "5a3a86" "4a2a76" wilted "6d5472" "5d4262" name "upper petal, upper epidermis"
+#material 10 petal "5c3290" "462080" wilted "665070" "5a4460" name "upper petal, mesophyll"
+#material 5 petal "6a40a2" "5a3294" bud "5e4088" "52347e" wilted "705a78" "644c6a" name "upper petal, lower epidermis"
+#material 6 petal "3b1440" "c9a8e6" foot 0.6 veins "4a1c5e" 5 0.55 bud "4a2450" "a98fc0" wilted "5a3a50" "9a8296" name "side petal, upper epidermis"
+#material 11 petal "7a4c90" "c2a2e0" foot 0.6 bud "6a4878" "a98fc0" wilted "6e5268" "9a8296" name "side petal, mesophyll"
+#material 8 petal "b79ad8" "cdb2ec" wilted "94809c" "a08ea2" name "side petal, lower epidermis"
+#material 7 petal "4a1a30" "f7d52e" foot 0.8 veins "3a1226" 7 0.75 margin "f9e06a" 0.1 bud "5a2a30" "d8c040" wilted "5a3030" "b89a48" name "lower petal, upper epidermis"
+#material 16 petal "6a3c30" "f0ce3a" foot 0.7 bud "6a4034" "d0b848" wilted "64403a" "b0944c" name "lower petal, mesophyll"
+#material 17 petal "dcc65a" "f4e08a" bud "c8b458" "d8c868" wilted "b09a60" "c0a868" name "lower petal, lower epidermis"
 #material 9 pistil "e8b92a" "9ab84a"
 
 #axiom: STEM
@@ -3496,14 +3551,14 @@ NODEC -> NODEC[&LEAF{len=math.random(22,28)}]_{C4}[&LEAF{len=math.random(18,24)}
 STALK{}{step<8}{} -> STALK[STALK(,<(step<5)*-(90+start)*0.16+(step>=5)*(25-4*open+10*wilt)+math.random(-2,2)>,<math.random(-2,2)>,,,,,)]_{E}
 STALK{}{step==8}{} -> STALK[CALYX(,<18-6*open>,,,,,,)]_{E}
 CALYX -> CALYX[FACE]_{E}
-CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(6+5*open); wide=size*2.8; thick=0.4; start=-64+92*open; low=-10+10*open; cup=10; peak=0.7; tip=1.7; claw=0.8; upper=3; middle=3; lower=3}]_{C2,C4,C6,C8,C10}
-CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(2+4*open); wide=size*2.6; thick=2*size; start=66; low=-6; cup=30; foot=0.4; tip=0.6; claw=0.9; upper=8; middle=8; lower=8}]_{C1}
+CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(6+5*open); wide=size*2.8; thick=0.4; start=-64+92*open; low=-10+10*open; cup=10; peak=0.7; tip=1.7; claw=0.8; upper=3; middle=14; lower=15}]_{C2,C4,C6,C8,C10}
+CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(2+4*open); wide=size*2.6; thick=2*size; start=66; low=-6; cup=30; foot=0.4; tip=0.6; claw=0.9; upper=6; middle=11; lower=8}]_{C1}
 FACE -> FACE[HEART]_{E}
-FACE -> FACE[&PETAL{K=10; J=3; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+60*open+8*wilt; sway=8*open; low=-20+16*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+6*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=4; lower=5}]_{C5}
-FACE -> FACE[&PETAL{K=10; J=3; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+62*open+8*wilt; sway=-8*open; low=-20+14*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+6*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=4; lower=5}]_{C7}
-FACE -> FACE[&PETAL{K=10; J=3; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+6*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=6; lower=8}]_{C3}
-FACE -> FACE[&PETAL{K=10; J=3; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=-14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+6*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=6; lower=8}]_{C9}
-FACE -> FACE[&PETAL{K=10; J=4; len=size*(8+8.5*open); wide=size*(6+13*open); thick=0.4; start=-72+52*open+10*wilt; low=-14+4*open; high=-30+46*open+math.random(-6,6); cup=12-7*open; wave=5+6*wilt; peak=1.45; foot=0.9; tip=0.55; claw=0.26; spread=5; upper=7; middle=7; lower=7}]_{C1}
+FACE -> FACE[&PETAL{K=10; J=3; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+60*open+8*wilt; sway=8*open; low=-20+16*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+6*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=10; lower=5}]_{C5}
+FACE -> FACE[&PETAL{K=10; J=3; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+62*open+8*wilt; sway=-8*open; low=-20+14*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+6*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=10; lower=5}]_{C7}
+FACE -> FACE[&PETAL{K=10; J=3; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+6*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=11; lower=8}]_{C3}
+FACE -> FACE[&PETAL{K=10; J=3; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=-14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+6*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=11; lower=8}]_{C9}
+FACE -> FACE[&PETAL{K=10; J=4; len=size*(8+8.5*open); wide=size*(6+13*open); thick=0.4; start=-72+52*open+10*wilt; low=-14+4*open; high=-30+46*open+math.random(-6,6); cup=12-7*open; wave=5+6*wilt; peak=1.45; foot=0.9; tip=0.55; claw=0.26; spread=5; upper=7; middle=16; lower=17}]_{C1}
 HEART{}{step<12}{} -> HEART[HEART(,,,,0.8,<2.2-0.5*(step-10)>,<2.2-0.5*(step-10)>,)]_{E}
 
 #module LEAF
@@ -3512,7 +3567,7 @@ HEART{}{step<12}{} -> HEART[HEART(,,,,0.8,<2.2-0.5*(step-10)>,<2.2-0.5*(step-10)
 #define finalStep=5
 #axiom: PETIOLE(,<-44+math.random(-8,8)>,<math.random(-10,10)>,,,,,)
 PETIOLE{}{step<3}{} -> PETIOLE[PETIOLE(,8,,,,,,)]_{E}
-PETIOLE{}{step==3}{} -> PETIOLE[&PETAL{K=12; J=2; len=len; wide=len*0.5; thick=0.6; low=10; mid=8; high=10; cup=6; peak=0.85; foot=0.8; tip=0.9; claw=0.1; teeth=0.16; bites=5; upper=2; middle=2; lower=2}]_{E}
+PETIOLE{}{step==3}{} -> PETIOLE[&PETAL{K=12; J=2; len=len; wide=len*0.5; thick=0.6; low=10; mid=8; high=10; cup=6; peak=0.85; foot=0.8; tip=0.9; claw=0.1; teeth=0.16; bites=5; upper=2; middle=12; lower=13}]_{E}
 
 #module PETAL
 /* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
@@ -3743,10 +3798,15 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 #define finalStep=27
 
 #material 1 stem "76925c" "88a56a"
-#material 2 leaf "5f8550" "7a9c64" veins "8fae78" 4 0.4 wilted "8f9a5c" "a8a468"
-#material 3 sepal "6f8f55" "83a066"
-#material 4 petal "1d0d10" "cf2018" foot 0.3 veins "9c130f" 9 0.3 bud "3a1014" "b83024" wilted "1d0d10" "8e1f22"
-#material 5 petal "1d0d10" "de3323" foot 0.3 veins "a31812" 9 0.3 bud "3a1014" "b83024" wilted "1d0d10" "963028"
+#material 2 leaf "5f8550" "7a9c64" veins "8fae78" 4 0.4 wilted "8f9a5c" "a8a468" name "leaf, upper epidermis"
+#material 12 leaf "84a46c" "94b27c" wilted "9aa268" "b0aa74" name "leaf, mesophyll"
+#material 13 leaf "78986a" "8eac7c" wilted "98a06c" "aea878" name "leaf, lower epidermis"
+#material 3 sepal "93ab76" "a4b986" name "sepal, upper epidermis"
+#material 14 sepal "7d9a60" "8eaa70" name "sepal, mesophyll"
+#material 15 sepal "6f8f55" "83a066" name "sepal, lower epidermis"
+#material 5 petal "1d0d10" "de3323" foot 0.3 veins "a31812" 9 0.3 bud "3a1014" "b83024" wilted "1d0d10" "963028" name "petal, upper epidermis"
+#material 10 petal "2a1014" "c8281c" foot 0.3 bud "3a1014" "b03024" wilted "241014" "8a2a26" name "petal, mesophyll"
+#material 4 petal "4a1c1e" "d84430" foot 0.35 veins "ac241a" 9 0.3 bud "4a1c1c" "c24838" wilted "36191a" "94382e" name "petal, lower epidermis"
 #material 6 stamen "2c2236" "3c3148"
 #material 7 stamen "26222c" "4c4658"
 #material 8 pistil "93a87a" "a5b88a"
@@ -3754,14 +3814,14 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 
 #axiom: STEM
 STEM{hang=(1-open)*max(0,step-9)^2}{step<16}{} -> OLD[STEM(,<bend+math.random(-2.5,2.5)+3.8*hang>,<math.random(-2.5,2.5)>,,<tall*(0.75+0.25*open)/16>,<2.6-0.05*step>,<2.6-0.05*step>,)]_{E}
-STEM{l=math.random(92,114)-10*step}{step<7&&step!=5}{} -> STEM[&PETAL{K=18; J=2; len=l; wide=l*0.5; thick=0.7; start=-52+math.random(-8,8)-3*step; sway=math.random(-6,6); low=20; mid=24; high=math.random(0,40); cup=-5; peak=0.95; foot=0.7; tip=1.6; claw=0.12; teeth=0.85; bites=4; barb=-24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
+STEM{l=math.random(92,114)-10*step}{step<7&&step!=5}{} -> STEM[&PETAL{K=18; J=2; len=l; wide=l*0.5; thick=0.7; start=-52+math.random(-8,8)-3*step; sway=math.random(-6,6); low=20; mid=24; high=math.random(0,40); cup=-5; peak=0.95; foot=0.7; tip=1.6; claw=0.12; teeth=0.85; bites=4; barb=-24; upper=2; middle=12; lower=13}]_{C(1+(5*step)%12)}
 STEM{}{step==16}{} -> STEM[CALYX(,<22*open>,,,,,,)]_{E}
 CALYX -> CALYX[RECEPTACLE(,<12*open>,,,,,,)]_{E}
-CALYX -> CALYX[&PETAL{K=8; len=0.3+23*max(0,1-2*open); wide=0.2+21*max(0,1-2*open); thick=0.05+0.8*max(0,1-2*open); start=-22; low=-66; mid=-6; high=-66; cup=34; claw=0.4; upper=3; middle=3; lower=3}]_{C1,C7}
+CALYX -> CALYX[&PETAL{K=8; len=0.3+23*max(0,1-2*open); wide=0.2+21*max(0,1-2*open); thick=0.05+0.8*max(0,1-2*open); start=-22; low=-66; mid=-6; high=-66; cup=34; claw=0.4; upper=3; middle=14; lower=15}]_{C1,C7}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
-RECEPTACLE -> RECEPTACLE[&PETAL{K=10; J=5; len=size*(11+27*open); wide=size*(9+57*open); thick=0.45; start=-62+55*open+math.random(-5,5)+18*wilt; low=-16-26*open; mid=4; high=-34+50*open+math.random(-10,10); cup=15-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.32; foot=1; tip=0.66; claw=0.24; spread=5; upper=5}]_{C1,C7}
+RECEPTACLE -> RECEPTACLE[&PETAL{K=10; J=5; len=size*(11+27*open); wide=size*(9+57*open); thick=0.45; start=-62+55*open+math.random(-5,5)+18*wilt; low=-16-26*open; mid=4; high=-34+50*open+math.random(-10,10); cup=15-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.32; foot=1; tip=0.66; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C1,C7}
 BASE -> BASE[RING]_{E}
-BASE -> BASE[&PETAL{K=10; J=5; len=size*(10+25*open); wide=size*(8+49*open); thick=0.45; start=-66+50*open+math.random(-5,5)+18*wilt; low=-14-30*open; mid=4; high=-30+42*open+math.random(-10,10); cup=16-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.3; foot=1; tip=0.68; claw=0.24; spread=5; upper=5}]_{C4,C10}
+BASE -> BASE[&PETAL{K=10; J=5; len=size*(10+25*open); wide=size*(8+49*open); thick=0.45; start=-66+50*open+math.random(-5,5)+18*wilt; low=-14-30*open; mid=4; high=-30+42*open+math.random(-10,10); cup=16-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.3; foot=1; tip=0.68; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C4,C10}
 RING{}{step<25}{} -> RING[RING]_{E}
 RING{}{step==25}{} -> RING[&CAPSULE]_{E}
 RING -> RING[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
@@ -4120,10 +4180,15 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=17+petals
 
 #material 1 stem "6a8048" "7f9a58"
-#material 2 leaf "3c6136" "557d48" veins "7ba36a" 6 0.45
-#material 3 sepal "66884a" "7c9a58"
-#material 4 petal "e8a0a6" "d2486a" foot 0.35 veins "b53056" 6 0.18 bud "b9b070" "b93456" wilted "d9a898" "a85a62"
-#material 5 petal "dfb6a0" "dd6a84" foot 0.35 bud "a8a864" "b84a60" wilted "cf9e88" "a8685c"
+#material 2 leaf "3c6136" "557d48" veins "7ba36a" 6 0.45 name "leaf, upper epidermis"
+#material 12 leaf "6b925c" "7ba36a" name "leaf, mesophyll"
+#material 13 leaf "6a8862" "809e74" name "leaf, lower epidermis"
+#material 3 sepal "aebc98" "bac6a2" name "sepal, upper epidermis"
+#material 14 sepal "7f9a62" "8fa870" name "sepal, mesophyll"
+#material 15 sepal "66884a" "7c9a58" name "sepal, lower epidermis"
+#material 4 petal "e8a0a6" "d2486a" foot 0.35 veins "b53056" 6 0.18 bud "b9b070" "b93456" wilted "d9a898" "a85a62" name "petal, upper epidermis"
+#material 10 petal "e6aaa6" "d65a78" foot 0.35 bud "b4ac6c" "b83e5c" wilted "d6a496" "a86064" name "petal, mesophyll"
+#material 5 petal "e2bca8" "e07e96" foot 0.35 bud "a8a864" "b84a60" wilted "cf9e88" "a8685c" name "petal, lower epidermis"
 #material 9 seed "8a4a3a" "7a3a30"
 
 #axiom: STEM
@@ -4133,8 +4198,8 @@ STEM{}{step==2||step==5||step==8}{} -> STEM[&ROSELEAF{len=math.random(44,56)}]_{
 STEM{}{step==13}{} -> STEM[HIP(,<14*open+6*wilt>,,,,,,)]_{E}
 HIP -> HIP[CALYX(,<16*open+8*wilt>,,,3.4,9,9,)]_{E}
 CALYX -> CALYX[RING]_{E}
-CALYX -> CALYX[&PETAL{K=8; J=1; len=size*27; wide=size*7; thick=0.7; start=-66+62*open+math.random(-8,8); low=-8+30*open; high=24*open+math.random(-10,20); cup=12; peak=0.6; tip=1.8; claw=0.75; upper=3; middle=3; lower=3}]_{C1,C3,C4,C6,C7}
-RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9-6.5*q>,<9-6.5*q>,)]_{E}[&PETAL{K=7; J=3; len=size*(25+19*open*(1-0.25*q))*(1-0.15*q)*math.random(0.95,1.04); wide=size*(22+22*open)*(1-0.42*q)*math.random(0.94,1.05); thick=0.5; start=-78+(62-66*q)*max(0,open*1.2-0.2*q)+math.random(-5,5)+(26-20*q)*wilt; low=-40*(1-0.6*q)*open; mid=-8-18*q; high=-30+(72*(1-q)^1.4)*open-6*q+math.random(-8,8)+20*wilt; cup=12+20*q+8*(1-open)-3*wilt; edge=(-46+34*q)*open; wave=4+10*wilt; waves=2; peak=1.4; foot=0.9; tip=0.55; claw=0.3; spread=4; lower=5}]_{C(1+(3*step)%8)}
+CALYX -> CALYX[&PETAL{K=8; J=1; len=size*27; wide=size*7; thick=0.7; start=-66+62*open+math.random(-8,8); low=-8+30*open; high=24*open+math.random(-10,20); cup=12; peak=0.6; tip=1.8; claw=0.75; upper=3; middle=14; lower=15}]_{C1,C3,C4,C6,C7}
+RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9-6.5*q>,<9-6.5*q>,)]_{E}[&PETAL{K=7; J=3; len=size*(25+19*open*(1-0.25*q))*(1-0.15*q)*math.random(0.95,1.04); wide=size*(22+22*open)*(1-0.42*q)*math.random(0.94,1.05); thick=0.5; start=-78+(62-66*q)*max(0,open*1.2-0.2*q)+math.random(-5,5)+(26-20*q)*wilt; low=-40*(1-0.6*q)*open; mid=-8-18*q; high=-30+(72*(1-q)^1.4)*open-6*q+math.random(-8,8)+20*wilt; cup=12+20*q+8*(1-open)-3*wilt; edge=(-46+34*q)*open; wave=4+10*wilt; waves=2; peak=1.4; foot=0.9; tip=0.55; claw=0.3; spread=4; upper=4; middle=10; lower=5}]_{C(1+(3*step)%8)}
 
 #module PETAL
 /* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
@@ -4260,8 +4325,8 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=12
 #axiom: RACHIS(,<-46+math.random(-8,8)>,<math.random(-8,8)>,,,,,)
 RACHIS{}{step<10}{} -> SPENT[RACHIS(,<7+math.random(-2,2)>,<math.random(-2,2)>,,,<1.4-0.06*step>,<1.4-0.06*step>,)]_{E}
-RACHIS{g=0.74+0.03*step}{step==4||step==8}{} -> RACHIS[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=-90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{C3}[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{C7}
-RACHIS{}{step==10}{} -> RACHIS[&PETAL{K=9; J=1; len=len*1.1; wide=len*0.7; thick=0.6; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=2; lower=2}]_{E}
+RACHIS{g=0.74+0.03*step}{step==4||step==8}{} -> RACHIS[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=-90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=12; lower=13}]_{C7}
+RACHIS{}{step==10}{} -> RACHIS[&PETAL{K=9; J=1; len=len*1.1; wide=len*0.7; thick=0.6; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=12; lower=13}]_{E}
 `,
 	spike: `/* Spike
    about: Flowers without stalks along an axis, the lowest first: gladiolus, all to one side, in bud above.
@@ -4410,10 +4475,15 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 #define finalStep=15+rays+discs
 
 #material 1 stem "7a944c" "8aa458"
-#material 2 sepal "55783a" "6f9048" wilted "6f7440" "8a8450"
-#material 3 leaf "3f6a2b" "58863e" veins "86ae62" 5 0.5 wilted "7d8446" "8f8a4c"
-#material 4 petal "e38d0e" "fac81f" foot 0.35 veins "dd9610" 4 0.35 bud "b8a830" "c8b83a" wilted "a8742a" "8f6a30"
-#material 5 petal "d8860e" "f0b81c" bud "b0a030" "bcae38" wilted "9c6c2a" "866230"
+#material 2 sepal "67894a" "80a05c" wilted "78804e" "92905a" name "bract, upper epidermis"
+#material 12 sepal "6a8a4c" "84a05e" wilted "788050" "949060" name "bract, mesophyll"
+#material 13 sepal "55783a" "6f9048" wilted "6f7440" "8a8450" name "bract, lower epidermis"
+#material 3 leaf "3f6a2b" "58863e" veins "86ae62" 5 0.5 wilted "7d8446" "8f8a4c" name "leaf, upper epidermis"
+#material 14 leaf "729c50" "86ae62" wilted "8c9054" "9c965a" name "leaf, mesophyll"
+#material 15 leaf "6a8c54" "82a068" wilted "888e5c" "98946a" name "leaf, lower epidermis"
+#material 4 petal "e38d0e" "fac81f" foot 0.35 veins "dd9610" 4 0.35 bud "b8a830" "c8b83a" wilted "a8742a" "8f6a30" name "ray, upper epidermis"
+#material 10 petal "dc8c10" "f2bc1e" foot 0.35 bud "b0a030" "c0b038" wilted "a0702a" "8a682e" name "ray, mesophyll"
+#material 5 petal "d0921c" "ecbc34" bud "a8a034" "b4ac40" wilted "9c6c2a" "866230" name "ray, lower epidermis"
 #material 6 stamen "5a3a18" "6d4a20"
 #material 7 stamen "3c2410" "a8701e" bud "5a6a2c" "7a7a34" wilted "3c2814" "5a4426"
 #material 8 stamen "4a4a1c" "76752e" bud "5a6a2c" "7a8838" wilted "3c2c16" "4a3820"
@@ -4424,10 +4494,10 @@ STEM{}{step<10}{} -> OLD[STEM(,<bend+0.5*step+math.random(-0.6,0.6)+2*wilt>,<mat
 STEM{}{step>1&&step<8}{} -> STEM[&LEAF{len=(240-18*(step-2))*math.random(0.9,1.08)}]_{C(1+(5*step)%13)}
 STEM{}{step==10}{} -> STEM[CUP(,<46-10*(1-open)+26*wilt>,,,,,,)]_{E}
 CUP -> CUP[BRACTS]_{E}
-CUP -> CUP[&PETAL{K=7; J=1; len=size*46; wide=size*22; thick=1.2; start=-64+88*open+math.random(-6,6); low=-12; high=-30+50*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=2; lower=2}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+CUP -> CUP[&PETAL{K=7; J=1; len=size*46; wide=size*22; thick=1.2; start=-64+88*open+math.random(-6,6); low=-12; high=-30+50*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=12; lower=13}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 BRACTS -> BRACTS[RIM]_{E}
-BRACTS -> BRACTS[&PETAL{K=7; J=1; len=size*40; wide=size*20; thick=1.2; start=-84+94*open+math.random(-8,8); low=-16; high=-40+64*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=2; lower=2}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
-RIM{k=step-13; q=k/rays}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{K=8; J=1; len=size*(46+32*open)*math.random(0.92,1.06); wide=size*(14+7*open)*math.random(0.9,1.1); thick=0.7; start=-112+(106-16*q)*open+math.random(-8,8)-60*wilt*math.random(0.6,1.2); sway=math.random(-6,6); low=-20+24*open; high=-26+26*open+math.random(-14,14); cup=12; peak=0.95; tip=1.25; claw=0.3; lower=5}]_{C(1+(5*step)%13)}
+BRACTS -> BRACTS[&PETAL{K=7; J=1; len=size*40; wide=size*20; thick=1.2; start=-84+94*open+math.random(-8,8); low=-16; high=-40+64*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=12; lower=13}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+RIM{k=step-13; q=k/rays}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{K=8; J=1; len=size*(46+32*open)*math.random(0.92,1.06); wide=size*(14+7*open)*math.random(0.9,1.1); thick=0.7; start=-112+(106-16*q)*open+math.random(-8,8)-60*wilt*math.random(0.6,1.2); sway=math.random(-6,6); low=-20+24*open; high=-26+26*open+math.random(-14,14); cup=12; peak=0.95; tip=1.25; claw=0.3; upper=4; middle=10; lower=5}]_{C(1+(5*step)%13)}
 RIM{k=step-13}{k==rays}{} -> FULL[DISC]_{E}
 /* Outer florets are open, those within a ring in bud, the middle green. */
 DISC{k=step-14-rays; q=k/discs; r=sqrt(max(0.004,1-q))}{step<finalStep-1}{} -> BARE[DISC(,,,,<(0.02+0.05*q)*size>,<2*radius*r>,<2*radius*r>,)]_{E}[&BLADE{S=2; len=broad*(7+4*(q<0.4)*open); wide=broad*3.4; thick=broad*3; start=-62-26*q; claw=0.8; blunt=0.5; paint=7+(q>0.4)*2-(q>0.72)}]_{C(1+(5*step)%13)}
@@ -4554,7 +4624,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=6
 #axiom: PETIOLE(,<-48+math.random(-8,8)>,<math.random(-8,8)>,,,,,)
 PETIOLE{}{step<4}{} -> PETIOLE[PETIOLE(,9,,,,,,)]_{E}
-PETIOLE{}{step==4}{} -> PETIOLE[&PETAL{K=12; J=3; len=len; wide=len*0.78; thick=1.4; start=20; low=14; mid=14; high=math.random(0,40); cup=3; wave=5; peak=0.8; foot=0.62; tip=1.45; claw=0.2; fan=20; teeth=0.07; bites=6; upper=3; middle=3; lower=3}]_{E}
+PETIOLE{}{step==4}{} -> PETIOLE[&PETAL{K=12; J=3; len=len; wide=len*0.78; thick=1.4; start=20; low=14; mid=14; high=math.random(0,40); cup=3; wave=5; peak=0.8; foot=0.62; tip=1.45; claw=0.2; fan=20; teeth=0.07; bites=6; upper=3; middle=14; lower=15}]_{E}
 `,
 	"table-3": `/* Table 3
    about: The thesis's example of a grammar: a stem, a receptacle and four petals, each a module.
@@ -4610,14 +4680,16 @@ p1 VEIN -> VEIN[VEIN(,<8-1.4*step>,,,2.5,2+sin(18*step),,)]_{E}
 #define finalStep=22
 
 #material 1 stem "7f9a55" "9ab36c"
-#material 2 leaf "587f58" "6c9a64" wilted "8a9450" "b0a060"
+#material 2 leaf "587f58" "6c9a64" wilted "8a9450" "b0a060" name "leaf, upper epidermis"
+#material 12 leaf "7d9c68" "8bac74" wilted "989a5c" "b8a868" name "leaf, mesophyll"
+#material 13 leaf "6b8f6c" "80a67a" wilted "949a60" "b4a66c" name "leaf, lower epidermis"
 #material 4 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238" name "tepal, lower epidermis"
 #material 5 petal "d8a23a" "d4343c" foot 0.4 bud "8d9c4e" "a8433a" wilted "c9a060" "984a40" name "tepal, upper epidermis"
+#material 11 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238" name "tepal, mesophyll"
 #material 6 stamen "e8dfa5" "d8c987"
 #material 7 stamen "2f2633" "40313f"
 #material 8 pistil "a3b873" "bccb86"
 #material 9 pistil "e3dfa0" "efe9b5"
-#material 11 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238" name "tepal, mesophyll"
 #material 10 petal "e9c04a" "e9b53a"
 
 #axiom: STEM
@@ -4625,9 +4697,9 @@ STEM{}{step<16}{} -> STEM[STEM(,<bend+math.random(-0.8,0.8)+1.5*wilt>,<math.rand
 STEM{}{step==1}{} -> STEM[LOWER]_{E}
 STEM{}{step==3}{} -> STEM[UPPER]_{E}
 LOWER -> LOWER[STEM]_{E}
-LOWER -> LOWER[&PETAL{K=14; J=3; len=math.random(200,250); wide=math.random(44,60); thick=1.6; start=-70+math.random(-5,5)-8*(1-open); low=10; mid=10; high=25+math.random(0,30)+40*wilt; cup=16-4*open; wave=5; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=2; lower=2}]_{C1}
+LOWER -> LOWER[&PETAL{K=14; J=3; len=math.random(200,250); wide=math.random(44,60); thick=1.6; start=-70+math.random(-5,5)-8*(1-open); low=10; mid=10; high=25+math.random(0,30)+40*wilt; cup=16-4*open; wave=5; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=12; lower=13}]_{C1}
 UPPER -> UPPER[STEM]_{E}
-UPPER -> UPPER[&PETAL{K=14; J=3; len=math.random(150,190); wide=math.random(26,36); thick=1.4; start=-72+math.random(-5,5)-8*(1-open); low=6; mid=8; high=14+math.random(0,20)+30*wilt; cup=17-4*open; wave=4; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=2; lower=2}]_{C7}
+UPPER -> UPPER[&PETAL{K=14; J=3; len=math.random(150,190); wide=math.random(26,36); thick=1.4; start=-72+math.random(-5,5)-8*(1-open); low=6; mid=8; high=14+math.random(0,20)+30*wilt; cup=17-4*open; wave=4; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=12; lower=13}]_{C7}
 STEM{}{step==16}{} -> STEM[RECEPTACLE(,<6*open>,,,,,,)]_{E}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
 RECEPTACLE -> RECEPTACLE[&PETAL{len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C1,C5,C9}
@@ -4884,10 +4956,10 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define scale=0.92 /* 0.7 … 1.4, of the flower */
+#define scale=1.05 /* 0.7 … 1.4, of the flower */
 #define size=scale*math.random(0.92,1.08)
 #define petals=floor(math.random(20,26))
-#define pad=math.random(200,245)
+#define pad=math.random(165,205)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -4900,20 +4972,24 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=petals+10
 
 #material 1 stem "6d7a45" "7d8a55"
-#material 2 sepal "6f8a4c" "8fa468"
-#material 4 petal "fdf6ee" "fffdfb" foot 0.5 bud "eef0dc" "fdf6f0" wilted "e2d8b4" "cfc096"
-#material 5 petal "fdf8f2" "fdf4f4" foot 0.5 wilted "dccfa8" "c4b288"
+#material 3 sepal "eef0dc" "f8f6ee" bud "e6ead0" "f2f2e4" wilted "ded6b4" "cabc92" name "sepal, upper epidermis"
+#material 7 sepal "aebd84" "c4cc9c" name "sepal, mesophyll"
+#material 2 sepal "6f8a4c" "8fa468" margin "d4d8b8" 0.2 name "sepal, lower epidermis"
+#material 4 petal "fdf6ee" "fffdfb" foot 0.5 bud "eef0dc" "fdf6f0" wilted "e2d8b4" "cfc096" name "petal, upper epidermis"
+#material 11 petal "f4efe2" "f8f4ee" foot 0.5 bud "e8ead2" "f4efe6" wilted "dacea8" "c6b68c" name "petal, mesophyll"
+#material 5 petal "f2ecdf" "fbf0f0" foot 0.5 wilted "dccfa8" "c4b288" name "petal, lower epidermis"
 #material 6 stamen "eeb92c" "f4cf4a" wilted "b08a30" "a08038"
 #material 8 pistil "e0c552" "ecd87a"
-#material 9 leaf "4a7a42" "3f6b3a" veins "7aa062" 8 0.5 light 0.2
-#material 10 leaf "7d5a52" "8a5f5a"
+#material 9 leaf "4a7a42" "3f6b3a" veins "7aa062" 8 0.5 light 0.2 name "leaf, upper epidermis"
+#material 12 leaf "6f8a58" "5f7c4c" light 0.2 name "leaf, mesophyll"
+#material 10 leaf "7d5a52" "8a5f5a" light 0.2 name "leaf, lower epidermis"
 
 #axiom: PAD
 PAD -> PAD[CUP]_{E}
-PAD -> PAD[&PETAL{K=14; J=5; len=pad; wide=pad*0.95; thick=1.6; start=1; low=0.5; cup=0; wave=2; waves=5; foot=0.4; tip=0.95; claw=0.62; fan=80; upper=9; middle=9; lower=10}]_{C7}
+PAD -> PAD[&PETAL{K=14; J=5; len=pad; wide=pad*0.95; thick=1.6; start=1; low=0.5; cup=0; wave=2; waves=5; foot=0.4; tip=0.95; claw=0.62; fan=80; upper=9; middle=12; lower=10}]_{C7}
 CUP -> CUP[RING]_{E}
-CUP -> CUP[&PETAL{K=8; J=2; len=size*(57+5*open); wide=size*24; thick=1.4; start=-46+42*open; low=-44+22*open; mid=-2; high=-40+30*open; cup=18-6*open; peak=0.95; tip=1.1; claw=0.4; upper=4; middle=2; lower=2}]_{C1,C3,C5,C7}
-RING{q=(step-2)/petals}{step<petals+2}{} -> SET[RING(,,,,<0.34*size>,<17-7*q>,<17-7*q>,)]_{E}[&PETAL{K=8; J=2; len=size*(40+22*open)*(1-0.3*q)*math.random(0.97,1.03); wide=size*(22-8*q)*(0.8+0.2*open); thick=1; start=-56+(54-30*q)*open-6*q+math.random(-4,4)+8*wilt-40*max(0,wilt-0.5); low=-34+(10-12*q)*open; mid=-4; high=-34+30*open; cup=19-6*open; peak=0.97; tip=1.2; claw=0.4; lower=5}]_{C(1+(3*step)%8)}
+CUP -> CUP[&PETAL{K=8; J=2; len=size*(57+5*open); wide=size*24; thick=1.4; start=-46+42*open; low=-44+22*open; mid=-2; high=-40+30*open; cup=18-6*open; peak=0.95; tip=1.1; claw=0.4; upper=3; middle=7; lower=2}]_{C1,C3,C5,C7}
+RING{q=(step-2)/petals}{step<petals+2}{} -> SET[RING(,,,,<0.34*size>,<17-7*q>,<17-7*q>,)]_{E}[&PETAL{K=8; J=2; len=size*(40+22*open)*(1-0.3*q)*math.random(0.97,1.03); wide=size*(22-8*q)*(0.8+0.2*open); thick=1; start=-56+(54-30*q)*open-6*q+math.random(-4,4)+8*wilt-40*max(0,wilt-0.5); low=-34+(10-12*q)*open; mid=-4; high=-34+30*open; cup=19-6*open; peak=0.97; tip=1.2; claw=0.4; upper=4; middle=11; lower=5}]_{C(1+(3*step)%8)}
 RING{}{step==petals+2}{} -> RING[HEART]_{E}
 HEART{}{step<petals+7}{} -> HEART[HEART]_{E}
 HEART{}{step==petals+7}{} -> HEART[TOP]_{E}

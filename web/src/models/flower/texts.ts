@@ -6,9 +6,25 @@ export const { fetchTexts, fetchedText } = presetTexts(PRESETS, () => import("./
 /** What the text that a flower grows by calls variables of its own: `#define name=`. How many steps it has is a parameter. */
 export async function variablesIn(flower: { readonly grammar?: string; readonly preset: string }): Promise<string[]> {
 	if (flower.grammar === undefined) await fetchTexts();
-	const bare = (fetchedText(flower) ?? "").replace(/@[^@]*@|\/\*[\s\S]*?\*\//g, (all) => all.replace(/[^\n]/g, " "));
+	const bare = uncommented(fetchedText(flower) ?? "");
 	const modules = bare.search(/^[ \t]*#[ \t]*module\b/m);
 	const own = modules < 0 ? bare : bare.slice(0, modules);
 	const names = own.matchAll(/^[ \t]*#[ \t]*define[ \t]+(\p{L}[\p{L}\p{N}_]*)[ \t]*=/gmu);
 	return [...names].map(([, name]) => name).filter((name) => name !== "finalStep");
 }
+
+/** Whether anything of a flower depends on its age; yes of a text that has not been fetched. */
+export function heedsAge(flower: { readonly grammar?: string; readonly preset: string }): boolean {
+	const text = fetchedText(flower);
+	if (text !== lastAsked?.text) lastAsked = { text, heeds: text === undefined || OF_AGE.test(uncommented(text)) };
+	return lastAsked?.heeds ?? true;
+}
+
+/** The word itself, or colours of buds and of what has wilted. */
+const OF_AGE = /\bage\b|^[ \t]*#[ \t]*material\b.*(?<!")\b(?:bud|wilted)\b/mu;
+
+/** It is asked at every change of a document, and texts are long. */
+let lastAsked: { readonly text: string | undefined; readonly heeds: boolean } | undefined;
+
+const uncommented = (text: string): string =>
+	text.replace(/@[^@]*@|\/\*[\s\S]*?\*\//g, (all) => all.replace(/[^\n]/g, " "));

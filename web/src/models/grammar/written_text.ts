@@ -1,4 +1,5 @@
 /** A specimen's text as a file: with its constants and steps in it, so that it grows the same plant wherever it is read. */
+import { withConstants } from "../../controls/grammar/outline";
 import type { GrammarSpecimen } from "./specimen";
 import { textOf } from "./texts";
 
@@ -9,16 +10,9 @@ export async function writtenText(specimen: GrammarSpecimen): Promise<string> {
 
 /** A text in which the `#define`s and the derivation length say what a specimen says; what the text does not have is left out. */
 export function withValues(text: string, { constants, steps }: Pick<GrammarSpecimen, "constants" | "steps">): string {
-	let written = text;
-	for (const [name, value] of Object.entries(constants)) written = defined(written, name, value);
+	const written = withConstants(text, constants);
 	if (steps === undefined) return written;
 	const length = /^([ \t]*derivation[ \t]+length[ \t]*:[ \t]*)[^\n/]*?([ \t]*(?:\/\*.*)?)$/m;
 	if (length.test(written)) return written.replace(length, (_, before, after) => `${before}${steps}${after}`);
 	return written.replace(/^[ \t]*axiom[ \t]*:/m, (axiom) => `derivation length: ${steps}\n${axiom}`);
-}
-
-/** The line goes on with what stands behind its expression: a comment. */
-function defined(text: string, name: string, value: number): string {
-	const line = new RegExp(`^([ \\t]*#define[ \\t]+${name}[ \\t]+)(?:[^\\n/]|/(?!\\*))*?([ \\t]*(?:/\\*.*)?)$`, "mu");
-	return text.replace(line, (_, before, after) => `${before}${value}${after}`);
 }

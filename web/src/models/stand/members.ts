@@ -27,6 +27,30 @@ export function titlesOf({ kinds, places, memberOf, members }: StandPlant): read
 	return titles;
 }
 
+/** What grows there: lines of the plan that name the same are one. */
+export interface Sort {
+	readonly title: string;
+	/** The first of its kinds. */
+	readonly kind: number;
+	/** How many plants. */
+	readonly count: number;
+}
+
+/** Of each kind the first that is called the same. */
+export function firstAlike({ kinds }: Pick<StandPlant, "kinds">): readonly number[] {
+	const names = kinds.map(({ name }) => name);
+	return names.map((name) => names.indexOf(name));
+}
+
+/** What grows there, in the order of the plan. */
+export function sortsOf(stand: StandPlant): readonly Sort[] {
+	const counts = stand.kinds.map(() => 0);
+	const first = firstAlike(stand);
+	for (const kind of stand.places.kind) counts[first[kind]]++;
+	const titles = titlesOf(stand);
+	return [...new Set(first)].map((kind) => ({ title: titles[kind], kind, count: counts[kind] }));
+}
+
 /** What is to be grown for one plant, and where the organs of it are at which others hang. */
 export function askedOf(stand: StandPlant, plant: number, wanted = spotsWanted(stand)): MemberAsked {
 	const { kinds, places } = stand;

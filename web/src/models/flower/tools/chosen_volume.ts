@@ -14,33 +14,44 @@ const NOBODY = 0xffffffff;
 /** A volume of what has grown, to be known again; undefined where none of that number has. */
 export function chosenOf(grown: Grown | undefined, volume: number | undefined): ChosenVolume | undefined {
 	if (!grown || volume === undefined || !(volume >= 0 && volume < grown.volumes.order.length)) return undefined;
-	const { parent, label, labels } = grown.volumes;
+	const { order, parent, label, labels } = grown.volumes;
 	const line: number[] = [];
-	for (let at = volume; at !== NOBODY; at = parent[at]) line.push(at);
+	for (let at = volume; at !== NOBODY; at = parent[at]) if (line.push(at) > order.length) return undefined; // It would go round.
 	line.reverse();
+	// What a volume is split into may stand behind what grows from it: each is looked at by its parent, in whatever order.
+	const behind = new Map(line.map((at, i) => [parent[at], i]));
 	const before = new Uint32Array(line.length);
-	// Each stands behind what it grew from, so that one way through all of them passes the line in its order.
-	for (let at = 0, next = 0; next < line.length; at++)
-		if (at === line[next]) next++;
-		else if (isNext(grown.volumes, at, line[next - 1] ?? NOBODY, label[line[next]])) before[next]++;
+	for (let at = 0; at < order.length; at++) {
+		const next = behind.get(parent[at]);
+		if (next !== undefined && at < line[next] && label[at] === label[line[next]]) before[next]++;
+	}
 	return line.map((at, i) => ({ label: labels[label[at]], nth: before[i] }));
 }
 
 /** Its number in what has grown now; undefined where that has none of its descent. */
 export function stillChosen(grown: Grown | undefined, chosen: ChosenVolume | undefined): number | undefined {
 	if (!grown || !chosen) return undefined;
-	const { volumes } = grown;
-	const labels = volumes.labels.length;
-	let [last, next, before] = [NOBODY, 0, 0];
-	for (let at = 0; at < volumes.order.length && next < chosen.length; at++) {
-		const { label, nth } = chosen[next];
-		const own = volumes.label[at];
-		if (own >= labels || volumes.labels[own] !== label || volumes.parent[at] !== last) continue;
-		if (before++ < nth) continue;
-		[last, next, before] = [at, next + 1, 0];
+	const { labels, label } = grown.volumes;
+	const { first, next } = childrenOf(grown.volumes);
+	let last: number | undefined;
+	for (const { label: called, nth } of chosen) {
+		let at = first[last ?? first.length - 1];
+		for (let before = 0; at !== NOBODY; at = next[at]) if (labels[label[at]] === called && before++ === nth) break;
+		if (at === NOBODY) return undefined;
+		last = at;
 	}
-	return next === chosen.length ? last : undefined;
+	return last;
 }
 
-const isNext = ({ parent, label }: Volumes, at: number, from: number, called: number): boolean =>
-	parent[at] === from && label[at] === called;
+/** Of each volume, and behind the last of nobody, the first that grew from it; and of each the next that grew from the same. */
+function childrenOf({ order, parent }: Volumes): { first: Uint32Array; next: Uint32Array } {
+	const count = order.length;
+	const first = new Uint32Array(count + 1).fill(NOBODY);
+	const next = new Uint32Array(count);
+	for (let at = count - 1; at >= 0; at--) {
+		const from = Math.min(parent[at], count);
+		next[at] = first[from];
+		first[from] = at;
+	}
+	return { first, next };
+}

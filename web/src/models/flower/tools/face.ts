@@ -5,6 +5,7 @@ import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face, Tool } from "../../../controls/tool";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
+import { age } from "./age";
 import { beginTool, designTools } from "./design/design_tool";
 import { source } from "./text";
 import { volumeTool } from "./volume_tool";
@@ -13,6 +14,7 @@ export const face: Face<FlowerSpecimen, FlowerPlant> = {
 	tools: [
 		...designTools,
 		volumeTool as Tool<FlowerSpecimen, FlowerPlant>,
+		age as Tool<FlowerSpecimen, FlowerPlant>,
 		beginTool,
 		...grammarTools<FlowerSpecimen, FlowerPlant>(source),
 		gestureTool<FlowerSpecimen, FlowerPlant>(source),

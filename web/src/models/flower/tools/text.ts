@@ -10,6 +10,8 @@ export const source: GrammarSource<FlowerSpecimen> = {
 	noun: "flower",
 	dialect: FLOWER_LANGUAGE,
 	always: true,
+	// It is no variable: the parameter of the steps stands for it.
+	governed: new Set(["finalStep"]),
 	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),
 	presetConstants: (preset) => fromPreset(FLOWER, preset).constants,
 };

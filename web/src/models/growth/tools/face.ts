@@ -6,6 +6,7 @@ import type { Face, Tool } from "../../../controls/tool";
 import type { GrowthPlant } from "../growth_plant";
 import type { GrowthSpecimen } from "../specimen";
 import { volumeTools } from "../volumes/volume_tool";
+import { age } from "./age";
 import { neighbours } from "./neighbours";
 import { source } from "./text";
 
@@ -13,6 +14,7 @@ export const face: Face<GrowthSpecimen, GrowthPlant> = {
 	tools: [
 		...grammarTools<GrowthSpecimen, GrowthPlant>(source),
 		...volumeTools,
+		age as Tool<GrowthSpecimen, GrowthPlant>,
 		neighbours as Tool<GrowthSpecimen, GrowthPlant>,
 		gestureTool<GrowthSpecimen, GrowthPlant>(source),
 	],

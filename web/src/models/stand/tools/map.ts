@@ -5,11 +5,11 @@ import { live } from "lit/directives/live.js";
 import type { Desk } from "../../../controls/desk";
 import { PickPointer } from "../../../controls/pick_pointer";
 import type { Tool } from "../../../controls/tool";
-import { titlesOf, valuesOf } from "../members";
+import { firstAlike, sortsOf, titlesOf, valuesOf } from "../members";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
 
-/** Hues of kinds, as far apart as they can be. */
+/** Hues of kinds, as far apart as they can be; those of one name have one. */
 const HUE = 137.5;
 /** Room about the ground, as a share of its width: crowns reach over its edge. */
 const MARGIN = 0.05;
@@ -73,12 +73,13 @@ function drawMap(desk: StandDesk, stand: StandPlant): unknown {
 		</label>
 		<div aria-live="polite">${chosen === undefined ? html`<p>Choose a plant on the map or in the picture.</p>` : tell(stand, titles, chosen)}</div>
 		<ul class="stand-kinds">
-			${titles.map(
-				(
+			${sortsOf(stand).map(
+				({
 					title,
 					kind,
-				) => html`<li><svg viewBox="0 0 10 10" aria-hidden="true"><circle cx="5" cy="5" r="5" fill=${colourOf(kind)}></circle></svg>${title}
-					<small>${stand.places.kind.reduce((sum, each) => sum + Number(each === kind), 0)}</small></li>`,
+					count,
+				}) => html`<li><svg viewBox="0 0 10 10" aria-hidden="true"><circle cx="5" cy="5" r="5" fill=${colourOf(kind)}></circle></svg>${title}
+					<small>${count}</small></li>`,
 			)}
 		</ul>
 	</div>`;
@@ -91,6 +92,7 @@ function shownOf({ ground: { width, depth } }: StandPlant): readonly [wide: numb
 
 /** A path a kind: thousands of circles would each be an element. */
 function drawPlants({ kinds, places, ground }: StandPlant): unknown {
+	const first = firstAlike({ kinds });
 	return kinds.map(({ crown }, kind) => {
 		const rounds: string[] = [];
 		for (let plant = 0; plant < places.count; plant++) {
@@ -101,7 +103,7 @@ function drawPlants({ kinds, places, ground }: StandPlant): unknown {
 			const [x, z] = [places.at[3 * plant], places.at[3 * plant + 2]].map((value) => value.toFixed(2));
 			rounds.push(`M${x} ${z}m${-r} 0a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`);
 		}
-		return svg`<path d=${rounds.join("")} fill=${colourOf(kind)} fill-opacity="0.75"></path>`;
+		return svg`<path d=${rounds.join("")} fill=${colourOf(first[kind])} fill-opacity="0.75"></path>`;
 	});
 }
 

@@ -1,0 +1,57 @@
+/** Flowers for four distances, and how meshes are thinned. */
+export default [
+	{
+		file: "wasm-core/src/models/flower/levels.cpp",
+		suites: ["tests/core/models/flower/levels_test.cpp"],
+		faults: [
+			{
+				id: "flower-levels-by-own-luck",
+				find: "usual.steps = given.steps;",
+				replace: "usual = given;",
+				breaks: "what a level leaves out hangs on the seed and the age, and plants of one map have other triangles",
+			},
+			{
+				id: "flower-levels-all-unlike",
+				find: "i < strides.size() && triangles(there, all) > most;",
+				replace: "false;",
+				breaks: "organs that are all unlike are never too many, and a flower afar has thousands of triangles",
+			},
+			{
+				id: "flower-levels-crowd-stays-narrow",
+				find: "place = on + times * (place - on);",
+				replace: "place = on + (place - on);",
+				breaks: "what is left of a crowd from afar is as wide as near by, and its colour is gone",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/geometry/thinning.cpp",
+		suites: ["tests/core/geometry/thinning_test.cpp"],
+		faults: [
+			{
+				id: "thinning-turns-over",
+				find: "if (turns(vertex, into)) continue;",
+				replace: "",
+				breaks: "a level has triangles that face inwards",
+			},
+			{
+				id: "thinning-error-falls",
+				find: "error = std::max(error, static_cast<float>(std::sqrt(cost)));",
+				replace: "error = static_cast<float>(std::sqrt(cost));",
+				breaks: "a list of collapses cannot be cut at an error",
+			},
+			{
+				id: "thinning-fixed-goes",
+				find: "patch_.is_fixed[vertex] != 0 || ",
+				replace: "",
+				breaks: "organs come off what bears them",
+			},
+			{
+				id: "thinning-closing-counts",
+				find: "left_ -= t < patch_.counted;",
+				replace: "--left_;",
+				breaks: "what only closes a patch counts as its triangles",
+			},
+		],
+	},
+];
