@@ -191,8 +191,8 @@ export default [
 			},
 			{
 				id: "growth-leaves-alike",
-				find: "{level * around.cosine, level * around.sine, strewn * luck.height}",
-				replace: "{level * around.cosine, level * around.cosine, strewn * luck.height}",
+				find: "{level * around.cosine, level * around.sine, stray * luck.height}",
+				replace: "{level * around.cosine, level * around.cosine, stray * luck.height}",
 				breaks: "leaves are strewn to one side",
 			},
 		],

@@ -41,6 +41,7 @@ import saved from "./saved.mjs";
 import scene from "./scene.mjs";
 import specimen from "./specimen.mjs";
 import stand from "./stand.mjs";
+import standTrellis from "./stand_trellis.mjs";
 import stepper from "./stepper.mjs";
 import studio from "./studio.mjs";
 import swelling from "./swelling.mjs";
@@ -92,6 +93,7 @@ export const groups = [
 	...flowerPage,
 	...growth,
 	...stand,
+	...standTrellis,
 	...growthShape,
 	...stepper,
 	...studio,

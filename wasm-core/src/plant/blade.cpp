@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <vector>
 
 #include "foundation/mathematics.hpp"
@@ -15,6 +16,9 @@ constexpr int needles = 5;
 constexpr float needle_width = 0.06f;
 constexpr int spray_needles = 20;
 constexpr float spray_length = 0.32f;
+// Of a twig with leaves: from one to the next in leaves' lengths, degrees off the twig at its foot and near its tip,
+// and by how much each is turned about itself and lifted from the plane of all.
+constexpr float apart = 0.3f, off_foot = 68, off_tip = 38, rolled = 32, lifted = 24, twig_width = 0.03f;
 constexpr int petals = 5;
 constexpr float stalk = 0.6f;
 
@@ -82,6 +86,41 @@ Blade make_blade(const FlatLeaf& leaf, float breadth, float fold) {
   blade.area = area_of(blade.mesh);
   if (stalked) add_petiole(blade.mesh, leaf, foot);
   return blade;
+}
+
+float twig_length(std::uint32_t leaves) { return 1 + apart * static_cast<float>(leaves - 1); }
+
+Blade make_twig(const Blade& leaf, std::uint32_t leaves) {
+  if (leaves < 2 || leaf.mesh.indices.empty()) return leaf;
+  const float size = 1 / twig_length(leaves);
+  const Mesh& one = leaf.mesh;
+  const std::size_t vertices = one.positions.size() / 3;
+  Blade twig;
+  for (std::uint32_t i = 0; i < leaves; ++i) {
+    const bool tip = i + 1 == leaves;
+    const auto place = static_cast<float>(i);
+    const float side = i % 2 == 0 ? 1.0f : -1.0f, share = place / static_cast<float>(leaves - 1);
+    // Golden sections of a turn stand in for luck: one mesh is all the tree's.
+    const float luck = 0.618034f * place - std::floor(0.618034f * place), other = std::fmod(3.7f * luck, 1.0f);
+    const SinCos off = sincos_degrees(tip ? 0 : side * glm::mix(off_foot, off_tip, share));
+    const SinCos roll = sincos_degrees(rolled * (2 * luck - 1)), lift = sincos_degrees(lifted * (2 * other - 1));
+    const glm::vec3 way(off.sine * lift.cosine, off.cosine * lift.cosine, lift.sine);
+    const glm::vec3 level = glm::normalize(glm::cross(way, {0, 0, 1})), face = glm::cross(level, way);
+    const glm::mat3 turn(roll.cosine * level + roll.sine * face, way, roll.cosine * face - roll.sine * level);
+    const auto first = static_cast<std::uint32_t>(twig.mesh.positions.size() / 3);
+    for (std::size_t k = 0; k < vertices; ++k) {
+      const auto at = [&](const std::vector<float>& from) {
+        return turn * glm::vec3(from[3 * k], from[3 * k + 1], from[3 * k + 2]);
+      };
+      put_vertex(twig.mesh, size * (glm::vec3(0, apart * place, 0) + at(one.positions)), at(one.normals),
+                 one.uvs[2 * k], one.uvs[2 * k + 1]);
+    }
+    for (const std::uint32_t index : one.indices) twig.mesh.indices.push_back(first + index);
+  }
+  const float top = size * apart * static_cast<float>(leaves - 1);
+  put_point(twig.mesh, {0, 0, 0}, {size * twig_width, 0, 0}, {0, top, 0});
+  twig.area = static_cast<float>(leaves) * size * size * leaf.area;
+  return twig;
 }
 
 Blade make_spray(float breadth) {

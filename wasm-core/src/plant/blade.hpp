@@ -1,6 +1,8 @@
 // What one leaf of a tree looks like: a mesh that all of them share.
 #pragma once
 
+#include <cstdint>
+
 #include "geometry/mesh.hpp"
 #include "plant/flat_leaf.hpp"
 
@@ -15,6 +17,13 @@ struct Blade {
 // A flat leaf folded along its midrib, puckered between its veins, and arched. `breadth`: against its own. `fold`:
 // degrees by which each half stands up. Empty where there is no leaf.
 Blade make_blade(const FlatLeaf& leaf, float breadth, float fold);
+
+// `leaves` of them on a twig, left and right by turns and one at its tip, each its own way up: the whole is of length 1
+// and stands as a blade does. One leaf is itself.
+Blade make_twig(const Blade& leaf, std::uint32_t leaves);
+
+// How long such a twig is, in lengths of a leaf.
+float twig_length(std::uint32_t leaves);
 
 // Five flat needles that spread from one place.
 Blade make_needles(float breadth);

@@ -21,6 +21,8 @@ export interface MemberAsked {
 	readonly values: Readonly<Record<string, number | string>>;
 	/** What stands about it (specimen/surroundings.ts), for models that heed it; absent: nothing. */
 	readonly surroundings?: readonly number[];
+	/** Of which of its organs it is to be known where they are, by their tags; absent: of none. */
+	readonly spots?: readonly string[];
 	/** Where the text names it, and where each of its values. */
 	readonly place: Place;
 	readonly places: Readonly<Record<string, Place>>;
@@ -45,6 +47,8 @@ export interface Member {
 	readonly notes: readonly string[];
 	/** Meshes for so many distances, from near to far: one at the least, but where none were asked for. */
 	readonly levels: readonly (readonly MemberMesh[])[];
+	/** Where the organs are that were asked for, by their tags: 3 × how many there are, metres. */
+	readonly spots?: Readonly<Record<string, Float32Array>>;
 	/** Lowest and highest place and the farthest from the upright axis through its foot, metres. */
 	readonly extent: { readonly low: number; readonly high: number; readonly out: number };
 }

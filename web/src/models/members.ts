@@ -13,6 +13,7 @@ import type { Specimen } from "../specimen/specimen";
 import { isModel, modelNamed, modelNames } from "./index";
 import type { Member, MemberAsked, Place } from "./member";
 import { Looks, levelsOf } from "./member_looks";
+import { spotsOf } from "./member_spots";
 import type { GrowthOptions, Model } from "./model";
 
 /** Has the core of that file (`growth.wasm`) grow a request. */
@@ -50,8 +51,8 @@ export class KeptMembers {
 	}
 }
 
-function keyOf({ model, preset, seed, values, surroundings }: MemberAsked, meshes: boolean): string {
-	return JSON.stringify([model, preset, seed, values, surroundings, meshes]);
+function keyOf({ model, preset, seed, values, surroundings, spots }: MemberAsked, meshes: boolean): string {
+	return JSON.stringify([model, preset, seed, values, surroundings, spots, meshes]);
 }
 
 /** What is told in between is told when so many more have grown, as a share of those there are. */
@@ -278,7 +279,8 @@ async function memberOf(read: Read, run: RunCore, meshes: boolean, looks: Looks)
 	}
 }
 
-async function grownMember({ model, specimen }: Read, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
+async function grownMember(read: Read, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
+	const { model, specimen, asked } = read;
 	const levels = meshes && model.levels !== undefined;
 	const options: GrowthOptions = {
 		meshes: meshes && !levels,
@@ -290,5 +292,9 @@ async function grownMember({ model, specimen }: Read, run: RunCore, meshes: bool
 	const { fingerprint, notes } = plant;
 	const link = await encodeLink(model, specimen);
 	const title = model.presets.named(specimen.preset)?.title ?? model.title;
-	return { specimen, title, link, fingerprint, notes, ...(await levelsOf(model, plant, specimen, meshes, looks)) };
+	return {
+		...{ specimen, title, link, fingerprint, notes },
+		...spotsOf(plant, asked),
+		...(await levelsOf(model, plant, specimen, meshes, looks)),
+	};
 }

@@ -44,7 +44,7 @@ TEST_CASE("four leaves at once stand as each of them alone") {
       luck.height[i] = 2 * random_unit(1, 3, address) - 1;
       luck.around[i] = random_unit(1, 4, address);
     }
-    const auto leaves = leaf_poses(twig, luck), needles = needle_poses(twig, luck);
+    const auto leaves = leaf_poses(twig, luck, 0.5f), needles = needle_poses(twig, luck);
     for (int i = 0; i < 4; ++i) {
       CAPTURE(k);
       CAPTURE(i);
@@ -65,7 +65,7 @@ TEST_CASE("where nothing says which way a leaf looks, it still stands") {
       luck.about = Four{0, 0.25f, 0.5f, 0.75f};
       luck.height = all_of(height);
       luck.around = luck.about;
-      for (const glm::vec4& pose : leaf_poses({along, one, glm::cross(along, one)}, luck))
+      for (const glm::vec4& pose : leaf_poses({along, one, glm::cross(along, one)}, luck, 0.5f))
         CHECK(glm::length(pose) == doctest::Approx(1).epsilon(1e-6));
     }
 }

@@ -125,3 +125,50 @@ it("a vine has places for two bunches on each cane that is grown, above its wire
 		expect(Math.hypot(2 * (qx * qy - qz * qw), 2 * (qy * qz + qx * qw))).toBeCloseTo(0, 5);
 	}
 });
+
+it("a vine’s bunches hang on its wood, to both sides of the row", () => {
+	const { organs, segments } = grown("grapevine", {});
+	const bunch = organs.tags.indexOf("bunch");
+	const aside = [0, 0];
+	for (let i = 0; i < organs.count; i++) {
+		if (organs.tag[i] !== bunch) continue;
+		const [x, y, z] = organs.transforms.subarray(TRANSFORM * i, TRANSFORM * i + 3);
+		const ends = segments.ends.subarray(6 * organs.segment[i], 6 * organs.segment[i] + 6);
+		const way = [ends[3] - ends[0], ends[4] - ends[1], ends[5] - ends[2]];
+		const from = [x - ends[0], y - ends[1], z - ends[2]];
+		const along = way.reduce((sum, value, k) => sum + value * from[k], 0) / Math.hypot(...way) ** 2;
+		expect(along).toBeGreaterThan(-1e-3);
+		expect(along).toBeLessThan(1 + 1e-3);
+		expect(Math.hypot(...way.map((value, k) => from[k] - along * value))).toBeLessThan(1e-3);
+		if (Math.abs(z) > 0.03) aside[z > 0 ? 1 : 0]++;
+	}
+	expect(Math.min(...aside)).toBeGreaterThan(5);
+});
+
+it("an oak’s leaves are as long as an oak’s, several on a twig, and all of them are counted", () => {
+	const plant = grown("oak", {}, true);
+	const { leaf_size: length, leaf_twig: each } = fromPreset(model, "oak").parameters;
+	expect(length).toBeGreaterThanOrEqual(7);
+	expect(length).toBeLessThanOrEqual(14);
+	expect(plant.counts.leaves).toBe(each * plant.organs.count);
+	expect(measured(plant, "leaf_count")).toBe(plant.counts.leaves);
+	const alone = grown("oak", { leaf_twig: 1 }, true);
+	const share = (of: GrowthPlant) => measured(of, "leaf_area") / measured(of, "leaf_count");
+	expect(share(plant) / share(alone)).toBeCloseTo(1, 2);
+});
+
+it("what has fallen lies thinner and thinner outwards, without an edge", () => {
+	const { organs, segments } = grown("oak", { season: 1 });
+	const shed = organs.tags.indexOf("shed");
+	const crown = Math.max(...segments.ends.filter((_, i) => i % 3 === 0).map(Math.abs));
+	const rings = [0, 0, 0, 0, 0];
+	for (let i = 0; i < organs.count; i++) {
+		if (organs.tag[i] !== shed) continue;
+		const out = Math.hypot(organs.transforms[TRANSFORM * i], organs.transforms[TRANSFORM * i + 2]) / crown;
+		const ring = Math.min(4, Math.floor((out - 0.6) / 0.2));
+		if (ring >= 0) rings[ring] += 1 / (0.7 + 0.2 * ring);
+	}
+	for (let ring = 1; ring < rings.length; ring++) expect(rings[ring]).toBeLessThan(rings[ring - 1]);
+	// Some lie beyond the crown.
+	expect(rings[2]).toBeGreaterThan(0.03 * rings[0]);
+});

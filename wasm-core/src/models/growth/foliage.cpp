@@ -19,8 +19,10 @@ constexpr std::uint64_t stream_turn = 0x6c656166, stream_face = stream_turn + 1,
                         stream_shake = stream_turn + 3, stream_lie = stream_turn + 4, stream_bud = stream_turn + 5,
                         stream_fall = stream_turn + 6, stream_bloom = stream_turn + 7;
 constexpr float golden_turn = 0.38196601f, golden = 0.618034f;
-constexpr float least_size = 0.7f;     // of the largest
-constexpr float drift = 0.15f;         // how far they come down from below where they hung, of that height
+constexpr float least_size = 0.7f;  // of the largest
+// How far they come down from below where they hung, of that height, at the middle of all; and what keeps the last from
+// flying on: few go far, so that litter thins outwards and has no edge.
+constexpr float drift = 0.12f, blown = 0.25f;
 constexpr float above = 0.01f;         // the ground, metres
 constexpr float least_bearing = 0.6f;  // of a leaf's length, what an internode is long that bears this year's
 constexpr std::size_t most_together = 256;
@@ -42,7 +44,8 @@ glm::vec4 turned(const glm::vec3& out, const glm::vec3& face) {
 
 void lie_down(Organ& leaf, std::uint32_t tag, std::uint64_t seed, std::uint64_t address) {
   const SinCos way = sincos_degrees(360 * random_unit(seed, stream_lie, address));
-  const float far = drift * leaf.position.y * random_unit(seed, stream_lie, hash_combine(address, 1));
+  const float luck = random_unit(seed, stream_lie, hash_combine(address, 1));
+  const float far = drift * leaf.position.y * luck / (1 + blown - luck);
   leaf.position += glm::vec3(far * way.cosine, 0, far * way.sine);
   leaf.position.y = above;
   const glm::vec3 face = glm::normalize(glm::vec3(0, 1, 0) + 0.25f * random_direction(seed, stream_lie, address));
@@ -90,7 +93,7 @@ class Crown {
     std::array<Which, 4> four;
     std::uint32_t held = 0;
     const auto hang = [&] {
-      const auto poses = habit_.needles ? needle_poses(twig, luck) : leaf_poses(twig, luck);
+      const auto poses = habit_.needles ? needle_poses(twig, luck) : leaf_poses(twig, luck, habit_.stray);
       for (std::uint32_t i = 0; i < held; ++i) leaf(four[i], place, poses[i]);
       held = 0;
     };
@@ -115,19 +118,29 @@ class Crown {
     for (std::uint32_t k = 0; k < habit_.blossoms; ++k) blossom(hash_combine(l, k), place);
   }
 
-  // At the nodes above the first of each branch of a trunk, hanging.
+  // On the wood of each branch of a trunk, hanging: as far up it as such nodes are, for an internode of ours stands for
+  // several of a vine's.
   void bunches_of(std::uint32_t q) {
     const Way& way = form_.ways[q];
-    for (std::uint32_t k = 0; k < habit_.bunches && k < way.count; ++k) {
-      const std::int32_t bearer = moment_.of_node[way.first + k + 1];
+    float begins = 0;
+    std::uint32_t k = 0;
+    for (std::uint32_t node = 1; node <= way.count && k < habit_.bunches; ++node) {
+      const std::int32_t bearer = moment_.of_node[way.first + node];
       if (bearer < 0) return;
-      const glm::vec3 down(0, -1, 0);
-      Organ bunch;
-      bunch.tag = bunch_tag;
-      bunch.segment = bearer;
-      bunch.position = moment_.segments[static_cast<std::size_t>(bearer)].end;
-      bunch.rotation = turn_to(down, beside(down));
-      plant_.organs.push_back(bunch);
+      const Segment& wood = moment_.segments[static_cast<std::size_t>(bearer)];
+      const float length = glm::distance(wood.start, wood.end);
+      for (; k < habit_.bunches; ++k) {
+        const float along = habit_.first_bunch + habit_.between * static_cast<float>(k) - begins;
+        if (along > length) break;
+        const glm::vec3 down(0, -1, 0);
+        Organ bunch;
+        bunch.tag = bunch_tag;
+        bunch.segment = bearer;
+        bunch.position = glm::mix(wood.start, wood.end, length > 0 ? std::max(along / length, 0.0f) : 0.0f);
+        bunch.rotation = turn_to(down, beside(down));
+        plant_.organs.push_back(bunch);
+      }
+      begins += length;
     }
   }
 

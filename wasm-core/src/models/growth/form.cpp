@@ -36,7 +36,9 @@ constexpr int most_halvings = 6;  // of a shoot that would leave the room
 // grown.
 constexpr int feels = 24;
 constexpr float farthest = 1.2f, to_edge = 0.9f;
-constexpr float of_wire = 0.2f;  // how far canes lean off the upright, at the most
+// How far canes lean off the upright, at the most, and to both sides of the row by turns, so that bunches hang free of
+// the wood; and by how much a metre off the row they are bent back between the wires, and an arm to its own.
+constexpr float of_wire = 0.2f, of_row = 0.5f, held = 5, tied = 3;
 
 glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
   const float length = glm::length(v);
@@ -160,9 +162,14 @@ class Maker {
     ahead_of = unit(off.cosine * along + off.sine * (about.cosine * one + about.sine * other), along);
     if (shoot.order > 1) ahead_of = unit({ahead_of.x, ahead_of.y * (1 - habit_.flat), ahead_of.z}, along);
     if (shoot.order == 1 && habit_.cordon > 0)
-      ahead_of = unit(glm::vec3(0, 1, 0) + of_wire * trunks_.direction(q), along);
+      ahead_of = unit(glm::vec3(0, 1, 0) + (ordinals_[q] % 2 == 0 ? of_row : -of_row) * across(volume) +
+                          of_wire * trunks_.direction(q),
+                      along);
     return glm::mix(from, to, way.along);
   }
+
+  // Level and at right angles to a trained trunk's wire.
+  static glm::vec3 across(const GrowthVolume& volume) { return {-sine(volume.towards), 0, cosine(volume.towards)}; }
 
   // From a place to where a volume ends.
   float to_end(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward) const {
@@ -228,7 +235,8 @@ class Maker {
       }
       const bool wired = habit_.cordon > 0;
       forward = internode == 0 ? forward : unit(forward + trunk_crook * luck + (wired ? glm::vec3(0) : back), forward);
-      if (internode > 0 && wired) forward = unit({forward.x, 0.3f * forward.y, forward.z}, forward);
+      if (internode > 0 && wired)
+        forward = unit({forward.x, 0.3f * forward.y + tied * (habit_.cordon - tip.y), forward.z}, forward);
     } else {
       const Environment& around = population_.environments[shoot.volume];
       const Deformation& deformed = deformed_[q];
@@ -243,6 +251,11 @@ class Maker {
       forward = unit(habit_.inertia * forward + habit_.space * unit(free.middle, glm::vec3(0)) +
                          around.phototropism * light - glm::vec3(0, down, 0) + luck,
                      forward);
+      if (habit_.cordon > 0 && internode > 0) {
+        const GrowthVolume& volume = population_.volumes[shoot.volume];
+        const glm::vec3 aside = across(volume);
+        forward = unit(forward - held * glm::dot(tip - volume.at, aside) * aside, forward);
+      }
       // Never death: how many there are is the text's to say.
       if (free.sum < crowded && habit_.cordon <= 0) length *= short_shoot;
       for (int i = 0; i < most_halvings && regard > 0 && !about_.holds(tip + length * forward); ++i) length *= 0.5f;

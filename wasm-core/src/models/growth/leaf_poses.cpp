@@ -5,7 +5,7 @@
 namespace panicle::growth {
 namespace {
 
-constexpr float outwards = 0.45f, strewn = 0.5f, droop = 0.25f;
+constexpr float outwards = 0.45f, droop = 0.25f;
 constexpr float least = 1e-6f;  // the square of a length that still has a direction
 constexpr float steep = 0.9f;
 
@@ -50,16 +50,16 @@ FourVectors side_of(const Twig& twig, const LeafLuck& luck) {
 
 }  // namespace
 
-std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafLuck& luck) {
+std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafLuck& luck, float stray) {
   const FourVectors along = all_of(twig.along);
   FourVectors out = panicle::all_of(0.6f) * along + side_of(twig, luck);
   out.y -= droop;
   out = unit(out);
   const FourSinCos around = sincos_turns(luck.around);
-  const Four level = strewn * square_root((1.0f - luck.height) * (1.0f + luck.height));
+  const Four level = stray * square_root((1.0f - luck.height) * (1.0f + luck.height));
   const FourVectors sky = {panicle::all_of(0), panicle::all_of(1), panicle::all_of(0)};
-  const FourVectors stray = {level * around.cosine, level * around.sine, strewn * luck.height};
-  const FourVectors face = unit(sky + panicle::all_of(outwards) * along + stray, beside(along));
+  const FourVectors strewn = {level * around.cosine, level * around.sine, stray * luck.height};
+  const FourVectors face = unit(sky + panicle::all_of(outwards) * along + strewn, beside(along));
   // The tip points out as nearly as its face may look to where it does.
   return turns_to(unit(out - dot(out, face) * face, beside(face)), face);
 }

@@ -20,7 +20,8 @@ struct LeafLuck {
 };
 
 // From a leaf's frame (its tip at +Y, its face to +Z) to where it stands: unit quaternions x y z w.
-std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafLuck& luck);
+// `stray`: how far faces look elsewhere than to the sky, against that.
+std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafLuck& luck, float stray);
 std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafLuck& luck);
 
 }  // namespace panicle::growth

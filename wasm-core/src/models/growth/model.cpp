@@ -55,12 +55,18 @@ FormHabit form_habit(const GrowthValues& values, std::uint64_t seed) {
   return habit;
 }
 
+std::uint32_t leaves_on_twig(const GrowthValues& values) {
+  const std::uint32_t kind = values.whole(leaf_kind);
+  return kind == needle || kind == spray ? 1 : values.whole(leaf_twig);
+}
+
 LeafHabit leaf_habit(const GrowthValues& values, std::uint64_t seed) {
   const std::uint32_t kind = values.whole(leaf_kind);
   LeafHabit habit;
-  habit.size = 0.01f * values[leaf_size];
+  habit.size = 0.01f * values[leaf_size] * twig_length(leaves_on_twig(values));
   habit.many = kind == no_leaf ? 0 : values.whole(leaf_many);
   habit.fallen = 0.01f * values[fallen];
+  habit.stray = values[leaf_stray];
   habit.needles = kind == needle || kind == spray;
   habit.season = values[season];
   habit.evergreen = values.whole(year) == 1;
@@ -78,7 +84,7 @@ Blade blade_of(const GrowthValues& values, const FlatLeaf& flat) {
     case spray:
       return make_spray(values[leaf_breadth]);
     default:
-      return make_blade(flat, values[leaf_breadth], values[leaf_fold]);
+      return make_twig(make_blade(flat, values[leaf_breadth], values[leaf_fold]), leaves_on_twig(values));
   }
 }
 
@@ -131,7 +137,7 @@ void add_columns(Plant& plant, const Population& population, const Moment& momen
                     2);
 }
 
-void measure(Plant& plant, float leaf_area) {
+void measure(Plant& plant, float leaf_area, std::uint32_t leaves_each) {
   const Branching branching = branching_of(plant.segments);
   WoodMeasures<Measure> measures(branching, measure_count);
   double area = 0;
@@ -141,7 +147,7 @@ void measure(Plant& plant, float leaf_area) {
   measures.set(Measure::height, std::max(branching.high, 0.0f));
   measures.set(Measure::trunk_width, 100 * branching.thickest);
   measures.set(Measure::leaf_count,
-               static_cast<double>(std::count_if(plant.organs.begin(), plant.organs.end(), is_leaf)));
+               static_cast<double>(leaves_each * std::count_if(plant.organs.begin(), plant.organs.end(), is_leaf)));
   measures.set(Measure::leaf_area, area);
   measures.set(Measure::leaf_index, shaded > 0 ? area / shaded : std::numeric_limits<double>::quiet_NaN());
   plant.measures = measures.values();
@@ -233,15 +239,17 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (meshes && blade.mesh.indices.empty() && leaves > 0)
     plant.notes.emplace_back("The leaves have no shape: the request brings none to make them from.");
   add_columns(plant, population.value(), moment.value());
+  // Of twigs all that stand on them are counted.
+  const std::uint32_t each = leaves_on_twig(values);
   plant.counts = {{"branches", moment->branches},
                   {"steps", count},
                   {"segments", static_cast<std::uint32_t>(plant.segments.size())},
-                  {"leaves", leaves},
-                  {"falling", many[falling_tag] + many[fallen_tag]},
-                  {"shed", many[shed_tag]},
+                  {"leaves", each * leaves},
+                  {"falling", each * (many[falling_tag] + many[fallen_tag])},
+                  {"shed", each * many[shed_tag]},
                   {"blossoms", many[blossom_tag]},
                   {"bunches", many[bunch_tag]}};
-  if (measures) measure(plant, blade.area);
+  if (measures) measure(plant, blade.area, each);
   if (meshes) add_meshes(plant, moment.value(), blade, sky, {.flare = values[flare], .seed = seed});
   if (levels) add_levels(plant, moment.value(), blade.area, many_levels);
   plant.fingerprint = fingerprint_of(plant);

@@ -17,6 +17,8 @@ enum class Parameter : std::uint32_t {
   leaf_many,
   leaf_breadth,
   leaf_fold,
+  leaf_twig,
+  leaf_stray,
   fallen,
   year,
   blossoms,
@@ -43,7 +45,7 @@ enum class Parameter : std::uint32_t {
   flare,
 };
 
-inline constexpr std::uint32_t parameter_count = 32;
+inline constexpr std::uint32_t parameter_count = 34;
 
 struct ParameterInfo {
   std::string_view key;
@@ -65,6 +67,8 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"leaf_many", "", "", 1.0f, 12.0f, 0.0f, 3.0f, true},
     {"leaf_breadth", "", "", 0.3f, 2.0f, 0.0f, 1.0f, false},
     {"leaf_fold", "", "", 0.0f, 80.0f, 0.0f, 15.0f, false},
+    {"leaf_twig", "", "", 1.0f, 12.0f, 0.0f, 1.0f, true},
+    {"leaf_stray", "", "", 0.0f, 2.0f, 0.0f, 0.5f, false},
     {"fallen", "", "", 0.0f, 100.0f, 0.0f, 0.0f, false},
     {"year", "", "", 0.0f, 1.0f, 0.0f, 0.0f, true},
     {"blossoms", "", "", 0.0f, 8.0f, 0.0f, 0.0f, true},

@@ -18,6 +18,7 @@
 #include "models/stand/places.hpp"
 #include "models/stand/plan.hpp"
 #include "models/stand/surroundings.hpp"
+#include "models/stand/trellises.hpp"
 #include "plant/plain.hpp"
 #include "plant/values.hpp"
 
@@ -43,12 +44,13 @@ std::uint32_t count_names(const std::vector<const Kind*>& kinds) {
 }
 
 void add_kinds(Plant& plant, const std::vector<const Kind*>& kinds) {
-  std::string names, keys, words;
+  std::string names, spots, keys, words;
   std::vector<std::uint32_t> places, seeds, settings, setting_places;
   std::vector<float> crowns;
   for (std::uint32_t i = 0; i < kinds.size(); ++i) {
     const Kind& kind = *kinds[i];
     names.append(kind.name).append("\n");
+    spots.append(kind.spot).append("\n");
     places.insert(places.end(), {kind.place.line, kind.place.column});
     seeds.push_back(kind.seeds);
     crowns.insert(crowns.end(), {kind.width, kind.height});
@@ -61,6 +63,7 @@ void add_kinds(Plant& plant, const std::vector<const Kind*>& kinds) {
   }
   Columns& columns = plant.columns;
   columns.add("kinds.names", names);
+  columns.add("kinds.spot", spots);
   columns.add("kinds.place", std::move(places), 2);
   columns.add("kinds.seeds", std::move(seeds));
   columns.add("kinds.crown", std::move(crowns), 2);
@@ -187,12 +190,18 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   plant.counts = {{"plants", static_cast<std::uint32_t>(plants->size())},
                   {"kinds", count_names(kinds)},
                   {"borne", borne}};
+  Trellises trellises = trellises_of(plan.value(), ground, plants.value());
+  if (trellises.posts > 0) plant.counts.push_back({"posts", trellises.posts});
   if (measures) measure(plant, plan.value(), plants.value(), kinds);
   if (meshes) {
     Mesh mesh = ground.mesh();
     Columns columns;
     columns.add("sky", sky_below(plan.value(), plants.value(), mesh.positions));
     plant.meshes.push_back({"ground", "soil", std::move(mesh), {}, std::move(columns)});
+    if (trellises.posts > 0) {
+      plant.meshes.push_back({"posts", "wood", std::move(trellises.wood), {}, {}});
+      plant.meshes.push_back({"wires", "metal", std::move(trellises.metal), {}, {}});
+    }
   }
   if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   return plant;

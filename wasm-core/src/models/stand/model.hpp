@@ -7,6 +7,7 @@
 //   kinds.names      text: a line each, model/preset
 //   kinds.place      uint32 × 2: line and column in the plan
 //   kinds.seeds      uint32: how many different ones there are; 0: as many as plants
+//   kinds.spot       text: a line each, at which of its bearer's organs it hangs; empty where the plan says where
 //   kinds.crown      float32 × 2: width and height at scale 1, metres
 //   settings.kind    uint32: of which kind each setting is
 //   settings.keys    text: a line each, the parameter
@@ -21,7 +22,8 @@
 //   plants.values    float32 × W: what was drawn for the settings of its kind, in their order; NaN for words and beyond
 //   plants.surroundings  float32 × 16 (surroundings.hpp)
 //   ground.size      float32 × 3: width, depth and relief, metres
-// Organs are the placements, tagged by their kinds' names. Mesh: `ground`. Counts: plants, kinds, borne.
+// Organs are the placements, tagged by their kinds' names. Meshes: `ground`, and where there is a trellis `posts` and
+// `wires`. Counts: plants, kinds, borne, and posts where there are such.
 #pragma once
 
 #include "plant/model.hpp"

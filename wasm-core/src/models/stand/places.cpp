@@ -143,7 +143,7 @@ void keep_middle(std::vector<InRow>& spots, std::uint32_t count) {
 
 // Parallel lines over the whole strip, its middle in the midst of them. `count` 0: all there is room for; the text's
 // own count fills them from the back, fewer than the text says stand in the middle.
-std::vector<glm::vec2> in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const Luck& luck) {
+void in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const Luck& luck, Spots& spots) {
   const SinCos turn = sincos_degrees(layer.towards);
   const glm::vec2 along(turn.cosine, turn.sine), across(-turn.sine, turn.cosine);
   const glm::vec2 middle = strip.at(0.5f, 0.5f);
@@ -167,13 +167,12 @@ std::vector<glm::vec2> in_rows(const Strip& strip, const Layer& layer, std::uint
     }
   }
   if (fewer) keep_middle(found, count);
-  std::vector<glm::vec2> spots;
   for (const auto& [row, place, spot] : found) {
     const std::uint64_t address = hash_combine(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(place));
     const glm::vec2 off(2 * luck.unit(address) - 1, 2 * luck.unit(hash_combine(address, 1)) - 1);
-    spots.push_back(glm::clamp(spot + layer.jitter * off, strip.low, strip.low + strip.size));
+    spots.at.push_back(glm::clamp(spot + layer.jitter * off, strip.low, strip.low + strip.size));
+    spots.row.emplace_back(row, place);
   }
-  return spots;
 }
 
 float drawn(const Range& range, float unit) { return range.from + (range.to - range.from) * unit; }
@@ -196,6 +195,9 @@ void draw(Placement& plant, const Kind& kind, std::uint64_t seed, std::uint64_t 
   }
 }
 
+// What is tied to wires goes along them the same way as its neighbours, and so leaves no gap.
+bool tied(const Layer& layer, float unit) { return layer.trellis.has_value() || unit < 0.5f; }
+
 const Kind& chosen(const std::vector<Kind>& kinds, float unit, std::uint32_t& number) {
   float all = 0;
   for (const Kind& kind : kinds) all += kind.borne ? 0 : kind.share;
@@ -212,6 +214,8 @@ const Kind& chosen(const std::vector<Kind>& kinds, float unit, std::uint32_t& nu
 }
 
 }  // namespace
+
+float middle_of(const Layer& layer, const Ground& ground) { return strip_of(layer, ground).at(0.5f, 0.5f).y; }
 
 Spots spots_of(const Layer& layer, std::uint32_t count, const Ground& ground, std::uint64_t seed, std::uint32_t place) {
   const Strip strip = strip_of(layer, ground);
@@ -230,7 +234,7 @@ Spots spots_of(const Layer& layer, std::uint32_t count, const Ground& ground, st
       break;
     }
     case Spacing::rows:
-      spots.at = in_rows(strip, layer, count, luck);
+      in_rows(strip, layer, count, luck, spots);
       break;
   }
   spots.missing = count - std::min(count, static_cast<std::uint32_t>(spots.at.size()));
@@ -251,6 +255,7 @@ void bear(std::vector<Placement>& plants, const std::vector<Kind>& kinds, std::u
     for (std::uint32_t k = 0; k < std::min(many, static_cast<std::uint32_t>(kind.each.to)); ++k) {
       if (plants.size() > most_plants) return;
       Placement each;
+      each.layer = by.layer;
       each.kind = first_kind + i;
       each.bearer = static_cast<std::int32_t>(bearer);
       draw(each, kind, seed, hash_combine(all, k + 1));
@@ -313,13 +318,15 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
     const Luck luck(seed, "stand kind", i);
     for (std::uint32_t k = 0; k < spots.at.size(); ++k) {
       Placement plant;
+      plant.layer = i;
+      if (!spots.row.empty()) plant.row = spots.row[k].x, plant.place = spots.row[k].y;
       plant.kind = first_kind;
       const Kind& kind = chosen(layer.kinds, luck.unit(2 * k), plant.kind);
       plant.at = {spots.at[k].x, relief.at(spots.at[k].x, spots.at[k].y), spots.at[k].y};
       const std::uint64_t address = hash_combine(i, k);
       draw(plant, kind, seed, address);
       const float unit = luck.unit(2 * k + 1);
-      plant.turn = layer.spacing == Spacing::rows ? layer.towards + (unit < 0.5f ? 0 : 180) : 360 * unit;
+      plant.turn = layer.spacing != Spacing::rows ? 360 * unit : layer.towards + (tied(layer, unit) ? 0 : 180);
       plants.push_back(std::move(plant));
       standing.push_back({i, first_kind, address});
     }

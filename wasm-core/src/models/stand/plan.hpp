@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,7 @@
 
 namespace panicle::stand {
 
-inline constexpr std::uint32_t most_plants = 5000, most_kinds = 64, most_settings = 16;
+inline constexpr std::uint32_t most_plants = 5000, most_kinds = 64, most_settings = 16, most_wires = 12;
 
 // Both ends included; what is drawn between them is drawn for each plant.
 struct Range {
@@ -39,7 +40,21 @@ struct Kind {
   Range each{1, 1};         // of those, how many on each
   Range high{1, 1};         // above the bearer's foot, metres at its scale 1
   float reach = 0.5f;       // along the bearer, metres each way
+  std::string spot;         // which of the bearer's organs it hangs at, in place of these two; empty: they say
   std::vector<Setting> settings;
+};
+
+// A wire over the ground, metres; a pair of them runs to both sides of the posts.
+struct Wire {
+  float high = 0;
+  bool pair = false;
+};
+
+// `trellis …`: posts between a layer's rows' plants, and wires from end to end.
+struct Trellis {
+  float high = 2;   // posts over the ground, metres
+  float posts = 6;  // from post to post at the most, metres
+  std::vector<Wire> wires;
 };
 
 enum class Spacing : std::uint8_t { chance, strata, blue, rows };
@@ -54,6 +69,7 @@ struct Layer {
   float towards = 0;  // where rows run, degrees from +x to +z
   float jitter = 0;   // off a row's place, metres each way
   Range depth{0, 1};  // the strip of the ground, from its back (−z) to its front
+  std::optional<Trellis> trellis;
   std::vector<Kind> kinds;
 };
 

@@ -18,7 +18,7 @@ using lsystem::Token;
 using lsystem::TokenKind;
 
 constexpr const char* beginnings =
-    "A line begins with ground, plants, or what grows there as model/preset; '%' is none of these.";
+    "A line begins with ground, plants, trellis, or what grows there as model/preset; '%' is none of these.";
 
 // A strip's, in parts of the ground's: 0.001, but for what is lost where 0.999 is written.
 constexpr float least_depth = 0.000999f;
@@ -46,6 +46,7 @@ class Reader : lsystem::TokenReader {
   bool ground();
   bool layer();
   bool rows(Layer& layer);
+  bool trellis();
   bool kind();
   bool kind_item(Kind& kind);
   bool settings(Kind& kind);
@@ -86,6 +87,7 @@ bool Reader::statement() {
   const Token& first = tokens_[at_];
   if (first.is("ground")) return ground();
   if (first.is("plants")) return layer();
+  if (first.is("trellis")) return trellis();
   if (first.kind == TokenKind::name && next_is(at_, '/')) return kind();
   return fail(first.kind == TokenKind::name ? Reason::undefined : Reason::syntax, first.place, beginnings,
               {first.text});
@@ -225,6 +227,32 @@ bool Reader::layer() {
   return true;
 }
 
+bool Reader::trellis() {
+  if (plan_.layers.empty() || plan_.layers.back().spacing != Spacing::rows || plan_.layers.back().trellis)
+    return wrong(here(),
+                 "A trellis is one layer's that stands in rows: plants, rows 2.2 x 1.2, and below it trellis 2.");
+  ++at_;
+  Trellis trellis;
+  if (!number(0.1f, 20, "How high posts are, in metres,", trellis.high)) return false;
+  while (item_follows()) {
+    const Token& item = tokens_[at_++];
+    if (item.is("posts")) {
+      if (!number(0.1f, 1000, "From post to post, in metres,", trellis.posts)) return false;
+    } else if (item.is("wire") || item.is("pair")) {
+      if (trellis.wires.size() == most_wires) return fail(Reason::limit, item.place, "A trellis has at most 12 wires.");
+      Wire& wire = trellis.wires.emplace_back();
+      wire.pair = item.is("pair");
+      if (!number(0, trellis.high, "A wire's height, in metres,", wire.high)) return false;
+    } else {
+      return fail(Reason::undefined, item.place, "A trellis has posts, wire and pair, not %.", {item.text});
+    }
+  }
+  if (trouble_.reason != Reason::none) return false;
+  if (at_ < end_) return wrong(here(), "'%' cannot stand here; take it out.", {found()});
+  plan_.layers.back().trellis = std::move(trellis);
+  return true;
+}
+
 bool Reader::kind() {
   Kind kind;
   kind.place = here();
@@ -260,9 +288,15 @@ bool Reader::kind_item(Kind& kind) {
   if (item.is("seeds")) return count(1, most_plants, "How many different ones there are", kind.seeds);
   if (item.is("each")) return kind.borne = true, range(0, 100, "How many are on each", kind.each);
   if (item.is("height")) return kind.borne = true, range(-10, 100, "How high they hang, in metres,", kind.high);
+  if (item.is("at")) {
+    if (!on_name()) return wrong(here(), "Which of its bearer's organs it hangs at stands here, as in at bunch.");
+    kind.borne = true;
+    kind.spot = tokens_[at_++].text;
+    return true;
+  }
   if (item.is("reach")) return kind.borne = true, number(0, 100, "reach, in metres,", kind.reach);
   return fail(Reason::undefined, item.place,
-              "There is share, crown, scale, seeds, and of what is borne each, height and reach, not %; parameters "
+              "There is share, crown, scale, seeds, and of what is borne each, at, height and reach, not %; parameters "
               "stand behind a colon.",
               {item.text});
 }

@@ -24,7 +24,7 @@ footprint -> GrowVol(1, 1, 12, 20, 3, 0, wm(16.5))
 tree -> DivFunc("sigma1"){branches}
 
 phototropism = 0.07
-k >= 1 -> foliage(7)
+k >= 1 -> foliage(4, 3)
 `,
 	birch: `/* Birch
    about: Betula pendula: a slender white trunk to the tip, thin rising branches, twigs that hang. 17 m high, 8 m wide.
@@ -36,7 +36,7 @@ footprint -> GrowVol(1, 1, 3.4, 17, 1, 0, wm(4.6))
 tree -> DivFunc("sigma1"){branches}
 
 phototropism = 0.12
-k >= 1 -> foliage(7)
+k >= 1 -> foliage(5, 3)
 `,
 	cherry: `/* Cherry
    about: Prunus avium in flower, before its leaves: tiers of rising branches on a straight, banded trunk. 14 m high, 8 m wide.
@@ -163,7 +163,7 @@ ndv == 0 -> childTrunk : 0.1
 ndv < 0 -> gravitropism = gravitropism - 0.2, length = length * 2
 `,
 	grapevine: `/* Grapevine
-   about: Vitis vinifera trained to a single cordon: a trunk, an arm along the wire 0.9 m up, canes that stand up from it, and places for bunches.
+   about: Vitis vinifera trained to a single cordon: a trunk, an arm along the wire 0.9 m up, canes that stand up from it between two wires, and places for bunches.
    source: winescience.org, Cordon (one arm along a wire, new shoots from spurs on it each year); sizes are those of usual vineyards
 */
 gs = 7
@@ -171,9 +171,8 @@ gs = 7
 footprint -> GrowVol(1, 1, 2.4, 2, 2.4, 0, towards(0))
 
 phototropism = 0.5
-k == N - 1 && gs > 1 -> nbr = 2          /* spurs on the arm, a cane from each */
+k == N - 1 && gs > 1 && gs < 7 -> nbr = 3  /* spurs on the arm, a cane from each; its end is its neighbour's room */
 k < N - 1 -> nbr = 0, foliage(5, 8)
-k == N - 1 && gs > 4 -> foliage(5)       /* on the arm's end, whose canes are young */
 `,
 	hazel: `/* Hazel
    about: Corylus avellana: a shrub of many stems from one foot. 4.5 m high and wide.
@@ -201,7 +200,7 @@ gs = 10
 footprint -> GrowVol(1, 1, 9, 20, 1, 0, wm(11))
 tree -> DivFunc("sigma1"){branches}
 
-k >= 1 -> foliage(7)
+k >= 1 -> foliage(5, 3)
 `,
 	maple: `/* Maple
    about: Acer platanoides: a round, dense head on a straight trunk. 15 m high, 12 m wide.
@@ -213,7 +212,7 @@ footprint -> GrowVol(1, 1, 6, 15, 1, 0, wm(11.5))
 tree -> DivFunc("sigma1"){branches}
 
 phototropism = 0.06
-k >= 1 -> foliage(7)
+k >= 1 -> foliage(5, 2)
 `,
 	oak: `/* Oak
    about: Quercus robur in the open, broader than high: a short trunk and few heavy limbs, crooked and far out. 16 m high, 20 m wide.
@@ -225,7 +224,7 @@ footprint -> GrowVol(1, 1, 12, 16, 6, 0, wm(20))
 tree -> DivFunc("sigma1"){branches}
 
 phototropism = 0.09
-k >= 1 -> foliage(8)
+k >= 1 -> foliage(5, 3)
 `,
 	olive: `/* Olive
    about: Olea europaea, old: a short, thick, twisted trunk and a loose grey-green head. 5.4 m high, 6.5 m wide.
@@ -261,7 +260,7 @@ footprint -> GrowVol(1, 1, 2, 22, 0.4, 0, wm(3.6))
 tree -> DivFunc("star1"){branches}
 
 phototropism = 0.6
-k >= 1 -> foliage(7)
+k >= 1 -> foliage(5, 3)
 `,
 	spruce: `/* Spruce
    about: Picea abies: a cone to the ground about one straight trunk; boughs sweep down and turn up, their twigs hang. 24 m high, 9 m wide.

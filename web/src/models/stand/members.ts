@@ -1,6 +1,7 @@
 /** What grows in a stand: each plant's own specimen. */
 import { shortFloat } from "../../export/numbers";
 import type { Member, MemberAsked, Members, Place } from "../model";
+import { hung, spotsWanted } from "./hanging";
 import type { StandPlant } from "./stand_plant";
 
 const AROUND = 16;
@@ -50,12 +51,13 @@ export function sortsOf(stand: StandPlant): readonly Sort[] {
 	return [...new Set(first)].map((kind) => ({ title: titles[kind], kind, count: counts[kind] }));
 }
 
-/** What is to be grown for one plant. */
-export function askedOf(stand: StandPlant, plant: number): MemberAsked {
+/** What is to be grown for one plant, and where the organs of it are at which others hang. */
+export function askedOf(stand: StandPlant, plant: number, wanted = spotsWanted(stand)): MemberAsked {
 	const { kinds, places } = stand;
 	const { model, preset, place, settings, seeds } = kinds[places.kind[plant]];
 	const spots = Object.fromEntries(settings.map(({ key, place: spot }): [string, Place] => [key, spot]));
 	const alone = seeds > 0 || places.bearer[plant] >= 0;
+	const tags = wanted.get(places.kind[plant]);
 	const around = places.surroundings.subarray(AROUND * plant, AROUND * (plant + 1));
 	return {
 		model,
@@ -64,6 +66,7 @@ export function askedOf(stand: StandPlant, plant: number): MemberAsked {
 		values: valuesOf(stand, plant),
 		place,
 		places: spots,
+		...(tags ? { spots: [...tags] } : {}),
 		// What is many is the same wherever it stands.
 		...(alone ? {} : { surroundings: Array.from(around, shortFloat) }),
 	};
@@ -77,13 +80,16 @@ export function firstOf({ memberOf }: StandPlant): number[] {
 }
 
 export const standMembers: Members<StandPlant> = {
-	asked: (stand) => firstOf(stand).map((plant) => askedOf(stand, plant)),
+	asked: (stand) => {
+		const wanted = spotsWanted(stand);
+		return firstOf(stand).map((plant) => askedOf(stand, plant, wanted));
+	},
 	joined: (stand, members) => {
 		const grown = members.filter((member) => member !== undefined);
-		if (grown.length === members.length) return { ...stand, members, fingerprint: fingerprintOf(stand, grown) };
+		if (grown.length === members.length) return hung({ ...stand, members, fingerprint: fingerprintOf(stand, grown) });
 		// It may stay as it is, where someone cancels.
 		const note = `Only ${grown.length} of ${members.length} different plants have grown.`;
-		return { ...stand, members, notes: [...stand.notes, note] };
+		return hung({ ...stand, members, notes: [...stand.notes, note] });
 	},
 };
 

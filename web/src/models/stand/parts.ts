@@ -10,15 +10,28 @@ import type { StandPlant } from "./stand_plant";
 /** More plants of one member than these have no names of their own. */
 const MOST_NAMED = 300;
 
-export function soilOf({ look }: StandSpecimen): Material {
+function soilOf({ look }: StandSpecimen): Material {
 	return { name: "Ground", colour: linear(look.soil), roughness: 1 };
 }
 
+const WOOD: Material = { name: "Post", colour: linear("8d7c66"), roughness: 0.95 };
+const METAL: Material = { name: "Wire", colour: linear("8f9394"), roughness: 0.45 };
+
+/** What stands there that does not grow: the ground, and posts and wires of a trellis. */
+export function groundParts({ meshes }: StandPlant, specimen: StandSpecimen): Part[] {
+	return meshes.map((mesh) => {
+		if (mesh.material === "wood") return { name: "Posts", shape: { mesh, material: WOOD } };
+		if (mesh.material === "metal") return { name: "Wires", shape: { mesh, material: METAL } };
+		return { name: "Ground", shape: { mesh, material: soilOf(specimen) } };
+	});
+}
+
 export function* standParts(stand: StandPlant, specimen: StandSpecimen): Generator<Part> {
-	for (const mesh of stand.meshes) yield { name: "Ground", shape: { mesh, material: soilOf(specimen) } };
+	yield* groundParts(stand, specimen);
 	const plants = plantsOf(stand);
 	for (const [index, member] of stand.members.entries()) {
-		if (!member || member.levels.length === 0) continue;
+		// What found no place on its bearer may have been the only one of its kind.
+		if (!member || member.levels.length === 0 || !plants[index]) continue;
 		const level = member.levels[Math.min(specimen.look.detail, member.levels.length - 1)];
 		const { name } = stand.kinds[stand.places.kind[plants[index][0]]];
 		yield* partsOf(stand, plants[index], level, `${name} ${plants[index][0] + 1}`);

@@ -22,6 +22,8 @@ export interface Kind {
 	readonly place: Place;
 	/** How many different ones there are; 0: as many as plants. */
 	readonly seeds: number;
+	/** At which of its bearer's organs it hangs, by their tag; empty where the plan says where. */
+	readonly spot: string;
 	/** At scale 1, metres. */
 	readonly crown: { readonly width: number; readonly height: number };
 	readonly settings: readonly Setting[];
@@ -94,6 +96,8 @@ function readKinds(columns: Columns): Kind[] {
 	const crown = columns.floats("kinds.crown");
 	const places = columns.words("kinds.place");
 	const seeds = columns.words("kinds.seeds");
+	// Empty lines mean something here, and in what is set.
+	const spots = columns.text("kinds.spot").split("\n");
 	const settings = readSettings(columns);
 	return columns.lines("kinds.names").map((name, i) => {
 		const slash = name.indexOf("/");
@@ -103,6 +107,7 @@ function readKinds(columns: Columns): Kind[] {
 			preset: name.slice(slash + 1),
 			place: placeAt(places, i),
 			seeds: seeds[i],
+			spot: spots[i],
 			crown: { width: crown[2 * i], height: crown[2 * i + 1] },
 			settings: settings.filter(({ kind }) => kind === i),
 		};
@@ -111,7 +116,6 @@ function readKinds(columns: Columns): Kind[] {
 
 function readSettings(columns: Columns): (Setting & { kind: number })[] {
 	const keys = columns.lines("settings.keys");
-	// Empty lines mean something here.
 	const words = columns.text("settings.words").split("\n");
 	const kinds = columns.words("settings.kind");
 	const places = columns.words("settings.place");

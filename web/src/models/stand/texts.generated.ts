@@ -146,13 +146,14 @@ plants 900, stratified, depth 0.72 to 1
 flower/grass, crown 0.07 x 0.05, scale 0.3 to 0.55, seeds 30: age 0.9 to 1.2
 `,
 	vineyard: `/* A vineyard
-   about: Rows of vines on a cordon, and on each of them bunches that hang from it.
+   about: Rows of vines on a trellis: each has its arm along the lowest wire, shoots between pairs of wires, and bunches at the shoots' nodes.
    source: own text
 */
-ground 24 x 16, relief 1.2, hills 30
+ground 32 x 18, relief 0.3, hills 40
 
-plants, rows 2.2 x 1.2, towards 0, jitter 0.03
-growth/grapevine, crown 1.2 x 1.9, scale 0.92 to 1.08, seeds 10
-bunch/pinot-noir, each 3 to 5, height 0.72 to 0.86, reach 0.5, seeds 4
+plants, rows 2.2 x 1.2, towards 0
+trellis 2, posts 4.8, wire 0.9, pair 1.2, pair 1.5, pair 1.85
+growth/grapevine, crown 1.2 x 2, seeds 12
+bunch/pinot-noir, each 9 to 14, at bunch, scale 0.85 to 1.1, seeds 5
 `,
 };

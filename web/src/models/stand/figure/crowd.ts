@@ -62,10 +62,11 @@ export class Crowd {
 	show(stand: StandPlant): void {
 		const there = new Set(stand.members);
 		if (stand.places !== this.#places || [...this.#known].some((member) => !there.has(member))) this.#begin(stand);
+		const plants = plantsOf(stand);
 		const fresh = stand.members.flatMap((member, index) =>
-			member && !this.#known.has(member) ? [{ member, index }] : [],
+			member && plants[index] && !this.#known.has(member) ? [{ member, index }] : [],
 		);
-		if (fresh.length > 0) this.#add(stand, fresh);
+		if (fresh.length > 0) this.#add(stand, plants, fresh);
 	}
 
 	/** Settles what is drawn of each for an eye there. */
@@ -152,9 +153,8 @@ export class Crowd {
 	}
 
 	/** One batch a finish, of all that has come. */
-	#add(stand: StandPlant, fresh: readonly { member: Member; index: number }[]): void {
+	#add(stand: StandPlant, plants: readonly number[][], fresh: readonly { member: Member; index: number }[]): void {
 		this.#settled = false;
-		const plants = plantsOf(stand);
 		const rows = fresh.map(({ member, index }) => ({
 			member,
 			plants: plants[index],

@@ -7,7 +7,7 @@ import { ballOf } from "../../../scene/part_bounds";
 import { PartMeshes } from "../../../scene/part_meshes";
 import { StandardLights } from "../../../scene/standard_lights";
 import { Wardrobe } from "../../../scene/wardrobe";
-import { soilOf } from "../parts";
+import { groundParts } from "../parts";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
 import { Crowd } from "./crowd";
@@ -42,11 +42,10 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		this.#clear();
 		this.#stand = grown;
 		this.#wardrobe.change();
-		const material = soilOf(specimen);
-		const parts = grown.meshes.map((mesh) => ({ name: "Ground", shape: { mesh, material } }));
-		this.#ground = new PartMeshes(parts, this.#wardrobe);
-		for (const object of this.#ground.objects) {
-			if (object instanceof Mesh) object.castShadow = false;
+		this.#ground = new PartMeshes(groundParts(grown, specimen), this.#wardrobe);
+		for (const [i, object] of this.#ground.objects.entries()) {
+			// The ground is first; posts throw shadows.
+			if (i === 0 && object instanceof Mesh) object.castShadow = false;
 			this.#stage.root.add(object);
 		}
 		this.#crowd.show(grown);

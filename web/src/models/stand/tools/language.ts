@@ -4,9 +4,9 @@ import type { Kind, Piece } from "../../../controls/grammar/scan";
 
 const PIECE =
 	/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|"[^"\n]*"?|\p{L}[\p{L}\p{N}_]*\/[\p{L}\p{N}_-]*|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*|[\s\S]/gu;
-const STATEMENTS = new Set(["ground", "plants"]);
+const STATEMENTS = new Set(["ground", "plants", "trellis"]);
 const ITEMS = new Set(
-	"relief hills stratified random blue rows towards jitter depth share crown scale seeds each height reach x to".split(
+	"relief hills stratified random blue rows towards jitter depth share crown scale seeds each height reach at posts wire pair x to".split(
 		" ",
 	),
 );
@@ -60,6 +60,11 @@ export const STAND_LANGUAGE: Dialect = {
 			"plants 100, blue 2",
 			"How many plants stand there, and how; below it what grows, a line each: model/preset.",
 		),
+		statement(
+			"trellis",
+			"trellis 2, posts 5, wire 0.9",
+			"Posts and wires along the rows of plants above: how high posts are, metres.",
+		),
 		word("relief", "relief 2", "From the lowest place to the highest at the most, metres."),
 		word("hills", "hills 20", "From one rise to the next, metres."),
 		word("stratified", "stratified", "One plant in each cell of a grid, anywhere in it."),
@@ -74,6 +79,10 @@ export const STAND_LANGUAGE: Dialect = {
 		word("scale", "scale 0.8 to 1.2", "How large each is against what its preset says; drawn for each."),
 		word("seeds", "seeds 8", "How many different ones there are: fewer are quicker to grow, and smaller in files."),
 		word("each", "each 3 to 5", "Makes the line hang on the plants of the line above: so many on each."),
+		word("at", "at bunch", "At which of its bearer’s organs it hangs, in place of height and reach."),
+		word("posts", "posts 5", "From post to post at the most, metres; posts stand between plants."),
+		word("wire", "wire 0.9", "A wire at that height, metres."),
+		word("pair", "pair 1.2", "Two wires at that height, to both sides of the posts, metres."),
 		word("height", "height 0.8 to 1", "How high what is borne hangs, metres."),
 		word("reach", "reach 0.5", "How far along its bearer it hangs, metres each way."),
 	],

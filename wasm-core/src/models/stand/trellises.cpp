@@ -1,0 +1,154 @@
+#include "models/stand/trellises.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "foundation/mathematics.hpp"
+
+namespace panicle::stand {
+namespace {
+
+// Metres. Wood of usual line and end posts; the wire is galvanised, 2.5 mm thick.
+constexpr float line_post = 0.035f, end_post = 0.055f, wire_radius = 0.00125f, sunk = 0.2f;
+constexpr float beside = 0.08f;   // from the posts' middle to each wire of a pair
+constexpr float leaning = 0.18f;  // an end post's top leans out by so much of its height, against the wires' pull
+constexpr float guyed = 0.85f;    // at this share of that the wire to its anchor is tied,
+constexpr float anchored = 0.5f;  // which is this share of the height further out
+constexpr std::uint32_t post_sides = 8, wire_sides = 3;
+
+// A rod along a path, its rings level with `one` and `other`, which are at right angles to it and to each other.
+struct Rod {
+  std::span<const glm::vec3> path;
+  glm::vec3 one, other;
+  float radius;
+  std::uint32_t sides;
+};
+
+void put_rod(Mesh& mesh, const Rod& rod) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
+  float along = 0;
+  for (std::size_t i = 0; i < rod.path.size(); ++i) {
+    if (i > 0) along += glm::distance(rod.path[i], rod.path[i - 1]);
+    for (std::uint32_t k = 0; k <= rod.sides; ++k) {
+      const float share = static_cast<float>(k) / static_cast<float>(rod.sides);
+      const SinCos turn = sincos_degrees(360 * share);
+      const glm::vec3 out = turn.cosine * rod.one + turn.sine * rod.other;
+      put(mesh.positions, rod.path[i] + rod.radius * out);
+      put(mesh.normals, out);
+      put(mesh.uvs, glm::vec2(share, along / (2 * pi * rod.radius)));
+    }
+  }
+  const std::uint32_t ring = rod.sides + 1;
+  for (std::uint32_t i = 0; i + 1 < rod.path.size(); ++i)
+    for (std::uint32_t k = 0; k < rod.sides; ++k) {
+      const std::uint32_t a = first + ring * i + k, b = a + ring;
+      put(mesh.indices, a, b, a + 1);
+      put(mesh.indices, a + 1, b, b + 1);
+    }
+}
+
+// The flat end of a rod, at the last place of its path.
+void put_end(Mesh& mesh, const Rod& rod, const glm::vec3& normal) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
+  for (std::uint32_t k = 0; k < rod.sides; ++k) {
+    const SinCos turn = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(rod.sides));
+    put(mesh.positions, rod.path.back() + rod.radius * (turn.cosine * rod.one + turn.sine * rod.other));
+    put(mesh.normals, normal);
+    put(mesh.uvs, glm::vec2(turn.cosine, turn.sine));
+  }
+  for (std::uint32_t k = 1; k + 1 < rod.sides; ++k) put(mesh.indices, first, first + k + 1, first + k);
+}
+
+// One row: where on the ground its places are, along it.
+class Row {
+ public:
+  Row(const Layer& layer, const Relief& relief, const glm::vec2& on, const glm::vec2& along, Trellises& out)
+      : layer_(layer), trellis_(*layer.trellis), relief_(relief), on_(on), along_(along), out_(out) {}
+
+  // From the first of its plants to the last, `places` of them beside the first, metres along the row.
+  void build(float from, std::uint32_t places) {
+    const float step = layer_.along, begin = from - 0.5f * step;
+    const auto whole = std::max(1.0f, std::floor(trellis_.posts / step + 1e-3f));
+    const auto every = static_cast<std::uint32_t>(std::min(whole, 1e6f)), last = places + 1;
+    for (std::uint32_t i = 0; i < last; i += every) post(begin + step * static_cast<float>(i), i == 0 ? -1.0f : 0.0f);
+    const float end = begin + step * static_cast<float>(last);
+    post(end, 1);
+    for (const Wire& wire : trellis_.wires)
+      for (const float side : {-1.0f, 1.0f}) {
+        if (!wire.pair && side < 0) continue;
+        std::vector<glm::vec3> path{leant(begin, -1, wire.high)};
+        for (std::uint32_t i = 0; i <= places; ++i)
+          path.push_back(over(from + step * static_cast<float>(i), wire.high));
+        path.push_back(leant(end, 1, wire.high));
+        // A pair meets at the end posts.
+        if (wire.pair)
+          for (std::size_t i = 1; i + 1 < path.size(); ++i) path[i] += side * beside * across();
+        put_rod(out_.metal, {path, across(), {0, 1, 0}, wire_radius, wire_sides});
+      }
+  }
+
+ private:
+  glm::vec3 across() const { return {-along_.y, 0, along_.x}; }
+  glm::vec3 way() const { return {along_.x, 0, along_.y}; }
+
+  glm::vec3 over(float place, float high) const {
+    const glm::vec2 at = on_ + place * along_;
+    return {at.x, relief_.at(at.x, at.y) + high, at.y};
+  }
+
+  // On a post that leans out by its height; `side` 0: that stands upright.
+  glm::vec3 leant(float place, float side, float high) const {
+    return over(place, high) + side * leaning * high * way();
+  }
+
+  void post(float place, float side) {
+    ++out_.posts;
+    const glm::vec3 path[]{leant(place, side, -sunk), leant(place, side, trellis_.high)};
+    const glm::vec3 up = glm::normalize(path[1] - path[0]), out = glm::cross(up, across());
+    const Rod rod{path, across(), -out, side == 0 ? line_post : end_post, post_sides};
+    put_rod(out_.wood, rod);
+    put_end(out_.wood, rod, up);
+    if (side == 0) return;
+    const float high = guyed * trellis_.high;
+    const glm::vec3 guy[]{leant(place, side, high),
+                          over(place + side * (leaning * high + anchored * trellis_.high), 0)};
+    put_rod(out_.metal,
+            {guy, across(), glm::normalize(glm::cross(across(), guy[1] - guy[0])), wire_radius, wire_sides});
+  }
+
+  const Layer& layer_;
+  const Trellis& trellis_;
+  const Relief& relief_;
+  glm::vec2 on_, along_;
+  Trellises& out_;
+};
+
+}  // namespace
+
+Trellises trellises_of(const Plan& plan, const Relief& relief, const std::vector<Placement>& plants) {
+  Trellises all;
+  struct Ends {
+    std::int32_t first, last;
+  };
+  std::map<std::pair<std::uint32_t, std::int32_t>, Ends> rows;
+  for (const Placement& plant : plants) {
+    if (!plan.layers[plant.layer].trellis || plant.bearer >= 0) continue;
+    Ends& ends = rows.try_emplace({plant.layer, plant.row}, Ends{plant.place, plant.place}).first->second;
+    ends = {std::min(ends.first, plant.place), std::max(ends.last, plant.place)};
+  }
+  for (const auto& [key, ends] : rows) {
+    const Layer& layer = plan.layers[key.first];
+    const SinCos turn = sincos_degrees(layer.towards);
+    const glm::vec2 along(turn.cosine, turn.sine), across(-turn.sine, turn.cosine);
+    const glm::vec2 middle(0, middle_of(layer, plan.ground));
+    Row(layer, relief, middle + layer.apart * static_cast<float>(key.second) * across, along, all)
+        .build(layer.along * static_cast<float>(ends.first), static_cast<std::uint32_t>(ends.last - ends.first));
+  }
+  return all;
+}
+
+}  // namespace panicle::stand

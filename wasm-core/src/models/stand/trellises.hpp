@@ -1,0 +1,21 @@
+// Posts and wires along the rows of layers that have a trellis: they follow the ground as the plants tied to them do.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/mesh.hpp"
+#include "models/stand/ground.hpp"
+#include "models/stand/places.hpp"
+#include "models/stand/plan.hpp"
+
+namespace panicle::stand {
+
+struct Trellises {
+  std::uint32_t posts = 0;
+  Mesh wood, metal;  // all posts, all wires
+};
+
+Trellises trellises_of(const Plan& plan, const Relief& relief, const std::vector<Placement>& plants);
+
+}  // namespace panicle::stand

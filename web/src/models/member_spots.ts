@@ -1,0 +1,15 @@
+/** Where on a member others may hang: its organs of the tags that were asked for. */
+import type { Plant } from "../plant/plant";
+import type { Member, MemberAsked } from "./member";
+
+export function spotsOf(plant: Plant, { spots }: MemberAsked): Pick<Member, "spots"> {
+	return spots ? { spots: Object.fromEntries(spots.map((tag) => [tag, placesOf(plant, tag)])) } : {};
+}
+
+function placesOf({ organs: { tag, tags, count, transforms } }: Plant, wanted: string): Float32Array {
+	const width = transforms.length / Math.max(1, count);
+	const places: number[] = [];
+	for (let i = 0; i < count; i++)
+		if (tags[tag[i]] === wanted) places.push(...transforms.subarray(width * i, width * i + 3));
+	return Float32Array.from(places);
+}

@@ -1,0 +1,106 @@
+/**
+ * Where what hangs at organs of its bearer (`at bunch`) is: the plan lays it before anything grows, and learns from its bearer, once that
+ * has grown, where those organs are.
+ */
+import type { Member } from "../model";
+import type { Places, StandPlant } from "./stand_plant";
+
+/** Of each kind that bears such, by its number, the tags of the organs. */
+export function spotsWanted({ kinds, places }: StandPlant): Map<number, Set<string>> {
+	const wanted = new Map<number, Set<string>>();
+	if (kinds.every(({ spot }) => spot === "")) return wanted;
+	for (let plant = 0; plant < places.count; plant++) {
+		const { spot } = kinds[places.kind[plant]];
+		if (spot === "") continue;
+		const bearer = places.kind[places.bearer[plant]];
+		wanted.set(bearer, (wanted.get(bearer) ?? new Set()).add(spot));
+	}
+	return wanted;
+}
+
+/**
+ * A stand with all that hangs at organs where these are, spread evenly over them; left out is what finds none free, and while its bearer
+ * has not grown. Such a stand stays as it is when this is done again.
+ */
+export function hung(stand: StandPlant): StandPlant {
+	const { kinds, places } = stand;
+	if (kinds.every(({ spot }) => spot === "")) return stand;
+	const at = places.at.slice();
+	const transforms = places.transforms.slice();
+	const kept: number[] = [];
+	let full = 0;
+	for (let plant = 0; plant < places.count; ) {
+		const among = alikeFrom(places, plant);
+		const { spot } = kinds[places.kind[plant]];
+		const bearer = places.bearer[plant];
+		const member = spot === "" ? undefined : stand.members[stand.memberOf[bearer]];
+		const spots = member && spotsOf(member, spot);
+		const hangs = spot === "" ? among : Math.min(among, (spots?.length ?? 0) / 3);
+		if (spots) full += among - hangs;
+		for (let k = 0; k < hangs; k++) {
+			kept.push(plant + k);
+			if (!spots) continue;
+			const which = Math.floor(((k + 0.5) * spots.length) / 3 / hangs);
+			const place = standing(places, bearer, spots.subarray(3 * which, 3 * which + 3));
+			at.set(place, 3 * (plant + k));
+			transforms.set(place, (transforms.length / places.count) * (plant + k));
+		}
+		plant += among;
+	}
+	const moved = { ...places, at, transforms };
+	if (kept.length === places.count) return { ...stand, places: moved };
+	return left(stand, moved, kept, full);
+}
+
+/** How many from a plant on hang on one bearer and are of one kind. */
+function alikeFrom({ kind, bearer, count }: Places, plant: number): number {
+	let end = plant + 1;
+	if (bearer[plant] < 0) return 1;
+	while (end < count && kind[end] === kind[plant] && bearer[end] === bearer[plant]) end++;
+	return end - plant;
+}
+
+const NONE = new Float32Array(0);
+const spotsOf = ({ spots }: Member, tag: string): Float32Array => spots?.[tag] ?? NONE;
+
+/** A place on a plant, where that stands. */
+function standing({ at, scale, turn }: Places, plant: number, [x, y, z]: Float32Array): [number, number, number] {
+	const [size, angle] = [scale[plant], (turn[plant] * Math.PI) / 180];
+	const [cosine, sine] = [size * Math.cos(angle), size * Math.sin(angle)];
+	const [footX, footY, footZ] = at.subarray(3 * plant, 3 * plant + 3);
+	return [footX + cosine * x - sine * z, footY + size * y, footZ + sine * x + cosine * z];
+}
+
+/** The stand with those of its plants alone; what bears stands before what it bears, and all of it stays. */
+function left(stand: StandPlant, places: Places, kept: readonly number[], full: number): StandPlant {
+	const rows = <A extends Float32Array | Uint32Array | Int32Array>(from: A): A => {
+		const width = from.length / places.count;
+		const to = from.slice(0, width * kept.length) as A;
+		for (const [i, plant] of kept.entries()) to.set(from.subarray(width * plant, width * (plant + 1)), width * i);
+		return to;
+	};
+	const note = `${full} found no place on what bears them: it has not as many.`;
+	return {
+		...stand,
+		places: {
+			...places,
+			count: kept.length,
+			kind: rows(places.kind),
+			seed: rows(places.seed),
+			bearer: rows(places.bearer),
+			at: rows(places.at),
+			scale: rows(places.scale),
+			turn: rows(places.turn),
+			values: rows(places.values),
+			surroundings: rows(places.surroundings),
+			transforms: rows(places.transforms),
+		},
+		memberOf: rows(stand.memberOf),
+		counts: {
+			...stand.counts,
+			plants: kept.length,
+			borne: stand.counts.borne - (places.count - kept.length),
+		},
+		notes: full > 0 ? [...stand.notes, note] : stand.notes,
+	};
+}
