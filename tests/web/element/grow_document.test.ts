@@ -1,8 +1,10 @@
 import { expect, it, vi } from "vitest";
 import type { Client } from "../../../web/src/core/client";
 import { Superseded } from "../../../web/src/core/errors";
+import { readAttributes } from "../../../web/src/element/attributes";
 import { growDocument } from "../../../web/src/element/grow_document";
 import type { Document } from "../../../web/src/element/grown_detail";
+import { plantInWords } from "../../../web/src/element/plant_in_words";
 import { model } from "../../../web/src/models/stand/index";
 import { grownStand, PLAN, planned, run } from "../models/stand/stands";
 
@@ -32,4 +34,34 @@ it("a stand that something newer has taken the place of grows no further, and is
 	expect(early.grown()).toBeLessThan(8);
 	expect((await superseded(11)).plant).toBeInstanceOf(Superseded);
 	expect(await superseded(12)).toMatchObject({ plant: { fingerprint: (await grownStand()).fingerprint } });
+});
+
+it("a flower and a bed grow from attributes alone, the flower with values of its text's own", async () => {
+	const client: Pick<Client, "grow" | "among"> = {
+		grow: ({ wasm, blocks }) => run(wasm, blocks),
+		among: ({ wasm, blocks }) => run(wasm, blocks),
+	};
+	const grown = async (attributes: Record<string, string>) => {
+		const said = await readAttributes(Object.entries(attributes).map(([name, value]) => ({ name, value })));
+		expect(said.notes).toEqual([]);
+		const plant = await growDocument(
+			client,
+			{ ...said, notes: [] },
+			{ meshes: false },
+			new AbortController().signal,
+			() => true,
+		);
+		return plantInWords({ model: said.model, specimen: said.specimen, grown: plant });
+	};
+	const tulip = { model: "flower", preset: "tulip" };
+	const [open, bud, tall] = await Promise.all(
+		[tulip, { ...tulip, age: "0" }, { ...tulip, define: "length:500" }].map(grown),
+	);
+	expect(open).toMatch(/^Tulip flower: \d+ cm tall, \d+ organs, /);
+	const height = (words: string) => Number(/(\d+) cm/.exec(words)?.[1]);
+	expect(height(bud)).toBeLessThan(height(open));
+	expect(height(tall)).toBeGreaterThan(height(open));
+	expect(await grown({ model: "stand", preset: "flowerbed", many: "20" })).toMatch(
+		/^A flowerbed in June.*: 20 plants of /,
+	);
 });
