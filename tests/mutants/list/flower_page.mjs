@@ -13,18 +13,6 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/grammars/flower/daisy.gl3",
-		suites: ["tests/web/models/flower/paint.test.ts"],
-		faults: [
-			{
-				id: "flower-rays-without-a-mesophyll",
-				find: "upper=4; middle=8; lower=5",
-				replace: "upper=4; middle=4; lower=5",
-				breaks: "a species' petals have two layers",
-			},
-		],
-	},
-	{
 		file: "web/src/models/flower/paint.ts",
 		suites: ["tests/web/models/flower/paint.test.ts"],
 		faults: [
