@@ -1,6 +1,18 @@
 /** Flowers in the page: how they are painted, read, written and asked for. */
 export default [
 	{
+		file: "web/src/models/flower/flower_plant.ts",
+		suites: ["tests/web/models/flower/paint.test.ts"],
+		faults: [
+			{
+				id: "flower-names-of-other-parts",
+				find: 'columns.text("materials.name").split("\\n")',
+				replace: 'columns.lines("materials.name")',
+				breaks: "where some materials have no name, parts are called what others are",
+			},
+		],
+	},
+	{
 		file: "web/src/models/flower/paint.ts",
 		suites: ["tests/web/models/flower/paint.test.ts"],
 		faults: [
@@ -28,6 +40,12 @@ export default [
 		file: "web/src/models/flower/tools/said.ts",
 		suites: ["tests/web/models/flower/said.test.ts"],
 		faults: [
+			{
+				id: "flower-dead-sliders",
+				find: ".filter(({ name }) => !set.has(name))",
+				replace: "",
+				breaks: "a chosen volume has sliders of variables that every call sets, which move nothing",
+			},
 			{
 				id: "flower-figures-of-another-module",
 				find: "const end = modules[module + 1]?.at ?? pieces.length;",

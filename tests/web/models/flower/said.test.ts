@@ -40,8 +40,25 @@ describe("what a text says of a volume", () => {
 			"Every STEM": ["N 4", "T 1", "atx 0", "aty 0", "atz 0", "H 1", "L 2", "W 3", "m 4"],
 			"Where it grows, line 11": ["atx 9"],
 			"PETAL as it is called, line 5": ["atx -6", "len 66"],
-			"Every PETAL": ["len 10"],
 		});
+	});
+
+	it("is no variable that every call of a module sets, and those of the text that its call is worked out from", () => {
+		const text = `#define size=2
+#define other=3
+#axiom: STEM
+STEM -> STEM[&PETAL{len=size*30; wide=9}]_{C1}[&PETAL{len=20}]_{C3}
+#module PETAL
+#define len=10
+#define wide=5
+#define A(4,0,0,0,1,2,3,4)
+#axiom: A
+`;
+		const said = saidOf(text, { label: "A", module: 1, line: 9, call: 4 });
+		const titled = (title: string) => said.find((each) => each.title === title)?.figures.map(({ name }) => name);
+		expect(titled("PETAL as it is called, line 4")).toEqual(["wide"]);
+		expect(titled("Every PETAL")).toEqual(["wide"]);
+		expect(titled("The whole flower")).toEqual(["size"]);
 	});
 
 	it("is nothing of what the text does not have", () => {

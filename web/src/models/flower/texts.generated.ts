@@ -468,10 +468,10 @@ SHEATH{}{step==4}{} -> SHEATH[TUBE]_{E}
 TUBE{}{step<10}{} -> TUBE[TUBE(,<bend+math.random(-2,2)+3*wilt>,<math.random(-2,2)>,,<tall*(0.7+0.3*open)/6>,<3.6+0.16*(step-4)>,<3.6+0.16*(step-4)>,)]_{E}
 TUBE{}{step==10}{} -> TUBE[WHORL(,<9*open>,,,,,,)]_{E}
 WHORL -> WHORL[INNER]_{E}
-WHORL -> WHORL[&PETAL{K=11; J=3; len=size*(28+15*open); wide=size*(9+7.8*open); thick=0.7; start=-72+34*open+math.random(-3,3)+22*wilt; low=-12-14*open; mid=-4+wilt*14; high=-16+22*open+40*wilt+math.random(-5,5); cup=20-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=9; lower=12}]_{C1,C5,C9}
+WHORL -> WHORL[&PETAL{K=11; J=3; len=size*(28+15*open); wide=size*(13+3.8*open); thick=0.7; start=-72+34*open+math.random(-3,3)+22*wilt; low=-12-14*open; mid=-4+wilt*14; high=-16+22*open+40*wilt+math.random(-5,5); cup=20-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=9; lower=12}]_{C1,C5,C9}
 INNER -> INNER[TOP]_{E}
-INNER -> INNER[&PETAL{K=11; J=3; len=size*(26+13*open); wide=size*(9+8*open); thick=0.7; start=-76+30*open+math.random(-3,3)+18*wilt; low=-10-14*open; mid=-4+wilt*10; high=-16+18*open+30*wilt+math.random(-5,5); cup=21-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=9; lower=5}]_{C3,C7,C11}
-TOP -> TOP[&STAMEN{long=3+5*open; lean=-76; head=5+6*open}]_{C1,C5,C9}
+INNER -> INNER[&PETAL{K=11; J=3; len=size*(26+13*open); wide=size*(13+4*open); thick=0.7; start=-76+30*open+math.random(-3,3)+18*wilt; low=-10-14*open; mid=-4+wilt*10; high=-16+18*open+30*wilt+math.random(-5,5); cup=21-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=9; lower=5}]_{C3,C7,C11}
+TOP -> TOP[&STAMEN{long=3+5*open; lean=-98+22*open; head=3+8*open}]_{C1,C5,C9}
 TOP -> TOP[&STYLE{long=size*(15+5*open)}]_{E}
 
 #module PETAL
@@ -788,9 +788,9 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 12 leaf "769f5c" "86ac66" name "leaf, mesophyll"
 #material 13 leaf "6c9058" "809f68" name "leaf, lower epidermis"
 #material 3 sepal "557f40" "6f9450" name "bract"
-#material 4 petal "fbfaf6" "ffffff" bud "f3e3e8" "eec2d0" wilted "e6dccb" "c9b79c" name "ray, upper epidermis"
-#material 8 petal "f6f1ec" "fbf6f4" bud "f0dce2" "ebbccb" wilted "e0d2c0" "c2ac94" name "ray, mesophyll"
-#material 5 petal "f6eeee" "ecb8c8" bud "efd3dc" "e29cb4" wilted "dcc4b4" "b99a86" name "ray, lower epidermis"
+#material 4 petal "e6e9ee" "f4f6fa" light 0.25 bud "f3e3e8" "eec2d0" wilted "e6dccb" "c9b79c" name "ray, upper epidermis"
+#material 8 petal "e8e4e8" "f0ecf0" light 0.25 bud "f0dce2" "ebbccb" wilted "e0d2c0" "c2ac94" name "ray, mesophyll"
+#material 5 petal "ece2e6" "e6aec0" light 0.25 bud "efd3dc" "e29cb4" wilted "dcc4b4" "b99a86" name "ray, lower epidermis"
 #material 6 stamen "c9971a" "e3b021"
 #material 7 stamen "e9b922" "f6cf3e"
 
@@ -2882,9 +2882,9 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(0.
 #material 2 leaf "47793d" "639550" veins "8ab472" 3 0.4 name "leaf, upper epidermis"
 #material 12 leaf "78a362" "8ab472" name "leaf, mesophyll"
 #material 13 leaf "658f58" "7ca568" name "leaf, lower epidermis"
-#material 4 petal "dfe6b8" "fdfcf7" foot 0.35 veins "dfe6c4" 4 0.4 bud "a9c070" "dbe3b8" wilted "e3d2a0" "c9a66c" name "tepal, upper epidermis"
-#material 10 petal "b4cc80" "f2f2e2" foot 0.8 bud "96b45e" "c4d49c" wilted "d0c48c" "c09c64" name "tepal, mesophyll"
-#material 5 petal "c3d68e" "f7f5ee" foot 0.75 veins "c2d696" 1 0.6 bud "a2ba68" "d0dcaa" wilted "d8c490" "b8935c" name "tepal, lower epidermis"
+#material 4 petal "ccd9a4" "eef1f4" foot 0.45 veins "cfdbb4" 4 0.5 light 0.25 bud "a9c070" "dbe3b8" wilted "e3d2a0" "c9a66c" name "tepal, upper epidermis"
+#material 10 petal "a8c272" "dfe6d2" foot 0.8 light 0.25 bud "96b45e" "c4d49c" wilted "d0c48c" "c09c64" name "tepal, mesophyll"
+#material 5 petal "b7cc80" "e6eae6" foot 0.75 veins "b4cc86" 1 0.7 light 0.25 bud "a2ba68" "d0dcaa" wilted "d8c490" "b8935c" name "tepal, lower epidermis"
 #material 6 stamen "dfe6c0" "eef0dc"
 #material 7 stamen "dd8a14" "eda21e"
 #material 8 pistil "9ab66a" "dfe4b8"
@@ -4683,9 +4683,9 @@ p1 VEIN -> VEIN[VEIN(,<8-1.4*step>,,,2.5,2+sin(18*step),,)]_{E}
 #material 2 leaf "587f58" "6c9a64" wilted "8a9450" "b0a060" name "leaf, upper epidermis"
 #material 12 leaf "7d9c68" "8bac74" wilted "989a5c" "b8a868" name "leaf, mesophyll"
 #material 13 leaf "6b8f6c" "80a67a" wilted "949a60" "b4a66c" name "leaf, lower epidermis"
-#material 4 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238" name "tepal, lower epidermis"
-#material 5 petal "d8a23a" "d4343c" foot 0.4 bud "8d9c4e" "a8433a" wilted "c9a060" "984a40" name "tepal, upper epidermis"
-#material 11 petal "e9b53a" "c21d2c" foot 0.4 margin "e8973a" 0.14 veins "8e0f1e" 7 0.22 bud "8d9c4e" "a8433a" wilted "c9a060" "8c4238" name "tepal, mesophyll"
+#material 4 petal "e9b53a" "c21d2c" foot 0.4 veins "8e0f1e" 7 0.22 bud "7d9c50" "8fa85c" wilted "c9a060" "8c4238" name "tepal, lower epidermis"
+#material 5 petal "d8a23a" "d4343c" foot 0.4 bud "8aa45c" "9aae66" wilted "c9a060" "984a40" name "tepal, upper epidermis"
+#material 11 petal "e9b53a" "c21d2c" foot 0.4 bud "7d9c50" "8fa85c" wilted "c9a060" "8c4238" name "tepal, mesophyll"
 #material 6 stamen "e8dfa5" "d8c987"
 #material 7 stamen "2f2633" "40313f"
 #material 8 pistil "a3b873" "bccb86"
@@ -4975,9 +4975,9 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 3 sepal "eef0dc" "f8f6ee" bud "e6ead0" "f2f2e4" wilted "ded6b4" "cabc92" name "sepal, upper epidermis"
 #material 7 sepal "aebd84" "c4cc9c" name "sepal, mesophyll"
 #material 2 sepal "6f8a4c" "8fa468" margin "d4d8b8" 0.2 name "sepal, lower epidermis"
-#material 4 petal "fdf6ee" "fffdfb" foot 0.5 bud "eef0dc" "fdf6f0" wilted "e2d8b4" "cfc096" name "petal, upper epidermis"
-#material 11 petal "f4efe2" "f8f4ee" foot 0.5 bud "e8ead2" "f4efe6" wilted "dacea8" "c6b68c" name "petal, mesophyll"
-#material 5 petal "f2ecdf" "fbf0f0" foot 0.5 wilted "dccfa8" "c4b288" name "petal, lower epidermis"
+#material 4 petal "e9ecdc" "f3f5f8" foot 0.5 light 0.25 bud "eef0dc" "fdf6f0" wilted "e2d8b4" "cfc096" name "petal, upper epidermis"
+#material 11 petal "e2e4d2" "eaecec" foot 0.5 light 0.25 bud "e8ead2" "f4efe6" wilted "dacea8" "c6b68c" name "petal, mesophyll"
+#material 5 petal "dde2cc" "eae9ee" foot 0.5 light 0.25 wilted "dccfa8" "c4b288" name "petal, lower epidermis"
 #material 6 stamen "eeb92c" "f4cf4a" wilted "b08a30" "a08038"
 #material 8 pistil "e0c552" "ecd87a"
 #material 9 leaf "4a7a42" "3f6b3a" veins "7aa062" 8 0.5 light 0.2 name "leaf, upper epidermis"

@@ -32,7 +32,10 @@ const TRANSLATED = ["N", "T", "atx", "aty", "atz", "H", "L", "W", "m"];
 
 type Pieces = ReturnType<typeof scan>;
 
-/** The figures of a volume's definition, of where it is grown, of its module's call and of its module's variables; no empty lists. */
+/**
+ * The figures of a volume's definition, of where it is grown, of its module's call, of its module's variables and of those of the text that
+ * the call is worked out from; no empty lists. Variables that every call sets are left out: what the module itself says of them holds nowhere.
+ */
 export function saidOf(text: string, { label, module, line, call }: Asked): Said[] {
 	const pieces = scan(text).filter(({ kind }) => kind !== "comment");
 	const modules: { name: string; at: number }[] = [{ name: "", at: 0 }];
@@ -41,15 +44,11 @@ export function saidOf(text: string, { label, module, line, call }: Asked): Said
 	const own = modules[module] ?? modules[0];
 	const end = modules[module + 1]?.at ?? pieces.length;
 	const definition: Figure[] = [];
-	const variables: Figure[] = [];
 	let translated = false;
 	for (let i = own.at; i < end; i++) {
 		if (pieces[i].text !== "#define") continue;
 		const [name, sign] = [pieces[i + 1], pieces[i + 2]];
-		if (sign?.text === "=") {
-			const [figure] = figuresBetween(pieces, [[i + 3, statementEnd(pieces, i + 3)]], [name.text]);
-			if (figure) variables.push(figure);
-		} else if (name?.text === label && sign?.text === "(") {
+		if (name?.text === label && sign?.text === "(") {
 			const entries = entriesOf(pieces, i + 2);
 			translated = entries.length > 8;
 			definition.push(...figuresBetween(pieces, entries, translated ? TRANSLATED : PLAIN));
@@ -59,6 +58,8 @@ export function saidOf(text: string, { label, module, line, call }: Asked): Said
 		entries.length === 9 || (entries.length !== 8 && translated) ? TRANSLATED : PLAIN;
 	const grown = listAt(pieces, line, label);
 	const called = listAt(pieces, call, own.name);
+	const set = module === 0 ? new Set<string>() : setByEveryCall(pieces, own.name);
+	const from = called ? wordsFrom(pieces, called.from) : new Set<string>();
 	return [
 		{ title: `Every ${label}`, figures: definition },
 		{
@@ -71,7 +72,14 @@ export function saidOf(text: string, { label, module, line, call }: Asked): Said
 				? [...figuresBetween(pieces, called.entries, fields(called.entries)), ...settings(pieces, called.end)]
 				: [],
 		},
-		{ title: module === 0 ? "The whole flower" : `Every ${own.name}`, figures: variables },
+		{
+			title: module === 0 ? "The whole flower" : `Every ${own.name}`,
+			figures: variablesOf(pieces, own.at, end).filter(({ name }) => !set.has(name)),
+		},
+		{
+			title: "The whole flower",
+			figures: module === 0 ? [] : variablesOf(pieces, 0, modules[1]?.at ?? 0).filter(({ name }) => from.has(name)),
+		},
 	].filter(({ figures }) => figures.length > 0);
 }
 
@@ -81,9 +89,42 @@ function listAt(pieces: Pieces, line: number, name: string) {
 		(piece, i) => piece.line === line && piece.text === name && ["[", "&"].includes(pieces[i - 1]?.text),
 	);
 	if (at < 0) return undefined;
-	if (pieces[at + 1]?.text !== "(") return { entries: [], end: at + 1 };
+	if (pieces[at + 1]?.text !== "(") return { entries: [], from: at, end: at + 1 };
 	const entries = entriesOf(pieces, at + 1);
-	return { entries, end: (entries.at(-1)?.[1] ?? at + 1) + 1 };
+	return { entries, from: at, end: (entries.at(-1)?.[1] ?? at + 1) + 1 };
+}
+
+/** Variables that are figures, of the statements between two places. */
+function variablesOf(pieces: Pieces, from: number, to: number): Figure[] {
+	const found: Figure[] = [];
+	for (let i = from; i < to; i++)
+		if (pieces[i].text === "#define" && pieces[i + 2]?.text === "=")
+			found.push(...figuresBetween(pieces, [[i + 3, statementEnd(pieces, i + 3)]], [pieces[i + 1].text]));
+	return found;
+}
+
+/** What stands between the bracket of a call and its end: names are set before a =, and used elsewhere. */
+const wordsFrom = (pieces: Pieces, call: number): Set<string> => {
+	let end = call;
+	while (end < pieces.length && pieces[end].text !== "]") end++;
+	return new Set(
+		pieces
+			.slice(call + 1, end)
+			.filter((_, i) => pieces[call + 2 + i]?.text !== "=")
+			.map(({ text }) => text),
+	);
+};
+
+/** Variables of a module that none of its calls leaves as the module has them; none where nothing calls it. */
+function setByEveryCall(pieces: Pieces, name: string): Set<string> {
+	const calls = pieces.flatMap((piece, i) => (piece.text === name && pieces[i - 1]?.text === "&" ? [i] : []));
+	const sets = calls.map((call) => {
+		const set = new Set<string>();
+		for (let i = call + 1; i < pieces.length && pieces[i].text !== "]"; i++)
+			if (pieces[i].text === "=") set.add(pieces[i - 1].text);
+		return set;
+	});
+	return new Set([...(sets[0] ?? [])].filter((each) => sets.every((set) => set.has(each))));
 }
 
 /** `{len=66; width=40}` behind a call. */
