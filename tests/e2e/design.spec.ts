@@ -160,7 +160,7 @@ test("a text without descriptions says so, and a design begins", async ({ page }
 	await expect(page.getByRole("region", { name: "Diagram view" })).toBeVisible();
 	await studio.button("Undo").click();
 	await written(page, () => studio.button("Design a new flower").click());
-	await expect(page.getByText("K0 C5 A5 G(3)")).toBeVisible();
+	await expect(page.getByText("P5 A5 G(3)")).toBeVisible();
 	const count = page.getByRole("textbox", { name: "Count, typed" });
 	for (const [typed, said] of [
 		["abc", "“abc” is not a number; Count stays 5."],

@@ -147,6 +147,7 @@ describe("a floral formula", () => {
 			usually.map((each) => (each.organ === organ ? described(each, values) : each));
 		expect(floralFormula(set("petal", { symmetry: "irregular", whorls: 2 }))).toBe("↓ K5 C5+5 A5 G(3)");
 		expect(floralFormula(set("pistil", { fusion: "apocarpous" }))).toBe("✶ K5 C5 A5 G3");
+		expect(floralFormula(set("sepal", { count: 0 }))).toBe("✶ P5 A5 G(3)");
 		expect(floralFormula(set("stamen", { count: 0, whorls: 3 }))).toBe("✶ K5 C5 A0 G(3)");
 	});
 });

@@ -46,7 +46,7 @@ export const beginTool: DesignTool = {
 		draw: (desk) => {
 			const near = designedNear(desk.state.specimen.preset);
 			const title = FLOWER.presets.named(near)?.title;
-			return html`<p>This flower’s text has no descriptions of its organs: it is edited as a grammar.</p>
+			return html`<p>This flower’s text has no descriptions of its organs: it is edited as a grammar. Another flower that has them, or a new one:</p>
 			<div class="actions">
 				<button class="button" type="button" @click=${() => desk.replace(fromPreset(FLOWER, near))}>Open ${title}</button>
 				<button class="button" type="button" @click=${() => desk.set({ details: { grammar: assembled() } })}>

@@ -226,11 +226,13 @@ function ovaryScene(description: Description): Part {
 	};
 }
 
-/** "K5 C5 A5+5 G3": the floral formula that goes with the diagram. */
+/** "K5 C5 A5+5 G3": the floral formula that goes with the diagram. Without sepals all of them are one perigone, "P3+3". */
 export function floralFormula(descriptions: readonly Description[]): string {
-	const letters = { sepal: "K", petal: "C", stamen: "A", pistil: "G" } as const;
+	const perigone = descriptions.some(({ organ, values }) => organ === "sepal" && Number(values.count) === 0);
+	const letters = { sepal: "K", petal: perigone ? "P" : "C", stamen: "A", pistil: "G" } as const;
 	const terms = descriptions.flatMap((description) => {
 		if (!Object.hasOwn(WHORLS, description.organ)) return [];
+		if (perigone && description.organ === "sepal") return [];
 		const count = value(description, "count");
 		const times = count === 0 ? 1 : Number(description.values.whorls ?? 1);
 		const joined = description.values.fusion === "syncarpous" && count > 1;
