@@ -187,9 +187,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   plant.columns.add("ground.size", std::vector<float>{plan->ground.width, plan->ground.depth, plan->ground.relief}, 3);
   const auto borne = static_cast<std::uint32_t>(
       std::count_if(plants->begin(), plants->end(), [](const Placement& of) { return of.bearer >= 0; }));
-  plant.counts = {{"plants", static_cast<std::uint32_t>(plants->size())},
-                  {"kinds", count_names(kinds)},
-                  {"borne", borne}};
+  plant.counts = {
+      {"plants", static_cast<std::uint32_t>(plants->size())}, {"kinds", count_names(kinds)}, {"borne", borne}};
   Trellises trellises = trellises_of(plan.value(), ground, plants.value());
   if (trellises.posts > 0) plant.counts.push_back({"posts", trellises.posts});
   if (measures) measure(plant, plan.value(), plants.value(), kinds);
