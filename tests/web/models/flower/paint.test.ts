@@ -91,8 +91,8 @@ describe("the paint of organs", () => {
 		}
 	});
 
-	it("has an upper epidermis, a mesophyll and a lower epidermis in every petal, sepal and leaf of every species", () => {
-		for (const { name: preset } of model.presets.list.filter(({ kind }) => kind === "species")) {
+	it("has an upper epidermis, a mesophyll and a lower epidermis in every petal, sepal and leaf of every species, and of what is designed", () => {
+		for (const { name: preset } of model.presets.list.filter(({ kind }) => /^(?:species|designed)$/.test(kind))) {
 			const plant = readFlowerPlant(core.grow(model.encode(fromPreset(model, preset), { sky: false, map: false })));
 			const { labels, label, values } = plant.volumes;
 			const calledOf = new Map(plant.meshes.map(({ name }, i) => [name, plant.names[i]]));

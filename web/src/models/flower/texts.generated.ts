@@ -1235,7 +1235,7 @@ STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<ma
 STEM{}{step==16}{} -> STEM[COLLAR]_{E}
 COLLAR -> COLLAR[&CALYX]_{E}
 
-@organ leaf count=4 arrangement=alternate outline=oblanceolate section=wavy length=62 width=16 thickness=0.7 angle=34 bend=30 curl=20 base=47793a tip=5f9449@
+@organ leaf count=4 arrangement=alternate outline=oblanceolate section=wavy length=62 width=16 thickness=0.7 stalk=0 angle=34 bend=30 curl=20 base=47793a tip=5f9449@
 #define NODE1(sides,0,0,0,piece,thick,thick,1)
 STEM{}{step==1}{} -> STEM[NODE1]_{E}
 NODE1 -> NODE1[STEM]_{E}
@@ -1271,20 +1271,22 @@ NODE4 -> NODE4[&LEAF{part=0.76}]_{C(1+floor(3*sides/12))}
 #define fan=0
 #define phase=math.random(0,360)
 #define finalStep=K+3
-#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,2)
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,12)
 #define RU1(4,0,0,0,1,0.3*thick,1,2)
 #define RU2(4,0,0,0,1,0.3*thick,1,2)
-#define RM1(4,0,0,0,1,0.3*thick,1,2)
-#define RM2(4,0,0,0,1,0.3*thick,1,2)
-#define RL1(4,0,0,0,1,0.3*thick,1,2)
-#define RL2(4,0,0,0,1,0.3*thick,1,2)
+#define RM1(4,0,0,0,1,0.3*thick,1,12)
+#define RM2(4,0,0,0,1,0.3*thick,1,12)
+#define RL1(4,0,0,0,1,0.3*thick,1,22)
+#define RL2(4,0,0,0,1,0.3*thick,1,22)
 #define LU1(4,0,0,0,1,0.3*thick,1,2)
 #define LU2(4,0,0,0,1,0.3*thick,1,2)
-#define LM1(4,0,0,0,1,0.3*thick,1,2)
-#define LM2(4,0,0,0,1,0.3*thick,1,2)
-#define LL1(4,0,0,0,1,0.3*thick,1,2)
-#define LL2(4,0,0,0,1,0.3*thick,1,2)
-#material 2 leaf "47793a" "5f9449" wilted "69723d" "797b44"
+#define LM1(4,0,0,0,1,0.3*thick,1,12)
+#define LM2(4,0,0,0,1,0.3*thick,1,12)
+#define LL1(4,0,0,0,1,0.3*thick,1,22)
+#define LL2(4,0,0,0,1,0.3*thick,1,22)
+#material 2 leaf "47793a" "5f9449" wilted "69723d" "797b44" name "leaf, upper epidermis"
+#material 12 leaf "578449" "6c9c57" wilted "717745" "7e7e49" name "leaf, mesophyll"
+#material 22 leaf "638d55" "77a362" wilted "777c4b" "82814e" name "leaf, lower epidermis"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.016+s*(1.015+s*(-13.601+s*(72.378+s*(-112.881+s*(58.052+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1344,26 +1346,28 @@ RING1 -> RING1[&SEPAL]_{C2,C4,C6,C8,C10}
 #define fan=0
 #define phase=math.random(0,360)
 #define finalStep=K+3
-#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,3)
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,13)
 #define RU1(4,0,0,0,1,0.3*thick,1,3)
 #define RU2(4,0,0,0,1,0.3*thick,1,3)
 #define RU3(4,0,0,0,1,0.3*thick,1,3)
-#define RM1(4,0,0,0,1,0.3*thick,1,3)
-#define RM2(4,0,0,0,1,0.3*thick,1,3)
-#define RM3(4,0,0,0,1,0.3*thick,1,3)
-#define RL1(4,0,0,0,1,0.3*thick,1,3)
-#define RL2(4,0,0,0,1,0.3*thick,1,3)
-#define RL3(4,0,0,0,1,0.3*thick,1,3)
+#define RM1(4,0,0,0,1,0.3*thick,1,13)
+#define RM2(4,0,0,0,1,0.3*thick,1,13)
+#define RM3(4,0,0,0,1,0.3*thick,1,13)
+#define RL1(4,0,0,0,1,0.3*thick,1,23)
+#define RL2(4,0,0,0,1,0.3*thick,1,23)
+#define RL3(4,0,0,0,1,0.3*thick,1,23)
 #define LU1(4,0,0,0,1,0.3*thick,1,3)
 #define LU2(4,0,0,0,1,0.3*thick,1,3)
 #define LU3(4,0,0,0,1,0.3*thick,1,3)
-#define LM1(4,0,0,0,1,0.3*thick,1,3)
-#define LM2(4,0,0,0,1,0.3*thick,1,3)
-#define LM3(4,0,0,0,1,0.3*thick,1,3)
-#define LL1(4,0,0,0,1,0.3*thick,1,3)
-#define LL2(4,0,0,0,1,0.3*thick,1,3)
-#define LL3(4,0,0,0,1,0.3*thick,1,3)
-#material 3 sepal "b7bd55" "c9c95e" wilted "a1944b" "a3904c"
+#define LM1(4,0,0,0,1,0.3*thick,1,13)
+#define LM2(4,0,0,0,1,0.3*thick,1,13)
+#define LM3(4,0,0,0,1,0.3*thick,1,13)
+#define LL1(4,0,0,0,1,0.3*thick,1,23)
+#define LL2(4,0,0,0,1,0.3*thick,1,23)
+#define LL3(4,0,0,0,1,0.3*thick,1,23)
+#material 3 sepal "b7bd55" "c9c95e" wilted "a1944b" "a3904c" name "sepal, upper epidermis"
+#material 13 sepal "bbc162" "cccc6a" wilted "a39651" "a49151" name "sepal, mesophyll"
+#material 23 sepal "bfc46c" "cece73" wilted "a59756" "a59254" name "sepal, lower epidermis"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.005+s*(2.643+s*(10.507+s*(-38.511+s*(27.774+s*(4.812+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1439,26 +1443,28 @@ RING1 -> RING1[&PETAL]_{C1,C3,C5,C7,C9}
 #define fan=0
 #define phase=math.random(0,360)
 #define finalStep=K+3
-#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,4)
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,14)
 #define RU1(4,0,0,0,1,0.3*thick,1,4)
 #define RU2(4,0,0,0,1,0.3*thick,1,4)
 #define RU3(4,0,0,0,1,0.3*thick,1,4)
-#define RM1(4,0,0,0,1,0.3*thick,1,4)
-#define RM2(4,0,0,0,1,0.3*thick,1,4)
-#define RM3(4,0,0,0,1,0.3*thick,1,4)
-#define RL1(4,0,0,0,1,0.3*thick,1,4)
-#define RL2(4,0,0,0,1,0.3*thick,1,4)
-#define RL3(4,0,0,0,1,0.3*thick,1,4)
+#define RM1(4,0,0,0,1,0.3*thick,1,14)
+#define RM2(4,0,0,0,1,0.3*thick,1,14)
+#define RM3(4,0,0,0,1,0.3*thick,1,14)
+#define RL1(4,0,0,0,1,0.3*thick,1,24)
+#define RL2(4,0,0,0,1,0.3*thick,1,24)
+#define RL3(4,0,0,0,1,0.3*thick,1,24)
 #define LU1(4,0,0,0,1,0.3*thick,1,4)
 #define LU2(4,0,0,0,1,0.3*thick,1,4)
 #define LU3(4,0,0,0,1,0.3*thick,1,4)
-#define LM1(4,0,0,0,1,0.3*thick,1,4)
-#define LM2(4,0,0,0,1,0.3*thick,1,4)
-#define LM3(4,0,0,0,1,0.3*thick,1,4)
-#define LL1(4,0,0,0,1,0.3*thick,1,4)
-#define LL2(4,0,0,0,1,0.3*thick,1,4)
-#define LL3(4,0,0,0,1,0.3*thick,1,4)
-#material 4 petal "e6b70c" "f8d414" bud "a8a43a" "c3b831" wilted "b89126" "b6942e"
+#define LM1(4,0,0,0,1,0.3*thick,1,14)
+#define LM2(4,0,0,0,1,0.3*thick,1,14)
+#define LM3(4,0,0,0,1,0.3*thick,1,14)
+#define LL1(4,0,0,0,1,0.3*thick,1,24)
+#define LL2(4,0,0,0,1,0.3*thick,1,24)
+#define LL3(4,0,0,0,1,0.3*thick,1,24)
+#material 4 petal "e6b70c" "f8d414" bud "a8a43a" "c3b831" wilted "b89126" "b6942e" name "petal, upper epidermis"
+#material 14 petal "e6bc20" "f6d627" bud "a8a640" "c2b93b" wilted "b89330" "b59536" name "petal, mesophyll"
+#material 24 petal "e5bf30" "f4d736" bud "a7a745" "c1ba42" wilted "b89538" "b4963c" name "petal, lower epidermis"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.001+s*(0.045+s*(1.426+s*(23.712+s*(-56.479+s*(38.513+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1587,7 +1593,7 @@ STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<ma
 STEM{}{step==16}{} -> STEM[COLLAR]_{E}
 COLLAR -> COLLAR[&CALYX]_{E}
 
-@organ leaf count=8 arrangement=alternate outline=lanceolate section=channelled length=110 width=17 thickness=1 angle=24 bend=22 curl=20 base=3f6f3a tip=4f8446@
+@organ leaf count=8 arrangement=alternate outline=lanceolate section=channelled length=110 width=17 thickness=1 stalk=0 angle=24 bend=22 curl=20 base=3f6f3a tip=4f8446@
 #define NODE1(sides,0,0,0,piece,thick,thick,1)
 STEM{}{step==0}{} -> STEM[NODE1]_{E}
 NODE1 -> NODE1[STEM]_{E}
@@ -1639,20 +1645,22 @@ NODE8 -> NODE8[&LEAF{part=0.44}]_{C(1+floor(11*sides/12))}
 #define fan=0
 #define phase=math.random(0,360)
 #define finalStep=K+3
-#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,2)
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,12)
 #define RU1(4,0,0,0,1,0.3*thick,1,2)
 #define RU2(4,0,0,0,1,0.3*thick,1,2)
-#define RM1(4,0,0,0,1,0.3*thick,1,2)
-#define RM2(4,0,0,0,1,0.3*thick,1,2)
-#define RL1(4,0,0,0,1,0.3*thick,1,2)
-#define RL2(4,0,0,0,1,0.3*thick,1,2)
+#define RM1(4,0,0,0,1,0.3*thick,1,12)
+#define RM2(4,0,0,0,1,0.3*thick,1,12)
+#define RL1(4,0,0,0,1,0.3*thick,1,22)
+#define RL2(4,0,0,0,1,0.3*thick,1,22)
 #define LU1(4,0,0,0,1,0.3*thick,1,2)
 #define LU2(4,0,0,0,1,0.3*thick,1,2)
-#define LM1(4,0,0,0,1,0.3*thick,1,2)
-#define LM2(4,0,0,0,1,0.3*thick,1,2)
-#define LL1(4,0,0,0,1,0.3*thick,1,2)
-#define LL2(4,0,0,0,1,0.3*thick,1,2)
-#material 2 leaf "3f6f3a" "4f8446" wilted "656d3d" "727442"
+#define LM1(4,0,0,0,1,0.3*thick,1,12)
+#define LM2(4,0,0,0,1,0.3*thick,1,12)
+#define LL1(4,0,0,0,1,0.3*thick,1,22)
+#define LL2(4,0,0,0,1,0.3*thick,1,22)
+#material 2 leaf "3f6f3a" "4f8446" wilted "656d3d" "727442" name "leaf, upper epidermis"
+#material 12 leaf "4f7b49" "5e8e54" wilted "6d7345" "787848" name "leaf, mesophyll"
+#material 22 leaf "5c8455" "69965f" wilted "73774b" "7d7c4c" name "leaf, lower epidermis"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.011+s*(-0.066+s*(32.723+s*(-102.646+s*(103.332+s*(-28.433+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1724,26 +1732,28 @@ RING2 -> RING2[&PETAL{part=0.92; tilt=6}]_{C3,C7,C11}
 #define fan=0
 #define phase=math.random(0,360)
 #define finalStep=K+3
-#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,4)
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,14)
 #define RU1(4,0,0,0,1,0.3*thick,1,4)
 #define RU2(4,0,0,0,1,0.3*thick,1,4)
 #define RU3(4,0,0,0,1,0.3*thick,1,4)
-#define RM1(4,0,0,0,1,0.3*thick,1,4)
-#define RM2(4,0,0,0,1,0.3*thick,1,4)
-#define RM3(4,0,0,0,1,0.3*thick,1,4)
-#define RL1(4,0,0,0,1,0.3*thick,1,4)
-#define RL2(4,0,0,0,1,0.3*thick,1,4)
-#define RL3(4,0,0,0,1,0.3*thick,1,4)
+#define RM1(4,0,0,0,1,0.3*thick,1,14)
+#define RM2(4,0,0,0,1,0.3*thick,1,14)
+#define RM3(4,0,0,0,1,0.3*thick,1,14)
+#define RL1(4,0,0,0,1,0.3*thick,1,24)
+#define RL2(4,0,0,0,1,0.3*thick,1,24)
+#define RL3(4,0,0,0,1,0.3*thick,1,24)
 #define LU1(4,0,0,0,1,0.3*thick,1,4)
 #define LU2(4,0,0,0,1,0.3*thick,1,4)
 #define LU3(4,0,0,0,1,0.3*thick,1,4)
-#define LM1(4,0,0,0,1,0.3*thick,1,4)
-#define LM2(4,0,0,0,1,0.3*thick,1,4)
-#define LM3(4,0,0,0,1,0.3*thick,1,4)
-#define LL1(4,0,0,0,1,0.3*thick,1,4)
-#define LL2(4,0,0,0,1,0.3*thick,1,4)
-#define LL3(4,0,0,0,1,0.3*thick,1,4)
-#material 4 petal "f6e9c4" "f4f1ee" bud "adb371" "c1c79e" wilted "c0aa82" "b4a086"
+#define LM1(4,0,0,0,1,0.3*thick,1,14)
+#define LM2(4,0,0,0,1,0.3*thick,1,14)
+#define LM3(4,0,0,0,1,0.3*thick,1,14)
+#define LL1(4,0,0,0,1,0.3*thick,1,24)
+#define LL2(4,0,0,0,1,0.3*thick,1,24)
+#define LL3(4,0,0,0,1,0.3*thick,1,24)
+#material 4 petal "f6e9c4" "f4f1ee" bud "adb371" "c1c79e" wilted "c0aa82" "b4a086" name "petal, upper epidermis"
+#material 14 petal "f4e9c5" "f2f0eb" bud "acb372" "c0c69d" wilted "bfaa83" "b4a084" name "petal, mesophyll"
+#material 24 petal "f2e8c7" "f1efe9" bud "abb372" "bfc69c" wilted "bea984" "b39f84" name "petal, lower epidermis"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.011+s*(-0.066+s*(32.723+s*(-102.646+s*(103.332+s*(-28.433+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1869,7 +1879,7 @@ STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<ma
 STEM{}{step==16}{} -> STEM[COLLAR]_{E}
 COLLAR -> COLLAR[&CALYX]_{E}
 
-@organ leaf count=2 arrangement=alternate outline=apical section=channelled length=210 width=48 thickness=1.6 angle=72 bend=18 curl=22 base=587f58 tip=6c9a64@
+@organ leaf count=2 arrangement=alternate outline=apical section=channelled length=210 width=48 thickness=1.6 stalk=0 angle=72 bend=18 curl=22 base=587f58 tip=6c9a64@
 #define NODE1(sides,0,0,0,piece,thick,thick,1)
 STEM{}{step==1}{} -> STEM[NODE1]_{E}
 NODE1 -> NODE1[STEM]_{E}
@@ -1897,20 +1907,22 @@ NODE2 -> NODE2[&LEAF{part=0.92}]_{C(1+floor(5*sides/12))}
 #define fan=0
 #define phase=math.random(0,360)
 #define finalStep=K+3
-#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,2)
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,12)
 #define RU1(4,0,0,0,1,0.3*thick,1,2)
 #define RU2(4,0,0,0,1,0.3*thick,1,2)
-#define RM1(4,0,0,0,1,0.3*thick,1,2)
-#define RM2(4,0,0,0,1,0.3*thick,1,2)
-#define RL1(4,0,0,0,1,0.3*thick,1,2)
-#define RL2(4,0,0,0,1,0.3*thick,1,2)
+#define RM1(4,0,0,0,1,0.3*thick,1,12)
+#define RM2(4,0,0,0,1,0.3*thick,1,12)
+#define RL1(4,0,0,0,1,0.3*thick,1,22)
+#define RL2(4,0,0,0,1,0.3*thick,1,22)
 #define LU1(4,0,0,0,1,0.3*thick,1,2)
 #define LU2(4,0,0,0,1,0.3*thick,1,2)
-#define LM1(4,0,0,0,1,0.3*thick,1,2)
-#define LM2(4,0,0,0,1,0.3*thick,1,2)
-#define LL1(4,0,0,0,1,0.3*thick,1,2)
-#define LL2(4,0,0,0,1,0.3*thick,1,2)
-#material 2 leaf "587f58" "6c9a64" wilted "71754c" "7e7d4e"
+#define LM1(4,0,0,0,1,0.3*thick,1,12)
+#define LM2(4,0,0,0,1,0.3*thick,1,12)
+#define LL1(4,0,0,0,1,0.3*thick,1,22)
+#define LL2(4,0,0,0,1,0.3*thick,1,22)
+#material 2 leaf "587f58" "6c9a64" wilted "71754c" "7e7d4e" name "leaf, upper epidermis"
+#material 12 leaf "668964" "78a26f" wilted "787a52" "838053" name "leaf, mesophyll"
+#material 22 leaf "71926e" "81a878" wilted "7e7e57" "868356" name "leaf, lower epidermis"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.54+s*(0.074+s*(4.099+s*(9.281+s*(-52.327+s*(56.925+s*(-18.594))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1982,26 +1994,28 @@ RING2 -> RING2[&PETAL{part=0.92; tilt=6}]_{C3,C7,C11}
 #define fan=0
 #define phase=math.random(0,360)
 #define finalStep=K+3
-#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,4)
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,14)
 #define RU1(4,0,0,0,1,0.3*thick,1,4)
 #define RU2(4,0,0,0,1,0.3*thick,1,4)
 #define RU3(4,0,0,0,1,0.3*thick,1,4)
-#define RM1(4,0,0,0,1,0.3*thick,1,4)
-#define RM2(4,0,0,0,1,0.3*thick,1,4)
-#define RM3(4,0,0,0,1,0.3*thick,1,4)
-#define RL1(4,0,0,0,1,0.3*thick,1,4)
-#define RL2(4,0,0,0,1,0.3*thick,1,4)
-#define RL3(4,0,0,0,1,0.3*thick,1,4)
+#define RM1(4,0,0,0,1,0.3*thick,1,14)
+#define RM2(4,0,0,0,1,0.3*thick,1,14)
+#define RM3(4,0,0,0,1,0.3*thick,1,14)
+#define RL1(4,0,0,0,1,0.3*thick,1,24)
+#define RL2(4,0,0,0,1,0.3*thick,1,24)
+#define RL3(4,0,0,0,1,0.3*thick,1,24)
 #define LU1(4,0,0,0,1,0.3*thick,1,4)
 #define LU2(4,0,0,0,1,0.3*thick,1,4)
 #define LU3(4,0,0,0,1,0.3*thick,1,4)
-#define LM1(4,0,0,0,1,0.3*thick,1,4)
-#define LM2(4,0,0,0,1,0.3*thick,1,4)
-#define LM3(4,0,0,0,1,0.3*thick,1,4)
-#define LL1(4,0,0,0,1,0.3*thick,1,4)
-#define LL2(4,0,0,0,1,0.3*thick,1,4)
-#define LL3(4,0,0,0,1,0.3*thick,1,4)
-#material 4 petal "d8a23a" "c21d2c" bud "a49e48" "a85d3d" wilted "b1863d" "a04b38"
+#define LM1(4,0,0,0,1,0.3*thick,1,14)
+#define LM2(4,0,0,0,1,0.3*thick,1,14)
+#define LM3(4,0,0,0,1,0.3*thick,1,14)
+#define LL1(4,0,0,0,1,0.3*thick,1,24)
+#define LL2(4,0,0,0,1,0.3*thick,1,24)
+#define LL3(4,0,0,0,1,0.3*thick,1,24)
+#material 4 petal "d8a23a" "c21d2c" bud "a49e48" "a85d3d" wilted "b1863d" "a04b38" name "petal, upper epidermis"
+#material 14 petal "d9a949" "c5313d" bud "a4a04d" "a96746" wilted "b28a45" "a2533f" name "petal, mesophyll"
+#material 24 petal "daae55" "c8414a" bud "a4a150" "ab6f4c" wilted "b28c4b" "a35a44" name "petal, lower epidermis"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.465+s*(1.062+s*(-15.74+s*(96.338+s*(-206.369+s*(181.38+s*(-57.158))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -2127,7 +2141,7 @@ STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<ma
 STEM{}{step==16}{} -> STEM[COLLAR]_{E}
 COLLAR -> COLLAR[&CALYX]_{E}
 
-@organ leaf count=5 arrangement=basal outline=cordate section=cupped length=42 width=34 thickness=0.7 angle=30 bend=10 curl=25 base=3c6a33 tip=558a45@
+@organ leaf count=5 arrangement=basal outline=cordate section=cupped length=42 width=34 thickness=0.7 stalk=0 angle=30 bend=10 curl=25 base=3c6a33 tip=558a45@
 #define NODE1(sides,0,0,0,1+0.3*thick,thick,thick,1)
 STEM{}{step==0}{} -> STEM[NODE1]_{E}
 NODE1 -> NODE1[NODE2]_{E}
@@ -2154,26 +2168,28 @@ NODE2 -> NODE2[&LEAF{part=0.92}]_{C(1+floor(2*sides/12)),C(1+floor(6*sides/12))}
 #define fan=55
 #define phase=math.random(0,360)
 #define finalStep=K+3
-#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,2)
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,12)
 #define RU1(4,0,0,0,1,0.3*thick,1,2)
 #define RU2(4,0,0,0,1,0.3*thick,1,2)
 #define RU3(4,0,0,0,1,0.3*thick,1,2)
-#define RM1(4,0,0,0,1,0.3*thick,1,2)
-#define RM2(4,0,0,0,1,0.3*thick,1,2)
-#define RM3(4,0,0,0,1,0.3*thick,1,2)
-#define RL1(4,0,0,0,1,0.3*thick,1,2)
-#define RL2(4,0,0,0,1,0.3*thick,1,2)
-#define RL3(4,0,0,0,1,0.3*thick,1,2)
+#define RM1(4,0,0,0,1,0.3*thick,1,12)
+#define RM2(4,0,0,0,1,0.3*thick,1,12)
+#define RM3(4,0,0,0,1,0.3*thick,1,12)
+#define RL1(4,0,0,0,1,0.3*thick,1,22)
+#define RL2(4,0,0,0,1,0.3*thick,1,22)
+#define RL3(4,0,0,0,1,0.3*thick,1,22)
 #define LU1(4,0,0,0,1,0.3*thick,1,2)
 #define LU2(4,0,0,0,1,0.3*thick,1,2)
 #define LU3(4,0,0,0,1,0.3*thick,1,2)
-#define LM1(4,0,0,0,1,0.3*thick,1,2)
-#define LM2(4,0,0,0,1,0.3*thick,1,2)
-#define LM3(4,0,0,0,1,0.3*thick,1,2)
-#define LL1(4,0,0,0,1,0.3*thick,1,2)
-#define LL2(4,0,0,0,1,0.3*thick,1,2)
-#define LL3(4,0,0,0,1,0.3*thick,1,2)
-#material 2 leaf "3c6a33" "558a45" wilted "636a3a" "757742"
+#define LM1(4,0,0,0,1,0.3*thick,1,12)
+#define LM2(4,0,0,0,1,0.3*thick,1,12)
+#define LM3(4,0,0,0,1,0.3*thick,1,12)
+#define LL1(4,0,0,0,1,0.3*thick,1,22)
+#define LL2(4,0,0,0,1,0.3*thick,1,22)
+#define LL3(4,0,0,0,1,0.3*thick,1,22)
+#material 2 leaf "3c6a33" "558a45" wilted "636a3a" "757742" name "leaf, upper epidermis"
+#material 12 leaf "4d7643" "639353" wilted "6c7042" "7a7a48" name "leaf, mesophyll"
+#material 22 leaf "5a8050" "6e9b5e" wilted "727548" "7f7e4c" name "leaf, lower epidermis"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.729+s*(0.061+s*(2.788+s*(8.075+s*(-45.868+s*(51.743+s*(-17.529))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -2249,26 +2265,28 @@ RING1 -> RING1[&SEPAL]_{C2,C4,C6,C8,C10}
 #define fan=0
 #define phase=math.random(0,360)
 #define finalStep=K+3
-#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,3)
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,13)
 #define RU1(4,0,0,0,1,0.3*thick,1,3)
 #define RU2(4,0,0,0,1,0.3*thick,1,3)
 #define RU3(4,0,0,0,1,0.3*thick,1,3)
-#define RM1(4,0,0,0,1,0.3*thick,1,3)
-#define RM2(4,0,0,0,1,0.3*thick,1,3)
-#define RM3(4,0,0,0,1,0.3*thick,1,3)
-#define RL1(4,0,0,0,1,0.3*thick,1,3)
-#define RL2(4,0,0,0,1,0.3*thick,1,3)
-#define RL3(4,0,0,0,1,0.3*thick,1,3)
+#define RM1(4,0,0,0,1,0.3*thick,1,13)
+#define RM2(4,0,0,0,1,0.3*thick,1,13)
+#define RM3(4,0,0,0,1,0.3*thick,1,13)
+#define RL1(4,0,0,0,1,0.3*thick,1,23)
+#define RL2(4,0,0,0,1,0.3*thick,1,23)
+#define RL3(4,0,0,0,1,0.3*thick,1,23)
 #define LU1(4,0,0,0,1,0.3*thick,1,3)
 #define LU2(4,0,0,0,1,0.3*thick,1,3)
 #define LU3(4,0,0,0,1,0.3*thick,1,3)
-#define LM1(4,0,0,0,1,0.3*thick,1,3)
-#define LM2(4,0,0,0,1,0.3*thick,1,3)
-#define LM3(4,0,0,0,1,0.3*thick,1,3)
-#define LL1(4,0,0,0,1,0.3*thick,1,3)
-#define LL2(4,0,0,0,1,0.3*thick,1,3)
-#define LL3(4,0,0,0,1,0.3*thick,1,3)
-#material 3 sepal "708a4a" "86a05c" wilted "7d7a45" "88804b"
+#define LM1(4,0,0,0,1,0.3*thick,1,13)
+#define LM2(4,0,0,0,1,0.3*thick,1,13)
+#define LM3(4,0,0,0,1,0.3*thick,1,13)
+#define LL1(4,0,0,0,1,0.3*thick,1,23)
+#define LL2(4,0,0,0,1,0.3*thick,1,23)
+#define LL3(4,0,0,0,1,0.3*thick,1,23)
+#material 3 sepal "708a4a" "86a05c" wilted "7d7a45" "88804b" name "sepal, upper epidermis"
+#material 13 sepal "7b9358" "8fa768" wilted "837f4c" "8c8250" name "sepal, mesophyll"
+#material 23 sepal "859b62" "97ad71" wilted "888351" "8f8554" name "sepal, lower epidermis"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.439+s*(-1.399+s*(40.741+s*(-166.743+s*(281.359+s*(-220.101+s*(65.721))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -2346,26 +2364,28 @@ RING1 -> RING1[&PETAL{part=0.741; tilt=17.798}]_{C5,C7}
 #define fan=0
 #define phase=math.random(0,360)
 #define finalStep=K+3
-#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,4)
+#define VEIN(8,0,0,0,len*((1-even)*sin(90/K)^2+even/K),thick,thick,14)
 #define RU1(4,0,0,0,1,0.3*thick,1,4)
 #define RU2(4,0,0,0,1,0.3*thick,1,4)
 #define RU3(4,0,0,0,1,0.3*thick,1,4)
-#define RM1(4,0,0,0,1,0.3*thick,1,4)
-#define RM2(4,0,0,0,1,0.3*thick,1,4)
-#define RM3(4,0,0,0,1,0.3*thick,1,4)
-#define RL1(4,0,0,0,1,0.3*thick,1,4)
-#define RL2(4,0,0,0,1,0.3*thick,1,4)
-#define RL3(4,0,0,0,1,0.3*thick,1,4)
+#define RM1(4,0,0,0,1,0.3*thick,1,14)
+#define RM2(4,0,0,0,1,0.3*thick,1,14)
+#define RM3(4,0,0,0,1,0.3*thick,1,14)
+#define RL1(4,0,0,0,1,0.3*thick,1,24)
+#define RL2(4,0,0,0,1,0.3*thick,1,24)
+#define RL3(4,0,0,0,1,0.3*thick,1,24)
 #define LU1(4,0,0,0,1,0.3*thick,1,4)
 #define LU2(4,0,0,0,1,0.3*thick,1,4)
 #define LU3(4,0,0,0,1,0.3*thick,1,4)
-#define LM1(4,0,0,0,1,0.3*thick,1,4)
-#define LM2(4,0,0,0,1,0.3*thick,1,4)
-#define LM3(4,0,0,0,1,0.3*thick,1,4)
-#define LL1(4,0,0,0,1,0.3*thick,1,4)
-#define LL2(4,0,0,0,1,0.3*thick,1,4)
-#define LL3(4,0,0,0,1,0.3*thick,1,4)
-#material 4 petal "efe3a0" "6a4fb0" veins "412854" 5 0.35 bud "aab167" "7c767f" wilted "bda770" "7d5f6d"
+#define LM1(4,0,0,0,1,0.3*thick,1,14)
+#define LM2(4,0,0,0,1,0.3*thick,1,14)
+#define LM3(4,0,0,0,1,0.3*thick,1,14)
+#define LL1(4,0,0,0,1,0.3*thick,1,24)
+#define LL2(4,0,0,0,1,0.3*thick,1,24)
+#define LL3(4,0,0,0,1,0.3*thick,1,24)
+#material 4 petal "efe3a0" "6a4fb0" veins "412854" 5 0.35 bud "aab167" "7c767f" wilted "bda770" "7d5f6d" name "petal, upper epidermis"
+#material 14 petal "eee3a5" "765eb3" bud "aab168" "827d81" wilted "bca773" "82656e" name "petal, mesophyll"
+#material 24 petal "ede4a9" "806ab6" bud "aab269" "878382" wilted "bca775" "866a6f" name "petal, lower epidermis"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.001+s*(0.045+s*(1.426+s*(23.712+s*(-56.479+s*(38.513+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}

@@ -7,8 +7,15 @@ import { filled } from "./template";
 import petalLike from "./templates/petal_like.gl3?raw";
 
 export type Bladed = "leaf" | "sepal" | "petal";
-/** What the layers are of. */
+/** What the upper epidermis is of; ten and twenty more are the mesophyll and the lower epidermis. */
 const MATERIALS: Readonly<Record<Bladed, number>> = { leaf: 2, sepal: 3, petal: 4 };
+/** How much paler than the upper side, which has the chosen colours, the layers below it are. */
+const LAYERS = [
+	{ name: "upper epidermis", paler: 0 },
+	{ name: "mesophyll", paler: 0.1 },
+	{ name: "lower epidermis", paler: 0.18 },
+] as const;
+const PALE = "e2e6d2";
 
 /** Degrees that a lobe turns up against the one before, and those by which margins wave. */
 const SECTIONS: Readonly<Record<string, readonly [cup: number, wave: number]>> = {
@@ -71,9 +78,14 @@ export function bladeText(organ: Bladed, description: Description): string {
 		cup,
 		wave: `${wave}${opens ? "+8*wilt" : ""}`,
 		fan,
-		middle: material,
 		upper: material,
-		materials: `#material ${material} ${organ} "${values.base}" "${values.tip}"${painted(organ, values)}`,
+		middle: material + 10,
+		lower: material + 20,
+		materials: LAYERS.map(({ name, paler }, layer) => {
+			const [base, tip] = [values.base, values.tip].map((colour) => mixed(String(colour), PALE, paler));
+			const own = painted(organ, { ...values, base, tip, veins: layer === 0 ? values.veins : 0 });
+			return `#material ${material + 10 * layer} ${organ} "${base}" "${tip}"${own} name "${organ}, ${name}"`;
+		}).join("\n"),
 		"width polynomial": horner(coefficients),
 	});
 }
