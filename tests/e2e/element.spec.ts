@@ -215,6 +215,7 @@ test("a frame holds a plant, and talks with its page alone", async ({ page }) =>
 		const { error: unknown } = await asked(6, "file", { format: "dwg" });
 		await asked(7, "open", { link: "?v=2&model=leaf&preset=birch&n=200" });
 		await asked(8, "open", { link: "?v=2&model=root&preset=carrot&n=60" });
+		await asked(9, "open", { link: "?v=2&model=flower&preset=crocus" });
 		return {
 			// What was first shown may still have grown on when the page began to listen.
 			events: heard
@@ -231,6 +232,7 @@ test("a frame holds a plant, and talks with its page alone", async ({ page }) =>
 		["grown", expect.stringMatching(/^7 berries/)],
 		["grown", expect.stringMatching(/^Birch leaf, /)],
 		["grown", expect.stringMatching(/ deep, 60 root tips$/)],
+		["grown", expect.stringMatching(/ volumes$/)],
 	]);
 	expect(told.file).toMatchObject({ berries: 7 });
 	expect(told.unknown).toMatch(/dwg/);

@@ -78,18 +78,18 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 	const riesling = await studio.fingerprint.innerText();
 	await page.keyboard.press("Escape");
 	await expect(dialog(page)).toBeHidden();
-	await studio.regrown(() => page.locator("[data-preset=lychee]").click());
+	await studio.regrown(() => page.getByRole("button", { name: "Crocus", description: /three stamens/ }).click());
 	await page.locator("body").press("Control+s");
-	await expect(name).toHaveValue("Lychee");
-	await save(page, "  My\tfirst lychee ");
+	await expect(name).toHaveValue("Crocus");
+	await save(page, "  My\tfirst crocus ");
 
 	// They outlast the page, and are pictured.
 	await new StudioPage(page).open("?v=2&preset=duku");
 	const duku = await studio.fingerprint.innerText();
 	await openSaved(page);
-	await expect(names(page)).toHaveText(["My first lychee", "Riesling 2", "Riesling"]);
+	await expect(names(page)).toHaveText(["My first crocus", "Riesling 2", "Riesling"]);
 	await expect(cards(page).locator("canvas")).toHaveCount(3);
-	await expect(cards(page).first().locator(".about")).toHaveText(/^Grape bunch\s*\d+ \w+ \d{4}$/);
+	await expect(cards(page).first().locator(".about")).toHaveText(/^Flower\s*\d+ \w+ \d{4}$/);
 	const search = dialog(page).getByRole("searchbox", { name: "Search what is saved" });
 	await search.fill("ries");
 	await expect(names(page)).toHaveText(["Riesling 2", "Riesling"]);
