@@ -13,7 +13,7 @@ const aimOf = (name) => (name === "meadow" ? 300 : FIGURE_28[name] ? 50 : "–")
 const milliseconds = (micro) => (micro / 1000).toFixed(1);
 
 export async function benchFlowers({ core, instance, source }) {
-	const { FLOWERS, flowerOf, stemAlone } = await source("tests/bench/flower_requests.ts");
+	const { FLOWERS, flowerOf, stemsAlone } = await source("tests/bench/flower_requests.ts");
 	const rows = [
 		["", "volumes", "darts", "triangles", "map ms", "with skin ms", "placed anew ms", "aim ms", "thesis s"],
 	];
@@ -22,9 +22,9 @@ export async function benchFlowers({ core, instance, source }) {
 		const counts = columns.words("counts");
 		const names = columns.text("counts.names").split("\n");
 		const of = (what) => counts[names.indexOf(what)];
-		// The core keeps its last flower: after a stem of one volume it grows another, of another size it places the same.
+		// The core keeps its last flower: after a stem of one volume it grows it anew, of another size it places the same.
 		const grown = [false, true].map((meshes) =>
-			afterEach(grower(core, stemAlone), grower(core, flowerOf(name, meshes))),
+			afterEach(inTurn(stemsAlone.map((stem) => grower(core, stem))), grower(core, flowerOf(name, meshes))),
 		);
 		const placed = inTurn([{}, { number: placesOf(name) }].map((of) => grower(core, flowerOf(name, true, 1, of))));
 		const times = [...grown, placed].map((run) => microseconds(2, RUNS, run));

@@ -24,10 +24,9 @@ export interface Changed {
 	number?: [name: string, value: number];
 }
 
-/** One volume, which takes some microseconds: what the core keeps after it is no flower. */
-export const stemAlone = asked(
-	{ ...fromPreset(model), grammar: "#define STEM(4,0,0,0,1,1,1,1)\n#axiom: STEM\n" },
-	false,
+/** One volume with its skin, which takes some microseconds: by turns, for then the core lets go of all that it has kept. */
+export const stemsAlone = [4, 5].map((sides) =>
+	asked({ ...fromPreset(model), grammar: `#define STEM(${sides},0,0,0,1,1,1,1)\n#axiom: STEM\n` }, true),
 );
 
 /** A flower's map alone, or with its skin, rounded so often, and nothing else. */
