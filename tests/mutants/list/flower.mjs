@@ -245,4 +245,28 @@ export default [
 			},
 		],
 	},
+	{
+		file: `${SRC}/fingerprint.cpp`,
+		suites: [`${TESTS}/fingerprint_test.cpp`],
+		faults: [
+			{
+				id: "flower-print-without-places",
+				find: "print.add(at.y);",
+				replace: "",
+				breaks: "flowers that differ in a height alone have one fingerprint",
+			},
+			{
+				id: "flower-print-without-glue",
+				find: "add(map.alpha(3, d));",
+				replace: "",
+				breaks: "what is glued where it stands has the fingerprint of what is not",
+			},
+			{
+				id: "flower-print-by-name",
+				find: "if (place == generalized_map::none) place = mentioned++;",
+				replace: "place = volume.label;",
+				breaks: "labels count by where the text defines them, which its document does not tell",
+			},
+		],
+	},
 ];

@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { aboutPlant } from "../../../../web/src/export/about_plant";
@@ -8,7 +9,7 @@ import { model } from "../../../../web/src/models/flower/index";
 import { volumesTable } from "../../../../web/src/models/flower/record";
 import type { RequestOptions } from "../../../../web/src/models/flower/request";
 import type { FlowerSpecimen } from "../../../../web/src/models/flower/specimen";
-import { fetchTexts } from "../../../../web/src/models/flower/texts";
+import { fetchedText, fetchTexts } from "../../../../web/src/models/flower/texts";
 import { everyPart } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { freshCore } from "../../core/wasm";
@@ -82,6 +83,26 @@ describe("a flower", () => {
 			expect([a0, a1].map((a) => faceOf(a[dart]))).toEqual([faceOf(dart), faceOf(dart)]);
 			expect(faceOf(a2[dart])).not.toBe(faceOf(dart));
 		}
+	});
+
+	it("has the fingerprint that the function printed in docs/fingerprint.md makes of its document", () => {
+		const source = readFileSync("docs/fingerprint.md", "utf8").match(/```js\n([\s\S]*?)```/)?.[1] ?? "";
+		const printed: (document: unknown) => string = new Function(`${source}; return flowerFingerprint;`)();
+		for (const preset of ["tulip", "petal", "table-3"]) {
+			const specimen = fromPreset(model, preset);
+			const grown = grow(specimen, { meshes: false });
+			const document = exportJson(model, grown, specimen);
+			expect(printed(JSON.parse(JSON.stringify(document))), preset).toBe(grown.fingerprint);
+		}
+	});
+
+	it("has another fingerprint where nothing but its petals is wider", () => {
+		const tulip = fromPreset(model, "tulip");
+		const text = fetchedText(tulip) ?? "";
+		const print = (grammar: string) => grow({ ...tulip, grammar }, { meshes: false, map: false }).fingerprint;
+		const wider = text.replace("wide=size*(22+14*open)", "wide=size*(26+14*open)");
+		expect(wider).not.toBe(text);
+		expect(print(wider)).not.toBe(print(text));
 	});
 
 	it("is closed in all its skin, and each triangle faces outwards", () => {

@@ -13,6 +13,7 @@
 #include "generalized_map/embedding.hpp"
 #include "lsystem/diagnostics.hpp"
 #include "models/flower/derivation.hpp"
+#include "models/flower/fingerprint.hpp"
 #include "models/flower/levels.hpp"
 #include "models/flower/measures/measures.generated.hpp"
 #include "models/flower/parameters.generated.hpp"
@@ -332,6 +333,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   note_strangers(plant, program, given);
 
   embedding.place(derived.shapes());
+  plant.fingerprint = fingerprint_of(derived, embedding);
   add_segments(plant, program, derived, embedding);
   // Of hundreds nobody asks what each volume is.
   if (meshes || !levels) add_columns(plant, program, derived, whole, embedding);
@@ -361,7 +363,6 @@ Result<Plant> grow(Request& request, const Limits& limits) {
     own_levels->add_to(plant, program, derived, embedding, numbers);
   }
   if (meshes || levels) add_materials(plant, program, given.age, std::move(numbers));
-  plant.fingerprint = fingerprint_of(plant);
   if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   if (kept) {
     let_go(*last);

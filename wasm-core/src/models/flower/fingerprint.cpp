@@ -1,0 +1,39 @@
+#include "models/flower/fingerprint.hpp"
+
+#include <vector>
+
+#include "foundation/fingerprint.hpp"
+#include "models/flower/upright.hpp"
+
+namespace panicle::flower {
+
+std::uint64_t fingerprint_of(const Derived& derived, const generalized_map::Embedding& embedding) {
+  const generalized_map::Map& map = derived.map;
+  Fingerprint print;
+  const auto add = [&print](std::uint32_t number) {
+    print.add(number == generalized_map::none ? -1.0f : static_cast<float>(number));
+  };
+  // Labels count by where they are first mentioned: what a volume is called changes no plant.
+  std::vector<std::uint32_t> place_of;
+  std::uint32_t mentioned = 0;
+  for (std::uint32_t v = 0; v < map.volumes(); ++v) {
+    const generalized_map::Volume& volume = map.volume(v);
+    if (volume.label >= place_of.size()) place_of.resize(volume.label + 1, generalized_map::none);
+    std::uint32_t& place = place_of[volume.label];
+    if (place == generalized_map::none) place = mentioned++;
+    add(place);
+    add(volume.order);
+    add(volume.parent);
+    print.add(derived.values[derived.record_of[v]][static_cast<std::size_t>(Field::material)]);
+  }
+  for (std::uint32_t d = 0; d < map.darts(); ++d) {
+    add(map.alpha(3, d));
+    const glm::vec3 at = metres * upright(embedding.positions()[embedding.vertex_of()[d]]);
+    print.add(at.x);
+    print.add(at.y);
+    print.add(at.z);
+  }
+  return print.value();
+}
+
+}  // namespace panicle::flower
