@@ -16,6 +16,12 @@ export default [
 				replace: "false;",
 				breaks: "organs that are all unlike are never too many, and a flower afar has thousands of triangles",
 			},
+		],
+	},
+	{
+		file: "wasm-core/src/models/flower/level.cpp",
+		suites: ["tests/core/models/flower/levels_test.cpp"],
+		faults: [
 			{
 				id: "flower-levels-crowd-stays-narrow",
 				find: "place = on + times * (place - on);",

@@ -1,0 +1,263 @@
+#include "models/flower/organ_forms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace panicle::flower {
+namespace {
+
+constexpr std::uint32_t fewest = 8;  // triangles of what has more than a kite's sides
+constexpr float flat = 0.3f;         // what a kite is off by, as a share of half its width
+
+// How many of a list of collapses are within an error.
+std::size_t within(const std::vector<Collapse>& thinning, float error) {
+  return static_cast<std::size_t>(
+      std::upper_bound(thinning.begin(), thinning.end(), error,
+                       [](float value, const Collapse& each) { return value < each.error; }) -
+      thinning.begin());
+}
+
+bool is_flat(std::uint32_t a, std::uint32_t b, std::uint32_t c) { return a == b || b == c || c == a; }
+
+}  // namespace
+
+std::size_t OrganForm::left(float error) const {
+  if (is_kite(error)) return 4;
+  const std::size_t gone = within(thinning, error);
+  return gone == 0 ? triangles.size() : thinning[gone - 1].triangles;
+}
+
+std::vector<std::uint32_t> OrganForm::targets(float error) const {
+  std::vector<std::uint32_t> to(is_foot.size());
+  std::iota(to.begin(), to.end(), 0u);
+  for (std::size_t count = within(thinning, error); count-- > 0;) to[thinning[count].vertex] = to[thinning[count].into];
+  return to;
+}
+
+// What is needed until all forms are found.
+class OrganForms::Finding {
+ public:
+  Finding(OrganForms& found, const Derived& derived, const generalized_map::Boundary& boundary,
+          const std::vector<glm::vec3>& places);
+
+  void find_organs();
+  void find_form(std::uint32_t organ);
+
+ private:
+  std::vector<std::uint32_t> number_vertices(std::uint32_t organ);
+  // `labels`: of the organ's faces, what their volumes are called.
+  static void find_kite(OrganForm& form, const std::vector<glm::vec3>& places,
+                        const std::vector<std::uint32_t>& labels);
+
+  OrganForms& found_;
+  const Derived& derived_;
+  const generalized_map::Boundary& boundary_;
+  const std::vector<glm::vec3>& places_;
+  std::vector<std::uint32_t> begin_;  // of faces, their half-edges; and the end
+  std::vector<std::uint32_t> owner_;  // of vertices that several hold the organ that stood there first
+  std::vector<std::uint32_t> local_;  // by vertex the number that it has in an organ
+  std::map<std::vector<std::uint32_t>, std::uint32_t> known_;  // what tells each form
+};
+
+OrganForms::OrganForms(const Derived& derived, const generalized_map::Boundary& boundary,
+                       const std::vector<glm::vec3>& places) {
+  Finding finding(*this, derived, boundary, places);
+  finding.find_organs();
+  for (std::uint32_t organ = 0; organ < organs_.size(); ++organ) finding.find_form(organ);
+  for (FormedOrgan& organ : organs_) organ.number = forms_[organ.form].organs++;
+  for (std::uint32_t i = 1; i < organs_.size(); ++i) forms_[organs_[organs_[i].maker].form].bears = true;
+}
+
+OrganForms::Finding::Finding(OrganForms& found, const Derived& derived, const generalized_map::Boundary& boundary,
+                             const std::vector<glm::vec3>& places)
+    : found_(found), derived_(derived), boundary_(boundary), places_(places) {
+  const ClosedSurface& surface = boundary.surface;
+  begin_.resize(surface.faces + 1, surface.half_edges());
+  for (std::uint32_t h = surface.half_edges(); h-- > 0;) begin_[surface.face[h]] = h;
+  owner_.assign(surface.positions.size(), nobody);
+  for (std::uint32_t h = 0; h < surface.half_edges(); ++h) {
+    const std::uint32_t volume = boundary.volume[surface.face[h]];
+    std::uint32_t& of = owner_[surface.origin[h]];
+    of = std::min(of, derived.records[derived.record_of[volume]].instance);
+  }
+  local_.assign(surface.positions.size(), nobody);
+}
+
+// Of each the faces, in their order.
+void OrganForms::Finding::find_organs() {
+  found_.organs_.resize(derived_.instances.size());
+  for (const Record& record : derived_.records)
+    if (record.instance != record.maker) found_.organs_[record.instance].maker = record.maker;
+  std::vector<std::uint32_t> count(found_.organs_.size() + 1, 0), of_face(boundary_.surface.faces);
+  for (std::uint32_t f = 0; f < boundary_.surface.faces; ++f) {
+    of_face[f] = derived_.records[derived_.record_of[boundary_.volume[f]]].instance;
+    ++count[of_face[f]];
+  }
+  std::uint32_t next = 0;
+  for (std::uint32_t i = 0; i < found_.organs_.size(); ++i) {
+    found_.organs_[i].faces = next;
+    next += std::exchange(count[i], next);
+  }
+  found_.own_faces_.resize(next);
+  for (std::uint32_t f = 0; f < boundary_.surface.faces; ++f) found_.own_faces_[count[of_face[f]]++] = f;
+}
+
+// Numbers an organ's vertices as its faces come to them, and says how it hangs together: its faces' corners, and which
+// of its vertices belong to what bears it.
+std::vector<std::uint32_t> OrganForms::Finding::number_vertices(std::uint32_t organ) {
+  const ClosedSurface& surface = boundary_.surface;
+  FormedOrgan& of = found_.organs_[organ];
+  of.vertices = static_cast<std::uint32_t>(found_.own_vertices_.size());
+  const std::size_t end =
+      organ + 1 < found_.organs_.size() ? found_.organs_[organ + 1].faces : found_.own_faces_.size();
+  std::vector<std::uint32_t> sign;
+  for (std::size_t i = of.faces; i < end; ++i) {
+    const std::uint32_t face = found_.own_faces_[i];
+    sign.push_back(begin_[face + 1] - begin_[face]);
+    for (std::uint32_t h = begin_[face]; h < begin_[face + 1]; ++h) {
+      const std::uint32_t vertex = surface.origin[h];
+      if (local_[vertex] == nobody) {
+        local_[vertex] = static_cast<std::uint32_t>(found_.own_vertices_.size()) - of.vertices;
+        found_.own_vertices_.push_back(vertex);
+      }
+      sign.push_back(2 * local_[vertex] + (owner_[vertex] != organ));
+    }
+  }
+  for (std::size_t i = of.vertices; i < found_.own_vertices_.size(); ++i) local_[found_.own_vertices_[i]] = nobody;
+  return sign;
+}
+
+void OrganForms::Finding::find_form(std::uint32_t organ) {
+  std::vector<std::uint32_t> sign = number_vertices(organ);
+  FormedOrgan& of = found_.organs_[organ];
+  const auto own = std::span<const std::uint32_t>(found_.own_vertices_).subspan(of.vertices);
+  glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+  for (const std::uint32_t vertex : own) {
+    low = glm::min(low, places_[vertex]);
+    high = glm::max(high, places_[vertex]);
+  }
+  // Twice as large is another form: what is left of a leaf is too much of a petal.
+  int size = 0;
+  if (!own.empty()) std::frexp(glm::length(high - low), &size);
+  const std::size_t corners = sign.size();
+  sign.push_back(static_cast<std::uint32_t>(size + 1024));
+  const auto same = known_.find(sign);
+  of.form = same != known_.end() ? same->second : static_cast<std::uint32_t>(found_.forms_.size());
+  if (same != known_.end()) return;
+
+  OrganForm& form = found_.forms_.emplace_back();
+  Patch patch;
+  for (const std::uint32_t vertex : own) patch.positions.push_back(places_[vertex]);
+  patch.is_fixed.assign(own.size(), 0);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> open;  // edges that have no face on their other side
+  for (std::size_t i = 0, face = 0; i < corners; ++face) {
+    const std::size_t first = i + 1, end = first + sign[i];
+    for (std::size_t c = first; c < end; ++c) {
+      const std::uint32_t a = sign[c] / 2, b = sign[c + 1 < end ? c + 1 : first] / 2;
+      patch.is_fixed[a] = sign[c] % 2;
+      if (c >= first + 2) {
+        patch.triangles.push_back({sign[first] / 2, sign[c - 1] / 2, a});
+        form.faces.push_back(static_cast<std::uint32_t>(face));
+      }
+      const auto other = open.find({b, a});
+      if (other != open.end()) {
+        open.erase(other);
+      } else {
+        open.insert({a, b});
+      }
+    }
+    i = end;
+  }
+  form.triangles = patch.triangles;
+  patch.counted = static_cast<std::uint32_t>(patch.triangles.size());
+  // What others grow from, and its own foot, are closed for as long: else a hole would have no shape.
+  while (!open.empty()) {
+    std::vector<std::uint32_t> ring;
+    for (auto edge = open.begin(); edge != open.end(); edge = open.lower_bound({ring.back(), 0})) {
+      if (!ring.empty() && edge->first != ring.back()) break;
+      if (ring.empty()) ring.push_back(edge->first);
+      ring.push_back(edge->second);
+      open.erase(edge);
+    }
+    for (std::size_t i = 2; i < ring.size(); ++i)
+      if (!is_flat(ring[0], ring[i], ring[i - 1])) patch.triangles.push_back({ring[0], ring[i], ring[i - 1]});
+  }
+  form.thinning = thinning_of(patch);
+  while (!form.thinning.empty() && form.thinning.back().triangles < fewest) form.thinning.pop_back();
+  // What stands attached has a base of its own.
+  form.is_foot = std::move(patch.is_fixed);
+  if (organ > 0 && std::find(form.is_foot.begin(), form.is_foot.end(), 1) == form.is_foot.end())
+    for (std::size_t i = 0, face = of.faces; i < corners; i += 1 + sign[i], ++face)
+      if (boundary_.face[found_.own_faces_[face]] == generalized_map::base_face)
+        for (std::size_t c = i + 1; c <= i + sign[i]; ++c) form.is_foot[sign[c] / 2] = OrganForm::free_foot;
+  std::vector<std::uint32_t> labels;
+  for (std::size_t i = 0, face = of.faces; i < corners; i += 1 + sign[i], ++face)
+    labels.push_back(derived_.map.volume(boundary_.volume[found_.own_faces_[face]]).label);
+  find_kite(form, patch.positions, labels);
+  known_.emplace(std::move(sign), of.form);
+}
+
+void OrganForms::Finding::find_kite(OrganForm& form, const std::vector<glm::vec3>& places,
+                                    const std::vector<std::uint32_t>& labels) {
+  glm::vec3 foot(0);
+  float feet = 0;
+  for (std::uint32_t v = 0; v < places.size(); ++v) {
+    if (form.is_foot[v] == 0) continue;
+    if (feet == 0) form.kite[0] = v;
+    foot += places[v];
+    feet += 1;
+  }
+  form.rooted = feet > 0;
+  if (!form.rooted) return;
+  foot /= feet;
+  const auto farthest = [&](auto how_far) {
+    std::uint32_t best = form.kite[0];
+    float most = 0;
+    for (std::uint32_t v = 0; v < places.size(); ++v) {
+      const float far = form.is_foot[v] == 0 ? how_far(places[v] - foot) : 0;
+      if (far > most) most = far, best = v;
+    }
+    return best;
+  };
+  form.kite[2] = farthest([](const glm::vec3& way) { return glm::dot(way, way); });
+  const glm::vec3 way = places[form.kite[2]] - foot;
+  const auto across = [&](const glm::vec3& place) {
+    return place - glm::dot(place, way) / std::max(glm::dot(way, way), 1e-20f) * way;
+  };
+  form.kite[1] = farthest([&](const glm::vec3& place) { return glm::dot(across(place), across(place)); });
+  const glm::vec3 side = across(places[form.kite[1]] - foot);
+  form.kite[3] = farthest([&](const glm::vec3& place) { return -glm::dot(across(place), side); });
+  const float half = glm::length(side), before = form.thinning.empty() ? 0 : form.thinning.back().error;
+  form.kite_error = std::max(before, half * flat);
+
+  // Each side is of what most of it is made of.
+  const glm::vec3 normal = glm::cross(side, way);
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::map<std::uint32_t, float> area;  // by label
+    float most = 0;
+    for (std::size_t t = 0; t < form.triangles.size(); ++t) {
+      const auto& [a, b, c] = form.triangles[t];
+      const float like = glm::dot(normal, glm::cross(places[b] - places[a], places[c] - places[a]));
+      if (k == 0 ? like <= 0 : like >= 0) continue;
+      float& all = area[labels[form.faces[t]]];
+      all += std::abs(like);
+      if (all > most) most = all, form.kite_faces[k] = form.faces[t];
+    }
+  }
+}
+std::uint64_t OrganForms::bytes() const {
+  const auto of = [](const auto& all) { return all.capacity() * std::uint64_t{sizeof(all[0])}; };
+  std::uint64_t bytes = of(organs_) + of(own_vertices_) + of(own_faces_);
+  for (const OrganForm& form : forms_)
+    bytes += sizeof form + of(form.triangles) + of(form.faces) + of(form.thinning) + of(form.is_foot);
+  return bytes;
+}
+
+}  // namespace panicle::flower

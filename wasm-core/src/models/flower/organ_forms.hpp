@@ -1,0 +1,66 @@
+// Organs that hang together alike and are about as large, and what may be left of one from afar: found for the first of
+// each form, and true of all of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "generalized_map/boundary.hpp"
+#include "geometry/thinning.hpp"
+#include "models/flower/derivation.hpp"
+
+namespace panicle::flower {
+
+struct OrganForm {
+  static constexpr std::uint8_t free_foot = 2;  // of what stands attached, and so may go like any vertex
+
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // of the first one's, by its own vertices
+  std::vector<std::uint32_t> faces;                     // of triangles: which of its faces
+  std::vector<Collapse> thinning;
+  std::vector<std::uint8_t> is_foot;  // by vertex: 1 those of what bears it, `free_foot` of a base of its own
+  std::uint32_t organs = 0;
+  // What is left of one that bears nothing where it is thinned no further: a kite with two sides. Its corners are a
+  // vertex of the foot, one at a side, the one farthest from the foot, and one at the other side.
+  std::array<std::uint32_t, 4> kite{};
+  std::array<std::uint32_t, 2> kite_faces{};  // whose materials its two sides have
+  float kite_error = 0;
+  bool bears = false, rooted = false;
+
+  std::uint32_t tip() const { return kite[2]; }
+  bool is_kite(float error) const { return rooted && !bears && error >= kite_error; }
+  std::size_t left(float error) const;                    // triangles
+  std::vector<std::uint32_t> targets(float error) const;  // where each vertex has gone
+};
+
+// An organ of a flower, by number as the derivation's instances.
+struct FormedOrgan {
+  std::uint32_t form = 0, number = 0;     // the how manieth of its form
+  std::uint32_t maker = 0;                // another organ
+  std::uint32_t vertices = 0, faces = 0;  // where its own begin
+};
+
+class OrganForms {
+ public:
+  // `places`: of the boundary's vertices, by which forms are thinned.
+  OrganForms(const Derived& derived, const generalized_map::Boundary& boundary, const std::vector<glm::vec3>& places);
+
+  const std::vector<FormedOrgan>& organs() const { return organs_; }
+  const std::vector<OrganForm>& forms() const { return forms_; }
+  const OrganForm& form(const FormedOrgan& of) const { return forms_[of.form]; }
+  // Its own vertices and faces, by numbers of the boundary; as many as its form has.
+  const std::uint32_t* vertices(const FormedOrgan& of) const { return own_vertices_.data() + of.vertices; }
+  const std::uint32_t* faces(const FormedOrgan& of) const { return own_faces_.data() + of.faces; }
+  std::uint64_t bytes() const;  // that it holds, about
+
+ private:
+  class Finding;
+
+  std::vector<FormedOrgan> organs_;
+  std::vector<std::uint32_t> own_vertices_, own_faces_;  // of organs, one after the other
+  std::vector<OrganForm> forms_;
+};
+
+}  // namespace panicle::flower
