@@ -108,16 +108,16 @@ std::size_t Levels::triangles(const std::vector<std::uint8_t>& kept, float error
 Levels::Choice Levels::choose(std::size_t most) const {
   constexpr float all = std::numeric_limits<float>::max();
   Choice choice;
-  auto& [sparse, there, error] = choice;
+  std::vector<std::uint8_t>& there = choice.organs;
   for (const std::uint32_t each : strides) {
-    sparse.of_form = each;
-    there = kept(sparse);
+    choice.sparse.of_form = each;
+    there = kept(choice.sparse);
     if (static_cast<float>(triangles(there, all)) <= least_share * static_cast<float>(most)) break;
   }
   // Organs that are all unlike are no crowds, and may still be too many.
   for (std::size_t i = 1; i < strides.size() && triangles(there, all) > most; ++i) {
-    sparse.of_all = strides[i];
-    there = kept(sparse);
+    choice.sparse.of_all = strides[i];
+    there = kept(choice.sparse);
   }
   std::vector<float> errors{0};
   for (const OrganForm& form : organs_->forms()) {
@@ -127,7 +127,7 @@ Levels::Choice Levels::choose(std::size_t most) const {
   std::sort(errors.begin(), errors.end());
   const auto enough =
       std::partition_point(errors.begin(), errors.end(), [&](float each) { return triangles(there, each) > most; });
-  error = enough == errors.end() ? all : *enough;
+  choice.error = enough == errors.end() ? all : *enough;
   return choice;
 }
 
