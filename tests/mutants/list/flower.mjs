@@ -256,12 +256,6 @@ export default [
 				breaks: "flowers that differ in a height alone have one fingerprint",
 			},
 			{
-				id: "flower-print-without-glue",
-				find: "add(map.alpha(3, d));",
-				replace: "",
-				breaks: "what is glued where it stands has the fingerprint of what is not",
-			},
-			{
 				id: "flower-print-by-name",
 				find: "if (place == generalized_map::none) place = mentioned++;",
 				replace: "place = volume.label;",

@@ -26,9 +26,8 @@ std::uint64_t fingerprint_of(const Derived& derived, const generalized_map::Embe
     add(volume.parent);
     print.add(derived.values[derived.record_of[v]][static_cast<std::size_t>(Field::material)]);
   }
-  for (std::uint32_t d = 0; d < map.darts(); ++d) {
-    add(map.alpha(3, d));
-    const glm::vec3 at = metres * upright(embedding.positions()[embedding.vertex_of()[d]]);
+  for (const glm::vec3& each : embedding.positions()) {
+    const glm::vec3 at = metres * upright(each);
     print.add(at.x);
     print.add(at.y);
     print.add(at.z);

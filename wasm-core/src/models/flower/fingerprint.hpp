@@ -9,8 +9,8 @@
 
 namespace panicle::flower {
 
-// Over each volume's label, order, parent and material, then each dart's α3 and place (docs/fingerprint.md). The
-// embedding is that of the volumes' own shapes, not of a skin's.
+// Over each volume's label, order, parent and material, then each vertex's place (docs/fingerprint.md): what is glued
+// shares vertices. The embedding is that of the volumes' own shapes, not of a skin's.
 std::uint64_t fingerprint_of(const Derived& derived, const generalized_map::Embedding& embedding);
 
 }  // namespace panicle::flower
