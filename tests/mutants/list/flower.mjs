@@ -263,4 +263,22 @@ export default [
 			},
 		],
 	},
+	{
+		file: `${SRC}/ranks.cpp`,
+		suites: [`${TESTS}/skin_test.cpp`],
+		faults: [
+			{
+				id: "flower-picture-in-steps",
+				find: "beside = std::min(beside, place.y);",
+				replace: "beside = place.y;",
+				breaks: "veins are painted in patches, a lobe at a time",
+			},
+			{
+				id: "flower-picture-of-the-bearer",
+				find: "if (organ(about[i]) != organ(h)) continue;",
+				replace: "",
+				breaks: "where organs touch one is painted with the other's middle",
+			},
+		],
+	},
 ];

@@ -22,6 +22,12 @@ export default [
 				replace: "return veins.count >= 99 ? mixed(edged",
 				breaks: "petals have no veins",
 			},
+			{
+				id: "flower-feathers-across",
+				find: "(u - FORWARD * v * (1 + 0.5 * v))",
+				replace: "u",
+				breaks: "side veins of a leaf stand at right angles to its rib",
+			},
 		],
 	},
 	{

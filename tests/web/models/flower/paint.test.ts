@@ -18,7 +18,7 @@ const PLAIN: Paint = {
 	tip: [0, 0, 1],
 	foot: 0.5,
 	margin: { colour: [1, 1, 1], width: 0 },
-	veins: { colour: [0, 0, 0], count: 0, strength: 0 },
+	veins: { colour: [0, 0, 0], count: 0, strength: 0, feathered: false },
 	light: 0.5,
 };
 
@@ -47,12 +47,34 @@ describe("the paint of organs", () => {
 		const edged = { ...PLAIN, margin: { colour: [0, 1, 0] as Paint["base"], width: 0.2 } };
 		expect(colourAt(edged, 1, 1)).toEqual([0, 1, 0]);
 		expect(colourAt(edged, 1, 0.79)).toEqual([0, 0, 1]);
-		const veined = { ...PLAIN, base: PLAIN.tip, veins: { colour: [0, 0, 0] as Paint["base"], count: 6, strength: 1 } };
+		const veined = {
+			...PLAIN,
+			base: PLAIN.tip,
+			veins: { colour: [0, 0, 0] as Paint["base"], count: 6, strength: 1, feathered: false },
+		};
 		const blues = Array.from({ length: 1000 }, (_, i) => colourAt(veined, 0.2, i / 1000)[2]);
 		const dark = blues.filter((blue, i) => i > 0 && i < 999 && blue < blues[i - 1] && blue <= blues[i + 1]);
 		// Half of the one in the middle, and what lies within the margin of six, which spread only towards the tip.
 		expect(dark.length).toBeGreaterThanOrEqual(6);
 		expect(blues[0]).toBe(0);
+	});
+
+	it("has veins that leave a rib where the text says that they are feathered", () => {
+		const veins = { colour: [0, 0, 0] as Paint["base"], count: 6, strength: 1, feathered: true };
+		const blue = (u: number, v: number) => colourAt({ ...PLAIN, base: PLAIN.tip, veins }, u, v)[2];
+		for (const u of [0.03, 0.3, 0.6]) expect(blue(u, 0)).toBe(0);
+		const blues = Array.from({ length: 1000 }, (_, i) => blue(i / 1000, 0.4));
+		const dark = blues.flatMap((here, i) =>
+			i > 0 && here < 0.95 && here < blues[i - 1] && here <= blues[i + 1] ? [i] : [],
+		);
+		expect(dark.length).toBe(5);
+		// Farther out one has come nearer to the tip.
+		expect(blue(dark[2] / 1000, 0.4)).toBeLessThan(0.5);
+		expect(blue(dark[2] / 1000, 0.6)).toBeGreaterThan(0.9);
+		expect(blue(dark[2] / 1000 + 0.045, 0.6)).toBeLessThan(0.5);
+		const [before] = parts('petal "ff0000" veins "000000" 6 1');
+		const [read] = parts('petal "ff0000" veins "000000" 6 1 feathered light 0.2');
+		expect(read.shape?.material.textures?.colour).not.toBe(before.shape?.material.textures?.colour);
 	});
 
 	it("is a picture where veins or a margin want one, a colour for each vertex else", () => {
@@ -125,7 +147,9 @@ describe("the paint of organs", () => {
 			parts('petal "ff0000" bud "000000" wilted "800000"', age)[0].shape?.mesh.colours?.[0] ?? 0;
 		expect(red(0)).toBe(0);
 		expect(red(1)).toBe(1);
-		expect(red(0.5)).toBeCloseTo(red(2), 1);
+		// A bud has coloured before it is open: three quarters of the way when half of its time has gone.
+		expect(red(0.5)).toBeCloseTo(0.521, 2);
+		expect(red(1.5)).toBeCloseTo(0.527, 2);
 		expect(red(2)).toBeCloseTo(0.216, 2);
 	});
 
@@ -144,10 +168,10 @@ describe("the paint of organs", () => {
 	it("reads what the core says of it", () => {
 		const [paint] = paintsOf(
 			Uint32Array.of(0xff0000, 0x0000ff, 0xffffff, 0x000000),
-			Float32Array.of(0.5, 0.25, 7, 0.5, 1),
+			Float32Array.of(0.5, 0.25, 7, 0.5, 1, 1),
 		);
 		expect(paint).toMatchObject({ base: [1, 0, 0], tip: [0, 0, 1], foot: 0.5, margin: { width: 0.25 }, light: 1 });
-		expect(paint.veins).toEqual({ colour: [0, 0, 0], count: 7, strength: 0.5 });
+		expect(paint.veins).toEqual({ colour: [0, 0, 0], count: 7, strength: 0.5, feathered: true });
 	});
 });
 

@@ -35,7 +35,7 @@ describe("values of a flower's text", () => {
 	});
 
 	it("are what the text itself calls so, not its modules", async () => {
-		expect(await variablesIn(tulip)).toEqual(["length", "bend", "scale", "tall", "size", "open", "wilt"]);
+		expect(await variablesIn(tulip)).toEqual(["length", "bend", "scale", "tall", "size", "open", "wilt", "shed"]);
 		const grammar =
 			"@\n#define no=1\n@ /*\n#define nor=1\n*/\n #define a=2\n# define b =3\n#define C\n#define finalStep=3\n#axiom: C";
 		expect(await variablesIn({ ...tulip, grammar })).toEqual(["a", "b"]);

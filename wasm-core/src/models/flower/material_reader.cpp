@@ -63,14 +63,22 @@ bool Reader::said_of(Material& material) {
     ++at_;
     const bool fine = word == 0   ? share(material.foot, 1)
                       : word == 1 ? colour(material.margin) && share(material.margin_width, 1)
-                      : word == 2 ? colour(material.veins) && share(material.vein_count, most_veins) &&
-                                        share(material.vein_strength, 1)
+                      : word == 2 ? veins_of(material)
                       : word == 3 ? share(material.light, 1)
                       : word == 4 ? colours(material.bud)
                       : word == 5 ? colours(material.wilted)
                                   : part_name(material.name);
     if (!fine) return false;
   }
+  return true;
+}
+
+// `"8a1030" 9 0.5`, and it may be said that they are feathered.
+bool Reader::veins_of(Material& material) {
+  if (!colour(material.veins) || !share(material.vein_count, most_veins) || !share(material.vein_strength, 1))
+    return false;
+  material.feathered = on_name() && found() == "feathered";
+  at_ += material.feathered;
   return true;
 }
 

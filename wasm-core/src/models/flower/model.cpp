@@ -147,13 +147,13 @@ void add_materials(Plant& plant, const Program& program, float age, std::vector<
     const Colours now = colours_at(material, age);
     names.append(colours.empty() ? "" : "\n").append(material.name);
     colours.insert(colours.end(), {now.base, now.tip, material.margin, material.veins});
-    paint.insert(paint.end(),
-                 {material.foot, material.margin_width, material.vein_count, material.vein_strength, material.light});
+    paint.insert(paint.end(), {material.foot, material.margin_width, material.vein_count, material.vein_strength,
+                               material.light, material.feathered ? 1.0f : 0.0f});
   }
   plant.columns.add("materials.number", std::move(numbers));
   plant.columns.add("materials.name", names);
   plant.columns.add("materials.colours", std::move(colours), 4);
-  plant.columns.add("materials.paint", std::move(paint), 5);
+  plant.columns.add("materials.paint", std::move(paint), 6);
 }
 
 void measure(Plant& plant, const generalized_map::Embedding& embedding, std::size_t organs) {

@@ -17,8 +17,8 @@
 //   materials.name     text, a line a mesh: what the text calls it; empty where it does not
 //   materials.colours  uint32 × 4: where an organ begins and ends, of its margin and of its veins; red, green and blue
 //                      of 8 bits each
-//   materials.paint    float32 × 5: foot, width of the margin, number of veins, their strength, light that comes
-//   through
+//   materials.paint    float32 × 6: foot, width of the margin, number of veins, their strength, light that comes
+//                      through, 1 where veins are feathered
 // with `map`: alpha0 … alpha3, darts.volume, darts.vertex (uint32 a dart), vertices.position (float32 × 3).
 // with `levels`, and without those of volumes and labels where no `meshes` are asked for: materials of levels behind
 // those of meshes, and of level0 … level3 (levels.hpp) besides `sky` paint, uint8 a vertex: which of the materials it

@@ -154,6 +154,7 @@ struct Material {
   std::uint32_t margin = 0, veins = 0;      // colours
   float margin_width = 0;                   // as a share of half the width
   float vein_count = 0, vein_strength = 0;  // a side; 0 … 1
+  bool feathered = false;                   // veins leave one in the middle, and do not spread from the foot
   float light = 0;                          // that comes through from behind, as a share
   lsystem::Place place;
 };

@@ -64,6 +64,7 @@ class Reader : lsystem::TokenReader {
   bool said_of(Material& material);
   bool colour(std::uint32_t& colour);
   bool colours(Colours& colours);
+  bool veins_of(Material& material);
   bool part_name(std::string& name);
   bool share(float& value, float most);
   bool production();

@@ -103,7 +103,8 @@ Material material_of(const Program& program, std::uint32_t number) {
 
 Colours colours_at(const Material& material, float age) {
   const Colours &from = age < 1 ? material.bud : material.wilted, &to = material.open;
-  const float share = age < 1 ? age : 2 - age;
+  // Buds colour before they open: half-way they would be brown, as red and green are together.
+  const float share = age < 1 ? age * (2 - age) : 2 - age;
   return {mixed(from.base, to.base, share), mixed(from.tip, to.tip, share)};
 }
 
@@ -122,6 +123,7 @@ Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, 
   is_tube_ = tubes_of(derived, boundary);
 
   volume_ = std::move(boundary.volume);
+  bare_volume_ = volume_;
   face_ = std::move(boundary.face);
   levels_.push_back(std::move(boundary.surface));
   for (std::uint32_t round = 0; round < rounds; ++round) {
@@ -167,6 +169,7 @@ void Skin::part(const std::vector<std::uint8_t>& numbers) {
     const std::size_t triangles = corners - 2 * own.size();
     std::vector<std::uint32_t> volumes, own_faces;
     part.corners.reserve(corners);
+    part.halves.reserve(corners);
     part.begins.reserve(own.size() + 1);
     part.indices.reserve(3 * triangles);
     volumes.reserve(triangles);
@@ -181,6 +184,7 @@ void Skin::part(const std::vector<std::uint8_t>& numbers) {
           part.vertices.push_back(surface.origin[edge]);
         }
         part.corners.push_back(here);
+        part.halves.push_back(edge);
       }
       for (std::size_t i = begin + 2; i < part.corners.size(); ++i) {
         put(part.indices, part.corners[begin], part.corners[i - 1], part.corners[i]);
@@ -201,7 +205,8 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
   for (std::size_t i = 1; i < levels_.size(); ++i) place_refined(levels_[i - 1], levels_[i]);
   const ClosedSurface& surface = levels_.back();
   const std::vector<glm::vec3> normals = normals_of(surface);
-  const std::vector<glm::vec2> places = places_in_organs(derived);
+  std::vector<glm::vec2> places = places_of_corners(derived, levels_.front(), bare_volume_);
+  for (std::size_t i = 1; i < levels_.size(); ++i) places = refined_places(levels_[i - 1], places);
 
   std::vector<std::uint8_t> numbers(derived.map.volumes());
   std::uint32_t strange = nobody;
@@ -228,16 +233,12 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
       put(metres * upright(surface.positions[part.vertices[i]]), &mesh.mesh.positions[3 * i]);
       put(upright(normals[part.vertices[i]]), &mesh.mesh.normals[3 * i]);
     }
-    // Where in its organ each vertex is: the mean of the faces about it.
+    // Where in its organ each vertex is: where the corners are that meet there, which differ where organs do.
     std::vector<glm::vec2> sums(vertices, glm::vec2(0));
     std::vector<float> about(vertices, 0);
-    for (std::size_t f = 0, triangle = 0; f + 1 < part.begins.size(); ++f) {
-      const glm::vec2 place = places[(*part.volumes)[triangle]];
-      for (std::uint32_t c = part.begins[f]; c < part.begins[f + 1]; ++c) {
-        sums[part.corners[c]] += place;
-        about[part.corners[c]] += 1;
-      }
-      triangle += part.begins[f + 1] - part.begins[f] - 2;
+    for (std::size_t c = 0; c < part.corners.size(); ++c) {
+      sums[part.corners[c]] += places[part.halves[c]];
+      about[part.corners[c]] += 1;
     }
     mesh.mesh.uvs.resize(2 * vertices);
     for (std::size_t i = 0; i < vertices; ++i) {
@@ -261,11 +262,12 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
 }
 
 std::uint64_t Skin::bytes() const {
-  std::uint64_t bytes = bytes_of(volume_) + bytes_of(face_) + bytes_of(begin_) + 2 * bytes_of(numbers_);
+  std::uint64_t bytes =
+      bytes_of(volume_) + bytes_of(bare_volume_) + bytes_of(face_) + bytes_of(begin_) + 2 * bytes_of(numbers_);
   for (const ClosedSurface& level : levels_) bytes += 16ull * level.half_edges() + bytes_of(level.positions);
   for (const Part& part : parts_)
-    bytes += bytes_of(part.vertices) + bytes_of(part.corners) + bytes_of(part.begins) + bytes_of(part.indices) +
-             bytes_of(*part.volumes) + bytes_of(*part.faces);
+    bytes += bytes_of(part.vertices) + bytes_of(part.corners) + bytes_of(part.halves) + bytes_of(part.begins) +
+             bytes_of(part.indices) + bytes_of(*part.volumes) + bytes_of(*part.faces);
   return bytes;
 }
 

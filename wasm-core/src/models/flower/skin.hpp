@@ -51,6 +51,7 @@ class Skin {
     std::uint32_t number = 0;
     std::vector<std::uint32_t> vertices;  // of the surface, by those of the mesh
     std::vector<std::uint32_t> corners;   // of faces, each by a vertex of the mesh
+    std::vector<std::uint32_t> halves;    // and the surface's half-edges that leave there
     std::vector<std::uint32_t> begins;    // where those of each face begin; and the end
     std::vector<std::uint32_t> indices;
     std::shared_ptr<const std::vector<std::uint32_t>> volumes, faces;  // of triangles
@@ -59,6 +60,7 @@ class Skin {
   void part(const std::vector<std::uint8_t>& numbers);
 
   std::vector<ClosedSurface> levels_;        // each the one before refined
+  std::vector<std::uint32_t> bare_volume_;   // of the first one's faces, whose they are
   std::vector<std::uint32_t> volume_;        // of the last one's faces, whose they are
   std::vector<generalized_map::Face> face_;  // and which
   std::vector<std::uint32_t> begin_;         // and where their half-edges begin; and the end

@@ -10,7 +10,12 @@ export interface Paint {
 	/** Over how much of its length the one goes into the other. */
 	foot: number;
 	margin: { colour: Colour; width: number };
-	veins: { colour: Colour /** A side. */; count: number; strength: number };
+	veins: {
+		colour: Colour /** A side. */;
+		count: number;
+		strength: number /** From one in the middle. */;
+		feathered: boolean;
+	};
 	/** Light that comes through from behind, as a share. */
 	light: number;
 }
@@ -23,13 +28,23 @@ const FORK = 0.42;
 const PARTED = 0.25;
 /** How wide a vein is, as a share of the room between two. */
 const THIN = 0.13;
+/** How wide a rib is, as a share of half the width, and how far forward its side veins have gone at the margin, of the length. */
+const RIB = 0.045;
+const FORWARD = 0.17;
 
 /** Columns of an answer → what its materials are painted with. */
 export function paintsOf(colours: Uint32Array, numbers: Float32Array): Paint[] {
 	return Array.from({ length: colours.length / 4 }, (_, i) => {
 		const [base, tip, margin, veins] = [...colours.subarray(4 * i, 4 * i + 4)].map(colourOf);
-		const [foot, width, count, strength, light] = numbers.subarray(5 * i, 5 * i + 5);
-		return { base, tip, foot, margin: { colour: margin, width }, veins: { colour: veins, count, strength }, light };
+		const [foot, width, count, strength, light, feathered] = numbers.subarray(6 * i, 6 * i + 6);
+		return {
+			base,
+			tip,
+			foot,
+			margin: { colour: margin, width },
+			veins: { colour: veins, count, strength, feathered: feathered === 1 },
+			light,
+		};
 	});
 }
 
@@ -44,7 +59,8 @@ export function isFine({ margin, veins }: Paint): boolean {
 export function colourAt({ base, tip, foot, margin, veins }: Paint, u: number, v: number): Colour {
 	const along = mixed(base, tip, smooth(u / Math.max(foot, 1e-3)));
 	const edged = margin.width > 0 ? mixed(along, margin.colour, smooth((v - 1 + margin.width) / margin.width)) : along;
-	return veins.count >= 1 ? mixed(edged, veins.colour, veins.strength * ink(veins.count, u, v)) : edged;
+	const drawn = veins.feathered ? barbs : ink;
+	return veins.count >= 1 ? mixed(edged, veins.colour, veins.strength * drawn(veins.count, u, v)) : edged;
 }
 
 /** What a vein's ink comes to on the average, where it is dark. */
@@ -66,6 +82,15 @@ function ink(count: number, u: number, v: number): number {
 	const wide = THIN * (middle ? 1.4 : 1) * (1 - 0.6 * u);
 	const off = Math.abs(from - apart) / wide;
 	return Math.exp(-off * off) * (1 - smooth((u - 0.62) / 0.38)) * (1 - 0.5 * smooth((v - 0.7) / 0.3));
+}
+
+/** Of a feathered one: a rib that thins towards the tip, and side veins that leave it, bow forward and fade before the margin. */
+function barbs(count: number, u: number, v: number): number {
+	const rib = v / (RIB * (1 - 0.7 * u));
+	const along = (u - FORWARD * v * (1 + 0.5 * v)) * (Math.floor(count) + 0.5);
+	const off = (along - Math.round(along)) / (THIN * (0.8 - 0.4 * v));
+	const side = along > 0.4 ? Math.exp(-off * off) * (1 - smooth((v - 0.7) / 0.3)) * (1 - smooth((u - 0.8) / 0.2)) : 0;
+	return Math.max(Math.exp(-rib * rib), 0.8 * side);
 }
 
 const smooth = (x: number): number => {

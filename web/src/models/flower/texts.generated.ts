@@ -20,7 +20,7 @@ export const TEXTS: Readonly<Record<string, string>> = {
 #define DONE(12,0,0,0,5,2.8,2.8,1)
 #define finalStep=14+bells
 
-#material 1 stem "6c8450" "586880"
+#material 1 stem "6c8a4c" "6c7a78"
 #material 2 leaf "3f7038" "4f8044" name "leaf, upper epidermis"
 #material 12 leaf "5b8a50" "6a985c" name "leaf, mesophyll"
 #material 13 leaf "587f52" "6a9060" name "leaf, lower epidermis"
@@ -138,15 +138,15 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 #define finalStep=18
 
 #material 1 stem "6f9150" "86a862"
-#material 2 leaf "47793a" "5f9449" veins "7cae60" 3 0.4 name "leaf, upper epidermis"
-#material 12 leaf "6f9c58" "82b066" name "leaf, mesophyll"
+#material 2 leaf "47793a" "5f9449" veins "7cae60" 4 0.4 feathered name "leaf, upper epidermis"
+#material 12 leaf "558544" "6b9e53" name "leaf, mesophyll"
 #material 13 leaf "668c58" "7ca068" name "leaf, lower epidermis"
 #material 3 sepal "c2c45a" "d2d066" name "sepal, upper epidermis"
 #material 14 sepal "b9bd58" "c8c862" name "sepal, mesophyll"
 #material 15 sepal "a3ae4e" "bcc05c" name "sepal, lower epidermis"
-#material 4 petal "e6b70c" "f8d414" veins "d99a08" 7 0.25 bud "b8b83a" "c9c040" wilted "e0c060" "e9dca0" name "petal, upper epidermis"
-#material 9 petal "e3b40e" "f0cb14" bud "b8b83a" "c9c040" wilted "dcb858" "e2d08c" name "petal, mesophyll"
-#material 5 petal "d6b83a" "eed45c" bud "b8b83a" "c9c040" wilted "dcc070" "e6d8a0" name "petal, lower epidermis"
+#material 4 petal "ecc80a" "fce80c" veins "d9a808" 7 0.2 bud "b8b83a" "c9c040" wilted "e4c424" "ecd850" name "petal, upper epidermis"
+#material 9 petal "e8c40c" "f4dc10" bud "b8b83a" "c9c040" wilted "dcc030" "e6d048" name "petal, mesophyll"
+#material 5 petal "dcc83a" "f2e250" bud "b8b83a" "c9c040" wilted "d8c448" "e6d868" name "petal, lower epidermis"
 #material 6 stamen "d9c238" "e3cd44"
 #material 7 stamen "dba51c" "ebb92a"
 #material 8 pistil "9ab04a" "b9c95a"
@@ -184,11 +184,11 @@ SHOOT{}{step==6}{} -> SHOOT[&FLOWER{open=open; size=math.random(0.86,1)}]_{E}
 CALYX -> CALYX[DISC]_{E}
 CALYX -> CALYX[&PETAL{K=6; J=1; len=size*7.5; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=14; lower=15}]_{C1,C3,C5,C7,C9}
 DISC -> DISC[RING]_{E}
-DISC -> DISC[&PETAL{K=9; J=3; len=size*(5.3+8.1*open)*math.random(0.95,1.03); wide=size*(3.6+5.1*open); thick=0.42; start=-50+44*open+math.random(-5,5)+20*wilt; low=-48+20*open; mid=-6; high=-44+36*open; cup=18-9*open; edge=3; wave=4*wilt; peak=1.3; foot=1; tip=0.6; claw=0.22; upper=4; middle=9; lower=5}]_{C2,C4,C6,C8,C10}
+DISC -> DISC[&PETAL{K=9; J=3; kept=1-0.97*clamp((wilt-math.random(0.4,0.75))/0.28,0,1); len=size*(5+5.6*open)*math.random(0.95,1.03); wide=size*(3.8+4.8*open); thick=0.42; start=-50+34*open+math.random(-5,5)+20*wilt; low=-48+30*open; mid=-8; high=-44+34*open; cup=18-8*open; edge=3; wave=2+3*wilt; peak=1.3; foot=0.85; tip=0.5; claw=0.3; upper=4; middle=9; lower=5}]_{C2,C4,C6,C8,C10}
 RING{}{step<6}{} -> RING[RING]_{E}
 RING{}{step==6}{} -> RING[HEART]_{E}
-RING -> RING[&STAMEN{long=(1+2.4*open)*math.random(0.85,1.15); lean=-70+34*open+step*-4+math.random(-8,8); head=1.5}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
-HEART{}{step<13}{} -> HEART[HEART(,,,,<0.44*(1+wilt*0.4)>,<2.7*cos(11*(step-6))>,<2.7*cos(11*(step-6))>,)]_{E}
+RING -> RING[&STAMEN{long=(1+2.4*open)*math.random(0.85,1.15); lean=-70+34*open+step*-4+math.random(-8,8); head=0.6+0.9*open}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
+HEART{}{step<13}{} -> HEART[HEART(,,,,<0.44*(1+wilt*0.9)>,<2.7*cos(11*(step-6))>,<2.7*cos(11*(step-6))>,)]_{E}
 HEART{}{step<12}{} -> HEART[&BLADE{S=2; len=0.9; wide=0.75; thick=0.5; start=-50-5*(step-6); claw=0.9; blunt=0.4; paint=8}]_{C1,C3,C5,C7,C9}
 
 #module PETAL
@@ -198,6 +198,7 @@ HEART{}{step<12}{} -> HEART[&BLADE{S=2; len=0.9; wide=0.75; thick=0.5; start=-50
 #define len=40     /* mm */
 #define wide=20
 #define thick=0.8
+#define kept=1      /* how much of it is left: it withers, hangs and falls */
 #define start=0    /* degrees: 0 stands out, -90 stands up */
 #define sway=0     /* to a side */
 #define roll=0     /* about itself */
@@ -222,29 +223,29 @@ HEART{}{step<12}{} -> HEART[&BLADE{S=2; len=0.9; wide=0.75; thick=0.5; start=-50
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
-#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define RU1(4,0,0,0,1,0.3*thick,1,upper)
-#define RU2(4,0,0,0,1,0.3*thick,1,upper)
-#define RU3(4,0,0,0,1,0.3*thick,1,upper)
-#define RM1(4,0,0,0,1,0.3*thick,1,middle)
-#define RM2(4,0,0,0,1,0.3*thick,1,middle)
-#define RM3(4,0,0,0,1,0.3*thick,1,middle)
-#define RL1(4,0,0,0,1,0.3*thick,1,lower)
-#define RL2(4,0,0,0,1,0.3*thick,1,lower)
-#define RL3(4,0,0,0,1,0.3*thick,1,lower)
-#define LU1(4,0,0,0,1,0.3*thick,1,upper)
-#define LU2(4,0,0,0,1,0.3*thick,1,upper)
-#define LU3(4,0,0,0,1,0.3*thick,1,upper)
-#define LM1(4,0,0,0,1,0.3*thick,1,middle)
-#define LM2(4,0,0,0,1,0.3*thick,1,middle)
-#define LM3(4,0,0,0,1,0.3*thick,1,middle)
-#define LL1(4,0,0,0,1,0.3*thick,1,lower)
-#define LL2(4,0,0,0,1,0.3*thick,1,lower)
-#define LL3(4,0,0,0,1,0.3*thick,1,lower)
-#axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+#define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
 RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
 RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
@@ -465,13 +466,13 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 SHEATH{}{step<4}{} -> GROWN[SHEATH(,,,,6,<6-0.4*step>,<6-0.4*step>,)]_{E}
 SHEATH{}{step<leaves}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(80,130); wide=math.random(4.4,6.5); thick=1; start=-66+math.random(-8,8)-10*(1-open); sway=math.random(-6,6); low=8; mid=14; high=20+math.random(0,40); cup=-14; peak=0.8; foot=0.4; tip=0.8; claw=0.9; upper=2; middle=3; lower=13}]_{C(2+5*step%12)}
 SHEATH{}{step==4}{} -> SHEATH[TUBE]_{E}
-TUBE{}{step<10}{} -> TUBE[TUBE(,<bend+math.random(-2,2)+3*wilt>,<math.random(-2,2)>,,<tall*(0.7+0.3*open)/6>,<3.6+0.16*(step-4)>,<3.6+0.16*(step-4)>,)]_{E}
+TUBE{}{step<10}{} -> TUBE[TUBE(,<bend+math.random(-2,2)+7*wilt>,<math.random(-2,2)>,,<tall*(0.7+0.3*open)/6>,<3.6+0.16*(step-4)>,<3.6+0.16*(step-4)>,)]_{E}
 TUBE{}{step==10}{} -> TUBE[WHORL(,<9*open>,,,,,,)]_{E}
 WHORL -> WHORL[INNER]_{E}
-WHORL -> WHORL[&PETAL{K=11; J=3; len=size*(28+15*open); wide=size*(13+3.8*open); thick=0.7; start=-72+34*open+math.random(-3,3)+22*wilt; low=-12-14*open; mid=-4+wilt*14; high=-16+22*open+40*wilt+math.random(-5,5); cup=20-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=9; lower=12}]_{C1,C5,C9}
+WHORL -> WHORL[&PETAL{K=11; J=3; kept=1-math.random(0.3,0.5)*wilt; len=size*(28+15*open); wide=size*(13+3.8*open); thick=0.7; start=-72+34*open+math.random(-3,3)-6*wilt; low=-12-14*open; mid=-4+wilt*14; high=-16+22*open+40*wilt+math.random(-5,5); cup=20-8*open; wave=22*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=9; lower=12}]_{C1,C5,C9}
 INNER -> INNER[TOP]_{E}
-INNER -> INNER[&PETAL{K=11; J=3; len=size*(26+13*open); wide=size*(13+4*open); thick=0.7; start=-76+30*open+math.random(-3,3)+18*wilt; low=-10-14*open; mid=-4+wilt*10; high=-16+18*open+30*wilt+math.random(-5,5); cup=21-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=9; lower=5}]_{C3,C7,C11}
-TOP -> TOP[&STAMEN{long=3+5*open; lean=-98+22*open; head=3+8*open}]_{C1,C5,C9}
+INNER -> INNER[&PETAL{K=11; J=3; kept=1-math.random(0.3,0.5)*wilt; len=size*(26+13*open); wide=size*(13+4*open); thick=0.7; start=-76+30*open+math.random(-3,3)-10*wilt; low=-10-14*open; mid=-4+wilt*10; high=-16+18*open+30*wilt+math.random(-5,5); cup=21-8*open; wave=22*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=9; lower=5}]_{C3,C7,C11}
+TOP -> TOP[&STAMEN{long=3+5*open; lean=-90+9*open; head=3+6*open}]_{C1,C5,C9}
 TOP -> TOP[&STYLE{long=size*(15+5*open)}]_{E}
 
 #module PETAL
@@ -481,6 +482,7 @@ TOP -> TOP[&STYLE{long=size*(15+5*open)}]_{E}
 #define len=40     /* mm */
 #define wide=20
 #define thick=0.8
+#define kept=1      /* how much of it is left: it withers, hangs and falls */
 #define start=0    /* degrees: 0 stands out, -90 stands up */
 #define sway=0     /* to a side */
 #define roll=0     /* about itself */
@@ -505,29 +507,29 @@ TOP -> TOP[&STYLE{long=size*(15+5*open)}]_{E}
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
-#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define RU1(4,0,0,0,1,0.3*thick,1,upper)
-#define RU2(4,0,0,0,1,0.3*thick,1,upper)
-#define RU3(4,0,0,0,1,0.3*thick,1,upper)
-#define RM1(4,0,0,0,1,0.3*thick,1,middle)
-#define RM2(4,0,0,0,1,0.3*thick,1,middle)
-#define RM3(4,0,0,0,1,0.3*thick,1,middle)
-#define RL1(4,0,0,0,1,0.3*thick,1,lower)
-#define RL2(4,0,0,0,1,0.3*thick,1,lower)
-#define RL3(4,0,0,0,1,0.3*thick,1,lower)
-#define LU1(4,0,0,0,1,0.3*thick,1,upper)
-#define LU2(4,0,0,0,1,0.3*thick,1,upper)
-#define LU3(4,0,0,0,1,0.3*thick,1,upper)
-#define LM1(4,0,0,0,1,0.3*thick,1,middle)
-#define LM2(4,0,0,0,1,0.3*thick,1,middle)
-#define LM3(4,0,0,0,1,0.3*thick,1,middle)
-#define LL1(4,0,0,0,1,0.3*thick,1,lower)
-#define LL2(4,0,0,0,1,0.3*thick,1,lower)
-#define LL3(4,0,0,0,1,0.3*thick,1,lower)
-#axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+#define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
 RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
 RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
@@ -586,12 +588,13 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 #module STYLE
 #define long=20
 #define COLUMN(6,0,0,0,long/6,1,1,8)
+#define SHAFT(6,0,0,0,long/6,1,1,8)
 #define BRANCH(4,0,0,0,1.8,1.1,0.9,8)
 #define finalStep=10
 #axiom: COLUMN
-COLUMN{}{step<5}{} -> COLUMN[COLUMN]_{E}
-COLUMN{}{step==5}{} -> COLUMN[BRANCH(,-40,,,,,,)]_{C1,C3,C5}
-BRANCH{}{step<9}{} -> BRANCH[BRANCH(,6,,,1.7,<1.1+0.45*(step-5)>,<0.9+0.2*(step-5)>,)]_{E}
+COLUMN{}{step<5}{} -> SHAFT[COLUMN]_{E}
+COLUMN{}{step==5}{} -> COLUMN[BRANCH(,<-72+26*open>,,,,,,)]_{C1,C3,C5}
+BRANCH{}{step<9}{} -> BRANCH[BRANCH(,<4*open>,,,<0.9+0.8*open>,<1.1+(0.1+0.5*open)*(step-5)>,<0.9+0.1*(step-5)>,)]_{E}
 `,
 	cyme: `/* Cyme
    about: Each axis ends in a flower and two branches do the same below it: red campion, a module that calls itself.
@@ -767,32 +770,32 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define size=scale*math.random(0.9,1.12)
 #define rays=floor(math.random(35,51))
 #define discs=floor(math.random(80,104))
-#define radius=4*size
+#define radius=4*size*(0.55+0.45*sin(90*min(age,1)))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
 /* A prism of 13 sides: five on is 138.46 degrees, and each is turned back by 0.954. */
 #define ROSETTE(13,0,0,-0.954,0.3,4,4,2)
 #define GROWN(13,0,0,0,0.3,4,4,2)
-#define STEM(13,0,0,0,10,1.6,1.6,1)
-#define CUP(13,0,0,0,1.4,5.6*size,5.6*size,3)
-#define RIM(13,0,0,-0.954,0.05,8.2*size,8.2*size,3)
+#define STEM(13,0,0,0,10,1.3,1.3,1)
+#define CUP(13,0,0,0,1.4,5.6*size*(0.7+0.3*open),5.6*size*(0.7+0.3*open),3)
+#define RIM(13,0,0,-0.954,0.05,8.2*size*(0.6+0.4*open),8.2*size*(0.6+0.4*open),3)
 #define FULL(13,0,0,0,0,8,8,3)
-#define DISC(13,0,0,-0.954,0.05,8.2,8.2,6)
+#define DISC(13,0,0,-0.954,0.05,2*radius,2*radius,6)
 #define BARE(13,0,0,0,0,8,8,6)
 #define leaves=floor(math.random(6,10))
 #define finalStep=leaves+12+rays+discs+2
 
 #material 1 stem "7b9a56" "93ae6a"
-#material 2 leaf "4e7a3c" "669249" veins "86ac66" 3 0.3 name "leaf, upper epidermis"
-#material 12 leaf "769f5c" "86ac66" name "leaf, mesophyll"
+#material 2 leaf "4e7a3c" "669249" veins "86ac66" 5 0.3 feathered name "leaf, upper epidermis"
+#material 12 leaf "5c8747" "719b53" name "leaf, mesophyll"
 #material 13 leaf "6c9058" "809f68" name "leaf, lower epidermis"
 #material 3 sepal "557f40" "6f9450" name "bract"
 #material 4 petal "e6e9ee" "f4f6fa" light 0.25 bud "f3e3e8" "eec2d0" wilted "e6dccb" "c9b79c" name "ray, upper epidermis"
 #material 8 petal "e8e4e8" "f0ecf0" light 0.25 bud "f0dce2" "ebbccb" wilted "e0d2c0" "c2ac94" name "ray, mesophyll"
 #material 5 petal "ece2e6" "e6aec0" light 0.25 bud "efd3dc" "e29cb4" wilted "dcc4b4" "b99a86" name "ray, lower epidermis"
-#material 6 stamen "c9971a" "e3b021"
-#material 7 stamen "e9b922" "f6cf3e"
+#material 6 stamen "dcae14" "f4cc1c"
+#material 7 stamen "eec81c" "fce03a"
 
 #axiom: ROSETTE
 ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=10; J=2; len=math.random(20,32); wide=math.random(8,11); thick=0.8; start=-26+math.random(-9,9)-20*(1-open); sway=math.random(-8,8); low=14; mid=10; high=-8; cup=9; peak=2.1; foot=1.2; tip=0.75; claw=0.26; upper=2; middle=12; lower=13}]_{C(1+(5*step)%13)}
@@ -800,8 +803,8 @@ ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+9}{} -> STEM[STEM(,<bend+math.random(-2.5,2.5)+wilt*3>,<math.random(-2.5,2.5)>,,<tall*(0.5+0.5*open)/9>,,,)]_{E}
 STEM{}{step==leaves+9}{} -> STEM[CUP(,<26*open>,,,,,,)]_{E}
 CUP -> CUP[RIM]_{E}
-CUP -> CUP[&BLADE{len=5*size; wide=1.9*size; thick=0.4; start=-38-26*(1-open)+30*wilt; bend=-14; peak=0.9; claw=0.8; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
-RIM{k=step-leaves-11}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{K=5; J=1; len=size*(4.6+5*open)*math.random(0.93,1.05); wide=size*(1.4+0.7*open); thick=0.26; start=-76+(62-14*k/rays)*open+math.random(-6,6)*open+34*wilt; sway=math.random(-4,4); low=-14*open; mid=-10*(1-open); high=-76+82*open; cup=16; foot=0.6; tip=0.62; peak=1.3; claw=0.5; upper=4; middle=8; lower=5}]_{C(1+(5*step)%13)}
+CUP -> CUP[&BLADE{len=5*size; wide=1.9*size; thick=0.4; start=-14-60*(1-open)+30*wilt; bend=-4-30*(1-open); peak=0.9; claw=0.8; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+RIM{k=step-leaves-11}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{K=5; J=1; len=size*(6+3.6*open)*math.random(0.93,1.05); wide=size*(1.4+0.7*open); thick=0.26; start=-76+(62-14*k/rays)*open+math.random(-6,6)*open+34*wilt; sway=math.random(-4,4); low=-14*open; mid=-10*(1-open); high=-76+82*open; cup=16; foot=0.6; tip=0.62; peak=1.3; claw=0.5; upper=4; middle=8; lower=5}]_{C(1+(5*step)%13)}
 RIM{k=step-leaves-11}{k>=rays}{} -> FULL[DISC]_{E}
 DISC{k=step-leaves-12-rays; r=sqrt(max(0.01,1-k/discs))}{step<finalStep-1}{} -> BARE[DISC(,,,,<(0.02+0.05*k/discs)*size>,<2*radius*r>,<2*radius*r>,)]_{E}[&BLADE{S=3; len=size*(0.5+0.65*open); wide=size*(0.4+0.2*open); thick=size*(0.4+0.2*open); start=-44-44*k/discs; claw=0.8; blunt=0.72; paint=6+(k<discs*0.45)}]_{C(1+(5*step)%13)}
 
@@ -923,8 +926,8 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=leaves+13+seeds
 
 #material 1 stem "a8927c" "a3b37c"
-#material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6 name "leaf, upper epidermis"
-#material 12 leaf "9fb878" "a4ba78" name "leaf, mesophyll"
+#material 2 leaf "4a7a34" "62913f" veins "b9c98f" 8 0.3 feathered name "leaf, upper epidermis"
+#material 12 leaf "7d9f5d" "8aaa61" name "leaf, mesophyll"
 #material 13 leaf "688f52" "7ba05c" name "leaf, lower epidermis"
 #material 3 sepal "567f45" "6d9452" name "bract"
 #material 5 seed "6f5a3c" "b9ab90"
@@ -948,15 +951,15 @@ BALL{q=(step-leaves-11)/seeds; r=sqrt(max(0.02,1-(2*q-1)^2*0.96))}{step<finalSte
 #define gone=0
 #define NUT(4,0,0,0,1.6,0.9,0.6,5)
 #define BEAK(4,0,0,0,5,0.16,0.16,5)
-#define HUB(10,0,0,0,0.35,0.6,0.6,7)
+#define HUB(14,0,0,0,0.14,0.3,0.3,7)
 #define HAIR(4,0,0,0,3.2,0.12,0.12,7)
 #define finalStep=7
 #axiom: NUT(,start,,,<1.6*(1-gone)+0.02>,<0.9*(1-gone)+0.02>,<0.6*(1-gone)+0.02>,)
 NUT{}{step==0}{} -> NUT[NUT(,,,,<(1-gone)*1.6+0.02>,<(1-gone)*0.7+0.02>,<(1-gone)*0.5+0.02>,)]_{E}
 NUT{}{step==1}{} -> NUT[BEAK(,,,,<(5*far)*(1-gone)+0.02>,<0.16*(1-gone)+0.01>,<0.16*(1-gone)+0.01>,)]_{E}
 BEAK{}{step==2}{} -> BEAK[BEAK(,<math.random(-8,8)>,,,H,L,W,)]_{E}
-BEAK{}{step==3}{} -> BEAK[HUB(,,,,<0.35*(1-gone)+0.01>,<0.6*(1-gone)+0.01>,<0.6*(1-gone)+0.01>,)]_{E}
-HUB -> HUB[HAIR(,<-22-60*(1-open)+math.random(-16,16)>,,,<(3.6+1.6*open)*(1-gone)+0.02>,<0.1*(1-gone)+0.005>,<0.1*(1-gone)+0.005>,)]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
+BEAK{}{step==3}{} -> BEAK[HUB(,,,,<0.14*(1-gone)+0.01>,<0.3*(1-gone)+0.01>,<0.3*(1-gone)+0.01>,)]_{E}
+HUB -> HUB[HAIR(,<-22-60*(1-open)+math.random(-16,16)>,,,<(3.6+1.6*open)*(1-gone)+0.02>,<0.06*(1-gone)+0.004>,<0.06*(1-gone)+0.004>,)]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13,C14}
 
 #module BLADE
 /* A small petal or hair: a chain of S flat prisms. */
@@ -1072,20 +1075,20 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 #define STEM(13,0,0,0,20,3.4,3.4,1)
 #define CUP(13,0,0,0,1.5,9,9,3)
 #define RIM(13,0,0,14,2.5,12,12,3)
-#define HEAD(13,0,0,-0.954,0.04,12,12,6)
+#define HEAD(13,0,0,-0.954,0.04,11,11,6)
 #define BARE(13,0,0,0,0,12,12,6)
 #define finalStep=leaves+14+florets
 
 #material 1 stem "a8927c" "a3b37c"
-#material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6 light 0.35 name "leaf, upper epidermis"
-#material 12 leaf "9fb878" "a4ba78" light 0.35 name "leaf, mesophyll"
+#material 2 leaf "4a7a34" "62913f" veins "b9c98f" 8 0.3 feathered light 0.35 name "leaf, upper epidermis"
+#material 12 leaf "7d9f5d" "8aaa61" light 0.35 name "leaf, mesophyll"
 #material 13 leaf "688f52" "7ba05c" light 0.35 name "leaf, lower epidermis"
 #material 3 sepal "567f45" "6d9452" name "bract"
-#material 4 petal "eeb012" "f7cd1d" bud "d0a818" "d8b83a" wilted "d0a030" "b98f3c" name "ligule, upper epidermis"
-#material 8 petal "e2a612" "ecc01c" bud "c8a01a" "d0b038" wilted "c49630" "b0883a" name "ligule, mesophyll"
-#material 9 petal "958a58" "b8a648" foot 0.9 bud "7d8450" "8f9058" wilted "8a7a50" "94804c" name "ligule, lower epidermis"
-#material 5 petal "eaa60e" "f2bd14" wilted "c8942a" "a8803a" name "ligule"
-#material 6 stamen "d09a14" "e2b01a"
+#material 4 petal "f6c60e" "ffe414" bud "d6b818" "dcc83a" wilted "d0a030" "b98f3c" name "ligule, upper epidermis"
+#material 8 petal "eebc10" "f6d818" bud "c8a01a" "d0b038" wilted "c49630" "b0883a" name "ligule, mesophyll"
+#material 9 petal "a8985a" "dcc430" foot 0.9 bud "7d8450" "8f9058" wilted "8a7a50" "94804c" name "ligule, lower epidermis"
+#material 5 petal "f2bc0c" "ffdf12" wilted "c8942a" "a8803a" name "ligule"
+#material 6 stamen "ecb814" "f8d41c"
 
 #axiom: ROSETTE
 ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=12; lower=13}]_{C(1+(5*step)%13)}
@@ -1095,8 +1098,8 @@ STEM{}{step==leaves+10}{} -> STEM[CUP(,<22*open>,,,,,,)]_{E}
 CUP -> CUP[RIM]_{E}
 CUP -> CUP[&BLADE{len=14*size; wide=2.6; thick=0.6; start=-64+122*open-20*wilt+math.random(-9,9); bend=36*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 RIM -> RIM[HEAD]_{E}
-RIM -> RIM[&BLADE{len=17*size; wide=3; thick=0.6; start=-74+44*open-30*wilt+math.random(-5,5); bend=-14; peak=0.8; claw=0.95; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
-HEAD{k=step-leaves-12; q=k/florets; shut=max(1-open,wilt)}{step<finalStep-1}{} -> BARE[HEAD(,,,,<0.045*size>,<12*size*sqrt(max(0.01,1-q))>,<12*size*sqrt(max(0.01,1-q))>,)]_{E}[&LIGULE{len=size*(17.6-10.6*q)*math.random(0.9,1.06)*(1-0.35*(1-open)); wide=size*(1.3+0.9*open); start=-84+(96-92*q)*(1-shut)-q*4+math.random(-7,7); bend=(-22*(1-q)+10)*(1-shut); layered=(q<0.2); upper=4+(q>0.5)}]_{C(1+(5*step)%13)}
+RIM -> RIM[&BLADE{len=16.7*size; wide=3.2; thick=0.6; start=-72+106*min(open,1-wilt)+math.random(-5,5); bend=-14-46*(1-min(open,1-wilt)); peak=0.8; claw=0.95; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+HEAD{k=step-leaves-12; q=k/florets; shut=max(1-open,wilt)}{step<finalStep-1}{} -> BARE[HEAD(,,,,<0.045*size>,<12*size*sqrt(max(0.01,1-q))>,<12*size*sqrt(max(0.01,1-q))>,)]_{E}[&LIGULE{len=size*(17.6-10.6*q)*math.random(0.9,1.06)*(1-0.35*(1-open)); wide=size*(1.3+1.3*open); start=-84+(96-92*q)*(1-shut)-q*4+math.random(-7,7); bend=(-22*(1-q)+10)*(1-shut); layered=(q<0.2); upper=4+(q>0.5)}]_{C(1+(5*step)%13)}
 
 #module BLADE
 /* A small petal or hair: a chain of S flat prisms. */
@@ -2662,13 +2665,13 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
 #define finalStep=28
 
 #material 1 stem "6f9150" "7f9f5c"
-#material 2 leaf "3f7038" "578c45" veins "6fa052" 3 0.4 name "leaf, upper epidermis"
-#material 12 leaf "64944e" "76a45c" name "leaf, mesophyll"
+#material 2 leaf "3f7038" "578c45" veins "6fa052" 4 0.45 feathered name "leaf, upper epidermis"
+#material 12 leaf "4c7d40" "62944d" name "leaf, mesophyll"
 #material 13 leaf "5e8554" "749a62" name "leaf, lower epidermis"
-#material 4 petal "c9b81e" "f3cb16" foot 0.35 veins "d8ac10" 6 0.25 bud "8fa032" "b4b636" wilted "d8b040" "d9b566" name "sepal, upper epidermis"
-#material 9 petal "b9b226" "e6c01a" foot 0.35 bud "88983a" "a8b03a" wilted "cca844" "ceae64" name "sepal, mesophyll"
-#material 10 petal "a3ae3a" "f0cb22" foot 0.6 veins "c8b222" 6 0.25 bud "87a03c" "a6b23e" wilted "c4aa4c" "d4b468" name "sepal, lower epidermis"
-#material 5 petal "bfb01c" "e8bb10" bud "8fa032" "b4b636" wilted "cfa63a" "cda456" name "nectary"
+#material 4 petal "cfc828" "f6e41c" foot 0.35 veins "dcc414" 6 0.25 bud "8fa032" "b4b636" wilted "d8b040" "d9b566" name "sepal, upper epidermis"
+#material 9 petal "c0c030" "ecd820" foot 0.35 bud "88983a" "a8b03a" wilted "cca844" "ceae64" name "sepal, mesophyll"
+#material 10 petal "a8b83c" "f2e02a" foot 0.6 veins "ccc02a" 6 0.25 bud "87a03c" "a6b23e" wilted "c4aa4c" "d4b468" name "sepal, lower epidermis"
+#material 5 petal "d8b81c" "f0c812" bud "8fa032" "b4b636" wilted "cfa63a" "cda456" name "nectary"
 #material 6 stamen "dcc030" "e3c838"
 #material 7 stamen "e0a818" "eab524"
 #material 8 pistil "a8b548" "b9c455"
@@ -2684,11 +2687,11 @@ LOWER -> LOWER[&PALMATE{stalk=10; len=math.random(38,50); start=-34; teeth=0.45}
 UPPER -> UPPER[&PALMATE{stalk=6; len=math.random(26,34); start=-40; teeth=0.45}]_{C8}
 STEM{}{step==14}{} -> STEM[WHORL(,<10*open>,,,,,,)]_{E}
 WHORL -> WHORL[SECOND]_{E}
-WHORL -> WHORL[&PETAL{K=9; J=3; len=size*(14+13*open)*math.random(0.95,1.04); wide=size*(11+11*open); thick=0.6; start=-30+20*open+math.random(-4,4)+34*wilt; low=-48-4*open+18*wilt; mid=-22+16*wilt; high=-66+10*open+20*wilt+math.random(-6,6); cup=17-3*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3; upper=4; middle=9; lower=10}]_{C1,C4,C8}
+WHORL -> WHORL[&PETAL{K=9; J=3; kept=1-0.97*clamp((wilt-math.random(0.5,0.75))/0.28,0,1); len=size*(14+13*open)*math.random(0.95,1.04); wide=size*(11+11*open); thick=0.6; start=-30+20*open+math.random(-4,4)+34*wilt; low=-48-4*open+18*wilt; mid=-22+16*wilt; high=-66+10*open+20*wilt+math.random(-6,6); cup=17-3*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3; upper=4; middle=9; lower=10}]_{C1,C4,C8}
 SECOND -> SECOND[THIRD]_{E}
-SECOND -> SECOND[&PETAL{K=9; J=3; len=size*(13+12*open)*math.random(0.95,1.04); wide=size*(11+10*open); thick=0.6; start=-36+18*open+math.random(-4,4)+24*wilt; low=-46-4*open+12*wilt; mid=-24+12*wilt; high=-64+14*open+14*wilt+math.random(-6,6); cup=17-2*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3; upper=4; middle=9; lower=10}]_{C2,C6,C9}
+SECOND -> SECOND[&PETAL{K=9; J=3; kept=1-0.97*clamp((wilt-math.random(0.55,0.9))/0.28,0,1); len=size*(13+12*open)*math.random(0.95,1.04); wide=size*(11+10*open); thick=0.6; start=-36+18*open+math.random(-4,4)+24*wilt; low=-46-4*open+12*wilt; mid=-24+12*wilt; high=-64+14*open+14*wilt+math.random(-6,6); cup=17-2*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3; upper=4; middle=9; lower=10}]_{C2,C6,C9}
 THIRD -> THIRD[NECTAR]_{E}
-THIRD -> THIRD[&PETAL{K=9; J=3; len=size*(12+12*open)*math.random(0.95,1.04); wide=size*(10+10*open); thick=0.6; start=-42+16*open+math.random(-4,4)+12*wilt; low=-44-4*open+8*wilt; mid=-24+8*wilt; high=-64+8*open+10*wilt+math.random(-6,6); cup=18-2*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3; upper=4; middle=9; lower=10}]_{C1,C3,C6,C8}
+THIRD -> THIRD[&PETAL{K=9; J=3; kept=1-0.97*clamp((wilt-math.random(0.6,1))/0.28,0,1); len=size*(12+12*open)*math.random(0.95,1.04); wide=size*(10+10*open); thick=0.6; start=-42+16*open+math.random(-4,4)+12*wilt; low=-44-4*open+8*wilt; mid=-24+8*wilt; high=-64+8*open+10*wilt+math.random(-6,6); cup=18-2*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3; upper=4; middle=9; lower=10}]_{C1,C3,C6,C8}
 NECTAR -> NECTAR[RING]_{E}
 NECTAR -> NECTAR[&BLADE{len=size*(4+4*open); wide=1.6; thick=0.5; start=-60+math.random(-5,5); bend=-12; peak=1.2; round=0.6; claw=0.6; paint=5}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
 RING{}{step<22}{} -> RING[RING]_{E}
@@ -2704,6 +2707,7 @@ HEART -> HEART[&BLADE{S=2; len=2; wide=0.9; thick=0.6; start=-70; claw=0.8; blun
 #define len=40     /* mm */
 #define wide=20
 #define thick=0.8
+#define kept=1      /* how much of it is left: it withers, hangs and falls */
 #define start=0    /* degrees: 0 stands out, -90 stands up */
 #define sway=0     /* to a side */
 #define roll=0     /* about itself */
@@ -2728,29 +2732,29 @@ HEART -> HEART[&BLADE{S=2; len=2; wide=0.9; thick=0.6; start=-70; claw=0.8; blun
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
-#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define RU1(4,0,0,0,1,0.3*thick,1,upper)
-#define RU2(4,0,0,0,1,0.3*thick,1,upper)
-#define RU3(4,0,0,0,1,0.3*thick,1,upper)
-#define RM1(4,0,0,0,1,0.3*thick,1,middle)
-#define RM2(4,0,0,0,1,0.3*thick,1,middle)
-#define RM3(4,0,0,0,1,0.3*thick,1,middle)
-#define RL1(4,0,0,0,1,0.3*thick,1,lower)
-#define RL2(4,0,0,0,1,0.3*thick,1,lower)
-#define RL3(4,0,0,0,1,0.3*thick,1,lower)
-#define LU1(4,0,0,0,1,0.3*thick,1,upper)
-#define LU2(4,0,0,0,1,0.3*thick,1,upper)
-#define LU3(4,0,0,0,1,0.3*thick,1,upper)
-#define LM1(4,0,0,0,1,0.3*thick,1,middle)
-#define LM2(4,0,0,0,1,0.3*thick,1,middle)
-#define LM3(4,0,0,0,1,0.3*thick,1,middle)
-#define LL1(4,0,0,0,1,0.3*thick,1,lower)
-#define LL2(4,0,0,0,1,0.3*thick,1,lower)
-#define LL3(4,0,0,0,1,0.3*thick,1,lower)
-#axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+#define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
 RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
 RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
@@ -2900,7 +2904,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(0.
 
 #material 1 stem "6f8f52" "83a263"
 #material 2 leaf "47793d" "639550" veins "8ab472" 3 0.4 name "leaf, upper epidermis"
-#material 12 leaf "78a362" "8ab472" name "leaf, mesophyll"
+#material 12 leaf "58884a" "71a05c" name "leaf, mesophyll"
 #material 13 leaf "658f58" "7ca568" name "leaf, lower epidermis"
 #material 4 petal "ccd9a4" "eef1f4" foot 0.45 veins "cfdbb4" 4 0.5 light 0.25 bud "a9c070" "dbe3b8" wilted "e3d2a0" "c9a66c" name "tepal, upper epidermis"
 #material 10 petal "a8c272" "dfe6d2" foot 0.8 light 0.25 bud "96b45e" "c4d49c" wilted "d0c48c" "c09c64" name "tepal, mesophyll"
@@ -2913,7 +2917,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(0.
 #axiom: STEM
 STEM{}{step<16}{} -> LEAFY[STEM(,<bend+math.random(-1,1)>,<math.random(-1,1)>,,<tall/16>,<7-0.12*step>,<7-0.12*step>,)]_{E}[&PETAL{K=8; J=1; len=(165-5*step)*math.random(0.9,1.1); wide=(16-0.4*step)*math.random(0.9,1.1); thick=0.9; start=-40+step+math.random(-8,8); low=14; mid=16; high=math.random(0,30); cup=9; peak=0.75; foot=0.5; tip=1.5; claw=0.5; upper=2; middle=12; lower=13}]_{C(1+(3*step)%8)}
 STEM{}{step==16}{} -> LEAFY[NODE]_{E}
-NODE{k=step-17}{step<finalStep-1}{} -> DONE[NODE(,<math.random(-3,3)>,<math.random(-3,3)>,,<26-3*k>,<5-0.5*k>,<5-0.5*k>,)]_{E}[&FLOWER{open=min(1,max(0,open*1.45-0.14*k)); wilt=wilt; size=size; stalk=math.random(52,66)-3*k; start=-50+8*k+math.random(-6,6)}]_{C(1+(3*step)%8)}
+NODE{k=step-17}{step<finalStep-1}{} -> DONE[NODE(,<math.random(-3,3)>,<math.random(-3,3)>,,<26-3*k>,<5-0.5*k>,<5-0.5*k>,)]_{E}[&FLOWER{open=min(1,max(0,open*1.45-0.14*k)); wilt=wilt; size=size; stalk=math.random(52,66)-3*k; start=-50+8*k+math.random(-6,6)}]_{C(1+(3*step+4)%8)}
 
 #module FLOWER
 #define open=1
@@ -2933,7 +2937,7 @@ WHORL -> WHORL[INNER]_{E}
 WHORL -> WHORL[&PETAL{K=10; J=2; len=size*(48+24*open); wide=size*(9+9*open); thick=0.8; start=-80+12*open+20*wilt; low=2+8*open; mid=-14+18*open+10*wilt; high=-30+96*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.05; foot=0.8; tip=1.3; claw=0.36; upper=4; middle=10; lower=5}]_{C1,C5,C9}
 INNER -> INNER[TOP]_{E}
 INNER -> INNER[&PETAL{K=10; J=2; len=size*(47+23*open); wide=size*(9+10.5*open); thick=0.8; start=-82+12*open+18*wilt; low=2+8*open; mid=-14+17*open+10*wilt; high=-30+92*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.2; claw=0.36; upper=4; middle=10; lower=5}]_{C3,C7,C11}
-TOP -> TOP[&STAMEN{long=size*(20+23*open); lean=-84+16*open+math.random(-4,4); open=open}]_{C1,C3,C5,C7,C9,C11}
+TOP -> TOP[&STAMEN{long=size*(20+23*open); lean=-90+14*open+math.random(-4,4); open=open}]_{C1,C3,C5,C7,C9,C11}
 TOP -> TOP[&PISTIL{long=size*(28+36.3*open)}]_{E}
 
 #module PETAL
@@ -3017,13 +3021,13 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 #define open=1
 #define FILAMENT(4,0,0,0,long/8,1.6,1.6,6)
 #define HINGE(4,0,0,0,0.8,0.9,0.9,6)
-#define ANTHER(4,0,0,0,2,2.2,1.8,7)
+#define ANTHER(4,0,0,0,2,3,2.4,7)
 #define finalStep=12
 #axiom: FILAMENT(,lean,,,,,,)
-FILAMENT{}{step<7}{} -> FILAMENT[FILAMENT(,<5*open>,,,,<1.6-0.1*step>,<1.6-0.1*step>,)]_{E}
+FILAMENT{}{step<7}{} -> FILAMENT[FILAMENT(,<2*open>,,,,<1.6-0.1*step>,<1.6-0.1*step>,)]_{E}
 FILAMENT{}{step==7}{} -> FILAMENT[HINGE]_{E}
-HINGE -> HINGE[ANTHER(,<-80+76*(1-open)>,,,,,,)]_{C3}[ANTHER(,<-80+76*(1-open)>,,,,,,)]_{C1}
-ANTHER{}{step<11}{} -> ANTHER[ANTHER(,,,,<1+2.6*open>,<3.6-0.5*(step-8)>,<2.8-0.4*(step-8)>,)]_{E}
+HINGE -> HINGE[ANTHER(,<-84+80*open>,,,,,,)]_{C3}[ANTHER(,<-84+80*open>,,,,,,)]_{C1}
+ANTHER{}{step<11}{} -> ANTHER[ANTHER(,,,,<1+1.8*open>,<(3.8-0.5*(step-8))*(0.5+0.5*open)>,<(3-0.4*(step-8))*(0.5+0.5*open)>,)]_{E}
 
 #module PISTIL
 #define long=60
@@ -3526,8 +3530,8 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=16
 
 #material 1 stem "6f8f52" "86a862"
-#material 2 leaf "45753a" "639a50" veins "86b070" 4 0.4 name "leaf, upper epidermis"
-#material 12 leaf "759f62" "84ac6c" name "leaf, mesophyll"
+#material 2 leaf "45753a" "639a50" veins "86b070" 5 0.4 feathered name "leaf, upper epidermis"
+#material 12 leaf "568448" "6fa05a" name "leaf, mesophyll"
 #material 13 leaf "64905a" "7aa46a" name "leaf, lower epidermis"
 #material 3 sepal "6a9450" "82aa64" name "sepal, upper epidermis"
 #material 14 sepal "6c9454" "84aa68" name "sepal, mesophyll"
@@ -3574,11 +3578,11 @@ CALYX -> CALYX[FACE]_{E}
 CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(6+5*open); wide=size*2.8; thick=0.4; start=-64+92*open; low=-10+10*open; cup=10; peak=0.7; tip=1.7; claw=0.8; upper=3; middle=14; lower=15}]_{C2,C4,C6,C8,C10}
 CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(2+4*open); wide=size*2.6; thick=2*size; start=66; low=-6; cup=30; foot=0.4; tip=0.6; claw=0.9; upper=6; middle=11; lower=8}]_{C1}
 FACE -> FACE[HEART]_{E}
-FACE -> FACE[&PETAL{K=10; J=3; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+60*open+8*wilt; sway=8*open; low=-20+16*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+6*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=10; lower=5}]_{C5}
-FACE -> FACE[&PETAL{K=10; J=3; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+62*open+8*wilt; sway=-8*open; low=-20+14*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+6*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=10; lower=5}]_{C7}
-FACE -> FACE[&PETAL{K=10; J=3; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+6*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=11; lower=8}]_{C3}
-FACE -> FACE[&PETAL{K=10; J=3; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=-14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+6*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=11; lower=8}]_{C9}
-FACE -> FACE[&PETAL{K=10; J=4; len=size*(8+8.5*open); wide=size*(6+13*open); thick=0.4; start=-72+52*open+10*wilt; low=-14+4*open; high=-30+46*open+math.random(-6,6); cup=12-7*open; wave=5+6*wilt; peak=1.45; foot=0.9; tip=0.55; claw=0.26; spread=5; upper=7; middle=16; lower=17}]_{C1}
+FACE -> FACE[&PETAL{K=10; J=3; kept=1-0.4*wilt; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+60*open+8*wilt; sway=8*open; low=-20+16*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+22*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=10; lower=5}]_{C5}
+FACE -> FACE[&PETAL{K=10; J=3; kept=1-0.4*wilt; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+62*open+8*wilt; sway=-8*open; low=-20+14*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+22*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=10; lower=5}]_{C7}
+FACE -> FACE[&PETAL{K=10; J=3; kept=1-0.4*wilt; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+22*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=11; lower=8}]_{C3}
+FACE -> FACE[&PETAL{K=10; J=3; kept=1-0.4*wilt; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=-14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+22*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=11; lower=8}]_{C9}
+FACE -> FACE[&PETAL{K=10; J=4; kept=1-0.35*wilt; len=size*(8+8.5*open); wide=size*(6+13*open); thick=0.4; start=-72+52*open+10*wilt; low=-14+4*open; high=-30+46*open+math.random(-6,6); cup=12-7*open; wave=5+22*wilt; peak=1.45; foot=0.9; tip=0.55; claw=0.26; spread=5; upper=7; middle=16; lower=17}]_{C1}
 HEART{}{step<12}{} -> HEART[HEART(,,,,0.8,<2.2-0.5*(step-10)>,<2.2-0.5*(step-10)>,)]_{E}
 
 #module LEAF
@@ -3596,6 +3600,7 @@ PETIOLE{}{step==3}{} -> PETIOLE[&PETAL{K=12; J=2; len=len; wide=len*0.5; thick=0
 #define len=40     /* mm */
 #define wide=20
 #define thick=0.8
+#define kept=1      /* how much of it is left: it withers, hangs and falls */
 #define start=0    /* degrees: 0 stands out, -90 stands up */
 #define sway=0     /* to a side */
 #define roll=0     /* about itself */
@@ -3620,35 +3625,35 @@ PETIOLE{}{step==3}{} -> PETIOLE[&PETAL{K=12; J=2; len=len; wide=len*0.5; thick=0
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
-#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define RU1(4,0,0,0,1,0.3*thick,1,upper)
-#define RU2(4,0,0,0,1,0.3*thick,1,upper)
-#define RU3(4,0,0,0,1,0.3*thick,1,upper)
-#define RU4(4,0,0,0,1,0.3*thick,1,upper)
-#define RM1(4,0,0,0,1,0.3*thick,1,middle)
-#define RM2(4,0,0,0,1,0.3*thick,1,middle)
-#define RM3(4,0,0,0,1,0.3*thick,1,middle)
-#define RM4(4,0,0,0,1,0.3*thick,1,middle)
-#define RL1(4,0,0,0,1,0.3*thick,1,lower)
-#define RL2(4,0,0,0,1,0.3*thick,1,lower)
-#define RL3(4,0,0,0,1,0.3*thick,1,lower)
-#define RL4(4,0,0,0,1,0.3*thick,1,lower)
-#define LU1(4,0,0,0,1,0.3*thick,1,upper)
-#define LU2(4,0,0,0,1,0.3*thick,1,upper)
-#define LU3(4,0,0,0,1,0.3*thick,1,upper)
-#define LU4(4,0,0,0,1,0.3*thick,1,upper)
-#define LM1(4,0,0,0,1,0.3*thick,1,middle)
-#define LM2(4,0,0,0,1,0.3*thick,1,middle)
-#define LM3(4,0,0,0,1,0.3*thick,1,middle)
-#define LM4(4,0,0,0,1,0.3*thick,1,middle)
-#define LL1(4,0,0,0,1,0.3*thick,1,lower)
-#define LL2(4,0,0,0,1,0.3*thick,1,lower)
-#define LL3(4,0,0,0,1,0.3*thick,1,lower)
-#define LL4(4,0,0,0,1,0.3*thick,1,lower)
-#axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+#define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU4(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM4(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL4(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU4(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM4(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL4(4,0,0,0,1,0.3*kept*thick,1,lower)
+#axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
 RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
 RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
@@ -3803,11 +3808,13 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 
 #define length=235 /* 120 … 370 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
-#define scale=1.1 /* 0.7 … 1.6, of the flower */
+#define scale=1.13 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
 #define size=scale*math.random(0.94,1.06)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
+/* Petals fall within days, stamens after them; the capsule stays. */
+#define shed=clamp((wilt-0.4)/0.5,0,1)
 
 #define STEM(12,0,0,0,24,2.4,2.4,1)
 #define OLD(12,0,0,0,24,2.4,2.4,1)
@@ -3818,9 +3825,9 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 #define finalStep=27
 
 #material 1 stem "76925c" "88a56a"
-#material 2 leaf "5f8550" "7a9c64" veins "8fae78" 4 0.4 wilted "8f9a5c" "a8a468" name "leaf, upper epidermis"
-#material 12 leaf "84a46c" "94b27c" wilted "9aa268" "b0aa74" name "leaf, mesophyll"
-#material 13 leaf "78986a" "8eac7c" wilted "98a06c" "aea878" name "leaf, lower epidermis"
+#material 2 leaf "5f8550" "7a9c64" veins "8fae78" 7 0.45 feathered wilted "76905a" "949a62" name "leaf, upper epidermis"
+#material 12 leaf "6c905a" "83a46c" wilted "8ea26c" "a4aa74" name "leaf, mesophyll"
+#material 13 leaf "78986a" "8eac7c" wilted "84986a" "9aa474" name "leaf, lower epidermis"
 #material 3 sepal "93ab76" "a4b986" name "sepal, upper epidermis"
 #material 14 sepal "7d9a60" "8eaa70" name "sepal, mesophyll"
 #material 15 sepal "6f8f55" "83a066" name "sepal, lower epidermis"
@@ -3833,15 +3840,15 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 #material 9 pistil "5f4a4c" "4f3c40"
 
 #axiom: STEM
-STEM{hang=(1-open)*max(0,step-9)^2}{step<16}{} -> OLD[STEM(,<bend+math.random(-2.5,2.5)+3.8*hang>,<math.random(-2.5,2.5)>,,<tall*(0.75+0.25*open)/16>,<2.6-0.05*step>,<2.6-0.05*step>,)]_{E}
+STEM{hang=(1-open)^0.6*max(0,step-9)^2}{step<16}{} -> OLD[STEM(,<bend+math.random(-2.5,2.5)+1.75*hang>,<math.random(-2.5,2.5)>,,<tall*(0.75+0.25*open)/16>,<2.6-0.05*step>,<2.6-0.05*step>,)]_{E}
 STEM{l=math.random(92,114)-10*step}{step<7&&step!=5}{} -> STEM[&PETAL{K=18; J=2; len=l; wide=l*0.5; thick=0.7; start=-52+math.random(-8,8)-3*step; sway=math.random(-6,6); low=20; mid=24; high=math.random(0,40); cup=-5; peak=0.95; foot=0.7; tip=1.6; claw=0.12; teeth=0.85; bites=4; barb=-24; upper=2; middle=12; lower=13}]_{C(1+(5*step)%12)}
 STEM{}{step==16}{} -> STEM[CALYX(,<22*open>,,,,,,)]_{E}
 CALYX -> CALYX[RECEPTACLE(,<12*open>,,,,,,)]_{E}
 CALYX -> CALYX[&PETAL{K=8; len=0.3+23*max(0,1-2*open); wide=0.2+21*max(0,1-2*open); thick=0.05+0.8*max(0,1-2*open); start=-22; low=-66; mid=-6; high=-66; cup=34; claw=0.4; upper=3; middle=14; lower=15}]_{C1,C7}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
-RECEPTACLE -> RECEPTACLE[&PETAL{K=10; J=5; len=size*(11+27*open); wide=size*(9+57*open); thick=0.45; start=-62+55*open+math.random(-5,5)+18*wilt; low=-16-26*open; mid=4; high=-34+50*open+math.random(-10,10); cup=15-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.32; foot=1; tip=0.66; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C1,C7}
+RECEPTACLE -> RECEPTACLE[&PETAL{K=10; J=5; kept=1-0.985*clamp((wilt-math.random(0.28,0.6))/0.28,0,1); len=size*(11+27*open); wide=size*(9+57*open); thick=0.45; start=-62+55*open+math.random(-5,5)+18*wilt; low=-16-26*open; mid=4; high=-34+50*open+math.random(-10,10); cup=15-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.32; foot=1; tip=0.66; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C1,C7}
 BASE -> BASE[RING]_{E}
-BASE -> BASE[&PETAL{K=10; J=5; len=size*(10+25*open); wide=size*(8+49*open); thick=0.45; start=-66+50*open+math.random(-5,5)+18*wilt; low=-14-30*open; mid=4; high=-30+42*open+math.random(-10,10); cup=16-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.3; foot=1; tip=0.68; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C4,C10}
+BASE -> BASE[&PETAL{K=10; J=5; kept=1-0.985*clamp((wilt-math.random(0.28,0.65))/0.28,0,1); len=size*(10+25*open); wide=size*(8+49*open); thick=0.45; start=-66+50*open+math.random(-5,5)+18*wilt; low=-14-30*open; mid=4; high=-30+42*open+math.random(-10,10); cup=16-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.3; foot=1; tip=0.68; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C4,C10}
 RING{}{step<25}{} -> RING[RING]_{E}
 RING{}{step==25}{} -> RING[&CAPSULE]_{E}
 RING -> RING[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
@@ -3853,6 +3860,7 @@ RING -> RING[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
 #define len=40     /* mm */
 #define wide=20
 #define thick=0.8
+#define kept=1      /* how much of it is left: it withers, hangs and falls */
 #define start=0    /* degrees: 0 stands out, -90 stands up */
 #define sway=0     /* to a side */
 #define roll=0     /* about itself */
@@ -3877,41 +3885,41 @@ RING -> RING[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
-#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define RU1(4,0,0,0,1,0.3*thick,1,upper)
-#define RU2(4,0,0,0,1,0.3*thick,1,upper)
-#define RU3(4,0,0,0,1,0.3*thick,1,upper)
-#define RU4(4,0,0,0,1,0.3*thick,1,upper)
-#define RU5(4,0,0,0,1,0.3*thick,1,upper)
-#define RM1(4,0,0,0,1,0.3*thick,1,middle)
-#define RM2(4,0,0,0,1,0.3*thick,1,middle)
-#define RM3(4,0,0,0,1,0.3*thick,1,middle)
-#define RM4(4,0,0,0,1,0.3*thick,1,middle)
-#define RM5(4,0,0,0,1,0.3*thick,1,middle)
-#define RL1(4,0,0,0,1,0.3*thick,1,lower)
-#define RL2(4,0,0,0,1,0.3*thick,1,lower)
-#define RL3(4,0,0,0,1,0.3*thick,1,lower)
-#define RL4(4,0,0,0,1,0.3*thick,1,lower)
-#define RL5(4,0,0,0,1,0.3*thick,1,lower)
-#define LU1(4,0,0,0,1,0.3*thick,1,upper)
-#define LU2(4,0,0,0,1,0.3*thick,1,upper)
-#define LU3(4,0,0,0,1,0.3*thick,1,upper)
-#define LU4(4,0,0,0,1,0.3*thick,1,upper)
-#define LU5(4,0,0,0,1,0.3*thick,1,upper)
-#define LM1(4,0,0,0,1,0.3*thick,1,middle)
-#define LM2(4,0,0,0,1,0.3*thick,1,middle)
-#define LM3(4,0,0,0,1,0.3*thick,1,middle)
-#define LM4(4,0,0,0,1,0.3*thick,1,middle)
-#define LM5(4,0,0,0,1,0.3*thick,1,middle)
-#define LL1(4,0,0,0,1,0.3*thick,1,lower)
-#define LL2(4,0,0,0,1,0.3*thick,1,lower)
-#define LL3(4,0,0,0,1,0.3*thick,1,lower)
-#define LL4(4,0,0,0,1,0.3*thick,1,lower)
-#define LL5(4,0,0,0,1,0.3*thick,1,lower)
-#axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+#define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU4(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU5(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM4(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM5(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL4(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL5(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU4(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU5(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM4(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM5(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL4(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL5(4,0,0,0,1,0.3*kept*thick,1,lower)
+#axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
 RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
 RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
@@ -3993,9 +4001,9 @@ LM5 : LM5_C4 < LU5_C2 -> LM5_C4 | LU5_C2
 #define finalStep=7
 #define lean=math.random(-62,-18)
 #axiom: FILAMENT(,<lean-24*(1-open)>,,,,,,)
-FILAMENT{}{step<4}{} -> FILAMENT[FILAMENT(,<-lean*0.1-7>,,,<0.4+1.25*open>,,,)]_{E}
-FILAMENT{}{step==4}{} -> FILAMENT[ANTHER]_{E}
-ANTHER -> ANTHER[ANTHER(,,,,1,,,)]_{E}
+FILAMENT{}{step<4}{} -> FILAMENT[FILAMENT(,<-lean*0.1-7+24*shed>,,,<(0.4+1.25*open)*(1-0.85*shed)>,<0.35-0.3*shed>,<0.35-0.3*shed>,)]_{E}
+FILAMENT{}{step==4}{} -> FILAMENT[ANTHER(,,,,<0.8-0.75*shed>,<1.1-1.05*shed>,<0.8-0.75*shed>,)]_{E}
+ANTHER -> ANTHER[ANTHER(,,,,<1-0.95*shed>,<1.1-1.05*shed>,<0.8-0.75*shed>,)]_{E}
 
 #module CAPSULE
 #define WALL(12,0,0,0,1.2,4,4,8)
@@ -4003,7 +4011,7 @@ ANTHER -> ANTHER[ANTHER(,,,,1,,,)]_{E}
 #define RAY(4,0,0,0,1,0.7,0.6,9)
 #define finalStep=10
 #axiom: WALL
-WALL{g=0.4+0.6*open+0.3*wilt}{step<7}{} -> WALL[WALL(,,,,<1.7*g>,<(4.5+3.4*sin(18*step))*g>,<(4.5+3.4*sin(18*step))*g>,)]_{E}
+WALL{g=0.4+0.6*open+0.45*wilt}{step<7}{} -> WALL[WALL(,,,,<1.7*g>,<(4.5+3.4*sin(18*step))*g>,<(4.5+3.4*sin(18*step))*g>,)]_{E}
 WALL{}{step==7}{} -> WALL[LID(,,,,<0.3+0.5*open>,<3+5.8*open+2.6*wilt>,<3+5.8*open+2.6*wilt>,)]_{E}
 LID{}{step<9}{} -> LID[LID(,,,,0.6,<1+2*open>,<1+2*open>,)]_{E}
 `,
@@ -4200,10 +4208,10 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=17+petals
 
 #material 1 stem "6a8048" "7f9a58"
-#material 2 leaf "3c6136" "557d48" veins "7ba36a" 6 0.45 name "leaf, upper epidermis"
-#material 12 leaf "6b925c" "7ba36a" name "leaf, mesophyll"
+#material 2 leaf "3c6136" "557d48" veins "7ba36a" 7 0.5 feathered name "leaf, upper epidermis"
+#material 12 leaf "4c7243" "628a54" name "leaf, mesophyll"
 #material 13 leaf "6a8862" "809e74" name "leaf, lower epidermis"
-#material 3 sepal "aebc98" "bac6a2" name "sepal, upper epidermis"
+#material 3 sepal "96ac7a" "a4b684" name "sepal, upper epidermis"
 #material 14 sepal "7f9a62" "8fa870" name "sepal, mesophyll"
 #material 15 sepal "66884a" "7c9a58" name "sepal, lower epidermis"
 #material 4 petal "e8a0a6" "d2486a" foot 0.35 veins "b53056" 6 0.18 bud "b9b070" "b93456" wilted "d9a898" "a85a62" name "petal, upper epidermis"
@@ -4219,7 +4227,7 @@ STEM{}{step==13}{} -> STEM[HIP(,<14*open+6*wilt>,,,,,,)]_{E}
 HIP -> HIP[CALYX(,<16*open+8*wilt>,,,3.4,9,9,)]_{E}
 CALYX -> CALYX[RING]_{E}
 CALYX -> CALYX[&PETAL{K=8; J=1; len=size*27; wide=size*7; thick=0.7; start=-66+62*open+math.random(-8,8); low=-8+30*open; high=24*open+math.random(-10,20); cup=12; peak=0.6; tip=1.8; claw=0.75; upper=3; middle=14; lower=15}]_{C1,C3,C4,C6,C7}
-RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9-6.5*q>,<9-6.5*q>,)]_{E}[&PETAL{K=7; J=3; len=size*(25+19*open*(1-0.25*q))*(1-0.15*q)*math.random(0.95,1.04); wide=size*(22+22*open)*(1-0.42*q)*math.random(0.94,1.05); thick=0.5; start=-78+(62-66*q)*max(0,open*1.2-0.2*q)+math.random(-5,5)+(26-20*q)*wilt; low=-40*(1-0.6*q)*open; mid=-8-18*q; high=-30+(72*(1-q)^1.4)*open-6*q+math.random(-8,8)+20*wilt; cup=12+20*q+8*(1-open)-3*wilt; edge=(-46+34*q)*open; wave=4+10*wilt; waves=2; peak=1.4; foot=0.9; tip=0.55; claw=0.3; spread=4; upper=4; middle=10; lower=5}]_{C(1+(3*step)%8)}
+RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9-6.5*q>,<9-6.5*q>,)]_{E}[&PETAL{K=7; J=3; kept=1-0.97*clamp((wilt-0.4-1.1*q-math.random(0,0.2))/0.28,0,1); len=size*(25+19*open*(1-0.25*q))*(1-0.15*q)*math.random(0.95,1.04); wide=size*(22+22*open)*(1-0.62*q)*math.random(0.94,1.05); thick=0.5; start=-78+(62-66*q)*max(0,open*1.2-0.2*q)+math.random(-5,5)+(26-20*q)*wilt; low=-40*(1-0.6*q)*open; mid=-8-4*q; high=-30+(72*(1-q)^1.4)*open-6*q+math.random(-8,8)+20*wilt; cup=12+22*q+8*(1-open)-3*wilt; edge=-46*(1-q)^2*open; wave=4+10*wilt; waves=2; peak=1.4; foot=0.9; tip=0.55; claw=0.3; spread=4; upper=4; middle=10; lower=5}]_{C(1+(3*step)%8)}
 
 #module PETAL
 /* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
@@ -4228,6 +4236,7 @@ RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9
 #define len=40     /* mm */
 #define wide=20
 #define thick=0.8
+#define kept=1      /* how much of it is left: it withers, hangs and falls */
 #define start=0    /* degrees: 0 stands out, -90 stands up */
 #define sway=0     /* to a side */
 #define roll=0     /* about itself */
@@ -4252,29 +4261,29 @@ RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
-#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define RU1(4,0,0,0,1,0.3*thick,1,upper)
-#define RU2(4,0,0,0,1,0.3*thick,1,upper)
-#define RU3(4,0,0,0,1,0.3*thick,1,upper)
-#define RM1(4,0,0,0,1,0.3*thick,1,middle)
-#define RM2(4,0,0,0,1,0.3*thick,1,middle)
-#define RM3(4,0,0,0,1,0.3*thick,1,middle)
-#define RL1(4,0,0,0,1,0.3*thick,1,lower)
-#define RL2(4,0,0,0,1,0.3*thick,1,lower)
-#define RL3(4,0,0,0,1,0.3*thick,1,lower)
-#define LU1(4,0,0,0,1,0.3*thick,1,upper)
-#define LU2(4,0,0,0,1,0.3*thick,1,upper)
-#define LU3(4,0,0,0,1,0.3*thick,1,upper)
-#define LM1(4,0,0,0,1,0.3*thick,1,middle)
-#define LM2(4,0,0,0,1,0.3*thick,1,middle)
-#define LM3(4,0,0,0,1,0.3*thick,1,middle)
-#define LL1(4,0,0,0,1,0.3*thick,1,lower)
-#define LL2(4,0,0,0,1,0.3*thick,1,lower)
-#define LL3(4,0,0,0,1,0.3*thick,1,lower)
-#axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+#define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
 RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
 RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
@@ -4498,12 +4507,12 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 #material 2 sepal "67894a" "80a05c" wilted "78804e" "92905a" name "bract, upper epidermis"
 #material 12 sepal "6a8a4c" "84a05e" wilted "788050" "949060" name "bract, mesophyll"
 #material 13 sepal "55783a" "6f9048" wilted "6f7440" "8a8450" name "bract, lower epidermis"
-#material 3 leaf "3f6a2b" "58863e" veins "86ae62" 5 0.5 wilted "7d8446" "8f8a4c" name "leaf, upper epidermis"
-#material 14 leaf "729c50" "86ae62" wilted "8c9054" "9c965a" name "leaf, mesophyll"
+#material 3 leaf "3f6a2b" "58863e" veins "86ae62" 7 0.55 feathered wilted "7d8446" "8f8a4c" name "leaf, upper epidermis"
+#material 14 leaf "517c38" "68944b" wilted "8c9054" "9c965a" name "leaf, mesophyll"
 #material 15 leaf "6a8c54" "82a068" wilted "888e5c" "98946a" name "leaf, lower epidermis"
-#material 4 petal "e38d0e" "fac81f" foot 0.35 veins "dd9610" 4 0.35 bud "b8a830" "c8b83a" wilted "a8742a" "8f6a30" name "ray, upper epidermis"
-#material 10 petal "dc8c10" "f2bc1e" foot 0.35 bud "b0a030" "c0b038" wilted "a0702a" "8a682e" name "ray, mesophyll"
-#material 5 petal "d0921c" "ecbc34" bud "a8a034" "b4ac40" wilted "9c6c2a" "866230" name "ray, lower epidermis"
+#material 4 petal "f0a808" "ffe400" foot 0.3 veins "e0a008" 4 0.4 bud "b8a830" "c8b83a" wilted "a8742a" "8f6a30" name "ray, upper epidermis"
+#material 10 petal "e8a40c" "f8d808" foot 0.35 bud "b0a030" "c0b038" wilted "a0702a" "8a682e" name "ray, mesophyll"
+#material 5 petal "d8a01c" "f0cc34" bud "a8a034" "b4ac40" wilted "9c6c2a" "866230" name "ray, lower epidermis"
 #material 6 stamen "5a3a18" "6d4a20"
 #material 7 stamen "3c2410" "a8701e" bud "5a6a2c" "7a7a34" wilted "3c2814" "5a4426"
 #material 8 stamen "4a4a1c" "76752e" bud "5a6a2c" "7a8838" wilted "3c2c16" "4a3820"
@@ -4690,6 +4699,8 @@ p1 VEIN -> VEIN[VEIN(,<8-1.4*step>,,,2.5,2+sin(18*step),,)]_{E}
 #define size=scale*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
+/* Tepals fall one by one, stamens wither after them; what stays is the ovary, which swells. */
+#define shed=clamp((wilt-0.55)/0.4,0,1)
 
 #define STEM(12,0,0,0,20,6.4,6.4,1)
 #define LOWER(12,0,0,0,4,7,7,1)
@@ -4700,17 +4711,17 @@ p1 VEIN -> VEIN[VEIN(,<8-1.4*step>,,,2.5,2+sin(18*step),,)]_{E}
 #define finalStep=22
 
 #material 1 stem "7f9a55" "9ab36c"
-#material 2 leaf "587f58" "6c9a64" wilted "8a9450" "b0a060" name "leaf, upper epidermis"
-#material 12 leaf "7d9c68" "8bac74" wilted "989a5c" "b8a868" name "leaf, mesophyll"
-#material 13 leaf "6b8f6c" "80a67a" wilted "949a60" "b4a66c" name "leaf, lower epidermis"
-#material 4 petal "e9b53a" "c21d2c" foot 0.4 veins "8e0f1e" 7 0.22 bud "7d9c50" "8fa85c" wilted "c9a060" "8c4238" name "tepal, lower epidermis"
-#material 5 petal "d8a23a" "d4343c" foot 0.4 bud "8aa45c" "9aae66" wilted "c9a060" "984a40" name "tepal, upper epidermis"
-#material 11 petal "e9b53a" "c21d2c" foot 0.4 bud "7d9c50" "8fa85c" wilted "c9a060" "8c4238" name "tepal, mesophyll"
+#material 2 leaf "587f58" "6c9a64" wilted "648454" "8a9a5c" name "leaf, upper epidermis"
+#material 12 leaf "65895e" "77a06a" wilted "7f9a62" "98a468" name "leaf, mesophyll"
+#material 13 leaf "6b8f6c" "80a67a" wilted "72906a" "92a26c" name "leaf, lower epidermis"
+#material 4 petal "e9b53a" "c21d2c" foot 0.4 veins "8e0f1e" 7 0.22 bud "7d9c50" "94a254" wilted "c9a060" "8c4238" name "tepal, lower epidermis"
+#material 5 petal "d8a23a" "d4343c" foot 0.4 bud "8aa45c" "a0a45c" wilted "c9a060" "984a40" name "tepal, upper epidermis"
+#material 11 petal "e9b53a" "c21d2c" foot 0.4 bud "7d9c50" "94a254" wilted "c9a060" "8c4238" name "tepal, mesophyll"
 #material 6 stamen "e8dfa5" "d8c987"
 #material 7 stamen "2f2633" "40313f"
 #material 8 pistil "a3b873" "bccb86"
 #material 9 pistil "e3dfa0" "efe9b5"
-#material 10 petal "e9c04a" "e9b53a"
+#material 10 petal "a3b45c" "bdb650" bud "8ba85c" "94ae64" wilted "8aa35a" "98ac66"
 
 #axiom: STEM
 STEM{}{step<16}{} -> STEM[STEM(,<bend+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,<tall*(0.8+0.2*open)/16>,<6.4-0.05*step>,<6.4-0.05*step>,)]_{E}
@@ -4722,9 +4733,9 @@ UPPER -> UPPER[STEM]_{E}
 UPPER -> UPPER[&PETAL{K=14; J=3; len=math.random(150,190); wide=math.random(26,36); thick=1.4; start=-72+math.random(-5,5)-8*(1-open); low=6; mid=8; high=14+math.random(0,20)+30*wilt; cup=17-4*open; wave=4; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=12; lower=13}]_{C7}
 STEM{}{step==16}{} -> STEM[RECEPTACLE(,<6*open>,,,,,,)]_{E}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
-RECEPTACLE -> RECEPTACLE[&PETAL{len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C1,C5,C9}
+RECEPTACLE -> RECEPTACLE[&PETAL{kept=1-0.985*clamp((wilt-math.random(0.45,0.68))/0.28,0,1); len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C1,C5,C9}
 BASE -> BASE[TOP]_{E}
-BASE -> BASE[&PETAL{len=size*(36+25*open); wide=size*(22+13*open); thick=1; start=-38+22*open+math.random(-2,2)+22*wilt; low=-64-open*10; mid=-2+wilt*12; high=-32+36*open+math.random(-4,4)+30*wilt; cup=21-7*open-5*wilt; peak=0.95; foot=0.9; tip=1; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C3,C7,C11}
+BASE -> BASE[&PETAL{kept=1-0.985*clamp((wilt-math.random(0.5,0.72))/0.28,0,1); len=size*(36+25*open); wide=size*(22+13*open); thick=1; start=-38+22*open+math.random(-2,2)+22*wilt; low=-64-open*10; mid=-2+wilt*12; high=-32+36*open+math.random(-4,4)+30*wilt; cup=21-7*open-5*wilt; peak=0.95; foot=0.9; tip=1; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C3,C7,C11}
 TOP -> TOP[&STAMEN]_{C1,C3,C5,C7,C9,C11}
 TOP -> TOP[&PISTIL]_{E}
 
@@ -4735,6 +4746,7 @@ TOP -> TOP[&PISTIL]_{E}
 #define len=40     /* mm */
 #define wide=20
 #define thick=0.8
+#define kept=1      /* how much of it is left: it withers, hangs and falls */
 #define start=0    /* degrees: 0 stands out, -90 stands up */
 #define sway=0     /* to a side */
 #define roll=0     /* about itself */
@@ -4759,29 +4771,29 @@ TOP -> TOP[&PISTIL]_{E}
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
-#define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define RU1(4,0,0,0,1,0.3*thick,1,upper)
-#define RU2(4,0,0,0,1,0.3*thick,1,upper)
-#define RU3(4,0,0,0,1,0.3*thick,1,upper)
-#define RM1(4,0,0,0,1,0.3*thick,1,middle)
-#define RM2(4,0,0,0,1,0.3*thick,1,middle)
-#define RM3(4,0,0,0,1,0.3*thick,1,middle)
-#define RL1(4,0,0,0,1,0.3*thick,1,lower)
-#define RL2(4,0,0,0,1,0.3*thick,1,lower)
-#define RL3(4,0,0,0,1,0.3*thick,1,lower)
-#define LU1(4,0,0,0,1,0.3*thick,1,upper)
-#define LU2(4,0,0,0,1,0.3*thick,1,upper)
-#define LU3(4,0,0,0,1,0.3*thick,1,upper)
-#define LM1(4,0,0,0,1,0.3*thick,1,middle)
-#define LM2(4,0,0,0,1,0.3*thick,1,middle)
-#define LM3(4,0,0,0,1,0.3*thick,1,middle)
-#define LL1(4,0,0,0,1,0.3*thick,1,lower)
-#define LL2(4,0,0,0,1,0.3*thick,1,lower)
-#define LL3(4,0,0,0,1,0.3*thick,1,lower)
-#axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+#define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define RM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define RL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define RL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LU1(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU2(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LU3(4,0,0,0,1,0.3*kept*thick,1,upper)
+#define LM1(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM2(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LM3(4,0,0,0,1,0.3*kept*thick,1,middle)
+#define LL1(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
+#define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
+#axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
 RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
 RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
@@ -4830,9 +4842,9 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 #define ANTHER(6,0,0,0,2.2,2.8,2,7)
 #define finalStep=14
 #axiom: FILAMENT(,<-48+math.random(-5,5)-14*(1-open)>,,,,,,)
-FILAMENT{}{step<7}{} -> FILAMENT[FILAMENT(,<-5+math.random(-1,1)>,,,<1+open>,1.4,1.4,)]_{E}
-FILAMENT{}{step==7}{} -> FILAMENT[ANTHER(,0,,,1,2.2,1.6,)]_{E}
-ANTHER{}{step<13}{} -> ANTHER[ANTHER(,0,,,<1.9+0.9*open>,<3.6-0.12*(step-9)^2>,<2.4-0.08*(step-9)^2>,)]_{E}
+FILAMENT{}{step<7}{} -> FILAMENT[FILAMENT(,<-5+math.random(-1,1)+9*shed>,,,<(1+open)*(1-0.85*shed)>,<1.4-1.2*shed>,<1.4-1.2*shed>,)]_{E}
+FILAMENT{}{step==7}{} -> FILAMENT[ANTHER(,0,,,<1-0.9*shed>,<2.2-2*shed>,<1.6-1.4*shed>,)]_{E}
+ANTHER{}{step<13}{} -> ANTHER[ANTHER(,0,,,<(1.9+0.9*open)*(1-0.97*shed)>,<(3.6-0.12*(step-9)^2)*(1-0.97*shed)>,<(2.4-0.08*(step-9)^2)*(1-0.97*shed)>,)]_{E}
 
 #module PISTIL
 #define OVARY(6,0,0,0,2,5,5,8)
@@ -4840,7 +4852,7 @@ ANTHER{}{step<13}{} -> ANTHER[ANTHER(,0,,,<1.9+0.9*open>,<3.6-0.12*(step-9)^2>,<
 #define LOBE(4,0,0,0,2.5,2,2,9)
 #define finalStep=14
 #axiom: OVARY
-OVARY{}{step<10}{} -> OVARY[OVARY(,,,,<1.4+1.2*open>,<5.8-0.05*(step-4)^2>,<5.8-0.05*(step-4)^2>,)]_{E}
+OVARY{}{step<10}{} -> OVARY[OVARY(,,,,<1.4+1.2*open+0.5*wilt>,<(5.8-0.05*(step-4)^2)*(1+wilt*sin(18*step))>,<(5.8-0.05*(step-4)^2)*(1+wilt*sin(18*step))>,)]_{E}
 OVARY{}{step==10}{} -> OVARY[STIGMA]_{E}
 STIGMA -> STIGMA[LOBE]_{C1,C3,C5}
 LOBE{}{step<13}{} -> LOBE[LOBE(,25,,,1.6,1.8,1.6,)]_{E}
@@ -4992,12 +5004,12 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=petals+10
 
 #material 1 stem "6d7a45" "7d8a55"
-#material 3 sepal "eef0dc" "f8f6ee" bud "e6ead0" "f2f2e4" wilted "ded6b4" "cabc92" name "sepal, upper epidermis"
+#material 3 sepal "eef0dc" "f8f6ee" bud "e6ead0" "f2f2e4" wilted "e0dcc0" "d0c4a0" name "sepal, upper epidermis"
 #material 7 sepal "aebd84" "c4cc9c" name "sepal, mesophyll"
 #material 2 sepal "6f8a4c" "8fa468" margin "d4d8b8" 0.2 name "sepal, lower epidermis"
-#material 4 petal "e9ecdc" "f3f5f8" foot 0.5 light 0.25 bud "eef0dc" "fdf6f0" wilted "e2d8b4" "cfc096" name "petal, upper epidermis"
-#material 11 petal "e2e4d2" "eaecec" foot 0.5 light 0.25 bud "e8ead2" "f4efe6" wilted "dacea8" "c6b68c" name "petal, mesophyll"
-#material 5 petal "dde2cc" "eae9ee" foot 0.5 light 0.25 wilted "dccfa8" "c4b288" name "petal, lower epidermis"
+#material 4 petal "e9ecdc" "f3f5f8" foot 0.5 light 0.25 bud "eef0dc" "fdf6f0" wilted "e6e2cc" "e0cfc0" name "petal, upper epidermis"
+#material 11 petal "e2e4d2" "eaecec" foot 0.5 light 0.25 bud "e8ead2" "f4efe6" wilted "dedabf" "d6c4b4" name "petal, mesophyll"
+#material 5 petal "dde2cc" "eae9ee" foot 0.5 light 0.25 wilted "dcd6bc" "d8b8b0" name "petal, lower epidermis"
 #material 6 stamen "eeb92c" "f4cf4a" wilted "b08a30" "a08038"
 #material 8 pistil "e0c552" "ecd87a"
 #material 9 leaf "4a7a42" "3f6b3a" veins "7aa062" 8 0.5 light 0.2 name "leaf, upper epidermis"
@@ -5008,8 +5020,8 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 PAD -> PAD[CUP]_{E}
 PAD -> PAD[&PETAL{K=14; J=5; len=pad; wide=pad*0.95; thick=1.6; start=1; low=0.5; cup=0; wave=2; waves=5; foot=0.4; tip=0.95; claw=0.62; fan=80; upper=9; middle=12; lower=10}]_{C7}
 CUP -> CUP[RING]_{E}
-CUP -> CUP[&PETAL{K=8; J=2; len=size*(57+5*open); wide=size*24; thick=1.4; start=-46+42*open; low=-44+22*open; mid=-2; high=-40+30*open; cup=18-6*open; peak=0.95; tip=1.1; claw=0.4; upper=3; middle=7; lower=2}]_{C1,C3,C5,C7}
-RING{q=(step-2)/petals}{step<petals+2}{} -> SET[RING(,,,,<0.34*size>,<17-7*q>,<17-7*q>,)]_{E}[&PETAL{K=8; J=2; len=size*(40+22*open)*(1-0.3*q)*math.random(0.97,1.03); wide=size*(22-8*q)*(0.8+0.2*open); thick=1; start=-56+(54-30*q)*open-6*q+math.random(-4,4)+8*wilt-40*max(0,wilt-0.5); low=-34+(10-12*q)*open; mid=-4; high=-34+30*open; cup=19-6*open; peak=0.97; tip=1.2; claw=0.4; upper=4; middle=11; lower=5}]_{C(1+(3*step)%8)}
+CUP -> CUP[&PETAL{K=8; J=2; len=size*(57+5*open); wide=size*24; thick=1.4; start=-46+42*open-34*wilt; low=-44+22*open-16*wilt; mid=-2; high=-40+30*open-22*wilt; cup=18-6*open; peak=0.95; tip=1.1; claw=0.4; upper=3; middle=7; lower=2}]_{C1,C3,C5,C7}
+RING{q=(step-2)/petals}{step<petals+2}{} -> SET[RING(,,,,<0.34*size>,<17-7*q>,<17-7*q>,)]_{E}[&PETAL{K=8; J=2; len=size*(40+22*open)*(1-0.3*q)*math.random(0.97,1.03); wide=size*(22-8*q)*(0.8+0.2*open); thick=1; start=-56+(54-30*q)*open-6*q+math.random(-4,4)-(48-26*q)*wilt; low=-34+(10-12*q)*open-10*wilt; mid=-4; high=-34+30*open-22*wilt; cup=19-6*open; peak=0.97; tip=1.2; claw=0.4; upper=4; middle=11; lower=5}]_{C(1+(3*step)%8)}
 RING{}{step==petals+2}{} -> RING[HEART]_{E}
 HEART{}{step<petals+7}{} -> HEART[HEART]_{E}
 HEART{}{step==petals+7}{} -> HEART[TOP]_{E}

@@ -55,7 +55,7 @@ export const FLOWER_LANGUAGE: Dialect = {
 		statement(
 			"#material",
 			'#material 4 petal "c8102e" "f6d55c" veins "8a1030" 9 0.5',
-			"What m means: a number, a kind (stem, leaf, sepal, petal, stamen, pistil, seed), the colour at the foot and at the tip; then foot, margin, veins, light, bud, wilted and name.",
+			"What m means: a number, a kind (stem, leaf, sepal, petal, stamen, pistil, seed), the colour at the foot and at the tip; then foot, margin, veins (feathered or not), light, bud, wilted and name.",
 		),
 		word("step", "The step of this grammar, from 0."),
 		word("finalStep", "How many steps this grammar has; #define finalStep=12 says so."),

@@ -1,0 +1,89 @@
+// What is painted on a skin: where in its organ each corner is, and the colours of an age.
+#include "models/flower/skin.hpp"
+
+#include <cmath>
+#include <set>
+
+#include "flowers.hpp"
+#include "models/flower/ranks.hpp"
+
+using namespace panicle;
+using namespace panicle::flower;
+using namespace panicle::flower::tests;
+
+namespace {
+
+// A vein of three segments, a lobe on either side of each.
+constexpr const char* leaf = R"(
+#define V(4, 0, 0, 0, 4, 2, 2, 1)
+#define R(4, 0, 0, 0, 5, 1, 4, 4)
+#define S(4, 0, 0, 0, 5, 1, 4, 4)
+#axiom: V
+V{}{step < 2}{} -> V[V]_{E}
+V -> V[R]_{C2, C4}
+R -> R[S]_{E}
+R : R_C1 < R_C3 -> R_C1 | R_C3
+S : S_C1 < S_C3 -> S_C1 | S_C3
+#define finalStep=6
+)";
+
+std::vector<PlantMesh> painted(const std::string& text, std::uint32_t rounds) {
+  const Flower flower = grown(text);
+  generalized_map::Embedding embedding;
+  embedding.lay(flower.derived.map);
+  Skin skin(flower.derived, embedding, rounds);
+  embedding.place(skin.shapes(flower.derived));
+  Plant plant;
+  skin.add_to(plant, flower.program, flower.derived, embedding, false);
+  return std::move(plant.meshes);
+}
+
+// What a mesh's vertices have along their organ, 0, or across it, 1, in hundredths.
+std::set<int> found(const PlantMesh& mesh, std::size_t way) {
+  std::set<int> found;
+  for (std::size_t i = way; i < mesh.mesh.uvs.size(); i += 2)
+    found.insert(static_cast<int>(std::lround(100 * mesh.mesh.uvs[i])));
+  return found;
+}
+
+std::set<int> along(const PlantMesh& mesh) { return found(mesh, 0); }
+std::set<int> across(const PlantMesh& mesh) { return found(mesh, 1); }
+
+}  // namespace
+
+TEST_CASE("across an organ each lobe reaches from where the one within it ends to the next") {
+  const std::vector<PlantMesh> bare = painted(leaf, 0);
+  REQUIRE(bare.size() == 2);
+  CHECK(across(bare[0]) == std::set{0});
+  CHECK(across(bare[1]) == std::set{0, 50, 100});
+}
+
+TEST_CASE("and is even over its faces, however often they are rounded") {
+  CHECK(across(painted(leaf, 1)[1]) == std::set{0, 25, 50, 75, 100});
+  CHECK(across(painted(leaf, 2)[1]) == std::set{0, 13, 25, 38, 50, 63, 75, 88, 100});
+}
+
+TEST_CASE("along an organ a segment's ends are where its neighbours begin") {
+  CHECK(along(painted(leaf, 0)[1]) == std::set{0, 25, 75, 100});
+}
+
+TEST_CASE("an organ that stands on another begins anew") {
+  const std::string text = std::string("#define T(4, 0, 0, 0, 4, 2, 2, 2)\n#axiom: T\n#define finalStep=3\n") +
+                           "T{}{step < 2}{} -> T[T]_{E}\nT{}{step == 2}{} -> T[&LEAF]_{C2}\n#module LEAF\n" + leaf;
+  const std::vector<PlantMesh> bare = painted(text, 0);
+  REQUIRE(bare.size() == 3);
+  CHECK(along(bare[0]) == along(painted(leaf, 0)[0]));
+  CHECK(across(bare[2]) == std::set{0, 50, 100});
+}
+
+TEST_CASE("colours of a bud are soon those of the flower, and those of what wilts come evenly") {
+  Material material;
+  material.bud = {0x000000, 0x000000};
+  material.open = {0x646464, 0xc8c8c8};
+  material.wilted = {0x000000, 0x000000};
+  CHECK(colours_at(material, 0).base == 0x000000);
+  CHECK(colours_at(material, 0.5f).base == 0x4b4b4b);
+  CHECK(colours_at(material, 1).tip == 0xc8c8c8);
+  CHECK(colours_at(material, 1.5f).base == 0x323232);
+  CHECK(colours_at(material, 2).base == 0x000000);
+}
