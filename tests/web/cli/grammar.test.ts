@@ -48,6 +48,12 @@ describe("--grammar", () => {
 		expect(await complaint(["--grammar", "b.xml"], files)).toBe(
 			"--grammar b.xml: Line 2, column 1: A rule has a <predecessor>.",
 		);
+		// It says what a text says at some ten times the length.
+		const long = { "a.xml": files["a.xml"].concat(" ".repeat(300_000)) };
+		expect((await grow(["--grammar", "a.xml"], long)).json.fingerprint).toBe(json.fingerprint);
+		expect(await complaint(["--grammar", "a.xml"], { "a.xml": files["a.xml"].concat(" ".repeat(4_200_000)) })).toBe(
+			"--grammar a.xml: longer than 4096 KiB; make it shorter",
+		);
 	});
 
 	it("gives the derived string where it is asked for", async () => {

@@ -93,6 +93,20 @@ describe("a file brought to the page", () => {
 		]);
 	});
 
+	it("grows as a grammar where it is text; XML may be longer than the text that it becomes", async () => {
+		const { bring, studio, said } = await brought(leafModel);
+		const axiom = "<axiom>A</axiom>".padEnd(300_000);
+		await openFile(studio, new File([axiom], "a.xml"));
+		expect(studio.state.specimen).toMatchObject({ model: "flower", grammar: "#axiom: A\n" });
+		expect(said()).toEqual([]);
+		expect(await bring(new File([" ".repeat(300_000)], "a.gl3"))).toEqual([
+			"The file was not opened a.gl3 is longer than 256 KiB.",
+		]);
+		expect(await bring(new File([axiom.padEnd(4_200_000)], "a.xml"))).toContain(
+			"The file was not opened a.xml is longer than 4096 KiB.",
+		);
+	});
+
 	it("takes back what was said of the one before when it is opened", async () => {
 		const { bring, studio, said } = await brought(leafModel);
 		expect(await bring(new File(["?"], "notes.txt"))).toHaveLength(1);

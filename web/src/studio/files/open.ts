@@ -2,7 +2,7 @@ import { FILE_TOPIC } from "../../controls/tool";
 import { readText } from "../../models/for_text";
 import { modelNamed, modelNames } from "../../models/index";
 import { fromPreset } from "../../specimen/from_preset";
-import { GRAMMAR_BYTES } from "../../specimen/limits";
+import { overlong } from "../../specimen/limits";
 import { decodeLink, linkParts, modelInQuery } from "../../specimen/link";
 import { modelIn, restore } from "../../specimen/restore";
 import { SPECIMEN_VERSION } from "../../specimen/specimen";
@@ -54,8 +54,9 @@ export async function openFile(studio: Studio, file: File): Promise<void> {
 /** Grows a grammar's text, as the model that it is for. */
 async function openText(studio: Studio, file: File): Promise<void> {
 	const refuse = (why: string) => studio.notify("The file was not opened", [why], { topic: FILE_TOPIC });
-	if (file.size > GRAMMAR_BYTES) return refuse(`${file.name} is longer than ${GRAMMAR_BYTES / 1024} KiB.`);
 	try {
+		const long = overlong(file.size, await file.slice(0, 64).text());
+		if (long) return refuse(`${file.name} is ${long}.`);
 		const said = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
 		if (said.trim() === "") return refuse(`${file.name} is empty.`);
 		const { model, text: grammar } = await readText(said);
