@@ -48,6 +48,11 @@ describe("--grammar", () => {
 		expect(await complaint(["--grammar", "b.xml"], files)).toBe(
 			"--grammar b.xml: Line 2, column 1: A rule has a <predecessor>.",
 		);
+		// What the core says is of the text, which has other lines than the file.
+		const wrong = { "a.xml": files["a.xml"].replace("{E}", "{C9}") };
+		expect(await complaint(["--grammar", "a.xml"], wrong)).toMatch(
+			/^a\.xml, as text:3:\d+: .*\n {2}A -> A\[A\]_\{C9\}\n/,
+		);
 		// It says what a text says at some ten times the length.
 		const long = { "a.xml": files["a.xml"].concat(" ".repeat(300_000)) };
 		expect((await grow(["--grammar", "a.xml"], long)).json.fingerprint).toBe(json.fingerprint);

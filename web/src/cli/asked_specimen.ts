@@ -20,8 +20,14 @@ import type { Call } from "./arguments";
 import type { Surroundings } from "./surroundings";
 import { UsageError } from "./usage";
 
-/** @throws UsageError */
-export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings, "readFile">): Promise<Asked> {
+/**
+ * `textName`: what places in the grammar's text are of; a file of XML has none of its lines.
+ * @throws UsageError
+ */
+export async function askedSpecimen(
+	call: Call,
+	{ readFile }: Pick<Surroundings, "readFile">,
+): Promise<Asked & { textName: string }> {
 	const said = call.grammarFile === undefined ? undefined : await readGrammar(call.grammarFile, readFile);
 	const grammar = said === undefined ? undefined : await translated(said, call.grammarFile);
 	const { model, specimen: start, notes } = await readStart(call.source, grammar);
@@ -43,7 +49,8 @@ export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings,
 			throw new UsageError(`--grammar ${call.grammarFile}: the ${model.noun} is not grown by a grammar's text`);
 		specimen = typed(model, { grammar }, specimen, (note) => `--grammar ${call.grammarFile}: ${note.problem}`);
 	}
-	return { model, specimen, notes: [...notes, ...idle] };
+	const file = call.grammarFile ?? "the link's grammar";
+	return { model, specimen, notes: [...notes, ...idle], textName: grammar === said ? file : `${file}, as text` };
 }
 
 /** The model that a call names, by its preset, its link or its own name; the default where it names none. */

@@ -49,7 +49,7 @@ async function listed(): Promise<string> {
 }
 
 async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
-	const { model, specimen: from, notes } = await askedSpecimen(call, world);
+	const { model, specimen: from, notes, textName } = await askedSpecimen(call, world);
 	const aims = readTargets(model, from, call.targets);
 	const { out } = call;
 	const ending = out === undefined ? "json" : endingOf(model, out);
@@ -78,10 +78,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	];
 	const own = "grammar" in from && typeof from.grammar === "string" ? from.grammar : undefined;
 	const grow = (each: Specimen, wanted: GrowthOptions) =>
-		growing(
-			own === undefined ? undefined : { name: call.grammarFile ?? "the link's grammar", text: own },
-			growPlant(model, each, wanted, run),
-		);
+		growing(own === undefined ? undefined : { name: textName, text: own }, growPlant(model, each, wanted, run));
 	const specimen = aims.length > 0 ? await found(model, from, aims, grow, world) : from;
 	const { string, chronicle } = call;
 	const grown = await grow(specimen, {
