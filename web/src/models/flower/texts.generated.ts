@@ -50,8 +50,8 @@ NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<7+9*q>,<math.rando
 STALK{}{step<5}{} -> STALK[STALK(,<droop+math.random(-2,2)>,,,,,,)]_{E}
 STALK{}{step==5}{} -> STALK[WHORL]_{E}
 WHORL -> WHORL[INNER]_{E}
-WHORL -> WHORL[&PETAL{K=8; J=1; len=size*(12.5+5*open); wide=size*(2.8+1*open); thick=0.45; start=-52-6*(1-open); low=-44+10*(1-open); mid=4-14*(1-open); high=-20+(160+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=8; lower=5}]_{C1,C5,C9}
-INNER -> INNER[&PETAL{K=8; J=1; len=size*(12.5+5*open); wide=size*(2.8+1*open); thick=0.45; start=-56-6*(1-open); low=-40+8*(1-open); mid=4-14*(1-open); high=-20+(150+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=8; lower=5}]_{C3,C7,C11}
+WHORL -> WHORL[&PETAL{K=8; J=1; len=size*(12.7+5.4*open); wide=size*(2.8+1*open); thick=0.45; start=-52-6*(1-open); low=-44+10*(1-open); mid=4-14*(1-open); high=-20+(160+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=8; lower=5}]_{C1,C5,C9}
+INNER -> INNER[&PETAL{K=8; J=1; len=size*(12.7+5.4*open); wide=size*(2.8+1*open); thick=0.45; start=-56-6*(1-open); low=-40+8*(1-open); mid=4-14*(1-open); high=-20+(150+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=8; lower=5}]_{C3,C7,C11}
 INNER -> INNER[&STAMEN{long=size*(5+2*open); lean=-84; head=2.6*size}]_{C1,C5,C9}
 
 #module PETAL
@@ -2936,7 +2936,7 @@ STALK{}{step==5}{} -> STALK[WHORL]_{E}
 WHORL -> WHORL[INNER]_{E}
 WHORL -> WHORL[&PETAL{K=10; J=2; len=size*(48+24*open); wide=size*(9+9*open); thick=0.8; start=-80+12*open+20*wilt; low=2+8*open; mid=-14+18*open+10*wilt; high=-30+96*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.05; foot=0.8; tip=1.3; claw=0.36; upper=4; middle=10; lower=5}]_{C1,C5,C9}
 INNER -> INNER[TOP]_{E}
-INNER -> INNER[&PETAL{K=10; J=2; len=size*(47+23*open); wide=size*(9+10.5*open); thick=0.8; start=-82+12*open+18*wilt; low=2+8*open; mid=-14+17*open+10*wilt; high=-30+92*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.2; claw=0.36; upper=4; middle=10; lower=5}]_{C3,C7,C11}
+INNER -> INNER[&PETAL{K=10; J=2; len=size*(48+23.5*open); wide=size*(9+10.5*open); thick=0.8; start=-82+12*open+18*wilt; low=2+8*open; mid=-14+17*open+10*wilt; high=-30+92*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.2; claw=0.36; upper=4; middle=10; lower=5}]_{C3,C7,C11}
 TOP -> TOP[&STAMEN{long=size*(20+23*open); lean=-90+14*open+math.random(-4,4); open=open}]_{C1,C3,C5,C7,C9,C11}
 TOP -> TOP[&PISTIL{long=size*(28+36.3*open)}]_{E}
 
@@ -3808,9 +3808,9 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 
 #define length=235 /* 120 … 370 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
-#define scale=1.13 /* 0.7 … 1.6, of the flower */
+#define scale=1.16 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
-#define size=scale*math.random(0.94,1.06)
+#define size=scale*math.random(0.975,1.03)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 /* Petals fall within days, stamens after them; the capsule stays. */
@@ -3846,9 +3846,9 @@ STEM{}{step==16}{} -> STEM[CALYX(,<22*open>,,,,,,)]_{E}
 CALYX -> CALYX[RECEPTACLE(,<12*open>,,,,,,)]_{E}
 CALYX -> CALYX[&PETAL{K=8; len=0.3+23*max(0,1-2*open); wide=0.2+21*max(0,1-2*open); thick=0.05+0.8*max(0,1-2*open); start=-22; low=-66; mid=-6; high=-66; cup=34; claw=0.4; upper=3; middle=14; lower=15}]_{C1,C7}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
-RECEPTACLE -> RECEPTACLE[&PETAL{K=10; J=5; kept=1-0.985*clamp((wilt-math.random(0.28,0.6))/0.28,0,1); len=size*(11+27*open); wide=size*(9+57*open); thick=0.45; start=-62+55*open+math.random(-5,5)+18*wilt; low=-16-26*open; mid=4; high=-34+50*open+math.random(-10,10); cup=15-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.32; foot=1; tip=0.66; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C1,C7}
+RECEPTACLE -> RECEPTACLE[&PETAL{K=10; J=5; kept=1-0.985*clamp((wilt-math.random(0.28,0.6))/0.28,0,1); len=size*(11+27*open); wide=size*(9+57*open); thick=0.45; start=-60+55*open+math.random(-5,5)+18*wilt; low=-16-26*open; mid=4; high=-34+50*open+math.random(-10,10); cup=15-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.32; foot=1; tip=0.66; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C1,C7}
 BASE -> BASE[RING]_{E}
-BASE -> BASE[&PETAL{K=10; J=5; kept=1-0.985*clamp((wilt-math.random(0.28,0.65))/0.28,0,1); len=size*(10+25*open); wide=size*(8+49*open); thick=0.45; start=-66+50*open+math.random(-5,5)+18*wilt; low=-14-30*open; mid=4; high=-30+42*open+math.random(-10,10); cup=16-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.3; foot=1; tip=0.68; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C4,C10}
+BASE -> BASE[&PETAL{K=10; J=5; kept=1-0.985*clamp((wilt-math.random(0.28,0.65))/0.28,0,1); len=size*(10+25*open); wide=size*(8+49*open); thick=0.45; start=-63+50*open+math.random(-5,5)+18*wilt; low=-14-30*open; mid=4; high=-30+42*open+math.random(-10,10); cup=16-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.3; foot=1; tip=0.68; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C4,C10}
 RING{}{step<25}{} -> RING[RING]_{E}
 RING{}{step==25}{} -> RING[&CAPSULE]_{E}
 RING -> RING[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
@@ -4480,7 +4480,7 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
    source: Petrenko 2014, figure 39, whose grammar is not printed; the text is ours
 */
 
-#define length=1000 /* 500 … 1600 mm, of the stem */
+#define length=1040 /* 500 … 1600 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
