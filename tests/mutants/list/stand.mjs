@@ -156,6 +156,18 @@ export default [
 		],
 	},
 	{
+		file: "web/src/models/stand/figure/brims.ts",
+		suites: [`${WEB}/brims.test.ts`],
+		faults: [
+			{
+				id: "stand-thin-stems-made-longer",
+				find: "ways[at + 1] += y - along * way[1];",
+				replace: "ways[at + 1] += y;",
+				breaks: "stems thinner than a pixel are made longer, and stay rows of dashes",
+			},
+		],
+	},
+	{
 		file: "web/src/models/stand/figure/level_choice.ts",
 		suites: [`${WEB}/parts.test.ts`],
 		faults: [
@@ -183,6 +195,12 @@ export default [
 		file: "web/src/models/stand/figure/batch.ts",
 		suites: [`${WEB}/crowd.test.ts`],
 		faults: [
+			{
+				id: "stand-stems-have-holes",
+				find: "Math.min(1, 2 - 2 * gone), bright);",
+				replace: "1 - gone, bright);",
+				breaks: "stems between two levels of detail are rows of dots",
+			},
 			{
 				id: "stand-kept-beside-the-card",
 				find: "if (each instanceof BufferAttribute) shed(each);",
