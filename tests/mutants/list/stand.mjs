@@ -156,6 +156,24 @@ export default [
 		],
 	},
 	{
+		file: "web/src/models/stand/soil.ts",
+		suites: [`${WEB}/soil.test.ts`],
+		faults: [
+			{
+				id: "stand-rim-is-level",
+				find: "y - FALL * far * share,",
+				replace: "y,",
+				breaks: "the ground ends like a cloth",
+			},
+			{
+				id: "stand-rim-has-a-gap",
+				find: "for (let brink = 0; brink < brinks.length; brink++) {",
+				replace: "for (let brink = 1; brink < brinks.length; brink++) {",
+				breaks: "the ground's rim is open at a corner",
+			},
+		],
+	},
+	{
 		file: "web/src/models/stand/figure/brims.ts",
 		suites: [`${WEB}/brims.test.ts`],
 		faults: [

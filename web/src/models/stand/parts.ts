@@ -4,6 +4,7 @@ import type { Material } from "../../plant/material";
 import { unpacked } from "../../plant/packed_mesh";
 import { type Part, TRANSFORM } from "../../plant/part";
 import type { MemberMesh } from "../model";
+import { soilMesh } from "./soil";
 import type { StandSpecimen } from "./specimen";
 import type { StandPlant } from "./stand_plant";
 
@@ -22,7 +23,7 @@ export function groundParts({ meshes }: StandPlant, specimen: StandSpecimen): Pa
 	return meshes.map((mesh) => {
 		if (mesh.material === "wood") return { name: "Posts", shape: { mesh, material: WOOD } };
 		if (mesh.material === "metal") return { name: "Wires", shape: { mesh, material: METAL } };
-		return { name: "Ground", shape: { mesh, material: soilOf(specimen) } };
+		return { name: "Ground", shape: { mesh: soilMesh(mesh, specimen.look.soil), material: soilOf(specimen) } };
 	});
 }
 
