@@ -12,6 +12,7 @@ import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
 import { Crowd } from "./crowd";
 import { GroundFigure } from "./ground_figure";
+import { MarkRing } from "./mark_ring";
 import { plantMet } from "./plant_met";
 import { type Ball, shadedBall, walks } from "./shaded";
 
@@ -22,6 +23,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	readonly #lights = new StandardLights();
 	readonly #wardrobe: Wardrobe;
 	readonly #crowd: Crowd;
+	readonly #ring = new MarkRing();
 	#ground: GroundFigure | undefined;
 	#trellis: PartMeshes;
 	#stand: StandPlant | undefined;
@@ -37,7 +39,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		this.#wardrobe = new Wardrobe(stage.light.uniforms);
 		this.#crowd = new Crowd(stage.light.uniforms, stage.wind);
 		this.#trellis = new PartMeshes([], this.#wardrobe);
-		stage.root.add(this.#lights.group, this.#crowd.group);
+		stage.root.add(this.#lights.group, this.#crowd.group, this.#ring.object);
 	}
 
 	show(grown: StandPlant, specimen: StandSpecimen): void {
@@ -53,6 +55,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		this.#trellis = new PartMeshes(trellis, this.#wardrobe);
 		for (const object of this.#trellis.objects) this.#stage.root.add(object);
 		this.#crowd.show(grown);
+		this.#ring.show(undefined, undefined);
 		this.#bounds = bodiesOf(grown);
 		this.#whole = ballOf(this.#bounds);
 		this.#shaded = undefined;
@@ -82,6 +85,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		this.#shade(camera);
 		this.#lights.aim(this.#stage.light, camera);
 		this.#crowd.aim(camera);
+		this.#ring.aim(camera);
 	}
 
 	pick(ray: Ray): number | undefined {
@@ -90,6 +94,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 
 	mark(picked: number | undefined): void {
 		this.#crowd.mark(picked);
+		this.#ring.show(this.#stand, picked);
 	}
 
 	setMode(): void {}
@@ -97,6 +102,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	dispose(): void {
 		this.#clear();
 		this.#crowd.dispose();
+		this.#ring.dispose();
 		this.#wardrobe.dispose();
 		this.#lights.dispose();
 	}
