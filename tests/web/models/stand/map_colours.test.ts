@@ -29,9 +29,15 @@ it("has each sort in the colour of its flowers, told from the others and from an
 		for (const each of colours) expect((light(each) + 0.05) / (light(groundColour(soil)) + 0.05)).toBeGreaterThan(2.9);
 });
 
-it("has lines of one name in one colour, and those that have not grown in one, too", async () => {
+it("has lines of one name in one colour, others that look the same in two, and one for what has not grown", async () => {
 	const stand = await grownStand(planned(plan(["daisy", "daisy"])), { meshes: true });
 	expect(new Set(kindColours(stand)).size).toBe(1);
+	const [one, other] = stand.kinds;
+	const [first, second] = kindColours({ ...stand, kinds: [one, { ...other, name: "flower/other" }] });
+	const [a, b] = [first, second].map((each) => toLch(linear(each)));
+	const across = a.chroma * Math.cos(a.hue) - b.chroma * Math.cos(b.hue);
+	const up = a.chroma * Math.sin(a.hue) - b.chroma * Math.sin(b.hue);
+	expect(Math.hypot(a.lightness - b.lightness, across, up)).toBeGreaterThan(0.06);
 	const none = kindColours({ ...stand, members: [] });
 	expect(none[0]).toMatch(/^#[0-9a-f]{6}$/);
 });
