@@ -1,22 +1,20 @@
 import { beforeAll, expect, it } from "vitest";
-import { rimOf, soilMesh } from "../../../../web/src/models/stand/soil";
+import { groundParts } from "../../../../web/src/models/stand/parts";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { heightAt } from "../../../../web/src/models/stand/walker";
 import type { PartMesh } from "../../../../web/src/plant/part";
 import { grownStand, planned } from "./stands";
 
 let stand: StandPlant;
-let laid: PartMesh;
 let soil: PartMesh;
 let rim: Float32Array;
 const place = (v: number) => [...soil.positions.subarray(3 * v, 3 * v + 3)] as [number, number, number];
 beforeAll(async () => {
-	stand = await grownStand(planned("ground 2 x 1.2, relief 0.1\nplants 1, random\nflower/grass, crown 0.1 x 0.1"), {
-		meshes: true,
-	});
-	laid = stand.meshes[0];
-	soil = soilMesh(laid, "6b5843");
-	rim = rimOf(laid);
+	const plan = planned("ground 2 x 1.2, relief 0.1\nplants 1, random\nflower/grass, crown 0.1 x 0.1");
+	stand = await grownStand(plan, { meshes: true });
+	const [ground] = groundParts(stand, { ...plan, look: { ...plan.look, soil: "6b5843" } });
+	soil = ground.shape?.mesh as PartMesh;
+	rim = stand.soil?.rim as Float32Array;
 });
 
 it("the ground is where plants stand, and falls away in a rim around it, nowhere evenly", () => {

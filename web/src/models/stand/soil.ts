@@ -1,5 +1,4 @@
 /** The ground as it is drawn and written: mottled, and ending as a piece of earth does, in an uneven rim that falls away. Pure. */
-import { type Colour, linear } from "../../plant/colour";
 import { hashFraction, noise } from "../../plant/noise";
 import type { PartMesh } from "../../plant/part";
 
@@ -17,6 +16,14 @@ const TURNS = 4;
 const MOTTLES = 9;
 const CONTRAST = 0.6;
 
+export interface Soil {
+	readonly mesh: PartMesh;
+	/** How light each vertex is, times the ground's colour. */
+	readonly light: Float32Array;
+	/** How far out in the rim each vertex is: 0 on the ground, 1 where all ends. */
+	readonly rim: Float32Array;
+}
+
 /** A grid that is evenly spaced, row by row from the back. */
 interface Grid {
 	readonly mesh: PartMesh;
@@ -31,7 +38,7 @@ interface Brink {
 }
 
 /** @param mesh as the core lays it */
-export function soilMesh(mesh: PartMesh, soil: string): PartMesh {
+export function soilOf(mesh: PartMesh): Soil {
 	const grid = finer(gridOf(mesh));
 	const { width, depth } = sizeOf(grid.mesh);
 	const short = Math.min(width, depth);
@@ -70,26 +77,18 @@ export function soilMesh(mesh: PartMesh, soil: string): PartMesh {
 			if (a !== b) indices.push(a, b, c);
 			indices.push(a, c, d);
 		}
-	return {
+	const made = {
 		...mesh,
 		positions: Float32Array.from(places),
 		normals: Float32Array.from(ways),
 		uvs: Float32Array.from(flat),
 		indices: Uint32Array.from(indices),
 		sky: Uint8Array.from(open),
-		colours: mottled(places, linear(soil), short),
 	};
-}
-
-/** For each vertex of `soilMesh`, how far out in the rim it is: 0 on the ground, 1 where all ends. */
-export function rimOf(mesh: PartMesh): Float32Array {
-	const grid = gridOf(mesh);
-	const [across, deep] = [finely(grid.across), finely(grid.deep)];
-	const inner = (across + 1) * (deep + 1);
-	const round = 2 * (across + deep) + 4 * TURNS;
-	return Float32Array.from({ length: inner + RINGS * round }, (_, v) =>
-		v < inner ? 0 : (1 + Math.floor((v - inner) / round)) / RINGS,
+	const rim = Float32Array.from({ length: places.length / 3 }, (_, v) =>
+		v < first ? 0 : (1 + Math.floor((v - first) / brinks.length)) / RINGS,
 	);
+	return { mesh: made, light: mottled(places, short), rim };
 }
 
 function sizeOf({ positions }: PartMesh) {
@@ -160,12 +159,11 @@ function brinksOf({ across, deep }: Grid): Brink[] {
 	return brinks;
 }
 
-function mottled(places: readonly number[], soil: Colour, short: number): Float32Array<ArrayBuffer> {
+function mottled(places: readonly number[], short: number): Float32Array {
 	const scale = MOTTLES / short;
-	return Float32Array.from(places, (_, i) => {
-		const v = i - (i % 3);
-		const [x, z] = [scale * places[v], scale * places[v + 2]];
+	return Float32Array.from({ length: places.length / 3 }, (_, v) => {
+		const [x, z] = [scale * places[3 * v], scale * places[3 * v + 2]];
 		const light = 0.5 * noise(x, 0, z) + 0.3 * noise(2.3 * x, 1, 2.3 * z) + 0.2 * hashFraction(v, 5);
-		return soil[i % 3] * (1 + CONTRAST * (2 * light - 1));
+		return 1 + CONTRAST * (2 * light - 1);
 	});
 }

@@ -2,12 +2,11 @@
 import { BufferAttribute } from "three";
 import type { Material } from "../../../plant/material";
 import { NOISE_CHUNK } from "../../../plant/noise";
-import type { Part, PartMesh } from "../../../plant/part";
+import type { Part } from "../../../plant/part";
 import { float } from "../../../scene/glsl";
 import type { LightUniforms } from "../../../scene/light_shader";
 import { PartMeshes, type PartObject } from "../../../scene/part_meshes";
 import { standardMaterial } from "../../../scene/standard_material";
-import { rimOf } from "../soil";
 
 /** How much sooner or later than in the mean it may fade, as a share of the rim, and how many patches there are along its shorter side. */
 const RAGGED = 0.9;
@@ -27,14 +26,19 @@ export class GroundFigure {
 
 	/**
 	 * @param part the ground as files have it
-	 * @param laid as the core lays it
+	 * @param rim how far out each vertex is in it
 	 * @param side its shorter side, metres
 	 */
-	constructor(part: Part, laid: PartMesh, side: number, light: LightUniforms) {
-		this.#material = fading(part.shape?.material as Material, PATCHES / side, light);
+	constructor(part: Part, rim: Float32Array, side: number, light: LightUniforms) {
+		this.#material = fading(
+			part.shape?.material as Material,
+			part.shape?.mesh.colours !== undefined,
+			PATCHES / side,
+			light,
+		);
 		this.#meshes = new PartMeshes([part], { materialOf: () => this.#material });
 		[this.object] = this.#meshes.objects;
-		this.object.geometry.setAttribute("rim", new BufferAttribute(rimOf(laid), 1));
+		this.object.geometry.setAttribute("rim", new BufferAttribute(rim, 1));
 		this.object.castShadow = false;
 	}
 
@@ -45,8 +49,8 @@ export class GroundFigure {
 	}
 }
 
-function fading(material: Material, patches: number, light: LightUniforms) {
-	const made = standardMaterial(material, { light, sky: true, coloured: true });
+function fading(material: Material, coloured: boolean, patches: number, light: LightUniforms) {
+	const made = standardMaterial(material, { light, sky: true, coloured });
 	const lit = made.onBeforeCompile.bind(made);
 	const key = made.customProgramCacheKey();
 	// Drawn after the paper, which is drawn after the plants.

@@ -49,7 +49,8 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		const [ground, ...trellis] = groundParts(grown, specimen);
 		const { width, depth } = grown.ground;
 		if (ground) {
-			this.#ground = new GroundFigure(ground, grown.meshes[0], Math.min(width, depth), this.#stage.light.uniforms);
+			const rim = grown.soil?.rim ?? new Float32Array(grown.meshes[0].positions.length / 3);
+			this.#ground = new GroundFigure(ground, rim, Math.min(width, depth), this.#stage.light.uniforms);
 			this.#stage.root.add(this.#ground.object);
 		}
 		this.#trellis = new PartMeshes(trellis, this.#wardrobe);
