@@ -13,6 +13,10 @@ test("a stand is laid, its plants told on the map, walked through, changed and b
 	await plan.getByRole("spinbutton", { name: "Plant" }).fill("3");
 	await plan.getByRole("spinbutton", { name: "Plant" }).press("Enter");
 	await expect(plan.getByText(/^Plant 3: [A-Z]/)).toBeVisible();
+	await page.keyboard.press("Escape");
+	await expect(plan.getByText(/^Plant 3: [A-Z]/)).toHaveCount(0);
+	await plan.getByRole("spinbutton", { name: "Plant" }).fill("3");
+	await plan.getByRole("spinbutton", { name: "Plant" }).press("Enter");
 	const alone = plan.getByRole("link", { name: "Open this plant alone" });
 	await expect(alone).toHaveAttribute("href", /model=growth.*seed=\d+.*&about=/);
 

@@ -41,6 +41,7 @@ import saved from "./saved.mjs";
 import scene from "./scene.mjs";
 import specimen from "./specimen.mjs";
 import stand from "./stand.mjs";
+import standBed from "./stand_bed.mjs";
 import standTrellis from "./stand_trellis.mjs";
 import stepper from "./stepper.mjs";
 import studio from "./studio.mjs";
@@ -93,6 +94,7 @@ export const groups = [
 	...flowerPage,
 	...growth,
 	...stand,
+	...standBed,
 	...standTrellis,
 	...growthShape,
 	...stepper,

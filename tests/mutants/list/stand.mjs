@@ -184,6 +184,12 @@ export default [
 		suites: [`${WEB}/crowd.test.ts`],
 		faults: [
 			{
+				id: "stand-stems-have-holes",
+				find: "Math.min(1, 2 - 2 * gone), bright);",
+				replace: "1 - gone, bright);",
+				breaks: "stems between two levels of detail are rows of dots",
+			},
+			{
 				id: "stand-kept-beside-the-card",
 				find: "if (each instanceof BufferAttribute) shed(each);",
 				replace: "void (each instanceof BufferAttribute && shed);",

@@ -1,4 +1,4 @@
-import { BatchedMesh, PerspectiveCamera } from "three";
+import { BatchedMesh, PerspectiveCamera, type Vector4 } from "three";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Crowd, stemOf } from "../../../../web/src/models/stand/figure/crowd";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
@@ -91,6 +91,29 @@ it("leaves all as it is while the eye stands still, and changes no more than wha
 	expect(count()).toBe(1);
 	crowd.aim(from(14));
 	expect(count()).toBeGreaterThan(20);
+	crowd.dispose();
+});
+
+it("has one of two levels that share a plant always whole, so that its stem has no holes", async () => {
+	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
+	crowd.show(await standing(0));
+	const shares = new Map<number, number>();
+	// The crowd tells all by one object.
+	vi.spyOn(BatchedMesh.prototype, "setColorAt").mockImplementation(function (this: BatchedMesh, id, colour) {
+		shares.set(id, (colour as Vector4).w);
+		return this;
+	});
+	let shared = 0;
+	for (let z = 14; z < 140; z += 2) {
+		shares.clear();
+		crowd.aim(from(z));
+		for (const [id, share] of shares) {
+			const other = shares.get(id % 2 === 0 ? id + 1 : id - 1);
+			expect(Math.max(share, other ?? 1)).toBe(1);
+			if (other !== undefined && Math.min(share, other) < 1) shared++;
+		}
+	}
+	expect(shared).toBeGreaterThan(20);
 	crowd.dispose();
 });
 

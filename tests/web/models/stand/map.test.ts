@@ -17,6 +17,7 @@ it.each([
 	["of another place", elsewhere, 0],
 ])("the picture takes the focus of a button %s once no plant is chosen", (_, activeElement, times) => {
 	vi.stubGlobal("document", { body, activeElement });
+	vi.stubGlobal("window", new EventTarget());
 	let chosen: number | undefined = 2;
 	const desk = { state: { grown: { places: { count: 3 } } }, toolState: () => chosen };
 	const focus = vi.fn();
@@ -30,4 +31,49 @@ it.each([
 	hands?.update(desk.state as never);
 	expect(focus).toHaveBeenCalledTimes(times);
 	expect(view.mark).toHaveBeenLastCalledWith(undefined);
+});
+
+it.each([
+	["anywhere", body, false, true],
+	[
+		"in the number of the plant",
+		{ closest: (of: string) => (of.includes("input") ? { closest: () => ({}) } : null) },
+		false,
+		true,
+	],
+	[
+		"in another field",
+		{ closest: (of: string) => (of.includes("input") ? { closest: () => null } : null) },
+		false,
+		false,
+	],
+	["where something else has taken it", body, true, false],
+])("Escape %s", (_, target, taken, leaves) => {
+	const page = new EventTarget();
+	vi.stubGlobal("document", { body, activeElement: elsewhere, querySelector: () => null });
+	vi.stubGlobal("window", page);
+	const setToolState = vi.fn();
+	const desk = { state: { grown: { places: { count: 3 } } }, toolState: () => 2, setToolState };
+	const canvas = {
+		focus: vi.fn(),
+		addEventListener: () => {},
+		removeEventListener: () => {},
+		classList: { toggle: () => {} },
+	};
+	const view = { canvas, mark: vi.fn(), pick: () => undefined } as unknown as ToolView;
+	const hands = map.hands?.(view, desk as unknown as Desk<StandSpecimen, StandPlant>);
+	const press = (key: string) => {
+		const event = new Event("keydown", { cancelable: true });
+		Object.defineProperties(event, { key: { value: key }, target: { value: target } });
+		if (taken) event.preventDefault();
+		page.dispatchEvent(event);
+	};
+	press("n");
+	expect(setToolState).not.toHaveBeenCalled();
+	press("Escape");
+	expect(setToolState.mock.calls.map(([, chosen]) => chosen)).toEqual(leaves ? [undefined] : []);
+	hands?.dispose();
+	setToolState.mockClear();
+	press("Escape");
+	expect(setToolState).not.toHaveBeenCalled();
 });

@@ -1,6 +1,7 @@
 /** Stands of many plants over a ground: docs/models/stand/stand.md. */
 import { titledBy } from "../../specimen/preset_texts";
 import type { Model } from "../model";
+import { fetchSoil } from "./fetched_soil";
 import { standMembers } from "./members";
 import { standParts } from "./parts";
 import { placementsCsv, standRecord } from "./record";
@@ -18,7 +19,10 @@ export const model = {
 	preview: true,
 	noun: "stand",
 	wasm: "stand.wasm",
-	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
+	prepare: ({ grammar }) => {
+		const soil = fetchSoil();
+		return grammar === undefined ? Promise.all([fetchTexts(), soil]).then(() => {}) : soil;
+	},
 	encode: encodeStand,
 	read: readStand,
 	members: standMembers,

@@ -2,8 +2,9 @@
 import { linear } from "../../plant/colour";
 import type { Material } from "../../plant/material";
 import { unpacked } from "../../plant/packed_mesh";
-import { type Part, TRANSFORM } from "../../plant/part";
+import { type Part, type PartMesh, TRANSFORM } from "../../plant/part";
 import type { MemberMesh } from "../model";
+import type { Soil } from "./soil";
 import type { StandSpecimen } from "./specimen";
 import type { StandPlant } from "./stand_plant";
 
@@ -14,15 +15,22 @@ function soilOf({ look }: StandSpecimen): Material {
 	return { name: "Ground", colour: linear(look.soil), roughness: 1 };
 }
 
+function tinted({ mesh, light }: Soil, { look }: StandSpecimen): PartMesh {
+	const colour = linear(look.soil);
+	const colours = new Float32Array(3 * light.length);
+	for (let i = 0; i < colours.length; i++) colours[i] = Math.min(1, colour[i % 3] * light[Math.floor(i / 3)]);
+	return { ...mesh, colours };
+}
+
 const WOOD: Material = { name: "Post", colour: linear("8d7c66"), roughness: 0.95 };
 const METAL: Material = { name: "Wire", colour: linear("8f9394"), roughness: 0.45 };
 
 /** What stands there that does not grow: the ground, and posts and wires of a trellis. */
-export function groundParts({ meshes }: StandPlant, specimen: StandSpecimen): Part[] {
+export function groundParts({ meshes, soil }: StandPlant, specimen: StandSpecimen): Part[] {
 	return meshes.map((mesh) => {
 		if (mesh.material === "wood") return { name: "Posts", shape: { mesh, material: WOOD } };
 		if (mesh.material === "metal") return { name: "Wires", shape: { mesh, material: METAL } };
-		return { name: "Ground", shape: { mesh, material: soilOf(specimen) } };
+		return { name: "Ground", shape: { mesh: soil ? tinted(soil, specimen) : mesh, material: soilOf(specimen) } };
 	});
 }
 

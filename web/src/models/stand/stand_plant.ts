@@ -4,6 +4,8 @@ import type { Answer } from "../../core/core";
 import { EMPTY_PLANT, type Plant } from "../../plant/plant";
 import { readPlant } from "../../plant/read_plant";
 import type { Member, Place } from "../model";
+import { fetchedSoil } from "./fetched_soil";
+import type { Soil } from "./soil";
 
 /** A parameter that a line sets. */
 export interface Setting {
@@ -55,6 +57,8 @@ export interface StandPlant extends Plant {
 	readonly places: Places;
 	/** Metres. */
 	readonly ground: { readonly width: number; readonly depth: number; readonly relief: number };
+	/** What lies on the ground, where it was grown with meshes. */
+	readonly soil?: Soil;
 	/** Of each plant the member that it is: those of one seed are one. */
 	readonly memberOf: Uint32Array;
 	/** What grows there, as far as it has grown. */
@@ -80,8 +84,10 @@ export function readStand(answer: Answer): StandPlant {
 		surroundings: columns.floats("plants.surroundings"),
 		transforms: plant.organs.transforms,
 	};
+	const soil = plant.meshes[0] && fetchedSoil()?.(plant.meshes[0]);
 	return {
 		...plant,
+		...(soil ? { soil } : {}),
 		// Placements are told as plants.
 		organs: EMPTY_PLANT.organs,
 		kinds,

@@ -10,6 +10,7 @@ import {
 } from "three";
 import type { Colour } from "../../../plant/colour";
 import type { PackedMesh } from "../../../plant/packed_mesh";
+import { BRIM, brimsOf } from "./brims";
 import { STEPS } from "./level_choice";
 
 /** A plant's meshes of one material: as many as it has levels. */
@@ -73,9 +74,9 @@ export class Batch {
 	show(slot: Slot, step: number, bright: number): void {
 		const level = step < 0 ? -1 : Math.floor(step / STEPS);
 		const gone = step < 0 ? 0 : step / STEPS - level;
-		this.#set(slot, slot.now, level, 1 - gone, bright);
-		// Beyond 1: what the other leaves out.
-		this.#set(slot, slot.other, gone > 0 ? level + 1 : -1, 2 - gone, bright);
+		// First the one comes, then the other goes: there is always a whole one, or thin stems would have holes.
+		this.#set(slot, slot.now, level, Math.min(1, 2 - 2 * gone), bright);
+		this.#set(slot, slot.other, gone > 0 ? level + 1 : -1, Math.min(1, 2 * gone), bright);
 	}
 
 	#set({ geometries, colour }: Slot, instance: number, level: number, share: number, bright: number): void {
@@ -102,11 +103,13 @@ function shed(attribute: BufferAttribute): void {
 	});
 }
 
-function geometryOf({ positions, normals, sky, colours, indices }: PackedMesh): BufferGeometry {
+function geometryOf(mesh: PackedMesh): BufferGeometry {
+	const { positions, normals, sky, colours, indices } = mesh;
 	const geometry = new BufferGeometry();
 	geometry.setAttribute("position", new BufferAttribute(positions, 3, true));
 	geometry.setAttribute("normal", new BufferAttribute(normals, 3, true));
 	geometry.setAttribute("sky", new BufferAttribute(sky, 1, true));
+	geometry.setAttribute("brim", new BufferAttribute(brimsOf(mesh), BRIM, true));
 	if (colours) geometry.setAttribute("color", new BufferAttribute(colours, 3, true));
 	geometry.setIndex(new BufferAttribute(indices, 1));
 	return geometry;

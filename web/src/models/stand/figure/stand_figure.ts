@@ -1,5 +1,5 @@
 /** A stand on the stage: its ground, and the plants as they come. */
-import { Mesh, type PerspectiveCamera, Vector3 } from "three";
+import { type PerspectiveCamera, Vector3 } from "three";
 import type { Sway } from "../../../plant/sway";
 import type { Bodies } from "../../../scene/camera_fit";
 import type { Figure, FigureStage, Ray } from "../../../scene/figure";
@@ -11,6 +11,8 @@ import { groundParts } from "../parts";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
 import { Crowd } from "./crowd";
+import { GroundFigure } from "./ground_figure";
+import { MarkRing } from "./mark_ring";
 import { plantMet } from "./plant_met";
 import { type Ball, shadedBall, walks } from "./shaded";
 
@@ -21,7 +23,9 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	readonly #lights = new StandardLights();
 	readonly #wardrobe: Wardrobe;
 	readonly #crowd: Crowd;
-	#ground: PartMeshes;
+	readonly #ring = new MarkRing();
+	#ground: GroundFigure | undefined;
+	#trellis: PartMeshes;
 	#stand: StandPlant | undefined;
 	#whole: Ball = { centre: new Vector3(), radius: 0 };
 	#shaded: Ball | undefined;
@@ -34,21 +38,25 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		this.#stage = stage;
 		this.#wardrobe = new Wardrobe(stage.light.uniforms);
 		this.#crowd = new Crowd(stage.light.uniforms, stage.wind);
-		this.#ground = new PartMeshes([], this.#wardrobe);
-		stage.root.add(this.#lights.group, this.#crowd.group);
+		this.#trellis = new PartMeshes([], this.#wardrobe);
+		stage.root.add(this.#lights.group, this.#crowd.group, this.#ring.object);
 	}
 
 	show(grown: StandPlant, specimen: StandSpecimen): void {
 		this.#clear();
 		this.#stand = grown;
 		this.#wardrobe.change();
-		this.#ground = new PartMeshes(groundParts(grown, specimen), this.#wardrobe);
-		for (const [i, object] of this.#ground.objects.entries()) {
-			// The ground is first; posts throw shadows.
-			if (i === 0 && object instanceof Mesh) object.castShadow = false;
-			this.#stage.root.add(object);
+		const [ground, ...trellis] = groundParts(grown, specimen);
+		const { width, depth } = grown.ground;
+		if (ground) {
+			const rim = grown.soil?.rim ?? new Float32Array(grown.meshes[0].positions.length / 3);
+			this.#ground = new GroundFigure(ground, rim, Math.min(width, depth), this.#stage.light.uniforms);
+			this.#stage.root.add(this.#ground.object);
 		}
+		this.#trellis = new PartMeshes(trellis, this.#wardrobe);
+		for (const object of this.#trellis.objects) this.#stage.root.add(object);
 		this.#crowd.show(grown);
+		this.#ring.show(undefined, undefined);
 		this.#bounds = bodiesOf(grown);
 		this.#whole = ballOf(this.#bounds);
 		this.#shaded = undefined;
@@ -78,6 +86,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		this.#shade(camera);
 		this.#lights.aim(this.#stage.light, camera);
 		this.#crowd.aim(camera);
+		this.#ring.aim(camera);
 	}
 
 	pick(ray: Ray): number | undefined {
@@ -86,6 +95,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 
 	mark(picked: number | undefined): void {
 		this.#crowd.mark(picked);
+		this.#ring.show(this.#stand, picked);
 	}
 
 	setMode(): void {}
@@ -93,6 +103,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	dispose(): void {
 		this.#clear();
 		this.#crowd.dispose();
+		this.#ring.dispose();
 		this.#wardrobe.dispose();
 		this.#lights.dispose();
 	}
@@ -117,8 +128,10 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	}
 
 	#clear(): void {
-		for (const object of this.#ground.objects) object.removeFromParent();
-		this.#ground.dispose();
+		this.#ground?.dispose();
+		this.#ground = undefined;
+		for (const object of this.#trellis.objects) object.removeFromParent();
+		this.#trellis.dispose();
 	}
 }
 

@@ -6,12 +6,11 @@ import type { Desk } from "../../../controls/desk";
 import { PickPointer } from "../../../controls/pick_pointer";
 import { takeFocus } from "../../../controls/take_focus";
 import type { Tool } from "../../../controls/tool";
-import { firstAlike, sortsOf, titlesOf, valuesOf } from "../members";
+import { sortsOf, titlesOf, valuesOf } from "../members";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
+import { groundColour, kindColours } from "./map_colours";
 
-/** Hues of kinds, as far apart as they can be; those of one name have one. */
-const HUE = 137.5;
 /** Room about the ground, as a share of its width: crowns reach over its edge. */
 const MARGIN = 0.05;
 /** A click so far beside a plant still means it, as a share of the map's width. */
@@ -32,6 +31,7 @@ export const map: Tool<StandSpecimen, StandPlant, Chosen> = {
 		},
 	},
 	editor: { title: "Map", draw: (desk) => (desk.state.grown ? drawMap(desk, desk.state.grown) : nothing) },
+	keys: [{ keys: ["Esc"], does: "Choose no plant" }],
 	hands: (view, desk) => {
 		const pointer = new PickPointer(view, {
 			name: "picking-plant",
@@ -40,6 +40,12 @@ export const map: Tool<StandSpecimen, StandPlant, Chosen> = {
 			take: (plant) => desk.setToolState(map, plant),
 		});
 		pointer.enabled = true;
+		const leave = (event: KeyboardEvent) => {
+			if (event.key !== "Escape" || event.defaultPrevented || chosenIn(desk) === undefined || !isFree(event)) return;
+			event.preventDefault();
+			desk.setToolState(map, undefined);
+		};
+		window.addEventListener("keydown", leave);
 		let before = chosenIn(desk);
 		return {
 			update: () => {
@@ -48,10 +54,20 @@ export const map: Tool<StandSpecimen, StandPlant, Chosen> = {
 				if (before !== undefined && chosen === undefined) takeFocus(view.canvas, ".stage-chip");
 				before = chosen;
 			},
-			dispose: () => pointer.dispose(),
+			dispose: () => {
+				window.removeEventListener("keydown", leave);
+				pointer.dispose();
+			},
 		};
 	},
 };
+
+/** Escape is that of who types, but for the plant's number, and of a window that is open. */
+function isFree({ target }: KeyboardEvent): boolean {
+	if (document.querySelector("dialog[open]")) return false;
+	const field = (target as Partial<Element> | null)?.closest?.("input, select, textarea, [contenteditable]");
+	return !field || field.closest(".stand-plant") !== null;
+}
 
 /** A plan of fewer plants may have come since. */
 function chosenIn(desk: StandDesk): Chosen {
@@ -59,19 +75,19 @@ function chosenIn(desk: StandDesk): Chosen {
 	return chosen !== undefined && chosen < (desk.state.grown?.places.count ?? 0) ? chosen : undefined;
 }
 
-const colourOf = (kind: number): string => `hsl(${(95 + HUE * kind) % 360} 45% 42%)`;
-
 function drawMap(desk: StandDesk, stand: StandPlant): unknown {
 	const { width, depth } = stand.ground;
 	const [wide, deep] = shownOf(stand);
 	const titles = titlesOf(stand);
 	const chosen = chosenIn(desk);
+	const colours = kindColours(stand);
+	const { soil } = desk.state.specimen.look;
 	return html`<div class="stand-map">
 		<svg viewBox=${`${-0.5 * wide} ${-0.5 * deep} ${wide} ${deep}`} aria-hidden="true"
 			@click=${(event: MouseEvent) => desk.setToolState(map, nearest(stand, event))}
 		>
-			<rect class="stand-ground" x=${-0.5 * width} y=${-0.5 * depth} width=${width} height=${depth}></rect>
-			${guard([stand.places], () => drawPlants(stand))}
+			<rect fill=${groundColour(soil)} x=${-0.5 * width} y=${-0.5 * depth} width=${width} height=${depth}></rect>
+			${guard([stand.places, colours.join()], () => drawPlants(stand, colours))}
 			${chosen === undefined ? nothing : drawChosen(stand, chosen)}
 		</svg>
 		<label class="stand-plant">Plant
@@ -85,7 +101,7 @@ function drawMap(desk: StandDesk, stand: StandPlant): unknown {
 					title,
 					kind,
 					count,
-				}) => html`<li><svg viewBox="0 0 10 10" aria-hidden="true"><circle cx="5" cy="5" r="5" fill=${colourOf(kind)}></circle></svg>${title}
+				}) => html`<li><svg viewBox="0 0 10 10" aria-hidden="true"><circle cx="5" cy="5" r="5" fill=${colours[kind]}></circle></svg>${title}
 					<small>${count}</small></li>`,
 			)}
 		</ul>
@@ -97,10 +113,11 @@ function shownOf({ ground: { width, depth } }: StandPlant): readonly [wide: numb
 	return [width + 2 * MARGIN * width, depth + 2 * MARGIN * width];
 }
 
-/** A path a kind: thousands of circles would each be an element. */
-function drawPlants({ kinds, places, ground }: StandPlant): unknown {
-	const first = firstAlike({ kinds });
-	return kinds.map(({ crown }, kind) => {
+/** A path a kind, for thousands of circles would each be an element; the highest last, as seen from above. */
+function drawPlants({ kinds, places, ground }: StandPlant, colours: readonly string[]): unknown {
+	const order = [...kinds.keys()].sort((one, other) => kinds[one].crown.height - kinds[other].crown.height);
+	return order.map((kind) => {
+		const { crown } = kinds[kind];
 		const rounds: string[] = [];
 		for (let plant = 0; plant < places.count; plant++) {
 			if (places.kind[plant] !== kind) continue;
@@ -110,7 +127,7 @@ function drawPlants({ kinds, places, ground }: StandPlant): unknown {
 			const [x, z] = [places.at[3 * plant], places.at[3 * plant + 2]].map((value) => value.toFixed(2));
 			rounds.push(`M${x} ${z}m${-r} 0a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`);
 		}
-		return svg`<path d=${rounds.join("")} fill=${colourOf(first[kind])} fill-opacity="0.75"></path>`;
+		return svg`<path d=${rounds.join("")} fill=${colours[kind]} fill-opacity="0.9"></path>`;
 	});
 }
 

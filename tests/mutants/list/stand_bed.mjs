@@ -1,0 +1,77 @@
+/** How a bed looks and is handled: its stems, its ground, its map and the plant that is chosen. */
+const WEB = "tests/web/models/stand";
+
+export default [
+	{
+		file: "web/src/models/stand/tools/map_colours.ts",
+		suites: [`${WEB}/map_colours.test.ts`],
+		faults: [
+			{
+				id: "stand-map-shows-leaves",
+				find: "const told = flowers.length > 0 ? flowers : (most ?? []);",
+				replace: "const told = most ?? flowers;",
+				breaks: "on the map poppies are as green as grass",
+			},
+			{
+				id: "stand-map-sorts-alike",
+				find: "if (free(toLch(fromLch(tried)))) return tried;",
+				replace: "if (free(wanted) || true) return wanted;",
+				breaks: "two yellow flowers are one on the map",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/figure/mark_ring.ts",
+		suites: [`${WEB}/mark_ring.test.ts`],
+		faults: [
+			{
+				id: "stand-ring-as-wide-as-near",
+				find: "const r = radius + off * WIDE * seen;",
+				replace: "const r = radius + off * WIDE;",
+				breaks: "the ring about a chosen plant is too thin to see from afar",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/tools/map.ts",
+		suites: [`${WEB}/map.test.ts`],
+		faults: [
+			{
+				id: "stand-escape-takes-fields",
+				find: 'return !field || field.closest(".stand-plant") !== null;',
+				replace: "void field;\n\treturn true;",
+				breaks: "who leaves a field by Escape loses the chosen plant",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/soil.ts",
+		suites: [`${WEB}/soil.test.ts`],
+		faults: [
+			{
+				id: "stand-rim-is-level",
+				find: "y - FALL * far * share,",
+				replace: "y,",
+				breaks: "the ground ends like a cloth",
+			},
+			{
+				id: "stand-rim-has-a-gap",
+				find: "for (let brink = 0; brink < brinks.length; brink++) {",
+				replace: "for (let brink = 1; brink < brinks.length; brink++) {",
+				breaks: "the ground's rim is open at a corner",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/figure/brims.ts",
+		suites: [`${WEB}/brims.test.ts`],
+		faults: [
+			{
+				id: "stand-thin-stems-made-longer",
+				find: "ways[at + 1] += y - along * way[1];",
+				replace: "ways[at + 1] += y;",
+				breaks: "stems thinner than a pixel are made longer, and stay rows of dashes",
+			},
+		],
+	},
+];

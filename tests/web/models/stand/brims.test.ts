@@ -1,0 +1,40 @@
+import { expect, it } from "vitest";
+import { BRIM, brimsOf } from "../../../../web/src/models/stand/figure/brims";
+import { PLACE_STEPS } from "../../../../web/src/plant/packed_mesh";
+
+const at = (brims: Int8Array, vertex: number) => [...brims.subarray(BRIM * vertex, BRIM * vertex + 3)];
+const width = (brims: Int8Array, vertex: number) => PLACE_STEPS * (brims[BRIM * vertex + 3] / 127) ** 2;
+
+it("a stem is made wider out of itself, not longer, and told to be as wide as its sides", () => {
+	const round = [0, 1, 2, 3].map((k) => [
+		Math.round(300 * Math.cos(1.5708 * k)),
+		Math.round(300 * Math.sin(1.5708 * k)),
+	]);
+	const positions = Int16Array.from([0, 9000, 30_000].flatMap((y) => round.flatMap(([x, z]) => [x, y, z])));
+	const indices: number[] = [];
+	for (const low of [0, 4])
+		for (let k = 0; k < 4; k++) {
+			const [a, b] = [low + k, low + ((k + 1) % 4)];
+			indices.push(a, b, b + 4, a, b + 4, a + 4);
+		}
+	const brims = brimsOf({ positions, indices: Uint16Array.from(indices) });
+	for (let v = 0; v < 12; v++) {
+		const [x, y, z] = at(brims, v);
+		const [out, aside] = [round[v % 4][0] / 300, round[v % 4][1] / 300];
+		expect(x * out + z * aside).toBeGreaterThan(0.7 * 127);
+		expect(Math.abs(y)).toBeLessThan(4);
+		expect(width(brims, v)).toBeGreaterThan(424);
+		expect(width(brims, v)).toBeLessThan(520);
+	}
+});
+
+it("a blade with nothing at its back is made wider across its margins", () => {
+	const positions = Int16Array.of(0, 0, 0, 500, 9000, 0, 0, 20_000, 0, -500, 9000, 0);
+	const brims = brimsOf({ positions, indices: Uint16Array.of(0, 1, 2, 0, 2, 3) });
+	expect(at(brims, 1)[0]).toBeGreaterThan(120);
+	expect(at(brims, 3)[0]).toBeLessThan(-120);
+});
+
+it("what has no extent is left where it is", () => {
+	expect([...brimsOf({ positions: new Int16Array(9), indices: Uint16Array.of(0, 1, 2) })]).toEqual(Array(12).fill(0));
+});

@@ -1,0 +1,117 @@
+/**
+ * A ring on the ground about a plant that is pointed at or chosen: pale between two dark lines, so that it is told by lightness alone, on earth
+ * as on leaves. Seen faintly through what is before it, for in a bed that is nearly always something.
+ */
+import {
+	BufferAttribute,
+	BufferGeometry,
+	Color,
+	DoubleSide,
+	Group,
+	Mesh,
+	MeshBasicMaterial,
+	type PerspectiveCamera,
+	Vector3,
+} from "three";
+import type { StandPlant } from "../stand_plant";
+import { heightAt } from "../walker";
+
+const PALE = "#fff4d6";
+const DARK = "#2a211a";
+/** From its middle line, shares of half its width. */
+const BANDS = [
+	{ from: -1, to: -0.5, colour: DARK },
+	{ from: -0.5, to: 0.5, colour: PALE },
+	{ from: 0.5, to: 1, colour: DARK },
+];
+const ROUND = 72;
+/** Half its width, and its least radius, as shares of the view's height. */
+const WIDE = 0.0038;
+const LEAST = 0.016;
+/** Of the crown's radius. */
+const ABOUT = 0.8;
+/** After the ground and all that grows. */
+const ORDER = 9;
+
+export class MarkRing {
+	readonly object = new Group();
+	readonly #geometry = new BufferGeometry();
+	readonly #materials = [material(0.95, true), material(0.65, false)];
+	#stand: StandPlant | undefined;
+	#plant = 0;
+	readonly #at = new Vector3();
+
+	constructor() {
+		const colours = BANDS.flatMap(({ colour }) => {
+			const { r, g, b } = new Color(colour);
+			return Array.from({ length: 2 * ROUND }, () => [r, g, b]).flat();
+		});
+		const indices = BANDS.flatMap((_, band) =>
+			Array.from({ length: ROUND }, (__, i) => {
+				const [a, b] = [2 * (ROUND * band + i), 2 * (ROUND * band + ((i + 1) % ROUND))];
+				return [a, b, b + 1, a, b + 1, a + 1];
+			}).flat(),
+		);
+		this.#geometry.setAttribute("color", new BufferAttribute(Float32Array.from(colours), 3));
+		this.#geometry.setAttribute("position", new BufferAttribute(new Float32Array(colours.length), 3));
+		this.#geometry.setIndex(indices);
+		for (const each of this.#materials) {
+			const mesh = new Mesh(this.#geometry, each);
+			mesh.renderOrder = ORDER;
+			mesh.frustumCulled = false;
+			this.object.add(mesh);
+		}
+		this.object.visible = false;
+	}
+
+	/** About that plant; about none where undefined. */
+	show(stand: StandPlant | undefined, plant: number | undefined): void {
+		this.object.visible = stand !== undefined && plant !== undefined && plant < stand.places.count;
+		if (!stand || plant === undefined || !this.object.visible) return;
+		this.#stand = stand;
+		this.#plant = plant;
+		this.#at.fromArray(stand.places.at, 3 * plant);
+	}
+
+	/** As wide in the view from however far it is seen. */
+	aim(camera: PerspectiveCamera): void {
+		if (!this.object.visible || !this.#stand) return;
+		const { places, kinds } = this.#stand;
+		const seen = 2 * this.#at.distanceTo(camera.position) * Math.tan((camera.fov * Math.PI) / 360);
+		const crown = 0.5 * kinds[places.kind[this.#plant]].crown.width * places.scale[this.#plant];
+		const radius = Math.max(ABOUT * crown, LEAST * seen);
+		// What hangs has no ground about it.
+		const stands = places.bearer[this.#plant] < 0;
+		const position = this.#geometry.getAttribute("position");
+		let v = 0;
+		for (const { from, to } of BANDS)
+			for (let i = 0; i < ROUND; i++) {
+				const angle = (2 * Math.PI * i) / ROUND;
+				for (const off of [from, to]) {
+					const r = radius + off * WIDE * seen;
+					const [x, z] = [this.#at.x + r * Math.cos(angle), this.#at.z + r * Math.sin(angle)];
+					const y = stands ? heightAt(this.#stand, x, z) : this.#at.y;
+					position.setXYZ(v++, x, y + 0.5 * WIDE * seen, z);
+				}
+			}
+		position.needsUpdate = true;
+	}
+
+	dispose(): void {
+		this.object.removeFromParent();
+		this.#geometry.dispose();
+		for (const each of this.#materials) each.dispose();
+	}
+}
+
+function material(opacity: number, tested: boolean): MeshBasicMaterial {
+	return new MeshBasicMaterial({
+		vertexColors: true,
+		transparent: true,
+		opacity,
+		depthTest: tested,
+		depthWrite: false,
+		side: DoubleSide,
+		toneMapped: false,
+	});
+}
