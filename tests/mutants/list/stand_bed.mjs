@@ -18,6 +18,12 @@ export default [
 				replace: "if (free(wanted) || true) return wanted;",
 				breaks: "two yellow flowers are one on the map",
 			},
+			{
+				id: "stand-map-hue-first",
+				find: "for (const more of eitherWay(STEP, LIGHTEST - LIGHT)) {",
+				replace: "for (const more of [0, STEP]) {",
+				breaks: "a globeflower is as green as grass on the map, beside a buttercup",
+			},
 		],
 	},
 	{

@@ -8,7 +8,7 @@ import type { StandPlant } from "../stand_plant";
 const DARKEST = 0.35;
 const LIGHT = 0.63;
 const LIGHTEST = 0.97;
-/** Two sorts closer than this are taken for one (OKLab); then one is made lighter by steps, or else turned in hue. */
+/** Two sorts closer than this are taken for one (OKLab); then one is made lighter or darker by steps, or else turned in hue, radians, either way. */
 const APART = 0.07;
 const STEP = 0.05;
 const TURN = 0.5;
@@ -75,18 +75,24 @@ function meshColour({ mesh: { colours, sky }, material }: MemberMesh): Colour {
 	return sum.map((value) => value / (COLOUR_STEPS * sky.length)) as Colour;
 }
 
+/** The least change first, and of lightness before hue: a sort's hue is what it is known by. */
 function apartFrom(others: readonly Lch[], wanted: Lch): Lch {
 	const free = (lch: Lch) => others.every((other) => distance(lch, other) >= APART);
-	for (let turn = 0; turn < 2 * Math.PI; turn += TURN)
-		for (let lightness = wanted.lightness; ; lightness += STEP) {
+	for (const turn of eitherWay(TURN, Math.PI))
+		for (const more of eitherWay(STEP, LIGHTEST - LIGHT)) {
+			const lightness = wanted.lightness + more;
+			if (lightness < LIGHT || lightness > LIGHTEST) continue;
 			const chroma = turn === 0 ? wanted.chroma : Math.max(0.1, wanted.chroma);
-			const tried = { lightness: Math.min(LIGHTEST, lightness), chroma, hue: wanted.hue + turn };
+			const tried = { lightness, chroma, hue: wanted.hue + turn };
 			// As it will be shown.
 			if (free(toLch(fromLch(tried)))) return tried;
-			if (lightness >= LIGHTEST) break;
 		}
 	return wanted;
 }
+
+/** 0, step, -step, 2 step, …, up to that far. */
+const eitherWay = (step: number, far: number): number[] =>
+	[0].concat(...Array.from({ length: Math.floor(far / step) }, (_, i) => [step * (i + 1), -step * (i + 1)]));
 
 function distance(one: Lch, other: Lch): number {
 	const [a, b] = [one, other].map(({ chroma, hue }) => [chroma * Math.cos(hue), chroma * Math.sin(hue)]);
