@@ -56,8 +56,8 @@ describe("--grammar", () => {
 		// It says what a text says at some ten times the length.
 		const long = { "a.xml": files["a.xml"].concat(" ".repeat(300_000)) };
 		expect((await grow(["--grammar", "a.xml"], long)).json.fingerprint).toBe(json.fingerprint);
-		expect(await complaint(["--grammar", "a.xml"], { "a.xml": files["a.xml"].concat(" ".repeat(4_200_000)) })).toBe(
-			"--grammar a.xml: longer than 4096 KiB; make it shorter",
+		expect(await complaint(["--grammar", "a.xml"], { "a.xml": files["a.xml"].concat(" ".repeat(8_400_000)) })).toBe(
+			"--grammar a.xml: longer than 8192 KiB; make it shorter",
 		);
 	});
 

@@ -102,9 +102,16 @@ describe("a file brought to the page", () => {
 		expect(await bring(new File([" ".repeat(300_000)], "a.gl3"))).toEqual([
 			"The file was not opened a.gl3 is longer than 256 KiB.",
 		]);
-		expect(await bring(new File([axiom.padEnd(4_200_000)], "a.xml"))).toContain(
-			"The file was not opened a.xml is longer than 4096 KiB.",
+		expect(await bring(new File([axiom.padEnd(8_400_000)], "a.xml"))).toContain(
+			"The file was not opened a.xml is longer than 8192 KiB.",
 		);
+		// The plant stays where it is the text that is too long.
+		const before = studio.state.specimen;
+		const long = `<axiom>${"A".repeat(300_000)}</axiom>`;
+		expect(await bring(new File([long], "long.xml"))).toContain(
+			"The file was not opened long.xml is longer than 256 KiB as a grammar’s text.",
+		);
+		expect(studio.state.specimen).toBe(before);
 	});
 
 	it("takes back what was said of the one before when it is opened", async () => {

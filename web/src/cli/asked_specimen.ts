@@ -9,7 +9,7 @@ import { modelForText, readText } from "../models/for_text";
 import { modelNamed } from "../models/index";
 import type { Model } from "../models/model";
 import { fromPreset } from "../specimen/from_preset";
-import { overlong } from "../specimen/limits";
+import { overlongFile } from "../specimen/limits";
 import { modelInQuery } from "../specimen/link";
 import { type Note, Notes } from "../specimen/notes";
 import { readNumbers } from "../specimen/read_values";
@@ -185,7 +185,7 @@ async function readGrammar(file: string, readFile: Surroundings["readFile"]): Pr
 	const bytes = await readFile(file).catch((error: unknown) => {
 		throw new UsageError(`--grammar ${file}: ${reasonOf(error)}`);
 	});
-	const long = overlong(bytes.length, new TextDecoder().decode(bytes.subarray(0, 64)));
+	const long = overlongFile(bytes.length, new TextDecoder().decode(bytes.subarray(0, 64)));
 	if (long) throw new UsageError(`--grammar ${file}: ${long}; make it shorter`);
 	if (bytes.every((byte) => byte <= 32)) throw new UsageError(`--grammar ${file}: is empty; ${BEGIN}`);
 	try {

@@ -1,5 +1,5 @@
 /** The detail of models that are grown by a grammar: its text, in place of the built-in one. */
-import { GRAMMAR_BYTES } from "./limits";
+import { GRAMMAR_BYTES, overlongText } from "./limits";
 import { type Notes, quote } from "./notes";
 import type { Detail } from "./species";
 import type { Specimen } from "./specimen";
@@ -30,15 +30,10 @@ export function grammarText<S extends Specimen & WithGrammar>(claims?: (text: st
 
 /** Lines end as the page's own do, wherever the text was saved: it is compared with texts that the page writes. */
 function readGrammar(specimen: WithGrammar, value: unknown, notes: Notes): void {
-	const problem = typeof value === "string" ? oversize(value) : `${quote(value)} is not text`;
+	const problem = typeof value === "string" ? overlongText(value) : `${quote(value)} is not text`;
 	if (problem) notes.add("grammar", problem, specimen.grammar ? "the one before is used" : BUILT_IN);
 	else if (value === "") delete specimen.grammar;
 	else specimen.grammar = wellFormed(value as string).replaceAll("\r\n", "\n");
-}
-
-function oversize(text: string): string | undefined {
-	const bytes = text.length > GRAMMAR_BYTES ? text.length : new TextEncoder().encode(text).length;
-	return bytes > GRAMMAR_BYTES ? `longer than ${GRAMMAR_BYTES / 1024} KiB` : undefined;
 }
 
 /** Half a surrogate pair has no UTF-8, so no link or request could carry it. */

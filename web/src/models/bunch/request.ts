@@ -2,7 +2,7 @@
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
 import { type ChronicleAsked, chronicleBlocks } from "../../plant/chronicle";
-import { GRAMMAR_BYTES } from "../../specimen/limits";
+import { overlongText } from "../../specimen/limits";
 import type { CoreEntry } from "../../specimen/table";
 import { INPUT_N_LENGTH } from "./details/inputs";
 import { GRAPE_BUNCH_3, GRAPE_BUNCH_4 } from "./grammars.generated";
@@ -49,8 +49,9 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 	} = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
 	const { inputs, thinned, grammar, parameters } = specimen;
-	if (grammar !== undefined && new TextEncoder().encode(grammar).length > GRAMMAR_BYTES) {
-		throw new CoreError("limit", `The grammar is longer than ${GRAMMAR_BYTES / 1024} KiB; shorten it.`);
+	const long = grammar === undefined ? undefined : overlongText(grammar);
+	if (long) {
+		throw new CoreError("limit", `The grammar is ${long}; shorten it.`);
 	}
 	if ((inputs?.n?.length ?? 0) > INPUT_N_LENGTH) {
 		throw new CoreError("limit", `n has more than ${INPUT_N_LENGTH} values.`);

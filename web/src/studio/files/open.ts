@@ -2,7 +2,7 @@ import { FILE_TOPIC } from "../../controls/tool";
 import { readText } from "../../models/for_text";
 import { modelNamed, modelNames } from "../../models/index";
 import { fromPreset } from "../../specimen/from_preset";
-import { overlong } from "../../specimen/limits";
+import { overlongFile, overlongText } from "../../specimen/limits";
 import { decodeLink, linkParts, modelInQuery } from "../../specimen/link";
 import { modelIn, restore } from "../../specimen/restore";
 import { SPECIMEN_VERSION } from "../../specimen/specimen";
@@ -55,11 +55,14 @@ export async function openFile(studio: Studio, file: File): Promise<void> {
 async function openText(studio: Studio, file: File): Promise<void> {
 	const refuse = (why: string) => studio.notify("The file was not opened", [why], { topic: FILE_TOPIC });
 	try {
-		const long = overlong(file.size, await file.slice(0, 64).text());
+		const long = overlongFile(file.size, await file.slice(0, 64).text());
 		if (long) return refuse(`${file.name} is ${long}.`);
 		const said = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
 		if (said.trim() === "") return refuse(`${file.name} is empty.`);
 		const { model, text: grammar } = await readText(said);
+		// XML may be long and its text is not, or is: then the plant stays.
+		const longText = overlongText(grammar);
+		if (longText) return refuse(`${file.name} is ${longText} as a grammar’s text.`);
 		if (model) studio.take(model, restore(model, { v: SPECIMEN_VERSION, grammar }), FILE_TOPIC);
 	} catch (error) {
 		if (error instanceof TextError) refuse(`${file.name}: ${error.message}`);
