@@ -264,19 +264,19 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/ranks.cpp`,
+		file: `${SRC}/organ_corners.cpp`,
 		suites: [`${TESTS}/skin_test.cpp`],
 		faults: [
 			{
 				id: "flower-picture-in-steps",
-				find: "beside = std::min(beside, place.y);",
-				replace: "beside = place.y;",
+				find: "corner.beside = std::min(corner.beside, place.y);",
+				replace: "corner.beside = place.y;",
 				breaks: "veins are painted in patches, a lobe at a time",
 			},
 			{
 				id: "flower-picture-of-the-bearer",
-				find: "if (organ(about[i]) != organ(h)) continue;",
-				replace: "",
+				find: "const std::uint32_t organ = derived.records[derived.record_of[volume_[h]]].instance;",
+				replace: "const std::uint32_t organ = 0;",
 				breaks: "where organs touch one is painted with the other's middle",
 			},
 		],

@@ -16,6 +16,12 @@ export default [
 				replace: "false;",
 				breaks: "organs that are all unlike are never too many, and a flower afar has thousands of triangles",
 			},
+			{
+				id: "flower-levels-painted-by-neighbours",
+				find: "while (*at != nobody && of_[*at].number != number) at = &of_[*at].next;",
+				replace: "",
+				breaks: "in a bed petals have their stem's place in the picture where they meet it",
+			},
 		],
 	},
 	{

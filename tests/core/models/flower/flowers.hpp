@@ -18,6 +18,20 @@ namespace panicle::flower::tests {
 using panicle::tests::content;
 using panicle::tests::sound;
 
+// A vein of three segments, a lobe on either side of each.
+inline constexpr const char* leaf = R"(
+#define V(4, 0, 0, 0, 4, 2, 2, 1)
+#define R(4, 0, 0, 0, 5, 1, 4, 4)
+#define S(4, 0, 0, 0, 5, 1, 4, 4)
+#axiom: V
+V{}{step < 2}{} -> V[V]_{E}
+V -> V[R]_{C2, C4}
+R -> R[S]_{E}
+R : R_C1 < R_C3 -> R_C1 | R_C3
+S : S_C1 < S_C3 -> S_C1 | S_C3
+#define finalStep=6
+)";
+
 inline Program program_of(std::string_view text) { return sound(read_program(text)); }
 
 inline Given steps(std::uint32_t steps, std::uint64_t seed = 1) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <set>
 
 #include "flowers.hpp"
 #include "models/flower/skin.hpp"
@@ -75,7 +76,23 @@ std::map<std::string, double> shares(const PlantMesh& mesh) {
   return all;
 }
 
+// What vertices of a kind have along their organ, 0, or across it, 1, in hundredths.
+std::set<int> painted(const PlantMesh& mesh, std::string_view kind, std::size_t way) {
+  std::set<int> found;
+  for (const MeshRun& run : mesh.runs)
+    for (std::uint32_t v = run.first_vertex; run.name == kind && v < run.first_vertex + run.vertex_count; ++v)
+      found.insert(static_cast<int>(std::lround(100 * mesh.mesh.uvs[2 * v + way])));
+  return found;
+}
+
 }  // namespace
+
+TEST_CASE("a level has its colours where the skin has them, to the middle, the margin and both ends") {
+  const Plant plant = levelled(leaf).plant;
+  CHECK(painted(plant.meshes[0], "petal", 1) == std::set{0, 50, 100});
+  CHECK(painted(plant.meshes[0], "petal", 0) == std::set{0, 25, 75, 100});
+  CHECK(painted(plant.meshes[0], "stem", 1) == std::set{0});
+}
 
 TEST_CASE("a flower at four distances has few triangles, and is as large, as wide and of the same kinds as it is") {
   constexpr std::array<std::size_t, level_count> most{6000, 2200, 800, 260};

@@ -5,27 +5,12 @@
 #include <set>
 
 #include "flowers.hpp"
-#include "models/flower/ranks.hpp"
 
 using namespace panicle;
 using namespace panicle::flower;
 using namespace panicle::flower::tests;
 
 namespace {
-
-// A vein of three segments, a lobe on either side of each.
-constexpr const char* leaf = R"(
-#define V(4, 0, 0, 0, 4, 2, 2, 1)
-#define R(4, 0, 0, 0, 5, 1, 4, 4)
-#define S(4, 0, 0, 0, 5, 1, 4, 4)
-#axiom: V
-V{}{step < 2}{} -> V[V]_{E}
-V -> V[R]_{C2, C4}
-R -> R[S]_{E}
-R : R_C1 < R_C3 -> R_C1 | R_C3
-S : S_C1 < S_C3 -> S_C1 | S_C3
-#define finalStep=6
-)";
 
 std::vector<PlantMesh> painted(const std::string& text, std::uint32_t rounds) {
   const Flower flower = grown(text);

@@ -3,7 +3,7 @@ import { aboutPlant } from "../../../../web/src/export/about_plant";
 import { exportGlb } from "../../../../web/src/export/glb";
 import { readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
-import { colourAt, type Paint, paintsOf, pictureOf } from "../../../../web/src/models/flower/paint";
+import { colourAt, colourFromAfar, type Paint, paintsOf, pictureOf } from "../../../../web/src/models/flower/paint";
 import { fetchTexts } from "../../../../web/src/models/flower/texts";
 import type { Part } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
@@ -41,6 +41,27 @@ function parts(material: string, age = 1): Part[] {
 }
 
 describe("the paint of organs", () => {
+	it.each([false, true])("is as dark from afar as near by, feathered: %s", (feathered) => {
+		const white: Paint["base"] = [1, 1, 1];
+		for (const count of [4, 9, 20]) {
+			const paint = {
+				...PLAIN,
+				base: white,
+				tip: white,
+				veins: { colour: [0, 0, 0] as Paint["base"], count, strength: 1, feathered },
+			};
+			const shares = Array.from({ length: 40 }, (_, i) => (i + 0.5) / 40);
+			const [mean, first] = [shares, shares.slice(0, 20)].map(
+				(along) =>
+					along.flatMap((u) => shares.map((v) => 1 - colourFromAfar(paint, u, v)[0])).reduce((a, b) => a + b) /
+					(40 * along.length),
+			);
+			expect(Math.abs(1 - pictureOf(paint).mean[0] - mean)).toBeLessThan(0.012);
+			// And fades towards the tip.
+			expect(first).toBeGreaterThan(mean);
+		}
+	});
+
 	it("goes from foot to tip, to a margin, and has as many veins as the text says", () => {
 		expect(colourAt(PLAIN, 0, 0)).toEqual([1, 0, 0]);
 		expect(colourAt(PLAIN, 0.5, 0)).toEqual([0, 0, 1]);

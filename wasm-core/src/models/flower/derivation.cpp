@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "foundation/bytes.hpp"
 #include "foundation/random.hpp"
 #include "lsystem/number_text.hpp"
 #include "models/flower/numbers.hpp"
@@ -440,9 +441,8 @@ std::vector<generalized_map::Shape> Derived::shapes() const {
 }
 
 std::uint64_t Derived::bytes() const {
-  std::uint64_t bytes = map.bytes() + records.capacity() * sizeof(Record) + values.capacity() * sizeof(VolumeValues) +
-                        record_of.capacity() * sizeof(std::uint32_t) + instances.capacity() * sizeof(Instance);
-  for (const std::string& note : notes) bytes += sizeof note + note.capacity();
+  std::uint64_t bytes = map.bytes() + bytes_of(records) + bytes_of(values) + bytes_of(record_of) + bytes_of(instances);
+  for (const std::string& note : notes) bytes += sizeof note + bytes_of(note);
   return bytes;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "foundation/bytes.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/upright.hpp"
 
@@ -13,17 +14,17 @@ namespace panicle::flower {
 namespace {
 
 constexpr float crease = -0.25f;  // the cosine between two normals that are not smoothed into one
-constexpr std::array<const char*, 7> kinds{"petal", "sepal", "leaf", "stem", "stamen", "pistil", "seed"};
 
 std::size_t place_of(std::string_view kind) {
-  return static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
+  return static_cast<std::size_t>(std::find(material_kinds.begin(), material_kinds.end(), kind) -
+                                  material_kinds.begin());
 }
 
 }  // namespace
 
-Level::Level(Left left, const std::vector<glm::vec3>& places)
-    : volumes_(std::move(left.volumes)), wide_(std::move(left.wide)) {
-  part(left.vertices, places);
+Level::Level(Remains remains, const std::vector<glm::vec3>& places)
+    : volumes_(std::move(remains.volumes)), wide_(std::move(remains.wide)) {
+  part(remains.vertices, places);
 }
 
 void Level::part(const std::vector<std::uint32_t>& vertices, const std::vector<glm::vec3>& places) {
@@ -57,7 +58,7 @@ void Level::dress(const Program& program, const std::vector<std::uint8_t>& numbe
   std::array<std::size_t, 256> kind{};
   for (std::uint32_t number = 0; number < kind.size(); ++number)
     kind[number] = place_of(material_of(program, number).kind);
-  std::array<std::vector<std::uint32_t>, kinds.size()> triangles;
+  std::array<std::vector<std::uint32_t>, material_kinds.size()> triangles;
   for (std::uint32_t t = 0; t < volumes_.size(); ++t) triangles[kind[numbers[volumes_[t]]]].push_back(t);
   runs_.clear();
   indices_.clear();
@@ -65,10 +66,10 @@ void Level::dress(const Program& program, const std::vector<std::uint8_t>& numbe
   number_.clear();
   // Of what has one normal the first of its vertices, and of each vertex the next: one a material.
   std::vector<std::uint32_t> first(smooth_.size(), nobody), next;
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
+  for (std::size_t k = 0; k < material_kinds.size(); ++k) {
     if (triangles[k].empty()) continue;
     MeshRun run;
-    run.name = kinds[k];
+    run.name = material_kinds[k];
     run.first_vertex = static_cast<std::uint32_t>(drawn_.size());
     run.first_index = static_cast<std::uint32_t>(indices_.size());
     for (const std::uint32_t t : triangles[k])
@@ -135,8 +136,8 @@ PlantMesh Level::mesh(const std::vector<glm::vec3>& places) const {
 }
 
 std::uint64_t Level::bytes() const {
-  const auto of = [](const auto& all) { return all.capacity() * std::uint64_t{sizeof(all[0])}; };
-  return of(corners_) + of(volumes_) + of(smooth_) + of(wide_) + of(indices_) + of(drawn_) + of(number_);
+  return bytes_of(corners_) + bytes_of(volumes_) + bytes_of(smooth_) + bytes_of(wide_) + bytes_of(indices_) +
+         bytes_of(drawn_) + bytes_of(number_);
 }
 
 }  // namespace panicle::flower

@@ -2,6 +2,7 @@
 // placed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -19,13 +20,13 @@ class Level {
     float times = 1;
   };
   // What is left: of each triangle three vertices of the boundary and the volume that it is of.
-  struct Left {
+  struct Remains {
     std::vector<std::uint32_t> vertices, volumes;
     std::vector<Wide> wide;
   };
 
   // Vertices are parted where the surface has an edge, by `places` of the boundary's vertices.
-  Level(Left left, const std::vector<glm::vec3>& places);
+  Level(Remains remains, const std::vector<glm::vec3>& places);
 
   // A run for each kind of material, and a vertex for each material that meets in it. `numbers`: of materials, by
   // volume.

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "environment/openness.hpp"
-#include "models/flower/ranks.hpp"
+#include "foundation/bytes.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/thickness.hpp"
 #include "models/flower/upright.hpp"
@@ -51,6 +51,47 @@ float area_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return 0.5f * glm::length(glm::cross(b - a, c - a));
 }
 
+// Where in their organs a boundary's vertices are: the mean of the corners of a material that meet there, as in a skin.
+class InOrgans {
+ public:
+  // `numbers`: of materials, by volume; `corners`: by half-edge.
+  InOrgans(const generalized_map::Boundary& boundary, const std::vector<std::uint8_t>& numbers,
+           const std::vector<glm::vec2>& corners)
+      : first_(boundary.surface.positions.size(), nobody) {
+    const ClosedSurface& surface = boundary.surface;
+    for (std::uint32_t h = 0; h < surface.half_edges(); ++h) {
+      const std::uint8_t number = numbers[boundary.volume[surface.face[h]]];
+      std::uint32_t* at = &first_[surface.origin[h]];
+      while (*at != nobody && of_[*at].number != number) at = &of_[*at].next;
+      if (*at == nobody) {
+        *at = static_cast<std::uint32_t>(of_.size());
+        of_.push_back({nobody, number, glm::vec3(corners[h], 1)});
+      } else {
+        of_[*at].sum += glm::vec3(corners[h], 1);
+      }
+    }
+  }
+
+  // Of all corners there where only thinning has brought the material to the vertex.
+  glm::vec2 at(std::uint32_t vertex, std::uint8_t number) const {
+    glm::vec3 all(0);
+    for (std::uint32_t i = first_[vertex]; i != nobody; i = of_[i].next) {
+      if (of_[i].number == number) return glm::vec2(of_[i].sum) / of_[i].sum.z;
+      all += of_[i].sum;
+    }
+    return glm::vec2(all) / all.z;
+  }
+
+ private:
+  struct Of {
+    std::uint32_t next;
+    std::uint8_t number;
+    glm::vec3 sum;
+  };
+  std::vector<std::uint32_t> first_;  // by vertex
+  std::vector<Of> of_;
+};
+
 bool is_flat(const std::array<std::uint32_t, 3>& triangle) {
   return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
 }
@@ -59,7 +100,9 @@ bool is_flat(const std::array<std::uint32_t, 3>& triangle) {
 
 Levels::Levels(const Program& program, const Given& given, const Limits& limits, Derived& derived,
                generalized_map::Embedding& embedding)
-    : boundary_(generalized_map::boundary_of(derived.map, embedding)), is_tube_(tubes_of(derived, boundary_)) {
+    : boundary_(generalized_map::boundary_of(derived.map, embedding)),
+      is_tube_(tubes_of(derived, boundary_)),
+      corners_(derived, boundary_.surface, boundary_.volume) {
   std::vector<VolumeValues> usual;
   lasting_ = usual_values(program, given, limits, derived, usual);
   if (lasting_) std::swap(derived.values, usual);
@@ -67,7 +110,7 @@ Levels::Levels(const Program& program, const Given& given, const Limits& limits,
   if (lasting_) std::swap(derived.values, usual);
 
   organs_.emplace(derived, boundary_, places);
-  for (const std::size_t most : most_triangles) levels_.emplace_back(left(choose(most), places), places);
+  for (const std::size_t most : most_triangles) levels_.emplace_back(remains(choose(most), places), places);
 }
 
 std::uint32_t Levels::stride(const OrganForm& form, const Sparse& sparse) {
@@ -98,7 +141,7 @@ std::vector<std::uint8_t> Levels::kept(const Sparse& sparse) const {
 
 std::size_t Levels::triangles(const std::vector<std::uint8_t>& kept, float error) const {
   std::vector<std::size_t> of_form;
-  for (const OrganForm& form : organs_->forms()) of_form.push_back(form.left(error));
+  for (const OrganForm& form : organs_->forms()) of_form.push_back(form.remaining(error));
   std::size_t all = 0;
   for (std::size_t i = 0; i < kept.size(); ++i) all += kept[i] != 0 ? of_form[organs_->organs()[i].form] : 0;
   return all;
@@ -155,7 +198,7 @@ std::vector<float> Levels::fuller(float error, const std::vector<glm::vec3>& pla
   return fuller;
 }
 
-Level::Left Levels::left(const Choice& choice, const std::vector<glm::vec3>& places) const {
+Level::Remains Levels::remains(const Choice& choice, const std::vector<glm::vec3>& places) const {
   const auto& [sparse, there, error] = choice;
   const std::vector<FormedOrgan>& organs = organs_->organs();
   std::vector<std::vector<std::uint32_t>> to;
@@ -176,11 +219,11 @@ Level::Left Levels::left(const Choice& choice, const std::vector<glm::vec3>& pla
     return vertex;
   };
 
-  Level::Left left;
+  Level::Remains remains;
   const auto add = [&](const std::array<std::uint32_t, 3>& corners, std::uint32_t face) {
     if (is_flat(corners)) return;
-    left.vertices.insert(left.vertices.end(), corners.begin(), corners.end());
-    left.volumes.push_back(boundary_.volume[face]);
+    remains.vertices.insert(remains.vertices.end(), corners.begin(), corners.end());
+    remains.volumes.push_back(boundary_.volume[face]);
   };
   for (std::uint32_t i = 0; i < organs.size(); ++i) {
     if (there[i] == 0) continue;
@@ -208,9 +251,9 @@ Level::Left Levels::left(const Choice& choice, const std::vector<glm::vec3>& pla
     const float crowded =
         form.bears ? 1 : std::min(widest, static_cast<float>(stride(form, sparse) * stride_of_all(form, sparse)));
     const float times = fuller[organ.form] * crowded;
-    if (times != 1) left.wide.push_back({i, times});
+    if (times != 1) remains.wide.push_back({i, times});
   }
-  return left;
+  return remains;
 }
 
 std::vector<glm::vec3> Levels::rounded(const Derived& derived, generalized_map::Embedding& embedding) {
@@ -221,7 +264,6 @@ std::vector<glm::vec3> Levels::rounded(const Derived& derived, generalized_map::
 
 void Levels::add_to(Plant& plant, const Program& program, const Derived& derived, generalized_map::Embedding& embedding,
                     std::vector<std::uint32_t>& numbers) {
-  const ClosedSurface& surface = boundary_.surface;
   const std::vector<glm::vec3> places = rounded(derived, embedding);
   std::vector<std::uint8_t> own(derived.map.volumes());
   for (std::uint32_t v = 0; v < own.size(); ++v) {
@@ -232,11 +274,7 @@ void Levels::add_to(Plant& plant, const Program& program, const Derived& derived
     numbers_ = std::move(own);
     for (Level& level : levels_) level.dress(program, numbers_);
   }
-  // Where in its organ each vertex is: the mean of the faces about it.
-  const std::vector<glm::vec2> in_organs = places_in_organs(derived);
-  std::vector<glm::vec3> about(places.size(), glm::vec3(0));
-  for (std::uint32_t h = 0; h < surface.half_edges(); ++h)
-    about[surface.origin[h]] += glm::vec3(in_organs[boundary_.volume[surface.face[h]]], 1);
+  const InOrgans in_organs(boundary_, numbers_, corners_.places(derived));
 
   std::array<std::uint8_t, 256> index{};
   std::array<bool, 256> is_known{};
@@ -248,18 +286,19 @@ void Levels::add_to(Plant& plant, const Program& program, const Derived& derived
     const Level& level = levels_[k];
     std::vector<glm::vec3> wider = places;
     level.widen(*organs_, wider);
-    for (std::size_t t = 0; k == 0 && t < level.triangles(); ++t) {
-      const auto [a, b, c] = level.triangle(t);
-      screens.push_back({metres * upright((wider[a] + wider[b] + wider[c]) / 3.0f),
-                         metres * metres / 2 * area_of(wider[a], wider[b], wider[c])});
-    }
+    if (k == 0)
+      for (std::size_t t = 0; t < level.triangles(); ++t) {
+        const auto [a, b, c] = level.triangle(t);
+        screens.push_back({metres * upright((wider[a] + wider[b] + wider[c]) / 3.0f),
+                           metres * metres / 2 * area_of(wider[a], wider[b], wider[c])});
+      }
     PlantMesh& out = plant.meshes.emplace_back(level.mesh(wider));
     out.name = names[k];
     out.material = "level";
     std::vector<std::uint8_t> paint;
     for (const std::uint8_t number : level.numbers()) {
-      const glm::vec3& of = about[level.vertex(paint.size())];
-      out.mesh.uvs.insert(out.mesh.uvs.end(), {of.x / of.z, of.y / of.z});
+      const glm::vec2 place = in_organs.at(level.vertex(paint.size()), number);
+      out.mesh.uvs.insert(out.mesh.uvs.end(), {place.x, place.y});
       if (!is_known[number]) {
         is_known[number] = true;
         index[number] = static_cast<std::uint8_t>(numbers.size());
@@ -275,9 +314,9 @@ void Levels::add_to(Plant& plant, const Program& program, const Derived& derived
 }
 
 std::uint64_t Levels::bytes() const {
-  const auto of = [](const auto& all) { return all.capacity() * std::uint64_t{sizeof(all[0])}; };
-  std::uint64_t bytes = 16ull * boundary_.surface.half_edges() + of(boundary_.surface.positions) +
-                        of(boundary_.volume) + of(boundary_.face) + of(is_tube_) + of(numbers_) + organs_->bytes();
+  std::uint64_t bytes = 16ull * boundary_.surface.half_edges() + bytes_of(boundary_.surface.positions) +
+                        bytes_of(boundary_.volume) + bytes_of(boundary_.face) + bytes_of(is_tube_) + corners_.bytes() +
+                        bytes_of(numbers_) + organs_->bytes();
   for (const Level& level : levels_) bytes += level.bytes();
   return bytes;
 }

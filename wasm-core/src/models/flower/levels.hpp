@@ -15,6 +15,7 @@
 #include "generalized_map/embedding.hpp"
 #include "models/flower/derivation.hpp"
 #include "models/flower/level.hpp"
+#include "models/flower/organ_corners.hpp"
 #include "models/flower/organ_forms.hpp"
 #include "plant/plant.hpp"
 
@@ -55,11 +56,12 @@ class Levels {
   Choice choose(std::size_t most) const;
   // Of each form, how much wider what is left of an organ must be to be as large as it was.
   std::vector<float> fuller(float error, const std::vector<glm::vec3>& places) const;
-  Level::Left left(const Choice& choice, const std::vector<glm::vec3>& places) const;
+  Level::Remains remains(const Choice& choice, const std::vector<glm::vec3>& places) const;
   std::vector<glm::vec3> rounded(const Derived& derived, generalized_map::Embedding& embedding);
 
   generalized_map::Boundary boundary_;
   std::vector<std::uint8_t> is_tube_;
+  OrganCorners corners_;
   std::optional<OrganForms> organs_;
   std::vector<Level> levels_;
   std::vector<std::uint8_t> numbers_;  // of materials, by volume, that levels are dressed by

@@ -14,8 +14,6 @@ namespace {
 using lsystem::TokenKind;
 
 constexpr std::uint32_t most_material = 255;
-constexpr std::array<std::string_view, 7> material_kinds = {"stem",   "leaf",   "sepal", "petal",
-                                                            "stamen", "pistil", "seed"};
 constexpr float most_veins = 60;
 constexpr std::size_t longest_name = 40;
 

@@ -8,7 +8,10 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <span>
 #include <utility>
+
+#include "foundation/bytes.hpp"
 
 namespace panicle::flower {
 namespace {
@@ -28,7 +31,7 @@ bool is_flat(std::uint32_t a, std::uint32_t b, std::uint32_t c) { return a == b 
 
 }  // namespace
 
-std::size_t OrganForm::left(float error) const {
+std::size_t OrganForm::remaining(float error) const {
   if (is_kite(error)) return 4;
   const std::size_t gone = within(thinning, error);
   return gone == 0 ? triangles.size() : thinning[gone - 1].triangles;
@@ -252,11 +255,12 @@ void OrganForms::Finding::find_kite(OrganForm& form, const std::vector<glm::vec3
     }
   }
 }
+
 std::uint64_t OrganForms::bytes() const {
-  const auto of = [](const auto& all) { return all.capacity() * std::uint64_t{sizeof(all[0])}; };
-  std::uint64_t bytes = of(organs_) + of(own_vertices_) + of(own_faces_);
+  std::uint64_t bytes = bytes_of(organs_) + bytes_of(own_vertices_) + bytes_of(own_faces_);
   for (const OrganForm& form : forms_)
-    bytes += sizeof form + of(form.triangles) + of(form.faces) + of(form.thinning) + of(form.is_foot);
+    bytes += sizeof form + bytes_of(form.triangles) + bytes_of(form.faces) + bytes_of(form.thinning) +
+             bytes_of(form.is_foot);
   return bytes;
 }
 

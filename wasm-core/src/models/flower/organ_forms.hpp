@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
 #include "generalized_map/boundary.hpp"
@@ -31,7 +30,7 @@ struct OrganForm {
 
   std::uint32_t tip() const { return kite[2]; }
   bool is_kite(float error) const { return rooted && !bears && error >= kite_error; }
-  std::size_t left(float error) const;                    // triangles
+  std::size_t remaining(float error) const;               // triangles
   std::vector<std::uint32_t> targets(float error) const;  // where each vertex has gone
 };
 

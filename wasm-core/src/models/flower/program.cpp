@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "foundation/bytes.hpp"
 #include "models/flower/reader.hpp"
 #include "models/flower/text.hpp"
 
@@ -188,13 +189,13 @@ float light_through(std::string_view kind) {
 }
 
 std::uint64_t Program::bytes() const {
-  const auto of = [](const auto& all) { return all.capacity() * std::uint64_t{sizeof(all[0])}; };
-  std::uint64_t bytes = of(grammars) + of(labels) + of(variables) + of(productions) + of(materials) + of(bones) +
-                        of(notes) + of(code.instructions) + of(code.places) + of(code.registers) + of(code.streams);
-  for (const std::string& note : notes) bytes += of(note);
+  std::uint64_t bytes = bytes_of(grammars) + bytes_of(labels) + bytes_of(variables) + bytes_of(productions) +
+                        bytes_of(materials) + bytes_of(bones) + bytes_of(notes) + bytes_of(code.instructions) +
+                        bytes_of(code.places) + bytes_of(code.registers) + bytes_of(code.streams);
+  for (const std::string& note : notes) bytes += bytes_of(note);
   for (const Production& production : productions) {
-    bytes += of(production.growths);
-    for (const Growth& growth : production.growths) bytes += of(growth.faces) + of(growth.settings);
+    bytes += bytes_of(production.growths);
+    for (const Growth& growth : production.growths) bytes += bytes_of(growth.faces) + bytes_of(growth.settings);
   }
   return bytes;
 }

@@ -144,9 +144,13 @@ struct Colours {
 
 // `#material 4 petal "c8102e" "f6d55c" foot 0.4 margin "ffffff" 0.2 veins "8a1030" 9 0.5 light 0.6 bud "5d8250"`: what
 // a volume's m means. What is said besides kind and colours may be missing.
+// What an organ is made of, in the order in which a level has them.
+inline constexpr std::array<std::string_view, 7> material_kinds{"petal",  "sepal",  "leaf", "stem",
+                                                                "stamen", "pistil", "seed"};
+
 struct Material {
   std::uint32_t number = 0;
-  std::string kind;  // stem, leaf, sepal, petal, stamen, pistil or seed
+  std::string kind;  // of `material_kinds`
   std::string name;  // of what is made of it; empty: its kind's
   Colours open;
   Colours bud, wilted;                      // at an age of 0 and of 2; mixed between

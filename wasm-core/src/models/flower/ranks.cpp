@@ -32,48 +32,4 @@ std::vector<glm::vec2> places_in_organs(const Derived& derived) {
   return places;
 }
 
-std::vector<glm::vec2> places_of_corners(const Derived& derived, const ClosedSurface& surface,
-                                         const std::vector<std::uint32_t>& volume) {
-  const std::vector<glm::vec2> places = places_in_organs(derived);
-  const auto organ = [&](std::uint32_t half) {
-    return derived.records[derived.record_of[volume[surface.face[half]]]].instance;
-  };
-  // Half-edges by their origins: those of a vertex stand together.
-  std::vector<std::uint32_t> begin(surface.positions.size() + 1, 0), about(surface.half_edges());
-  for (const std::uint32_t vertex : surface.origin) ++begin[vertex + 1];
-  for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
-  std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
-  for (std::uint32_t h = 0; h < surface.half_edges(); ++h) about[end[surface.origin[h]]++] = h;
-
-  std::vector<glm::vec2> corners(surface.half_edges());
-  for (std::uint32_t h = 0; h < surface.half_edges(); ++h) {
-    float along = 0, beside = 1, count = 0;
-    for (std::uint32_t i = begin[surface.origin[h]]; i < end[surface.origin[h]]; ++i) {
-      if (organ(about[i]) != organ(h)) continue;
-      const glm::vec2& place = places[volume[surface.face[about[i]]]];
-      along += place.x;
-      beside = std::min(beside, place.y);
-      ++count;
-    }
-    corners[h] = {along / count, beside};
-  }
-  return corners;
-}
-
-std::vector<glm::vec2> refined_places(const ClosedSurface& surface, const std::vector<glm::vec2>& corners) {
-  std::vector<glm::vec3> sums(surface.faces, glm::vec3(0));
-  std::vector<glm::vec2> fine(4 * corners.size());
-  for (std::uint32_t h = 0; h < corners.size(); ++h) {
-    const std::uint32_t next = surface.next[h];
-    sums[surface.face[h]] += glm::vec3(corners[h], 1);
-    fine[4 * h] = corners[h];
-    fine[4 * h + 1] = fine[4 * next + 3] = 0.5f * (corners[h] + corners[next]);
-  }
-  for (std::uint32_t h = 0; h < corners.size(); ++h) {
-    const glm::vec3& sum = sums[surface.face[h]];
-    fine[4 * h + 2] = {sum.x / sum.z, sum.y / sum.z};
-  }
-  return fine;
-}
-
 }  // namespace panicle::flower

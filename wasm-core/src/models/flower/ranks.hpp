@@ -5,7 +5,6 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "geometry/subdivision.hpp"
 #include "models/flower/derivation.hpp"
 
 namespace panicle::flower {
@@ -20,12 +19,5 @@ inline Rank next_rank(Rank before, std::uint16_t side) {
 // Ranks as shares of what there is of an organ, 0 … 1, by volume: along its axis by lengths, so that what is drawn
 // on it is not drawn out where steps are long; beside it by how many stand there.
 std::vector<glm::vec2> places_in_organs(const Derived& derived);
-
-// Where a face's corners are, by half-edge: along, what the organ's faces about it have; beside, where its inner
-// neighbour ends, so that a lobe reaches from there to the next. Each organ has its own where two of them touch.
-std::vector<glm::vec2> places_of_corners(const Derived& derived, const ClosedSurface& surface,
-                                         const std::vector<std::uint32_t>& volume);
-// The same of the surface refined: even over each face.
-std::vector<glm::vec2> refined_places(const ClosedSurface& surface, const std::vector<glm::vec2>& corners);
 
 }  // namespace panicle::flower

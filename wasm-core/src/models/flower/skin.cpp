@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 
 #include "environment/openness.hpp"
+#include "foundation/bytes.hpp"
 #include "lsystem/diagnostics.hpp"
 #include "lsystem/number_text.hpp"
-#include "models/flower/ranks.hpp"
 #include "models/flower/thickness.hpp"
 #include "models/flower/upright.hpp"
 
@@ -47,11 +47,6 @@ bool number_of(float m, std::uint8_t& number) {
   const bool is_number = m >= 0 && m < 256 && std::floor(m) == m;
   number = is_number ? static_cast<std::uint8_t>(m) : 0;
   return is_number;
-}
-
-template <class Value>
-std::uint64_t bytes_of(const std::vector<Value>& values) {
-  return values.capacity() * sizeof(Value);
 }
 
 // Of a volume whose m is no material's number: where the text gives it.
@@ -123,7 +118,7 @@ Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, 
   is_tube_ = tubes_of(derived, boundary);
 
   volume_ = std::move(boundary.volume);
-  bare_volume_ = volume_;
+  corners_.emplace(derived, boundary.surface, volume_);
   face_ = std::move(boundary.face);
   levels_.push_back(std::move(boundary.surface));
   for (std::uint32_t round = 0; round < rounds; ++round) {
@@ -205,7 +200,7 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
   for (std::size_t i = 1; i < levels_.size(); ++i) place_refined(levels_[i - 1], levels_[i]);
   const ClosedSurface& surface = levels_.back();
   const std::vector<glm::vec3> normals = normals_of(surface);
-  std::vector<glm::vec2> places = places_of_corners(derived, levels_.front(), bare_volume_);
+  std::vector<glm::vec2> places = corners_->places(derived);
   for (std::size_t i = 1; i < levels_.size(); ++i) places = refined_places(levels_[i - 1], places);
 
   std::vector<std::uint8_t> numbers(derived.map.volumes());
@@ -263,7 +258,7 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
 
 std::uint64_t Skin::bytes() const {
   std::uint64_t bytes =
-      bytes_of(volume_) + bytes_of(bare_volume_) + bytes_of(face_) + bytes_of(begin_) + 2 * bytes_of(numbers_);
+      bytes_of(volume_) + corners_->bytes() + bytes_of(face_) + bytes_of(begin_) + 2 * bytes_of(numbers_);
   for (const ClosedSurface& level : levels_) bytes += 16ull * level.half_edges() + bytes_of(level.positions);
   for (const Part& part : parts_)
     bytes += bytes_of(part.vertices) + bytes_of(part.corners) + bytes_of(part.halves) + bytes_of(part.begins) +

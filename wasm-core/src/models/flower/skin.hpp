@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "generalized_map/boundary.hpp"
 #include "generalized_map/embedding.hpp"
 #include "models/flower/derivation.hpp"
+#include "models/flower/organ_corners.hpp"
 #include "plant/plant.hpp"
 
 namespace panicle::flower {
@@ -60,7 +62,7 @@ class Skin {
   void part(const std::vector<std::uint8_t>& numbers);
 
   std::vector<ClosedSurface> levels_;        // each the one before refined
-  std::vector<std::uint32_t> bare_volume_;   // of the first one's faces, whose they are
+  std::optional<OrganCorners> corners_;      // of the first one
   std::vector<std::uint32_t> volume_;        // of the last one's faces, whose they are
   std::vector<generalized_map::Face> face_;  // and which
   std::vector<std::uint32_t> begin_;         // and where their half-edges begin; and the end

@@ -11,9 +11,11 @@ export interface Paint {
 	foot: number;
 	margin: { colour: Colour; width: number };
 	veins: {
-		colour: Colour /** A side. */;
+		colour: Colour;
+		/** A side. */
 		count: number;
-		strength: number /** From one in the middle. */;
+		strength: number;
+		/** They leave one in the middle. */
 		feathered: boolean;
 	};
 	/** Light that comes through from behind, as a share. */
@@ -63,14 +65,17 @@ export function colourAt({ base, tip, foot, margin, veins }: Paint, u: number, v
 	return veins.count >= 1 ? mixed(edged, veins.colour, veins.strength * drawn(veins.count, u, v)) : edged;
 }
 
-/** What a vein's ink comes to on the average, where it is dark. */
-const INK = 0.25;
+/** What ink comes to on the average before it fades, and from where along the organ it does: of veins that spread, and of feathered ones. */
+const SPREAD = { ink: 0.23, fades: 0.5 };
+const FEATHERED = { ink: 0.1, fades: 0.75 };
 
 /** The same where single veins cannot be told any more: what they do to the colour about them. */
 export function colourFromAfar(paint: Paint, u: number, v: number): Colour {
 	const { veins } = paint;
 	const plain = colourAt({ ...paint, veins: { ...veins, count: 0 } }, u, v);
-	return veins.count >= 1 ? mixed(plain, veins.colour, INK * veins.strength * (1 - smooth((u - 0.5) / 0.5))) : plain;
+	const { ink, fades } = veins.feathered ? FEATHERED : SPREAD;
+	const dark = ink * veins.strength * (1 - smooth((u - fades) / (1 - fades)));
+	return veins.count >= 1 ? mixed(plain, veins.colour, dark) : plain;
 }
 
 /** How much of a place is vein: one in the middle, others that spread from the foot, fork, and fade before the tip. */
