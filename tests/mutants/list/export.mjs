@@ -37,6 +37,18 @@ export default [
 				replace: "undefined",
 				breaks: "Blender shows every material of an OBJ too pale",
 			},
+			{
+				id: "obj-petals-of-one-colour",
+				find: "const seen = shape && (shown.get(shape) ?? shape);",
+				replace: "const seen = shape;",
+				breaks: "petals of an OBJ are of one colour from foot to tip",
+			},
+			{
+				id: "obj-pictures-that-are-not-there",
+				find: ".map((each) => (pictured ?",
+				replace: ".map((each) => (pictured || true ?",
+				breaks: "plants out of a bare address's OBJ are white",
+			},
 		],
 	},
 	{
@@ -165,9 +177,21 @@ export default [
 			},
 			{
 				id: "aged-heeded-by-all",
-				find: "return table.heeds(specimen, entry) ? entry : undefined;",
-				replace: "return entry;",
+				find: "return table.heeds(specimen, entry) &&",
+				replace: "return",
 				breaks: "a growth is offered of the paper's bunches, which have no age",
+			},
+			{
+				id: "aged-of-any-text",
+				find: "(ages?.(specimen) ?? true)",
+				replace: "true",
+				breaks: "a growth is offered of flowers whose text says nothing of age: twenty-five times the same",
+			},
+			{
+				id: "aged-by-percent",
+				find: "const life = entry.default - entry.min;",
+				replace: "const life = 100;",
+				breaks: "the growth of a flower is a wilted one",
 			},
 		],
 	},

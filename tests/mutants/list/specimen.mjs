@@ -149,13 +149,13 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/grammar_text.ts`,
+		file: `${SRC}/limits.ts`,
 		suites: [`${TESTS}/restore.test.ts`, `${TESTS}/link.test.ts`],
 		faults: [
 			{
 				id: "grammar-bytes-as-letters",
-				find: "text.length > GRAMMAR_BYTES ? text.length : new TextEncoder().encode(text).length",
-				replace: "text.length",
+				find: "return overlong(text.length) ?? overlong(new TextEncoder().encode(text).length);",
+				replace: "return overlong(text.length);",
 				breaks: "a long grammar of accented letters is refused by the core only",
 			},
 		],

@@ -6,7 +6,8 @@ import { encoded } from "../../../web/src/plant/colour";
 import type { Part } from "../../../web/src/plant/part";
 import { meshesOf } from "./reading";
 import { loadObj, unpicturedMtl } from "./reading_obj";
-import { ABOUT, CENTRES, fruits, PULP, plain, tetrahedron } from "./toy_parts";
+import { readPng } from "./reading_png";
+import { ABOUT, CENTRES, fruits, HAIR, PULP, plain, tetrahedron } from "./toy_parts";
 
 function read(parts: Part[]): Map<string, Mesh> {
 	const group = loadObj(exportObj(parts, ABOUT, "toy"));
@@ -101,6 +102,40 @@ describe("the materials of an OBJ", () => {
 		const material = (name: string) => meshes.get(name)?.material as MeshPhongMaterial;
 		expect([material("A").name, material("B").name]).toEqual(["Pulp", "Pulp_2"]);
 		expect(material("B").color.b).toBe(1);
+	});
+
+	it("show colours of vertices by one picture a material, for few readers know them otherwise", () => {
+		const blend = (from: number[], to: number[]) => Float32Array.from([...from, ...to, ...from, ...to]);
+		const petal = (name: string, x: number, colours: Float32Array): Part => ({
+			name,
+			shape: { mesh: { ...tetrahedron([x, 0, 0], 1), colours }, material: HAIR },
+		});
+		const parts = [
+			petal("A", 0, blend([1, 0, 0], [0, 0, 1])),
+			petal("B", 3, blend([1, 0, 0], [0.2, 0, 0.8])),
+			...fruits(),
+		];
+		const { mtl, pictures, obj } = exportObj(parts, ABOUT, "toy");
+		expect(mtl.match(/^newmtl .*$/gm)).toEqual(["newmtl Hair", "newmtl Pulp", "newmtl Pulp_green", "newmtl Hair_2"]);
+		expect(mtl).toContain("map_Kd toy-Hair-colour.png");
+		const { width, height, pixels } = readPng(pictures[0].bytes);
+		const at = (line: string | undefined) => {
+			const [u, v] = (line ?? "").split(" ").slice(1).map(Number);
+			const pixel = 3 * (Math.floor((1 - v) * height) * width + Math.floor(u * width));
+			return [...pixels.subarray(pixel, pixel + 3)];
+		};
+		const lines = obj.match(/^vt .*$/gm) ?? [];
+		const near = (colour: number[]) => colour.map((value) => expect.closeTo(255 * value, -1));
+		const shown = (r: number, g: number, b: number) => near([...encoded([r, g, b])]);
+		expect(at(lines[0])).toEqual(shown(1, 0, 0));
+		expect(at(lines[1])).toEqual(shown(0, 0, 1));
+		expect(at(lines[5])).toEqual(shown(0.2, 0, 0.8));
+	});
+
+	it("have colours alone where no pictures can lie beside them", () => {
+		const { mtl } = exportObj(fruits(), ABOUT, "toy", false);
+		expect(mtl).not.toContain("map_Kd");
+		expect(mtl.match(/^Kd .*$/gm)?.[0]).not.toBe("Kd 1 1 1");
 	});
 
 	it("ask for pictures beside them, each written once, and leave their colour to them", () => {

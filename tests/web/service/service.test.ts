@@ -111,6 +111,24 @@ describe("the files", () => {
 		expect(strFromU8(entries["bunch.mtl"])).toBe(strFromU8(new Uint8Array(mtl)));
 	});
 
+	it("are the pictures that the materials name, where the link is a folder; elsewhere those have colours alone", async () => {
+		const folder = "specimens/v=2&model=flower&preset=petal";
+		const mtl = await (await ask(`${folder}/a.mtl`)).text();
+		const named = [...mtl.matchAll(/^map_Kd (.*)$/gm)].map(([, name]) => name);
+		expect(named.length).toBeGreaterThan(2);
+		const entries = unzipSync(new Uint8Array(await (await ask(`${folder}/a.obj.zip`)).arrayBuffer()));
+		for (const name of named) {
+			const answer = await ask(`${folder}/${name}`);
+			expect(answer.headers.get("content-type")).toBe("image/png");
+			expect(new Uint8Array(await answer.arrayBuffer())).toEqual(entries[name]);
+		}
+		expect(await refused(`${folder}/a-Bark-colour.png`)).toBe("404 no material has the picture “a-Bark-colour.png”");
+		expect(await refused(`${folder}/a.png`)).toContain("501 pictures are drawn by graphics cards");
+		const bare = await (await ask("specimens/flower/petal.mtl")).text();
+		expect(bare).not.toContain("map_Kd");
+		expect(bare).not.toContain("Kd 1 1 1");
+	});
+
 	it("are a model’s own too, and USDZ", async () => {
 		const csv = await ask("specimens/redcurrant.csv?count=5");
 		expect(csv.headers.get("content-type")).toContain("text/csv");

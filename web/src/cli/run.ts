@@ -56,7 +56,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	if (out?.toLowerCase().endsWith(".png"))
 		throw new UsageError(`--out ${out}: pictures take a graphics card; take them in the page, from its Download menu`);
 	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
-	checkForm(call, ending, model, from);
+	await checkForm(call, ending, model, from);
 	const texted = model.details.some(({ packed }) => packed?.key === "grammar");
 	const untold = (what: string) =>
 		texted ? `of a ${model.noun}’s text there is no ${what} to tell` : `the ${model.noun} is not grown by a text`;
@@ -119,8 +119,9 @@ async function found(
 }
 
 /** @throws UsageError where there is no such form of the file, or the plant has no ages or levels for it to show */
-function checkForm({ form, out }: Call, ending: string, model: Model, specimen: Specimen): void {
+async function checkForm({ form, out }: Call, ending: string, model: Model, specimen: Specimen): Promise<void> {
 	const file = plantFile(ending, form);
+	if (file?.life) await model.prepare?.(specimen);
 	if (file?.life && !hasAges(model, specimen)) throw new UsageError(`--form ${form}: this plant has no ages to show`);
 	if (file?.levelled && !model.levels) throw new UsageError(`--form ${form}: there are no levels of a ${model.noun}`);
 	if (form === undefined || file) return;

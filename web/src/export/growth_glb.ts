@@ -12,7 +12,7 @@ import { paletted } from "./palette";
 
 /** A plant at other ages. */
 export interface Aged {
-	/** From the youngest to the oldest, in percent of its life. */
+	/** From the youngest to the oldest, as the plant counts them. */
 	readonly ages: readonly number[];
 	at(age: number): Promise<Iterable<Part>>;
 }

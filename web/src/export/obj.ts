@@ -10,6 +10,7 @@ import { type NamedMaterial, writeMtl } from "./mtl";
 import { ObjMaterials } from "./obj_materials";
 import { ObjWriter } from "./obj_writer";
 import { onePixel } from "./one_pixel";
+import { palettedByMaterial } from "./palette";
 import { png } from "./png";
 import { placed, together } from "./together";
 
@@ -23,11 +24,15 @@ export interface ObjPicture {
 	bytes: Uint8Array<ArrayBuffer>;
 }
 
-/** The two texts and their pictures. `name` is what the files are called without their endings: the OBJ asks for `name.mtl`. */
+/**
+ * The two texts and their pictures. `name` is what the files are called without their endings: the OBJ asks for `name.mtl`.
+ * @param pictured whether the MTL may ask for pictures; else it has colours alone
+ */
 export function exportObj(
 	parts: Iterable<Part>,
 	about: About,
 	name: string,
+	pictured = true,
 ): { obj: string; mtl: string; pictures: ObjPicture[] } {
 	const all = [...everyPart([...parts].map(together))];
 	const writer = new ObjWriter(BYTES_PER_VERTEX * verticesOf(all));
@@ -35,11 +40,15 @@ export function exportObj(
 	writer.line(`# ${about.link}`);
 	writer.line(`mtllib ${name}.mtl`);
 	const materials = new ObjMaterials();
-	for (const part of all) {
-		if (part.shape) writeShape(writer, part.name, part.shape, materials.nameOf(part.shape));
+	const shown = palettedByMaterial(all.flatMap(({ shape }) => shape ?? []));
+	for (const { name, shape } of all) {
+		const seen = shape && (shown.get(shape) ?? shape);
+		if (seen) writeShape(writer, name, seen, materials.nameOf(seen));
 	}
 	const pictures = new Map<Picture, ObjPicture>();
-	const named = materials.all().map((each) => ({ ...each, pictures: picturesOf(each, name, pictures) }));
+	const named = materials
+		.all()
+		.map((each) => (pictured ? { ...each, pictures: picturesOf(each, name, pictures) } : each));
 	return { obj: writer.toString(), mtl: writeMtl(named), pictures: [...pictures.values()] };
 }
 

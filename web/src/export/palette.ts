@@ -4,7 +4,7 @@
  * vertices blends on it.
  */
 import { type Colour, clamp, encoded } from "../plant/colour";
-import type { Picture } from "../plant/material";
+import type { Material, Picture } from "../plant/material";
 import type { Part, Shape } from "../plant/part";
 
 /** Pixels along an edge; eight bits have no more steps than a few of them tell apart. */
@@ -29,6 +29,39 @@ export function paletted(parts: readonly Part[]): Part[] {
 		...(shape ? { shape: painted(shape) } : {}),
 		...(children ? { children: paletted(children) } : {}),
 	}));
+}
+
+/**
+ * Shapes that have colours of vertices in a picture, those of one material in one: what readers would else show in one colour. Those of
+ * variants, instances or a picture stay as they are, and are not among them.
+ */
+export function palettedByMaterial(shapes: readonly Shape[]): Map<Shape, Shape> {
+	const groups = new Map<Material, Shape[]>();
+	for (const shape of shapes) {
+		const { mesh, material, instances, variant } = shape;
+		if (!mesh.colours || instances || variant !== undefined || material.textures?.colour) continue;
+		groups.set(material, [...(groups.get(material) ?? []), shape]);
+	}
+	const found = new Map<Shape, Shape>();
+	for (const [material, group] of groups) {
+		const coloursOf = ({ mesh }: Shape) => mesh.colours as Float32Array;
+		const all = new Float32Array(group.reduce((sum, shape) => sum + coloursOf(shape).length, 0));
+		let at = 0;
+		for (const shape of group) {
+			all.set(coloursOf(shape), at);
+			at += coloursOf(shape).length;
+		}
+		const { picture, uvs } = paletteOf(all);
+		const shown = { ...material, textures: { ...material.textures, colour: picture } };
+		at = 0;
+		for (const shape of group) {
+			const { colours: _, ...bare } = shape.mesh;
+			const end = at + (2 * coloursOf(shape).length) / 3;
+			found.set(shape, { ...shape, mesh: { ...bare, uvs: uvs.slice(at, end) }, material: shown });
+			at = end;
+		}
+	}
+	return found;
 }
 
 function painted(shape: Shape): Shape {

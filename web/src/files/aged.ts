@@ -6,20 +6,19 @@ import { restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
 import type { NumberEntry } from "../specimen/table";
 
-/** The parameter that a life runs by, and how many even steps are shown of it, to where it is grown up. */
+/** The parameter that a life runs by, which is grown up where nobody says otherwise, and how many even steps are shown of it. */
 const AGE = "age";
 const STEPS = 24;
-const GROWN_UP = 100;
 
-/** The parameter that is a specimen's age; undefined where it has none. */
-export function ageOf({ table }: Pick<Model, "table">, specimen: Specimen): NumberEntry | undefined {
+/** The parameter that is a specimen's age; undefined where it has none, or nothing of it depends on that. */
+export function ageOf({ table, ages }: Pick<Model, "table" | "ages">, specimen: Specimen): NumberEntry | undefined {
 	const entry = table.entry(AGE);
 	if (!entry || entry.kind === "colour" || entry.kind === "choice") return undefined;
-	return table.heeds(specimen, entry) ? entry : undefined;
+	return table.heeds(specimen, entry) && (ages?.(specimen) ?? true) ? entry : undefined;
 }
 
-/** Whether a specimen has ages. */
-export function hasAges(model: Pick<Model, "table">, specimen: Specimen): boolean {
+/** Whether a specimen has ages; of some models that is known once they are prepared for it. */
+export function hasAges(model: Pick<Model, "table" | "ages">, specimen: Specimen): boolean {
 	return ageOf(model, specimen) !== undefined;
 }
 
@@ -32,8 +31,10 @@ export function agedOf(
 	specimen: Specimen,
 	grow: (specimen: Specimen) => Promise<Plant>,
 ): Aged | undefined {
-	if (!hasAges(model, specimen)) return undefined;
-	const ages = Array.from({ length: STEPS + 1 }, (_, i) => Math.round((100 * GROWN_UP * i) / STEPS) / 100);
+	const entry = ageOf(model, specimen);
+	if (!entry) return undefined;
+	const life = entry.default - entry.min;
+	const ages = Array.from({ length: STEPS + 1 }, (_, i) => Math.round(100 * (entry.min + (life * i) / STEPS)) / 100);
 	const at = async (age: number) => {
 		const { specimen: younger } = restore(model, { [AGE]: age }, specimen);
 		return model.parts(await grow(younger), younger);

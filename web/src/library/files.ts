@@ -160,6 +160,7 @@ export async function toFile(grown: Grown, format: string, options: FileOptions 
 	const own = model.formats?.find(({ key }) => key === format);
 	if (!own && format !== "json") checkMeshes(grown);
 	if (own?.applies?.(grown.plant) === false) throw new SpecimenError("format", `this ${model.noun} has no ${format}`);
+	if (format === "glb-growth") await model.prepare?.(held);
 	if (format === "glb-growth" && !hasAges(model, held))
 		throw new SpecimenError("format", `this ${model.noun} has no ages to show`);
 	if (format === "glb-lod" && !model.levels) throw new SpecimenError("format", `this ${model.noun} has no levels`);

@@ -116,6 +116,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	encode(specimen: S, options?: GrowthOptions): Block[];
 	/** What came back for a specimen, typed: plain data, for it is cloned into the worker that makes files. */
 	read(answer: Answer, specimen: S): G;
+	/** Whether anything of a plant depends on its age, of models whose texts may not say so; once `prepare` has been awaited. Absent: as the table has it. */
+	ages?(specimen: S): boolean;
 	/** What the plant is made of, for the scene and the exporters, which run in a worker: meshes or instances with their materials. */
 	parts(grown: G, specimen: S): Iterable<Part>;
 	/** The plant for four distances, from near to far, where it was grown with `levels`; absent of models that have none. */

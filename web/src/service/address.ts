@@ -27,6 +27,8 @@ export interface Asked {
 	readonly name: string;
 	/** What follows that dot, lower case: `low.glb`. */
 	readonly ending: string;
+	/** Whether what the file names beside itself has an address as well: the link is a folder. */
+	readonly neighbours: boolean;
 	readonly options: FileOptions;
 	/** Whether measures are to be worked out for a JSON document. */
 	readonly measures: boolean;
@@ -65,6 +67,7 @@ export async function readAddress({ pathname, search, href }: URL): Promise<Aske
 		...read,
 		name,
 		ending,
+		neighbours: folder?.includes("=") === true,
 		options: optionsOf(own),
 		measures: readSwitch("measures", own.get("measures")) ?? true,
 		map: readSwitch("map", own.get("map")) ?? true,

@@ -42,6 +42,9 @@ const FOR_ALL = {
 const CACHING = "public, max-age=3600, stale-while-revalidate=86400";
 /** Besides those of every plant and those of a model: an OBJ alone, the materials that it names, and both in an archive with their pictures. */
 const OTHERS = ["json", "obj", "mtl", "zip-obj"];
+/** And a picture that the materials name, which is called as they are. */
+const OF_OBJ = "png-obj";
+const OF_MATERIAL = /-(?:colour|normal)$/;
 const encoder = new TextEncoder();
 
 export function makeService({ loadCore, release }: Surroundings): Service {
@@ -68,7 +71,7 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 		if (method !== "GET" && method !== "HEAD")
 			throw new Refused(405, `${method} is not for plants`, { allow: METHODS });
 		const asked = await readAddress(new URL(request.url));
-		const format = formatOf(asked);
+		const format = await formatOf(asked);
 		const link = await encodeLink(asked.model, asked.specimen);
 		const address = JSON.stringify([link, format, asked.options, asked.measures, asked.map, release]);
 		const before = known.tag(address);
@@ -107,13 +110,15 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 }
 
 /** The key of the kind of file that an ending means: `low.glb` is `glb-low`. */
-function formatOf({ model, specimen, ending }: Asked): string {
+async function formatOf({ model, specimen, name, ending, neighbours }: Asked): Promise<string> {
 	const key = ending.split(".").reverse().join("-");
 	const all = [...PLANT_FILES.map((file) => file.key), ...OTHERS, ...(model.formats ?? []).map((each) => each.key)];
 	const file = PLANT_FILES.find((each) => each.key === key);
+	if (file?.life) await model.prepare?.(specimen);
 	if (file?.life && !hasAges(model, specimen)) throw new Refused(404, "this plant has no ages to show");
 	if (file?.levelled && !model.levels) throw new Refused(404, `there are no levels of a ${model.noun}`);
 	if (all.includes(key)) return key;
+	if (ending === "png" && neighbours && OF_MATERIAL.test(name)) return OF_OBJ;
 	if (/^(png|jpe?g|webp|avif|gif)$/.test(ending))
 		throw new Refused(
 			501,
@@ -124,7 +129,7 @@ function formatOf({ model, specimen, ending }: Asked): string {
 }
 
 async function fileOf(
-	{ model, specimen, name, options }: Asked,
+	{ model, specimen, name, neighbours, options }: Asked,
 	format: string,
 	grown: Plant,
 	growing: Growing,
@@ -133,11 +138,22 @@ async function fileOf(
 	const link = await encodeLink(model, specimen);
 	if (format === "obj" || format === "mtl") {
 		const about = await aboutPlant(model, grown, specimen, link);
-		return new Blob([exportObj(model.parts(grown, specimen), about, name)[format]], { type: `model/${format}` });
+		const files = exportObj(model.parts(grown, specimen), about, name, neighbours);
+		return new Blob([files[format]], { type: `model/${format}` });
 	}
+	if (format === OF_OBJ)
+		return picture(exportObj(model.parts(grown, specimen), await aboutPlant(model, grown, specimen, link), ""), name);
 	const key = format === "zip-obj" ? "obj" : format;
 	const request = { model: model.name, format: key, grown, specimen, link, name, options };
 	return makeFile(model, request, growing);
+}
+
+/** The picture that an MTL of any name asks for by this one, which ends as the material and the kind do. */
+function picture({ pictures }: ReturnType<typeof exportObj>, name: string): Blob {
+	const meant = pictures.filter((each) => `${name}.png`.endsWith(each.name));
+	const [found] = meant.sort((one, other) => other.name.length - one.name.length);
+	if (!found) throw new Refused(404, `no material has the picture “${name.slice(0, 60)}.png”`);
+	return new Blob([found.bytes], { type: "image/png" });
 }
 
 /** What the core says of a grammar has the place, as compilers write it. */

@@ -9,7 +9,7 @@ import { flowerRecord, tooHeavy } from "./record";
 import { encodeFlower } from "./request";
 import { FLOWER, isXml } from "./species";
 import type { FlowerSpecimen } from "./specimen";
-import { fetchedText, fetchTexts } from "./texts";
+import { fetchedText, fetchTexts, heedsAge } from "./texts";
 import { flowerInWords } from "./words";
 
 export const model = {
@@ -22,6 +22,7 @@ export const model = {
 	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
 	encode: encodeFlower,
 	read: readFlowerPlant,
+	ages: heedsAge,
 	parts: flowerParts,
 	levels: flowerLevels,
 	titled: titledBy("A flower grammar of one’s own", fetchedText),
