@@ -51,7 +51,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/soil.ts",
+		file: "web/src/models/stand/rim.ts",
 		suites: [`${WEB}/soil.test.ts`],
 		faults: [
 			{
@@ -65,6 +65,30 @@ export default [
 				find: "for (let brink = 0; brink < brinks.length; brink++) {",
 				replace: "for (let brink = 1; brink < brinks.length; brink++) {",
 				breaks: "the ground's rim is open at a corner",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/finer_ground.ts",
+		suites: [`${WEB}/finer_ground.test.ts`],
+		faults: [
+			{
+				id: "stand-ground-sky-cut-down",
+				find: "Math.round(all(mesh.sky, 1)[0])",
+				replace: "all(mesh.sky, 1)[0]",
+				breaks: "the ground is darker between the core's places than at them",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/ground_grid.ts",
+		suites: [`${WEB}/ground_grid.test.ts`],
+		faults: [
+			{
+				id: "stand-ground-ends-beyond-itself",
+				find: "clamp(value / size + 0.5) * cells",
+				replace: "(0 * clamp(0) + value / size + 0.5) * cells",
+				breaks: "who looks from beside a ground is at no height at all",
 			},
 		],
 	},

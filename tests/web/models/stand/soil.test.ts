@@ -1,7 +1,7 @@
 import { beforeAll, expect, it } from "vitest";
+import { heightAt } from "../../../../web/src/models/stand/ground_grid";
 import { groundParts } from "../../../../web/src/models/stand/parts";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
-import { heightAt } from "../../../../web/src/models/stand/walker";
 import type { PartMesh } from "../../../../web/src/plant/part";
 import { grownStand, planned } from "./stands";
 

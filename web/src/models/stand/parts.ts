@@ -11,7 +11,7 @@ import type { StandPlant } from "./stand_plant";
 /** More plants of one member than these have no names of their own. */
 const MOST_NAMED = 300;
 
-function soilOf({ look }: StandSpecimen): Material {
+function groundMaterial({ look }: StandSpecimen): Material {
 	return { name: "Ground", colour: linear(look.soil), roughness: 1 };
 }
 
@@ -30,7 +30,10 @@ export function groundParts({ meshes, soil }: StandPlant, specimen: StandSpecime
 	return meshes.map((mesh) => {
 		if (mesh.material === "wood") return { name: "Posts", shape: { mesh, material: WOOD } };
 		if (mesh.material === "metal") return { name: "Wires", shape: { mesh, material: METAL } };
-		return { name: "Ground", shape: { mesh: soil ? tinted(soil, specimen) : mesh, material: soilOf(specimen) } };
+		return {
+			name: "Ground",
+			shape: { mesh: soil ? tinted(soil, specimen) : mesh, material: groundMaterial(specimen) },
+		};
 	});
 }
 

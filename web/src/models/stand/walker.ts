@@ -1,4 +1,5 @@
 /** Someone who walks over a stand's ground: where they stand and which way they look. Pure. */
+import { heightAt } from "./ground_grid";
 import type { StandPlant } from "./stand_plant";
 
 export interface Pose {
@@ -89,21 +90,4 @@ export function gazeOf(pose: Pose, stand: Grounded) {
 		eye: [pose.x, y, pose.z],
 		towards: [pose.x + sideways, y + Math.sin(pitch), pose.z - forth],
 	} as const;
-}
-
-/** How high the ground is: between the four places of its grid about there. */
-export function heightAt({ ground, meshes }: Grounded, x: number, z: number): number {
-	const places = meshes[0]?.positions;
-	if (!places) return 0;
-	let across = 1;
-	while (3 * across + 2 < places.length && places[3 * across + 2] === places[2]) across++;
-	const deep = places.length / 3 / across;
-	const on = (value: number, size: number, count: number) =>
-		Math.min(count - 1, Math.max(0, (value / size + 0.5) * (count - 1)));
-	const [u, v] = [on(x, ground.width, across), on(z, ground.depth, deep)];
-	const [i, j] = [Math.min(across - 2, Math.floor(u)), Math.min(deep - 2, Math.floor(v))];
-	const at = (column: number, row: number) => places[3 * (across * row + column) + 1];
-	const near = at(i, j) + (u - i) * (at(i + 1, j) - at(i, j));
-	const far = at(i, j + 1) + (u - i) * (at(i + 1, j + 1) - at(i, j + 1));
-	return near + (v - j) * (far - near);
 }

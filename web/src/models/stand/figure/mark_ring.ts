@@ -13,8 +13,8 @@ import {
 	type PerspectiveCamera,
 	Vector3,
 } from "three";
+import { heightAt } from "../ground_grid";
 import type { StandPlant } from "../stand_plant";
-import { heightAt } from "../walker";
 
 const PALE = "#fff4d6";
 const DARK = "#2a211a";

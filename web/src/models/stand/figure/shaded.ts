@@ -1,7 +1,8 @@
 /** What of a stand has its shadows drawn: all of it, and for who walks in it what is about them, so much the finer. Pure. */
 import { Vector3 } from "three";
+import { heightAt } from "../ground_grid";
 import type { StandPlant } from "../stand_plant";
-import { eyeHeight, heightAt } from "../walker";
+import { eyeHeight } from "../walker";
 
 export interface Ball {
 	readonly centre: Vector3;

@@ -1,0 +1,45 @@
+/** The ground as the core lays it: a grid that is evenly spaced, row by row from the back; and what is between its places. Pure. */
+import { clamp } from "../../plant/colour";
+import type { PartMesh } from "../../plant/part";
+import type { StandPlant } from "./stand_plant";
+
+/** How many cells it has along each side. */
+export interface GroundGrid {
+	readonly across: number;
+	readonly deep: number;
+}
+
+export function gridOf({ positions }: Pick<PartMesh, "positions">): GroundGrid {
+	let row = 1;
+	while (3 * row + 2 < positions.length && positions[3 * row + 2] === positions[2]) row++;
+	return { across: row - 1, deep: positions.length / 3 / row - 1 };
+}
+
+/**
+ * One of the numbers that each place of a grid has, between the four about there.
+ * @param of `parts` × places
+ * @param u cells from the left, and `v` from the back
+ */
+export function between(
+	{ across, deep }: GroundGrid,
+	of: ArrayLike<number>,
+	[parts, part]: readonly [parts: number, part: number],
+	u: number,
+	v: number,
+): number {
+	const [i, j] = [Math.min(across - 1, Math.floor(u)), Math.min(deep - 1, Math.floor(v))];
+	const at = (x: number, y: number) => of[parts * ((across + 1) * (j + y) + i + x) + part];
+	const near = at(0, 0) + (u - i) * (at(1, 0) - at(0, 0));
+	const far = at(0, 1) + (u - i) * (at(1, 1) - at(0, 1));
+	return near + (v - j) * (far - near);
+}
+
+/** How high the ground is there, metres; beside it, as at its edge. */
+export function heightAt({ ground, meshes }: Pick<StandPlant, "ground" | "meshes">, x: number, z: number): number {
+	const [mesh] = meshes;
+	if (!mesh) return 0;
+	const grid = gridOf(mesh);
+	const along = (value: number, size: number, cells: number) => clamp(value / size + 0.5) * cells;
+	const [u, v] = [along(x, ground.width, grid.across), along(z, ground.depth, grid.deep)];
+	return between(grid, mesh.positions, [3, 1], u, v);
+}
