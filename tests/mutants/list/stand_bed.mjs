@@ -36,6 +36,36 @@ export default [
 				replace: "const r = radius + off * WIDE;",
 				breaks: "the ring about a chosen plant is too thin to see from afar",
 			},
+			{
+				id: "stand-ring-in-the-slope",
+				find: "const y = stands ? heightAt(stand, x, z) : this.#at.y;",
+				replace: "const y = stands || heightAt(stand, x, z) ? this.#at.y : 0;",
+				breaks: "the ring about a chosen plant is half in the ground of a slope",
+			},
+			{
+				id: "stand-ring-under-what-hangs",
+				find: "const stands = places.bearer[this.#plant] < 0;",
+				replace: "const stands = places.count > 0;",
+				breaks: "the ring about a chosen bunch lies under its vine",
+			},
+			{
+				id: "stand-ring-of-no-size",
+				find: "Math.max(ABOUT * crown, LEAST * seen)",
+				replace: "Math.max(ABOUT * crown, 0 * LEAST)",
+				breaks: "nobody sees the ring about a small plant from afar",
+			},
+			{
+				id: "stand-ring-stays-behind",
+				find: "if (stand !== this.#stand || plant !== this.#plant) this.#laid = false;",
+				replace: "",
+				breaks: "the ring stays about the plant that was chosen before",
+			},
+			{
+				id: "stand-ring-laid-in-each-frame",
+				find: "this.#laid = true;",
+				replace: "",
+				breaks: "every frame of a view at rest looks up 432 heights",
+			},
 		],
 	},
 	{

@@ -1,30 +1,105 @@
-import { type BufferGeometry, type Mesh, PerspectiveCamera, Vector3 } from "three";
-import { expect, it } from "vitest";
+import { type BufferAttribute, type BufferGeometry, type Mesh, PerspectiveCamera, Vector3 } from "three";
+import { beforeAll, expect, it } from "vitest";
 import { MarkRing } from "../../../../web/src/models/stand/figure/mark_ring";
+import { heightAt } from "../../../../web/src/models/stand/ground_grid";
+import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { grownStand } from "./stands";
 
-it("lies about the plant on the ground, as wide in the view from near and from far, and goes with the mark", async () => {
-	const stand = await grownStand(undefined, { meshes: true });
+/** Stands on a slope; hangs on another one, over the ground. */
+const STANDING = 2;
+const BORNE = 12;
+
+let stand: StandPlant;
+beforeAll(async () => {
+	stand = await grownStand(undefined, { meshes: true });
+}, 300_000);
+
+const placesOf = (ring: MarkRing) =>
+	(ring.object.children[0] as Mesh<BufferGeometry>).geometry.getAttribute("position") as BufferAttribute;
+
+/** Where a ring's vertices lie about a plant, seen from over it. */
+function laid(ring: MarkRing, plant: number, distance: number) {
+	const camera = new PerspectiveCamera(24, 1, 0.1, 1000);
+	const foot = new Vector3().fromArray(stand.places.at, 3 * plant);
+	camera.position.copy(foot).add(new Vector3(0, distance, 0));
+	ring.aim(camera);
+	const at = placesOf(ring);
+	const all = Array.from({ length: at.count }, (_, v) => new Vector3().fromBufferAttribute(at, v));
+	const far = all.map(({ x, z }) => Math.hypot(x - foot.x, z - foot.z));
+	const high = 2 * distance * Math.tan((24 * Math.PI) / 360);
+	return { all, foot, high, least: Math.min(...far), most: Math.max(...far) };
+}
+
+it("lies about the plant on the ground, as wide in the view from near and from far, and goes with the mark", () => {
 	const ring = new MarkRing();
 	expect(ring.object.visible).toBe(false);
-	ring.show(stand, 2);
+	ring.show(stand, STANDING);
 	expect(ring.object.visible).toBe(true);
-	const { places } = stand;
-	const foot = new Vector3().fromArray(places.at, 6);
-	const camera = new PerspectiveCamera(24, 1, 0.1, 1000);
-	const rays = (distance: number) => {
-		camera.position.copy(foot).add(new Vector3(0, distance, 0));
-		ring.aim(camera);
-		const { geometry } = ring.object.children[0] as Mesh<BufferGeometry>;
-		const at = geometry.getAttribute("position");
-		const far = Array.from({ length: at.count }, (_, v) => Math.hypot(at.getX(v) - foot.x, at.getZ(v) - foot.z));
-		return { least: Math.min(...far), most: Math.max(...far), high: at.getY(0) - foot.y };
-	};
-	const [near, far] = [rays(10), rays(40)];
+	const [near, far] = [10, 40].map((distance) => laid(ring, STANDING, distance));
 	expect((far.most - far.least) / (near.most - near.least)).toBeCloseTo(4, 2);
-	expect(near.least).toBeGreaterThan(0.25 * stand.kinds[places.kind[2]].crown.width * places.scale[2]);
-	expect(Math.abs(near.high)).toBeLessThan(0.5);
+	const crown = stand.kinds[stand.places.kind[STANDING]].crown.width * stand.places.scale[STANDING];
+	expect(near.least).toBeGreaterThan(0.25 * crown);
+	for (const { all, high } of [near, far])
+		for (const { x, y, z } of all) {
+			const over = y - heightAt(stand, x, z);
+			expect(over).toBeGreaterThan(0);
+			expect(over).toBeLessThan(0.005 * high);
+		}
+	// The ground there is no plane that a ring at the plant's own height would lie on.
+	const heights = near.all.map(({ x, z }) => heightAt(stand, x, z));
+	expect(Math.max(...heights) - Math.min(...heights)).toBeGreaterThan(0.02 * near.high);
 	ring.show(stand, undefined);
 	expect(ring.object.visible).toBe(false);
+	ring.dispose();
+});
+
+it("is large enough to see about the smallest crown", () => {
+	const ring = new MarkRing();
+	const kinds = stand.kinds.map((kind) => ({ ...kind, crown: { width: 0.001, height: 0.001 } }));
+	ring.show({ ...stand, kinds }, STANDING);
+	for (const distance of [10, 40]) {
+		const { least, most, high } = laid(ring, STANDING, distance);
+		expect(most).toBeGreaterThan(0.015 * high);
+		expect(least).toBeGreaterThan(0.01 * high);
+		expect(most).toBeLessThan(0.03 * high);
+	}
+	ring.dispose();
+});
+
+it("is level about what hangs, where that hangs", () => {
+	const ring = new MarkRing();
+	ring.show(stand, BORNE);
+	const { all, foot, high } = laid(ring, BORNE, 10);
+	expect(foot.y - heightAt(stand, foot.x, foot.z)).toBeGreaterThan(1);
+	for (const { y } of all) {
+		expect(y - foot.y).toBeGreaterThan(0);
+		expect(y - foot.y).toBeLessThan(0.005 * high);
+	}
+	ring.dispose();
+});
+
+it("is laid anew for another eye, angle, plant or stand, and not while all stay", () => {
+	const ring = new MarkRing();
+	const camera = new PerspectiveCamera(24, 1, 0.1, 1000);
+	camera.position.set(0, 10, 0);
+	const { version } = placesOf(ring);
+	/** How often it has been laid. */
+	const aimed = () => {
+		ring.aim(camera);
+		return placesOf(ring).version - version;
+	};
+	ring.show(stand, STANDING);
+	expect([aimed(), aimed()]).toEqual([1, 1]);
+	ring.show(stand, STANDING);
+	camera.rotateY(1);
+	expect(aimed()).toBe(1);
+	camera.position.x++;
+	expect(aimed()).toBe(2);
+	camera.fov++;
+	expect(aimed()).toBe(3);
+	ring.show(stand, BORNE);
+	expect(aimed()).toBe(4);
+	ring.show({ ...stand }, BORNE);
+	expect(aimed()).toBe(5);
 	ring.dispose();
 });

@@ -40,6 +40,10 @@ export class MarkRing {
 	#stand: StandPlant | undefined;
 	#plant = 0;
 	readonly #at = new Vector3();
+	/** From where it was laid last; a frame of an eye that stands still costs nothing. */
+	readonly #eye = new Vector3();
+	#fov = 0;
+	#laid = false;
 
 	constructor() {
 		const colours = BANDS.flatMap(({ colour }) => {
@@ -68,6 +72,7 @@ export class MarkRing {
 	show(stand: StandPlant | undefined, plant: number | undefined): void {
 		this.object.visible = stand !== undefined && plant !== undefined && plant < stand.places.count;
 		if (!stand || plant === undefined || !this.object.visible) return;
+		if (stand !== this.#stand || plant !== this.#plant) this.#laid = false;
 		this.#stand = stand;
 		this.#plant = plant;
 		this.#at.fromArray(stand.places.at, 3 * plant);
@@ -76,8 +81,15 @@ export class MarkRing {
 	/** As wide in the view from however far it is seen. */
 	aim(camera: PerspectiveCamera): void {
 		if (!this.object.visible || !this.#stand) return;
-		const { places, kinds } = this.#stand;
-		const seen = 2 * this.#at.distanceTo(camera.position) * Math.tan((camera.fov * Math.PI) / 360);
+		if (this.#laid && camera.fov === this.#fov && camera.position.equals(this.#eye)) return;
+		this.#laid = true;
+		this.#fov = camera.fov;
+		this.#lay(this.#stand, this.#eye.copy(camera.position));
+	}
+
+	#lay(stand: StandPlant, eye: Vector3): void {
+		const { places, kinds } = stand;
+		const seen = 2 * this.#at.distanceTo(eye) * Math.tan((this.#fov * Math.PI) / 360);
 		const crown = 0.5 * kinds[places.kind[this.#plant]].crown.width * places.scale[this.#plant];
 		const radius = Math.max(ABOUT * crown, LEAST * seen);
 		// What hangs has no ground about it.
@@ -90,7 +102,7 @@ export class MarkRing {
 				for (const off of [from, to]) {
 					const r = radius + off * WIDE * seen;
 					const [x, z] = [this.#at.x + r * Math.cos(angle), this.#at.z + r * Math.sin(angle)];
-					const y = stands ? heightAt(this.#stand, x, z) : this.#at.y;
+					const y = stands ? heightAt(stand, x, z) : this.#at.y;
 					position.setXYZ(v++, x, y + 0.5 * WIDE * seen, z);
 				}
 			}
