@@ -148,6 +148,12 @@ export default [
 				breaks: "when the graphics card comes back the plants do not",
 			},
 			{
+				id: "stand-lost-card-dims-the-chosen",
+				find: "this.mark(marked);",
+				replace: "void marked;",
+				breaks: "when the graphics card comes back the chosen plant has its ring and is dark",
+			},
+			{
 				id: "stand-counts-what-is-not-there",
 				find: "if (layers.length === 0) return;",
 				replace: "",
@@ -188,6 +194,13 @@ export default [
 				find: "Math.min(1, 2 - 2 * gone), bright);",
 				replace: "1 - gone, bright);",
 				breaks: "stems between two levels of detail are rows of dots",
+			},
+			{
+				id: "stand-stems-have-holes-half-way",
+				find: "this.#set(slot, slot.other, gone > 0 ? level + 1 : -1, Math.min(1, 2 * gone), bright);",
+				replace:
+					"if (gone > 0.5) this.object.setVisibleAt(slot.now, false);\n\t\tthis.#set(slot, slot.other, gone > 0 ? level + 1 : -1, 0.4, bright);",
+				breaks: "the farther of two levels of detail comes as dots, and the nearer has gone",
 			},
 			{
 				id: "stand-kept-beside-the-card",

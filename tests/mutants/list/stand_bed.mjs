@@ -69,6 +69,78 @@ export default [
 		],
 	},
 	{
+		file: "web/src/models/stand/figure/ground_figure.ts",
+		suites: [`${WEB}/ground_figure.test.ts`],
+		faults: [
+			{
+				id: "stand-ground-built-anew",
+				find: "this.#material ??= fading(",
+				replace: "this.#material?.dispose();\n\t\tthis.#material = fading(",
+				breaks: "the ground's program is built anew at each step of its colour's dragging",
+			},
+			{
+				id: "stand-ground-patches-stay",
+				find: "this.#patches.value = PATCHES / side;",
+				replace: "if (this.#patches.value === 1) this.#patches.value = PATCHES / side;",
+				breaks: "a small ground after a large one fades evenly all round",
+			},
+			{
+				id: "stand-ground-colour-stays",
+				find: "else this.#material.color.fromArray(material.colour);",
+				replace: "",
+				breaks: "a ground without mottles keeps the colour that it had first",
+			},
+			{
+				id: "stand-ground-ends-at-an-edge",
+				find: "* (1.0 - smoothstep(0.7, 1.0, rimShare))",
+				replace: "",
+				breaks: "here and there the ground does not fade into the paper, but ends",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/figure/stand_figure.ts",
+		suites: [`${WEB}/stand_figure.test.ts`],
+		faults: [
+			{
+				id: "stand-stays-bright-without-a-ring",
+				find: "		this.mark(undefined);\n",
+				replace: "		this.#ring.show(undefined, undefined);\n",
+				breaks: "a plant that was pointed at stays bright for good when others come",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/figure/crowd_material.ts",
+		suites: [`${WEB}/crowd_material.test.ts`],
+		faults: [
+			{
+				id: "stand-stems-are-too-thin",
+				find: "0.5 * lacking / metre *",
+				replace: "0.05 * lacking / metre *",
+				breaks: "stems from afar are rows of dashes",
+			},
+			{
+				id: "stand-twigs-hide-leaves",
+				find: "const WIDEST = 4;",
+				replace: "const WIDEST = 400;",
+				breaks: "a far wood is all twigs",
+			},
+			{
+				id: "stand-ribbons-are-too-thin",
+				find: "vec3 out_ = normal + brim.xyz * (1.0 - max(0.0, dot(normal, brim.xyz)));",
+				replace: "vec3 out_ = normal;",
+				breaks: "far blades of grass are rows of dashes",
+			},
+			{
+				id: "stand-widened-as-if-unscaled",
+				find: "brim.w * brim.w * length(batchingMatrix[0].xyz) * metre",
+				replace: "brim.w * brim.w * metre",
+				breaks: "stems of small plants are dashes, those of large ones clubs",
+			},
+		],
+	},
+	{
 		file: "web/src/models/stand/tools/map.ts",
 		suites: [`${WEB}/map.test.ts`],
 		faults: [

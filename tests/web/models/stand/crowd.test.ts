@@ -94,25 +94,49 @@ it("leaves all as it is while the eye stands still, and changes no more than wha
 	crowd.dispose();
 });
 
-it("has one of two levels that share a plant always whole, so that its stem has no holes", async () => {
-	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
-	crowd.show(await standing(0));
-	const shares = new Map<number, number>();
-	// The crowd tells all by one object.
+interface Drawn {
+	visible: boolean;
+	red: number;
+	share: number;
+}
+
+/** What each batch draws, by its instances: noted as it is told, for it is told of all by one object. */
+function noted(): Map<BatchedMesh, Drawn[]> {
+	const batches = new Map<BatchedMesh, Drawn[]>();
+	const of = (batch: BatchedMesh, id: number): Drawn => {
+		const all = batches.get(batch) ?? [];
+		batches.set(batch, all);
+		all[id] ??= { visible: true, red: 0, share: 1 };
+		return all[id];
+	};
 	vi.spyOn(BatchedMesh.prototype, "setColorAt").mockImplementation(function (this: BatchedMesh, id, colour) {
-		shares.set(id, (colour as Vector4).w);
+		Object.assign(of(this, id), { red: (colour as Vector4).x, share: (colour as Vector4).w });
 		return this;
 	});
+	vi.spyOn(BatchedMesh.prototype, "setVisibleAt").mockImplementation(function (this: BatchedMesh, id, visible) {
+		of(this, id).visible = visible;
+		return this;
+	});
+	return batches;
+}
+
+it("has one of two levels that share a plant always whole, so that its stem has no holes", async () => {
+	const batches = noted();
+	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
+	crowd.show(await standing(0));
 	let shared = 0;
 	for (let z = 14; z < 140; z += 2) {
-		shares.clear();
 		crowd.aim(from(z));
-		for (const [id, share] of shares) {
-			const other = shares.get(id % 2 === 0 ? id + 1 : id - 1);
-			expect(Math.max(share, other ?? 1)).toBe(1);
-			if (other !== undefined && Math.min(share, other) < 1) shared++;
+		for (const all of batches.values()) {
+			expect(all).toHaveLength(2 * 30);
+			for (let slot = 0; slot < all.length; slot += 2) {
+				const shares = [all[slot], all[slot + 1]].filter(({ visible }) => visible).map(({ share }) => share);
+				expect(Math.max(...shares)).toBe(1);
+				if (Math.min(...shares) < 1) shared++;
+			}
 		}
 	}
+	expect(batches.size).toBe(1);
 	expect(shared).toBeGreaterThan(20);
 	crowd.dispose();
 });
@@ -145,6 +169,21 @@ it("keeps nothing that the graphics card has, and makes it anew where that has l
 	crowd.restored(stand);
 	expect(lengths()).toEqual(whole);
 	expect(whole[0]).toBeGreaterThan(0);
+	crowd.dispose();
+});
+
+it("has what was lit up still so where the graphics card has lost it: nobody says it again", async () => {
+	const batches = noted();
+	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
+	const stand = await standing(0);
+	crowd.show(stand);
+	crowd.aim(from(14));
+	crowd.mark(3);
+	batches.clear();
+	crowd.restored(stand);
+	crowd.aim(camera);
+	const reds = [...batches.values()].flat().flatMap(({ visible, red }) => (visible ? [red] : []));
+	expect(new Set(reds)).toEqual(new Set([material.colour[0], 1.9 * material.colour[0]]));
 	crowd.dispose();
 });
 

@@ -1,6 +1,6 @@
 /** A stand on the stage: its light, as who turns it and who walks in it have it. */
-import { Group, PerspectiveCamera } from "three";
-import { expect, it } from "vitest";
+import { BatchedMesh, Group, type Mesh, type Object3D, PerspectiveCamera, type Vector4 } from "three";
+import { afterEach, expect, it, vi } from "vitest";
 import { StandFigure } from "../../../../web/src/models/stand/figure/stand_figure";
 import { atFront, gazeOf, turned } from "../../../../web/src/models/stand/walker";
 import type { FigureStage } from "../../../../web/src/scene/figure";
@@ -8,11 +8,17 @@ import { StageLight } from "../../../../web/src/scene/stage_light";
 import { windUniforms } from "../../../../web/src/scene/wind";
 import { grownStand, planned } from "./stands";
 
+function staged() {
+	const light = new StageLight();
+	return { light, stage: { root: new Group(), light, wind: windUniforms() } as unknown as FigureStage };
+}
+
+afterEach(() => void vi.restoreAllMocks());
+
 it("is turned in the light, and walked through under a sun that stays", async () => {
 	const specimen = planned("ground 40 x 40\nplants 3, random\ngrowth/figure-5, crown 1 x 4: steps 1");
 	const stand = await grownStand(specimen, { meshes: true });
-	const light = new StageLight();
-	const stage = { root: new Group(), light, wind: windUniforms() } as unknown as FigureStage;
+	const { stage, light } = staged();
 	const figure = new StandFigure(stage);
 	figure.show(stand, specimen);
 	const camera = new PerspectiveCamera();
@@ -36,4 +42,39 @@ it("is turned in the light, and walked through under a sun that stays", async ()
 	expect(sunFrom([60, 30, 0], [0, 0, 0]).distanceTo(far[0])).toBeLessThan(1e-9);
 	expect(figure.sway()?.height).toBeGreaterThan(1);
 	figure.dispose();
+});
+
+it("is shown unmarked, and on a ground that wears what the last one wore", async () => {
+	const specimen = planned("ground 40 x 40\nplants 3, random\ngrowth/figure-5, crown 1 x 4: steps 1");
+	const stand = await grownStand(specimen, { meshes: true });
+	const { stage } = staged();
+	const figure = new StandFigure(stage);
+	const worn = () => {
+		const found: unknown[] = [];
+		stage.root.traverse((each: Object3D) => {
+			if (each.name === "Ground") found.push((each as Mesh).material);
+		});
+		return found;
+	};
+	figure.show(stand, specimen);
+	figure.prepare(new PerspectiveCamera());
+	const before = worn();
+	expect(before).toHaveLength(1);
+	/** How bright plants were last drawn: the crowd tells all by one object. */
+	const reds = new Map<BatchedMesh, Map<number, number>>();
+	vi.spyOn(BatchedMesh.prototype, "setColorAt").mockImplementation(function (this: BatchedMesh, id, colour) {
+		const own = reds.get(this) ?? new Map<number, number>();
+		reds.set(this, own.set(id, (colour as Vector4).x));
+		return this;
+	});
+	const brightest = () => Math.max(...[...reds.values()].flatMap((own) => [...own.values()]));
+	figure.mark(1);
+	const marked = brightest();
+	figure.show(stand, { ...specimen, look: { ...specimen.look, soil: "a03020" } });
+	expect(brightest()).toBeCloseTo(marked / 1.9, 6);
+	expect(worn()).toEqual(before);
+	figure.mark(1);
+	expect(brightest()).toBe(marked);
+	figure.dispose();
+	expect(worn()).toEqual([]);
 });

@@ -124,8 +124,10 @@ export class Crowd {
 
 	/** The graphics card has lost what it was given: everything is made anew. */
 	restored(stand: StandPlant): void {
+		const marked = this.#marked;
 		this.#begin(stand);
 		this.show(stand);
+		this.mark(marked);
 	}
 
 	dispose(): void {

@@ -1,11 +1,11 @@
 /** The ground of a stand on the stage: it fades into the paper over its rim, unevenly; files, which know no paper, end with the rim. */
-import { BufferAttribute } from "three";
+import { BufferAttribute, Group, type MeshStandardMaterial } from "three";
 import type { Material } from "../../../plant/material";
 import { NOISE_CHUNK } from "../../../plant/noise";
 import type { Part } from "../../../plant/part";
 import { float } from "../../../scene/glsl";
 import type { LightUniforms } from "../../../scene/light_shader";
-import { PartMeshes, type PartObject } from "../../../scene/part_meshes";
+import { PartMeshes } from "../../../scene/part_meshes";
 import { standardMaterial } from "../../../scene/standard_material";
 
 /** How much sooner or later than in the mean it may fade, as a share of the rim, and how many patches there are along its shorter side. */
@@ -20,36 +20,67 @@ diffuseColor.a *= smoothstep(0.0, 0.75, left_) * (1.0 - smoothstep(0.7, 1.0, rim
 `;
 
 export class GroundFigure {
-	readonly object: PartObject;
-	readonly #meshes: PartMeshes;
-	readonly #material;
+	readonly object = new Group();
+	readonly #light: LightUniforms;
+	/** Cells of the noise that it fades by, a metre. */
+	readonly #patches = { value: 1 };
+	/** Of all grounds, one after the other: with a material goes its program, and to build that anew takes many frames. */
+	#material: MeshStandardMaterial | undefined;
+	#meshes: PartMeshes | undefined;
+
+	constructor(light: LightUniforms) {
+		this.#light = light;
+	}
 
 	/**
-	 * @param part the ground as files have it
+	 * Shows a ground in place of the last.
+	 * @param part as files have it; undefined where there is none
 	 * @param rim how far out each vertex is in it
 	 * @param side its shorter side, metres
 	 */
-	constructor(part: Part, rim: Float32Array, side: number, light: LightUniforms) {
-		this.#material = fading(
-			part.shape?.material as Material,
-			part.shape?.mesh.colours !== undefined,
-			PATCHES / side,
-			light,
-		);
-		this.#meshes = new PartMeshes([part], { materialOf: () => this.#material });
-		[this.object] = this.#meshes.objects;
-		this.object.geometry.setAttribute("rim", new BufferAttribute(rim, 1));
-		this.object.castShadow = false;
+	show(part: Part | undefined, rim: Float32Array, side: number): void {
+		this.#clear();
+		if (!part?.shape) return;
+		const { mesh, material } = part.shape;
+		this.#patches.value = PATCHES / side;
+		const worn = this.#wearing(material, mesh.colours !== undefined);
+		this.#meshes = new PartMeshes([part], { materialOf: () => worn });
+		for (const object of this.#meshes.objects) {
+			object.geometry.setAttribute("rim", new BufferAttribute(rim, 1));
+			object.castShadow = false;
+			this.object.add(object);
+		}
 	}
 
 	dispose(): void {
+		this.#clear();
 		this.object.removeFromParent();
-		this.#meshes.dispose();
-		this.#material.dispose();
+		this.#material?.dispose();
+	}
+
+	#clear(): void {
+		this.object.clear();
+		this.#meshes?.dispose();
+		this.#meshes = undefined;
+	}
+
+	/** All grounds are alike, but for their colours. */
+	#wearing(material: Material, coloured: boolean): MeshStandardMaterial {
+		this.#material ??= fading(material, coloured, this.#patches, this.#light);
+		if (coloured) this.#material.color.set(1, 1, 1);
+		else this.#material.color.fromArray(material.colour);
+		if (this.#material.vertexColors !== coloured) this.#material.needsUpdate = true;
+		this.#material.vertexColors = coloured;
+		return this.#material;
 	}
 }
 
-function fading(material: Material, coloured: boolean, patches: number, light: LightUniforms) {
+function fading(
+	material: Material,
+	coloured: boolean,
+	patches: { value: number },
+	light: LightUniforms,
+): MeshStandardMaterial {
 	const made = standardMaterial(material, { light, sky: true, coloured });
 	const lit = made.onBeforeCompile.bind(made);
 	const key = made.customProgramCacheKey();
@@ -58,7 +89,7 @@ function fading(material: Material, coloured: boolean, patches: number, light: L
 	made.onBeforeCompile = (shader, renderer) => {
 		lit(shader, renderer);
 		const varyings = "varying float rimShare;\nvarying vec2 onGround;";
-		shader.uniforms.patches = { value: patches };
+		shader.uniforms.patches = patches;
 		shader.vertexShader = shader.vertexShader
 			.replace("#include <common>", `#include <common>\nattribute float rim;\nuniform float patches;\n${varyings}`)
 			.replace(

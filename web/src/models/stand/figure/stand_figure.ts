@@ -24,7 +24,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	readonly #wardrobe: Wardrobe;
 	readonly #crowd: Crowd;
 	readonly #ring = new MarkRing();
-	#ground: GroundFigure | undefined;
+	readonly #ground: GroundFigure;
 	#trellis: PartMeshes;
 	#stand: StandPlant | undefined;
 	#whole: Ball = { centre: new Vector3(), radius: 0 };
@@ -39,24 +39,22 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		this.#wardrobe = new Wardrobe(stage.light.uniforms);
 		this.#crowd = new Crowd(stage.light.uniforms, stage.wind);
 		this.#trellis = new PartMeshes([], this.#wardrobe);
-		stage.root.add(this.#lights.group, this.#crowd.group, this.#ring.object);
+		this.#ground = new GroundFigure(stage.light.uniforms);
+		stage.root.add(this.#lights.group, this.#crowd.group, this.#ground.object, this.#ring.object);
 	}
 
 	show(grown: StandPlant, specimen: StandSpecimen): void {
+		this.mark(undefined);
 		this.#clear();
 		this.#stand = grown;
 		this.#wardrobe.change();
 		const [ground, ...trellis] = groundParts(grown, specimen);
 		const { width, depth } = grown.ground;
-		if (ground) {
-			const rim = grown.soil?.rim ?? new Float32Array(grown.meshes[0].positions.length / 3);
-			this.#ground = new GroundFigure(ground, rim, Math.min(width, depth), this.#stage.light.uniforms);
-			this.#stage.root.add(this.#ground.object);
-		}
+		const rim = grown.soil?.rim ?? new Float32Array((grown.meshes[0]?.positions.length ?? 0) / 3);
+		this.#ground.show(ground, rim, Math.min(width, depth));
 		this.#trellis = new PartMeshes(trellis, this.#wardrobe);
 		for (const object of this.#trellis.objects) this.#stage.root.add(object);
 		this.#crowd.show(grown);
-		this.#ring.show(undefined, undefined);
 		this.#bounds = bodiesOf(grown);
 		this.#whole = ballOf(this.#bounds);
 		this.#shaded = undefined;
@@ -103,6 +101,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	dispose(): void {
 		this.#clear();
 		this.#crowd.dispose();
+		this.#ground.dispose();
 		this.#ring.dispose();
 		this.#wardrobe.dispose();
 		this.#lights.dispose();
@@ -128,8 +127,6 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	}
 
 	#clear(): void {
-		this.#ground?.dispose();
-		this.#ground = undefined;
 		for (const object of this.#trellis.objects) object.removeFromParent();
 		this.#trellis.dispose();
 	}

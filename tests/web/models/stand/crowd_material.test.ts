@@ -1,0 +1,81 @@
+import type { MeshStandardMaterial, WebGLRenderer } from "three";
+import { expect, it } from "vitest";
+import { crowdDepth, crowdMaterial, finishOf } from "../../../../web/src/models/stand/figure/crowd_material";
+import type { Material } from "../../../../web/src/plant/material";
+import { lightUniforms } from "../../../../web/src/scene/light_shader";
+import { windUniforms } from "../../../../web/src/scene/wind";
+import { piece, programOf, run } from "./shaders";
+
+const wood: Material = { name: "Wood", colour: [0.4, 0.3, 0.2], roughness: 0.9 };
+const made = () => crowdMaterial(wood, false, lightUniforms(), windUniforms());
+
+/** Its view is so many metres high at the plant, and of so many pixels. */
+const HIGH = 2;
+const PIXELS = 1000;
+/** Of the mesh's unit, metres: what its matrix is scaled by. */
+const UNIT = 0.5;
+const widening = piece(programOf(made()).vertexShader, "float metre", "gl_Position");
+
+/**
+ * So many pixels wide a stem is drawn that is so many wide.
+ * @param normal which way its surfaces look, and `brim` which way its margin is: across it, as shares
+ */
+function drawn(pixels: number, { normal = 1, brim = 1, seen = PIXELS } = {}): number {
+	const metres = (pixels * HIGH) / PIXELS;
+	const far = 10;
+	const mvPosition = { xyz: 0.5 * metres, z: -far };
+	run(widening, {
+		...{ mvPosition, normal, viewPixels: seen, modelViewMatrix: 1 },
+		projectionMatrix: [undefined, { y: (2 * far) / HIGH }],
+		batchingMatrix: [{ xyz: UNIT }],
+		brim: { xyz: brim, w: Math.sqrt(metres / UNIT) },
+	});
+	return (2 * mvPosition.xyz * seen) / HIGH;
+}
+
+it("draws a stem thinner than a pixel one wide, also where it is half as wide as at its widest", () => {
+	for (let across = 0.25; across < 3; across += 0.05) {
+		const more = drawn(across) - across;
+		expect(0.5 * across + more).toBeGreaterThan(0.87);
+		expect(0.5 * across + more).toBeLessThan(Math.max(1.31, 0.5 * across + 1e-9));
+	}
+});
+
+it("leaves what is wide enough, and makes nothing more than four times as wide", () => {
+	for (const across of [2.61, 5, 40]) expect(drawn(across)).toBeCloseTo(across, 9);
+	for (const across of [0.001, 0.05, 0.2]) expect(drawn(across)).toBeCloseTo(4 * across, 9);
+	for (let across = 0.01; across < 3; across += 0.05) expect(drawn(across)).toBeLessThan(4 * across + 1e-9);
+});
+
+it("makes ribbons wider across their margins, as far as tubes out of their middle", () => {
+	expect(drawn(0.6, { normal: 0 })).toBeCloseTo(drawn(0.6), 9);
+	expect(drawn(0.6, { brim: 0 })).toBeCloseTo(drawn(0.6), 9);
+});
+
+it("widens by the pixels of what is drawn: a picture of more needs less", () => {
+	expect(drawn(0.6, { seen: 10 * PIXELS })).toBeCloseTo(6, 9);
+	const material = made();
+	const { viewPixels } = programOf(material).uniforms;
+	const renderer = { getCurrentViewport: (into: { w: number }) => Object.assign(into, { w: 720 }) };
+	const before = material.onBeforeRender as (renderer: WebGLRenderer) => void;
+	before.call(material, renderer as unknown as WebGLRenderer);
+	expect(viewPixels.value).toBe(720);
+});
+
+it("reads its foot out of its matrix in the view and in the shadow, and is drawn in shares by its colour's fourth number", () => {
+	const shaders = [programOf(made()), programOf(crowdDepth() as unknown as MeshStandardMaterial)];
+	for (const { vertexShader } of shaders)
+		expect(vertexShader).toMatch(/vec4 stem = [\s\S]*batchingMatrix\[3\]\.w = 1\.0;/);
+	const [{ vertexShader, fragmentShader }] = shaders;
+	expect(vertexShader).toMatch(
+		/attribute vec4 brim;[\s\S]*vec4 windy = batchingMatrix[\s\S]*worldPosition = modelMatrix \* windy;/,
+	);
+	expect(fragmentShader).toContain("if (grain >= vColor.a) discard;");
+});
+
+it("is of one finish whatever its colour and name, and of another where it shines otherwise", () => {
+	const finish = finishOf(wood, false);
+	expect(finishOf({ ...wood, name: "Bark", colour: [0, 0, 0] }, false)).toBe(finish);
+	expect(finishOf({ ...wood, roughness: 0.5 }, false)).not.toBe(finish);
+	expect(finishOf(wood, true)).not.toBe(finish);
+});
