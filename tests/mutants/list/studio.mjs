@@ -273,4 +273,28 @@ export default [
 			},
 		],
 	},
+	{
+		file: `${SRC}/parts/download_menu.ts`,
+		suites: [`${TESTS}/parts/escape.test.ts`],
+		faults: [
+			{
+				id: "studio-escape-from-downloads-goes-on",
+				find: "event.preventDefault();\n\t\t\tthis.#leave();",
+				replace: "this.#leave();",
+				breaks: "who closes the menu of downloads by Escape loses the chosen plant",
+			},
+		],
+	},
+	{
+		file: `${SRC}/parts/gallery.ts`,
+		suites: [`${TESTS}/parts/escape.test.ts`],
+		faults: [
+			{
+				id: "studio-escape-from-presets-goes-on",
+				find: 'event.preventDefault();\n\t\t\tthis.querySelector<HTMLElement>("input[type=search]")?.focus();',
+				replace: 'this.querySelector<HTMLElement>("input[type=search]")?.focus();',
+				breaks: "who leaves the strip of presets by Escape loses the chosen plant",
+			},
+		],
+	},
 ];

@@ -156,8 +156,11 @@ export class DownloadMenu extends StudioPart {
 		const items = this.#items();
 		const at = items.indexOf(document.activeElement as HTMLElement);
 		const next = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
-		if (event.key === "Escape") this.#leave();
-		else if (at >= 0 && next !== undefined) {
+		if (event.key === "Escape") {
+			// So that it closes nothing else, nor lets go of what is chosen.
+			event.preventDefault();
+			this.#leave();
+		} else if (at >= 0 && next !== undefined) {
 			event.preventDefault();
 			items.at(next % items.length)?.focus();
 		}

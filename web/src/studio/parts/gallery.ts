@@ -143,8 +143,10 @@ export class Gallery extends StudioPart {
 	}
 
 	#stripKey(event: KeyboardEvent): void {
-		if (event.key === "Escape") this.querySelector<HTMLElement>("input[type=search]")?.focus();
-		else rove(event, this.#items());
+		if (event.key === "Escape") {
+			event.preventDefault();
+			this.querySelector<HTMLElement>("input[type=search]")?.focus();
+		} else rove(event, this.#items());
 	}
 
 	#items(): HTMLElement[] {
