@@ -13,16 +13,40 @@ export default [
 				breaks: "on the map poppies are as green as grass",
 			},
 			{
+				id: "stand-map-dark-plants",
+				find: "keptApart(seen, [LIGHT, LIGHTEST])",
+				replace: "keptApart(seen, [0 * LIGHT, LIGHTEST])",
+				breaks: "a dark plant is lost on the map's ground",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/tools/apart.ts",
+		suites: [`${WEB}/apart.test.ts`],
+		faults: [
+			{
 				id: "stand-map-sorts-alike",
-				find: "if (free(toLch(fromLch(tried)))) return tried;",
-				replace: "if (free(wanted) || true) return wanted;",
+				find: "if (free(shown)) return shown;",
+				replace: "if (free(shown) || true) return shown;",
 				breaks: "two yellow flowers are one on the map",
 			},
 			{
 				id: "stand-map-hue-first",
-				find: "for (const more of eitherWay(STEP, LIGHTEST - LIGHT)) {",
+				find: "for (const more of eitherWay(STEP, most - least)) {",
 				replace: "for (const more of [0, STEP]) {",
 				breaks: "a globeflower is as green as grass on the map, beside a buttercup",
+			},
+			{
+				id: "stand-map-lighter-only",
+				find: "[step * (i + 1), -step * (i + 1)]",
+				replace: "[step * (i + 1)]",
+				breaks: "the second of two white flowers is salmon on the map",
+			},
+			{
+				id: "stand-map-apart-as-asked",
+				find: "toLch(fromLch(lch))",
+				replace: "0 * toLch(fromLch(lch)).hue === 1 ? lch : lch",
+				breaks: "two yellow flowers that no screen can tell apart are taken for two",
 			},
 		],
 	},

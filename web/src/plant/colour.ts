@@ -75,7 +75,7 @@ export function mixed(from: Colour, to: Colour, share: number): Colour {
 }
 
 /** The mean of 3 × vertices, at least one. */
-export function meanColour(colours: Float32Array): Colour {
+export function meanColour(colours: ArrayLike<number>): Colour {
 	const sum: Colour = [0, 0, 0];
 	for (let i = 0; i < colours.length; i++) sum[i % 3] += colours[i];
 	return sum.map((value) => value / (colours.length / 3)) as Colour;

@@ -4,7 +4,7 @@ import type { PartMesh } from "./part";
 /** Whole numbers up to these stand for −1 … 1, colours for 0 … 1. */
 export const PLACE_STEPS = 32_767;
 const NORMAL_STEPS = 127;
-const COLOUR_STEPS = 65_535;
+export const COLOUR_STEPS = 65_535;
 
 /** Triangles as graphics cards take them, normalised. */
 export interface PackedMesh {
