@@ -45,7 +45,7 @@ export default [
 			{
 				id: "stand-map-apart-as-asked",
 				find: "toLch(fromLch(lch))",
-				replace: "0 * toLch(fromLch(lch)).hue === 1 ? lch : lch",
+				replace: "lch",
 				breaks: "two yellow flowers that no screen can tell apart are taken for two",
 			},
 		],

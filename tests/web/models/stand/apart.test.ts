@@ -62,6 +62,7 @@ it("turns hues only where lightness has no room left, and stays within it", () =
 	expect(many.slice(8).some(({ chroma }) => chroma > 0.05)).toBe(true);
 });
 
-it("sees colours as screens do: a yellow that is too light to be as yellow is not taken for another", () => {
-	allApart(shown("ffff00", "ffff10", "fdfd00", "fffd08"));
+it("sees colours as screens do, which have no red that is lighter and as red", () => {
+	allApart(shown("ff0000", "ff0000"));
+	allApart(shown("ff00ff", "ff00ff", "ffff00", "ffff00", "ffff00"));
 });
