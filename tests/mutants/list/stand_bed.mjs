@@ -228,6 +228,12 @@ export default [
 				replace: "ways[at + 1] += y;",
 				breaks: "stems thinner than a pixel are made longer, and stay rows of dashes",
 			},
+			{
+				id: "stand-brims-found-again",
+				find: "known.get(mesh) ?? found(mesh)",
+				replace: "found(mesh)",
+				breaks: "who walks through many plants halts as each comes near, also for the tenth time",
+			},
 		],
 	},
 ];

@@ -38,3 +38,12 @@ it("a blade with nothing at its back is made wider across its margins", () => {
 it("what has no extent is left where it is", () => {
 	expect([...brimsOf({ positions: new Int16Array(9), indices: Uint16Array.of(0, 1, 2) })]).toEqual(Array(12).fill(0));
 });
+
+it("is found once for a mesh, however often that comes near", () => {
+	const mesh = { positions: Int16Array.of(0, 0, 0, 500, 9000, 0, 0, 20_000, 0), indices: Uint16Array.of(0, 1, 2) };
+	const brims = brimsOf(mesh);
+	expect(brimsOf(mesh)).toBe(brims);
+	const other = brimsOf({ ...mesh, indices: Uint16Array.of(0, 2, 1) });
+	expect(other).not.toBe(brims);
+	expect(other).toEqual(brims);
+});

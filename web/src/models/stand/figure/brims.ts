@@ -5,11 +5,23 @@ import { type PackedMesh, PLACE_STEPS } from "../../../plant/packed_mesh";
 export const BRIM = 4;
 const STEPS = 127;
 
+type Mesh = Pick<PackedMesh, "positions" | "indices">;
+
+/** Of 300,000 triangles they take 90 ms; and a plant comes near again and again, and the graphics card loses what it was given. */
+const known = new WeakMap<Mesh, Int8Array<ArrayBuffer>>();
+
+/** Found once for each mesh, for meshes never change. */
+export function brimsOf(mesh: Mesh): Int8Array<ArrayBuffer> {
+	const brims = known.get(mesh) ?? found(mesh);
+	known.set(mesh, brims);
+	return brims;
+}
+
 /**
  * 4 × vertices. The way is out of a tube, and across the margin of a sheet: from the middle of each triangle, but for what of it is along the
  * triangle (`alongOf`). The width is that of the widest triangle there.
  */
-export function brimsOf({ positions, indices }: Pick<PackedMesh, "positions" | "indices">): Int8Array<ArrayBuffer> {
+function found({ positions, indices }: Mesh): Int8Array<ArrayBuffer> {
 	const vertices = positions.length / 3;
 	const ways = new Float32Array(3 * vertices);
 	const widths = new Float32Array(vertices);
