@@ -236,4 +236,16 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/models/stand/stand_plant.ts",
+		suites: [`${WEB}/fetched_soil.test.ts`],
+		faults: [
+			{
+				id: "stand-bare-without-a-word",
+				find: "mesh && !soil ? [...plant.notes, BARE] : plant.notes",
+				replace: "plant.notes",
+				breaks: "where part of the page did not come, the same link has another ground, and nothing says so",
+			},
+		],
+	},
 ];

@@ -65,6 +65,10 @@ export interface StandPlant extends Plant {
 	readonly members: readonly (Member | undefined)[];
 }
 
+/** The stand is there all the same, but elsewhere its link has another ground. */
+const BARE =
+	"What lays soil over the ground could not be fetched: the ground is of one colour and ends at a straight edge.";
+
 export function readStand(answer: Answer): StandPlant {
 	const { columns } = answer;
 	const [width, depth, relief] = columns.floats("ground.size");
@@ -84,10 +88,12 @@ export function readStand(answer: Answer): StandPlant {
 		surroundings: columns.floats("plants.surroundings"),
 		transforms: plant.organs.transforms,
 	};
-	const soil = plant.meshes[0] && fetchedSoil()?.(plant.meshes[0]);
+	const [mesh] = plant.meshes;
+	const soil = mesh && fetchedSoil()?.(mesh);
 	return {
 		...plant,
 		...(soil ? { soil } : {}),
+		notes: mesh && !soil ? [...plant.notes, BARE] : plant.notes,
 		// Placements are told as plants.
 		organs: EMPTY_PLANT.organs,
 		kinds,

@@ -1,0 +1,32 @@
+import { expect, it, vi } from "vitest";
+import { growPlant } from "../../../../web/src/files/growth";
+import { model } from "../../../../web/src/models/stand/index";
+import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
+import { planned, run } from "./stands";
+
+const network = vi.hoisted(() => ({ down: true }));
+vi.mock("../../../../web/src/models/stand/soil", async (original) => {
+	if (network.down) throw new Error("No network.");
+	return original();
+});
+
+/** As the page grows it: what cannot be fetched is missing. */
+const patient = {
+	...model,
+	prepare: (...of: Parameters<typeof model.prepare>) => model.prepare(...of)?.catch(() => {}),
+};
+const grown = async (meshes: boolean) =>
+	(await growPlant(patient, planned("plants 1, random\ngrowth/figure-5: steps 1"), { meshes }, run)) as StandPlant;
+
+it("is told of where a ground came that it could not be laid on, until it is there", async () => {
+	const bare = await grown(true);
+	expect(bare.meshes).toHaveLength(1);
+	expect(bare.soil).toBeUndefined();
+	expect(bare.notes).toEqual([expect.stringMatching(/^What lays soil over the ground could not be fetched: .*\.$/)]);
+	expect((await grown(false)).notes).toEqual([]);
+	network.down = false;
+	const laid = await grown(true);
+	expect(laid.soil).toBeDefined();
+	expect(laid.notes).toEqual([]);
+	expect(laid.fingerprint).toBe(bare.fingerprint);
+});
