@@ -42,6 +42,7 @@ import scene from "./scene.mjs";
 import specimen from "./specimen.mjs";
 import stand from "./stand.mjs";
 import standBed from "./stand_bed.mjs";
+import standCrowd from "./stand_crowd.mjs";
 import standTrellis from "./stand_trellis.mjs";
 import stepper from "./stepper.mjs";
 import studio from "./studio.mjs";
@@ -95,6 +96,7 @@ export const groups = [
 	...growth,
 	...stand,
 	...standBed,
+	...standCrowd,
 	...standTrellis,
 	...growthShape,
 	...stepper,
