@@ -75,6 +75,27 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	await expect(page.locator("panicle-volume [aria-live]")).toHaveText("StemSTEM, volume 1.");
 });
 
+test("a chosen volume is let go with the flower that it was of; its sliders are explained", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=tulip&smooth=0");
+	await studio.openGroup("Volume");
+	const number = page.getByLabel("Volume", { exact: true });
+	const name = page.locator(".volume-name");
+	const choose = async (volume: string) => {
+		await number.fill(volume);
+		await number.press("Enter");
+		await expect(name).toBeVisible();
+	};
+	await choose("1500");
+	await page.getByRole("slider", { name: /^N, / }).first().hover();
+	await expect(page.locator(".explain")).toHaveText(/^N: sides\. \d+ … \d+\./);
+	await studio.regrown(() => page.locator("[data-preset=poppy]").click());
+	await expect(page.getByText("None is chosen.")).toBeVisible();
+	// A design has fewer volumes than that number.
+	await choose("3000");
+	await studio.regrown(() => studio.button("Design a new flower").click());
+	await expect(page.getByText("None is chosen.")).toBeVisible();
+});
+
 test("a grammar as XML is dropped and grows; a mistake in one is told with its place", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=figure-16");
 	const volume = (category: string) => `<volume category="${category}"><name>STEM</name><degree>6</degree></volume>`;

@@ -59,7 +59,7 @@ export function sliderRow(row: SliderRow): TemplateResult {
 	return html`<label for=${id} @dblclick=${reset}>${row.label}</label>
 		<input
 			type="range" id=${id} min=${min} max=${max} step=${step} .value=${live(String(value))} .style=${`--done: ${doneIn(row)}%`}
-			aria-label=${row.name ?? nothing} aria-valuetext=${row.spoken ?? nothing} aria-describedby=${help}
+			aria-label=${row.name ?? nothing} aria-valuetext=${row.spoken ?? nothing} aria-describedby=${help} data-help=${row.help}
 			@input=${({ target }: Event) => row.slide(Number((target as HTMLInputElement).value))} @change=${held.slid} @dblclick=${reset}
 			@keydown=${press} @keyup=${held.up} @blur=${held.up}
 		>

@@ -30,6 +30,13 @@ export function explainedBy(species: Species, specimen: Specimen, key: string): 
 	return measure && { key, label: measure.label, symbol: "", text: measure.help };
 }
 
+/** What a tool's own slider says of itself (controls/slider_row.ts), for what lies in its row. */
+export function explainedAt(place: Element): Explained | undefined {
+	const slider = place.closest(".control")?.querySelector<HTMLInputElement>("input[data-help]");
+	const label = slider?.labels?.[0]?.textContent?.trim() ?? "";
+	return slider ? { key: slider.id, label, symbol: "", text: slider.dataset.help ?? "" } : undefined;
+}
+
 /** The preset's value of a parameter as a person reads it; undefined for what is no parameter. */
 export function presetInWords(species: Species, preset: Specimen, key: string): string | undefined {
 	const entry = species.table.entry(key);

@@ -3,7 +3,7 @@ import { repeat } from "lit/directives/repeat.js";
 import { control } from "../../controls/control";
 import { symbol } from "../../controls/symbol";
 import { allBut } from "../../specimen/all_but";
-import { type Explained, explainedBy, FIRST_WORDS, presetInWords } from "../explained";
+import { type Explained, explainedAt, explainedBy, FIRST_WORDS, presetInWords } from "../explained";
 import { applying, groupsFor, type PanelGroup, runningBy } from "../panel_groups";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
@@ -68,9 +68,10 @@ export class Panel extends StudioPart {
 	}
 
 	#explain(event: Event): void {
-		const key = (event.target as Element).closest<HTMLElement>("[data-key]")?.dataset.key;
+		const place = event.target as Element;
+		const key = place.closest<HTMLElement>("[data-key]")?.dataset.key;
 		const { model, specimen } = this.desk.state;
-		const found = key === undefined ? undefined : explainedBy(model, specimen, key);
+		const found = key === undefined ? explainedAt(place) : explainedBy(model, specimen, key);
 		if (!found || found.key === this.#explained?.key) return;
 		this.#explained = found;
 		this.requestUpdate();

@@ -11,30 +11,20 @@ import { shortFloat } from "../../../export/numbers";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
 import { type Range, rangeFor, within } from "./figure_range";
+import { FIELDS, figureWords } from "./figure_words";
 import { organOf, placeOfVolume, titleOfVolume } from "./organ";
 import { type Figure, type Said, saidOf } from "./said";
 import { source } from "./text";
-
-const FIELDS = [
-	["N", "sides", ""],
-	["T", "translation", ""],
-	["atx", "turn about x", "°"],
-	["aty", "turn about y", "°"],
-	["atz", "turn about z", "°"],
-	["H", "height", "mm"],
-	["L", "length", "mm"],
-	["W", "width", "mm"],
-	["m", "material", ""],
-] as const;
 
 /** The numbers of the chosen volume, and sliders of what the text says of it: what they change is written into the text. */
 export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant>> {
 	static override properties = {
 		...ControlElement.properties,
-		chosen: { attribute: false },
+		chosenIn: { attribute: false },
 		choose: { attribute: false },
 	};
-	declare chosen: number | undefined;
+	/** Asked of what stands now: a number that was told may be of a flower that has gone. */
+	declare chosenIn: (desk: Desk<FlowerSpecimen, FlowerPlant>) => number | undefined;
 	declare choose: (volume: number | undefined) => void;
 
 	readonly #held = new HeldKey(() => this.desk.settle());
@@ -45,12 +35,13 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 
 	protected override shows(): readonly unknown[] {
 		const { grown } = this.desk.state;
-		return [this.chosen, grown, this.#text()];
+		return [this.chosenIn(this.desk), grown, this.#text()];
 	}
 
-	protected override draw({ state: { grown } }: Desk<FlowerSpecimen, FlowerPlant>): unknown {
+	protected override draw(desk: Desk<FlowerSpecimen, FlowerPlant>): unknown {
+		const { grown } = desk.state;
 		const count = grown?.volumes.order.length ?? 0;
-		const { chosen } = this;
+		const chosen = this.chosenIn(desk);
 		return html`<div class="control">
 				<label for=${this.idOf("volume")}>Volume</label>
 				<input id=${this.idOf("volume")} class="volume-number" type="number" min="1" max=${count} .value=${live(chosen === undefined ? "" : String(chosen + 1))}
@@ -110,9 +101,10 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 		const range = within(this.#ranges.get(key), Number(text)) ?? rangeFor(name, Number(text));
 		this.#ranges.set(key, range);
 		const { min, max, step } = range;
+		const words = figureWords(this.#text() ?? "", name);
 		return html`<div class="control">${sliderRow({
 			id: this.idOf(key),
-			label: name,
+			label: words ? html`<span title=${words}>${name}</span>` : name,
 			name: `${name}, ${title}`,
 			typedName: `${name}, ${title}, typed`,
 			min,
@@ -120,7 +112,7 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 			step,
 			value: Number(text),
 			text,
-			help: `${min} … ${max}.`,
+			help: `${words ? `${words}. ` : ""}${min} … ${max}.`,
 			held: this.#held,
 			slide: (value) => this.#edit(figure, range.written(value), key),
 			type: (typed) => {
@@ -137,7 +129,7 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 	}
 
 	protected override updated(): void {
-		if (this.chosen === undefined) this.#rest();
+		if (this.chosenIn(this.desk) === undefined) this.#rest();
 	}
 
 	#edit(figure: Figure, written: string, key: string): void {

@@ -18,15 +18,20 @@ const VOLUME = {
 	everyday: true,
 } as const;
 
-/** The volume that is chosen. */
-export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, ChosenVolume | undefined> = {
+/** The volume that is chosen, and of which preset's flower: another has others. */
+interface Choice {
+	readonly volume: ChosenVolume;
+	readonly preset: string;
+}
+
+export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, Choice | undefined> = {
 	name: "volume",
 	initial: undefined,
 	panel: {
 		group: VOLUME,
 		place: "below",
 		draw: (desk) =>
-			html`<panicle-volume .desk=${desk} .choose=${(volume: number | undefined) => choose(desk, volume)} .chosen=${chosenIn(desk)}></panicle-volume>`,
+			html`<panicle-volume .desk=${desk} .choose=${(volume: number | undefined) => choose(desk, volume)} .chosenIn=${chosenIn}></panicle-volume>`,
 	},
 	hands: (view, desk) => {
 		const pointer = new PickPointer(view, {
@@ -58,8 +63,12 @@ function organIn({ state: { grown } }: FlowerDesk, chosen: number): Organ | unde
 	return lastOrgan.organ;
 }
 
-const chosenIn = (desk: FlowerDesk): number | undefined => stillChosen(desk.state.grown, desk.toolState(volumeTool));
+export function chosenIn(desk: FlowerDesk): number | undefined {
+	const choice = desk.toolState(volumeTool);
+	return choice?.preset === desk.state.specimen.preset ? stillChosen(desk.state.grown, choice.volume) : undefined;
+}
 
-function choose(desk: FlowerDesk, volume: number | undefined): void {
-	desk.setToolState(volumeTool, chosenOf(desk.state.grown, volume));
+export function choose(desk: FlowerDesk, chosen: number | undefined): void {
+	const volume = chosenOf(desk.state.grown, chosen);
+	desk.setToolState(volumeTool, volume && { volume, preset: desk.state.specimen.preset });
 }

@@ -1,0 +1,19 @@
+import { expect, it } from "vitest";
+import { figureWords } from "../../../../web/src/models/flower/tools/figure_words";
+
+const TEXT = `#define length=325 /* 160 … 530 mm, of the stem */
+#define bend=2
+# define kept=1 /* how much of it is left */ /* else */
+#define STEM(8,0,0,0,2,3,3,1) /* of no name */
+`;
+
+it.each([
+	["length", "160 … 530 mm, of the stem"],
+	["bend", ""],
+	["kept", "how much of it is left"],
+	["STEM", ""],
+	["unknown", ""],
+	["N", "sides"],
+	["H", "height, mm"],
+	["atx", "turn about x, °"],
+])("%s is told as “%s”", (name, words) => expect(figureWords(TEXT, name)).toBe(words));
