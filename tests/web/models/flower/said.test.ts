@@ -26,6 +26,13 @@ const named = (asked: Parameters<typeof saidOf>[1]) =>
 		]),
 	);
 
+/** The same as lines, where each figure stands as it is written. */
+const linesOf = (text: string, asked: Parameters<typeof saidOf>[1]) =>
+	saidOf(text, asked).map(({ title, figures }) => {
+		for (const { from, to, text: written } of figures) expect(text.slice(from, to)).toBe(written);
+		return `${title}: ${figures.map(({ name, text: written }) => `${name} ${written}`).join(", ")}`;
+	});
+
 describe("what a text says of a volume", () => {
 	it("is figures of its definition, of where it grows, and of variables; no sums", () => {
 		expect(named({ label: "STEM", module: 0, line: 4, call: 0 })).toEqual({
@@ -56,9 +63,72 @@ STEM -> STEM[&PETAL{len=size*30; wide=9}]_{C1}[&PETAL{len=20}]_{C3}
 `;
 		const said = saidOf(text, { label: "A", module: 1, line: 9, call: 4 });
 		const titled = (title: string) => said.find((each) => each.title === title)?.figures.map(({ name }) => name);
-		expect(titled("PETAL as it is called, line 4")).toEqual(["wide"]);
+		expect(titled("PETAL as it is called, line 4, 1 of 2")).toEqual(["wide"]);
+		expect(titled("PETAL as it is called, line 4, 2 of 2")).toEqual(["len"]);
 		expect(titled("Every PETAL")).toEqual(["wide"]);
 		expect(titled("The whole flower")).toEqual(["size"]);
+	});
+
+	it("is all that it may come from, each by its place, where one line grows or calls one thing twice", () => {
+		const text = `#define A(4,1,0,0,0,1,1,1,1)
+#axiom: A
+A -> A[A(,,5)]_{E}[A(,,7)]_{C1}
+A -> A[&M{n=4}]_{C1}[&M{n=5}]_{C2}
+A -> A[&A(,7)]_{C3}
+#module M
+#define n=1
+#define B(4)
+#axiom: B
+#module A
+#define B(4)
+#axiom: B
+`;
+		expect(linesOf(text, { label: "A", module: 0, line: 3, call: 0 }).slice(1)).toEqual([
+			"Where it grows, line 3, 1 of 2: atx 5",
+			"Where it grows, line 3, 2 of 2: atx 7",
+		]);
+		expect(linesOf(text, { label: "B", module: 1, line: 0, call: 4 }).slice(1)).toEqual([
+			"M as it is called, line 4, 1 of 2: n 4",
+			"M as it is called, line 4, 2 of 2: n 5",
+		]);
+		expect(linesOf(text, { label: "A", module: 0, line: 5, call: 0 })).toHaveLength(1);
+	});
+
+	it("passes over the number that is too many of ten, as the core does", () => {
+		const text = `#define A(4,1,0,0,0,0,5,0.5,1,4)
+#axiom: A
+A -> A[A(,,2,3,,,7,8)]_{E}[A(,,9,,,,,,,6)]_{C1}`;
+		expect(linesOf(text, { label: "A", module: 0, line: 3, call: 0 })).toEqual([
+			"Every A: N 4, T 1, atx 0, aty 0, atz 0, H 5, L 0.5, W 1, m 4",
+			"Where it grows, line 3, 1 of 2: aty 2, atz 3, W 7, m 8",
+			"Where it grows, line 3, 2 of 2: atx 9, m 6",
+		]);
+	});
+
+	it("is read in the form of what the module begins with where that is called", () => {
+		const text = `#define S(4)
+#axiom: S
+S -> S[&M(,5)]_{E}
+#module M
+#define A(4,1,0,0,0,1,1,1,1)
+#define B(4,0,0,0,1,1,1,1)
+#axiom: B
+B -> B[A]_{E}`;
+		expect(linesOf(text, { label: "A", module: 1, line: 8, call: 3 })).toContain("M as it is called, line 3: atx 5");
+	});
+
+	it("is found behind a sign and a blank, too, or a comment", () => {
+		const text = `# define A(4,1,0,0,0,1,1,1,1)
+#@ of the stem @ define k=2
+#\tmodule M
+# axiom: A
+A -> A[A(,,5)]_{E}
+`;
+		expect(linesOf(text, { label: "A", module: 0, line: 5, call: 0 })).toEqual([
+			"Every A: N 4, T 1, atx 0, aty 0, atz 0, H 1, L 1, W 1, m 1",
+			"Where it grows, line 5: atx 5",
+			"The whole flower: k 2",
+		]);
 	});
 
 	it("is nothing of what the text does not have", () => {

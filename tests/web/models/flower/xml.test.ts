@@ -116,6 +116,24 @@ B : B_C1 < A_C2 -> B_C1 | A_C2
 		expect(xmlOf(text)).toContain("<transl_coef>2</transl_coef>");
 	});
 
+	it("knows statements by their words, be there a blank or a comment behind the sign", () => {
+		const text = `# define A(4,1,0,0,0,1,1,1,1)
+# @ how many @ define k=2
+#\taxiome: A
+# material 1 stem "7f9a55" "9ab36c"
+A -> A[A(,,5)]_{E}[&M(,,7){n=k}]_{C1}
+# module M
+# define n=1
+# define A(5,1,0,0,0,2,2,2,1)
+# define finalStep=n
+#axiom: A
+A -> A[A(,,<9>)]_{E}`;
+		const plain = text.replace(/#(?:\s|@[^@]*@)*/g, "#");
+		expect(xmlOf(text)).toBe(xmlOf(plain));
+		expect(textOfXml(xmlOf(text))).toContain("A -> A[A(,,5,,,,,,)]_{E}[&M(,,7,,,,,,){n=k}]_{C1}");
+		expect(grown(textOfXml(xmlOf(text)))).toEqual(grown(text));
+	});
+
 	it("tells mistakes with line and column, and resolves nothing from elsewhere", () => {
 		expect(mistake('<!DOCTYPE x [<!ENTITY e SYSTEM "file:///etc/passwd">]><axiom>&e;</axiom>')).toContain(
 			"Line 1, column 1: A document type",

@@ -1,5 +1,7 @@
 /** What a flower's text says of one volume in figures: where each stands, so that a hand can change it. */
+import type { Piece } from "../../../controls/grammar/scan";
 import { scan } from "./language";
+import { bare, type Entry, entriesOf, formsOf, inFields, statementsOf } from "./statements";
 
 /** A figure of the text. */
 export interface Figure {
@@ -27,51 +29,43 @@ export interface Asked {
 	readonly call: number;
 }
 
-const PLAIN = ["N", "atx", "aty", "atz", "H", "L", "W", "m"];
-const TRANSLATED = ["N", "T", "atx", "aty", "atz", "H", "L", "W", "m"];
+const FIELDS = ["N", "T", "atx", "aty", "atz", "H", "L", "W", "m"];
 
-type Pieces = ReturnType<typeof scan>;
+type Pieces = readonly Piece[];
 
 /**
  * The figures of a volume's definition, of where it is grown, of its module's call, of its module's variables and of those of the text that
  * the call is worked out from; no empty lists. Variables that every call sets are left out: what the module itself says of them holds nowhere.
+ * Which of several of one name on one line it comes from is not known, so there they are all, each by its place.
  */
 export function saidOf(text: string, { label, module, line, call }: Asked): Said[] {
-	const pieces = scan(text).filter(({ kind }) => kind !== "comment");
+	const pieces = bare(scan(text));
+	const forms = formsOf(statementsOf(pieces));
 	const modules: { name: string; at: number }[] = [{ name: "", at: 0 }];
 	for (const [i, { text: word }] of pieces.entries())
 		if (word === "#module" && pieces[i + 1]) modules.push({ name: pieces[i + 1].text, at: i });
 	const own = modules[module] ?? modules[0];
 	const end = modules[module + 1]?.at ?? pieces.length;
-	const definition: Figure[] = [];
-	let translated = false;
-	for (let i = own.at; i < end; i++) {
-		if (pieces[i].text !== "#define") continue;
-		const [name, sign] = [pieces[i + 1], pieces[i + 2]];
-		if (name?.text === label && sign?.text === "(") {
-			const entries = entriesOf(pieces, i + 2);
-			translated = entries.length > 8;
-			definition.push(...figuresBetween(pieces, entries, translated ? TRANSLATED : PLAIN));
-		}
-	}
-	const fields = (entries: readonly unknown[]) =>
-		entries.length === 9 || (entries.length !== 8 && translated) ? TRANSLATED : PLAIN;
-	const grown = listAt(pieces, line, label);
-	const called = listAt(pieces, call, own.name);
+	const form = forms.get(`${own.name}:${label}`);
+	const listed = (list: List, translated: boolean | undefined) =>
+		figuresBetween(pieces, inFields(list.entries, translated), FIELDS);
+	const grown = listsAt(pieces, line, "[", label);
+	const called = listsAt(pieces, call, "&", own.name);
 	const set = module === 0 ? new Set<string>() : setByEveryCall(pieces, own.name);
-	const from = called ? wordsFrom(pieces, called.from) : new Set<string>();
+	const from = new Set(called.flatMap((each) => wordsFrom(pieces, each.from)));
 	return [
-		{ title: `Every ${label}`, figures: definition },
 		{
-			title: `Where it grows, line ${line}`,
-			figures: grown ? figuresBetween(pieces, grown.entries, fields(grown.entries)) : [],
+			title: `Every ${label}`,
+			figures: definitionsOf(pieces, own.at, end, label).flatMap((each) => listed(each, form)),
 		},
-		{
-			title: `${own.name} as it is called, line ${call}`,
-			figures: called
-				? [...figuresBetween(pieces, called.entries, fields(called.entries)), ...settings(pieces, called.end)]
-				: [],
-		},
+		...grown.map((each, i) => ({
+			title: `Where it grows, line ${line}${nth(i, grown)}`,
+			figures: listed(each, form),
+		})),
+		...called.map((each, i) => ({
+			title: `${own.name} as it is called, line ${call}${nth(i, called)}`,
+			figures: [...listed(each, forms.get(`${own.name}:`)), ...settings(pieces, each.end)],
+		})),
 		{
 			title: module === 0 ? "The whole flower" : `Every ${own.name}`,
 			figures: variablesOf(pieces, own.at, end).filter(({ name }) => !set.has(name)),
@@ -83,15 +77,34 @@ export function saidOf(text: string, { label, module, line, call }: Asked): Said
 	].filter(({ figures }) => figures.length > 0);
 }
 
-/** The list behind a name that grows on a line, and where it ends. */
-function listAt(pieces: Pieces, line: number, name: string) {
-	const at = pieces.findIndex(
-		(piece, i) => piece.line === line && piece.text === name && ["[", "&"].includes(pieces[i - 1]?.text),
+const nth = (i: number, { length }: readonly unknown[]): string => (length > 1 ? `, ${i + 1} of ${length}` : "");
+
+/** A list behind a volume's name, and the piece behind it. */
+interface List {
+	readonly entries: readonly Entry[];
+	/** The name. */
+	readonly from: number;
+	readonly end: number;
+}
+
+function listBehind(pieces: Pieces, name: number): List {
+	if (pieces[name + 1]?.text !== "(") return { entries: [], from: name, end: name + 1 };
+	return { ...entriesOf(pieces, name + 1), from: name };
+}
+
+/** The lists of a volume's definition in a module that stands between two places. */
+function definitionsOf(pieces: Pieces, from: number, to: number, label: string): List[] {
+	const found: List[] = [];
+	for (let i = from; i < to; i++)
+		if (pieces[i].text === "#define" && pieces[i + 1]?.text === label) found.push(listBehind(pieces, i + 1));
+	return found;
+}
+
+/** Those of a name that stands on a line behind a sign: `[` where a volume grows, `&` where a module does. */
+function listsAt(pieces: Pieces, line: number, sign: string, name: string): List[] {
+	return pieces.flatMap((piece, i) =>
+		piece.line === line && piece.text === name && pieces[i - 1]?.text === sign ? [listBehind(pieces, i)] : [],
 	);
-	if (at < 0) return undefined;
-	if (pieces[at + 1]?.text !== "(") return { entries: [], from: at, end: at + 1 };
-	const entries = entriesOf(pieces, at + 1);
-	return { entries, from: at, end: (entries.at(-1)?.[1] ?? at + 1) + 1 };
 }
 
 /** Variables that are figures, of the statements between two places. */
@@ -104,16 +117,14 @@ function variablesOf(pieces: Pieces, from: number, to: number): Figure[] {
 }
 
 /** What stands between the bracket of a call and its end: names are set before a =, and used elsewhere. */
-const wordsFrom = (pieces: Pieces, call: number): Set<string> => {
+function wordsFrom(pieces: Pieces, call: number): string[] {
 	let end = call;
 	while (end < pieces.length && pieces[end].text !== "]") end++;
-	return new Set(
-		pieces
-			.slice(call + 1, end)
-			.filter((_, i) => pieces[call + 2 + i]?.text !== "=")
-			.map(({ text }) => text),
-	);
-};
+	return pieces
+		.slice(call + 1, end)
+		.filter((_, i) => pieces[call + 2 + i]?.text !== "=")
+		.map(({ text }) => text);
+}
 
 /** Variables of a module that none of its calls leaves as the module has them; none where nothing calls it. */
 function setByEveryCall(pieces: Pieces, name: string): Set<string> {
@@ -140,24 +151,6 @@ function settings(pieces: Pieces, from: number): Figure[] {
 	return found;
 }
 
-/** What stands between the commas of a list whose bracket opens at `open`: first piece and the one behind the last. */
-function entriesOf(pieces: Pieces, open: number): [number, number][] {
-	const entries: [number, number][] = [];
-	let from = open + 1;
-	let depth = 0;
-	for (let i = open; i < pieces.length; i++) {
-		const { text } = pieces[i];
-		if (text === "(") depth++;
-		if (text === ")") depth--;
-		if (depth === 0 || (depth === 1 && text === ",")) {
-			entries.push([from, i]);
-			from = i + 1;
-		}
-		if (depth === 0) break;
-	}
-	return entries;
-}
-
 function statementEnd(pieces: Pieces, from: number): number {
 	let end = from;
 	while (end < pieces.length && pieces[end].line === pieces[from].line) end++;
@@ -165,9 +158,10 @@ function statementEnd(pieces: Pieces, from: number): number {
 }
 
 /** Those entries that are a figure and nothing else; a number that is worked out is none. */
-function figuresBetween(pieces: Pieces, entries: readonly [number, number][], names: readonly string[]): Figure[] {
-	return entries.flatMap(([from, to], i) => {
-		let [first, last] = [from, to - 1];
+function figuresBetween(pieces: Pieces, entries: readonly (Entry | undefined)[], names: readonly string[]): Figure[] {
+	return entries.flatMap((entry, i) => {
+		if (!entry) return [];
+		let [first, last] = [entry[0], entry[1] - 1];
 		if (pieces[first]?.text === "<" && pieces[last]?.text === ">") [first, last] = [first + 1, last - 1];
 		const signed = pieces[first]?.text === "-" ? 1 : 0;
 		const number = pieces[first + signed];

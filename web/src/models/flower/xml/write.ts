@@ -4,6 +4,7 @@
  */
 import { readLine } from "../design/description";
 import { scan } from "../tools/language";
+import { bare, entriesOf, formsOf, inFields, statementsOf } from "../tools/statements";
 import { escaped } from "./elements";
 import { FIELDS } from "./fields";
 
@@ -12,7 +13,7 @@ type Pieces = ReturnType<typeof scan>;
 /** @param text one that has grown: of another the XML may say less */
 export function xmlOf(text: string): string {
 	const pieces = scan(text);
-	const statements = statementsOf(pieces.filter(({ kind }) => kind !== "comment"));
+	const statements = statementsOf(bare(pieces));
 	const forms = formsOf(statements);
 	let module = "";
 	const elements = statements.map((pieces) => {
@@ -31,72 +32,6 @@ export function xmlOf(text: string): string {
 function isDescription(text: string, { kind, from, to, text: said }: Pieces[number]): boolean {
 	const alone = (from === 0 || text[from - 1] === "\n") && /^[ \t]*(?:\n|$)/.test(text.slice(to, to + 200));
 	return kind === "comment" && alone && readLine(said) !== undefined;
-}
-
-/** As wasm-core/src/models/flower/reader.cpp ends them: within brackets, and where something has to follow, they go on. */
-function statementsOf(pieces: Pieces): Pieces[] {
-	const statements: Pieces[] = [];
-	let depth = 0;
-	for (const [i, piece] of pieces.entries()) {
-		const before = pieces[i - 1];
-		const goesOn =
-			piece.kind !== "statement" &&
-			(depth > 0 ||
-				before?.kind === "arrow" ||
-				piece.kind === "arrow" ||
-				/^[,|<:]$/.test(before?.text ?? "") ||
-				/^[[{:|]$/.test(piece.text));
-		if (!before || (piece.line > before.line && !goesOn)) {
-			statements.push([]);
-			depth = 0;
-		}
-		statements[statements.length - 1].push(piece);
-		if (/^[([{]$/.test(piece.text)) depth++;
-		if (/^[)\]}]$/.test(piece.text)) depth = Math.max(0, depth - 1);
-	}
-	return statements;
-}
-
-/** Whether a volume's lists have a translation, by `module:volume`; and that of what a module begins with, by `module:`. */
-function formsOf(statements: readonly Pieces[]): Map<string, boolean> {
-	const forms = new Map<string, boolean>();
-	let module = "";
-	for (const [head, name, sign, third] of statements) {
-		if (head.text === "#module") module = name?.text ?? "";
-		if (head.text !== "#define" || sign?.text === "=" || !third) continue;
-		forms.set(`${module}:${name.text}`, false);
-	}
-	module = "";
-	for (const pieces of statements) {
-		if (pieces[0].text === "#module") module = pieces[1]?.text ?? "";
-		if (pieces[0].text === "#define" && pieces[2]?.text === "(")
-			forms.set(`${module}:${pieces[1].text}`, entriesOf(pieces, 2).entries.length > 8);
-	}
-	module = "";
-	for (const pieces of statements) {
-		if (pieces[0].text === "#module") module = pieces[1]?.text ?? "";
-		const begins = /^#axiome?$/.test(pieces[0].text)
-			? pieces.find(({ kind }, i) => i > 0 && kind !== "mark" && kind !== "operator")
-			: undefined;
-		if (begins) forms.set(`${module}:`, forms.get(`${module}:${begins.text}`) ?? false);
-	}
-	return forms;
-}
-
-function entriesOf(pieces: Pieces, open: number): { entries: [number, number][]; end: number } {
-	const entries: [number, number][] = [];
-	let [from, depth] = [open + 1, 0];
-	for (let i = open; i < pieces.length; i++) {
-		const { text } = pieces[i];
-		if (/^[([]$/.test(text)) depth++;
-		if (/^[)\]]$/.test(text)) depth--;
-		if (depth === 0 || (depth === 1 && text === ",")) {
-			entries.push([from, i]);
-			from = i + 1;
-		}
-		if (depth === 0) return { entries, end: i + 1 };
-	}
-	return { entries, end: pieces.length };
 }
 
 /** A statement, read from the left. */
@@ -169,13 +104,8 @@ function spelledOut(statement: Statement, form: Form): string {
 /** The nine numbers of a list that opens at a piece, empty where they are left out; and the piece behind it. */
 function numbersAt(statement: Statement, open: number, translated: boolean | undefined): [string[], number] {
 	const { entries, end } = entriesOf(statement.pieces, open);
-	// Of ten numbers one angle is too many (docs/models/flower/language.md).
-	const said = entries
-		.map(([from, to]) => statement.slice(from, to))
-		.filter((_, i) => entries.length !== 10 || i !== 5);
-	const whole = said.length === 9 || (said.length !== 8 && translated);
-	const numbers = whole ? said : [said[0] ?? "", "", ...said.slice(1)];
-	return [FIELDS.map((_, i) => numbers[i] ?? ""), end];
+	const said = inFields(entries, translated).map((entry) => (entry ? statement.slice(...entry) : ""));
+	return [FIELDS.map((_, i) => said[i] ?? ""), end];
 }
 
 /** A production that grows something; undefined of one that glues or splits. */
