@@ -61,14 +61,74 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/flower/xml/write.ts",
-		suites: ["tests/web/models/flower/xml.test.ts"],
+		file: "web/src/models/flower/tools/said.ts",
+		suites: ["tests/web/models/flower/said.test.ts"],
+		faults: [
+			{
+				id: "flower-figures-of-the-first-call",
+				find: 'const called = listsAt(pieces, call, "&", own.name);',
+				replace: 'const called = listsAt(pieces, call, "&", own.name).slice(0, 1);',
+				breaks: "of two calls of a module on one line the second's volumes show the first's figures",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/tools/statements.ts",
+		suites: ["tests/web/models/flower/xml.test.ts", "tests/web/models/flower/said.test.ts"],
 		faults: [
 			{
 				id: "flower-xml-short-lists",
-				find: 'said : [said[0] ?? "", "", ...said.slice(1)]',
-				replace: "said : said",
+				find: "whole ? said : [said[0], undefined, ...said.slice(1)]",
+				replace: "said",
 				breaks: "lists without a translation are shifted in XML",
+			},
+			{
+				id: "flower-ten-figures",
+				find: ".filter((_, i) => entries.length !== 10 || i !== 5)",
+				replace: "",
+				breaks: "the height of a volume of ten numbers is shown as 0, and moving it writes what the core passes over",
+			},
+			{
+				id: "flower-statements-without-blanks",
+				find: "{ ...piece, text: wordOf(piece) }",
+				replace: "piece",
+				breaks: "a text with # define is another flower as XML",
+			},
+			{
+				id: "flower-statements-without-comments-within",
+				find: 'before?.text === "#" &&',
+				replace: 'before?.text === "##" &&',
+				breaks: "a text with a comment behind a sign is another flower as XML",
+			},
+		],
+	},
+	{
+		file: "web/src/models/flower/species.ts",
+		suites: ["tests/web/models/flower/claims.test.ts"],
+		faults: [
+			{
+				id: "flower-axiom-without-blanks",
+				find: "/^[ \\t]*#[ \\t]*axiome?\\b/m",
+				replace: "/^[ \\t]*#axiome?\\b/m",
+				breaks: "a flower with # axiom is taken for an L-system",
+			},
+			{
+				id: "flower-without-growth",
+				find: "(?:[OE]|C\\d+)[ \\t]*(?:--?>|→)/,",
+				replace: "(?:[O]|C\\d+)[ \\t]*(?:-->|→)/,",
+				breaks: "a flower whose volumes are halved alone is taken for an L-system",
+			},
+			{
+				id: "flower-of-any-numbers",
+				find: "AXIOM.test(text) && OWN",
+				replace: "OWN",
+				breaks: "an L-system whose branch ends before an E is taken for a flower",
+			},
+			{
+				id: "flower-misspelt-face",
+				find: "/\\]\\s*(?:_|",
+				replace: "/\\]\\s*(?:",
+				breaks: "a flower whose only face is misspelt is told about L-systems",
 			},
 		],
 	},

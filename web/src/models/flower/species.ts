@@ -11,11 +11,16 @@ import { variablesIn } from "./texts";
 /** The preset a link without `preset` means. */
 export const DEFAULT_PRESET = "tulip";
 
-/**
- * A production on a face, or a volume's numbers: what begins a line of a flower's grammar, and of no L-system. Blanks are each matched in
- * one place alone: any text may come, and of three ways to share them out all would be tried.
- */
-const OWN = /\]\s*(?:_\s*)?(?:\{\s*)?(?:[OE]|C\d+|C\()|^[ \t]*#module\b/m;
+/** A line of each flower's grammar, and of no L-system's. Here as below blanks are each matched in one place alone: any text may come, and of three ways to share them out all would be tried. */
+const AXIOM = /^[ \t]*#[ \t]*axiome?\b/m;
+
+/** Of these there is one besides it: the faces that something grows on, a module, a volume's numbers, a volume that is halved. */
+const OWN = [
+	/\]\s*(?:_|(?:\{\s*)?(?:[OE]|C\d+|C\())/,
+	/^[ \t]*#[ \t]*module\b/m,
+	/^[ \t]*#[ \t]*define[ \t]+\p{L}[\p{L}\p{N}_]*[ \t]*\((?:[^()\n]*,)?[ \t]*(?:<[ \t]*)?(?:-[ \t]*)?[\d.]/mu,
+	/-[ \t]*(?:[OE]|C\d+)[ \t]*(?:--?>|→)/,
+];
 
 /** The XML of Table 4: an element of a grammar's begins it, be it within another. */
 const XML =
@@ -29,6 +34,6 @@ export const FLOWER: Species<FlowerSpecimen> = {
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	details: [
 		constantValues<FlowerSpecimen>(variablesIn),
-		grammarText((text) => isXml(text) || (OWN.test(text) && /^[ \t]*#axiome?\b/m.test(text))),
+		grammarText((text) => isXml(text) || (AXIOM.test(text) && OWN.some((sign) => sign.test(text)))),
 	],
 };
