@@ -5,7 +5,7 @@ import { described } from "../../../../../web/src/models/flower/design/descripti
 import { assembled, type Design, describedIn, designOf } from "../../../../../web/src/models/flower/design/design";
 import { merged } from "../../../../../web/src/models/flower/design/merge";
 
-const words = fc.array(fc.constantFrom("a", "b", "c", "d"), { maxLength: 8 });
+const words: fc.Arbitrary<string[]> = fc.array(fc.constantFrom("a", "b", "c", "d"), { maxLength: 8 });
 
 describe("two changes of a text", () => {
 	it("come to the one that there is, where the other changed nothing", () => {
@@ -22,6 +22,39 @@ describe("two changes of a text", () => {
 		const lines = [..."abcdefgh"];
 		const [mine, made] = [[..."abXcdefgh"], [..."abcdefYh"]];
 		expect(merged(lines, mine, made)).toEqual({ lines: [..."abXcdefYh"], kept: [..."abXcdefYh"], lost: [] });
+	});
+
+	it("come to what the choice makes and to what was done by hand, or tell what was lost", () => {
+		fc.assert(
+			fc.property(words, words, words, (base, mine, made) => {
+				const { lines, lost, kept } = merged(base, mine, made);
+				const added = (to: readonly string[]) => to.filter((line) => !base.includes(line));
+				expect(lines).toEqual(expect.arrayContaining(added(made)));
+				expect([...lines, ...lost]).toEqual(expect.arrayContaining(added(mine)));
+				expect(kept).toEqual(expect.arrayContaining(added(mine)));
+			}),
+		);
+	});
+
+	it("are both there where they are in neighbouring lines", () => {
+		const base = ["#define a=1", "#define b=2", "#define A(4)", "#material 4 petal", "A -> A[A]_{E}", "A -> A[B]_{E}"];
+		const made = ["#define a=9", "#define b=2", "#define A(9)", "#material 4 leaf", "A -> A[A]_{C9}", "A -> A[B]_{E}"];
+		const mine = [base[0], "/* Mine */", "#define b=7", base[2], "#material 4 sepal", base[4], "A -> A[B]_{C7}"];
+		const both = ["#define a=9", "/* Mine */", "#define b=7", "#define A(9)", "", "A -> A[A]_{C9}", "A -> A[B]_{C7}"];
+		const lost = "#material 4 sepal";
+		expect(merged(base, mine, made)).toEqual({
+			lines: both.with(4, "#material 4 leaf"),
+			kept: both.with(4, lost),
+			lost: [lost],
+		});
+	});
+
+	it("are both there where they are different words of a line, unless there are more or fewer", () => {
+		const line = '#material 4 petal "aaaaaa" "bbbbbb" name "a, b"';
+		const [mine, made] = [line.replace("aaaaaa", "111111"), line.replace("bbbbbb", "222222")];
+		expect(merged([line], [mine], [made]).lines).toEqual(['#material 4 petal "111111" "222222" name "a, b"']);
+		const longer = `${mine} light 0.5`;
+		expect(merged([line], [longer], [made])).toEqual({ lines: [made], kept: [longer], lost: [longer] });
 	});
 
 	it("are the choice's where they are in one place, and what is lost is told and can be kept", () => {
@@ -82,6 +115,26 @@ describe("a choice", () => {
 		expect(madeAnew(designed(text), "stamen")).toBe(
 			assembled([described(describedIn(design, "stamen"), { length: 40, count: 7 })]),
 		);
+	});
+
+	it.each([
+		["stem", /#define bend=0 /, "#define bend=3.3 ", { length: 200 }],
+		["stem", /#define thick=.*/, "#define thick=7", { length: 200, section: "square" }],
+		["petal", /(?<=#module PETAL[^@]*)#define cup=.*/, "#define cup=33", { bend: 10 }],
+		["petal", /(?<=#module PETAL[^@]*)#define wide=.*/, "#define wide=77", { length: 44 }],
+		["petal", /#material 14 petal "\w+"/, '#material 14 petal "123456"', { tip: "ff0000" }],
+		["pistil", /LOBE\{\}\{[^}]*\}/, "LOBE{}{step>9}", { count: 5 }],
+	] as const)("leaves what was edited in a line beside those it changes: %s, %s", (organ, was, own, values) => {
+		const mine = assembled().replace(was, own);
+		expect(mine).not.toBe(assembled());
+		const design = designed(mine);
+		const chosen = described(describedIn(design, organ), values);
+		const { text, kept, lost } = choose(design, chosen);
+		expect(lost).toEqual([]);
+		expect(text).toBe(kept);
+		expect(text).toContain(own);
+		// Nothing but that is otherwise than the choice alone would have it.
+		expect(text.replace(own, "")).toBe(assembled([chosen]).replace(was, ""));
 	});
 
 	it("tells what it does not leave, and can be had without losing it", () => {

@@ -15,42 +15,81 @@ export interface Merged {
  * @param made with what the choice makes
  */
 export function merged(base: readonly string[], mine: readonly string[], made: readonly string[]): Merged {
-	const [inMine, inMade] = [matches(base, mine), matches(base, made)];
-	const lines: string[] = [];
-	const lost: string[] = [];
-	const kept: string[] = [];
-	const both = (all: readonly string[]) => {
-		append(lines, all);
-		append(kept, all);
-	};
-	let [at, atMine, atMade] = [0, 0, 0];
-	while (at <= base.length) {
-		// As far as the next line that stands in all three.
-		let next = at;
-		while (next < base.length && (inMine[next] < 0 || inMade[next] < 0)) next++;
-		const [toMine, toMade] = next < base.length ? [inMine[next], inMade[next]] : [mine.length, made.length];
-		const [was, own, other] = [base.slice(at, next), mine.slice(atMine, toMine), made.slice(atMade, toMade)];
-		if (same(own, was) || same(own, other)) both(other);
-		else if (same(other, was)) both(own);
-		else {
-			append(lines, other);
-			append(kept, own);
-			const [inWas, inOwn, inOther] = [new Set(was), new Set(own), new Set(other)];
-			append(
-				lost,
-				own.filter((line) => !inWas.has(line) && !inOther.has(line)),
-			);
-			// What was taken out by hand and comes again is told by what comes.
-			if (own.every((line) => inWas.has(line)))
-				append(
-					lost,
-					was.filter((line) => !inOwn.has(line)),
-				);
-		}
-		if (next < base.length) both([base[next]]);
-		[at, atMine, atMade] = [next + 1, toMine + 1, toMade + 1];
+	const found: Merging = { lines: [], lost: [], kept: [] };
+	for (const stretch of stretches([base, mine, made], (line) => line)) {
+		if (take(found, stretch)) continue;
+		// Lines that stand side by side are different places: those of one name, and between them those that are as many.
+		for (const named of stretches(stretch, nameOf))
+			for (const place of inPairs(named)) if (!take(found, place)) giveWay(found, place);
 	}
-	return { lines, lost, kept };
+	return found;
+}
+
+/** What stands in one place: in what both began with, by hand, and as the choice makes it. */
+type Stretch = readonly [was: readonly string[], own: readonly string[], other: readonly string[]];
+type Merging = { readonly [key in keyof Merged]: string[] };
+
+/** From one line whose key stands in all three to the next; those themselves are stretches of one line. */
+function* stretches(
+	[base, mine, made]: Stretch,
+	keyOf: (line: string, of: number, at: number) => string,
+): Iterable<Stretch> {
+	const [keys, inMine, inMade] = [base, mine, made].map((lines, of) => lines.map((line, at) => keyOf(line, of, at)));
+	const [toMine, toMade] = [matches(keys, inMine), matches(keys, inMade)];
+	let [at, atMine, atMade] = [0, 0, 0];
+	for (let next = 0; next < base.length; next++) {
+		const [own, other] = [toMine[next], toMade[next]];
+		if (own < 0 || other < 0) continue;
+		yield [base.slice(at, next), mine.slice(atMine, own), made.slice(atMade, other)];
+		yield [[base[next]], [mine[own]], [made[other]]];
+		[at, atMine, atMade] = [next + 1, own + 1, other + 1];
+	}
+	yield [base.slice(at), mine.slice(atMine), made.slice(atMade)];
+}
+
+/** `#define length=`, `#define STEM(`, `#material 4`; of what has no name one that no other line has. */
+const nameOf = (line: string, of: number, at: number): string => NAME.exec(line)?.[0] ?? `${of} ${at}`;
+const NAME = /^#(?:define[ \t]+\p{L}[\p{L}\p{N}_]*[ \t]*[=(]?|material[ \t]+\d+)/u;
+
+/** Line by line, where there are as many each time. */
+function inPairs(stretch: Stretch): readonly Stretch[] {
+	const [was, own, other] = stretch;
+	if (was.length !== own.length || was.length !== other.length) return [stretch];
+	return was.map((line, i) => [[line], [own[i]], [other[i]]]);
+}
+
+/** Takes what one of the two has changed there, or both in one way or in words of their own; false where that is not so. */
+function take({ lines, kept }: Merging, [was, own, other]: Stretch): boolean {
+	const taken = same(own, was) || same(own, other) ? other : same(other, was) ? own : inWords([was, own, other]);
+	if (!taken) return false;
+	append(lines, taken);
+	append(kept, taken);
+	return true;
+}
+
+/** A line of which both have changed words, none of them the same: `#material` has a colour of the hand's, and another of the choice's. */
+function inWords(all: Stretch): readonly string[] | undefined {
+	if (all.some(({ length }) => length !== 1)) return undefined;
+	const [was, own, other] = all.map(([line]) => line.split(/(\s+)/));
+	if (was.length !== own.length || was.length !== other.length) return undefined;
+	if (was.some((word, i) => own[i] !== word && other[i] !== word && own[i] !== other[i])) return undefined;
+	return [was.map((word, i) => (own[i] === word ? other[i] : own[i])).join("")];
+}
+
+function giveWay({ lines, lost, kept }: Merging, [was, own, other]: Stretch): void {
+	append(lines, other);
+	append(kept, own);
+	const [inWas, inOwn, inOther] = [new Set(was), new Set(own), new Set(other)];
+	append(
+		lost,
+		own.filter((line) => !inWas.has(line) && !inOther.has(line)),
+	);
+	// What was taken out by hand and comes again is told by what comes.
+	if (own.every((line) => inWas.has(line)))
+		append(
+			lost,
+			was.filter((line) => !inOwn.has(line)),
+		);
 }
 
 const same = (one: readonly string[], other: readonly string[]): boolean =>
