@@ -97,9 +97,45 @@ export default [
 		faults: [
 			{
 				id: "flower-choice-forgets-edits",
-				find: "else if (same(other, was)) both(own);",
-				replace: "else if (same(other, was)) both(was);",
+				find: "same(other, was) ? own : inWords",
+				replace: "same(other, was) ? was : inWords",
 				breaks: "what was edited by hand goes with the next choice, and nobody is told",
+			},
+			{
+				id: "flower-edits-lost-beside-choices",
+				find: "NAME.exec(line)?.[0] ??",
+				replace: "",
+				breaks: "a number edited by hand goes where a choice changes the line above and a line was put in there",
+			},
+			{
+				id: "flower-rules-lost-beside-choices",
+				find: "was.length !== own.length || was.length !== other.length) return [stretch]",
+				replace: "was.length > 0) return [stretch]",
+				breaks: "a production edited by hand goes where a choice changes the one above it",
+			},
+			{
+				id: "flower-colours-lost-beside-choices",
+				find: ": inWords([was, own, other]);",
+				replace: ": undefined;",
+				breaks: "a material's foot that was coloured by hand goes with the choice of its tip",
+			},
+		],
+	},
+	{
+		file: `${VIEWS}/drafts.ts`,
+		suites: [`${TESTS}/drafts.test.ts`],
+		faults: [
+			{
+				id: "flower-choices-behind-values",
+				find: "withText(grammar, specimen, text);",
+				replace: "({ details: { grammar: text } });",
+				breaks: "once a slider of Constants was moved, choices of the same number change nothing",
+			},
+			{
+				id: "flower-values-lost-by-choices",
+				find: "grownText(grammar, specimen, () => {})",
+				replace: "fetchedText(specimen)",
+				breaks: "the next choice takes back what sliders of Constants said",
 			},
 		],
 	},

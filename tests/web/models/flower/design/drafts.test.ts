@@ -3,6 +3,7 @@ import type { NoticeOptions } from "../../../../../web/src/controls/desk";
 import { described } from "../../../../../web/src/models/flower/design/description";
 import { assembled, describedIn, designOf } from "../../../../../web/src/models/flower/design/design";
 import { model } from "../../../../../web/src/models/flower/index";
+import type { FlowerSpecimen } from "../../../../../web/src/models/flower/specimen";
 import { fetchTexts } from "../../../../../web/src/models/flower/texts";
 import {
 	Drafts,
@@ -15,8 +16,8 @@ import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 beforeAll(fetchTexts);
 
 /** A desk with a text on it, on which nothing grows. */
-function deskWith(grammar: string) {
-	const state = { model, specimen: { ...fromPreset(model), grammar } };
+function deskWith(grammar: string | undefined, specimen: FlowerSpecimen = fromPreset(model)) {
+	const state = { model, specimen: { ...specimen, grammar } };
 	const take = ({ details = {} }: { details?: object }) => {
 		state.specimen = { ...state.specimen, ...details };
 	};
@@ -42,10 +43,37 @@ describe("drafts of a design", () => {
 		// Undone, and written by hand.
 		state.specimen = { ...state.specimen, grammar: `/* Mine */\n${assembled()}` };
 		drafts.edit(desk, withNumber(desk, "stamen", "count", 3));
-		const design = designOf(state.specimen.grammar);
+		const design = designOf(state.specimen.grammar ?? "");
 		expect(design?.head).toBe("/* Mine */\n");
 		expect(design && describedIn(design, "stamen").values.count).toBe(3);
 		expect(design && describedIn(design, "petal").values.count).toBe(5);
+	});
+
+	it("hold against values that stand beside the text, and leave those that they say nothing of", () => {
+		const tulip = fromPreset(model, "designed-tulip");
+		const beside = { ...tulip, constants: { length: 600, bend: 2 } };
+		const { desk, state, notify } = deskWith(undefined, beside);
+		const design = designIn(beside)!;
+		new Drafts().set(desk, described(describedIn(design, "stem"), { length: 100 }));
+		expect(state.specimen.constants).toEqual({});
+		expect(state.specimen.grammar).toMatch(/^#define length=100 /m);
+		expect(state.specimen.grammar).toMatch(/^#define bend=2 /m);
+		expect(notify.mock.lastCall?.[1]?.[0]).toMatch(/^#define length=600 /);
+		notify.mock.lastCall?.[2]?.act?.run();
+		expect(state.specimen.constants).toEqual({});
+		expect(state.specimen.grammar).toMatch(/^#define length=600 /m);
+	});
+
+	it("go on through a gesture where there were values, and back leave what was there", () => {
+		const beside = { ...fromPreset(model, "designed-tulip"), constants: { length: 600 } };
+		const { desk, state } = deskWith(undefined, beside);
+		const drafts = new Drafts();
+		const before = descriptionsIn(designIn(beside)!);
+		drafts.edit(desk, withNumber(desk, "petal", "count", 7));
+		drafts.edit(desk, withNumber(desk, "petal", "count", 9));
+		expect(state.specimen.grammar).toMatch(/^#define length=600 /m);
+		drafts.edit(desk, before);
+		expect(state.specimen).toEqual(beside);
 	});
 
 	it("leave nothing of what a gesture passes", () => {

@@ -14,7 +14,7 @@ import { type Description, described } from "../../design/description";
 import { type Design, describedIn } from "../../design/design";
 import { FIELDS, type Field, type NumberField, ORGANS, type Organ } from "../../design/organs";
 import { DRAWN } from "../../design/shapes";
-import { type Drafts, descriptionsIn, designIn, type FlowerDesk } from "./drafts";
+import { type Drafts, descriptionsIn, designIn, type FlowerDesk, writing } from "./drafts";
 import { floralFormula } from "./floral_diagram";
 import { pointsOf } from "./outline_scene";
 import { traceInto } from "./trace";
@@ -78,7 +78,7 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 				edited
 					? html`<p>Its grammar was edited by hand; choices leave that where they can.</p>
 						<div class="actions"><button
-							class="button" type="button" @click=${() => this.desk.set({ details: { grammar: madeAnew(design, organ) } })}
+							class="button" type="button" @click=${() => this.desk.set(writing(this.desk.state.specimen, madeAnew(design, organ)))}
 						>Write its grammar anew</button></div>`
 					: nothing
 			}`;

@@ -12,7 +12,7 @@ import type { FlowerPlant } from "../../flower_plant";
 import { FLOWER } from "../../species";
 import type { FlowerSpecimen } from "../../specimen";
 import type { DesignEvent } from "./design_view";
-import { Drafts, descriptionsIn, designIn, type FlowerDesk } from "./drafts";
+import { Drafts, descriptionsIn, designIn, type FlowerDesk, writing } from "./drafts";
 import { elevation } from "./elevation";
 import { floralDiagram } from "./floral_diagram";
 import { outlineScene } from "./outline_scene";
@@ -49,7 +49,7 @@ export const beginTool: DesignTool = {
 			return html`<p>This flower’s text has no descriptions of its organs: it is edited as a grammar. Another flower that has them, or a new one:</p>
 			<div class="actions">
 				<button class="button" type="button" @click=${() => desk.replace(fromPreset(FLOWER, near))}>Open ${title}</button>
-				<button class="button" type="button" @click=${() => desk.set({ details: { grammar: assembled() } })}>
+				<button class="button" type="button" @click=${() => desk.set(writing(desk.state.specimen, assembled()))}>
 					Design a new flower
 				</button>
 			</div>`;

@@ -1,5 +1,6 @@
 /** Choices and drags written into a flower's text: what was edited by hand is merged in, and what cannot be kept is told. */
 import type { Desk } from "../../../../controls/desk";
+import { type GrammarSource, textOf as grownText, withText } from "../../../../controls/grammar/source";
 import { sameDocument } from "../../../../controls/same_document";
 import { choose } from "../../design/choose";
 import { type Description, lineOf } from "../../design/description";
@@ -7,6 +8,7 @@ import { type Design, designOf, textOf } from "../../design/design";
 import type { FlowerPlant } from "../../flower_plant";
 import type { FlowerSpecimen } from "../../specimen";
 import { fetchedText } from "../../texts";
+import { source } from "../text";
 
 export type FlowerDesk = Desk<FlowerSpecimen, FlowerPlant>;
 
@@ -14,9 +16,18 @@ const GESTURE = "design";
 
 let last: { readonly text: string; readonly design: Design | undefined } | undefined;
 
+const grammar = source as unknown as GrammarSource;
+
+/** The text that a flower grows by, with the values that stand beside it, as by sliders, in it; undefined where it has yet to be fetched. */
+export const valuedText = (specimen: FlowerSpecimen): string | undefined =>
+	fetchedText(specimen) === undefined ? undefined : grownText(grammar, specimen, () => {});
+
+/** The change that makes a text a flower's: values beside the one before would else hold against what a choice says there. */
+export const writing = (specimen: FlowerSpecimen, text: string) => withText(grammar, specimen, text);
+
 /** What a flower's text describes; undefined where it has no descriptions, or has yet to be fetched. */
 export function designIn(specimen: FlowerSpecimen): Design | undefined {
-	const text = fetchedText(specimen);
+	const text = valuedText(specimen);
 	if (text === undefined) return undefined;
 	if (last?.text !== text) last = { text, design: designOf(text) };
 	return last.design;
@@ -54,11 +65,11 @@ export class Drafts {
 	/** While the hand moves. */
 	edit(desk: FlowerDesk, descriptions: readonly Description[], run?: string): void {
 		// What is there now may be of another hand: an undo, the editor, another plant.
-		if (!this.#last || fetchedText(desk.state.specimen) !== this.#last.text)
-			this.#before = designIn(desk.state.specimen);
+		const { specimen } = desk.state;
+		if (!this.#last || valuedText(specimen) !== this.#last.text) this.#before = designIn(specimen);
 		if (!this.#before) return;
 		this.#last = written(this.#before, descriptions);
-		desk.edit({ details: { grammar: this.#last.text }, run }, GESTURE);
+		desk.edit({ ...writing(specimen, this.#last.text), run }, GESTURE);
 	}
 
 	/** Its end: one step, and what was lost is told. */
@@ -67,7 +78,7 @@ export class Drafts {
 		const done = this.#last;
 		this.#before = undefined;
 		this.#last = undefined;
-		if (done && done.lost.length > 0 && fetchedText(desk.state.specimen) === done.text) tell(desk, done);
+		if (done && done.lost.length > 0 && valuedText(desk.state.specimen) === done.text) tell(desk, done);
 	}
 
 	/** A choice by itself. */
@@ -85,7 +96,7 @@ const MOST_TOLD = 4;
 function tell(desk: FlowerDesk, { text, lost, kept }: Written): void {
 	const isStill = sameDocument(desk);
 	const keep = () => {
-		if (isStill() && fetchedText(desk.state.specimen) === text) desk.set({ details: { grammar: kept } });
+		if (isStill() && valuedText(desk.state.specimen) === text) desk.set(writing(desk.state.specimen, kept));
 		else desk.notify("The edited lines were not kept", ["The text has changed meanwhile."], { topic: GESTURE });
 	};
 	const more = lost.length > MOST_TOLD ? [`and ${lost.length - MOST_TOLD} more.`] : [];
