@@ -80,6 +80,18 @@ export default [
 		],
 	},
 	{
+		file: `${DESIGN}/templates/stem.gl3`,
+		suites: ASSEMBLED,
+		faults: [
+			{
+				id: "flower-stem-of-no-sides",
+				find: " /* 3 … 24, of the stem */",
+				replace: "",
+				breaks: "the slider of a stem's sides goes to 0, and the flower to a mistake",
+			},
+		],
+	},
+	{
 		file: `${DESIGN}/blade.ts`,
 		suites: ASSEMBLED,
 		faults: [

@@ -73,6 +73,18 @@ export default [
 		],
 	},
 	{
+		file: "web/src/models/flower/tools/figure_range.ts",
+		suites: ["tests/web/models/flower/said.test.ts"],
+		faults: [
+			{
+				id: "flower-counts-from-nothing",
+				find: "-reach : Number(whole), reach",
+				replace: "-reach : 0, reach",
+				breaks: "a chosen volume's slider of its module's steps goes to 0, by which it is divided",
+			},
+		],
+	},
+	{
 		file: "web/src/models/flower/tools/statements.ts",
 		suites: ["tests/web/models/flower/xml.test.ts", "tests/web/models/flower/said.test.ts"],
 		faults: [

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { rangeFor, within } from "../../../../web/src/models/flower/tools/figure_range";
+import { rangeFor, rangeSaid, within } from "../../../../web/src/models/flower/tools/figure_range";
 import { saidOf } from "../../../../web/src/models/flower/tools/said";
 
 const TEXT = `#define length=320 @ of the stem @
@@ -141,11 +141,20 @@ describe("how far a figure is slid", () => {
 	it("is as far as what it says goes", () => {
 		expect(rangeFor("N", 6)).toMatchObject({ min: 3, max: 24, step: 1 });
 		expect(rangeFor("atx", -20)).toMatchObject({ min: -90, max: 90, step: 1 });
-		expect(rangeFor("len", 66)).toMatchObject({ min: 0, max: 132, step: 1 });
+		expect(rangeFor("len", 66)).toMatchObject({ min: 1, max: 132, step: 1 });
 		expect(rangeFor("t", 0.5)).toMatchObject({ min: 0, max: 1, step: 0.01 });
 		expect(rangeFor("x", -1.5).min).toBe(-3);
 		expect(rangeFor("t", 0.5).written(0.12345)).toBe("0.12");
 		expect(rangeFor("t", 0.5).written(7)).toBe("1.00");
+	});
+
+	it("is as far as the text says, or its slider among the constants goes", () => {
+		const text = "#define sides=12 /* 3 … 24 step 3, of the stem */\n#define A(sides,5)\n#axiom: A\n";
+		const [whole] = saidOf(text, { label: "A", module: 0, line: 0, call: 0 }).filter(
+			({ title }) => title !== "Every A",
+		);
+		expect(whole.figures.map(({ range }) => range && rangeSaid(range))).toMatchObject([{ min: 3, max: 24, step: 3 }]);
+		expect(rangeSaid({ min: 0, max: 1, step: 0.1 }).written(0.72)).toBe("0.7");
 	});
 
 	it("stays as it is while the hand is within", () => {

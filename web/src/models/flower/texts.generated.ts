@@ -1222,8 +1222,8 @@ D : D_C1 < D_C3 -> D_C1 | D_C3
    source: own text, assembled; the method is Petrenko 2014, section 3.3
 */
 @organ stem section=round growth=arching length=160 thickness=2.2 base=6f9150 tip=86a862@
-#define sides=12
-#define thick=2.2
+#define sides=12 /* 3 … 24, of the stem */
+#define thick=2.2 /* 0.8 … 24 step 0.1 mm, of the stem */
 #define length=160 /* 10 … 900 mm, of the stem */
 #define bend=2.2 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
 #define piece=length/17*math.random(0.92,1.08)
@@ -1580,8 +1580,8 @@ LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
    source: own text, assembled; the method is Petrenko 2014, section 3.3
 */
 @organ stem section=round growth=arching length=420 thickness=6 base=6d8f4e tip=8aa862@
-#define sides=12
-#define thick=6
+#define sides=12 /* 3 … 24, of the stem */
+#define thick=6 /* 0.8 … 24 step 0.1 mm, of the stem */
 #define length=420 /* 10 … 900 mm, of the stem */
 #define bend=2.2 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
 #define piece=length/17*math.random(0.92,1.08)
@@ -1866,8 +1866,8 @@ LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
    source: own text, assembled; the method is Petrenko 2014, section 3.3
 */
 @organ stem section=round growth=erect length=300 thickness=6.4 base=7f9a55 tip=9ab36c@
-#define sides=12
-#define thick=6.4
+#define sides=12 /* 3 … 24, of the stem */
+#define thick=6.4 /* 0.8 … 24 step 0.1 mm, of the stem */
 #define length=300 /* 10 … 900 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
 #define piece=length/17*math.random(0.92,1.08)
@@ -2128,8 +2128,8 @@ LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
    source: own text, assembled; the method is Petrenko 2014, section 3.3
 */
 @organ stem section=square growth=nodding length=90 thickness=1.8 base=6f8d4c tip=8c8f58@
-#define sides=4
-#define thick=1.8
+#define sides=4 /* 3 … 24, of the stem */
+#define thick=1.8 /* 0.8 … 24 step 0.1 mm, of the stem */
 #define length=90 /* 10 … 900 mm, of the stem */
 #define bend=5 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
 #define piece=length/17*math.random(0.92,1.08)

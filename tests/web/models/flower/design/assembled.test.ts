@@ -1,5 +1,6 @@
 import fc from "fast-check";
 import { beforeAll, describe, expect, it } from "vitest";
+import { outlineOf } from "../../../../../web/src/controls/grammar/outline";
 import type { Core } from "../../../../../web/src/core/core";
 import { type Description, readLine, usual } from "../../../../../web/src/models/flower/design/description";
 import { assembled, describedIn, designOf, textOf } from "../../../../../web/src/models/flower/design/design";
@@ -9,6 +10,8 @@ import { DRAWN, OUTLINES } from "../../../../../web/src/models/flower/design/sha
 import { type FlowerPlant, readFlowerPlant } from "../../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../../web/src/models/flower/index";
 import { fetchTexts } from "../../../../../web/src/models/flower/texts";
+import { scan } from "../../../../../web/src/models/flower/tools/language";
+import { source } from "../../../../../web/src/models/flower/tools/text";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { freshCore } from "../../../core/wasm";
 
@@ -18,8 +21,8 @@ beforeAll(async () => {
 	core = await freshCore("flower.wasm");
 });
 
-const grow = (grammar: string, map = false): FlowerPlant =>
-	readFlowerPlant(core.grow(model.encode({ ...fromPreset(model), grammar }, { meshes: false, map })));
+const grow = (grammar: string, map = false, constants = {}): FlowerPlant =>
+	readFlowerPlant(core.grow(model.encode({ ...fromPreset(model), grammar, constants }, { meshes: false, map })));
 
 /** That a volume stands on a face of other sides than its own is how whorls stand on each other. */
 const faults = ({ notes }: FlowerPlant) => notes.filter((note) => !note.includes("sewn to nothing"));
@@ -103,6 +106,23 @@ describe("an assembled flower", () => {
 						const one = { ...usual(organ, { [field.key]: option }), ...(option === DRAWN && { margin }) };
 						expect(faults(grow(assembled([one]))), `${organ} ${field.key} ${option}`).toEqual([]);
 					}
+	});
+
+	it("grows wherever the sliders of its constants go", () => {
+		for (const section of ["round", "triangular"]) {
+			const grammar = assembled([usual("stem", { section }), usual("leaf", { count: 8, arrangement: "basal" })]);
+			const { constants } = outlineOf(grammar, scan(grammar));
+			const own = constants.filter(({ name }) => !source.governed?.has(name));
+			expect(own.map(({ name, min }) => [name, min])).toEqual([
+				["sides", 3],
+				["thick", 0.8],
+				["length", 10],
+				["bend", -5],
+			]);
+			for (const { name, min, max, step } of own)
+				for (const value of [min, min + step, max])
+					expect(faults(grow(grammar, false, { [name]: value })), `${name} ${value}`).toEqual([]);
+		}
 	});
 
 	it("has leaves on stalks as long as is said, which rise in their stead", () => {

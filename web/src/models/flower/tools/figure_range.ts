@@ -22,8 +22,12 @@ export function rangeFor(name: string, value: number): Range {
 	// Variables that count things stay whole: who wants parts of them types those.
 	const whole = Number.isInteger(value) && Math.abs(value) >= 2;
 	const fine = 10 ** Math.floor(Math.log10(reach / STEPS) + 0.5);
-	return range(value < 0 ? -reach : 0, reach, whole ? Math.max(1, fine) : fine);
+	// What is counted is divided by, as often as not.
+	return range(value < 0 ? -reach : Number(whole), reach, whole ? Math.max(1, fine) : fine);
 }
+
+/** That which the text says, or which its slider has among the constants. */
+export const rangeSaid = ({ min, max, step }: Omit<Range, "written">): Range => range(min, max, step);
 
 /** The range as it was, as long as a value is in it. */
 export function within(range: Range | undefined, value: number): Range | undefined {

@@ -1,4 +1,5 @@
 /** What a flower's text says of one volume in figures: where each stands, so that a hand can change it. */
+import { outlineOf, type Range } from "../../../controls/grammar/outline";
 import type { Piece } from "../../../controls/grammar/scan";
 import { scan } from "./language";
 import { bare, type Entry, entriesOf, formsOf, inFields, statementsOf } from "./statements";
@@ -11,6 +12,8 @@ export interface Figure {
 	readonly from: number;
 	readonly to: number;
 	readonly text: string;
+	/** Of a constant of the text how far its slider goes. */
+	readonly range?: Range;
 }
 
 /** Figures that stand together. */
@@ -39,7 +42,9 @@ type Pieces = readonly Piece[];
  * Which of several of one name on one line it comes from is not known, so there they are all, each by its place.
  */
 export function saidOf(text: string, { label, module, line, call }: Asked): Said[] {
-	const pieces = bare(scan(text));
+	const scanned = scan(text);
+	const pieces = bare(scanned);
+	const ranges = new Map(outlineOf(text, scanned).constants.map(({ number, ...range }) => [number.from, range]));
 	const forms = formsOf(statementsOf(pieces));
 	const modules: { name: string; at: number }[] = [{ name: "", at: 0 }];
 	for (const [i, { text: word }] of pieces.entries())
@@ -74,7 +79,12 @@ export function saidOf(text: string, { label, module, line, call }: Asked): Said
 			title: "The whole flower",
 			figures: module === 0 ? [] : variablesOf(pieces, 0, modules[1]?.at ?? 0).filter(({ name }) => from.has(name)),
 		},
-	].filter(({ figures }) => figures.length > 0);
+	]
+		.filter(({ figures }) => figures.length > 0)
+		.map(({ title, figures }) => ({
+			title,
+			figures: figures.map((each) => ({ ...each, range: ranges.get(each.from) })),
+		}));
 }
 
 const nth = (i: number, { length }: readonly unknown[]): string => (length > 1 ? `, ${i + 1} of ${length}` : "");

@@ -10,7 +10,7 @@ import { readTyped } from "../../../controls/typed";
 import { shortFloat } from "../../../export/numbers";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
-import { type Range, rangeFor, within } from "./figure_range";
+import { type Range, rangeFor, rangeSaid, within } from "./figure_range";
 import { FIELDS, figureWords } from "./figure_words";
 import { organOf, placeOfVolume, titleOfVolume } from "./organ";
 import { type Figure, type Said, saidOf } from "./said";
@@ -98,7 +98,8 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 	#slider(figure: Figure, title: string, index: number): unknown {
 		const { name, text } = figure;
 		const key = `${title} ${index} ${name}`;
-		const range = within(this.#ranges.get(key), Number(text)) ?? rangeFor(name, Number(text));
+		const said = figure.range ? rangeSaid(figure.range) : rangeFor(name, Number(text));
+		const range = within(this.#ranges.get(key), Number(text)) ?? said;
 		this.#ranges.set(key, range);
 		const { min, max, step } = range;
 		const words = figureWords(this.#text() ?? "", name);
