@@ -33,10 +33,12 @@ export const stemsAlone = [4, 5].map((sides) =>
 export function flowerOf(name: string, meshes: boolean, smooth = 1, { number }: Changed = {}): Uint8Array {
 	const plain = fromPreset(model, name);
 	const text = fetchedText(plain) ?? "";
+	const grammar = number && text.replace(RegExp(`(#define ${number[0]}=)[\\d.]+`), `$1${number[1]}`);
+	if (grammar === text) throw new Error(`${name} has no other ${number?.[0]}`);
 	const specimen = {
 		...plain,
 		parameters: { ...plain.parameters, smooth },
-		...(number ? { grammar: text.replace(RegExp(`(#define ${number[0]}=)[\\d.]+`), `$1${number[1]}`) } : {}),
+		...(grammar ? { grammar } : {}),
 	};
 	return asked(specimen, meshes);
 }

@@ -52,6 +52,9 @@ describe("what cannot be used", () => {
 				/^--grammar g.lsys: is empty; begin with “axiom: F”, a flower with “#define STEM/,
 			);
 		expect(await grammar(Uint8Array.of(0xff, 0xfe, 0x41))).toBe("--grammar g.lsys: not text in UTF-8");
+		expect(await complaint(["flower/tulip", "--set", "lenght=1"])).toMatch(
+			/^--set lenght: no parameter has that key, and the text defines no such constant; there are length, /,
+		);
 		expect(await grammar("F".repeat(300_000))).toBe("--grammar g.lsys: longer than 256 KiB; make it shorter");
 		const link = await encodeLink({ ...specimenFromPreset(), grammar: "axiom: (" });
 		expect(await complaint([link])).toMatch(/^the link's grammar:1:\d+: /);

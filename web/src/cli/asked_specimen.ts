@@ -49,6 +49,7 @@ export async function askedSpecimen(
 			throw new UsageError(`--grammar ${call.grammarFile}: the ${model.noun} is not grown by a grammar's text`);
 		specimen = typed(model, { grammar }, specimen, (note) => `--grammar ${call.grammarFile}: ${note.problem}`);
 	}
+	await refuseStrangers(model, call.set, specimen);
 	const file = call.grammarFile ?? "the link's grammar";
 	return { model, specimen, notes: [...notes, ...idle], textName: grammar === said ? file : `${file}, as text` };
 }
@@ -84,6 +85,14 @@ function readSettings(model: Model, settings: Call["set"], specimen: Specimen): 
 	const read = typed(model, others, specimen, message);
 	refuseFinerSteps(model, others);
 	return stranger === undefined ? read : typed(model, namer?.named?.(read, own) ?? {}, read, message);
+}
+
+/** A name that a text does not define is misspelt: of a link it is a note, of a call a mistake. */
+async function refuseStrangers(model: Model, settings: Call["set"], specimen: Specimen): Promise<void> {
+	const named = Object.keys(settings).filter((key) => !detailOf(model, key) && !entryOf(model, key));
+	if (named.length === 0) return;
+	const stranger = await model.details.find(({ stranger }) => stranger)?.stranger?.(specimen, named);
+	if (stranger) throw new UsageError(`--set ${stranger.name}: no parameter has that key, and ${stranger.problem}`);
 }
 
 /** The parameter that a key of the table or of links means; the first of those that share one. */

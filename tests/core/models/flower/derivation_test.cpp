@@ -31,6 +31,11 @@ TEST_CASE("a chain grows by a volume a step") {
   CHECK(flower.derived.notes.empty());
 }
 
+TEST_CASE("a face's sign may stand behind any blanks, on a line of its own, too") {
+  for (const char* const blank : {"", " ", "\t", " \n", "\r\n  "})
+    CHECK(grown(volume + "A -> A[B]" + blank + "_{C1}", steps(1)).count("B") == 1);
+}
+
 TEST_CASE("all productions apply that fit, and of those on one face the last listed wins") {
   const Flower flower = grown(volume + "A -> A[B]_{C1}\nA -> A[B]_{E}\nA -> A[C]_{E}\nA -> A[C]_{C1,C3}", steps(1));
   CHECK(flower.count("B") == 0);

@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "flowers.hpp"
+#include "models/flower/upright.hpp"
 
 using namespace panicle;
 using namespace panicle::flower;
@@ -29,6 +32,12 @@ std::set<int> found(const PlantMesh& mesh, std::size_t way) {
   for (std::size_t i = way; i < mesh.mesh.uvs.size(); i += 2)
     found.insert(static_cast<int>(std::lround(100 * mesh.mesh.uvs[i])));
   return found;
+}
+
+std::span<const std::uint32_t> numbers_of(const Columns& columns, std::string_view name) {
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (columns[i].name == name) return columns[i].as<std::uint32_t>();
+  return {};
 }
 
 std::set<int> along(const PlantMesh& mesh) { return found(mesh, 0); }
@@ -59,6 +68,45 @@ TEST_CASE("an organ that stands on another begins anew") {
   REQUIRE(bare.size() == 3);
   CHECK(along(bare[0]) == along(painted(leaf, 0)[0]));
   CHECK(across(bare[2]) == std::set{0, 50, 100});
+}
+
+TEST_CASE("each triangle names the volume and the face that it is of, and every face with nothing beyond it is there") {
+  const Flower flower = grown(leaf);
+  const generalized_map::Map& map = flower.derived.map;
+  generalized_map::Embedding embedding;
+  embedding.lay(map);
+  Skin skin(flower.derived, embedding, 0);
+  embedding.place(skin.shapes(flower.derived));
+  Plant plant;
+  skin.add_to(plant, flower.program, flower.derived, embedding, false);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> named;
+  for (const PlantMesh& mesh : plant.meshes) {
+    const std::span<const std::uint32_t> volumes = numbers_of(mesh.columns, "volume"), faces = numbers_of(mesh.columns, "face");
+    REQUIRE(3 * volumes.size() == mesh.mesh.indices.size());
+    for (std::size_t t = 0; t < volumes.size(); ++t) {
+      std::set<std::uint32_t> corners;
+      const std::uint32_t first = map.dart_of(volumes[t], static_cast<generalized_map::Face>(faces[t]));
+      CHECK(map.alpha(3, first) == first);
+      std::uint32_t dart = first;
+      do {
+        corners.insert(embedding.vertex_of()[dart]);
+        dart = map.alpha(1, map.alpha(0, dart));
+      } while (dart != first);
+      for (std::size_t i = 3 * t; i < 3 * t + 3; ++i) {
+        const float* const at = &mesh.mesh.positions[3 * std::size_t{mesh.mesh.indices[i]}];
+        CHECK(std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+          const glm::vec3 place = metres * upright(embedding.positions()[corner]);
+          return place.x == at[0] && place.y == at[1] && place.z == at[2];
+        }));
+      }
+      named.insert({volumes[t], faces[t]});
+    }
+  }
+  std::size_t free = 0;
+  for (std::uint32_t v = 0; v < map.volumes(); ++v)
+    for (std::uint32_t face = 0; face < map.volume(v).order + 2; ++face)
+      free += map.is_free(v, static_cast<generalized_map::Face>(face));
+  CHECK(named.size() == free);
 }
 
 TEST_CASE("colours of a bud are soon those of the flower, and those of what wilts come evenly") {

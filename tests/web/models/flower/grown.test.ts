@@ -52,7 +52,16 @@ describe("a flower", () => {
 	it("tells its map in the JSON document, whose αs are involutions as they must be", () => {
 		const specimen = fromPreset(model, "petal");
 		const grown = grow(specimen);
-		const { alpha = [], volume = [], position = [], order, label } = exportJson(model, grown, specimen);
+		const {
+			alpha = [],
+			volume = [],
+			position = [],
+			order,
+			label,
+			parent,
+			face,
+			attached,
+		} = exportJson(model, grown, specimen);
 		expect(volume).toHaveLength(grown.counts.darts);
 		expect(position).toHaveLength(grown.counts.darts);
 		expect(order).toHaveLength(grown.counts.volumes);
@@ -83,6 +92,30 @@ describe("a flower", () => {
 			expect([a0, a1].map((a) => faceOf(a[dart]))).toEqual([faceOf(dart), faceOf(dart)]);
 			expect(faceOf(a2[dart])).not.toBe(faceOf(dart));
 		}
+		// Each is sewn to the face that it is said to stand on.
+		expect([parent[0], face[0], attached]).toEqual([-1, null, []]);
+		for (let v = 1; v < order.length; v += 13) {
+			const beyond = a3[volume.indexOf(v)];
+			expect([volume[beyond], ["O", "E"][faceOf(beyond)] ?? `C${faceOf(beyond) - 1}`]).toEqual([parent[v], face[v]]);
+		}
+	});
+
+	it("tells what stands attached, which is sewn to nothing", () => {
+		const grammar =
+			"#define A(6,0,0,0,9,3,3,1)\n#define B(5)\n#define C(4)\n#axiom: A\n#define finalStep=1\nA -> A[B]_{E,C2}[C]_{C4}";
+		const specimen = { ...fromPreset(model), grammar };
+		const { alpha = [], volume = [], face, attached } = exportJson(model, grow(specimen), specimen);
+		expect([attached.map((v) => face[v]), face.length]).toEqual([["E", "C2"], 4]);
+		for (const v of attached) expect(alpha[3][volume.indexOf(v)]).toBe(volume.indexOf(v));
+	});
+
+	it("has all segments on one first one, each behind the one that bears it, where volumes split, too", () => {
+		const grammar = "#define A(4,0,0,0,8,2,2,1)\n#axiom: A\n#define finalStep=3\nA -E-> A A";
+		const { segments } = grow({ ...fromPreset(model), grammar }, { meshes: false });
+		const parents = [...segments.parent];
+		expect(parents).toHaveLength(8);
+		expect(parents.filter((parent) => parent < 0)).toHaveLength(1);
+		for (const [i, parent] of parents.entries()) expect(parent).toBeLessThan(i);
 	});
 
 	it("has the fingerprint that the function printed in docs/fingerprint.md makes of its document", () => {
@@ -157,9 +190,9 @@ describe("a flower", () => {
 			grammar: "#define A(6,0,0,0,9,3,3,1)\n#axiom: A\n#define finalStep=1\nA -> A[A(,5)]_{E}",
 		};
 		expect(volumesTable(grow(specimen, { meshes: false })).split("\r\n")).toEqual([
-			"volume,parent,label,order,line,N,T,atx,aty,atz,H,L,W,m",
-			"0,,A,6,,6,1,0,0,0,9,3,3,1",
-			"1,0,A,6,4,6,1,5,0,0,9,3,3,1",
+			"volume,parent,face,attached,label,order,line,N,T,atx,aty,atz,H,L,W,m",
+			"0,,,0,A,6,,6,1,0,0,0,9,3,3,1",
+			"1,0,E,0,A,6,4,6,1,5,0,0,9,3,3,1",
 			"",
 		]);
 	});

@@ -49,13 +49,29 @@ glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embe
   return metres * upright(sum / static_cast<float>(order));
 }
 
+// Volumes, each behind the one that it stands on: what a split has made may have a higher number.
+std::vector<std::uint32_t> from_the_first(const generalized_map::Map& map) {
+  std::vector<std::uint32_t> order, line;
+  std::vector<bool> is_known(map.volumes(), false);
+  order.reserve(map.volumes());
+  for (std::uint32_t v = 0; v < map.volumes(); ++v) {
+    for (std::uint32_t at = v; at != generalized_map::none && !is_known[at]; at = map.volume(at).parent) {
+      is_known[at] = true;
+      line.push_back(at);
+    }
+    order.insert(order.end(), line.rbegin(), line.rend());
+    line.clear();
+  }
+  return order;
+}
+
 void add_segments(Plant& plant, const Program& program, const Derived& derived,
                   const generalized_map::Embedding& embedding) {
   std::vector<std::int32_t> tags(program.labels.size(), -1), of_volume(derived.map.volumes(), -1);
-  for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
+  for (const std::uint32_t v : from_the_first(derived.map)) {
     const Record& record = derived.records[derived.record_of[v]];
-    const std::uint32_t before = record.before == nobody ? nobody : derived.records[record.before].volume;
-    const std::int32_t parent = before == nobody || before == v ? -1 : of_volume[before];
+    const std::uint32_t bearer = derived.map.volume(v).parent;
+    const std::int32_t parent = bearer == generalized_map::none ? -1 : of_volume[bearer];
     of_volume[v] = parent;
     if (record.rank.beside > 0) continue;
     const std::uint32_t label = derived.map.volume(v).label;
@@ -109,18 +125,23 @@ void add_columns(Plant& plant, const Program& program, const Derived& derived, b
   plant.columns.add(
       "labels.module",
       column_of<std::uint32_t>(program.labels, 1, [](const Label& of, std::uint32_t* at) { *at = of.grammar; }));
-  std::vector<std::uint32_t> label, order, parent;
+  std::vector<std::uint32_t> label, order, parent, face;
+  std::vector<std::uint8_t> attached;
   std::vector<float> values;
   for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
     label.push_back(derived.map.volume(v).label);
     order.push_back(derived.map.volume(v).order);
     parent.push_back(derived.map.volume(v).parent);
+    face.push_back(derived.map.volume(v).parent_face);
+    attached.push_back(derived.map.volume(v).attached);
     const VolumeValues& own = derived.values[derived.record_of[v]];
     values.insert(values.end(), own.begin(), own.end());
   }
   plant.columns.add("volumes.label", std::move(label));
   plant.columns.add("volumes.order", std::move(order));
   plant.columns.add("volumes.parent", std::move(parent));
+  plant.columns.add("volumes.face", std::move(face));
+  plant.columns.add("volumes.attached", std::move(attached));
   plant.columns.add("volumes.values", std::move(values), fields);
   add_lines(plant, program, derived);
   if (!whole) return;

@@ -9,7 +9,10 @@
 //   volumes.label      uint32, into labels (text, words)
 //   labels.module      uint32: the module that each is of, from 1 on; 0 of the text itself
 //   volumes.order      uint32
-//   volumes.parent     uint32, 0xffffffff of the first
+//   volumes.parent     uint32: the volume that each stands on; 0xffffffff of the first. What a split has made comes
+//                      behind what may stand on it
+//   volumes.face       uint32: on which of its faces, 0 O, 1 E, from 2 on C1 …
+//   volumes.attached   uint8: 1 where it is sewn to nothing there
 //   volumes.values     float32 × 9: N, T, atx, aty, atz, H, L, W, m
 //   volumes.line       uint32: the line of the text where each is grown; 0 for none
 //   volumes.call       uint32: the line where its module is called; 0 for none

@@ -28,7 +28,7 @@ Result<std::string> without_comments(std::string_view text) {
     } else {
       const bool of_bracket = c == '_' && bracket;
       kept += of_bracket ? ' ' : c;
-      bracket = c == ']' || (bracket && c == ' ');
+      bracket = c == ']' || (bracket && (c == ' ' || c == '\t' || c == '\r' || c == '\n'));
     }
     if (c == '\n') {
       ++place.line;

@@ -11,8 +11,11 @@ export interface Volumes {
 	module: Uint32Array;
 	label: Uint32Array;
 	order: Uint32Array;
-	/** That each grew from; 0xffffffff of the first. */
+	/** That each stands on; 0xffffffff of the first. */
 	parent: Uint32Array;
+	/** On which of its faces: 0 O, 1 E, from 2 on C1 …; and 1 where it is sewn to nothing there. */
+	face: Uint32Array;
+	attached: Uint8Array;
 	/** The line of the text where each is grown, and where the module is called that it is of; 0 for none. */
 	line: Uint32Array;
 	call: Uint32Array;
@@ -53,14 +56,15 @@ export interface FlowerPlant extends Plant {
 	names: readonly string[];
 	/** 4 × meshes, and behind those 4 for each other paint of levels: where an organ begins and where it ends, of its margin, of its veins; 0xrrggbb as sRGB. */
 	colours: Uint32Array;
-	/** 5 × as many: foot, width of the margin, veins a side, their strength, light that comes through. */
+	/** 6 × as many: foot, width of the margin, veins a side, their strength, light that comes through, 1 where veins are feathered. */
 	paint: Float32Array;
 }
 
 const LEVEL = /^level\d$/;
 const NONE = new Uint32Array();
 const NO_VOLUMES: Volumes = {
-	...{ labels: [], module: NONE, label: NONE, order: NONE, parent: NONE, line: NONE, call: NONE },
+	...{ labels: [], module: NONE, label: NONE, order: NONE, parent: NONE, face: NONE, line: NONE, call: NONE },
+	attached: new Uint8Array(),
 	values: new Float32Array(),
 };
 
@@ -91,6 +95,8 @@ function readVolumes(columns: Answer["columns"]): Volumes {
 		label: columns.words("volumes.label"),
 		order: columns.words("volumes.order"),
 		parent: columns.words("volumes.parent"),
+		face: columns.words("volumes.face"),
+		attached: columns.octets("volumes.attached"),
 		line: columns.words("volumes.line"),
 		call: columns.words("volumes.call"),
 		values: columns.floats("volumes.values"),

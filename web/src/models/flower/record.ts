@@ -7,8 +7,12 @@ export interface FlowerRecord {
 	/** What each volume is called, and how many sides it has. */
 	label: string[];
 	order: number[];
-	/** The volume that each grew from; −1 of the first. */
+	/** The volume that each stands on; −1 of the first. */
 	parent: number[];
+	/** On which of its faces: O, E, C1 …; null of the first. */
+	face: (string | null)[];
+	/** Those that are sewn to nothing there. */
+	attached: number[];
 	/** Of each volume N, T, atx, aty, atz, H, L, W, m. */
 	values: number[][];
 	/** α0 … α3: of each dart the one that it leads to. */
@@ -21,12 +25,17 @@ export interface FlowerRecord {
 
 const NOBODY = 0xffffffff;
 
+/** O, E, C1 … */
+const faceName = (face: number): string => ["O", "E"][face] ?? `C${face - 1}`;
+
 export function flowerRecord({ volumes, darts }: FlowerPlant): FlowerRecord {
-	const { labels, label, order, parent, values } = volumes;
+	const { labels, label, order, parent, face, attached, values } = volumes;
 	const record: FlowerRecord = {
 		label: Array.from(label, (of) => labels[of]),
 		order: [...order],
 		parent: Array.from(parent, (of) => (of === NOBODY ? -1 : of)),
+		face: Array.from(face, (of, i) => (parent[i] === NOBODY ? null : faceName(of))),
+		attached: [...attached.keys()].filter((i) => attached[i] === 1),
 		values: Array.from(label, (_, i) => Array.from(values.subarray(9 * i, 9 * i + 9), shortFloat)),
 	};
 	if (!darts) return record;
@@ -54,11 +63,30 @@ export function tooHeavy({ counts: { darts: count = 0 } }: Pick<FlowerPlant, "co
 
 /** A line a volume, in the order in which they were made. */
 export function volumesTable({ volumes }: FlowerPlant): string {
-	const { labels, label, order, parent, line, values } = volumes;
-	const header = ["volume", "parent", "label", "order", "line", "N", "T", "atx", "aty", "atz", "H", "L", "W", "m"];
+	const { labels, label, order, parent, face, attached, line, values } = volumes;
+	const header = [
+		"volume",
+		"parent",
+		"face",
+		"attached",
+		"label",
+		"order",
+		"line",
+		"N",
+		"T",
+		"atx",
+		"aty",
+		"atz",
+		"H",
+		"L",
+		"W",
+		"m",
+	];
 	const rows = Array.from(label, (of, i): Cell[] => [
 		i,
 		parent[i] === NOBODY ? null : parent[i],
+		parent[i] === NOBODY ? null : faceName(face[i]),
+		attached[i],
 		labels[of],
 		order[i],
 		line[i] === 0 ? null : line[i],

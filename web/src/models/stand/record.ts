@@ -1,6 +1,7 @@
 /** What the JSON document and tables say of a stand: a plant each. */
 import { type Cell, writeCsv } from "../../export/csv";
 import { shortFloat } from "../../export/numbers";
+import type { Member } from "../member";
 import { valuesOf } from "./members";
 import type { StandSpecimen } from "./specimen";
 import type { StandPlant } from "./stand_plant";
@@ -39,7 +40,8 @@ function plantsIn(stand: StandPlant): PlantRecord[] {
 	return Array.from({ length: places.count }, (_, plant) => {
 		const { model, preset } = kinds[places.kind[plant]];
 		const [x, y, z] = [...places.at.subarray(3 * plant, 3 * plant + 3)].map(shortFloat);
-		const { fingerprint, link } = members[memberOf[plant]] ?? {};
+		const member = members[memberOf[plant]];
+		const { fingerprint, link } = member ?? {};
 		const bearer = places.bearer[plant];
 		return {
 			model,
@@ -50,11 +52,21 @@ function plantsIn(stand: StandPlant): PlantRecord[] {
 			z,
 			scale: shortFloat(places.scale[plant]),
 			turn: shortFloat(places.turn[plant]),
-			values: valuesOf(stand, plant),
+			values: grownWith(valuesOf(stand, plant), member),
 			...(bearer >= 0 ? { bearer } : {}),
 			...(fingerprint === undefined ? {} : { fingerprint, link }),
 		};
 	});
+}
+
+/** What was drawn, as the plant has taken it: whole numbers are no others, and nothing is beyond its range. */
+function grownWith(values: PlantRecord["values"], member: Member | undefined): PlantRecord["values"] {
+	const taken: Readonly<Record<string, unknown>> = member?.specimen.parameters ?? {};
+	const each = ([key, value]: [string, number | string]) => {
+		const own = taken[key];
+		return [key, typeof value === "number" && typeof own === "number" ? own : value];
+	};
+	return Object.fromEntries(Object.entries(values).map(each));
 }
 
 /** One row a plant; each says of which stand it is, so that tables can be put one below the other. */
