@@ -81,7 +81,8 @@ TEST_CASE("each triangle names the volume and the face that it is of, and every 
   skin.add_to(plant, flower.program, flower.derived, embedding, false);
   std::set<std::pair<std::uint32_t, std::uint32_t>> named;
   for (const PlantMesh& mesh : plant.meshes) {
-    const std::span<const std::uint32_t> volumes = numbers_of(mesh.columns, "volume"), faces = numbers_of(mesh.columns, "face");
+    const std::span<const std::uint32_t> volumes = numbers_of(mesh.columns, "volume"),
+                                         faces = numbers_of(mesh.columns, "face");
     REQUIRE(3 * volumes.size() == mesh.mesh.indices.size());
     for (std::size_t t = 0; t < volumes.size(); ++t) {
       std::set<std::uint32_t> corners;

@@ -356,14 +356,15 @@ class Deriver {
       const Growth& growth = numbers_.growth(static_cast<std::uint32_t>(i));
       const std::string& name =
           growth.module ? program_.grammars[growth.target].name : program_.labels[growth.target].name;
-      const std::string line = std::to_string(growth.arguments.place.line), times = std::to_string(attached_[i]);
+      const std::string line = std::to_string(growth.arguments.place.line),
+                        times = attached_[i] == 1 ? "once" : sentence("% times", {std::to_string(attached_[i])});
       if (count == 1)
         first = sentence(
-            "Line %: % stands on faces that have other numbers of edges (% times): it is attached there, and sewn to "
+            "Line %: % stands on faces that have other numbers of edges (%): it is attached there, and sewn to "
             "nothing",
             {line, name, times});
       else
-        others += sentence("%% in line % (% times)", {count > 2 ? ", " : "", name, line, times});
+        others += sentence("%% in line % (%)", {count > 2 ? ", " : "", name, line, times});
     }
     if (count == 0) return;
     if (count > most_named) others += sentence(", and % more", {std::to_string(count - most_named)});

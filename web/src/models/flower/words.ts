@@ -1,12 +1,24 @@
 /** A flower in a few plain words: for the caption, the picture's description and the screen reader. */
 import { countInWords, heightsOf, lengthInWords } from "../../plant/in_words";
 import type { FlowerPlant } from "./flower_plant";
+import { FLOWER_TABLE } from "./table";
+
+const HEIGHT = FLOWER_TABLE.measures.findIndex(({ key }) => key === "height");
 
 /** "42 cm tall, 17 organs, 1,120 volumes". */
-export function flowerInWords({ segments, counts }: FlowerPlant): string {
-	const { high } = heightsOf(segments.ends);
-	const parts = [`${lengthInWords(Math.max(0, high))} tall`];
+export function flowerInWords(plant: FlowerPlant): string {
+	const { counts } = plant;
+	const parts = [`${lengthInWords(heightOf(plant))} tall`];
 	if (counts.organs > 0) parts.push(countInWords(counts.organs, "organ", "organs"));
 	parts.push(countInWords(counts.volumes, "volume", "volumes"));
 	return parts.join(", ");
+}
+
+/** Metres, as it is measured: from its lowest to its highest place; while a hand moves by what is drawn, and without that by its stems. */
+function heightOf({ measures, meshes, segments }: FlowerPlant): number {
+	if (measures) return measures[HEIGHT] / 100;
+	const drawn = meshes.map(({ positions }) => heightsOf(positions));
+	const all = drawn.length > 0 ? drawn : [heightsOf(segments.ends)];
+	const [low, high] = [Math.min(...all.map((each) => each.low)), Math.max(...all.map((each) => each.high))];
+	return drawn.length > 0 ? high - low : Math.max(0, high);
 }

@@ -17,9 +17,9 @@ export function valuesOf({ kinds, places }: StandPlant, plant: number): Record<s
 	);
 }
 
-/** What each kind is called: by its preset's title, once one of it has grown. */
+/** What each kind is called: by its preset's title, once one of it has grown; till then by its name in the plan. */
 export function titlesOf({ kinds, places, memberOf, members }: StandPlant): readonly string[] {
-	const titles = kinds.map(({ name }) => name);
+	const titles = kinds.map(({ preset }) => preset.charAt(0).toUpperCase() + preset.slice(1).replaceAll("-", " "));
 	for (const [plant, member] of memberOf.entries()) {
 		const title = members[member]?.title;
 		if (title !== undefined) titles[places.kind[plant]] = title;

@@ -6,6 +6,7 @@ import type { Desk } from "../../../controls/desk";
 import { PickPointer } from "../../../controls/pick_pointer";
 import { takeFocus } from "../../../controls/take_focus";
 import type { Tool } from "../../../controls/tool";
+import { shortFloat } from "../../../export/numbers";
 import { sortsOf, titlesOf, valuesOf } from "../members";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
@@ -161,11 +162,12 @@ function choose(desk: StandDesk, { places }: StandPlant, number: number): void {
 
 /** What a plant is, and the link that grows it alone. */
 function tell(stand: StandPlant, titles: readonly string[], plant: number): unknown {
-	const { kinds, places } = stand;
+	const { places } = stand;
 	const [x, , z] = places.at.subarray(3 * plant, 3 * plant + 3);
-	const values = Object.entries(valuesOf(stand, plant)).map(([key, value]) => `${key} ${value}`);
-	const { name } = kinds[places.kind[plant]];
-	const told = `${name}, seed ${places.seed[plant]}, at ${x.toFixed(1)}, ${z.toFixed(1)} m, scale ${places.scale[plant].toFixed(2)}`;
+	const values = Object.entries(valuesOf(stand, plant)).map(
+		([key, value]) => `${key} ${typeof value === "number" ? shortFloat(Number(value.toPrecision(3))) : value}`,
+	);
+	const told = `Seed ${places.seed[plant]}, at ${x.toFixed(1)}, ${z.toFixed(1)} m, scale ${places.scale[plant].toFixed(2)}`;
 	const link = linkOf(stand, plant);
 	return html`<p>Plant ${plant + 1}: ${titles[places.kind[plant]]}</p>
 		${link === undefined ? nothing : html`<p><a class="button" href=${link}>Open this plant alone</a></p>`}
