@@ -121,8 +121,8 @@ export default [
 			},
 			{
 				id: "flower-rules-lost-beside-choices",
-				find: "was.length !== own.length || was.length !== other.length) return [stretch]",
-				replace: "was.length > 0) return [stretch]",
+				find: "areParallel(was, other) ? 2 : areParallel(was, own) ? 1 : undefined",
+				replace: "areParallel(was, own) ? 1 : undefined",
 				breaks: "a production edited by hand goes where a choice changes the one above it",
 			},
 			{

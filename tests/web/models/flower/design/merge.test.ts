@@ -49,6 +49,16 @@ describe("two changes of a text", () => {
 		});
 	});
 
+	it("are both there where the one puts lines in or out and the other changes the lines beside", () => {
+		const base = ["A -> A[A]_{E}", "A -> A[B]_{E}"];
+		const made = ["A -> A[A]_{C1}", "A -> A[B]_{C1}"];
+		const more = [base[0], "/* Mine */", base[1]];
+		expect(merged(base, more, made)).toMatchObject({ lines: [made[0], "/* Mine */", made[1]], lost: [] });
+		expect(merged(base, made, more)).toMatchObject({ lines: [made[0], "/* Mine */", made[1]], lost: [] });
+		// What was left by hand and taken out by the choice does not come again in the place of another.
+		expect(merged(["a", "b"], ["b", "x"], ["a", "n", "m"])).toMatchObject({ lines: ["a", "n", "m"], lost: ["x"] });
+	});
+
 	it("are both there where they are different words of a line, unless there are more or fewer", () => {
 		const line = '#material 4 petal "aaaaaa" "bbbbbb" name "a, b"';
 		const [mine, made] = [line.replace("aaaaaa", "111111"), line.replace("bbbbbb", "222222")];

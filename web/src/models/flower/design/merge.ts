@@ -51,12 +51,23 @@ function* stretches(
 const nameOf = (line: string, of: number, at: number): string => NAME.exec(line)?.[0] ?? `${of} ${at}`;
 const NAME = /^#(?:define[ \t]+\p{L}[\p{L}\p{N}_]*[ \t]*[=(]?|material[ \t]+\d+)/u;
 
-/** Line by line, where there are as many each time. */
-function inPairs(stretch: Stretch): readonly Stretch[] {
+/** Where the choice, or else the hand, has put each line in the place of another: from one that the other of both has left to the next. */
+function* inPairs(stretch: Stretch): Iterable<Stretch> {
 	const [was, own, other] = stretch;
-	if (was.length !== own.length || was.length !== other.length) return [stretch];
-	return was.map((line, i) => [[line], [own[i]], [other[i]]]);
+	const paired = areParallel(was, other) ? 2 : areParallel(was, own) ? 1 : undefined;
+	if (paired === undefined) {
+		yield stretch;
+		return;
+	}
+	for (const each of stretches(stretch, (line, of, at) => (of === paired ? was[at] : line))) {
+		if (each.some(({ length }) => length !== each[0].length)) yield each;
+		else for (let i = 0; i < each[0].length; i++) yield [[each[0][i]], [each[1][i]], [each[2][i]]];
+	}
 }
+
+/** Whether there are as many, and none of them stands elsewhere. */
+const areParallel = (was: readonly string[], now: readonly string[]): boolean =>
+	was.length === now.length && matches(was, now).every((to, at) => to < 0 || to === at);
 
 /** Takes what one of the two has changed there, or both in one way or in words of their own; false where that is not so. */
 function take({ lines, kept }: Merging, [was, own, other]: Stretch): boolean {
