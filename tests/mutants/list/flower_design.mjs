@@ -117,7 +117,7 @@ export default [
 				id: "flower-edits-lost-beside-choices",
 				find: "NAME.exec(line)?.[0] ??",
 				replace: "",
-				breaks: "a number edited by hand goes where a choice changes the line above and a line was put in there",
+				breaks: "a number edited by hand goes where a choice changes the line above and how many there are",
 			},
 			{
 				id: "flower-rules-lost-beside-choices",

@@ -49,6 +49,13 @@ describe("two changes of a text", () => {
 		});
 	});
 
+	it("are both there in lines of one name, however many stand about them", () => {
+		const base = ["#define a=1", "#define b=2", "#define c=3"];
+		const mine = ["#define a=1", "/* Mine */", "#define b=7", "#define c=3"];
+		const lines = ["#define a=9", "/* Mine */", "#define b=7"];
+		expect(merged(base, mine, ["#define a=9", "#define b=2"])).toEqual({ lines, kept: lines, lost: [] });
+	});
+
 	it("are both there where the one puts lines in or out and the other changes the lines beside", () => {
 		const base = ["A -> A[A]_{E}", "A -> A[B]_{E}"];
 		const made = ["A -> A[A]_{C1}", "A -> A[B]_{C1}"];
