@@ -32,10 +32,10 @@ export const TEXTS: Readonly<Record<string, string>> = {
 
 #axiom: STEM(,,,55,,,,)
 STEM{}{step<4}{} -> OLD[STEM]_{E}[&PETAL{K=12; J=1; len=math.random(250,300); wide=math.random(8,12); thick=0.9; start=-66+math.random(-9,9); sway=math.random(-8,8); low=6; mid=16; high=math.random(30,80); cup=14; peak=0.8; foot=0.4; tip=1.2; claw=0.8; upper=2; middle=12; lower=13}]_{C(1+(5*step)%12)}
-STEM{}{step>3&&step<12}{} -> OLD[STEM(,<bend+0.9+math.random(-1,1)>,<math.random(-1,1)>,,<tall/9>,3.2,3.2,)]_{E}
+STEM{}{step>3&&step<12}{} -> OLD[STEM(,<bend+0.9+math.random(-1,1)>,<math.random(-1,1)>,0,<tall/9>,3.2,3.2,)]_{E}
 STEM{}{step==12}{} -> OLD[NODE]_{E}
 /* Each node bows a little more; pedicels stand to this side and that, and all hang to the front. */
-NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<7+9*q>,<math.random(-4,4)>,,<15-7*q>,<2.8-1.4*q>,<2.8-1.4*q>,)]_{E}[&BELL{open=min(1,max(0,open*1.5-0.75*q)); wilt=wilt; size=math.random(0.94,1.06)*(1-0.1*q); droop=18-q*8}]_{C(3-(step%2)*4+12*(step%2))}
+NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<6+4*q>,<math.random(-4,4)>,,<15-7*q>,<2.8-1.4*q>,<2.8-1.4*q>,)]_{E}[&BELL{open=min(1,max(0,open*1.5-0.75*q)); wilt=wilt; size=math.random(0.94,1.06)*(1-0.1*q); droop=18-q*8}]_{C(3-(step%2)*4+12*(step%2))}
 
 #module BELL
 #define open=1
@@ -50,12 +50,13 @@ NODE{k=step-13; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<7+9*q>,<math.rando
 STALK{}{step<5}{} -> STALK[STALK(,<droop+math.random(-2,2)>,,,,,,)]_{E}
 STALK{}{step==5}{} -> STALK[WHORL]_{E}
 WHORL -> WHORL[INNER]_{E}
-WHORL -> WHORL[&PETAL{K=8; J=1; len=size*(12.7+5.4*open); wide=size*(2.8+1*open); thick=0.45; start=-52-6*(1-open); low=-44+10*(1-open); mid=4-14*(1-open); high=-20+(160+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=8; lower=5}]_{C1,C5,C9}
-INNER -> INNER[&PETAL{K=8; J=1; len=size*(12.7+5.4*open); wide=size*(2.8+1*open); thick=0.45; start=-56-6*(1-open); low=-40+8*(1-open); mid=4-14*(1-open); high=-20+(150+math.random(0,50))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=8; lower=5}]_{C3,C7,C11}
+WHORL -> WHORL[&PETAL{K=8; J=1; len=size*(12.7+5.4*open); wide=size*(2.8+1*open); thick=0.45; start=-52-6*(1-open); low=-44+10*(1-open); mid=-46*open-10*(1-open); high=-20+(215+math.random(0,45))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=8; lower=5}]_{C1,C5,C9}
+INNER -> INNER[&PETAL{K=8; J=1; len=size*(12.7+5.4*open); wide=size*(2.8+1*open); thick=0.45; start=-56-6*(1-open); low=-40+8*(1-open); mid=-46*open-10*(1-open); high=-20+(205+math.random(0,45))*open+40*wilt; cup=34-12*open; foot=0.5; tip=1; claw=0.9; upper=4; middle=8; lower=5}]_{C3,C7,C11}
 INNER -> INNER[&STAMEN{long=size*(5+2*open); lean=-84; head=2.6*size}]_{C1,C5,C9}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 1 */
 #define len=40     /* mm */
@@ -80,12 +81,15 @@ INNER -> INNER[&STAMEN{long=size*(5+2*open); lean=-84; head=2.6*size}]_{C1,C5,C9
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
 #define RL1(4,0,0,0,1,0.3*thick,1,lower)
@@ -93,9 +97,12 @@ INNER -> INNER[&STAMEN{long=size*(5+2*open); lean=-84; head=2.6*size}]_{C1,C5,C9
 #define LM1(4,0,0,0,1,0.3*thick,1,middle)
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,,,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -182,7 +189,7 @@ SHOOT{}{step==6}{} -> SHOOT[&FLOWER{open=open; size=math.random(0.86,1)}]_{E}
 #define finalStep=14
 #axiom: CALYX(,<20*open>,,,,,,)
 CALYX -> CALYX[DISC]_{E}
-CALYX -> CALYX[&PETAL{K=6; J=1; len=size*7.5; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=14; lower=15}]_{C1,C3,C5,C7,C9}
+CALYX -> CALYX[&PETAL{K=6; J=1; len=size*7.2; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=14; lower=15}]_{C1,C3,C5,C7,C9}
 DISC -> DISC[RING]_{E}
 DISC -> DISC[&PETAL{K=9; J=3; kept=1-0.97*clamp((wilt-math.random(0.4,0.75))/0.28,0,1); len=size*(5+5.6*open)*math.random(0.95,1.03); wide=size*(3.8+4.8*open); thick=0.42; start=-50+34*open+math.random(-5,5)+20*wilt; low=-48+30*open; mid=-8; high=-44+34*open; cup=18-8*open; edge=3; wave=2+3*wilt; peak=1.3; foot=0.85; tip=0.5; claw=0.3; upper=4; middle=9; lower=5}]_{C2,C4,C6,C8,C10}
 RING{}{step<6}{} -> RING[RING]_{E}
@@ -192,7 +199,8 @@ HEART{}{step<13}{} -> HEART[HEART(,,,,<0.44*(1+wilt*0.9)>,<2.7*cos(11*(step-6))>
 HEART{}{step<12}{} -> HEART[&BLADE{S=2; len=0.9; wide=0.75; thick=0.5; start=-50-5*(step-6); claw=0.9; blunt=0.4; paint=8}]_{C1,C3,C5,C7,C9}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 3 */
 #define len=40     /* mm */
@@ -218,12 +226,15 @@ HEART{}{step<12}{} -> HEART[&BLADE{S=2; len=0.9; wide=0.75; thick=0.5; start=-50
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -243,21 +254,24 @@ HEART{}{step<12}{} -> HEART[&BLADE{S=2; len=0.9; wide=0.75; thick=0.5; start=-50
 #define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
 #define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
-RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
-RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
-RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
-LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
-LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
-LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -335,8 +349,8 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 PETIOLE{}{step<7}{} -> PETIOLE[PETIOLE(,<4+math.random(-3,3)>,<math.random(-4,4)>,,,,,)]_{E}
 PETIOLE{}{step==7}{} -> PETIOLE[NODE(,<16>,,,,,,)]_{E}
 NODE -> NODE[LAST]_{E}
-NODE -> NODE[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C7}
-LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C7}[&PETAL{K=7; J=1; len=len; wide=len*0.48; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{E}
+NODE -> NODE[&PETAL{K=12; J=2; len=len*0.72; wide=len*0.58; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=4; barb=-26; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=12; J=2; len=len*0.72; wide=len*0.58; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=4; barb=-26; upper=2; middle=12; lower=13}]_{C7}
+LAST -> LAST[&PETAL{K=12; J=2; len=len*0.93; wide=len*0.62; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=4; barb=-26; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=12; J=2; len=len*0.93; wide=len*0.62; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=4; barb=-26; upper=2; middle=12; lower=13}]_{C7}[&PETAL{K=12; J=2; len=len; wide=len*0.64; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=4; barb=-26; upper=2; middle=12; lower=13}]_{E}
 `,
 	capitulum: `/* Capitulum
    about: Many florets on one receptacle, as if they were a flower: cornflower, trumpets round its violet middle, bracts like tiles below.
@@ -348,7 +362,7 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.93,1.07)
-#define outer=floor(math.random(9,12))
+#define outer=floor(math.random(15,19))
 #define inner=floor(math.random(18,24))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -364,7 +378,8 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 
 #material 1 stem "7f9a78" "93ab86"
 #material 2 leaf "66886a" "7fa07c"
-#material 3 sepal "6f8a5c" "4a4a38"
+#material 3 sepal "7d9a68" "7d9a68" name "involucre"
+#material 8 sepal "8fa874" "6f8250" margin "3c3024" 0.3 name "bract"
 #material 4 petal "6a86e0" "2f4fd0" bud "4a5fc0" "3a4fc0" wilted "a9aec4" "c4c6d0"
 #material 5 petal "4a5fc8" "3a55d6" bud "4a58a8" "3a4cb0" wilted "9a9eb4" "b4b6c2"
 #material 6 stamen "4a3a9a" "3a2468"
@@ -373,9 +388,9 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 #axiom: STEM
 STEM{}{step<14}{} -> OLD[STEM(,<bend+math.random(-2,2)+2*wilt>,<math.random(-2,2)>,,<tall/14>,<2.4-0.06*step>,<2.4-0.06*step>,)]_{E}
 STEM{}{step>0&&step<13}{} -> STEM[&BLADE{S=6; len=(60-3*step)*math.random(0.85,1.1); wide=5-0.2*step; thick=0.6; start=-50+math.random(-10,10); bend=math.random(10,50); high=10; peak=0.8; round=0.7; claw=0.7; paint=2}]_{C(1+(5*step)%13)}
-STEM{}{step==14}{} -> STEM[CUP(,<24*open>,,,0.4,4,4,)]_{E}
-/* The involucre bulges, a bract to each face by the golden angle. */
-CUP{k=step-15}{step<41}{} -> TILED[CUP(,,,,<size*0.5>,<size*(4+7.6*sin(7*k)^0.8)>,<size*(4+7.6*sin(7*k)^0.8)>,)]_{E}[&BLADE{S=4; len=size*(3.4+0.09*k); wide=size*2.9; thick=0.6; start=-70-0.5*k; bend=-10; peak=0.7; round=0.8; claw=1; paint=3}]_{C(1+(5*step)%13)}
+STEM{}{step==14}{} -> STEM[CUP(,<-28*open>,,,0.4,4,4,)]_{E}
+/* The involucre bulges, two bracts to a ring, each by the golden angle. */
+CUP{k=step-15}{step<41}{} -> TILED[CUP(,,,,<size*0.5>,<size*(4+5.2*sin(7*k)^0.8)>,<size*(4+5.2*sin(7*k)^0.8)>,)]_{E}[&BLADE{S=4; len=size*(5.4+0.1*k); wide=size*4.2; thick=0.6; start=-66-0.3*k; bend=-6; peak=0.7; round=0.8; claw=1; paint=8}]_{C(1+(5*step)%13),C(1+(5*step+6)%13)}
 CUP{}{step==41}{} -> TILED[RIM]_{E}
 RIM{k=step-42}{k<outer}{} -> BARE[RIM]_{E}[&TRUMPET{start=-84+(70-6*(k%3))*open+math.random(-6,6)+20*wilt; sway=math.random(-6,6); long=size*(9+13*open)*math.random(0.94,1.05); open=open; wilt=wilt}]_{C(1+(5*step)%13)}
 RIM{k=step-42}{k==outer}{} -> BARE[DISC]_{E}
@@ -476,7 +491,8 @@ TOP -> TOP[&STAMEN{long=3+5*open; lean=-90+9*open; head=3+6*open}]_{C1,C5,C9}
 TOP -> TOP[&STYLE{long=size*(15+5*open)}]_{E}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 3 */
 #define len=40     /* mm */
@@ -502,12 +518,15 @@ TOP -> TOP[&STYLE{long=size*(15+5*open)}]_{E}
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -527,21 +546,24 @@ TOP -> TOP[&STYLE{long=size*(15+5*open)}]_{E}
 #define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
 #define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
-RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
-RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
-RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
-LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
-LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
-LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -665,7 +687,8 @@ THROAT -> THROAT[&PETAL{K=8; J=2; len=size*(3+8.6*open)*(1-0.2*wilt); wide=size*
 THROAT -> THROAT[&BLADE{S=2; len=2.2*open+0.2; wide=0.9; thick=0.5; start=-70; claw=0.9; paint=6}]_{C1,C3,C5,C7,C9}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 2 */
 #define len=40     /* mm */
@@ -690,12 +713,15 @@ THROAT -> THROAT[&BLADE{S=2; len=2.2*open+0.2; wide=0.9; thick=0.5; start=-70; c
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
@@ -709,15 +735,18 @@ THROAT -> THROAT[&BLADE{S=2; len=2.2*open+0.2; wide=0.9; thick=0.5; start=-70; c
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -793,7 +822,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 3 sepal "557f40" "6f9450" name "bract"
 #material 4 petal "e6e9ee" "f4f6fa" light 0.25 bud "f3e3e8" "eec2d0" wilted "e6dccb" "c9b79c" name "ray, upper epidermis"
 #material 8 petal "e8e4e8" "f0ecf0" light 0.25 bud "f0dce2" "ebbccb" wilted "e0d2c0" "c2ac94" name "ray, mesophyll"
-#material 5 petal "ece2e6" "e6aec0" light 0.25 bud "efd3dc" "e29cb4" wilted "dcc4b4" "b99a86" name "ray, lower epidermis"
+#material 5 petal "f0ecf0" "e6aec0" foot 1 light 0.25 bud "efd3dc" "e29cb4" wilted "dcc4b4" "b99a86" name "ray, lower epidermis"
 #material 6 stamen "dcae14" "f4cc1c"
 #material 7 stamen "eec81c" "fce03a"
 
@@ -804,12 +833,13 @@ STEM{}{step<leaves+9}{} -> STEM[STEM(,<bend+math.random(-2.5,2.5)+wilt*3>,<math.
 STEM{}{step==leaves+9}{} -> STEM[CUP(,<26*open>,,,,,,)]_{E}
 CUP -> CUP[RIM]_{E}
 CUP -> CUP[&BLADE{len=5*size; wide=1.9*size; thick=0.4; start=-14-60*(1-open)+30*wilt; bend=-4-30*(1-open); peak=0.9; claw=0.8; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
-RIM{k=step-leaves-11}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{K=5; J=1; len=size*(6+3.6*open)*math.random(0.93,1.05); wide=size*(1.4+0.7*open); thick=0.26; start=-76+(62-14*k/rays)*open+math.random(-6,6)*open+34*wilt; sway=math.random(-4,4); low=-14*open; mid=-10*(1-open); high=-76+82*open; cup=16; foot=0.6; tip=0.62; peak=1.3; claw=0.5; upper=4; middle=8; lower=5}]_{C(1+(5*step)%13)}
+RIM{k=step-leaves-11}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{rib=0; K=5; J=1; len=size*(5.8+3.4*open)*math.random(0.93,1.05); wide=size*(1.4+0.7*open); thick=0.26; start=-76+(62-14*k/rays)*open+math.random(-6,6)*open+34*wilt; sway=math.random(-4,4); low=-14*open; mid=-10*(1-open); high=-76+82*open; cup=16; foot=0.6; tip=0.62; peak=1.3; claw=0.5; upper=4; middle=8; lower=5}]_{C(1+(5*step)%13)}
 RIM{k=step-leaves-11}{k>=rays}{} -> FULL[DISC]_{E}
-DISC{k=step-leaves-12-rays; r=sqrt(max(0.01,1-k/discs))}{step<finalStep-1}{} -> BARE[DISC(,,,,<(0.02+0.05*k/discs)*size>,<2*radius*r>,<2*radius*r>,)]_{E}[&BLADE{S=3; len=size*(0.5+0.65*open); wide=size*(0.4+0.2*open); thick=size*(0.4+0.2*open); start=-44-44*k/discs; claw=0.8; blunt=0.72; paint=6+(k<discs*0.45)}]_{C(1+(5*step)%13)}
+DISC{k=step-leaves-12-rays; r=sqrt(max(0.01,1-k/discs))}{step<finalStep-1}{} -> BARE[DISC(,,,,<(0.012+0.016*k/discs)*size>,<2*radius*r>,<2*radius*r>,)]_{E}[&BLADE{S=3; len=size*(0.5+0.65*open); wide=size*(0.7+0.3*open); thick=size*(0.7+0.3*open); start=-44-44*k/discs; claw=0.8; blunt=0.72; paint=6+(k<discs*0.45)}]_{C(1+(5*step)%13)}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 2 */
 #define len=40     /* mm */
@@ -834,12 +864,15 @@ DISC{k=step-leaves-12-rays; r=sqrt(max(0.01,1-k/discs))}{step<finalStep-1}{} -> 
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
@@ -853,15 +886,18 @@ DISC{k=step-leaves-12-rays; r=sqrt(max(0.01,1-k/discs))}{step<finalStep-1}{} -> 
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -931,8 +967,9 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 13 leaf "688f52" "7ba05c" name "leaf, lower epidermis"
 #material 3 sepal "567f45" "6d9452" name "bract"
 #material 5 seed "6f5a3c" "b9ab90"
+#material 8 seed "b3a68a" "e6e0d0" name "beak"
 #material 6 sepal "c9c09a" "d8d0ac" name "receptacle"
-#material 7 petal "eeece6" "ffffff" name "pappus"
+#material 7 petal "d9d3c6" "f4f1ea" name "pappus"
 
 #axiom: ROSETTE
 ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=12; lower=13}]_{C(1+(5*step)%13)}
@@ -950,16 +987,19 @@ BALL{q=(step-leaves-11)/seeds; r=sqrt(max(0.02,1-(2*q-1)^2*0.96))}{step<finalSte
 #define far=1
 #define gone=0
 #define NUT(4,0,0,0,1.6,0.9,0.6,5)
-#define BEAK(4,0,0,0,5,0.16,0.16,5)
-#define HUB(14,0,0,0,0.14,0.3,0.3,7)
+#define BEAK(4,0,0,0,5,0.16,0.16,8)
+#define HUB(14,0,0,0,0.14,0.36,0.36,7)
+#define ROOT(4,0,0,0,0.1,0.04,0.04,7)
 #define HAIR(4,0,0,0,3.2,0.12,0.12,7)
-#define finalStep=7
+#define finalStep=8
 #axiom: NUT(,start,,,<1.6*(1-gone)+0.02>,<0.9*(1-gone)+0.02>,<0.6*(1-gone)+0.02>,)
 NUT{}{step==0}{} -> NUT[NUT(,,,,<(1-gone)*1.6+0.02>,<(1-gone)*0.7+0.02>,<(1-gone)*0.5+0.02>,)]_{E}
 NUT{}{step==1}{} -> NUT[BEAK(,,,,<(5*far)*(1-gone)+0.02>,<0.16*(1-gone)+0.01>,<0.16*(1-gone)+0.01>,)]_{E}
 BEAK{}{step==2}{} -> BEAK[BEAK(,<math.random(-8,8)>,,,H,L,W,)]_{E}
 BEAK{}{step==3}{} -> BEAK[HUB(,,,,<0.14*(1-gone)+0.01>,<0.3*(1-gone)+0.01>,<0.3*(1-gone)+0.01>,)]_{E}
-HUB -> HUB[HAIR(,<-22-60*(1-open)+math.random(-16,16)>,,,<(3.6+1.6*open)*(1-gone)+0.02>,<0.06*(1-gone)+0.004>,<0.06*(1-gone)+0.004>,)]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13,C14}
+/* Each hair has a thin short root, so that rounding does not make it a ray of a star. */
+ROOT -> ROOT[HAIR(,,,,<(3.6+1.6*open)*(1-gone)+0.02>,<0.12*(1-gone)+0.004>,<0.12*(1-gone)+0.004>,)]_{E}
+HUB -> HUB[ROOT(,<-22-60*(1-open)+math.random(-12,12)>,,,<0.12*(1-gone)+0.01>,<0.05*(1-gone)+0.004>,<0.05*(1-gone)+0.004>,)]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13,C14}
 
 #module BLADE
 /* A small petal or hair: a chain of S flat prisms. */
@@ -981,7 +1021,8 @@ HUB -> HUB[HAIR(,<-22-60*(1-open)+math.random(-16,16)>,,,<(3.6+1.6*open)*(1-gone
 B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 2 */
 #define len=40     /* mm */
@@ -1006,12 +1047,15 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
@@ -1025,15 +1069,18 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -1121,7 +1168,8 @@ HEAD{k=step-leaves-12; q=k/florets; shut=max(1-open,wilt)}{step<finalStep-1}{} -
 B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(max(claw*(1-s),blunt),sin(180*min(1,s)^peak)^round)>,,)]_{E}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 2 */
 #define len=40     /* mm */
@@ -1146,12 +1194,15 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
@@ -1165,15 +1216,18 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -2521,7 +2575,7 @@ STEM{}{step==1||step==4||step==8}{} -> STEM[&FERN{len=84-6*step}]_{C(1+(5*step)%
 STEM{}{step==12}{} -> STEM[HEAD]_{E}
 HEAD{}{step==13}{} -> HEAD[&BLADE{S=4; len=24; wide=1.2; thick=0.6; start=-50+64*open; bend=20; claw=0.9; paint=3}]_{C2,C3,C5,C7,C9,C11,C13}
 /* Rays on the outside are longer and lean further; in bud and in fruit they close to a nest. */
-HEAD{q=(step-13)/rays; shut=max(1-open,wilt)}{step<finalStep-1}{} -> BARE[HEAD(,,,,<0.14>,<4.6*sqrt(1-0.9*q)>,<4.6*sqrt(1-0.9*q)>,)]_{E}[&RAY{start=-88+(72-66*q)*(1-shut)+math.random(-4,4); long=broad*(0.5+0.5*open)*(1-0.42*q)*math.random(0.94,1.04); open=open; florets=12-6*q; dark=step==finalStep-2}]_{C(1+(5*step)%13)}
+HEAD{q=(step-13)/rays; shut=max(1-open,wilt)}{step<finalStep-1}{} -> BARE[HEAD(,,,,<0.14>,<4.6*sqrt(1-0.9*q)>,<4.6*sqrt(1-0.9*q)>,)]_{E}[&RAY{start=-88+(72-66*q)*(1-shut)+math.random(-4,4); long=broad*(0.5+0.5*open)*(1-0.42*q+0.12*(q>0.93))*math.random(0.94,1.04); open=open; florets=12-6*q; dark=step==finalStep-2}]_{C(1+(5*step)%13)}
 
 #module RAY
 #define start=0
@@ -2536,7 +2590,7 @@ HEAD{q=(step-13)/rays; shut=max(1-open,wilt)}{step<finalStep-1}{} -> BARE[HEAD(,
 #axiom: RIB(,start,,,,,,)
 RIB{}{step<3}{} -> RIB[RIB(,<-start*0.02-5+math.random(-3,3)>,<math.random(-3,3)>,,,,,)]_{E}
 RIB{}{step==3}{} -> RIB[HUB]_{E}
-HUB{q=(step-4)/florets}{q<1}{} -> DONE[HUB(,,,,0.1,<1.3*sqrt(1-0.9*q)>,<1.3*sqrt(1-0.9*q)>,)]_{E}[&FLORET{start=-86+(64-60*q)*open+math.random(-6,6); long=(3+5*open)*(1-0.4*q); open=open; paint=4+dark; big=1.7-0.6*q}]_{C(1+(3*step)%8)}
+HUB{q=(step-4)/florets}{q<1}{} -> DONE[HUB(,,,,0.1,<1.3*sqrt(1-0.9*q)>,<1.3*sqrt(1-0.9*q)>,)]_{E}[&FLORET{start=-86+(64-60*q)*open+math.random(-6,6); long=(3+5*open)*(1-0.4*q); open=open; paint=4+dark*(q>0.85); big=1.7-0.6*q}]_{C(1+(3*step)%8)}
 
 #module FLORET
 #define start=0
@@ -2701,7 +2755,8 @@ HEART{}{step<27}{} -> HEART[HEART(,,,,0.8,<3.6-0.5*(step-22)>,<3.6-0.5*(step-22)
 HEART -> HEART[&BLADE{S=2; len=2; wide=0.9; thick=0.6; start=-70; claw=0.8; blunt=0.3; paint=8}]_{C1,C3,C5,C7,C9}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 3 */
 #define len=40     /* mm */
@@ -2727,12 +2782,15 @@ HEART -> HEART[&BLADE{S=2; len=2; wide=0.9; thick=0.6; start=-70; claw=0.8; blun
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -2752,21 +2810,24 @@ HEART -> HEART[&BLADE{S=2; len=2; wide=0.9; thick=0.6; start=-70; claw=0.8; blun
 #define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
 #define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
-RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
-RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
-RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
-LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
-LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
-LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -2844,8 +2905,8 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 PETIOLE{}{step<7}{} -> PETIOLE[PETIOLE(,<4+math.random(-3,3)>,<math.random(-4,4)>,,,,,)]_{E}
 PETIOLE{}{step==7}{} -> PETIOLE[NODE(,<16>,,,,,,)]_{E}
 NODE -> NODE[LAST]_{E}
-NODE -> NODE[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=7; J=1; len=len*0.72; wide=len*0.42; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C7}
-LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{C7}[&PETAL{K=7; J=1; len=len; wide=len*0.48; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=3; upper=2; middle=12; lower=13}]_{E}
+NODE -> NODE[&PETAL{K=12; J=2; len=len*0.72; wide=len*0.58; thick=0.5; start=6; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=4; barb=-26; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=12; J=2; len=len*0.72; wide=len*0.58; thick=0.5; start=6; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=4; barb=-26; upper=2; middle=12; lower=13}]_{C7}
+LAST -> LAST[&PETAL{K=12; J=2; len=len*0.93; wide=len*0.62; thick=0.5; start=-42; roll=-90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=4; barb=-26; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=12; J=2; len=len*0.93; wide=len*0.62; thick=0.5; start=-42; roll=90; low=-12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=4; barb=-26; upper=2; middle=12; lower=13}]_{C7}[&PETAL{K=12; J=2; len=len; wide=len*0.64; thick=0.5; low=12; cup=5; peak=1.7; foot=1.3; tip=0.8; claw=0.1; teeth=teeth; bites=4; barb=-26; upper=2; middle=12; lower=13}]_{E}
 `,
 	grass: `/* Grass
    about: A tuft of thirteen blades that bow outwards: what stands between the flowers of a bed.
@@ -2915,9 +2976,10 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(0.
 #material 9 pistil "8aa858" "a8bd70"
 
 #axiom: STEM
-STEM{}{step<16}{} -> LEAFY[STEM(,<bend+math.random(-1,1)>,<math.random(-1,1)>,,<tall/16>,<7-0.12*step>,<7-0.12*step>,)]_{E}[&PETAL{K=8; J=1; len=(165-5*step)*math.random(0.9,1.1); wide=(16-0.4*step)*math.random(0.9,1.1); thick=0.9; start=-40+step+math.random(-8,8); low=14; mid=16; high=math.random(0,30); cup=9; peak=0.75; foot=0.5; tip=1.5; claw=0.5; upper=2; middle=12; lower=13}]_{C(1+(3*step)%8)}
+STEM{}{step<16}{} -> LEAFY[STEM(,<bend+math.random(-1,1)>,<math.random(-1,1)>,,<tall/16>,<7-0.12*step>,<7-0.12*step>,)]_{E}[&PETAL{K=8; J=1; len=(165-5*step)*math.random(0.9,1.1); wide=(16-0.4*step)*math.random(0.9,1.1); thick=0.9; start=-40+step+math.random(-8,8); low=14; mid=16; high=math.random(0,30); cup=9; peak=0.75; foot=0.5; tip=1.5; claw=0.5; upper=2; middle=12; lower=13}]_{C(1+(3*step)%8),C(1+(3*step+4)%8)}
 STEM{}{step==16}{} -> LEAFY[NODE]_{E}
-NODE{k=step-17}{step<finalStep-1}{} -> DONE[NODE(,<math.random(-3,3)>,<math.random(-3,3)>,,<26-3*k>,<5-0.5*k>,<5-0.5*k>,)]_{E}[&FLOWER{open=min(1,max(0,open*1.45-0.14*k)); wilt=wilt; size=size; stalk=math.random(52,66)-3*k; start=-50+8*k+math.random(-6,6)}]_{C(1+(3*step+4)%8)}
+/* Flowers stand close together about the stem's end: what is beyond the last is a stub. */
+NODE{k=step-17}{step<finalStep-1}{} -> DONE[NODE(,<math.random(-3,3)>,<math.random(-3,3)>,,<1.5+(24-3*k)*(k<flowers-1)>,<5-0.5*k-1.5*(k>flowers-2)>,<5-0.5*k-1.5*(k>flowers-2)>,)]_{E}[&FLOWER{open=min(1,max(0,open*1.45-0.14*k)); wilt=wilt; size=size; stalk=math.random(52,66)-3*k; start=-50+8*k+math.random(-6,6)}]_{C(1+(3*step+4)%8)}
 
 #module FLOWER
 #define open=1
@@ -2934,14 +2996,15 @@ NODE{k=step-17}{step<finalStep-1}{} -> DONE[NODE(,<math.random(-3,3)>,<math.rand
 STALK{}{step<5}{} -> STALK[STALK(,<7+3*open+math.random(-2,2)>,<math.random(-3,3)>,,,,,)]_{E}
 STALK{}{step==5}{} -> STALK[WHORL]_{E}
 WHORL -> WHORL[INNER]_{E}
-WHORL -> WHORL[&PETAL{K=10; J=2; len=size*(48+24*open); wide=size*(9+9*open); thick=0.8; start=-80+12*open+20*wilt; low=2+8*open; mid=-14+18*open+10*wilt; high=-30+96*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.05; foot=0.8; tip=1.3; claw=0.36; upper=4; middle=10; lower=5}]_{C1,C5,C9}
+WHORL -> WHORL[&PETAL{K=10; J=2; len=size*(48+24*open); wide=size*(9+9*open); thick=0.8; start=-80+4*open+20*wilt; low=2; mid=-14-2*open+10*wilt; high=-30+118*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.05; foot=0.8; tip=1.7; claw=0.36; upper=4; middle=10; lower=5}]_{C1,C5,C9}
 INNER -> INNER[TOP]_{E}
-INNER -> INNER[&PETAL{K=10; J=2; len=size*(48+23.5*open); wide=size*(9+10.5*open); thick=0.8; start=-82+12*open+18*wilt; low=2+8*open; mid=-14+17*open+10*wilt; high=-30+92*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.2; claw=0.36; upper=4; middle=10; lower=5}]_{C3,C7,C11}
-TOP -> TOP[&STAMEN{long=size*(20+23*open); lean=-90+14*open+math.random(-4,4); open=open}]_{C1,C3,C5,C7,C9,C11}
+INNER -> INNER[&PETAL{K=10; J=2; len=size*(48+23.5*open); wide=size*(9+10.5*open); thick=0.8; start=-82+4*open+18*wilt; low=2; mid=-14-2*open+10*wilt; high=-30+114*open+math.random(-10,10); cup=40-28*open; edge=-6*open; wave=4+8*wilt; peak=1.02; foot=0.8; tip=1.6; claw=0.36; upper=4; middle=10; lower=5}]_{C3,C7,C11}
+TOP -> TOP[&STAMEN{long=size*(20+23*open); lean=-90+7*open+math.random(-3,3); open=open}]_{C1,C3,C5,C7,C9,C11}
 TOP -> TOP[&PISTIL{long=size*(28+36.3*open)}]_{E}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 2 */
 #define len=40     /* mm */
@@ -2966,12 +3029,15 @@ TOP -> TOP[&PISTIL{long=size*(28+36.3*open)}]_{E}
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
@@ -2985,15 +3051,18 @@ TOP -> TOP[&PISTIL{long=size*(28+36.3*open)}]_{E}
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -3210,7 +3279,7 @@ R -> R[R(,<bend/2>,,,,<wide*(1-(1-tip)*step)>,,)]_{E}
 #define LEFT(4,0,0,0,1,0.4,1,paint)
 #define finalStep=K+J+1
 #axiom: VEIN(,start,sway,,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,,,)]_{E}
 VEIN{s=along/K; w=0.47*wide/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))}{}{} -> VEIN[RIGHT(,,<cup/2>,,w,,H,)]_{C2}[LEFT(,,<-cup/2>,,w,,H,)]_{C4}
 RIGHT{r=wave*beside/J*sin(360*waves*along/K+phase)}{beside<J}{} -> RIGHT[RIGHT(,,<cup+r>,,H,,W,)]_{E}
 LEFT{r=wave*beside/J*sin(360*waves*along/K+phase)}{beside<J}{} -> LEFT[LEFT(,,<-cup-r>,,H,,W,)]_{E}
@@ -3413,10 +3482,11 @@ MOUTH -> MOUTH[&BLADE{S=3; len=g*(1.2+3.6*open); wide=g*(1.2+2.1*open); thick=0.
 #define finalStep=4
 #axiom: PETIOLE(,<-40+math.random(-8,8)>,<math.random(-8,8)>,,,,,)
 PETIOLE{}{step<2}{} -> PETIOLE[PETIOLE(,8,,,,,,)]_{E}
-PETIOLE{}{step==2}{} -> PETIOLE[&PETAL{K=11; J=2; len=len; wide=len*0.72; thick=0.8; start=16; low=10; mid=10; high=math.random(10,30); cup=5; peak=0.68; foot=0.6; tip=1.5; claw=0.2; fan=18; upper=3; middle=3; lower=3}]_{E}
+PETIOLE{}{step==2}{} -> PETIOLE[&PETAL{K=11; J=2; len=len; wide=len*0.72; thick=0.8; start=16; low=10; mid=10; high=math.random(10,30); cup=5; peak=0.55; foot=0.45; tip=1.9; claw=0.4; fan=30; upper=3; middle=3; lower=3}]_{E}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 2 */
 #define len=40     /* mm */
@@ -3441,12 +3511,15 @@ PETIOLE{}{step==2}{} -> PETIOLE[&PETAL{K=11; J=2; len=len; wide=len*0.72; thick=
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
@@ -3460,15 +3533,18 @@ PETIOLE{}{step==2}{} -> PETIOLE[&PETAL{K=11; J=2; len=len; wide=len*0.72; thick=
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -3537,13 +3613,13 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 14 sepal "6c9454" "84aa68" name "sepal, mesophyll"
 #material 15 sepal "5a8444" "749c58" name "sepal, lower epidermis"
 #material 4 petal "6a3a9e" "4b1f86" foot 0.3 veins "2c0f5c" 6 0.3 bud "5a3a86" "4a2a76" wilted "6d5472" "5d4262" name "upper petal, upper epidermis"
-#material 10 petal "5c3290" "462080" wilted "665070" "5a4460" name "upper petal, mesophyll"
+#material 10 petal "6a3a9e" "4b1f86" foot 0.3 wilted "665070" "5a4460" name "upper petal, mesophyll"
 #material 5 petal "6a40a2" "5a3294" bud "5e4088" "52347e" wilted "705a78" "644c6a" name "upper petal, lower epidermis"
 #material 6 petal "3b1440" "c9a8e6" foot 0.6 veins "4a1c5e" 5 0.55 bud "4a2450" "a98fc0" wilted "5a3a50" "9a8296" name "side petal, upper epidermis"
-#material 11 petal "7a4c90" "c2a2e0" foot 0.6 bud "6a4878" "a98fc0" wilted "6e5268" "9a8296" name "side petal, mesophyll"
+#material 11 petal "3b1440" "c9a8e6" foot 0.6 bud "6a4878" "a98fc0" wilted "6e5268" "9a8296" name "side petal, mesophyll"
 #material 8 petal "b79ad8" "cdb2ec" wilted "94809c" "a08ea2" name "side petal, lower epidermis"
 #material 7 petal "4a1a30" "f7d52e" foot 0.8 veins "3a1226" 7 0.75 margin "f9e06a" 0.1 bud "5a2a30" "d8c040" wilted "5a3030" "b89a48" name "lower petal, upper epidermis"
-#material 16 petal "6a3c30" "f0ce3a" foot 0.7 bud "6a4034" "d0b848" wilted "64403a" "b0944c" name "lower petal, mesophyll"
+#material 16 petal "4a1a30" "f7d52e" foot 0.8 bud "6a4034" "d0b848" wilted "64403a" "b0944c" name "lower petal, mesophyll"
 #material 17 petal "dcc65a" "f4e08a" bud "c8b458" "d8c868" wilted "b09a60" "c0a868" name "lower petal, lower epidermis"
 #material 9 pistil "e8b92a" "9ab84a"
 
@@ -3567,8 +3643,8 @@ NODEC -> NODEC[&LEAF{len=math.random(22,28)}]_{C4}[&LEAF{len=math.random(18,24)}
 #define start=-40
 #define STALK(10,0,0,0,stalk/9,1.5,1.5,1)
 #define CALYX(10,0,0,0,1.2,2.8,2.8,3)
-#define FACE(10,0,0,0,1,2.8,2.8,9)
-#define HEART(10,0,0,0,1,2.2,2.2,9)
+#define FACE(10,0,0,0,0.8,2.6,2.6,9)
+#define HEART(10,0,0,0,1,1.3,1.3,9)
 #define finalStep=13
 /* The stalk bows at its end, so that the flower looks ahead: C1 is below, C6 above. */
 #axiom: STALK(,start,,,,,,)
@@ -3583,7 +3659,7 @@ FACE -> FACE[&PETAL{K=10; J=3; kept=1-0.4*wilt; len=size*(8+9*open); wide=size*(
 FACE -> FACE[&PETAL{K=10; J=3; kept=1-0.4*wilt; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+22*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=11; lower=8}]_{C3}
 FACE -> FACE[&PETAL{K=10; J=3; kept=1-0.4*wilt; len=size*(7+8*open); wide=size*(5+8.5*open); thick=0.4; start=-70+58*open+10*wilt; sway=-14*open; low=-16+8*open; high=-30+40*open+math.random(-6,6); cup=14-10*open; wave=4+22*wilt; peak=1.3; foot=0.9; tip=0.66; claw=0.26; upper=6; middle=11; lower=8}]_{C9}
 FACE -> FACE[&PETAL{K=10; J=4; kept=1-0.35*wilt; len=size*(8+8.5*open); wide=size*(6+13*open); thick=0.4; start=-72+52*open+10*wilt; low=-14+4*open; high=-30+46*open+math.random(-6,6); cup=12-7*open; wave=5+22*wilt; peak=1.45; foot=0.9; tip=0.55; claw=0.26; spread=5; upper=7; middle=16; lower=17}]_{C1}
-HEART{}{step<12}{} -> HEART[HEART(,,,,0.8,<2.2-0.5*(step-10)>,<2.2-0.5*(step-10)>,)]_{E}
+HEART{}{step<12}{} -> HEART[HEART(,,,,0.5,<1.3-0.3*(step-10)>,<1.3-0.3*(step-10)>,)]_{E}
 
 #module LEAF
 #define len=28
@@ -3591,10 +3667,11 @@ HEART{}{step<12}{} -> HEART[HEART(,,,,0.8,<2.2-0.5*(step-10)>,<2.2-0.5*(step-10)
 #define finalStep=5
 #axiom: PETIOLE(,<-44+math.random(-8,8)>,<math.random(-10,10)>,,,,,)
 PETIOLE{}{step<3}{} -> PETIOLE[PETIOLE(,8,,,,,,)]_{E}
-PETIOLE{}{step==3}{} -> PETIOLE[&PETAL{K=12; J=2; len=len; wide=len*0.5; thick=0.6; low=10; mid=8; high=10; cup=6; peak=0.85; foot=0.8; tip=0.9; claw=0.1; teeth=0.16; bites=5; upper=2; middle=12; lower=13}]_{E}
+PETIOLE{}{step==3}{} -> PETIOLE[&PETAL{K=16; J=2; len=len; wide=len*0.5; thick=0.6; low=10; mid=8; high=10; cup=6; peak=0.75; foot=0.7; tip=1.6; claw=0.1; teeth=0.28; bites=4; upper=2; middle=12; lower=13}]_{E}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 4 */
 #define len=40     /* mm */
@@ -3620,12 +3697,15 @@ PETIOLE{}{step==3}{} -> PETIOLE[&PETAL{K=12; J=2; len=len; wide=len*0.5; thick=0
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -3651,27 +3731,30 @@ PETIOLE{}{step==3}{} -> PETIOLE[&PETAL{K=12; J=2; len=len; wide=len*0.5; thick=0
 #define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
 #define LL4(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
-RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
-RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
-RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
-LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
-LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
-LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
-RU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RU3[RU4(,,<cup+r>,,H,,W,)]_{E}
-RM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RM3[RM4(,,<cup+r>,,H,,W,)]_{E}
-RL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RL3[RL4(,,<cup+r>,,H,,W,)]_{E}
-LU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LU3[LU4(,,<-cup-r>,,H,,W,)]_{E}
-LM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LM3[LM4(,,<-cup-r>,,H,,W,)]_{E}
-LL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LL3[LL4(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RU3[RU4(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RM3[RM4(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RL3[RL4(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LU3[LU4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LM3[LM4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LL3[LL4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -3751,7 +3834,7 @@ STEM -> STEM[&PETAL]_{E}
 #define LL2(4,0,0,0,1,t,1,6)
 #define LL3(4,0,0,0,1,t,1,6)
 #axiom: VEIN(, 0, , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<6-10*u>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<6-10*u>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,,,)]_{E}
 VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C2}
 VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C3}
 VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(0.409-0.021*s+17.437*s^2-65.942*s^3+112.193*s^4-97.279*s^5+33.204*s^6))/3>,0.3*t,H,)]_{C4}
@@ -3808,7 +3891,7 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 
 #define length=235 /* 120 … 370 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
-#define scale=1.16 /* 0.7 … 1.6, of the flower */
+#define scale=1.14 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
 #define size=scale*math.random(0.975,1.03)
 #define open=sin(90*min(age,1))
@@ -3831,13 +3914,14 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 #material 3 sepal "93ab76" "a4b986" name "sepal, upper epidermis"
 #material 14 sepal "7d9a60" "8eaa70" name "sepal, mesophyll"
 #material 15 sepal "6f8f55" "83a066" name "sepal, lower epidermis"
-#material 5 petal "1d0d10" "de3323" foot 0.3 veins "a31812" 9 0.3 bud "3a1014" "b83024" wilted "1d0d10" "963028" name "petal, upper epidermis"
-#material 10 petal "2a1014" "c8281c" foot 0.3 bud "3a1014" "b03024" wilted "241014" "8a2a26" name "petal, mesophyll"
+#material 5 petal "1d0d10" "de3323" foot 0.46 veins "a31812" 9 0.3 bud "3a1014" "b83024" wilted "1d0d10" "963028" name "petal, upper epidermis"
+#material 10 petal "1d0d10" "de3323" foot 0.46 bud "3a1014" "b03024" wilted "241014" "8a2a26" name "petal, mesophyll"
 #material 4 petal "4a1c1e" "d84430" foot 0.35 veins "ac241a" 9 0.3 bud "4a1c1c" "c24838" wilted "36191a" "94382e" name "petal, lower epidermis"
 #material 6 stamen "2c2236" "3c3148"
 #material 7 stamen "26222c" "4c4658"
 #material 8 pistil "93a87a" "a5b88a"
-#material 9 pistil "5f4a4c" "4f3c40"
+#material 9 pistil "8f9468" "a3a87e"
+#material 16 pistil "3c2230" "2c1824" name "stigma"
 
 #axiom: STEM
 STEM{hang=(1-open)^0.6*max(0,step-9)^2}{step<16}{} -> OLD[STEM(,<bend+math.random(-2.5,2.5)+1.75*hang>,<math.random(-2.5,2.5)>,,<tall*(0.75+0.25*open)/16>,<2.6-0.05*step>,<2.6-0.05*step>,)]_{E}
@@ -3846,15 +3930,16 @@ STEM{}{step==16}{} -> STEM[CALYX(,<22*open>,,,,,,)]_{E}
 CALYX -> CALYX[RECEPTACLE(,<12*open>,,,,,,)]_{E}
 CALYX -> CALYX[&PETAL{K=8; len=0.3+23*max(0,1-2*open); wide=0.2+21*max(0,1-2*open); thick=0.05+0.8*max(0,1-2*open); start=-22; low=-66; mid=-6; high=-66; cup=34; claw=0.4; upper=3; middle=14; lower=15}]_{C1,C7}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
-RECEPTACLE -> RECEPTACLE[&PETAL{K=10; J=5; kept=1-0.985*clamp((wilt-math.random(0.28,0.6))/0.28,0,1); len=size*(11+27*open); wide=size*(9+57*open); thick=0.45; start=-60+55*open+math.random(-5,5)+18*wilt; low=-16-26*open; mid=4; high=-34+50*open+math.random(-10,10); cup=15-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.32; foot=1; tip=0.66; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C1,C7}
+RECEPTACLE -> RECEPTACLE[&PETAL{K=14; J=5; kept=1-0.985*clamp((wilt-math.random(0.28,0.6))/0.28,0,1); len=size*(11+27*open); wide=size*(9+57*open); thick=0.45; start=-60+55*open+math.random(-5,5)+18*wilt; low=-16-26*open; mid=4; high=-34+50*open+math.random(-10,10); cup=15-8*open; wave=15+math.random(0,7)+10*wilt; waves=math.random(3.5,5.5); peak=1.32; foot=1; tip=0.66; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C1,C7}
 BASE -> BASE[RING]_{E}
-BASE -> BASE[&PETAL{K=10; J=5; kept=1-0.985*clamp((wilt-math.random(0.28,0.65))/0.28,0,1); len=size*(10+25*open); wide=size*(8+49*open); thick=0.45; start=-63+50*open+math.random(-5,5)+18*wilt; low=-14-30*open; mid=4; high=-30+42*open+math.random(-10,10); cup=16-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.3; foot=1; tip=0.68; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C4,C10}
+BASE -> BASE[&PETAL{K=14; J=5; kept=1-0.985*clamp((wilt-math.random(0.28,0.65))/0.28,0,1); len=size*(10+25*open); wide=size*(8+49*open); thick=0.45; start=-63+50*open+math.random(-5,5)+18*wilt; low=-14-30*open; mid=4; high=-30+42*open+math.random(-10,10); cup=16-8*open; wave=15+math.random(0,7)+10*wilt; waves=math.random(3.5,5.5); peak=1.3; foot=1; tip=0.68; claw=0.24; spread=5; upper=5; middle=10; lower=4}]_{C4,C10}
 RING{}{step<25}{} -> RING[RING]_{E}
 RING{}{step==25}{} -> RING[&CAPSULE]_{E}
 RING -> RING[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 5 */
 #define len=40     /* mm */
@@ -3880,12 +3965,15 @@ RING -> RING[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -3917,33 +4005,36 @@ RING -> RING[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
 #define LL4(4,0,0,0,1,0.3*kept*thick,1,lower)
 #define LL5(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
-RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
-RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
-RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
-LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
-LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
-LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
-RU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RU3[RU4(,,<cup+r>,,H,,W,)]_{E}
-RM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RM3[RM4(,,<cup+r>,,H,,W,)]_{E}
-RL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RL3[RL4(,,<cup+r>,,H,,W,)]_{E}
-LU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LU3[LU4(,,<-cup-r>,,H,,W,)]_{E}
-LM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LM3[LM4(,,<-cup-r>,,H,,W,)]_{E}
-LL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LL3[LL4(,,<-cup-r>,,H,,W,)]_{E}
-RU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RU4[RU5(,,<cup+r>,,H,,W,)]_{E}
-RM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RM4[RM5(,,<cup+r>,,H,,W,)]_{E}
-RL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RL4[RL5(,,<cup+r>,,H,,W,)]_{E}
-LU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LU4[LU5(,,<-cup-r>,,H,,W,)]_{E}
-LM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LM4[LM5(,,<-cup-r>,,H,,W,)]_{E}
-LL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LL4[LL5(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RU3[RU4(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RM3[RM4(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RL3[RL4(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LU3[LU4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LM3[LM4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LL3[LL4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RU4[RU5(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RM4[RM5(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RL4[RL5(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LU4[LU5(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LM4[LM5(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LL4[LL5(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -4008,12 +4099,13 @@ ANTHER -> ANTHER[ANTHER(,,,,<1-0.95*shed>,<1.1-1.05*shed>,<0.8-0.75*shed>,)]_{E}
 #module CAPSULE
 #define WALL(12,0,0,0,1.2,4,4,8)
 #define LID(12,0,0,0,0.8,8.8,8.8,9)
-#define RAY(4,0,0,0,1,0.7,0.6,9)
+#define RAY(4,0,0,0,0.5,0.5,2.6,16)
 #define finalStep=10
 #axiom: WALL
 WALL{g=0.4+0.6*open+0.45*wilt}{step<7}{} -> WALL[WALL(,,,,<1.7*g>,<(4.5+3.4*sin(18*step))*g>,<(4.5+3.4*sin(18*step))*g>,)]_{E}
 WALL{}{step==7}{} -> WALL[LID(,,,,<0.3+0.5*open>,<3+5.8*open+2.6*wilt>,<3+5.8*open+2.6*wilt>,)]_{E}
-LID{}{step<9}{} -> LID[LID(,,,,0.6,<1+2*open>,<1+2*open>,)]_{E}
+LID{}{step<9}{} -> LID[LID(,,,,0.6,<1+open>,<1+open>,)]_{E}
+LID{}{step==9}{} -> LID[RAY]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
 `,
 	raceme: `/* Raceme
    about: Flowers on stalks along an axis, the lowest first: lily of the valley, its bells hollow as a prism that grows backwards makes them.
@@ -4040,8 +4132,8 @@ LID{}{step<9}{} -> LID[LID(,,,,0.6,<1+2*open>,<1+2*open>,)]_{E}
 
 #axiom: SHEATH(,,,55,,,,)
 SHEATH{}{step<3}{} -> SHEATH[SHEATH(,,,,5,<7-1.2*step>,<7-1.2*step>,)]_{E}
-SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(112,132); wide=math.random(40,50); thick=0.9; start=-66+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C7}
-SHEATH{}{step==1}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(96,116); wide=math.random(34,44); thick=0.9; start=-60+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C3}
+SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(112,132); wide=math.random(40,50); thick=0.9; start=-66+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.85; foot=0.9; tip=1.8; claw=0.2; upper=2; middle=2; lower=2}]_{C7}
+SHEATH{}{step==1}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(96,116); wide=math.random(34,44); thick=0.9; start=-60+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.85; foot=0.9; tip=1.8; claw=0.2; upper=2; middle=2; lower=2}]_{C3}
 SHEATH{}{step==3}{} -> SHEATH[STEM]_{E}
 STEM{}{step<10}{} -> STEM[STEM(,<bend+1.5+math.random(-1,1)>,<math.random(-1,1)>,,<tall*0.5/6>,2.2,2.2,)]_{E}
 STEM{}{step==10}{} -> STEM[NODE]_{E}
@@ -4070,7 +4162,8 @@ INSIDE{}{step<14}{} -> INSIDE[INSIDE(,,,,<-1.3*g>,<6*g>,<6*g>,)]_{E}
 LIP -> LIP[&BLADE{S=3; len=2.4*g; wide=3.2*g; thick=0.4; start=-80+76*open; bend=50*open; peak=0.6; round=0.8; claw=0.9; paint=4}]_{C1,C3,C5,C7,C9,C11}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 3 */
 #define len=40     /* mm */
@@ -4095,12 +4188,15 @@ LIP -> LIP[&BLADE{S=3; len=2.4*g; wide=3.2*g; thick=0.4; start=-80+76*open; bend
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*thick,1,upper)
@@ -4120,21 +4216,24 @@ LIP -> LIP[&BLADE{S=3; len=2.4*g; wide=3.2*g; thick=0.4; start=-80+76*open; bend
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #define LL3(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
-RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
-RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
-RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
-LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
-LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
-LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -4214,7 +4313,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 3 sepal "96ac7a" "a4b684" name "sepal, upper epidermis"
 #material 14 sepal "7f9a62" "8fa870" name "sepal, mesophyll"
 #material 15 sepal "66884a" "7c9a58" name "sepal, lower epidermis"
-#material 4 petal "e8a0a6" "d2486a" foot 0.35 veins "b53056" 6 0.18 bud "b9b070" "b93456" wilted "d9a898" "a85a62" name "petal, upper epidermis"
+#material 4 petal "e8a0a6" "d2486a" foot 0.35 bud "b9b070" "b93456" wilted "d9a898" "a85a62" name "petal, upper epidermis"
 #material 10 petal "e6aaa6" "d65a78" foot 0.35 bud "b4ac6c" "b83e5c" wilted "d6a496" "a86064" name "petal, mesophyll"
 #material 5 petal "e2bca8" "e07e96" foot 0.35 bud "a8a864" "b84a60" wilted "cf9e88" "a8685c" name "petal, lower epidermis"
 #material 9 seed "8a4a3a" "7a3a30"
@@ -4227,10 +4326,11 @@ STEM{}{step==13}{} -> STEM[HIP(,<14*open+6*wilt>,,,,,,)]_{E}
 HIP -> HIP[CALYX(,<16*open+8*wilt>,,,3.4,9,9,)]_{E}
 CALYX -> CALYX[RING]_{E}
 CALYX -> CALYX[&PETAL{K=8; J=1; len=size*27; wide=size*7; thick=0.7; start=-66+62*open+math.random(-8,8); low=-8+30*open; high=24*open+math.random(-10,20); cup=12; peak=0.6; tip=1.8; claw=0.75; upper=3; middle=14; lower=15}]_{C1,C3,C4,C6,C7}
-RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9-6.5*q>,<9-6.5*q>,)]_{E}[&PETAL{K=7; J=3; kept=1-0.97*clamp((wilt-0.4-1.1*q-math.random(0,0.2))/0.28,0,1); len=size*(25+19*open*(1-0.25*q))*(1-0.15*q)*math.random(0.95,1.04); wide=size*(22+22*open)*(1-0.62*q)*math.random(0.94,1.05); thick=0.5; start=-78+(62-66*q)*max(0,open*1.2-0.2*q)+math.random(-5,5)+(26-20*q)*wilt; low=-40*(1-0.6*q)*open; mid=-8-4*q; high=-30+(72*(1-q)^1.4)*open-6*q+math.random(-8,8)+20*wilt; cup=12+22*q+8*(1-open)-3*wilt; edge=-46*(1-q)^2*open; wave=4+10*wilt; waves=2; peak=1.4; foot=0.9; tip=0.55; claw=0.3; spread=4; upper=4; middle=10; lower=5}]_{C(1+(3*step)%8)}
+RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9-6.5*q>,<9-6.5*q>,)]_{E}[&PETAL{rib=0; K=9; J=3; kept=1-0.97*clamp((wilt-0.4-1.1*q-math.random(0,0.2))/0.28,0,1); len=size*(25+19*open*(1-0.25*q))*(1-0.15*q)*math.random(0.95,1.04); wide=size*(22+28*open)*(1-0.62*q)*math.random(0.94,1.05); thick=0.5; start=-78+(62-66*q)*max(0,open*1.2-0.2*q)+math.random(-5,5)+(26-20*q)*wilt; low=-40*(1-0.6*q)*open; mid=-8-4*q; high=-30+(72*(1-q)^1.4)*open-6*q+math.random(-8,8)+20*wilt; cup=12+22*q+8*(1-open)-3*wilt; edge=-24*(1-q)^2*open; wave=5+10*wilt; waves=2; peak=1.4; foot=0.9; tip=0.55; claw=0.3; spread=4; upper=4; middle=10; lower=5}]_{C(1+(3*step)%8)}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 3 */
 #define len=40     /* mm */
@@ -4256,12 +4356,15 @@ RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -4281,21 +4384,24 @@ RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9
 #define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
 #define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
-RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
-RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
-RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
-LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
-LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
-LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -4354,8 +4460,8 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=12
 #axiom: RACHIS(,<-46+math.random(-8,8)>,<math.random(-8,8)>,,,,,)
 RACHIS{}{step<10}{} -> SPENT[RACHIS(,<7+math.random(-2,2)>,<math.random(-2,2)>,,,<1.4-0.06*step>,<1.4-0.06*step>,)]_{E}
-RACHIS{g=0.74+0.03*step}{step==4||step==8}{} -> RACHIS[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=-90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=9; J=1; len=len*g; wide=len*0.62*g; thick=0.6; start=-20; roll=90; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=12; lower=13}]_{C7}
-RACHIS{}{step==10}{} -> RACHIS[&PETAL{K=9; J=1; len=len*1.1; wide=len*0.7; thick=0.6; low=14; high=14; cup=4; edge=-6; peak=0.9; tip=1.25; claw=0.08; teeth=0.12; bites=5; upper=2; middle=12; lower=13}]_{E}
+RACHIS{g=0.74+0.03*step}{step==4||step==8}{} -> RACHIS[&PETAL{K=24; J=1; len=len*g; wide=len*0.66*g; thick=0.6; start=-20; roll=-90; low=14; high=14; cup=4; edge=-6; peak=0.74; foot=0.8; tip=2.3; claw=0.08; teeth=0.26; bites=6; barb=-24; upper=2; middle=12; lower=13}]_{C3}[&PETAL{K=24; J=1; len=len*g; wide=len*0.66*g; thick=0.6; start=-20; roll=90; low=14; high=14; cup=4; edge=-6; peak=0.74; foot=0.8; tip=2.3; claw=0.08; teeth=0.26; bites=6; barb=-24; upper=2; middle=12; lower=13}]_{C7}
+RACHIS{}{step==10}{} -> RACHIS[&PETAL{K=24; J=1; len=len*1.1; wide=len*0.74; thick=0.6; low=14; high=14; cup=4; edge=-6; peak=0.74; foot=0.8; tip=2.3; claw=0.08; teeth=0.26; bites=6; barb=-24; upper=2; middle=12; lower=13}]_{E}
 `,
 	spike: `/* Spike
    about: Flowers without stalks along an axis, the lowest first: gladiolus, all to one side, in bud above.
@@ -4383,8 +4489,8 @@ RACHIS{}{step==10}{} -> RACHIS[&PETAL{K=9; J=1; len=len*1.1; wide=len*0.7; thick
 #material 7 stamen "8a6aa8" "a283bf"
 #material 8 petal "f4d060" "f08a86"
 
-#axiom: STEM(,,,20,,,,)
-STEM{}{step<10}{} -> STEM[STEM(,<bend+math.random(-0.8,0.8)>,<math.random(-0.8,0.8)>,,<tall*0.05>,<8-0.2*step>,<8-0.2*step>,)]_{E}
+#axiom: STEM(,,,40,,,,)
+STEM{}{step<10}{} -> STEM[STEM(,<bend+math.random(-0.8,0.8)>,<math.random(-0.8,0.8)>,0,<tall*0.05>,<8-0.2*step>,<8-0.2*step>,)]_{E}
 STEM{}{step==0}{} -> STEM[&PETAL{K=13; J=1; len=math.random(300,360); wide=math.random(24,32); thick=1.6; start=-79+math.random(-3,3); low=4; mid=4; high=14; cup=20; peak=0.8; foot=0.5; tip=1.4; claw=0.8; upper=2; middle=2; lower=2}]_{C4,C10}
 STEM{}{step==1}{} -> STEM[&PETAL{K=13; J=1; len=math.random(250,300); wide=math.random(22,28); thick=1.6; start=-83+math.random(-3,3); low=3; mid=4; high=10; cup=20; peak=0.8; foot=0.5; tip=1.4; claw=0.8; upper=2; middle=2; lower=2}]_{C5,C11}
 STEM{}{step==10}{} -> STEM[NODE]_{E}
@@ -4411,7 +4517,8 @@ INNER -> INNER[&PETAL{K=7; J=1; len=size*(12+30*open); wide=size*(7+22*open); th
 TOP -> TOP[&STAMEN{long=size*(8+14*open); lean=-84; head=size*(5+3*open)}]_{C5,C7,C9}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 1 */
 #define len=40     /* mm */
@@ -4436,12 +4543,15 @@ TOP -> TOP[&STAMEN{long=size*(8+14*open); lean=-84; head=size*(5+3*open)}]_{C5,C
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
 #define RL1(4,0,0,0,1,0.3*thick,1,lower)
@@ -4449,9 +4559,12 @@ TOP -> TOP[&STAMEN{long=size*(8+14*open); lean=-84; head=size*(5+3*open)}]_{C5,C
 #define LM1(4,0,0,0,1,0.3*thick,1,middle)
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -4523,16 +4636,17 @@ STEM{}{step<10}{} -> OLD[STEM(,<bend+0.5*step+math.random(-0.6,0.6)+2*wilt>,<mat
 STEM{}{step>1&&step<8}{} -> STEM[&LEAF{len=(240-18*(step-2))*math.random(0.9,1.08)}]_{C(1+(5*step)%13)}
 STEM{}{step==10}{} -> STEM[CUP(,<46-10*(1-open)+26*wilt>,,,,,,)]_{E}
 CUP -> CUP[BRACTS]_{E}
-CUP -> CUP[&PETAL{K=7; J=1; len=size*46; wide=size*22; thick=1.2; start=-64+88*open+math.random(-6,6); low=-12; high=-30+50*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=12; lower=13}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+CUP -> CUP[&PETAL{K=7; J=1; len=size*46; wide=size*22; thick=1.2; start=-64+112*open+math.random(-6,6); low=-12; high=-30+50*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=12; lower=13}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 BRACTS -> BRACTS[RIM]_{E}
-BRACTS -> BRACTS[&PETAL{K=7; J=1; len=size*40; wide=size*20; thick=1.2; start=-84+94*open+math.random(-8,8); low=-16; high=-40+64*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=12; lower=13}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
+BRACTS -> BRACTS[&PETAL{K=7; J=1; len=size*40; wide=size*20; thick=1.2; start=-84+116*open+math.random(-8,8); low=-16; high=-40+64*open; cup=8; peak=0.75; tip=1.5; claw=0.7; upper=2; middle=12; lower=13}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 RIM{k=step-13; q=k/rays}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{K=8; J=1; len=size*(46+32*open)*math.random(0.92,1.06); wide=size*(14+7*open)*math.random(0.9,1.1); thick=0.7; start=-112+(106-16*q)*open+math.random(-8,8)-60*wilt*math.random(0.6,1.2); sway=math.random(-6,6); low=-20+24*open; high=-26+26*open+math.random(-14,14); cup=12; peak=0.95; tip=1.25; claw=0.3; upper=4; middle=10; lower=5}]_{C(1+(5*step)%13)}
 RIM{k=step-13}{k==rays}{} -> FULL[DISC]_{E}
 /* Outer florets are open, those within a ring in bud, the middle green. */
-DISC{k=step-14-rays; q=k/discs; r=sqrt(max(0.004,1-q))}{step<finalStep-1}{} -> BARE[DISC(,,,,<(0.02+0.05*q)*size>,<2*radius*r>,<2*radius*r>,)]_{E}[&BLADE{S=2; len=broad*(7+4*(q<0.4)*open); wide=broad*3.4; thick=broad*3; start=-62-26*q; claw=0.8; blunt=0.5; paint=7+(q>0.4)*2-(q>0.72)}]_{C(1+(5*step)%13)}
+DISC{k=step-14-rays; q=k/discs; r=sqrt(max(0.004,1-q))}{step<finalStep-1}{} -> BARE[DISC(,,,,<(0.01+0.03*q)*size>,<2*radius*r>,<2*radius*r>,)]_{E}[&BLADE{S=2; len=broad*(7+4*(q<0.4)*open); wide=broad*5; thick=broad*4.4; start=-62-26*q; claw=0.8; blunt=0.8; paint=7+(q>0.4)*2-(q>0.72)}]_{C(1+(5*step)%13)}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 3 */
 #define len=40     /* mm */
@@ -4557,12 +4671,15 @@ DISC{k=step-14-rays; q=k/discs; r=sqrt(max(0.004,1-q))}{step<finalStep-1}{} -> B
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*thick,1,upper)
@@ -4582,21 +4699,24 @@ DISC{k=step-14-rays; q=k/discs; r=sqrt(max(0.004,1-q))}{step<finalStep-1}{} -> B
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #define LL3(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
-RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
-RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
-RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
-LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
-LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
-LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -4653,7 +4773,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define finalStep=6
 #axiom: PETIOLE(,<-48+math.random(-8,8)>,<math.random(-8,8)>,,,,,)
 PETIOLE{}{step<4}{} -> PETIOLE[PETIOLE(,9,,,,,,)]_{E}
-PETIOLE{}{step==4}{} -> PETIOLE[&PETAL{K=12; J=3; len=len; wide=len*0.78; thick=1.4; start=20; low=14; mid=14; high=math.random(0,40); cup=3; wave=5; peak=0.8; foot=0.62; tip=1.45; claw=0.2; fan=20; teeth=0.07; bites=6; upper=3; middle=14; lower=15}]_{E}
+PETIOLE{}{step==4}{} -> PETIOLE[&PETAL{K=12; J=3; len=len; wide=len*0.78; thick=1.4; start=20; low=14; mid=14; high=math.random(0,40); cup=3; wave=5; peak=0.62; foot=0.5; tip=2.1; claw=0.3; fan=24; teeth=0.07; bites=6; upper=3; middle=14; lower=15}]_{E}
 `,
 	"table-3": `/* Table 3
    about: The thesis's example of a grammar: a stem, a receptacle and four petals, each a module.
@@ -4728,19 +4848,20 @@ STEM{}{step<16}{} -> STEM[STEM(,<bend+math.random(-0.8,0.8)+1.5*wilt>,<math.rand
 STEM{}{step==1}{} -> STEM[LOWER]_{E}
 STEM{}{step==3}{} -> STEM[UPPER]_{E}
 LOWER -> LOWER[STEM]_{E}
-LOWER -> LOWER[&PETAL{K=14; J=3; len=math.random(200,250); wide=math.random(44,60); thick=1.6; start=-70+math.random(-5,5)-8*(1-open); low=10; mid=10; high=25+math.random(0,30)+40*wilt; cup=16-4*open; wave=5; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=12; lower=13}]_{C1}
+LOWER -> LOWER[&PETAL{K=14; J=3; len=math.random(200,250); wide=math.random(44,60); thick=1.6; start=-70+math.random(-5,5)-8*(1-open); low=10; mid=10; high=25+math.random(0,30)+40*wilt; cup=16-4*open; wave=5; peak=0.8; foot=0.5; tip=2.1; claw=0.3; upper=2; middle=12; lower=13}]_{C1}
 UPPER -> UPPER[STEM]_{E}
-UPPER -> UPPER[&PETAL{K=14; J=3; len=math.random(150,190); wide=math.random(26,36); thick=1.4; start=-72+math.random(-5,5)-8*(1-open); low=6; mid=8; high=14+math.random(0,20)+30*wilt; cup=17-4*open; wave=4; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=12; lower=13}]_{C7}
+UPPER -> UPPER[&PETAL{K=14; J=3; len=math.random(150,190); wide=math.random(26,36); thick=1.4; start=-72+math.random(-5,5)-8*(1-open); low=6; mid=8; high=14+math.random(0,20)+30*wilt; cup=17-4*open; wave=4; peak=0.8; foot=0.5; tip=2.1; claw=0.3; upper=2; middle=12; lower=13}]_{C7}
 STEM{}{step==16}{} -> STEM[RECEPTACLE(,<6*open>,,,,,,)]_{E}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
-RECEPTACLE -> RECEPTACLE[&PETAL{kept=1-0.985*clamp((wilt-math.random(0.45,0.68))/0.28,0,1); len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C1,C5,C9}
+RECEPTACLE -> RECEPTACLE[&PETAL{kept=1-0.985*clamp((wilt-math.random(0.45,0.68))/0.28,0,1); len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.9; foot=0.85; tip=1.6; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C1,C5,C9}
 BASE -> BASE[TOP]_{E}
-BASE -> BASE[&PETAL{kept=1-0.985*clamp((wilt-math.random(0.5,0.72))/0.28,0,1); len=size*(36+25*open); wide=size*(22+13*open); thick=1; start=-38+22*open+math.random(-2,2)+22*wilt; low=-64-open*10; mid=-2+wilt*12; high=-32+36*open+math.random(-4,4)+30*wilt; cup=21-7*open-5*wilt; peak=0.95; foot=0.9; tip=1; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C3,C7,C11}
+BASE -> BASE[&PETAL{kept=1-0.985*clamp((wilt-math.random(0.5,0.72))/0.28,0,1); len=size*(36+25*open); wide=size*(22+13*open); thick=1; start=-38+22*open+math.random(-2,2)+22*wilt; low=-64-open*10; mid=-2+wilt*12; high=-32+36*open+math.random(-4,4)+30*wilt; cup=21-7*open-5*wilt; peak=0.92; foot=0.9; tip=1.45; claw=0.22; wave=10*wilt; upper=5; middle=11}]_{C3,C7,C11}
 TOP -> TOP[&STAMEN]_{C1,C3,C5,C7,C9,C11}
 TOP -> TOP[&PISTIL]_{E}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 3 */
 #define len=40     /* mm */
@@ -4766,12 +4887,15 @@ TOP -> TOP[&PISTIL]_{E}
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -4791,21 +4915,24 @@ TOP -> TOP[&PISTIL]_{E}
 #define LL2(4,0,0,0,1,0.3*kept*thick,1,lower)
 #define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
-RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
-RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
-RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
-LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
-LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
-LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -4912,7 +5039,8 @@ CUP -> CUP[&BLADE{S=4; len=(3.4+4*open)*(1-0.3*wilt); wide=1.2+0.9*open; thick=0
 OVARY -> OVARY[&BLADE{S=2; len=1.4+3.2*open; wide=0.3; thick=0.3; start=-56; claw=1; blunt=0.6; paint=6}]_{C1,C3,C5}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 1 */
 #define len=40     /* mm */
@@ -4937,12 +5065,15 @@ OVARY -> OVARY[&BLADE{S=2; len=1.4+3.2*open; wide=0.3; thick=0.3; start=-56; cla
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
 #define RL1(4,0,0,0,1,0.3*thick,1,lower)
@@ -4950,9 +5081,12 @@ OVARY -> OVARY[&BLADE{S=2; len=1.4+3.2*open; wide=0.3; thick=0.3; start=-56; cla
 #define LM1(4,0,0,0,1,0.3*thick,1,middle)
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -5021,14 +5155,15 @@ PAD -> PAD[CUP]_{E}
 PAD -> PAD[&PETAL{K=14; J=5; len=pad; wide=pad*0.95; thick=1.6; start=1; low=0.5; cup=0; wave=2; waves=5; foot=0.4; tip=0.95; claw=0.62; fan=80; upper=9; middle=12; lower=10}]_{C7}
 CUP -> CUP[RING]_{E}
 CUP -> CUP[&PETAL{K=8; J=2; len=size*(57+5*open); wide=size*24; thick=1.4; start=-46+42*open-34*wilt; low=-44+22*open-16*wilt; mid=-2; high=-40+30*open-22*wilt; cup=18-6*open; peak=0.95; tip=1.1; claw=0.4; upper=3; middle=7; lower=2}]_{C1,C3,C5,C7}
-RING{q=(step-2)/petals}{step<petals+2}{} -> SET[RING(,,,,<0.34*size>,<17-7*q>,<17-7*q>,)]_{E}[&PETAL{K=8; J=2; len=size*(40+22*open)*(1-0.3*q)*math.random(0.97,1.03); wide=size*(22-8*q)*(0.8+0.2*open); thick=1; start=-56+(54-30*q)*open-6*q+math.random(-4,4)-(48-26*q)*wilt; low=-34+(10-12*q)*open-10*wilt; mid=-4; high=-34+30*open-22*wilt; cup=19-6*open; peak=0.97; tip=1.2; claw=0.4; upper=4; middle=11; lower=5}]_{C(1+(3*step)%8)}
+RING{q=(step-2)/petals}{step<petals+2}{} -> SET[RING(,,,,<0.34*size>,<17-7*q>,<17-7*q>,)]_{E}[&PETAL{rib=0; K=8; J=2; len=size*(40+22*open)*(1-0.3*q)*math.random(0.97,1.03); wide=size*(25-8*q)*(0.8+0.2*open); thick=0.7; start=-56+(54-30*q)*open-6*q+math.random(-4,4)-(48-26*q)*wilt; low=-34+(10-12*q)*open-10*wilt; mid=-4; high=-34+30*open-22*wilt; cup=19-6*open; peak=0.9; tip=1.5; claw=0.4; upper=4; middle=11; lower=5}]_{C(1+(3*step)%8)}
 RING{}{step==petals+2}{} -> RING[HEART]_{E}
 HEART{}{step<petals+7}{} -> HEART[HEART]_{E}
 HEART{}{step==petals+7}{} -> HEART[TOP]_{E}
 HEART{}{step<petals+8}{} -> HEART[&BLADE{S=5; len=size*(12+4*open)*math.random(0.88,1.08)*(1-0.05*(step-petals-3)); wide=1.9-0.15*(step-petals-3); thick=0.6; start=-78+26*open-3*(step-petals-3)+math.random(-7,7); bend=-30; peak=0.7; round=0.4; claw=0.9; blunt=0.5; paint=6}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
 
 #module PETAL
-/* A vein of K segments; on its right and left J lobes in three layers, glued (section 2.2.3). A call says which. */
+/* A vein of K segments that thins towards its tip; on its right and left J lobes in three layers, glued (section 2.2.3),
+   thinner from one to the next. A call says which. */
 #define K=12       /* segments */
 #define J=3        /* lobes to a side, at most 5 */
 #define len=40     /* mm */
@@ -5053,12 +5188,15 @@ HEART{}{step<petals+8}{} -> HEART[&BLADE{S=5; len=size*(12+4*open)*math.random(0
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
+#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
+#define VU(4,0,0,0,1,1,1,upper)
+#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*thick,1,upper)
@@ -5090,33 +5228,36 @@ HEART{}{step<petals+8}{} -> HEART[&BLADE{S=5; len=size*(12+4*open)*math.random(0
 #define LL4(4,0,0,0,1,0.3*thick,1,lower)
 #define LL5(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
-VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
-VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,,H,)]_{C6}[LM1(,f,<-cup/2>,,w,,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,,H,)]_{C8}
-RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,,W,)]_{E}
-RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,,W,)]_{E}
-RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,,W,)]_{E}
-LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,,W,)]_{E}
-LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,,W,)]_{E}
-LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,,W,)]_{E}
-RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,,W,)]_{E}
-RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,,W,)]_{E}
-RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,,W,)]_{E}
-LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,,W,)]_{E}
-LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,,W,)]_{E}
-LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,,W,)]_{E}
-RU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RU3[RU4(,,<cup+r>,,H,,W,)]_{E}
-RM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RM3[RM4(,,<cup+r>,,H,,W,)]_{E}
-RL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RL3[RL4(,,<cup+r>,,H,,W,)]_{E}
-LU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LU3[LU4(,,<-cup-r>,,H,,W,)]_{E}
-LM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LM3[LM4(,,<-cup-r>,,H,,W,)]_{E}
-LL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LL3[LL4(,,<-cup-r>,,H,,W,)]_{E}
-RU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RU4[RU5(,,<cup+r>,,H,,W,)]_{E}
-RM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RM4[RM5(,,<cup+r>,,H,,W,)]_{E}
-RL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RL4[RL5(,,<cup+r>,,H,,W,)]_{E}
-LU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LU4[LU5(,,<-cup-r>,,H,,W,)]_{E}
-LM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LM4[LM5(,,<-cup-r>,,H,,W,)]_{E}
-LL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LL4[LL5(,,<-cup-r>,,H,,W,)]_{E}
+VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
+VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
+VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
+RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RM1[RM2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RU2[RU3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RM2[RM3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RU3[RU4(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RM3[RM4(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RL3[RL4(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LU3[LU4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LM3[LM4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LL3[LL4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+RU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RU4[RU5(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RM4[RM5(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+RL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RL4[RL5(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
+LU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LU4[LU5(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LM4[LM5(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+LL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LL4[LL5(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
+VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
+VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
