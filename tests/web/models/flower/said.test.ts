@@ -50,6 +50,24 @@ describe("what a text says of a volume", () => {
 		});
 	});
 
+	it("is nothing of a definition that every growth gives otherwise", () => {
+		const text = (more: string) => `#define STEM(4,0,0,0,9,3,3,1)
+#define LOBE(4,0,0,0,1,2,3,4)
+#axiom: STEM
+STEM -> STEM[LOBE(,5,,,7,,W,)]_{C1}
+STEM{}{step<2}{} -> STEM[STEM]_{E}
+LOBE -> LOBE[LOBE(,,,,,8,,)]_{E}
+${more}`;
+		const lobe = (more = "") => linesOf(text(more), { label: "LOBE", module: 0, line: 4, call: 0 })[0];
+		// On its like an empty place is that one's: it is never the definition's.
+		expect(lobe()).toBe("Every LOBE: N 4, aty 0, atz 0, L 2, m 4");
+		expect(lobe("STEM -> STEM[LOBE(,,,,,,W,)]_{C2}\n")).toBe("Every LOBE: N 4, atx 0, aty 0, atz 0, H 1, L 2, m 4");
+		const all = "Every LOBE: N 4, atx 0, aty 0, atz 0, H 1, L 2, W 3, m 4";
+		expect(lobe("STEM -> STEM[LOBE]_{C2}\n")).toBe(all);
+		expect(lobe("STEM -> LOBE\n")).toBe(all);
+		expect(lobe("STEM -E-> STEM LOBE\n")).toBe(all);
+	});
+
 	it("is no variable that every call of a module sets, and those of the text that its call is worked out from", () => {
 		const text = `#define size=2
 #define other=3

@@ -2,6 +2,7 @@
 import { outlineOf, type Range } from "../../../controls/grammar/outline";
 import type { Piece } from "../../../controls/grammar/scan";
 import { scan } from "./language";
+import { overridden } from "./overridden";
 import { bare, type Entry, entriesOf, formsOf, inFields, statementsOf } from "./statements";
 
 /** A figure of the text. */
@@ -38,7 +39,8 @@ type Pieces = readonly Piece[];
 
 /**
  * The figures of a volume's definition, of where it is grown, of its module's call, of its module's variables and of those of the text that
- * the call is worked out from; no empty lists. Variables that every call sets are left out: what the module itself says of them holds nowhere.
+ * the call is worked out from; no empty lists. Variables that every call sets are left out, and of a definition what every growth gives
+ * otherwise: what is said of them there holds nowhere.
  * Which of several of one name on one line it comes from is not known, so there they are all, each by its place.
  */
 export function saidOf(text: string, { label, module, line, call }: Asked): Said[] {
@@ -54,6 +56,7 @@ export function saidOf(text: string, { label, module, line, call }: Asked): Said
 	const form = forms.get(`${own.name}:${label}`);
 	const listed = (list: List, translated: boolean | undefined) =>
 		figuresBetween(pieces, inFields(list.entries, translated), FIELDS);
+	const idle = overridden(statementsOf(pieces.slice(own.at, end)), label, form);
 	const grown = listsAt(pieces, line, "[", label);
 	const called = listsAt(pieces, call, "&", own.name);
 	const set = module === 0 ? new Set<string>() : setByEveryCall(pieces, own.name);
@@ -61,7 +64,9 @@ export function saidOf(text: string, { label, module, line, call }: Asked): Said
 	return [
 		{
 			title: `Every ${label}`,
-			figures: definitionsOf(pieces, own.at, end, label).flatMap((each) => listed(each, form)),
+			figures: definitionsOf(pieces, own.at, end, label)
+				.flatMap((each) => listed(each, form))
+				.filter(({ name }) => !idle.has(FIELDS.indexOf(name))),
 		},
 		...grown.map((each, i) => ({
 			title: `Where it grows, line ${line}${nth(i, grown)}`,
