@@ -53,6 +53,12 @@ export default [
 				breaks: "a chosen volume has sliders of variables that every call sets, which move nothing",
 			},
 			{
+				id: "flower-dead-figures-of-definitions",
+				find: ".filter(({ name }) => !idle.has(FIELDS.indexOf(name))),",
+				replace: ",",
+				breaks: "a chosen volume has sliders of a definition's figures that every growth gives otherwise",
+			},
+			{
 				id: "flower-figures-of-another-module",
 				find: "const end = modules[module + 1]?.at ?? pieces.length;",
 				replace: "const end = pieces.length;",
@@ -66,8 +72,8 @@ export default [
 		faults: [
 			{
 				id: "flower-figures-of-the-first-call",
-				find: 'const called = listsAt(pieces, call, "&", own.name);',
-				replace: 'const called = listsAt(pieces, call, "&", own.name).slice(0, 1);',
+				find: "return found.length > 0 ? found : lists;",
+				replace: "return found.slice(0, 1);",
 				breaks: "of two calls of a module on one line the second's volumes show the first's figures",
 			},
 		],
