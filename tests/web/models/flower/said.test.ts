@@ -112,6 +112,26 @@ A -> A[&A(,7)]_{C3}
 		expect(linesOf(text, { label: "A", module: 0, line: 5, call: 0 })).toHaveLength(1);
 	});
 
+	it("is what may have grown on its face where one line grows or calls one thing twice", () => {
+		const text = `#define A(8,1,0,0,0,1,1,1,1)
+#axiom: A
+A -> A[A(,,5)]_{E}[A(,,7)]C1,C2
+A -> A[&M(,,3){n=4}]_{C1, C4}[&M{n=5}]_{C2,C(3)}[&M{n=6}]_{O}
+#module M
+#define n=1
+#define B(4)
+#axiom: B
+`;
+		const grown = (face: number) => linesOf(text, { label: "A", module: 0, line: 3, call: 0, face }).slice(1);
+		expect(grown(1)).toEqual(["Where it grows, line 3: atx 5"]);
+		expect(grown(3)).toEqual(["Where it grows, line 3: atx 7"]);
+		expect(grown(9)).toHaveLength(2);
+		const called = (foot: number) => linesOf(text, { label: "B", module: 1, line: 0, call: 4, foot }).slice(1);
+		expect(called(0)).toEqual(["M as it is called, line 4, 1 of 2: n 5", "M as it is called, line 4, 2 of 2: n 6"]);
+		expect(called(2)[0]).toBe("M as it is called, line 4, 1 of 2: aty 3, n 4");
+		expect(called(4)).toEqual(["M as it is called, line 4: n 5"]);
+	});
+
 	it("passes over the number that is too many of ten, as the core does", () => {
 		const text = `#define A(4,1,0,0,0,0,5,0.5,1,4)
 #axiom: A

@@ -44,7 +44,7 @@ describe("values of a flower's text", () => {
 	it("change the flower as the text would, on the command line too", async () => {
 		const printed = fromPreset(model, "table-3");
 		const text = fetchedText(printed)?.replace("#define rd=7", "#define rd=9") ?? "";
-		const { json } = await grow(["flower/table-3", "--set", "rd=9", "--set", "rdd=9"]);
+		const { json } = await grow(["?v=2&model=flower&preset=table-3&define=rd:9,rdd:9"]);
 		const written = await grow(["--grammar", "t.gl3"], { "t.gl3": text });
 		expect(json.specimen.constants).toEqual({ rd: 9, rdd: 9 });
 		expect(json.fingerprint).toBe(written.json.fingerprint);

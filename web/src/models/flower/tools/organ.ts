@@ -9,11 +9,23 @@ export interface Organ {
 	readonly segment: number;
 }
 
+/** What an organ begins with, and how many volumes stand from there to the chosen one. */
+export function footOf(volumes: Volumes, chosen: number): { foot: number; segment: number } {
+	const { order, parent } = volumes;
+	let [foot, segment] = [chosen, 1];
+	for (; parent[foot] < order.length && areOfOne(volumes, parent[foot], chosen) && segment < order.length; segment++)
+		foot = parent[foot];
+	return { foot, segment };
+}
+
+const areOfOne = ({ label, module, call }: Volumes, one: number, other: number): boolean =>
+	module[label[one]] === module[label[other]] && call[one] === call[other];
+
 /** @param chosen a volume of those */
-export function organOf({ order, parent, label, module, call }: Volumes, chosen: number): Organ {
-	const isOf = (at: number) => module[label[at]] === module[label[chosen]] && call[at] === call[chosen];
-	let [root, segment] = [chosen, 1];
-	for (; parent[root] < order.length && isOf(parent[root]) && segment < order.length; segment++) root = parent[root];
+export function organOf(all: Volumes, chosen: number): Organ {
+	const { order, parent } = all;
+	const isOf = (at: number) => areOfOne(all, at, chosen);
+	const { foot: root, segment } = footOf(all, chosen);
 	const [UNKNOWN, WITHIN, OUT] = [0, 1, 2];
 	const known = new Uint8Array(order.length);
 	known[root] = WITHIN;

@@ -3,6 +3,7 @@ import { outlineOf, type Range } from "../../../controls/grammar/outline";
 import type { Piece } from "../../../controls/grammar/scan";
 import { scan } from "./language";
 import { overridden } from "./overridden";
+import { mayStandOn } from "./stands";
 import { bare, type Entry, entriesOf, formsOf, inFields, statementsOf } from "./statements";
 
 /** A figure of the text. */
@@ -31,6 +32,9 @@ export interface Asked {
 	/** The lines where it is grown and where its module is called; 0 for none. */
 	readonly line: number;
 	readonly call: number;
+	/** The faces that it stands on, and that what its module's call has grown stands on: 0 O, 1 E, from 2 on C1 …; where they are known. */
+	readonly face?: number | undefined;
+	readonly foot?: number | undefined;
 }
 
 const FIELDS = ["N", "T", "atx", "aty", "atz", "H", "L", "W", "m"];
@@ -41,9 +45,9 @@ type Pieces = readonly Piece[];
  * The figures of a volume's definition, of where it is grown, of its module's call, of its module's variables and of those of the text that
  * the call is worked out from; no empty lists. Variables that every call sets are left out, and of a definition what every growth gives
  * otherwise: what is said of them there holds nowhere.
- * Which of several of one name on one line it comes from is not known, so there they are all, each by its place.
+ * Of several of one name on one line there are all that may have grown on its face, each by its place.
  */
-export function saidOf(text: string, { label, module, line, call }: Asked): Said[] {
+export function saidOf(text: string, { label, module, line, call, face, foot }: Asked): Said[] {
 	const scanned = scan(text);
 	const pieces = bare(scanned);
 	const ranges = new Map(outlineOf(text, scanned).constants.map(({ number, ...range }) => [number.from, range]));
@@ -57,8 +61,8 @@ export function saidOf(text: string, { label, module, line, call }: Asked): Said
 	const listed = (list: List, translated: boolean | undefined) =>
 		figuresBetween(pieces, inFields(list.entries, translated), FIELDS);
 	const idle = overridden(statementsOf(pieces.slice(own.at, end)), label, form);
-	const grown = listsAt(pieces, line, "[", label);
-	const called = listsAt(pieces, call, "&", own.name);
+	const grown = standing(pieces, listsAt(pieces, line, "[", label), face);
+	const called = standing(pieces, listsAt(pieces, call, "&", own.name), foot);
 	const set = module === 0 ? new Set<string>() : setByEveryCall(pieces, own.name);
 	const from = new Set(called.flatMap((each) => wordsFrom(pieces, each.from)));
 	return [
@@ -120,6 +124,12 @@ function listsAt(pieces: Pieces, line: number, sign: string, name: string): List
 	return pieces.flatMap((piece, i) =>
 		piece.line === line && piece.text === name && pieces[i - 1]?.text === sign ? [listBehind(pieces, i)] : [],
 	);
+}
+
+/** Those that may stand on a face; all where none may, for then the text has changed. */
+function standing(pieces: Pieces, lists: readonly List[], face: number | undefined): readonly List[] {
+	const found = lists.filter(({ end }) => mayStandOn(pieces, end, face));
+	return found.length > 0 ? found : lists;
 }
 
 /** Variables that are figures, of the statements between two places. */

@@ -12,7 +12,7 @@ import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
 import { type Range, rangeFor, rangeSaid, within } from "./figure_range";
 import { FIELDS, figureWords } from "./figure_words";
-import { organOf, placeOfVolume, titleOfVolume } from "./organ";
+import { footOf, organOf, placeOfVolume, titleOfVolume } from "./organ";
 import { type Figure, type Said, saidOf } from "./said";
 import { source } from "./text";
 
@@ -81,6 +81,8 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 			module: volumes.module[label],
 			line: volumes.line[chosen],
 			call: volumes.call[chosen],
+			face: volumes.face[chosen],
+			foot: volumes.face[footOf(volumes, chosen).foot],
 		});
 		const same = `${volumes.labels[label]} ${volumes.module[label]} ${volumes.line[chosen]}`;
 		return html`${repeat(
