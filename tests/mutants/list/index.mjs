@@ -20,6 +20,7 @@ import flower from "./flower.mjs";
 import flowerDesign from "./flower_design.mjs";
 import flowerLevels from "./flower_levels.mjs";
 import flowerPage from "./flower_page.mjs";
+import flowerText from "./flower_text.mjs";
 import generalizedMap from "./generalized_map.mjs";
 import gestures from "./gestures.mjs";
 import grammar from "./grammar.mjs";
@@ -93,6 +94,7 @@ export const groups = [
 	...flowerDesign,
 	...flowerLevels,
 	...flowerPage,
+	...flowerText,
 	...growth,
 	...stand,
 	...standBed,
