@@ -73,4 +73,34 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/files/aged.ts",
+		suites: ["tests/web/files/aged.test.ts"],
+		faults: [
+			{
+				id: "aged-always-itself",
+				find: "restore(model, { [AGE]: age }, specimen)",
+				replace: "restore(model, {}, specimen)",
+				breaks: "the growth is the same plant twenty-five times",
+			},
+			{
+				id: "aged-heeded-by-all",
+				find: "return table.heeds(specimen, entry) &&",
+				replace: "return",
+				breaks: "a growth is offered of the paper's bunches, which have no age",
+			},
+			{
+				id: "aged-of-any-text",
+				find: "(ages?.(specimen) ?? true)",
+				replace: "true",
+				breaks: "a growth is offered of flowers whose text says nothing of age: twenty-five times the same",
+			},
+			{
+				id: "aged-by-percent",
+				find: "const life = entry.default - entry.min;",
+				replace: "const life = 100;",
+				breaks: "the growth of a flower is a wilted one",
+			},
+		],
+	},
 ];

@@ -166,6 +166,11 @@ TEST_CASE("a glue waits until its faces are adjacent, and one that never was is 
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
   CHECK(flower.derived.notes.empty());
   CHECK(grown(lobes + "R : R_C2 < R_C4 -> R_C2 | R_C4", steps(6)).noted("never came to be adjacent"));
+  // Of what has not grown there is nothing to glue: whether it should have is another matter.
+  CHECK_FALSE(grown(lobes + "#define lobes=1\n#define W(4,0,0,0,1,1,1,1)\nV{}{lobes>1}{} -> V[W]_{C1}\n" +
+                        "W : W_C1 < W_C3 -> W_C1 | W_C3",
+                    steps(6))
+                  .noted("nothing was glued"));
   CHECK(grown(lobes + "R : R_C5 < R_C4 -> R_C5 | R_C4", steps(6))
             .noted("Line 6: R is a prism with 4 sides, which has no C5, and"));
   CHECK(grown(lobes + "R : R_C1 < V_C7 -> R_C1 | V_C7", steps(6))

@@ -35,6 +35,7 @@ class Deriver {
         attached_(program.growths, 0),
         glued_(program.productions.size(), 0),
         displaced_(program.productions.size(), 0),
+        stood_(program.labels.size(), 0),
         cut_short_(given.steps > 0),
         asked_(program.productions.size(), 0),
         refusals_(program.productions.size(), Refusal::nothing) {}
@@ -79,6 +80,7 @@ class Deriver {
     derived_.record_of[record.volume] = static_cast<std::uint32_t>(derived_.records.size());
     derived_.records.push_back(record);
     derived_.values.push_back(values);
+    stood_[record.label] = 1;
   }
 
   bool run(std::uint32_t instance) {
@@ -145,7 +147,10 @@ class Deriver {
       if (!grow(volume, record, each)) return false;
       if (stopped_) return true;
     }
-    if (becomes != nobody) derived_.map.relabel(volume, becomes);
+    if (becomes != nobody) {
+      derived_.map.relabel(volume, becomes);
+      stood_[becomes] = 1;
+    }
     if (split != nobody && !part(volume, record, program_.productions[split])) return false;
     if (may_act || becomes != nobody || split != nobody) still_.push_back(volume);
     return true;
@@ -388,7 +393,7 @@ class Deriver {
         if (lacks.empty()) lacks = without_face(production.other, production.other_face);
         if (!lacks.empty())
           note("Line %: %", lacks);
-        else
+        else if (stood_[production.predecessor] != 0 && stood_[production.other] != 0)
           note("Line %: these faces never came to be adjacent, and nothing was glued.");
       }
       // Where it is the text that says how many steps there are.
@@ -417,6 +422,7 @@ class Deriver {
   std::vector<Chosen> chosen_;
   std::vector<std::uint32_t> attached_, glued_;  // of growths and productions, how often
   std::vector<std::uint8_t> displaced_;          // of productions
+  std::vector<std::uint8_t> stood_;              // labels that some volume has had
   bool cut_short_;                               // whether it is not the text that says how many steps there are
   std::vector<std::uint8_t> asked_;              // productions whose condition was asked: 1 did not hold, 2 held once
   std::vector<Refusal> refusals_;                // of productions, the last

@@ -1,7 +1,7 @@
 /** What the JSON document and tables say of a stand: a plant each. */
 import { type Cell, writeCsv } from "../../export/csv";
 import { shortFloat } from "../../export/numbers";
-import type { Member } from "../member";
+import type { Member } from "../model";
 import { valuesOf } from "./members";
 import type { StandSpecimen } from "./specimen";
 import type { StandPlant } from "./stand_plant";
