@@ -81,15 +81,12 @@ INNER -> INNER[&STAMEN{long=size*(5+2*open); lean=-84; head=2.6*size}]_{C1,C5,C9
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
 #define RL1(4,0,0,0,1,0.3*thick,1,lower)
@@ -98,11 +95,8 @@ INNER -> INNER[&STAMEN{long=size*(5+2*open); lean=-84; head=2.6*size}]_{C1,C5,C9
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,,,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -226,15 +220,12 @@ HEART{}{step<12}{} -> HEART[&BLADE{S=2; len=0.9; wide=0.75; thick=0.5; start=-50
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -255,7 +246,6 @@ HEART{}{step<12}{} -> HEART[&BLADE{S=2; len=0.9; wide=0.75; thick=0.5; start=-50
 #define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -270,8 +260,6 @@ RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,
 LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -518,15 +506,12 @@ TOP -> TOP[&STYLE{long=size*(15+5*open)}]_{E}
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -547,7 +532,6 @@ TOP -> TOP[&STYLE{long=size*(15+5*open)}]_{E}
 #define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -562,8 +546,6 @@ RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,
 LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -713,15 +695,12 @@ THROAT -> THROAT[&BLADE{S=2; len=2.2*open+0.2; wide=0.9; thick=0.5; start=-70; c
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
@@ -736,7 +715,6 @@ THROAT -> THROAT[&BLADE{S=2; len=2.2*open+0.2; wide=0.9; thick=0.5; start=-70; c
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -745,8 +723,6 @@ RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,
 LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -998,7 +974,7 @@ NUT{}{step==1}{} -> NUT[BEAK(,,,,<(5*far)*(1-gone)+0.02>,<0.16*(1-gone)+0.01>,<0
 BEAK{}{step==2}{} -> BEAK[BEAK(,<math.random(-8,8)>,,,H,L,W,)]_{E}
 BEAK{}{step==3}{} -> BEAK[HUB(,,,,<0.14*(1-gone)+0.01>,<0.3*(1-gone)+0.01>,<0.3*(1-gone)+0.01>,)]_{E}
 /* Each hair has a thin short root, so that rounding does not make it a ray of a star. */
-ROOT -> ROOT[HAIR(,,,,<(3.6+1.6*open)*(1-gone)+0.02>,<0.12*(1-gone)+0.004>,<0.12*(1-gone)+0.004>,)]_{E}
+ROOT -> ROOT[HAIR(,,,,<(3.6+1.6*open)*(1-gone)+0.02>,<0.06*(1-gone)+0.004>,<0.06*(1-gone)+0.004>,)]_{E}
 HUB -> HUB[ROOT(,<-22-60*(1-open)+math.random(-12,12)>,,,<0.12*(1-gone)+0.01>,<0.05*(1-gone)+0.004>,<0.05*(1-gone)+0.004>,)]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13,C14}
 
 #module BLADE
@@ -1047,15 +1023,12 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
@@ -1070,7 +1043,6 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -1079,8 +1051,6 @@ RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,
 LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -1194,15 +1164,12 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
@@ -1217,7 +1184,6 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -1226,8 +1192,6 @@ RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,
 LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -2782,15 +2746,12 @@ HEART -> HEART[&BLADE{S=2; len=2; wide=0.9; thick=0.6; start=-70; claw=0.8; blun
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -2811,7 +2772,6 @@ HEART -> HEART[&BLADE{S=2; len=2; wide=0.9; thick=0.6; start=-70; claw=0.8; blun
 #define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -2826,8 +2786,6 @@ RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,
 LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -3029,15 +2987,12 @@ TOP -> TOP[&PISTIL{long=size*(28+36.3*open)}]_{E}
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
@@ -3052,7 +3007,6 @@ TOP -> TOP[&PISTIL{long=size*(28+36.3*open)}]_{E}
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -3061,8 +3015,6 @@ RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,
 LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -3511,15 +3463,12 @@ PETIOLE{}{step==2}{} -> PETIOLE[&PETAL{K=11; J=2; len=len; wide=len*0.72; thick=
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
@@ -3534,7 +3483,6 @@ PETIOLE{}{step==2}{} -> PETIOLE[&PETAL{K=11; J=2; len=len; wide=len*0.72; thick=
 #define LL2(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -3543,8 +3491,6 @@ RL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RL1[RL2(,,
 LU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LU1[LU2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LM1[LM2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> LL1[LL2(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -3697,15 +3643,12 @@ PETIOLE{}{step==3}{} -> PETIOLE[&PETAL{K=16; J=2; len=len; wide=len*0.5; thick=0
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -3732,7 +3675,6 @@ PETIOLE{}{step==3}{} -> PETIOLE[&PETAL{K=16; J=2; len=len; wide=len*0.5; thick=0
 #define LL4(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -3753,8 +3695,6 @@ RL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> RL3[RL4(,,
 LU3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LU3[LU4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LM3[LM4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL3{r=wave*3/J*sin(360*waves*(step-3)/K+phase)+(J==4)*edge}{J>3}{} -> LL3[LL4(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -3965,15 +3905,12 @@ RING -> RING[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -4006,7 +3943,6 @@ RING -> RING[&STAMEN]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12}
 #define LL5(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -4033,8 +3969,6 @@ RL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> RL4[RL5(,,
 LU4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LU4[LU5(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LM4[LM5(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL4{r=wave*4/J*sin(360*waves*(step-4)/K+phase)+(J==5)*edge}{J>4}{} -> LL4[LL5(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -4188,15 +4122,12 @@ LIP -> LIP[&BLADE{S=3; len=2.4*g; wide=3.2*g; thick=0.4; start=-80+76*open; bend
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*thick,1,upper)
@@ -4217,7 +4148,6 @@ LIP -> LIP[&BLADE{S=3; len=2.4*g; wide=3.2*g; thick=0.4; start=-80+76*open; bend
 #define LL3(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -4232,8 +4162,6 @@ RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,
 LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -4489,7 +4417,7 @@ RACHIS{}{step==10}{} -> RACHIS[&PETAL{K=24; J=1; len=len*1.1; wide=len*0.74; thi
 #material 7 stamen "8a6aa8" "a283bf"
 #material 8 petal "f4d060" "f08a86"
 
-#axiom: STEM(,,,40,,,,)
+#axiom: STEM(,,,50,,,,)
 STEM{}{step<10}{} -> STEM[STEM(,<bend+math.random(-0.8,0.8)>,<math.random(-0.8,0.8)>,0,<tall*0.05>,<8-0.2*step>,<8-0.2*step>,)]_{E}
 STEM{}{step==0}{} -> STEM[&PETAL{K=13; J=1; len=math.random(300,360); wide=math.random(24,32); thick=1.6; start=-79+math.random(-3,3); low=4; mid=4; high=14; cup=20; peak=0.8; foot=0.5; tip=1.4; claw=0.8; upper=2; middle=2; lower=2}]_{C4,C10}
 STEM{}{step==1}{} -> STEM[&PETAL{K=13; J=1; len=math.random(250,300); wide=math.random(22,28); thick=1.6; start=-83+math.random(-3,3); low=3; mid=4; high=10; cup=20; peak=0.8; foot=0.5; tip=1.4; claw=0.8; upper=2; middle=2; lower=2}]_{C5,C11}
@@ -4543,15 +4471,12 @@ TOP -> TOP[&STAMEN{long=size*(8+14*open); lean=-84; head=size*(5+3*open)}]_{C5,C
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
 #define RL1(4,0,0,0,1,0.3*thick,1,lower)
@@ -4560,11 +4485,8 @@ TOP -> TOP[&STAMEN{long=size*(8+14*open); lean=-84; head=size*(5+3*open)}]_{C5,C
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -4671,15 +4593,12 @@ DISC{k=step-14-rays; q=k/discs; r=sqrt(max(0.004,1-q))}{step<finalStep-1}{} -> B
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*thick,1,upper)
@@ -4700,7 +4619,6 @@ DISC{k=step-14-rays; q=k/discs; r=sqrt(max(0.004,1-q))}{step<finalStep-1}{} -> B
 #define LL3(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -4715,8 +4633,6 @@ RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,
 LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -4887,15 +4803,12 @@ TOP -> TOP[&PISTIL]_{E}
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,kept*len*sin(90/K)^2,kept*thick,kept*thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU2(4,0,0,0,1,0.3*kept*thick,1,upper)
 #define RU3(4,0,0,0,1,0.3*kept*thick,1,upper)
@@ -4916,7 +4829,6 @@ TOP -> TOP[&PISTIL]_{E}
 #define LL3(4,0,0,0,1,0.3*kept*thick,1,lower)
 #axiom: VEIN(,start+50*(1-kept),sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<kept*len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<kept*thick*max(0.25,1-u^3)>,<kept*thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=kept*wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
 RU1{r=wave*1/J*sin(360*waves*(step-1)/K+phase)+(J==2)*edge}{J>1}{} -> RU1[RU2(,,<cup+r>,,H,<0.8*L>,W,)]_{E}
@@ -4931,8 +4843,6 @@ RL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> RL2[RL3(,,
 LU2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LU2[LU3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LM2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LM2[LM3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
 LL2{r=wave*2/J*sin(360*waves*(step-2)/K+phase)+(J==3)*edge}{J>2}{} -> LL2[LL3(,,<-cup-r>,,H,<0.8*L>,W,)]_{E}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
@@ -5065,15 +4975,12 @@ OVARY -> OVARY[&BLADE{S=2; len=1.4+3.2*open; wide=0.3; thick=0.3; start=-56; cla
 #define teeth=0    /* how deep, a share, and how many; how far they point back */
 #define bites=6
 #define barb=0
-#define rib=1      /* its middle layer shows along the vein; 0: its epidermises meet over it */
 #define upper=4
 #define middle=4
 #define lower=4
 #define phase=math.random(0,360)
 #define finalStep=30
 #define VEIN(8,0,0,0,len*sin(90/K)^2,thick,thick,middle)
-#define VU(4,0,0,0,1,1,1,upper)
-#define VD(4,0,0,0,1,1,1,lower)
 #define RU1(4,0,0,0,1,0.3*thick,1,upper)
 #define RM1(4,0,0,0,1,0.3*thick,1,middle)
 #define RL1(4,0,0,0,1,0.3*thick,1,lower)
@@ -5082,11 +4989,8 @@ OVARY -> OVARY[&BLADE{S=2; len=1.4+3.2*open; wide=0.3; thick=0.3; start=-56; cla
 #define LL1(4,0,0,0,1,0.3*thick,1,lower)
 #axiom: VEIN(,start,sway,roll,,,,)
 VEIN{u=(1-cos(180*(step+1)/K))/2}{step<K}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*max(0.04,sin(180*(step+1.5)/K))>,<thick*max(0.25,1-u^3)>,<thick*max(0.25,1-u^3)>,)]_{E}
-VEIN{}{step<=K&&rib<1}{} -> VEIN[VU(,,,,<0.05*W>,<0.42*W>,H,)]_{C5}[VD(,,,,<0.05*W>,<0.42*W>,H,)]_{C1}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,<0.3*W>,H,)]_{C4}[RM1(,f,<cup/2>,,w,<0.3*W>,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,<0.3*W>,H,)]_{C2}
 VEIN{s=step/K; w=wide/2/J*max(0.004,max(claw*max(0,1-1.6*s),sin(180*s^peak)^(foot+(tip-foot)*s)))*(1-teeth*(0.5+0.5*cos(360*bites*s))); f=barb+fan*max(0,1-4*s)-spread*max(0,4*s-3)}{step<=K}{} -> VEIN[LU1(,f,<45-cup/2>,,w,<0.3*W>,H,)]_{C6}[LM1(,f,<-cup/2>,,w,<0.3*W>,H,)]_{C7}[LL1(,f,<-45-cup/2>,,w,<0.3*W>,H,)]_{C8}
-VU : VU_C1 < VU_C3 -> VU_C1 | VU_C3
-VD : VD_C1 < VD_C3 -> VD_C1 | VD_C3
 RU1 : RU1_C1 < RU1_C3 -> RU1_C1 | RU1_C3
 LU1 : LU1_C1 < LU1_C3 -> LU1_C1 | LU1_C3
 RM1 : RM1_C1 < RM1_C3 -> RM1_C1 | RM1_C3
