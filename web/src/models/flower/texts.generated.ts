@@ -2908,7 +2908,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(0.
 
 #define length=530 /* 280 … 840 mm, of the stem */
 #define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
-#define scale=1.98 /* 0.7 … 1.6, of the flower */
+#define scale=1.98 /* 1.4 … 2.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
 #define size=scale*math.random(0.95,1.05)
 #define flowers=floor(math.random(2,4))
