@@ -945,7 +945,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 5 seed "6f5a3c" "b9ab90"
 #material 8 seed "b3a68a" "e6e0d0" name "beak"
 #material 6 sepal "c9c09a" "d8d0ac" name "receptacle"
-#material 7 petal "d9d3c6" "f4f1ea" name "pappus"
+#material 7 petal "a8a294" "d2cdc1" name "pappus"
 
 #axiom: ROSETTE
 ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=12; lower=13}]_{C(1+(5*step)%13)}
