@@ -131,7 +131,10 @@ it("the caption tells those that stand from what they bear, the map calls kinds 
 	const titles = titlesOf(stand);
 	expect(titles[3]).toBe("Oak");
 	expect(titles.join()).not.toContain("/");
-	expect(titlesOf({ ...stand, members: [] })[3]).toBe("leaf/oak");
+	// Till one has grown, by what the plan calls it.
+	expect(titlesOf({ ...stand, members: [] })[3]).toBe("Oak");
+	const kinds = stand.kinds.map((kind) => ({ ...kind, preset: "long-conical" }));
+	expect(titlesOf({ ...stand, kinds, members: [] })[0]).toBe("Long conical");
 });
 
 it("shadows are drawn of all, and for who walks of what is ahead, by steps", () => {

@@ -1,10 +1,11 @@
 import fc from "fast-check";
-import { Box3, Color, type Mesh, type MeshPhongMaterial, Vector3 } from "three";
+import { Box3, Color, type Mesh, type MeshPhongMaterial, SRGBColorSpace, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { version } from "../../../../../package.json";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { meshesOf } from "../../../export/reading";
 import { loadObj } from "../../../export/reading_obj";
+import { readPng } from "../../../export/reading_png";
 import * as arbitrary from "../arbitrary";
 import { makeGrown, paperSpecimen, SKETCH } from "../fixture";
 import { bunchObj } from "./files";
@@ -90,7 +91,17 @@ describe("the OBJ", () => {
 		]);
 		const skin = meshes.at(-1)?.material as MeshPhongMaterial;
 		expect(skin.color.getHexString()).toBe(specimen.look.skin);
-		const stem = (meshes[0].material as MeshPhongMaterial).color;
+		// A stem's colours change along it: its picture shows them.
+		const { pictures } = exported(grown);
+		const [{ bytes }] = pictures.filter(({ name }) => name.endsWith("-Stem-colour.png"));
+		const { width, height, pixels } = readPng(bytes);
+		const { uv } = meshes[0].geometry.attributes;
+		const stem = new Color(0, 0, 0);
+		for (let i = 0; i < uv.count; i++) {
+			const pixel = 3 * (Math.floor((1 - uv.getY(i)) * height) * width + Math.floor(uv.getX(i) * width));
+			const [r, g, b] = [...pixels.subarray(pixel, pixel + 3)].map((value) => value / 255);
+			stem.add(new Color().setRGB(r, g, b, SRGBColorSpace).multiplyScalar(1 / uv.count));
+		}
 		const looked = new Color(`#${specimen.look.stem}`);
 		expect(Math.hypot(stem.r - looked.r, stem.g - looked.g, stem.b - looked.b)).toBeLessThan(0.08);
 	});
