@@ -152,6 +152,14 @@ describe("a floral formula", () => {
 	});
 });
 
+it("draws the stem and the bract whole: only middle lines are dashed", () => {
+	const [{ descriptions }] = shelf;
+	const kinds = floralDiagram(descriptions).lines.map(({ kind }) => kind);
+	expect(kinds.filter((kind) => kind === "around")).toHaveLength(2);
+	expect(kinds).not.toContain("axis");
+	expect(elevation(descriptions).lines.map(({ kind }) => kind)).toContain("axis");
+});
+
 describe("the docs of designs", () => {
 	const kept = (file: string, now: string) => {
 		if (process.env.UPDATE_GOLDENS) {

@@ -16,6 +16,7 @@ export const designStyle = css`
 		fill-opacity: 0.85;
 	}
 	.drawing .faint,
+	.drawing .around,
 	.drawing .axis {
 		stroke-opacity: 0.4;
 		stroke-width: 0.9px;

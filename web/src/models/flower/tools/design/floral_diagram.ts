@@ -58,8 +58,8 @@ export function floralDiagram(descriptions: readonly Description[], chosen?: Org
 	return {
 		box: { left: -100, top: -112, right: 100, bottom: 110 },
 		lines: [
-			{ d: roundPath({ x: 0, y: -104 }, 4), kind: "axis" },
-			{ d: `M-26 98Q0 112 26 98Q0 104 -26 98Z`, kind: "axis" },
+			{ d: roundPath({ x: 0, y: -104 }, 4), kind: "around" },
+			{ d: `M-26 98Q0 112 26 98Q0 104 -26 98Z`, kind: "around" },
 			...parts.flatMap(({ lines, organ }) => lines.map((line) => ({ ...line, chosen: organ === chosen }))),
 		],
 		// Of the others how many there are; whoever takes hold of that chooses the organ.

@@ -5,7 +5,8 @@ import type { Description } from "../../design/description";
 export interface SceneLine {
 	/** A path. */
 	readonly d: string;
-	readonly kind: "organ" | "faint" | "axis";
+	/** Of an organ, a guide, a middle line, or the stem and the bract that a flower stands between. */
+	readonly kind: "organ" | "faint" | "axis" | "around";
 	/** Six hexadecimal digits: what it is filled with; absent: nothing. */
 	readonly fill?: string;
 	/** Whether it is of the organ that is chosen. */
