@@ -40,7 +40,9 @@ export function palettedByMaterial(shapes: readonly Shape[]): Map<Shape, Shape> 
 	for (const shape of shapes) {
 		const { mesh, material, instances, variant } = shape;
 		if (!mesh.colours || instances || variant !== undefined || material.textures?.colour) continue;
-		groups.set(material, [...(groups.get(material) ?? []), shape]);
+		const group = groups.get(material);
+		if (group) group.push(shape);
+		else groups.set(material, [shape]);
 	}
 	const found = new Map<Shape, Shape>();
 	for (const [material, group] of groups) {

@@ -7,7 +7,7 @@ export const GRAMMAR_BYTES = 256 * 1024;
 const XML_BYTES = 32 * GRAMMAR_BYTES;
 
 /** What is wrong with so many bytes of a grammar. */
-export function overlong(bytes: number, most = GRAMMAR_BYTES): string | undefined {
+function overlong(bytes: number, most = GRAMMAR_BYTES): string | undefined {
 	return bytes > most ? `longer than ${most / 1024} KiB` : undefined;
 }
 
