@@ -120,6 +120,12 @@ export const tools = {
 		},
 		elsewhere: ["export CXX=/path/to/a/C++20/compiler"],
 	},
+	ccache: {
+		title: "ccache",
+		find: (env) => findProgram(["ccache"], env),
+		packages: { "apt-get": ["ccache"], dnf: ["ccache"], pacman: ["ccache"], brew: ["ccache"] },
+		elsewhere: [],
+	},
 	doctest: {
 		title: "doctest",
 		find: (env) => findHeader("doctest/doctest.h", env, includeFolders),
@@ -143,14 +149,17 @@ export const tools = {
 	},
 };
 
-/** What each purpose takes. Starting the app takes nothing that only tests use. */
+/** What each purpose needs. Starting the app needs nothing that only tests use. */
 export const needs = {
 	core: ["emscripten", "glm", "cmake", "ninja"],
 	format: [],
 	native: ["compiler", "glm", "cmake", "ninja"],
 	trimesh: ["python"],
-	test: Object.keys(tools),
+	test: Object.keys(tools).filter((name) => name !== "ccache"),
 };
+
+/** What each purpose uses where the machine has it, and gets along without: installed beside what is needed. */
+const uses = { core: ["ccache"], native: ["ccache"], test: ["ccache"] };
 
 /**
  * Paths of the tools named, and the names of those that are not there.
@@ -200,17 +209,18 @@ export function missingMessage(missing, manager, why, unfit = []) {
  */
 export async function prepare(purpose, { env = process.env, log = console.error } = {}) {
 	const names = needs[purpose];
+	const optional = locate(uses[purpose] ?? [], env);
 	const { found, missing } = locate(names, env);
-	if (missing.length === 0) return found;
+	if (missing.length === 0) return { ...found, ...optional.found };
 	const manager = packageManager(env);
 	if (manager?.name !== "apt-get") {
 		throw new ToolchainError(missingMessage(missing, manager, "which this machine does not have"));
 	}
 	log(`Installing ${inWords(missing.map((name) => tools[name].title))} …`);
-	const packages = missing.flatMap((name) => tools[name].packages[manager.name]);
+	const packages = [...missing, ...optional.missing].flatMap((name) => tools[name].packages[manager.name]);
 	const problem = await installWithApt(packages, { emscripten: oldestEmscripten }, env);
 	const after = locate(names, env);
-	if (after.missing.length === 0) return after.found;
+	if (after.missing.length === 0) return { ...after.found, ...locate(uses[purpose] ?? [], env).found };
 	const { why, unfit } = problem ?? {
 		why: "which its package did not bring",
 		unfit: after.missing.flatMap((name) => tools[name].packages[manager.name]),
@@ -223,6 +233,23 @@ export function emscriptenEnvironment(emcc, env = process.env) {
 	const debian = "/usr/share/nodejs";
 	if (!realpathSync(emcc).startsWith("/usr/share/emscripten") || !existsSync(debian)) return { ...env };
 	return { ...env, NODE_PATH: [env.NODE_PATH, debian].filter(Boolean).join(delimiter) };
+}
+
+/**
+ * The clang++ that em++ would start, with the flags that it would add to every source; null where Emscripten does not say.
+ *
+ * @param {string} emcc
+ * @param {NodeJS.ProcessEnv} env
+ * @returns {string[] | null}
+ */
+export function findEmscriptenClang(emcc, env) {
+	const folder = dirname(emcc);
+	const setting = (name) => capture(join(folder, "em-config"), [name], env)?.trim();
+	// Debian's clang has its version in its name.
+	const version = setting("CLANG_ADD_VERSION");
+	const clang = findProgram([version ? `clang++-${version}` : "clang++"], { PATH: setting("LLVM_ROOT") });
+	const flags = capture(join(folder, "em++"), ["--cflags"], env)?.trim();
+	return clang && flags ? [clang, ...flags.split(/\s+/)] : null;
 }
 
 /** What tells one toolchain from another: a build folder configured with one is of no use to the other. */
