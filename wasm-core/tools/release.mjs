@@ -4,13 +4,15 @@
  * the sizes of the release, and prints the rises that the changelog has to state.
  */
 import { join } from "node:path";
-import { lastRelease } from "../../tests/sizes/check.mjs";
 import { buildCore } from "./core.mjs";
 import { makePackage, manifest } from "./package/make.mjs";
 import { writeRelease } from "./release/release.mjs";
 import { buildFolder, repository } from "./repository.mjs";
 import { command, setUp } from "./setup.mjs";
 import { ToolchainError } from "./toolchain.mjs";
+
+/** A module of tests/sizes, which are no part of this project of TypeScript. */
+const sizes = (module) => import(new URL(`../../tests/sizes/${module}`, import.meta.url).href);
 
 async function app() {
 	await buildCore();
@@ -22,7 +24,7 @@ async function app() {
 async function recordSizes(version) {
 	await app();
 	await makePackage();
-	const { recordSizes: record } = await import("../../tests/sizes/record.mjs");
+	const { recordSizes: record } = await sizes("record.mjs");
 	const rises = await record(version, new Date().toISOString().slice(0, 10));
 	console.log("Sizes are recorded in tests/sizes/last_release.json.");
 	if (rises.length === 0) return;
@@ -31,6 +33,7 @@ async function recordSizes(version) {
 }
 
 async function release(version) {
+	const { lastRelease } = await sizes("check.mjs");
 	const { version: recorded } = lastRelease();
 	if (recorded !== version) {
 		throw new ToolchainError(
@@ -44,7 +47,7 @@ async function release(version) {
 
 await command(async () => {
 	const { version } = manifest();
-	const sizes = process.argv.includes("--sizes");
-	await setUp(sizes ? "test" : "core");
-	await (sizes ? recordSizes(version) : release(version));
+	const records = process.argv.includes("--sizes");
+	await setUp(records ? "test" : "core");
+	await (records ? recordSizes(version) : release(version));
 });
