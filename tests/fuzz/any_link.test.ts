@@ -7,15 +7,14 @@ import { expect, it } from "vitest";
 import { readAttributes } from "../../web/src/element/attributes";
 import { modelNamed, modelNames } from "../../web/src/models/index";
 import { decodeLink, encodeLink, linkParts, modelInQuery } from "../../web/src/specimen/link";
-import { readList } from "../golden/links/list";
+import { previewLinks, readFrozenLinks } from "../golden/links/list";
 
 const RUNS = Number(process.env.PANICLE_FUZZ ?? 400);
 /** One string may take this long at the most, milliseconds: what is longer is as good as hung. */
 const LONGEST = 1500;
 
 const models = await Promise.all(modelNames().map(modelNamed));
-const { frozen, previews } = readList();
-const published = [...frozen, ...previews].map(({ link }) => link);
+const published = [...readFrozenLinks().map(({ link }) => link), ...(await previewLinks())];
 
 /** Names that objects have of their own accord. */
 const INHERITED = [

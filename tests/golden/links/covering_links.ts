@@ -1,11 +1,11 @@
-/** Links that are to stand in the list: of each model and version all presets, each key by itself, and what only details hold. */
+/** Links that between them use all of a model: each preset, each key by itself, and each detail that only links and files have. */
 import type { Model } from "../../../web/src/models/model";
 import { type Entry, nearestWithin } from "../../../web/src/specimen/table";
 
-/** Few particles do: what links mean shows in them as well. */
+/** A key that keeps plants small: what a link means shows in few particles, too. */
 const SMALL: Readonly<Record<string, string>> = { leaf: "n=120", tree: "n=80", root: "n=60", stand: "many=24" };
 
-/** Details, by model and the version from which they hold. */
+/** Details, by model and the version since which links have them. */
 const DETAILS: Readonly<Record<string, readonly { since: number; link: string }[]>> = {
 	bunch: [
 		{ since: 1, link: "m=3&n=1,2" },
@@ -27,49 +27,57 @@ const DETAILS: Readonly<Record<string, readonly { since: number; link: string }[
 	root: [{ since: 1, link: "shape=spline&profile=0.1,0,1,0.5,0.4,1" }],
 };
 
-/** @param version what `v` says */
-export function standingLinks(model: Model, version: number): string[] {
-	const start = model.unnamed ? [] : [`model=${model.name}`];
-	const small = SMALL[model.name] ? [SMALL[model.name]] : [];
-	const link = (...parts: string[]) => `?v=${version}&${[...start, ...parts].join("&")}`;
+/** Links of one preset each. */
+export function presetLinks(model: Model, version: number): string[] {
 	const presets = model.presets.list.filter(({ since = 1 }) => since <= version);
-	const keys = [...model.table.links].filter(
-		([key, entries]) =>
-			entries.every(({ since }) => since <= version) && !small.some((part) => part.startsWith(`${key}=`)),
-	);
-	return [
-		...presets.map(({ name }, i) => link(`preset=${name}`, `seed=${i + 1}`, ...small)),
-		...together(keys).map((parts) => link(...parts, ...small)),
-		...(DETAILS[model.name] ?? []).filter(({ since }) => since <= version).map((detail) => link(detail.link, ...small)),
-	].map(fragmentLast);
+	return presets.map(({ name }, i) => linkOf(model, version, [`preset=${name}`, `seed=${i + 1}`]));
 }
 
-/** How many numbers a link has besides. */
+/** @param version the links' `v` */
+export function coveringLinks(model: Model, version: number): string[] {
+	const keys = [...model.table.links].filter(
+		([key, entries]) => entries.every(({ since }) => since <= version) && !SMALL[model.name]?.startsWith(`${key}=`),
+	);
+	const details = (DETAILS[model.name] ?? []).filter(({ since }) => since <= version);
+	return [
+		...presetLinks(model, version),
+		...valuesOf(keys).map((parts) => linkOf(model, version, parts)),
+		...details.map(({ link }) => linkOf(model, version, [link])),
+	];
+}
+
+function linkOf(model: Model, version: number, parts: readonly string[]): string {
+	const start = model.unnamed ? [] : [`model=${model.name}`];
+	const small = SMALL[model.name] ? [SMALL[model.name]] : [];
+	return fragmentLast(`?v=${version}&${[...start, ...parts, ...small].join("&")}`);
+}
+
+/** How many numbers and colours share a link. */
 const FEW = 4;
 
-/** Each option of a choice in a link of its own; numbers a third of the way up, and colours, a few at once. */
-function together(keys: readonly [key: string, entries: readonly Entry[]][]): string[][] {
+/** Each option of a choice in a link of its own; numbers a third of the way up their range, and colours, a few together. */
+function valuesOf(keys: readonly [key: string, entries: readonly Entry[]][]): string[][] {
 	const choices: string[][] = [];
 	const others: string[] = [];
 	for (const [key, entries] of keys) {
 		const [first] = entries;
-		// A mesh of one's own is too long for a link.
+		// A mesh out of a file is too long for a link.
 		if (first.kind === "choice")
 			choices.push(...first.options.flatMap((option) => (option === "mesh" ? [] : [[`${key}=${option}`]])));
-		else others.push(`${key}=${entries.map(middling).join(",")}`);
+		else others.push(`${key}=${entries.map(valueFor).join(",")}`);
 	}
 	const links = Array.from({ length: Math.ceil(others.length / FEW) }, (_, i) => others.slice(FEW * i, FEW * (i + 1)));
 	return [...choices, ...links];
 }
 
-function middling(entry: Entry): string {
+function valueFor(entry: Entry): string {
 	if (entry.kind === "colour") return "a9b04e";
 	return entry.kind === "choice"
 		? entry.options[0]
 		: String(nearestWithin(entry, entry.min + (entry.max - entry.min) / 3));
 }
 
-/** What a detail says in the fragment stands behind all that is in the query. */
+/** Moves the fragment of a detail behind the whole query. */
 function fragmentLast(link: string): string {
 	const [, before, fragment, after] = /^([^#]*?)&?(#[^&]*)(.*)$/.exec(link) ?? [];
 	return fragment === undefined ? link : `${before}${after}${fragment}`;
