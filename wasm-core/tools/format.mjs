@@ -11,13 +11,14 @@ import { ToolchainError } from "./toolchain.mjs";
 
 const folders = ["wasm-core/src", "wasm-core/bench", "wasm-core/tools", "tests/core"];
 
+/** C++ files but for generated ones, which their makers format and git ignores. */
 function cplusplusFiles() {
 	const inFolder = (folder) => readdirSync(folder, { recursive: true }).map((name) => join(folder, name));
 	return folders
 		.map((folder) => join(repository, folder))
 		.filter(existsSync)
 		.flatMap(inFolder)
-		.filter((name) => /\.(cpp|hpp|h)$/.test(name))
+		.filter((name) => /\.(cpp|hpp|h)$/.test(name) && !name.endsWith(".generated.hpp"))
 		.sort();
 }
 
