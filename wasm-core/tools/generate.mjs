@@ -1,7 +1,7 @@
 /**
  * Writes every file that is made from a table: `npm run generate`. Source files (`*.generated.hpp`, `*.generated.ts`) lie beside the files
  * that use them and are ignored by git; every command that reads them calls `generateSources` first. Pages of documentation are committed.
- * With `--sources` only source files are written; with `--check` nothing is written and what is out of date is an error.
+ * With `--sources` only source files are written, silently; with `--check` nothing is written and a file that is out of date is an error.
  * Imports no package, so that it runs before `npm ci`.
  */
 import {
@@ -95,9 +95,9 @@ export function generate({ write = true, root = repository, pages = true } = {})
 export const generateSources = () => generate({ pages: false });
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-	const check = process.argv.includes("--check");
-	const stale = generate({ write: !check, pages: !process.argv.includes("--sources") });
-	for (const path of stale)
-		console.error(check ? `${path} is out of date: run \`npm run generate\`.` : `updated ${path}`);
+	const [check, sources] = ["--check", "--sources"].map((word) => process.argv.includes(word));
+	const stale = generate({ write: !check, pages: !sources });
+	if (check) for (const path of stale) console.error(`${path} is out of date: run \`npm run generate\`.`);
+	else if (!sources) for (const path of stale) console.error(`updated ${path}`);
 	if (check && stale.length > 0) process.exitCode = 1;
 }
