@@ -3,7 +3,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { dirname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
-import { generatedFiles } from "../wasm-core/tools/generate.mjs";
+import { generatedFiles } from "../wasm-core/tools/generate/files.mjs";
 import { beforeModels, coreRooms, knowBuild, webRooms } from "./rooms";
 
 const repository = dirname(dirname(fileURLToPath(import.meta.url)));

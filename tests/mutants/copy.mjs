@@ -20,7 +20,7 @@ import { repository } from "../../wasm-core/tools/repository.mjs";
 /** Of the checkout's build folder: the modules of models and of tests. */
 const MODULES = ["build/core", "build/core-test"];
 
-/** Files that generated source files are made from, and those that make them. */
+/** Files that generated code is made from, and those that make it. */
 const GENERATES = /^wasm-core\/(parameters|grammars|tools\/generate)\b/;
 
 /** A mutant of a table that the copy's own generator refuses. */
@@ -91,9 +91,9 @@ export class Copy {
 	/** A text as it was when the copy was made: the checkout may go on while mutants are tried. */
 	read = (path) => (path === this.#mutated?.file ? this.#mutated.text : reading(this.folder)(path));
 
-	/** Brings the copy's generated source files, which git does not list, up to date with its own tables. @throws RefusedError */
+	/** Brings the copy's generated code, which git does not list, up to date with its own tables. @throws RefusedError */
 	#generate() {
-		const words = ["wasm-core/tools/generate.mjs", "--sources"];
+		const words = ["wasm-core/tools/generate.mjs", "--code"];
 		const { status, stderr } = spawnSync(process.execPath, words, { cwd: this.folder, encoding: "utf8" });
 		if (status !== 0) throw new RefusedError(stderr);
 	}

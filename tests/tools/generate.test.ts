@@ -15,8 +15,8 @@ import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { afterEach, beforeEach, describe, expect, it } from "vitest";
 import { checkTable } from "../../wasm-core/tools/generate/check_table.mjs";
+import { generate, generatedFiles } from "../../wasm-core/tools/generate/files.mjs";
 import { checkMeasures } from "../../wasm-core/tools/generate/measures.mjs";
-import { generate, generatedFiles } from "../../wasm-core/tools/generate.mjs";
 import { coreFolder, modelFolders } from "../../wasm-core/tools/repository.mjs";
 
 const groups = [{ key: "shape", title: "Shape", help: "" }];
@@ -130,10 +130,11 @@ describe("generate", () => {
 		expect(paths).toContain("docs/turtle.md");
 	});
 
-	it("leaves out pages of documentation where source files alone are requested", () => {
-		const sources = paths.filter((path) => !path.startsWith("docs/"));
-		expect(generate({ root, pages: false })).toEqual(sources);
-		expect(found().sort()).toEqual([...sources].sort());
+	it("writes only code, or only pages of documentation, where that is requested", () => {
+		const code = paths.filter((path) => !path.startsWith("docs/"));
+		expect(generate({ root, only: "code" })).toEqual(code);
+		expect(found().sort()).toEqual([...code].sort());
+		expect(generate({ root, only: "pages" })).toEqual(paths.filter((path) => path.startsWith("docs/")));
 	});
 
 	it("rewrites only the files whose text differs", () => {
@@ -147,7 +148,7 @@ describe("generate", () => {
 		expect(generate({ root })).toEqual([]);
 	});
 
-	it("removes source files that no table makes, with the folders that are empty then", () => {
+	it("removes code that no table makes, with the folders that are empty then", () => {
 		const orphans = [
 			"wasm-core/src/models/gone/measures/measures.generated.hpp",
 			"web/src/models/gone/parameters.generated.ts",
@@ -156,7 +157,7 @@ describe("generate", () => {
 		const own = ["web/src/models/gone/index.ts", "web/src/models/gone.ts", "docs/gone.generated.md"];
 		generate({ root });
 		for (const path of [...orphans, ...own]) put(path);
-		expect(generate({ root, pages: false }).sort()).toEqual(orphans);
+		expect(generate({ root, only: "code" }).sort()).toEqual(orphans);
 		expect(found().sort()).toEqual([...paths, ...own].sort());
 		expect(existsSync(join(root, "wasm-core/src/models/gone"))).toBe(false);
 	});
@@ -172,9 +173,9 @@ describe("generate", () => {
 		for (const folder of ["tools", "parameters", "grammars"])
 			cpSync(join(coreFolder, folder), join(root, "wasm-core", folder), { recursive: true });
 		for (const folder of modelFolders()) mkdirSync(join(root, "wasm-core/src/models", folder), { recursive: true });
-		execFileSync(process.execPath, ["wasm-core/tools/generate.mjs", "--sources"], { cwd: root, stdio: "pipe" });
-		const sources = files.filter(({ path }) => !path.startsWith("docs/"));
-		for (const { path, text } of sources) expect(readFileSync(join(root, path), "utf8"), path).toBe(text);
+		execFileSync(process.execPath, ["wasm-core/tools/generate.mjs", "--code"], { cwd: root, stdio: "pipe" });
+		const code = files.filter(({ path }) => !path.startsWith("docs/"));
+		for (const { path, text } of code) expect(readFileSync(join(root, path), "utf8"), path).toBe(text);
 	});
 });
 

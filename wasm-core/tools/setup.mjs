@@ -1,6 +1,6 @@
 /** What every command does first. Runs on a clean clone: nothing here may import a package. */
 import { CoreBuildError } from "./core.mjs";
-import { generateSources } from "./generate.mjs";
+import { generateCode } from "./generate/files.mjs";
 import { ensurePackages } from "./npm_packages.mjs";
 import { isOlder } from "./packages.mjs";
 import { prepare, ToolchainError } from "./toolchain.mjs";
@@ -14,10 +14,10 @@ function checkNode() {
 	);
 }
 
-/** Checks Node, generates source files, finds the tools that `purpose` needs and installs the npm packages. Returns the tools' paths. */
+/** Checks Node, generates code, finds the tools that `purpose` needs and installs the npm packages. Returns the tools' paths. */
 export async function setUp(purpose) {
 	checkNode();
-	generateSources();
+	generateCode();
 	const tools = await prepare(purpose);
 	await ensurePackages();
 	return tools;
