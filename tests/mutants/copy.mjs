@@ -93,8 +93,8 @@ export class Copy {
 
 	/** Brings the copy's generated code, which git does not list, up to date with its own tables. @throws RefusedError */
 	#generate() {
-		const words = ["wasm-core/tools/generate.mjs", "--code"];
-		const { status, stderr } = spawnSync(process.execPath, words, { cwd: this.folder, encoding: "utf8" });
+		const command = ["wasm-core/tools/generate.mjs"];
+		const { status, stderr } = spawnSync(process.execPath, command, { cwd: this.folder, encoding: "utf8" });
 		if (status !== 0) throw new RefusedError(stderr);
 	}
 

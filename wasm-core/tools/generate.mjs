@@ -1,16 +1,48 @@
 /**
- * `npm run generate`: writes the code and the pages of documentation that are made from tables and texts. With `--code` only code is
- * written, silently; with `--check` nothing is written and a file that is out of date is an error.
+ * `npm run generate`: writes the code that is made from tables and texts. With `--check` it writes nothing and fails if a
+ * file is not what its table says. `npm run generate -- --help` lists what else is generated, by name.
  */
+import { spawnSync } from "node:child_process";
+import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { generate } from "./generate/files.mjs";
+import { generate, update } from "./generate/files.mjs";
+import { repository } from "./repository.mjs";
+import { command } from "./setup.mjs";
+import { runTask } from "./tasks.mjs";
 
-export { generate };
+export { generate, update };
+
+/** Prints what was written, or what is stale, which is an error. */
+export function reportUpdate(stale, { write, script }) {
+	for (const path of stale) console.error(write ? `wrote ${path}` : `${path} is stale: run \`npm run ${script}\`.`);
+	if (!write && stale.length > 0) process.exitCode = 1;
+}
+
+/** @type {Record<string, import("./tasks.mjs").Task>} */
+const tasks = {
+	tables: {
+		about: "code from the tables and texts in wasm-core/ (default); `--check` only compares",
+		words: "[--check]",
+		run: (words) => {
+			const write = !words.includes("--check");
+			reportUpdate(generate({ write, only: "code" }), { write, script: "generate" });
+		},
+	},
+	leaves: {
+		about: "the leaves of other plants, grown with the leaf model",
+		run: async () => (await import("./generate/leaves.mjs")).generateLeaves(),
+	},
+	links: {
+		about: "lists frozen links with their fingerprints (docs/links.md)",
+		words: "[LINK …] [--renew]",
+		run: (words) => {
+			const script = join(repository, "tests/golden/links/add_links.mjs");
+			process.exitCode = spawnSync(process.execPath, [script, ...words], { stdio: "inherit" }).status ?? 1;
+		},
+	},
+};
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-	const [check, code] = ["--check", "--code"].map((word) => process.argv.includes(word));
-	const stale = generate({ write: !check, only: code ? "code" : undefined });
-	if (check) for (const path of stale) console.error(`${path} is out of date: run \`npm run generate\`.`);
-	else if (!code) for (const path of stale) console.error(`updated ${path}`);
-	if (check && stale.length > 0) process.exitCode = 1;
+	const words = process.argv.slice(2);
+	await command(() => runTask("generate", tasks, words, { standard: () => tasks.tables.run(words) }));
 }

@@ -120,6 +120,12 @@ export const tools = {
 		},
 		elsewhere: ["export CXX=/path/to/a/C++20/compiler"],
 	},
+	"clang-tidy": {
+		title: "clang-tidy",
+		find: (env) => findProgram(["clang-tidy", "/opt/homebrew/opt/llvm/bin/clang-tidy"], env),
+		packages: { "apt-get": ["clang-tidy"], dnf: ["clang-tools-extra"], pacman: ["clang"], brew: ["llvm"] },
+		elsewhere: ["python3 -m pip install clang-tidy"],
+	},
 	doctest: {
 		title: "doctest",
 		find: (env) => findHeader("doctest/doctest.h", env, includeFolders),
@@ -143,13 +149,14 @@ export const tools = {
 	},
 };
 
-/** What each purpose takes. Starting the app takes nothing that only tests use. */
+/** What each purpose takes. Starting the app takes nothing that only tests use; tests go without clang-tidy where it is missing. */
 export const needs = {
 	core: ["emscripten", "glm", "cmake", "ninja"],
 	format: [],
+	lint: ["clang-tidy", "compiler", "glm", "cmake", "ninja"],
 	native: ["compiler", "glm", "cmake", "ninja"],
 	trimesh: ["python"],
-	test: Object.keys(tools),
+	test: Object.keys(tools).filter((name) => name !== "clang-tidy"),
 };
 
 /**

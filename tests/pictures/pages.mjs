@@ -1,6 +1,6 @@
 /**
- * `npm run people:docs`: the pictures of the pages for people (docs/for-*.md), as docs/people/*.jpg: the built app, and pages that are
- * examples there, served as those pages say. Run it when the app or the examples look otherwise.
+ * `npm run pictures -- pages`: the pictures of the pages docs/for-*.md, as docs/people/*.jpg: the built app, and HTML pages that
+ * are examples there, served as those pages describe. Run it when the app or the examples have changed their looks.
  */
 import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, symlinkSync, writeFileSync } from "node:fs";
@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { build, preview } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
-import { launch } from "./browser.mjs";
+import { launch } from "../browsers/chromium.mjs";
 
 const LARGEST = 90 * 1024;
 const WINDOW = { width: 1080, height: 675 };
@@ -70,22 +70,24 @@ function site() {
 	return folder;
 }
 
-await build({ logLevel: "warn" });
-const root = site();
-const out = join(repository, "docs/people");
-mkdirSync(out, { recursive: true });
-const own = { configFile: /** @type {const} */ (false), root, build: { outDir: "." } };
-const server = await preview({ ...own, preview: { host: "localhost", port: 0 }, logLevel: "warn" });
-const browser = await launch();
-try {
-	for (const picture of PICTURES) await take(...picture);
-} finally {
-	await browser.close();
-	await server.close();
-	rmSync(root, { recursive: true });
+export async function render() {
+	await build({ logLevel: "warn" });
+	const root = site();
+	const out = join(repository, "docs/people");
+	mkdirSync(out, { recursive: true });
+	const own = { configFile: /** @type {const} */ (false), root, build: { outDir: "." } };
+	const server = await preview({ ...own, preview: { host: "localhost", port: 0 }, logLevel: "warn" });
+	const browser = await launch();
+	try {
+		for (const picture of PICTURES) await take({ browser, server, out }, picture);
+	} finally {
+		await browser.close();
+		await server.close();
+		rmSync(root, { recursive: true });
+	}
 }
 
-async function take(name, viewport, address, prepare) {
+async function take({ browser, server, out }, [name, viewport, address, prepare]) {
 	const page = await browser.newPage({ viewport, colorScheme: "light" });
 	await page.goto(new URL(address, server.resolvedUrls.local[0]).href);
 	if (address.startsWith("panicle/"))

@@ -1,4 +1,4 @@
-/** `npm run serve`: makes what is missing, bundles the model service into one file, and runs it. `--build` only bundles. */
+/** `npm run service`: builds what is missing, bundles the model service into one file, and runs it. `--build` only bundles, and prints the file. */
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { buildCore } from "./core.mjs";

@@ -1,10 +1,10 @@
 /**
- * `npm run shots`: pictures of the built app as people see it, in build/shots/, to be looked at before a change lands.
- * `npm run shots -- WORD …` takes only those whose name holds a word.
+ * `npm run pictures -- shots [WORD …]`: pictures of the built app at several window sizes, in build/shots/, to be looked at
+ * before a change lands. With words, only those pictures whose name contains one of them.
  */
 import { mkdirSync } from "node:fs";
 import { build, preview } from "vite";
-import { launch } from "./browser.mjs";
+import { launch } from "../browsers/chromium.mjs";
 
 const folder = new URL("../../build/shots/", import.meta.url);
 const DESKTOP = { viewport: { width: 1440, height: 900 } };
@@ -57,25 +57,27 @@ async function thin(page) {
 	await page.mouse.move(x + width / 2, y + height / 2);
 }
 
-await build({ logLevel: "warn" });
-const server = await preview({ preview: { host: "localhost", port: 0 }, logLevel: "warn" });
-const browser = await launch();
-mkdirSync(folder, { recursive: true });
-const words = process.argv.slice(2);
-for (const [name, device, search, prepare] of SHOTS) {
-	for (const colorScheme of ["light", "dark"]) {
-		const file = `${name}-${colorScheme}.png`;
-		if (words.length > 0 && !words.some((word) => file.includes(word))) continue;
-		const page = await browser.newPage({ ...device, colorScheme });
-		await page.goto(new URL(search, server.resolvedUrls.local[0]).href);
-		await page.waitForFunction(() => performance.getEntriesByName("first-bunch").length > 0);
-		await prepare?.(page);
-		await page.waitForLoadState("networkidle");
-		await page.waitForTimeout(1200); // The view comes to rest in full resolution.
-		await page.screenshot({ path: new URL(file, folder).pathname });
-		await page.close();
-		console.log(`build/shots/${file}`);
+/** @param {string[]} words parts of the names of the pictures; none: all */
+export async function render(words) {
+	await build({ logLevel: "warn" });
+	const server = await preview({ preview: { host: "localhost", port: 0 }, logLevel: "warn" });
+	const browser = await launch();
+	mkdirSync(folder, { recursive: true });
+	for (const [name, device, search, prepare] of SHOTS) {
+		for (const colorScheme of ["light", "dark"]) {
+			const file = `${name}-${colorScheme}.png`;
+			if (words.length > 0 && !words.some((word) => file.includes(word))) continue;
+			const page = await browser.newPage({ ...device, colorScheme });
+			await page.goto(new URL(search, server.resolvedUrls.local[0]).href);
+			await page.waitForFunction(() => performance.getEntriesByName("first-bunch").length > 0);
+			await prepare?.(page);
+			await page.waitForLoadState("networkidle");
+			await page.waitForTimeout(1200); // The view comes to rest in full resolution.
+			await page.screenshot({ path: new URL(file, folder).pathname });
+			await page.close();
+			console.log(`build/shots/${file}`);
+		}
 	}
+	await browser.close();
+	await server.close();
 }
-await browser.close();
-await server.close();

@@ -1,15 +1,15 @@
 /**
- * `npm run bake`: grows the leaves that other plants bear, and writes them as web/src/plant/leaves/*.json. Run it when the
- * leaf model or one of these presets has changed, and commit what it writes.
+ * `npm run generate -- leaves`: grows the leaves of other plants with the leaf model, and writes them as
+ * web/src/plant/leaves/*.json. Run it when the leaf model or one of these presets has changed, and commit the files.
  */
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
-import { buildCore } from "./core.mjs";
-import { buildFolder, repository } from "./repository.mjs";
-import { command, setUp } from "./setup.mjs";
+import { buildCore } from "../core.mjs";
+import { buildFolder, repository } from "../repository.mjs";
+import { setUp } from "../setup.mjs";
 
-await command(async () => {
+export async function generateLeaves() {
 	await setUp("core");
 	await buildCore();
 	const { createServer } = await import("vite");
@@ -33,4 +33,4 @@ await command(async () => {
 	} finally {
 		await server.close();
 	}
-});
+}

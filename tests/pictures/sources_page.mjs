@@ -1,6 +1,6 @@
 /** Pages of the app's sources as Vite serves them, for scripts that run modules of ours in a browser: `import("/src/…")` there. */
 import { createServer } from "vite";
-import { launch } from "./browser.mjs";
+import { launch } from "../browsers/chromium.mjs";
 
 /**
  * Opens pages until `close` is called. Nothing loads them anew while they draw: no watching, no bundling of packages behind their backs.

@@ -1,4 +1,4 @@
-/** The system's Chromium with WebGL 2 by software, and the app's own servers, for the scripts that take pictures. */
+/** The system's Chromium with WebGL 2 rendered in software, for scripts that take pictures or measure the page. */
 import { chromium } from "@playwright/test";
 import { locate } from "../../wasm-core/tools/toolchain.mjs";
 

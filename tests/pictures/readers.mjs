@@ -1,14 +1,14 @@
 /**
- * `npm run readers:pictures [-- PRESET …]`: the same bunch in the app, in three.js, in Blender and in F3D, side by side, as
- * docs/readers/*.webp. Installs Blender beside (programs.mjs); F3D and xvfb-run have to be there (`apt-get install f3d xvfb`), or
- * its column stays empty. Look at what it writes, and commit it when what is exported has changed.
+ * `npm run pictures -- readers [PRESET …]`: the same bunch in the app, in three.js, in Blender and in F3D, side by side, as
+ * docs/readers/*.webp. Installs Blender into build/ (tests/readers/programs.mjs). F3D and xvfb-run must be installed
+ * (`apt-get install f3d xvfb`); without them F3D's column stays empty. Run it when exported files have changed, and commit the files.
  */
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { run } from "../../wasm-core/tools/process.mjs";
 import { buildFolder, modulesFolder, repository } from "../../wasm-core/tools/repository.mjs";
-import { openSources } from "../e2e/sources_page.mjs";
-import { installed, must } from "./programs.mjs";
+import { installed, must } from "../readers/programs.mjs";
+import { openSources } from "./sources_page.mjs";
 
 /** A dark variety, a red one and a pale one. */
 const PRESETS = ["merlot", "crimson-seedless", "riesling"];
@@ -98,35 +98,37 @@ const f3dWords = (glb, png, { width, height }) => {
 	];
 };
 
-const python = await installed("readers", PYTHON);
-const folder = join(buildFolder, "readers");
-const out = join(repository, "docs/readers");
-mkdirSync(out, { recursive: true });
-const sources = await openSources();
-// three's loader makes pictures of what the page's policy forbids.
-const page = await sources.page({ bypassCSP: true });
-const named = process.argv.slice(2);
-for (const name of named.length > 0 ? named : PRESETS) {
-	const path = (ending) => join(folder, `${name}${ending}`);
-	const glb = path(".glb");
-	await must(process.execPath, ["wasm-core/tools/grow.mjs", name, "--out", glb]);
-	const [width, height] = [String(2 * SIZE.width), String(2 * SIZE.height)];
-	const render = [join(repository, "tests/readers/render.py"), glb, path("-blender.png"), width, height];
-	const from = join(repository, "tests/readers/three_view.ts");
-	const pictures = [
-		{ label: "Panicle", png: await page.evaluate(inApp, { cores: modulesFolder, name, ...SIZE }) },
-		{
-			label: "three.js, RoomEnvironment",
-			png: await page.evaluate(inThree, { from, glb: readFileSync(glb).toString("base64"), ...SIZE }),
-		},
-		{ label: "Blender, Cycles", png: await byProgram(path("-blender.png"), python, render) },
-		{ label: "F3D", png: await byProgram(path("-f3d.png"), "xvfb-run", f3dWords(glb, path("-f3d.png"), SIZE)) },
-	];
-	const bytes = Buffer.from(
-		await page.evaluate(sheet, { pictures, ...SIZE, ground: GROUND, quality: QUALITY }),
-		"base64",
-	);
-	writeFileSync(join(out, `${name}.webp`), bytes);
-	console.log(`docs/readers/${name}.webp: ${(bytes.length / 1024).toFixed(0)} kB`);
+/** @param {string[]} named presets of bunches; none: three of different colours */
+export async function render(named) {
+	const python = await installed("readers", PYTHON);
+	const folder = join(buildFolder, "readers");
+	const out = join(repository, "docs/readers");
+	mkdirSync(out, { recursive: true });
+	const sources = await openSources();
+	// three's loader makes pictures of what the page's policy forbids.
+	const page = await sources.page({ bypassCSP: true });
+	for (const name of named.length > 0 ? named : PRESETS) {
+		const path = (ending) => join(folder, `${name}${ending}`);
+		const glb = path(".glb");
+		await must(process.execPath, ["wasm-core/tools/grow.mjs", name, "--out", glb]);
+		const [width, height] = [String(2 * SIZE.width), String(2 * SIZE.height)];
+		const render = [join(repository, "tests/pictures/render.py"), glb, path("-blender.png"), width, height];
+		const from = join(repository, "tests/pictures/three_view.ts");
+		const pictures = [
+			{ label: "Panicle", png: await page.evaluate(inApp, { cores: modulesFolder, name, ...SIZE }) },
+			{
+				label: "three.js, RoomEnvironment",
+				png: await page.evaluate(inThree, { from, glb: readFileSync(glb).toString("base64"), ...SIZE }),
+			},
+			{ label: "Blender, Cycles", png: await byProgram(path("-blender.png"), python, render) },
+			{ label: "F3D", png: await byProgram(path("-f3d.png"), "xvfb-run", f3dWords(glb, path("-f3d.png"), SIZE)) },
+		];
+		const bytes = Buffer.from(
+			await page.evaluate(sheet, { pictures, ...SIZE, ground: GROUND, quality: QUALITY }),
+			"base64",
+		);
+		writeFileSync(join(out, `${name}.webp`), bytes);
+		console.log(`docs/readers/${name}.webp: ${(bytes.length / 1024).toFixed(0)} kB`);
+	}
+	await sources.close();
 }
-await sources.close();

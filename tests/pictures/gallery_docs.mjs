@@ -1,6 +1,6 @@
 /**
- * `npm run gallery:docs`: every bunch among the presets from the front and the side, with its numbers, as docs/gallery.md and
- * docs/gallery/*.webp: to be held against the real fruit. Run it when growth, presets or the scene have changed.
+ * `npm run pictures -- gallery-docs`: all presets of bunches from the front and from the side, with their measures, as
+ * docs/gallery.md and docs/gallery/*.webp, to be compared with real fruit. Run it when growth, presets or the scene have changed.
  */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { drawPresets } from "./preset_pictures.mjs";
@@ -43,23 +43,26 @@ function section([kind, title, about], rows) {
 	);
 }
 
-mkdirSync(folder, { recursive: true });
-const rows = { shape: [], variety: [], fruit: [] };
-let total = 0;
-await drawPresets("bunch", [{ ...PICTURE, views: VIEWS }], (preset, { pictures, measures }) => {
-	for (const [view, bytes] of Object.entries(pictures)) {
-		if (bytes.length > LARGEST)
-			throw new Error(`${preset.name}-${view}.webp has ${bytes.length} bytes; lower the quality.`);
-		total += bytes.length;
-		writeFileSync(new URL(`${preset.name}-${view}.webp`, folder), bytes);
-	}
-	rows[preset.kind].push(row(preset, measures));
-});
-const head = `# Gallery
+const HEAD = `# Gallery
 
 Every preset as the app grows and draws it with seed 1, from the front and from the side. Length and width are the berries' own;
-coverage and spill are explained in [measures](models/bunch/measures.md). Made by \`npm run gallery:docs\`. Flowers stand with their sizes in [flower/species.md](models/flower/species.md), trees
+coverage and spill are explained in [measures](models/bunch/measures.md). Made by \`npm run pictures -- gallery-docs\`. Flowers stand with their sizes in [flower/species.md](models/flower/species.md), trees
 in [growth/species.md](models/growth/species.md), stands in [stand.md](models/stand/stand.md).
 `;
-writeFileSync(new URL("gallery.md", docs), [head, ...SECTIONS.map((each) => section(each, rows))].join("\n"));
-console.log(`docs/gallery: ${(total / 1024).toFixed(0)} kB in all`);
+
+export async function render() {
+	mkdirSync(folder, { recursive: true });
+	const rows = { shape: [], variety: [], fruit: [] };
+	let total = 0;
+	await drawPresets("bunch", [{ ...PICTURE, views: VIEWS }], (preset, { pictures, measures }) => {
+		for (const [view, bytes] of Object.entries(pictures)) {
+			if (bytes.length > LARGEST)
+				throw new Error(`${preset.name}-${view}.webp has ${bytes.length} bytes; lower the quality.`);
+			total += bytes.length;
+			writeFileSync(new URL(`${preset.name}-${view}.webp`, folder), bytes);
+		}
+		rows[preset.kind].push(row(preset, measures));
+	});
+	writeFileSync(new URL("gallery.md", docs), [HEAD, ...SECTIONS.map((each) => section(each, rows))].join("\n"));
+	console.log(`docs/gallery: ${(total / 1024).toFixed(0)} kB in all`);
+}
