@@ -186,7 +186,7 @@ describe("what is packed", () => {
 	it("is described as its sources’ comments say: docs/api is current, and says of every export what it is", async () => {
 		const { pages } = await makePackage();
 		for (const [name, text] of Object.entries(pages)) {
-			expect(await inRepository(`docs/api/${name}.md`), "run `npm run package`").toBe(text);
+			expect(await inRepository(`docs/api/${name}.md`), "run `npm run docs -- api`").toBe(text);
 			const sections = text.split("\n### ").slice(1);
 			// A heading, then perhaps its signature, then words.
 			const bare = sections.filter((each) =>

@@ -6,6 +6,7 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, w
 import { availableParallelism } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { generateCode } from "./generate/files.mjs";
 import { withLock } from "./lock.mjs";
 import { run } from "./process.mjs";
 import { buildFolder, coreFolder, modelFolders, modulesFolder, repository, testModulesFolder } from "./repository.mjs";
@@ -110,6 +111,7 @@ function publish(name, folder = modulesFolder) {
  * @returns {Promise<{ changed: boolean }>} whether a model's module is not the one from before
  */
 export async function buildCore(preset = "wasm", targets = [], { sanitizeRooms } = {}) {
+	generateCode();
 	if (!presets.includes(preset)) throw new ToolchainError(`No preset ${preset}; there are ${presets.join(", ")}.`);
 	const tools = await prepare(preset === "wasm" ? "core" : "native");
 	const env = { ...(tools.emscripten ? emscriptenEnvironment(tools.emscripten) : process.env), ...cacheEnvironment };

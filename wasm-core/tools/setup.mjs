@@ -1,5 +1,6 @@
 /** What every command does first. Runs on a clean clone: nothing here may import a package. */
 import { CoreBuildError } from "./core.mjs";
+import { generateCode } from "./generate/files.mjs";
 import { ensurePackages } from "./npm_packages.mjs";
 import { isOlder } from "./packages.mjs";
 import { prepare, ToolchainError } from "./toolchain.mjs";
@@ -13,9 +14,10 @@ function checkNode() {
 	);
 }
 
-/** Node, the tools that `purpose` takes, and the npm packages. Returns where the tools are. */
+/** Checks Node, generates code, finds the tools that `purpose` needs and installs the npm packages. Returns the tools' paths. */
 export async function setUp(purpose) {
 	checkNode();
+	generateCode();
 	const tools = await prepare(purpose);
 	await ensurePackages();
 	return tools;

@@ -126,6 +126,12 @@ export const tools = {
 		packages: { "apt-get": ["ccache"], dnf: ["ccache"], pacman: ["ccache"], brew: ["ccache"] },
 		elsewhere: [],
 	},
+	"clang-tidy": {
+		title: "clang-tidy",
+		find: (env) => findProgram(["clang-tidy", "/opt/homebrew/opt/llvm/bin/clang-tidy"], env),
+		packages: { "apt-get": ["clang-tidy"], dnf: ["clang-tools-extra"], pacman: ["clang"], brew: ["llvm"] },
+		elsewhere: ["python3 -m pip install clang-tidy"],
+	},
 	doctest: {
 		title: "doctest",
 		find: (env) => findHeader("doctest/doctest.h", env, includeFolders),
@@ -153,9 +159,10 @@ export const tools = {
 export const needs = {
 	core: ["emscripten", "glm", "cmake", "ninja"],
 	format: [],
+	lint: ["clang-tidy", "compiler", "glm", "cmake", "ninja"],
 	native: ["compiler", "glm", "cmake", "ninja"],
 	trimesh: ["python"],
-	test: Object.keys(tools).filter((name) => name !== "ccache"),
+	test: Object.keys(tools).filter((name) => !["ccache", "clang-tidy"].includes(name)),
 };
 
 /** What each purpose uses where the machine has it, and gets along without: installed beside what is needed. */

@@ -1,5 +1,5 @@
 /**
- * `npm run links:add [-- LINK…]`: adds links with the fingerprints of their plants to links.json, whose links are frozen. Without a link it adds
+ * `npm run generate -- links [LINK…]`: adds links with the fingerprints of their plants to links.json, whose links are frozen. Without a link it adds
  * every link that has to be listed and is not. Listed links are never changed.
  */
 import { argv } from "node:process";

@@ -1,6 +1,6 @@
 /**
  * Published links. Where a frozen link fails, old links have changed: the change needs a new version of links. Links of previews may
- * change: they only have to work. `npm run links:add` adds new links to the frozen ones.
+ * change: they only have to work. `npm run generate -- links` adds new links to the frozen ones.
  */
 import { describe, expect, it } from "vitest";
 import { modelNamed, modelNames } from "../../../web/src/models/index";

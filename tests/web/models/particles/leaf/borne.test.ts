@@ -27,7 +27,7 @@ describe.each(BAKED_LEAVES)("the leaf of %s that other plants bear", (preset) =>
 		const [file, anew] = [await committed(preset), bakeLeaf(core, preset)];
 		expect(file.from).toBe(anew.from);
 		const [one, other] = [await readLeaf(file), await readLeaf(anew)];
-		const changed = "the leaf model has changed: run `npm run bake`, look at the leaf, and commit it";
+		const changed = "the leaf model has changed: run `npm run generate -- leaves`, look at the leaf, and commit it";
 		for (const key of ["points", "between", "uvs", "indices"] as const)
 			expect(same(one[key], other[key]), `${key}: ${changed}`).toBe(true);
 		expect(one.veins?.side).toBe(other.veins?.side);

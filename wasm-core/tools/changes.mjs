@@ -1,0 +1,35 @@
+/** The files that differ from the branch that a change is for. */
+import { capture } from "./process.mjs";
+import { repository } from "./repository.mjs";
+
+const git = (...words) => capture("git", ["-C", repository, ...words])?.trim();
+
+/**
+ * The commit that changes are counted from: where this branch left `main`. On `main` itself, and in its merge commits, the commit
+ * before. `PANICLE_BASE` names another; in a pull request of GitHub its target branch takes the place of `main`.
+ *
+ * @returns {string | undefined} undefined where there is no git or no history
+ */
+export function changeBase(env = process.env) {
+	const named = env.PANICLE_BASE || (env.GITHUB_BASE_REF && `origin/${env.GITHUB_BASE_REF}`);
+	const head = git("rev-parse", "HEAD");
+	for (const branch of named ? [named] : ["origin/main", "main"]) {
+		const base = git("merge-base", "HEAD", branch);
+		if (base && base !== head) return base;
+	}
+	return git("rev-parse", "--verify", "--quiet", "HEAD^1");
+}
+
+/**
+ * Files that exist and that were changed since `changeBase()`: committed, uncommitted and new ones. Paths from the root of the
+ * repository.
+ *
+ * @returns {string[] | undefined} undefined where they cannot be known
+ */
+export function changedFiles(env = process.env) {
+	const base = changeBase(env);
+	const changed = base && git("diff", "--name-only", "--diff-filter=d", base);
+	const untracked = git("ls-files", "--others", "--exclude-standard");
+	if (typeof changed !== "string" || untracked === undefined) return undefined;
+	return [...new Set([...changed.split("\n"), ...untracked.split("\n")])].filter(Boolean).sort();
+}
