@@ -14,12 +14,17 @@ function checkNode() {
 	);
 }
 
-/** Checks Node, generates code, finds the tools that `purpose` needs and installs the npm packages. Returns the tools' paths. */
-export async function setUp(purpose) {
+/**
+ * Checks Node, generates code, finds the tools that `purpose` needs and installs the npm packages. Returns the tools' paths.
+ *
+ * @param {string} purpose
+ * @param {{ meanwhile?: () => Promise<void> }} [options] meanwhile: what needs the tools, but no npm package
+ */
+export async function setUp(purpose, { meanwhile = async () => {} } = {}) {
 	checkNode();
 	generateCode();
 	const tools = await prepare(purpose);
-	await ensurePackages();
+	await Promise.all([ensurePackages(), meanwhile()]);
 	return tools;
 }
 
