@@ -1,5 +1,5 @@
 /**
- * `npm run links:add [-- LINK…] [-- --renew]`: grows links and lists them with their fingerprints; without one, all that are to stand in the
+ * `npm run generate -- links [-- LINK…] [-- --renew]`: grows links and lists them with their fingerprints; without one, all that are to stand in the
  * list and do not. What is frozen is never changed; `--renew` takes what previews mean now.
  */
 import { spawnSync } from "node:child_process";

@@ -1,6 +1,6 @@
 /**
  * Links of every version and model still give the plants that they gave. Where one of `frozen` fails, old links have changed: make a new
- * version. `npm run links:add` lists new ones, `npm run links:add -- --renew` takes what previews mean now.
+ * version. `npm run generate -- links` lists new ones, `npm run generate -- links --renew` takes what previews mean now.
  */
 import { describe, expect, it } from "vitest";
 import { modelNamed, modelNames } from "../../../web/src/models/index";
