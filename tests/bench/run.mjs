@@ -98,11 +98,14 @@ const RUNS = {
 /** Runs that are made by name alone: they take long, or have other pages in the documentation. */
 const BY_NAME = ["stand", "fit", "soak"];
 
-await command(async () => {
-	await setUp("core");
-	await buildCore();
-	const standard = async () => {
-		for (const [name, { run }] of Object.entries(RUNS)) if (!BY_NAME.includes(name)) await run([]);
-	};
-	await runTask("bench", RUNS, process.argv.slice(2), { standard });
-});
+const words = process.argv.slice(2);
+if (words[0] !== "--help") {
+	await command(async () => {
+		await setUp("core");
+		await buildCore();
+	});
+}
+const standard = async () => {
+	for (const [name, { run }] of Object.entries(RUNS)) if (!BY_NAME.includes(name)) await run([]);
+};
+await runTask("bench", RUNS, words, { standard });

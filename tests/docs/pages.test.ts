@@ -48,7 +48,14 @@ it("there is a page for each who uses it, and few examples are not run", () => {
 });
 
 it("every page leads to files and headings that are there", () => {
-	const files = filesIn("docs", "README.md", "CHANGELOG.md").filter((file) => file.endsWith(".md"));
+	const files = filesIn(
+		"docs",
+		"README.md",
+		"CHANGELOG.md",
+		"CONTRIBUTING.md",
+		"SECURITY.md",
+		"CODE_OF_CONDUCT.md",
+	).filter((file) => file.endsWith(".md"));
 	expect(files.length).toBeGreaterThan(40);
 	const broken = files.flatMap((file) => {
 		const name = relative(repository, file);

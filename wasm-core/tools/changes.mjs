@@ -2,15 +2,23 @@
 import { capture } from "./process.mjs";
 import { repository } from "./repository.mjs";
 
-const git = (...words) => capture("git", ["-C", repository, ...words])?.trim();
+/** @typedef {{ folder?: string, env?: NodeJS.ProcessEnv }} Options folder: of the repository */
+
+/** @param {string} folder */
+const gitIn =
+	(folder) =>
+	(...words) =>
+		capture("git", ["-C", folder, ...words])?.trim();
 
 /**
  * The commit that changes are counted from: where this branch left `main`. On `main` itself, and in its merge commits, the commit
  * before. `PANICLE_BASE` names another; in a pull request of GitHub its target branch takes the place of `main`.
  *
+ * @param {Options} [options]
  * @returns {string | undefined} undefined where there is no git or no history
  */
-export function changeBase(env = process.env) {
+export function changeBase({ folder = repository, env = process.env } = {}) {
+	const git = gitIn(folder);
 	const named = env.PANICLE_BASE || (env.GITHUB_BASE_REF && `origin/${env.GITHUB_BASE_REF}`);
 	const head = git("rev-parse", "HEAD");
 	for (const branch of named ? [named] : ["origin/main", "main"]) {
@@ -24,10 +32,12 @@ export function changeBase(env = process.env) {
  * Files that exist and that were changed since `changeBase()`: committed, uncommitted and new ones. Paths from the root of the
  * repository.
  *
+ * @param {Options} [options]
  * @returns {string[] | undefined} undefined where they cannot be known
  */
-export function changedFiles(env = process.env) {
-	const base = changeBase(env);
+export function changedFiles({ folder = repository, env = process.env } = {}) {
+	const git = gitIn(folder);
+	const base = changeBase({ folder, env });
 	const changed = base && git("diff", "--name-only", "--diff-filter=d", base);
 	const untracked = git("ls-files", "--others", "--exclude-standard");
 	if (typeof changed !== "string" || untracked === undefined) return undefined;

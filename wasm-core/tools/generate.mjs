@@ -34,7 +34,7 @@ const tasks = {
 	},
 	links: {
 		about: "lists frozen links with their fingerprints (docs/links.md)",
-		words: "[LINK …] [--renew]",
+		words: "[LINK …]",
 		run: (words) => {
 			const script = join(repository, "tests/golden/links/add_links.mjs");
 			process.exitCode = spawnSync(process.execPath, [script, ...words], { stdio: "inherit" }).status ?? 1;

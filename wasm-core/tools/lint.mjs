@@ -6,6 +6,7 @@
 import { readFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import { join, relative } from "node:path";
+import { fileURLToPath } from "node:url";
 import { changedFiles } from "./changes.mjs";
 import { checkFormat } from "./format.mjs";
 import { filesIn } from "./fresh.mjs";
@@ -95,9 +96,10 @@ async function checkCplusplus({ all, gate }) {
 	return tidy(tools["clang-tidy"], folder, chosen);
 }
 
-await command(async () => {
-	await setUp("format");
-	const options = { all: process.argv.includes("--all"), gate: process.argv.includes("--gate") };
-	const problems = [...(await checkFormat()), ...(await checkCplusplus(options))];
-	if (problems.length > 0) throw new ToolchainError(problems.join("\n"));
-});
+if (process.argv[1] === fileURLToPath(import.meta.url))
+	await command(async () => {
+		await setUp("format");
+		const options = { all: process.argv.includes("--all"), gate: process.argv.includes("--gate") };
+		const problems = [...(await checkFormat()), ...(await checkCplusplus(options))];
+		if (problems.length > 0) throw new ToolchainError(problems.join("\n"));
+	});
