@@ -10,9 +10,12 @@ const gitIn =
 	(...words) =>
 		capture("git", ["-C", folder, ...words])?.trim();
 
+/** The file that each release writes anew: the last commit that changed it is the last release. */
+const RELEASE = "tests/sizes/last_release.json";
+
 /**
- * The commit that changes are counted from: where this branch left `main`. On `main` itself, and in its merge commits, the commit
- * before. `PANICLE_BASE` names another; in a pull request of GitHub its target branch takes the place of `main`.
+ * The commit from which changes are counted: where this branch left `main`; on `main` itself, the last release. `PANICLE_BASE`
+ * names another; in a pull request on GitHub its target branch takes the place of `main`.
  *
  * @param {Options} [options]
  * @returns {string | undefined} undefined where there is no git or no history
@@ -25,7 +28,7 @@ export function changeBase({ folder = repository, env = process.env } = {}) {
 		const base = git("merge-base", "HEAD", branch);
 		if (base && base !== head) return base;
 	}
-	return git("rev-parse", "--verify", "--quiet", "HEAD^1");
+	return git("log", "-1", "--format=%H", "--", RELEASE) || git("rev-parse", "--verify", "--quiet", "HEAD^1");
 }
 
 /**
