@@ -39,7 +39,13 @@ if ("problem" in plan) {
 	console.error(plan.problem);
 	process.exit(2);
 }
-if (plan.isLong) process.env.PANICLE_LONG = "1";
+if (plan.isLong) {
+	// Read by tests in every language (tests/long_run.mjs, tests/core/fuzz_dice.hpp).
+	process.env.PANICLE_LONG = "1";
+	process.env.PANICLE_FUZZ ??= "20000";
+	process.env.PANICLE_SEED ??= String(Math.floor(Math.random() * 2 ** 31));
+	console.log(`Random tests use PANICLE_SEED=${process.env.PANICLE_SEED}.`);
+}
 // The programs below write to a pipe, and some would colour even that.
 if (!process.stdout.isTTY) process.env.NO_COLOR = "1";
 const reports = join(buildFolder, "reports");

@@ -78,7 +78,7 @@ TEST_CASE("published grammars, damaged, end in a value or a diagnostic") {
   int outcomes[4] = {};
   const std::uint64_t runs = fuzz_runs(1500);
   for (std::uint64_t i = 0; i < runs; ++i) {
-    Dice dice(1'000'000 + i);
+    Dice dice(7, 1'000'000 + i);
     const std::string text = damaged(dice, texts);
     CAPTURE(text);
     ++outcomes[tried(text, static_cast<std::uint32_t>(i))];
