@@ -3,7 +3,7 @@
  * the slowest tests, writes it to build/test-times.json, and counts the tests in the last line.
  *
  *     npm test                  the gate: what must pass before a change lands
- *     npm run test:long         everything, in full (docs/testing.md)
+ *     npm run test:long         everything, in full (CONTRIBUTING.md)
  *     npm run test:changed      the tests of what changed since the last release or the merge base
  *     npm test -- types bunch   the set-up, and the stages, rooms or models named
  *

@@ -61,6 +61,8 @@ async function configure(preset, tools, env, sanitizeRooms) {
 	if (!isSame) {
 		console.error(`Setting up the ${preset} build of the core …`);
 		rmSync(folder, { recursive: true, force: true });
+		const warning = tools.emscripten && emscriptenWarning(tools.emscripten);
+		if (warning) console.error(warning);
 	}
 	const definitions = [
 		`-DPANICLE_GLM_ROOT=${tools.glm}`,

@@ -8,7 +8,9 @@ import { delimiter, dirname, isAbsolute, join } from "node:path";
 import { installWithApt, isOlder, packageManager } from "./packages.mjs";
 import { capture } from "./process.mjs";
 
+/** The range of Emscripten that is tested, at both ends: Debian 12 has the oldest, Debian 13 the newest. */
 const oldestEmscripten = "3.1.6";
+const newestEmscripten = "3.1.69";
 
 /** What went wrong, in a message for the person at the terminal: no stack trace wanted. */
 export class ToolchainError extends Error {}
@@ -87,7 +89,7 @@ export const tools = {
 		packages: { "apt-get": ["emscripten"], dnf: ["emscripten"], pacman: ["emscripten"], brew: ["emscripten"] },
 		elsewhere: [
 			"git clone https://github.com/emscripten-core/emsdk",
-			"emsdk/emsdk install latest && emsdk/emsdk activate latest",
+			`emsdk/emsdk install ${newestEmscripten} && emsdk/emsdk activate ${newestEmscripten}`,
 			"export EMSDK=$PWD/emsdk",
 		],
 	},
@@ -257,6 +259,18 @@ export function findEmscriptenClang(emcc, env) {
 	const clang = findProgram([version ? `clang++-${version}` : "clang++"], { PATH: setting("LLVM_ROOT") });
 	const flags = capture(join(folder, "em++"), ["--cflags"], env)?.trim();
 	return clang && flags ? [clang, ...flags.split(/\s+/)] : null;
+}
+
+/**
+ * A warning about an Emscripten newer than those that are tested; undefined for one in the range. An older one is not found
+ * in the first place.
+ *
+ * @param {string} emcc
+ */
+export function emscriptenWarning(emcc) {
+	const version = versionOfEmscripten(emcc) ?? "";
+	if (!isOlder(newestEmscripten, version)) return undefined;
+	return `Emscripten ${version} is newer than those tested (${oldestEmscripten} to ${newestEmscripten}): sizes and speed may differ.`;
 }
 
 /** What tells one toolchain from another: a build folder configured with one is of no use to the other. */
