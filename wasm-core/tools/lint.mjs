@@ -100,6 +100,9 @@ if (process.argv[1] === fileURLToPath(import.meta.url))
 	await command(async () => {
 		await setUp("format");
 		const options = { all: process.argv.includes("--all"), gate: process.argv.includes("--gate") };
-		const problems = [...(await checkFormat()), ...(await checkCplusplus(options))];
-		if (problems.length > 0) throw new ToolchainError(problems.join("\n"));
+		const problems = await checkFormat();
+		for (const problem of problems) console.error(problem);
+		const findings = await checkCplusplus(options);
+		for (const finding of findings) console.error(finding);
+		if (problems.length + findings.length > 0) throw new ToolchainError("Lint failed: see above.");
 	});
