@@ -55,7 +55,7 @@ test.describe("on a phone", () => {
 		await expect(studio.number("#define alpha_y")).toHaveText("66");
 	});
 
-	test("the keyboard covers no line that is typed in", async ({ page }) => {
+	test("the keyboard covers no line that is typed in", { tag: "@long" }, async ({ page }) => {
 		await page.addInitScript(() => {
 			const viewport = Object.assign(new EventTarget(), { height: 844, offsetTop: 0, scale: 1 });
 			Object.defineProperty(window, "visualViewport", { value: viewport });

@@ -155,9 +155,9 @@ test("handles stand on the plant, follow hand and keys, and the plant regrows", 
 	await close();
 });
 
-test("every model says what it is, shows its age where it has one, and has handles; all their scripts together are small", async ({
-	page,
-}) => {
+test("every model says what it is, shows its age where it has one, and has handles; all their scripts together are small", {
+	tag: "@long",
+}, async ({ page }) => {
 	const scripts = new Set<string>();
 	page.on("request", (request) => {
 		if (request.url().endsWith(".js")) scripts.add(request.url().slice(library.address.length));

@@ -29,10 +29,9 @@ const fingerprint = (place: Pick<Page, "waitForFunction">) =>
 		.waitForFunction(() => document.querySelector<PanicleSpecimen>("panicle-specimen")?.plant?.fingerprint)
 		.then((handle) => handle.jsonValue());
 
-test("copied code shows the plant in a page of another origin, as it was shown: element, frame and file", async ({
-	page,
-	context,
-}) => {
+test("copied code shows the plant in a page of another origin, as it was shown: element, frame and file", {
+	tag: "@long",
+}, async ({ page, context }) => {
 	await context.grantPermissions(["clipboard-read", "clipboard-write"]);
 	const studio = await new StudioPage(page).open("?v=2&preset=redcurrant&seed=5&count=30");
 	const first = await studio.fingerprint.innerText();
@@ -97,7 +96,9 @@ test("copied code shows the plant in a page of another origin, as it was shown: 
 	await host.close();
 });
 
-test("the dialog is within a small window, and says what whoever copies ought to know", async ({ page }) => {
+test("the dialog is within a small window, and says what whoever copies ought to know", { tag: "@long" }, async ({
+	page,
+}) => {
 	await page.addInitScript(() => {
 		Object.defineProperty(navigator, "clipboard", {
 			value: { writeText: () => Promise.reject(new Error("denied")) },

@@ -76,7 +76,9 @@ test("the pointer bends and lengthens the stem, as one step; the arrows of the c
 });
 
 test.describe("before a camera", () => {
-	test("a hand drives the two numbers, and a pinch brings the next two, which wait for it", async ({ page }) => {
+	test("a hand drives the two numbers, and a pinch brings the next two, which wait for it", { tag: "@long" }, async ({
+		page,
+	}) => {
 		await page.route("**/hands/hands.js", (route) => route.fulfill({ contentType: "text/javascript", body: INJECTED }));
 		const studio = await new StudioPage(page).open(FLOWER);
 		const put = (hand: unknown) => page.evaluate((there) => Object.assign(globalThis, { hand: there }), hand);
@@ -105,9 +107,9 @@ test.describe("before a camera", () => {
 		await expect(circle(page)).toHaveAccessibleName(before ?? "");
 	});
 
-	test("what finds hands is the app's own, finds none in a picture without, and lets go of the camera", async ({
-		page,
-	}) => {
+	test("what finds hands is the app's own, finds none in a picture without, and lets go of the camera", {
+		tag: "@long",
+	}, async ({ page }) => {
 		const asked: string[] = [];
 		page.on("request", (request) => asked.push(request.url()));
 		const studio = await new StudioPage(page).open(FLOWER);
