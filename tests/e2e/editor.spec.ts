@@ -123,7 +123,7 @@ test("words are completed and explained", { tag: "@long" }, async ({ page }) => 
 	await expect(page.locator(".cm-help")).toContainText("A constant.");
 });
 
-test("Tab goes on and Escape leaves, unless Tab is set to indent", async ({ page }) => {
+test("Tab goes on and Escape leaves, unless Tab is set to indent", { tag: "@long" }, async ({ page }) => {
 	const studio = await new EditorPage(page).edit(PAPER);
 	await expect(studio.text).toBeFocused();
 	await expect(studio.text).toHaveAccessibleDescription(/Escape leaves/);

@@ -96,9 +96,7 @@ test("copied code shows the plant in a page of another origin, as it was shown: 
 	await host.close();
 });
 
-test("the dialog is within a small window, and says what whoever copies ought to know", { tag: "@long" }, async ({
-	page,
-}) => {
+test("the dialog is within a small window, and says what whoever copies ought to know", async ({ page }) => {
 	await page.addInitScript(() => {
 		Object.defineProperty(navigator, "clipboard", {
 			value: { writeText: () => Promise.reject(new Error("denied")) },
@@ -129,10 +127,9 @@ test("the dialog is within a small window, and says what whoever copies ought to
 		for (const control of await dialog.getByRole(role).all()) await expect(control).toHaveAccessibleName(/\S/);
 });
 
-test("Copy picture puts a PNG on the clipboard, and where the browser refuses says what to do instead", async ({
-	page,
-	context,
-}) => {
+test("Copy picture puts a PNG on the clipboard, and where the browser refuses says what to do instead", {
+	tag: "@long",
+}, async ({ page, context }) => {
 	await context.grantPermissions(["clipboard-read", "clipboard-write"]);
 	const studio = await new StudioPage(page).open("?v=2&preset=redcurrant&seed=5&count=30");
 	const copy = async () => {

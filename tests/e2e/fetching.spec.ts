@@ -97,7 +97,9 @@ test("a file is made when asked again, where the script that writes it did not c
 	expect(exporter.failed()).toBeLessThanOrEqual(2);
 });
 
-test("a file that takes its time says so, can be cancelled, and holds nothing else up", async ({ page }) => {
+test("a file that takes its time says so, can be cancelled, and holds nothing else up", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	let release = () => {};
 	const held = new Promise<void>((resolve) => {

@@ -71,7 +71,7 @@ test("JSON: the numbers of the page, and it restores its bunch from the picker",
 	await expect(studio.fingerprint).toHaveText(first);
 });
 
-test("OBJ with its MTL in one archive, and a series of plants in one", async ({ page }) => {
+test("OBJ with its MTL in one archive, and a series of plants in one", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	const { name, bytes } = await studio.download("obj");
 	expect(name).toBe("lychee-1-obj.zip");
@@ -129,7 +129,7 @@ test.describe("to the eye", () => {
 	});
 });
 
-test("a file that is none of ours is refused with a word and the bunch stays", async ({ page }) => {
+test("a file that is none of ours is refused with a word and the bunch stays", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	const first = await studio.fingerprint.innerText();
 	await studio.drop("holiday.doc", readFileSync("public/icons/panicle-180.png"));

@@ -85,7 +85,9 @@ test("the keyboard goes from the field to the presets and from one to the next; 
 	await expect(page).toHaveURL(/preset=riesling/);
 });
 
-test("typing in the field is typing: no letter is a shortcut, and undo is the field's", async ({ page }) => {
+test("typing in the field is typing: no letter is a shortcut, and undo is the field's", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await opened(page);
 	await search(page).pressSequentially("snot");
 	await expect(studio.button("Show stems only")).toHaveAttribute("aria-pressed", "false");

@@ -126,7 +126,9 @@ test("the view says that it takes keys, shows the focus, and its tools are one s
 	await expect(studio.button("Grammar")).toBeFocused();
 });
 
-test("a handle says where it stands: after a key step, and when it is pressed, every time", async ({ page }) => {
+test("a handle says where it stands: after a key step, and when it is pressed, every time", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const view = page.getByRole("region", { name: "Front view" });
 	const said = view.locator("[aria-live=polite]");

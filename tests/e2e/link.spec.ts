@@ -157,7 +157,9 @@ test("inputs that a link sets are shown, and can follow the profile again", { ta
 	await expect(page).not.toHaveURL(/[?&]m=/);
 });
 
-test("a link with a grammar of its own opens without a step to undo, and grows by it", async ({ page }) => {
+test("a link with a grammar of its own opens without a step to undo, and grows by it", { tag: "@long" }, async ({
+	page,
+}) => {
 	const text = `/* mine */\n${readFileSync("wasm-core/grammars/bunch/grape-bunch-3.lsys", "utf8")}`;
 	const studio = await new StudioPage(page).open(`?preset=duku#g=${await compressText(text)}`);
 	await studio.openGroup("Branching");

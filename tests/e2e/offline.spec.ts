@@ -61,7 +61,7 @@ test("after one visit the whole app works without its host", async ({ page, cont
 	expect(missing).toEqual([]);
 });
 
-test("a new version is offered, and old pages keep theirs until they are left", async ({
+test("a new version is offered, and old pages keep theirs until they are left", { tag: "@long" }, async ({
 	page,
 	context,
 	complaints,

@@ -196,7 +196,9 @@ test("mirror, locks and reset", async ({ page }) => {
 	await expect(studio.button("Reset")).toBeDisabled();
 });
 
-test("a new variation is another bunch of the same shape; typing its seed brings one back", async ({ page }) => {
+test("a new variation is another bunch of the same shape; typing its seed brings one back", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open();
 	const first = await studio.fingerprint.innerText();
 	await studio.regrown(() => studio.button("New variation").click());

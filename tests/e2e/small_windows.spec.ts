@@ -38,7 +38,9 @@ for (const [width, height] of [
 	test.describe(`at ${width} × ${height}`, () => {
 		test.use({ viewport: { width, height } });
 
-		test("every control is within reach, nothing scrolls sideways, and a slider works", async ({ page }) => {
+		test("every control is within reach, nothing scrolls sideways, and a slider works", {
+			tag: width === 320 ? [] : "@long",
+		}, async ({ page }) => {
 			const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 			await expect(studio.button("Reset view")).toBeVisible();
 			const sideways = () => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

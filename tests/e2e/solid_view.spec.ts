@@ -64,7 +64,7 @@ test("stems only leaves the berries away", { tag: "@long" }, async ({ page }) =>
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(whole / 2);
 });
 
-test("the octahedron's handles can be dragged in 3-D, as one undo step", async ({ page }) => {
+test("the octahedron's handles can be dragged in 3-D, as one undo step", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=grape-15b");
 	const first = await studio.fingerprint.innerText();
 	await studio.button("Octahedron").click();
@@ -83,18 +83,22 @@ test("the octahedron's handles can be dragged in 3-D, as one undo step", async (
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
-test("the help lists the keys and gives the focus back", async ({ page }) => {
-	await new StudioPage(page).open();
-	await page.keyboard.press("?");
-	const dialog = page.getByRole("dialog", { name: "Panicle" });
-	await expect(dialog).toContainText("Ctrl+Shift+Z");
-	await page.keyboard.press("Escape");
-	await expect(dialog).toBeHidden();
-});
+test.describe("without the picture", () => {
+	test.use({ drawn: false });
 
-test("what has grown is told to a screen reader once it rests", async ({ page }) => {
-	const studio = await new StudioPage(page).open();
-	await studio.regrown(() => studio.slider("Length").press("PageDown"));
-	const words = `${await studio.readout("Berries").innerText()} berries`;
-	await expect(page.locator("panicle-speaker [role=status]")).toContainText(words);
+	test("the help lists the keys and gives the focus back", async ({ page }) => {
+		await new StudioPage(page).open();
+		await page.keyboard.press("?");
+		const dialog = page.getByRole("dialog", { name: "Panicle" });
+		await expect(dialog).toContainText("Ctrl+Shift+Z");
+		await page.keyboard.press("Escape");
+		await expect(dialog).toBeHidden();
+	});
+
+	test("what has grown is told to a screen reader once it rests", async ({ page }) => {
+		const studio = await new StudioPage(page).open();
+		await studio.regrown(() => studio.slider("Length").press("PageDown"));
+		const words = `${await studio.readout("Berries").innerText()} berries`;
+		await expect(page.locator("panicle-speaker [role=status]")).toContainText(words);
+	});
 });

@@ -6,7 +6,9 @@ import { StudioPage } from "./studio_page";
 /** Few enough particles for a machine that draws by software. */
 const SMALL = "&n=300";
 
-test("a boundary's point is dragged, stepped by keys and undone; Escape calls a drag off", async ({ page }) => {
+test("a boundary's point is dragged, stepped by keys and undone; Escape calls a drag off", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
 	await expect(page).toHaveTitle("Oak, altered 1 · Panicle");
 	const grown = await studio.fingerprint.innerText();
