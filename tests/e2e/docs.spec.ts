@@ -19,7 +19,7 @@ test.beforeAll(async () => {
 test.afterAll(() => project.remove());
 
 for (const name of pages()) {
-	test(`docs/${name}.md: its examples do what it says`, async ({ page }) => {
+	test(`docs/${name}.md: its examples do what it says`, { tag: "@long" }, async ({ page }) => {
 		// Many programs, one after the other.
 		test.slow();
 		const desk = await Desk.at(project, python);

@@ -155,9 +155,9 @@ test("handles stand on the plant, follow hand and keys, and the plant regrows", 
 	await close();
 });
 
-test("every model is described, shows its age where it has one, and has handles", { tag: "@sizes" }, async ({
-	page,
-}) => {
+test("every model is described, shows its age where it has one, and has handles", {
+	tag: ["@sizes", "@long"],
+}, async ({ page }) => {
 	const scripts = new Set<string>();
 	page.on("request", (request) => {
 		if (request.url().endsWith(".js")) scripts.add(request.url().slice(library.address.length));

@@ -24,7 +24,7 @@ test.describe("to the eye", () => {
 
 const dist = fileURLToPath(new URL("../../dist", import.meta.url));
 
-test("what packs and writes files is no part of the first load", async ({ page }) => {
+test("what packs and writes files is no part of the first load", { tag: "@long" }, async ({ page }) => {
 	const scripts = new Set<string>();
 	page.on("response", (response) => {
 		const { pathname } = new URL(response.url());
@@ -99,7 +99,9 @@ test("everything that can be worked has a name, and the page its landmarks", asy
 	}
 });
 
-test("few stops of the Tab key come before the sliders, and each parameter is one", async ({ page }) => {
+test("few stops of the Tab key come before the sliders, and each parameter is one", { tag: "@long" }, async ({
+	page,
+}) => {
 	await new StudioPage(page).open();
 	const focused = () =>
 		page.evaluate(() => {
@@ -124,7 +126,7 @@ test("few stops of the Tab key come before the sliders, and each parameter is on
 	});
 });
 
-test("nothing sticks out of windows of any size", async ({ page }) => {
+test("nothing sticks out of windows of any size", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	for (const [width, height] of [
 		[1440, 900],
@@ -163,7 +165,7 @@ test("the theme is the system's until it is chosen, and the choice is remembered
 	expect(await paper()).toBe("rgb(244, 239, 228)");
 });
 
-test("closed groups stay closed", async ({ page }) => {
+test("closed groups stay closed", { tag: "@long" }, async ({ page }) => {
 	await new StudioPage(page).open();
 	const shape = page.locator("details[data-group=shape]");
 	await shape.locator("summary").click();

@@ -55,7 +55,7 @@ test("after one visit the whole app works without its host", async ({ page, cont
 	expect(missing).toEqual([]);
 });
 
-test("a new version is offered, and old pages keep theirs until they are left", async ({
+test("a new version is offered, and old pages keep theirs until they are left", { tag: "@long" }, async ({
 	page,
 	context,
 	complaints,
@@ -91,10 +91,9 @@ test("a new version is offered, and old pages keep theirs until they are left", 
 	await site.stop();
 });
 
-test("a host that rewrites its pages, or takes the worker away, leaves nobody with an old version", async ({
-	page,
-	complaints,
-}) => {
+test("a host that rewrites its pages, or takes the worker away, leaves nobody with an old version", {
+	tag: "@long",
+}, async ({ page, complaints }) => {
 	const site = new Site("rewritten");
 	const address = await site.start();
 	const studio = new StudioPage(page);
@@ -120,7 +119,7 @@ test("a host that rewrites its pages, or takes the worker away, leaves nobody wi
 test.describe("without a service worker", () => {
 	test.use({ serviceWorkers: "block" });
 
-	test("a script that a deploy took away is made good by the new version, with the plant", async ({
+	test("a script that a deploy took away is made good by the new version, with the plant", { tag: "@long" }, async ({
 		page,
 		complaints,
 	}) => {
@@ -143,7 +142,10 @@ test.describe("without a service worker", () => {
 	});
 });
 
-test("a page of the same host has specimens by their addresses, with and without it", async ({ page, complaints }) => {
+test("a page of the same host has specimens by their addresses, with and without it", { tag: "@long" }, async ({
+	page,
+	complaints,
+}) => {
 	complaints.expect(/404.*no-such/);
 	const site = new Site("specimens");
 	const html = `<!doctype html><title>Plants</title><link rel="icon" href="icons/panicle.svg"><img alt="An oak’s leaf">`;

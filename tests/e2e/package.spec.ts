@@ -27,9 +27,9 @@ test.afterAll(() => project.remove());
 
 const below = (folder: string) => pathToFileURL(folder).href;
 
-test("bundled by Vite it grows in a page under a strict policy, in its own workers and in a worker of the page’s", async ({
-	page,
-}) => {
+test("bundled by Vite it grows in a page under a strict policy, in its own workers and in a worker of the page’s", {
+	tag: "@long",
+}, async ({ page }) => {
 	await project.borrow("three");
 	const dist = await builtByVite(project);
 	const html = await readFile(join(dist, "index.html"), "utf8");
