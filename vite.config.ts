@@ -1,5 +1,5 @@
 import { fileURLToPath } from "node:url";
-import { defineConfig } from "vitest/config";
+import { defineConfig } from "vite";
 import { core } from "./wasm-core/tools/vite_plugin.mjs";
 import { handsFiles } from "./web/hands_files.mjs";
 import { leanThree } from "./web/lean_three.mjs";
@@ -8,8 +8,7 @@ import { offlineApp } from "./web/offline_app.mjs";
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 export default defineConfig({
-	// Tests stand beside web/, not in it.
-	root: at(process.env.VITEST ? "." : "web"),
+	root: at("web"),
 	publicDir: at("public"),
 	// Every address in the built pages is relative, so that dist/ works from any sub-path.
 	base: "./",
@@ -49,14 +48,4 @@ export default defineConfig({
 		},
 	},
 	server: { fs: { allow: [at(".")] } },
-	test: {
-		include: ["tests/{web,golden,fuzz,tools,toy,package,docs}/**/*.test.ts", "tests/*.test.ts"],
-		globalSetup: at("tests/core_module.ts"),
-		// No test fails on a time: what hangs is ended all the same.
-		testTimeout: 300_000,
-		hookTimeout: 300_000,
-		// Of two processors one would stand idle by default.
-		pool: "threads",
-		maxWorkers: "100%",
-	},
 });

@@ -1,5 +1,5 @@
 import { execFileSync } from "node:child_process";
-import { existsSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { dirname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
@@ -221,26 +221,6 @@ describe("the repository", () => {
 		const places = /(?<![\w.:/-])\/(?:work|home|root|Users|mnt|srv)\/[\w.-]+/;
 		const naming = files.filter((file) => isText(file) && file !== "package-lock.json" && places.test(read(file)));
 		expect(naming).toEqual([]);
-	});
-
-	/** Addresses of links and pictures, less those of the web, places in the same page, and what a page shows as code. */
-	const linksIn = (text: string) =>
-		[...text.replace(/^```[\s\S]*?^```$/gm, "").matchAll(/\]\(([^)\s]+)(?:\s"[^"]*")?\)|(?:src|href)="([^"]+)"/g)]
-			.map(([, written, tag]) => (written ?? tag).replace(/#.*$/, ""))
-			.filter((address) => address !== "" && !/^[a-z]+:/i.test(address));
-
-	it("links only to files that are there", () => {
-		const code = '\n```html\n<script src="n.js">\n```\n';
-		expect(linksIn(`[a](b.md#c) [d](https://e.f/) [g](#h) ![i](j/k.png "l")${code}<img src="m.webp">`)).toEqual([
-			"b.md",
-			"j/k.png",
-			"m.webp",
-		]);
-		const broken = files
-			.filter((file) => file.endsWith(".md"))
-			.flatMap((file) => linksIn(read(file)).map((address) => ({ file, address })))
-			.filter(({ file, address }) => !existsSync(join(repository, dirname(file), address)));
-		expect(broken).toEqual([]);
 	});
 
 	it.each([

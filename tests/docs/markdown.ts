@@ -9,9 +9,11 @@ export interface Target {
 /** Files that a text leads to or shows, by relative addresses. */
 export function targetsOf(text: string): Target[] {
 	const prose = text.replace(/^```[\s\S]*?^```$/gm, "").replace(/`[^`\n]*`/g, "");
-	const written = [...prose.matchAll(/\]\(([^)\s]+)\)|<img src="([^"]+)"/g)].map(([, link, src]) => link ?? src);
+	const written = [...prose.matchAll(/\]\(([^)\s]+)(?:\s"[^"]*")?\)|(?:src|href)="([^"]+)"/g)].map(
+		([, link, tag]) => link ?? tag,
+	);
 	return written
-		.filter((address) => !/^[a-z]+:/.test(address))
+		.filter((address) => !/^[a-z]+:/i.test(address))
 		.map((address) => {
 			const [path, anchor = ""] = address.split("#");
 			return { path, anchor };

@@ -1,8 +1,8 @@
 /** The pages for people hold together: what they lead to is there, their links grow as they stand, their examples are run (tests/e2e/docs.spec.ts). */
+import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
-import { dirname, join, relative } from "node:path";
+import { dirname, join } from "node:path";
 import { describe, expect, it } from "vitest";
-import { filesIn } from "../../wasm-core/tools/fresh.mjs";
 import { repository } from "../../wasm-core/tools/repository.mjs";
 import { grow } from "../web/cli/world";
 import { examplesOf, LANGUAGES, linksOf, pages, patternOf, plainly, textOf } from "./examples";
@@ -12,6 +12,7 @@ import { anchorsOf, targetsOf } from "./markdown";
 const NOT_RUN = 2;
 
 const read = (file: string) => readFileSync(join(repository, file), "utf8");
+const isThere = (file: string) => existsSync(join(repository, file));
 
 describe.each(pages())("docs/%s.md", (page) => {
 	const text = textOf(page);
@@ -48,20 +49,13 @@ it("there is a page for each who uses it, and few examples are not run", () => {
 });
 
 it("every page leads to files and headings that are there", () => {
-	const files = filesIn(
-		"docs",
-		"README.md",
-		"CHANGELOG.md",
-		"CONTRIBUTING.md",
-		"SECURITY.md",
-		"CODE_OF_CONDUCT.md",
-	).filter((file) => file.endsWith(".md"));
+	const list = ["ls-files", "--cached", "--others", "--exclude-standard", "*.md"];
+	const files = execFileSync("git", list, { cwd: repository, encoding: "utf8" }).split("\n").filter(Boolean);
 	expect(files.length).toBeGreaterThan(40);
-	const broken = files.flatMap((file) => {
-		const name = relative(repository, file);
+	const broken = files.filter(isThere).flatMap((name) => {
 		return targetsOf(read(name)).flatMap(({ path, anchor }) => {
 			const target = path ? join(dirname(name), decodeURI(path)) : name;
-			if (!existsSync(join(repository, target))) return [`${name}: ${path}`];
+			if (!isThere(target)) return [`${name}: ${path}`];
 			const known = !anchor || !target.endsWith(".md") || anchorsOf(read(target)).has(decodeURI(anchor));
 			return known ? [] : [`${name}: ${path}#${anchor}`];
 		});
@@ -103,10 +97,13 @@ describe("reading a page", () => {
 			"b--c",
 			"b--c-1",
 		]);
-		expect(targetsOf("[a](b.md#c) `[d](e)` ![f](g.jpg) [h](https://i.example) [j](#k)")).toEqual([
-			{ path: "b.md", anchor: "c" },
-			{ path: "g.jpg", anchor: "" },
-			{ path: "", anchor: "k" },
-		]);
+		expect(targetsOf('[a](b.md#c) `[d](e)` ![f](g.jpg "l") [h](https://i.example) [j](#k) <img src="m.webp">')).toEqual(
+			[
+				{ path: "b.md", anchor: "c" },
+				{ path: "g.jpg", anchor: "" },
+				{ path: "", anchor: "k" },
+				{ path: "m.webp", anchor: "" },
+			],
+		);
 	});
 });

@@ -1,6 +1,6 @@
 /**
- * Any string is a safe link, of whatever model: what is random, and published links with something changed in them. A few hundred of them
- * here; `npm run fuzz -- links [100000]` is the longer run.
+ * Any string is a safe link, of any model: random strings, and published links with a change in them. `npm run fuzz -- links [100000]` tries
+ * more of them.
  */
 import fc from "fast-check";
 import { expect, it } from "vitest";
@@ -8,10 +8,9 @@ import { readAttributes } from "../../web/src/element/attributes";
 import { modelNamed, modelNames } from "../../web/src/models/index";
 import { decodeLink, encodeLink, linkParts, modelInQuery } from "../../web/src/specimen/link";
 import { previewLinks, readFrozenLinks } from "../golden/links/list";
+import { inRun } from "../long_run.mjs";
 
-const RUNS = Number(process.env.PANICLE_FUZZ ?? 400);
-/** One string may take this long at the most, milliseconds: what is longer is as good as hung. */
-const LONGEST = 1500;
+const RUNS = Number(process.env.PANICLE_FUZZ ?? inRun(200, 4000));
 
 const models = await Promise.all(modelNames().map(modelNamed));
 const published = [...readFrozenLinks().map(({ link }) => link), ...(await previewLinks())];
@@ -126,10 +125,8 @@ function isPlain(value: unknown): boolean {
 
 it(`${RUNS} strings are safe links`, { timeout: 3_600_000 }, async () => {
 	const before = inherited();
-	let slowest = 0;
 	await fc.assert(
 		fc.asyncProperty(anyString, async (text) => {
-			const started = performance.now();
 			const { query: search, fragment: hash } = linkParts(text);
 			const of = await modelNamed(modelInQuery(search));
 			const { specimen, notes } = await decodeLink(of, search, hash);
@@ -142,8 +139,6 @@ it(`${RUNS} strings are safe links`, { timeout: 3_600_000 }, async () => {
 			expect(again).toEqual([]);
 			// As an element's attribute it is the same link.
 			expect((await readAttributes([{ name: "link", value: text }])).specimen).toEqual(specimen);
-			slowest = Math.max(slowest, performance.now() - started);
-			expect(slowest).toBeLessThan(LONGEST);
 		}),
 		{ numRuns: RUNS },
 	);

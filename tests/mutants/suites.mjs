@@ -6,16 +6,20 @@ import { freePort } from "../free_port.mjs";
 import { programOf, suiteOf } from "./mutants.mjs";
 
 /** Milliseconds after which a suite counts as one that does not end. */
-const PATIENCE = { core: 300_000, web: 180_000, e2e: 400_000 };
-/** Config of vite and vitest in a copy. */
-const CONFIG = ["--config", "tests/mutants/vite.config.ts"];
+const PATIENCE = { core: 300_000, web: 600_000, e2e: 400_000 };
+/** Configurations of Vite and of vitest in a copy. */
+const VITE = ["--config", "tests/mutants/vite.config.ts"];
+const VITEST = ["--config", "tests/mutants/vitest.config.ts"];
 
-/** Runs a program with all that it starts; `late` tells that it was ended because it took too long. */
+/**
+ * Runs a program with all that it starts, in the long run's extent: a mutant may be caught by a test that the gate leaves out. `late` tells
+ * that it was ended because it took too long.
+ */
 function run(folder, command, args, { patience = 600_000, env = {} } = {}) {
 	return new Promise((resolve) => {
 		const child = spawn(command, args, {
 			cwd: folder,
-			env: { ...process.env, NO_COLOR: "1", ...env },
+			env: { ...process.env, NO_COLOR: "1", PANICLE_LONG: "1", ...env },
 			stdio: ["ignore", "pipe", "pipe"],
 			detached: true,
 		});
@@ -52,7 +56,7 @@ const BUILDS = {
 	core: (folder, suites) =>
 		node(folder, "wasm-core/tools/core.mjs", ["native", ...new Set(suites.map(({ path }) => programOf(path)))]),
 	web: async () => ({ status: 0, output: "", late: false }),
-	e2e: (folder) => node(folder, "node_modules/vite/bin/vite.js", ["build", ...CONFIG]),
+	e2e: (folder) => node(folder, "node_modules/vite/bin/vite.js", ["build", ...VITE]),
 };
 
 const escaped = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
@@ -70,7 +74,7 @@ const RUNS = {
 		return { status: 0, output: "", late: false };
 	},
 	web: (folder, suites, patience) =>
-		node(folder, "node_modules/vitest/vitest.mjs", ["run", ...CONFIG, ...suites.map(({ path }) => path)], { patience }),
+		node(folder, "node_modules/vitest/vitest.mjs", ["run", ...VITEST, ...suites.map(({ path }) => path)], { patience }),
 	e2e: async (folder, suites, patience) => {
 		const titles = suites.map(({ title }) => title).filter(Boolean);
 		const grep = titles.length === suites.length ? ["--grep", titles.map(escaped).join("|")] : [];

@@ -63,13 +63,16 @@ describe("finding programs and headers", () => {
 });
 
 describe("finding Python", () => {
-	it("passes over one that makes no environments, as Debian's is without a package of its own", () => {
+	it("skips one that makes no environments, as Debian's is without a further package, and names that package", () => {
 		const bare = program("bare/python3", "#!/bin/sh\nexit 1\n");
 		expect(tools.python.find({ PATH: bare })).toBeNull();
 		const whole = program("whole/python3");
 		expect(tools.python.find({ PATH: whole })).toBe(join(whole, "python3"));
 		expect(tools.python.find({ PATH: bare, PYTHON: join(whole, "python3") })).toBe(join(whole, "python3"));
-		expect(tools.python.packages["apt-get"]).toEqual(["python3-venv"]);
+		const apt = { name: "apt-get", commands: (packages: string[]) => [`apt-get install ${packages.join(" ")}`] };
+		const { missing } = locate(needs.trimesh, { PATH: bare });
+		expect(missingMessage(missing, apt, "which is not there")).toMatch(/^ {2}apt-get install .*\bpython3-venv\b/m);
+		expect(locate(needs.trimesh, { PATH: whole }).found).toEqual({ python: join(whole, "python3") });
 	});
 });
 

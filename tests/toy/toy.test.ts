@@ -1,7 +1,6 @@
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, it } from "vitest";
-import { buildCore } from "../../wasm-core/tools/core.mjs";
 import { run } from "../../web/src/cli/run";
 import type { Core } from "../../web/src/core/core";
 import { loadCoreFromBytes } from "../../web/src/core/loader";
@@ -18,10 +17,9 @@ import { model, type ToySpecimen } from "./index";
 
 let core: Core;
 beforeAll(async () => {
-	await buildCore("wasm", ["toy"]);
 	core = await loadCoreFromBytes(readFileSync("build/core-test/toy.wasm"));
 	addModel("toy", async () => model);
-}, 300_000);
+});
 
 const upright: ToySpecimen = fromPreset(model);
 const grow = (specimen: ToySpecimen) => model.read(core.grow(model.encode(specimen)), specimen);

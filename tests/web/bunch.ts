@@ -5,13 +5,16 @@ import * as json from "../../web/src/export/json";
 import { foundInFile } from "../../web/src/export/restore";
 import type { Grown } from "../../web/src/models/bunch/grown";
 import { model } from "../../web/src/models/bunch/index";
+import { PRESETS } from "../../web/src/models/bunch/presets/presets";
 import { BUNCH } from "../../web/src/models/bunch/species";
 import type { BunchSpecimen, Look } from "../../web/src/models/bunch/specimen";
 import * as edit from "../../web/src/specimen/edit";
 import * as link from "../../web/src/specimen/link";
+import type { Preset } from "../../web/src/specimen/presets";
 import * as restored from "../../web/src/specimen/restore";
 import type { CoreEntry, Entry } from "../../web/src/specimen/table";
 import * as written from "../../web/src/specimen/written";
+import { inRun } from "../long_run.mjs";
 
 export {
 	BERRY_IDS,
@@ -26,6 +29,15 @@ export type { BunchSpecimen as Specimen, Look };
 export const ENTRIES: readonly Entry[] = BUNCH.table.entries;
 export const CORE_ENTRIES: readonly CoreEntry[] = BUNCH.table.core;
 export const entryOf = (key: string) => BUNCH.table.entry(key);
+/** Presets that stand for all in the gate: shapes without and with wings, a fruit, varieties set by density and by a count of berries. */
+const GATE_PRESETS = ["short-conical", "double-bunch-winged", "rubus", "riesling", "kyoho"];
+
+/** Names of the presets that a sweep over presets grows: a few in the gate, all in the long run. */
+export const presetsInRun = (isWanted: (preset: Preset) => boolean = () => true): readonly string[] =>
+	PRESETS.filter(isWanted)
+		.map(({ name }) => name)
+		.filter((name) => inRun(GATE_PRESETS.includes(name), true));
+
 export const presetNamed = (name: string) => BUNCH.presets.named(name);
 
 export const restore = (record: unknown, from?: BunchSpecimen) => restored.restore(BUNCH, record, from);

@@ -4,6 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, it } from "vitest";
+import { isLongRun } from "../../long_run.mjs";
 import { restore, specimenFromPreset } from "../bunch";
 import { freshCore, growBunch } from "../core/wasm";
 
@@ -29,7 +30,6 @@ function grow(...words: string[]): Promise<{ status: number | null; out: string;
 
 beforeAll(async () => {
 	folder = await mkdtemp(join(tmpdir(), "panicle-cli-"));
-	await grow("--help"); // Bundles, where that is due, before times are taken.
 });
 
 afterAll(() => rm(folder, { recursive: true, force: true }));
@@ -44,7 +44,7 @@ it("grows what the core grows, and prints the JSON alone", async () => {
 	expect(restore(printed.specimen).specimen).toEqual(specimen);
 });
 
-it("writes files", async () => {
+it.runIf(isLongRun)("writes files", async () => {
 	const file = join(folder, "bunch.glb");
 	const { status, out } = await grow("rubus", "--out", file);
 	expect({ status, out }).toEqual({ status: 0, out: "" });
@@ -56,7 +56,7 @@ it("ends with 2 and one line where the call cannot be used", async () => {
 	expect({ status, out, err }).toEqual({ status: 2, out: "", err: "grow: --set l: “x” is not a number\n" });
 });
 
-it("grows a series into a folder that it makes, and goes on where it was broken off", async () => {
+it.runIf(isLongRun)("grows a series into a folder that it makes, and goes on where it was broken off", async () => {
 	const into = join(folder, "not/yet");
 	const words = ["redcurrant", "--set", "count=5", "--seeds", "1-2", "--out", into];
 	const first = await grow(...words);
@@ -73,7 +73,7 @@ it("grows a series into a folder that it makes, and goes on where it was broken 
 	expect(await readdir(into)).toHaveLength(3);
 });
 
-it("is all in what the container file copies", async () => {
+it.runIf(isLongRun)("is all in what the container file copies", async () => {
 	const image = join(folder, "image");
 	const stages = (await readFile(join(repository, "Containerfile"), "utf8")).split(/^FROM /m);
 	const lines = stages.find((stage) => /^\S+ AS command\n/.test(stage))?.split("\n") ?? [];
@@ -90,7 +90,7 @@ it("is all in what the container file copies", async () => {
 	expect((await readdir(join(image, "out"))).sort()).toEqual(["lime-1-obj.zip", "plants.csv"]);
 });
 
-it("keeps still when its reader has seen enough", async () => {
+it.runIf(isLongRun)("keeps still when its reader has seen enough", async () => {
 	const child = spawn("sh", ["-c", `"${process.execPath}" wasm-core/tools/grow.mjs long-conical | head -c 10`], {
 		cwd: repository,
 	});

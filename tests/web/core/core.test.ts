@@ -8,6 +8,7 @@ import { PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { encodeRequest } from "../../../web/src/models/bunch/request";
 import { model as leafModel } from "../../../web/src/models/particles/leaf/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { inRun } from "../../long_run.mjs";
 import { type Specimen, specimenFromPreset, withParameters } from "../bunch";
 import { freshCore, growBunch, wasmBytes } from "./wasm";
 
@@ -54,14 +55,14 @@ describe("the border", () => {
 		expect(new Columns(moved).names).toEqual(columns.names);
 	});
 
-	it("keeps nothing: memory stays level over 500 growths", async () => {
+	it("keeps nothing: memory stays level over many growths", async () => {
 		const fresh = await freshCore();
 		const requests = PRESETS.map(({ name }) => encodeRequest(paper(name), { meshes: false }));
 		const grammar = encodeRequest({ ...specimenFromPreset(), grammar: "axiom: F(" });
 		for (const request of requests) fresh.grow(request);
 		refusal(() => fresh.grow(grammar));
 		const level = fresh.memoryBytes;
-		for (let turn = 0; turn < 500; turn++) {
+		for (let turn = 0; turn < inRun(100, 500); turn++) {
 			if (turn % 10 === 9) refusal(() => fresh.grow(grammar));
 			else fresh.grow(requests[turn % requests.length]);
 		}
@@ -84,7 +85,7 @@ describe("the border", () => {
 	it("refuses any bytes whatever as values, never as traps", () => {
 		const request = bytesFor({ ...specimenFromPreset("lychee"), inputs: { m: 3, n: [1, 2] } }, false);
 		const values = [0, 1, 0x7fc00000, 0xffffffff, 0x7f800000, 0x80000000, 0x00010000];
-		for (let at = 0; at < request.length; at += 4) {
+		for (let at = 0; at < request.length; at += 4 * inRun(4, 1)) {
 			// Each word three of them, by turns.
 			for (let turn = at / 4; turn < at / 4 + 3; turn++) {
 				const value = values[turn % values.length];

@@ -5,6 +5,7 @@ import { modelNamed, modelNames } from "../../../web/src/models/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { encodeLink } from "../../../web/src/specimen/link";
 import { isKnown } from "../../../web/src/specimen/restore";
+import { inRun } from "../../long_run.mjs";
 
 const read = (said: Record<string, string>) =>
 	readAttributes(Object.entries(said).map(([name, value]) => ({ name, value })));
@@ -84,6 +85,6 @@ describe("the specimen that attributes say", () => {
 					expect(model.presets.named(specimen.preset)).toBeDefined();
 				},
 			),
-			{ numRuns: 200 },
+			{ numRuns: inRun(60, 200) },
 		));
 });

@@ -25,7 +25,7 @@ beforeAll(async () => {
 	const grown = await grow(specimen);
 	const request = { model: model.name, format: "glb-lod", grown, specimen, link: "https://x/?v=2", name: "oak" };
 	glb = new Uint8Array(await (await makeFile(model, request, grow)).arrayBuffer());
-}, 60_000);
+});
 
 it("says its levels as the extension has it: the finest stands in the scene and names the others, which cover ever less", () => {
 	const { nodes, meshes = [], accessors = [], extensionsUsed, extensionsRequired, ...rest } = documentOf(glb);

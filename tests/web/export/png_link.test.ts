@@ -4,6 +4,7 @@ import { describe, expect, it } from "vitest";
 import { png } from "../../../web/src/export/png";
 import { withLink } from "../../../web/src/export/png_link";
 import { FileError, foundInFile } from "../../../web/src/export/restore";
+import { inRun } from "../../long_run.mjs";
 import { readPng } from "./reading_png";
 
 const LINK = "https://plants.example/app/?v=2&preset=riesling&seed=7&l=99.5#g=Ab-_9";
@@ -82,7 +83,7 @@ describe("a picture’s link", () => {
 					}
 				},
 			),
-			{ numRuns: 500 },
+			{ numRuns: inRun(150, 500) },
 		));
 
 	it("is found in a picture of many chunks", async () => {

@@ -1,6 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { FileError, JSON_BYTES } from "../../../web/src/export/restore";
+import { inRun } from "../../long_run.mjs";
 import { exportJson, specimenFromFile } from "../bunch";
 import * as arbitrary from "../models/bunch/arbitrary";
 import { makeGrown, SKETCH, sampleSpecimen } from "../models/bunch/fixture";
@@ -125,7 +126,7 @@ describe("a specimen out of a file", () => {
 					}
 				}
 			}),
-			{ numRuns: 300 },
+			{ numRuns: inRun(100, 300) },
 		);
 	});
 });

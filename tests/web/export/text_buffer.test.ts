@@ -2,6 +2,7 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { shortFloat } from "../../../web/src/export/numbers";
 import { TextBuffer } from "../../../web/src/export/text_buffer";
+import { inRun } from "../../long_run.mjs";
 
 const SPACE = 0x20;
 
@@ -58,7 +59,7 @@ describe("the text buffer", () => {
 				expect(written((out) => out.short(value))).toBe(JSON.stringify(shortFloat(value)));
 			}),
 			{
-				numRuns: 2000,
+				numRuns: inRun(500, 2000),
 				examples: [[-0], [1e-6], [Math.fround(1e-6)], [Math.fround(9.9999e-7)], [1e9], [1e21], [0.5]].map(
 					([each]) => [each] as [number],
 				),

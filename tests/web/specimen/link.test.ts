@@ -1,6 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { hasPacked } from "../../../web/src/specimen/link";
+import { inRun } from "../../long_run.mjs";
 import {
 	BUNCH,
 	decodeLink,
@@ -42,7 +43,7 @@ describe("a link", () => {
 			fc.asyncProperty(anySpecimen, async (specimen) => {
 				expect(await throughLink(specimen)).toEqual({ specimen, notes: [] });
 			}),
-			{ numRuns: 500 },
+			{ numRuns: inRun(120, 500) },
 		);
 	});
 

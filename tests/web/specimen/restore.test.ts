@@ -1,5 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { inRun } from "../../long_run.mjs";
 import { restore, specimenFromPreset, writtenSpecimen } from "../bunch";
 import { anySpecimen, faults } from "./arbitrary";
 
@@ -60,7 +61,7 @@ describe("restore", () => {
 				for (const { text } of notes) expect(text).toMatch(/^[^\n]{1,200}$/);
 				expect(notes.length).toBeLessThanOrEqual(13);
 			}),
-			{ numRuns: 2000 },
+			{ numRuns: inRun(400, 2000) },
 		);
 	});
 

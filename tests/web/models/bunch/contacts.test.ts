@@ -4,10 +4,11 @@ import { beforeAll, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { type Grown, TRAITS } from "../../../../web/src/models/bunch/grown";
 import { PRESETS } from "../../../../web/src/models/bunch/presets/presets";
+import { inRun } from "../../../long_run.mjs";
 import { specimenFromPreset } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 
-const SEEDS = [1, 2, 3];
+const SEEDS = inRun([1], [1, 2, 3]);
 
 /** A contact is deep where the berries overlap by more than this share of the smaller one's half width: its facet is then
  * as wide as two thirds of the berry. */

@@ -4,8 +4,8 @@ import fc from "fast-check";
 import { beforeAll, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { MEASURE_KEYS } from "../../../../web/src/models/bunch/measures.generated";
-import { PRESETS } from "../../../../web/src/models/bunch/presets/presets";
-import { type Specimen, specimenFromPreset, thin, withParameters } from "../../bunch";
+import { inRun } from "../../../long_run.mjs";
+import { presetsInRun, type Specimen, specimenFromPreset, thin, withParameters } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 
 const AGREE = 0.5;
@@ -19,7 +19,9 @@ const grow = (specimen: Specimen) => growBunch(core, specimen, { meshes: false }
 const off = (specimen: Specimen) =>
 	(grow(specimen).measures?.[MEASURE_KEYS.indexOf("density")] ?? Number.NaN) - specimen.parameters.density;
 
-const byDensity = PRESETS.map(({ name }) => specimenFromPreset(name)).filter(({ parameters }) => !parameters.count);
+const byDensity = presetsInRun()
+	.map((name) => specimenFromPreset(name))
+	.filter(({ parameters }) => !parameters.count);
 
 it.each(byDensity.map((specimen) => [specimen.preset, specimen] as const))(
 	"%s is as dense as it says",
@@ -50,7 +52,7 @@ const profile = fc.record({
 
 it("any profile is", () => {
 	const one = specimenFromPreset("long-conical");
-	for (const parameters of fc.sample(profile, { numRuns: 50, seed: 1 }))
+	for (const parameters of fc.sample(profile, { numRuns: inRun(15, 50), seed: 1 }))
 		expect(Math.abs(off(withParameters(one, parameters))), JSON.stringify(parameters)).toBeLessThan(AGREE);
 });
 

@@ -1,12 +1,12 @@
-/** How bunches of every grape preset hang, how their axes stand round the rachis, and where they are bare, over many seeds. */
+/** How bunches of grape presets hang, how their axes are arranged round the rachis, and where they are bare, over many seeds. */
 
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { type Grown, INTERNODE_KINDS, TRAITS } from "../../../../web/src/models/bunch/grown";
 import { measureOf } from "../../../../web/src/models/bunch/measures";
 import type { MEASURE_KEYS } from "../../../../web/src/models/bunch/measures.generated";
-import { PRESETS } from "../../../../web/src/models/bunch/presets/presets";
-import { specimenFromPreset } from "../../bunch";
+import { inRun, isLongRun } from "../../../long_run.mjs";
+import { presetsInRun, specimenFromPreset } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 
 const SEEDS = 20;
@@ -24,7 +24,7 @@ const bunchesOf = (preset: string): Grown[] =>
 		growBunch(core, { ...specimenFromPreset(preset), seed: seed + 1 }, { meshes: false }),
 	);
 
-const GRAPES = PRESETS.filter(({ kind }) => kind !== "fruit").map(({ name }) => name);
+const GRAPES = presetsInRun(({ kind }) => kind !== "fruit");
 const coverages: number[] = [];
 const spills: number[] = [];
 
@@ -56,7 +56,7 @@ describe.each(GRAPES)("%s", (preset) => {
 	});
 });
 
-it("keeps to the handles in the mean of presets and seeds", () => {
+it.runIf(isLongRun)("keeps to the handles in the mean of presets and seeds", () => {
 	expect(coverages).toHaveLength(GRAPES.length * SEEDS);
 	expect(mean(coverages)).toBeGreaterThanOrEqual(0.92);
 	expect(mean(spills)).toBeLessThanOrEqual(0.03);
@@ -64,7 +64,7 @@ it("keeps to the handles in the mean of presets and seeds", () => {
 
 it("drawn profiles have no tuft below bare rachis, loose and various ones neither", () => {
 	const draws = new Draws(1);
-	for (let seed = 1; seed <= 200; seed++) {
+	for (let seed = 1; seed <= inRun(20, 200); seed++) {
 		const specimen = specimenFromPreset("long-conical");
 		const profile: Record<string, number> = { l: draws.between(150, 580) };
 		for (const side of ["p3", "p4", "p5", "p6"]) {

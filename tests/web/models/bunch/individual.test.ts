@@ -1,12 +1,11 @@
-/** One seed's bunch unlike the next, of every grape preset: how far they spread, and that their mean stays. */
+/** Bunches of one preset differ by seed: how far they spread, and that their mean stays. */
 
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import type { Grown } from "../../../../web/src/models/bunch/grown";
 import { measureOf } from "../../../../web/src/models/bunch/measures";
 import type { MeasureKey } from "../../../../web/src/models/bunch/measures.generated";
-import { PRESETS } from "../../../../web/src/models/bunch/presets/presets";
-import { exportJson, specimenFromPreset, withParameters } from "../../bunch";
+import { exportJson, presetsInRun, specimenFromPreset, withParameters } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 
 const SEEDS = 20;
@@ -26,7 +25,7 @@ function spread(bunches: readonly Grown[], key: MeasureKey) {
 	return { mean, variation: Math.sqrt(variance) / mean };
 }
 
-describe.each(PRESETS.filter(({ kind }) => kind !== "fruit").map(({ name }) => name))("%s", (preset) => {
+describe.each(presetsInRun(({ kind }) => kind !== "fruit"))("%s", (preset) => {
 	let even: Grown[];
 	let varied: Grown[];
 	beforeAll(() => {

@@ -5,6 +5,7 @@ import { MEASURE_KEYS, type MeasureKey } from "../../../../web/src/models/bunch/
 import { metresPerPixel } from "../../../../web/src/models/bunch/profile/handles";
 import { bunchTargets } from "../../../../web/src/models/bunch/targets";
 import { MOST_GROWTHS, solve } from "../../../../web/src/targets/solve";
+import { inRun } from "../../../long_run.mjs";
 import { BUNCH, specimenFromPreset, withParameters } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 
@@ -78,7 +79,7 @@ const NEAR: readonly [MeasureKey, number][] = [
 	["pedicel_length", 0.02],
 ];
 
-describe.each(["riesling", "merlot", "red-globe", "shouldered-conical"])("of a %s", (preset) => {
+describe.each(inRun(["riesling"], ["riesling", "merlot", "red-globe", "shouldered-conical"]))("of a %s", (preset) => {
 	it.each(NEAR)("%s comes as near as %s to a fifth less and a quarter more", async (measure, near) => {
 		const from = specimenFromPreset(preset);
 		const before = measured(from)[MEASURE_KEYS.indexOf(measure)];

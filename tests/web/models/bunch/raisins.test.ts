@@ -2,8 +2,7 @@
 import { beforeAll, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import type { Grown } from "../../../../web/src/models/bunch/grown";
-import { PRESETS } from "../../../../web/src/models/bunch/presets/presets";
-import { specimenFromPreset } from "../../bunch";
+import { presetsInRun, specimenFromPreset } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 
 const AGES = [100, 102.5, 105, 110, 115, 120, 125];
@@ -20,7 +19,7 @@ function aged(preset: string, seed: number, age: number): Grown {
 
 const idsOf = ({ berries }: Grown) => new Set(berries.ids);
 
-it.each(PRESETS.map(({ name }) => name))("%s gains no berry as it dries, and no berry that was not there", (preset) => {
+it.each(presetsInRun())("%s gains no berry as it dries, and no berry that was not there", (preset) => {
 	for (const seed of [1, 2]) {
 		const bunches = AGES.map((age) => aged(preset, seed, age));
 		for (const [k, bunch] of bunches.entries()) {

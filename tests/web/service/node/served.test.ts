@@ -5,6 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, it } from "vitest";
+import { isLongRun } from "../../../long_run.mjs";
 import { grow } from "../../cli/world";
 
 const repository = fileURLToPath(new URL("../../../../", import.meta.url));
@@ -60,7 +61,7 @@ it("heeds the tag, HEAD and refusals over HTTP", async () => {
 	expect((await fetch(`${base}specimens/riesling.glb`, { method: "PUT", body: "x" })).status).toBe(405);
 });
 
-it("gives up a plant that takes too long, and grows the next", async () => {
+it.runIf(isLongRun)("gives up a plant that takes too long, and grows the next", async () => {
 	const slow = await fetch(`${base}specimens/tree/oak.stl?file-thickness=0.2`);
 	expect([slow.status, await slow.text()]).toEqual([503, expect.stringContaining("more than 4 s")]);
 	expect((await fetch(`${base}specimens/redcurrant.json?count=5`)).status).toBe(200);

@@ -3,6 +3,7 @@ import { describe, expect, it } from "vitest";
 import { foundInFile } from "../../../../web/src/export/restore";
 import { broughtInWords, readLibrary, writeLibrary } from "../../../../web/src/studio/saved/library_file";
 import { isSaved, LARGEST_PICTURE, LONGEST_NAME, type Saved, tidyName } from "../../../../web/src/studio/saved/saved";
+import { inRun } from "../../../long_run.mjs";
 import { savedAs } from "./shelf";
 
 /** The head of a JPEG of that size, and something after it. */
@@ -167,7 +168,7 @@ describe("a library's file", () => {
 				}
 				expect(brought.saved.length + brought.problems.length).toBeGreaterThanOrEqual((specimens as []).length);
 			}),
-			{ numRuns: 100 },
+			{ numRuns: inRun(25, 100) },
 		);
 	});
 });

@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import fc from "fast-check";
 import { Box3, type InstancedMesh, Matrix4, type Mesh, type MeshPhysicalMaterial, Quaternion, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
+import { inRun } from "../../../../long_run.mjs";
 import { writtenSpecimen } from "../../../bunch";
 import { basesOf, complaints, documentOf, load, meshesOf } from "../../../export/reading";
 import * as arbitrary from "../arbitrary";
@@ -24,7 +25,7 @@ describe("the GLB", () => {
 			fc.asyncProperty(arbitrary.sketch, arbitrary.specimen, fc.boolean(), async (sketch, any, instancing) => {
 				expect(await complaints(await bunchGlb(makeGrown(sketch), any, { instancing }))).toEqual([]);
 			}),
-			{ numRuns: 150 },
+			{ numRuns: inRun(40, 150) },
 		);
 	});
 

@@ -4,6 +4,7 @@ import { describe, expect, it } from "vitest";
 import type { GlbOptions } from "../../../../../web/src/export/glb";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { MEASURE_KEYS } from "../../../../../web/src/models/bunch/measures.generated";
+import { inRun } from "../../../../long_run.mjs";
 import { evenly } from "../../../evenly";
 import { complaints, documentOf } from "../../../export/reading";
 import * as arbitrary from "../arbitrary";
@@ -36,7 +37,7 @@ describe("the GLB of a natural bunch", () => {
 					expect(await complaints(await bunchGlb(natural, any, form))).toEqual([]);
 				},
 			),
-			{ numRuns: 120 },
+			{ numRuns: inRun(30, 120) },
 		);
 	});
 

@@ -1,4 +1,4 @@
-/** Natural bunches of the real core in every form: all presets, ages, looks, random ones. */
+/** Natural bunches of the real core in every form: presets, ages, random parameters. */
 
 import { readFileSync } from "node:fs";
 import fc from "fast-check";
@@ -6,12 +6,13 @@ import { Box3, Vector3 } from "three";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
+import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { fetchLeaf } from "../../../../../web/src/models/bunch/leaf";
 import type { NumberKey } from "../../../../../web/src/models/bunch/parameters.generated";
-import { PRESETS } from "../../../../../web/src/models/bunch/presets/presets";
 import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
 import { berriesCsv } from "../../../../../web/src/models/bunch/tables";
-import { exportJson, type Specimen, specimenFromFile, specimenFromPreset } from "../../../bunch";
+import { inRun } from "../../../../long_run.mjs";
+import { exportJson, presetsInRun, type Specimen, specimenFromFile, specimenFromPreset } from "../../../bunch";
 import { growBunch } from "../../../core/wasm";
 import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
 import { loadObj } from "../../../export/reading_obj";
@@ -34,11 +35,14 @@ const natural = (name: string, parameters: Partial<Record<NumberKey, number>> = 
 /** Fewer triangles where only the way of writing them is looked at. */
 const COARSE: RequestOptions = { stemSides: 5, berrySegments: 8 };
 
-describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
+describe.each(presetsInRun())("%s", (name) => {
 	const specimen = natural(name);
+	let grown: Grown;
+	beforeAll(() => {
+		grown = grow(specimen, COARSE);
+	});
 
 	it("is a valid GLB in both forms, and comes back through three.js with every berry in place", async () => {
-		const grown = grow(specimen, COARSE);
 		expect(grown.surfaces?.positions.length).toBe(grown.berries.count * (grown.surfaces?.uvs.length ?? 0) * 1.5);
 		for (const compact of [false, true]) {
 			const glb = await bunchGlb(grown, specimen, { compact });
@@ -62,7 +66,6 @@ describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
 	});
 
 	it("gives its fingerprint again from the JSON, and its specimen from every file that holds it", async () => {
-		const grown = grow(specimen, COARSE);
 		const json = JSON.stringify(exportJson(grown, specimen));
 		expect(fingerprintOfDocument(JSON.parse(json))).toBe(grown.fingerprint);
 		const files = [await bunchGlb(grown, specimen), new TextEncoder().encode(json)];
@@ -72,7 +75,7 @@ describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
 });
 
 describe("a natural bunch", () => {
-	it.each(["redcurrant", "rubus", "pizzutello"])(
+	it.each(inRun(["rubus"], ["redcurrant", "rubus", "pizzutello"]))(
 		"of %s comes back from OBJ with the GLB's triangles and bounds",
 		async (name) => {
 			const specimen = natural(name);
@@ -87,7 +90,7 @@ describe("a natural bunch", () => {
 		},
 	);
 
-	it.each([0, 5, 15, 50, 80, 110, 125])(
+	it.each(inRun([5, 110], [0, 5, 15, 50, 80, 110, 125]))(
 		"of age %d with leaves is a valid GLB with cane, leaves and flowers",
 		async (age) => {
 			const specimen = natural("long-conical", { age, leaves: 3, cane: 1 });
@@ -137,7 +140,7 @@ describe("a natural bunch", () => {
 				expect(fingerprintOfDocument(exportJson(grown, specimen))).toBe(grown.fingerprint);
 			}),
 			// The largest take seconds each: making a counterexample smaller would take longer than the test may.
-			{ numRuns: 15, endOnFailure: true },
+			{ numRuns: inRun(2, 15), endOnFailure: true },
 		);
 	});
 

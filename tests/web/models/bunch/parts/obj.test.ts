@@ -3,6 +3,7 @@ import { Box3, Color, type Mesh, type MeshPhongMaterial, SRGBColorSpace, Vector3
 import { describe, expect, it } from "vitest";
 import { version } from "../../../../../package.json";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import { inRun } from "../../../../long_run.mjs";
 import { meshesOf } from "../../../export/reading";
 import { loadObj } from "../../../export/reading_obj";
 import { readPng } from "../../../export/reading_png";
@@ -33,7 +34,7 @@ describe("the OBJ", () => {
 				const expected = ((any.stem?.indices.length ?? 0) + any.berries.count * (any.berry?.indices.length ?? 0)) / 3;
 				expect(triangles(read(exported(any)))).toBe(expected);
 			}),
-			{ numRuns: 50 },
+			{ numRuns: inRun(15, 50) },
 		);
 	});
 
@@ -55,7 +56,7 @@ describe("the OBJ", () => {
 					}
 				});
 			}),
-			{ numRuns: 50 },
+			{ numRuns: inRun(15, 50) },
 		);
 	});
 

@@ -6,9 +6,8 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
-import { PRESETS } from "../../../../../web/src/models/bunch/presets/presets";
 import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
-import { exportJson, specimenFromFile, specimenFromPreset } from "../../../bunch";
+import { exportJson, presetsInRun, specimenFromFile, specimenFromPreset } from "../../../bunch";
 import { growBunch } from "../../../core/wasm";
 import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
 import { loadObj } from "../../../export/reading_obj";
@@ -26,13 +25,14 @@ const grow = (name: string, options?: RequestOptions) => growBunch(core, specime
 /** Fewer triangles where only the way of writing them is looked at: reading OBJ takes its time. */
 const COARSE: RequestOptions = { stemSides: 5, berrySegments: 8 };
 
-const names = PRESETS.filter(({ kind }) => kind !== "variety").map(({ name }) => name);
-
-describe.each(names)("%s", (name) => {
+describe.each(presetsInRun(({ kind }) => kind !== "variety"))("%s", (name) => {
 	const specimen = specimenOf(name);
+	let grown: Grown;
+	beforeAll(() => {
+		grown = grow(name);
+	});
 
 	it("is a valid GLB in every form, named through", async () => {
-		const grown = grow(name);
 		for (const form of [{}, { instancing: true }, { compact: true }]) {
 			const glb = await bunchGlb(grown, specimen, form);
 			expect(await complaints(glb)).toEqual([]);
@@ -46,7 +46,6 @@ describe.each(names)("%s", (name) => {
 	});
 
 	it("comes back through three.js with every berry in place, in both forms", async () => {
-		const grown = grow(name);
 		const single = await load(await bunchGlb(grown, specimen));
 		const instanced = await load(await bunchGlb(grown, specimen, { instancing: true }));
 		single.scene.updateMatrixWorld(true);
@@ -74,7 +73,6 @@ describe.each(names)("%s", (name) => {
 	});
 
 	it("gives its fingerprint again from the JSON, and its specimen from every file that holds it", async () => {
-		const grown = grow(name);
 		const json = JSON.stringify(exportJson(grown, specimen));
 		expect(fingerprintOfDocument(JSON.parse(json))).toBe(grown.fingerprint);
 		const files = [await bunchGlb(grown, specimen), new TextEncoder().encode(json)];

@@ -63,8 +63,13 @@ describe("the nodes of a ripe stalk", () => {
 });
 
 describe("woodOf", () => {
-	it("grows as berries turn and goes on as they dry; the paper's bunches are ripe", () => {
-		expect([woodOf(at(0)), woodOf(at(1)), woodOf(at(1, 1))]).toEqual([0, 0.55, 1]);
-		expect(woodOf(makeGrown(SKETCH))).toBe(0.55);
+	it("increases while berries turn and further while they dry, from none to all", () => {
+		const ages = [at(0), at(0.3), at(1), at(1, 0.4), at(1, 1)].map(woodOf);
+		expect(ages).toEqual([...new Set(ages)].sort((a, b) => a - b));
+		expect([ages[0], ages.at(-1)]).toEqual([0, 1]);
+	});
+
+	it("is that of a ripe bunch for the paper's bunches, which have no age", () => {
+		expect(woodOf(makeGrown(SKETCH))).toBe(woodOf(at(1)));
 	});
 });

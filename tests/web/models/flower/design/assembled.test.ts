@@ -13,6 +13,7 @@ import { fetchTexts } from "../../../../../web/src/models/flower/texts";
 import { scan } from "../../../../../web/src/models/flower/tools/language";
 import { source } from "../../../../../web/src/models/flower/tools/text";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
+import { inRun } from "../../../../long_run.mjs";
 import { freshCore } from "../../../core/wasm";
 
 let core: Core;
@@ -93,7 +94,7 @@ describe("an assembled flower", () => {
 				const joined = flower[5].values.fusion === "syncarpous";
 				expect(ovaries).toBe(joined ? Math.min(1, carpels) : carpels);
 			}),
-			{ numRuns: 25 },
+			{ numRuns: inRun(6, 25) },
 		);
 	});
 
@@ -155,7 +156,7 @@ describe("an assembled flower", () => {
 				expect(textOf(design)).toBe(text);
 				for (const each of flower) expect(describedIn(design, each.organ)).toEqual(each);
 			}),
-			{ numRuns: 50 },
+			{ numRuns: inRun(20, 50) },
 		);
 	});
 

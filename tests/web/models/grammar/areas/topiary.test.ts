@@ -7,6 +7,7 @@ import { model } from "../../../../../web/src/models/grammar/index";
 import type { GrammarSpecimen } from "../../../../../web/src/models/grammar/specimen";
 import { fetchTexts, textOf } from "../../../../../web/src/models/grammar/texts";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
+import { inRun } from "../../../../long_run.mjs";
 import { freshCore } from "../../../core/wasm";
 import { clothed, holds, lateralTips, leafBases, leafLengths, surfacePlaces } from "./clothing";
 
@@ -21,7 +22,7 @@ const grow = (specimen: GrammarSpecimen): GrammarPlant =>
 const presets = model.presets.list.filter(({ kind }) => kind === "topiary").map(({ name }) => name);
 const own = (name: string, changes: Partial<GrammarSpecimen> = {}) => ({ ...fromPreset(model, name), ...changes });
 
-describe.each(presets)("%s", (name) => {
+describe.each(presets.filter((_, i) => i % inRun(3, 1) === 0))("%s", (name) => {
 	it("is clothed, by leaves of about a fifteenth of each area, and nowhere grows out of them", () => {
 		const specimen = own(name);
 		const plant = grow(specimen);

@@ -3,16 +3,13 @@ import { readdir, readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { validateBytes } from "gltf-validator";
-import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { makePackage, manifest } from "../../wasm-core/tools/package/make.mjs";
 import { grow as growByCommand } from "../web/cli/world";
 import { filesOfPage, type Project, projectWith } from "./project";
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const inRepository = (file: string) => readFile(join(repository, file), "utf8");
-
-// Programs are started, compilers among them.
-vi.setConfig({ testTimeout: 120_000 });
 
 let project: Project;
 beforeAll(async () => {
