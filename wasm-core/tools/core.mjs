@@ -13,6 +13,7 @@ import { buildFolder, coreFolder, modelFolders, modulesFolder, repository, testM
 import {
 	emscriptenEnvironment,
 	emscriptenIdentity,
+	emscriptenWarning,
 	findEmscriptenClang,
 	prepare,
 	ToolchainError,
