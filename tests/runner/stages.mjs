@@ -41,9 +41,10 @@ async function vitest(report, args) {
 	const env = { ...process.env, PANICLE_CORE: "built" };
 	const status = await node("node_modules/vitest/vitest.mjs", ["run", ...args, ...outputs], env);
 	const { numPassedTests, numFailedTests, testResults } = readReport(report);
-	const tests = testResults.flatMap(({ assertionResults }) =>
-		assertionResults.map(({ fullName, duration }) => ({ name: fullName, seconds: (duration ?? 0) / 1000 })),
-	);
+	const tests = testResults
+		.flatMap(({ assertionResults }) => assertionResults)
+		.filter(({ duration }) => duration > 0)
+		.map(({ fullName, duration }) => ({ name: fullName, seconds: duration / 1000 }));
 	return { passed: numPassedTests, failed: Math.max(numFailedTests, status === 0 ? 0 : 1), tests };
 }
 
