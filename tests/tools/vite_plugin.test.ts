@@ -1,4 +1,5 @@
 import { EventEmitter } from "node:events";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
@@ -6,8 +7,11 @@ import { coreFolder, modelFolders, repository } from "../../wasm-core/tools/repo
 import { core } from "../../wasm-core/tools/vite_plugin.mjs";
 
 vi.mock("../../wasm-core/tools/core.mjs", () => ({ buildCore: vi.fn() }));
-vi.mock("../../wasm-core/tools/generate.mjs", () => ({ generate: vi.fn() }));
-vi.mock("../../wasm-core/tools/generate/files.mjs", () => ({ generateCode: vi.fn() }));
+vi.mock("../../wasm-core/tools/generate/files.mjs", () => ({ generate: vi.fn() }));
+vi.mock("node:fs", async (original) => ({
+	...(await original<typeof import("node:fs")>()),
+	existsSync: vi.fn(() => false),
+}));
 
 const build = vi.mocked(buildCore);
 const source = join(coreFolder, "src/models/bunch/plan.cpp");
@@ -59,12 +63,11 @@ const settled = () => vi.advanceTimersByTimeAsync(1000);
 
 beforeEach(() => {
 	vi.useFakeTimers();
-	vi.stubEnv("VITEST", "");
 	build.mockReset().mockResolvedValue({ changed: true });
+	vi.mocked(existsSync).mockReset().mockReturnValue(false);
 });
 afterEach(() => {
 	vi.useRealTimers();
-	vi.unstubAllEnvs();
 });
 
 it("serves the page when the bunch's core is built, and builds the others after that", async () => {
@@ -88,7 +91,7 @@ it("serves the page when the bunch's core is built, and builds the others after 
 	expect(server.ws.send).not.toHaveBeenCalledWith({ type: "full-reload" });
 });
 
-it("holds a request for a module until it is built, and tells the page that it is being built", async () => {
+it("holds a request for a module until it is built, and sends the page its state", async () => {
 	const server = fakeServer();
 	let finish = () => {};
 	build.mockImplementation((_preset, targets) =>
@@ -102,20 +105,35 @@ it("holds a request for a module until it is built, and tells the page that it i
 	request(server, "/@fs/panicle/build/core/stand.wasm").then((answer) => (status = answer));
 	await settled();
 	expect(status).toBe(0);
-	const told = (state: string) => ({ type: "custom", event: "panicle:core", data: { model: "stand", state } });
-	expect(server.ws.send).toHaveBeenLastCalledWith(told("building"));
-	// A page that connects later is told, too.
+	const message = (state: string) => ({ type: "custom", event: "panicle:core", data: { model: "stand", state } });
+	expect(server.ws.send).toHaveBeenLastCalledWith(message("building"));
+	// A page that connects later gets the message, too.
 	const [, connected] = server.ws.on.mock.calls.find(([event]) => event === "connection") ?? [];
 	server.ws.send.mockClear();
 	connected();
-	expect(server.ws.send).toHaveBeenCalledWith(told("building"));
+	expect(server.ws.send).toHaveBeenCalledWith(message("building"));
 	finish();
 	await settled();
 	expect(status).toBe(200);
-	expect(server.ws.send).toHaveBeenLastCalledWith(told("ready"));
+	expect(server.ws.send).toHaveBeenLastCalledWith(message("ready"));
 });
 
-it("answers with an error for a module that does not compile, and passes other requests on", async () => {
+it("serves the last module that compiled where the new one does not, and again the new one when it does", async () => {
+	const server = fakeServer();
+	build.mockImplementation((_preset, targets) =>
+		targets?.[0] === "stand"
+			? Promise.reject(new Error("places.cpp:3: expected ;"))
+			: Promise.resolve({ changed: true }),
+	);
+	await serve(server);
+	await settled();
+	const address = "/@fs/panicle/build/core/stand.wasm";
+	expect(await request(server, address)).toBe(503);
+	vi.mocked(existsSync).mockImplementation((path) => String(path).endsWith("stand.wasm"));
+	expect(await request(server, address)).toBe(200);
+});
+
+it("answers with an error for a module that does not compile, and passes other requests on, malformed ones too", async () => {
 	const server = fakeServer();
 	build.mockImplementation((_preset, targets) =>
 		targets?.[0] === "stand"
@@ -126,7 +144,29 @@ it("answers with an error for a module that does not compile, and passes other r
 	await settled();
 	expect(await request(server, "/@fs/panicle/build/core/stand.wasm")).toBe(503);
 	expect(await request(server, "/@fs/panicle/build/core/bunch.wasm?import")).toBe(200);
-	expect(await request(server, "/src/studio/main.ts")).toBe(200);
+	for (const url of ["/src/studio/main.ts", "/%", "//", ""]) expect(await request(server, url)).toBe(200);
+});
+
+it("gives the page an address for every module, built or not, under the keys that the page uses", async () => {
+	const plugin = core() as unknown as {
+		configResolved(config: { command: string }): void;
+		load(id: string): string | undefined;
+		transformIndexHtml(html: string): { tags: { attrs: { src: string } }[] } | string;
+	};
+	plugin.configResolved({ command: "serve" });
+	const code = plugin.load(join(repository, "web/src/core/core_files.ts")) ?? "";
+	const files = JSON.parse(/= (\{.*\});$/.exec(code)?.[1] ?? "{}");
+	const address = readFileSync(join(repository, "web/src/core/core_address.ts"), "utf8");
+	const key = /coreFiles\[`(.*)\$\{file\}`\]/.exec(address)?.[1];
+	expect(Object.keys(files)).toEqual(modelFolders().map((model) => `${key}${model}.wasm`));
+	for (const model of modelFolders())
+		expect(files[`${key}${model}.wasm`]).toMatch(new RegExp(`^/@fs/.*/build/core/${model}\\.wasm$`));
+	const page = plugin.transformIndexHtml("<p>");
+	const script = typeof page === "string" ? "" : page.tags[0].attrs.src;
+	expect(readFileSync(script.replace("/@fs", ""), "utf8")).toContain("panicle:core");
+	plugin.configResolved({ command: "build" });
+	expect(plugin.load(join(repository, "web/src/core/core_files.ts"))).toBeUndefined();
+	expect(plugin.transformIndexHtml("<p>")).toBe("<p>");
 });
 
 it("builds again and reloads the page when a source changes", async () => {

@@ -10,13 +10,13 @@ export class CoreQueue {
 	/** @type {Map<string, { promise: Promise<boolean>, settle: (isBuilt: boolean) => void }>} */
 	#ends = new Map();
 	#ended = new Set();
-	/** Models that somebody waits for. */
+	/** Models with a pending request. */
 	#requested = new Set();
 
 	/**
 	 * @param {string[]} models in the order in which to build them
 	 * @param {(model: string) => Promise<boolean>} build returns whether the module was built; must not throw
-	 * @param {(model: string, state: ModuleState) => void} [onState] called for a model that somebody waits for
+	 * @param {(model: string, state: ModuleState) => void} [onState] called for a model with a pending request
 	 */
 	constructor(models, build, onState = () => {}) {
 		this.#waiting = [...models];
@@ -59,7 +59,7 @@ export class CoreQueue {
 		return end.promise;
 	}
 
-	/** Models that somebody waits for now. */
+	/** Models with a pending request now. */
 	get requested() {
 		return [...this.#requested];
 	}

@@ -3,12 +3,12 @@
  * the page, and builds the others in the background, the one that a page requests next; it builds again when sources of
  * the core change. What does not compile shows in the terminal and over the page, which keeps the last good core.
  */
-import { basename, join, sep } from "node:path";
+import { existsSync } from "node:fs";
+import { join, sep } from "node:path";
 import { buildCore } from "./core.mjs";
 import { CoreQueue } from "./core_queue.mjs";
-import { generateCode } from "./generate/files.mjs";
-import { generate } from "./generate.mjs";
-import { coreFolder, modelFolders, modulesFolder } from "./repository.mjs";
+import { generate } from "./generate/files.mjs";
+import { coreFolder, modelFolders, moduleOf, repository } from "./repository.mjs";
 
 const watched = ["src", "grammars", "parameters", "tools", "CMakeLists.txt", "CMakePresets.json"].map((name) =>
 	join(coreFolder, name),
@@ -48,11 +48,10 @@ function whenSettled(work) {
 }
 
 /** Builds and informs the page: to reload, or of what does not compile. Returns whether it was built. */
-async function build(server, state, targets, generateFirst) {
+async function build(server, state, targets) {
 	const { logger } = server.config;
 	const from = performance.now();
 	try {
-		generateFirst();
 		const { changed } = await buildCore("wasm", targets);
 		const seconds = ((performance.now() - from) / 1000).toFixed(1);
 		const what = targets.length > 0 ? `core of ${targets.join(", ")}` : "core";
@@ -69,12 +68,14 @@ async function build(server, state, targets, generateFirst) {
 	}
 }
 
-/** Holds a request for a module until the module is built. */
+/**
+ * Holds a request for a module until the module is built. Where it does not compile, the last one that did is served, or an
+ * error where there is none.
+ */
 function holdRequests(server, queue) {
 	server.middlewares.use(async (request, response, next) => {
-		const path = decodeURI(new URL(request.url ?? "/", "http://localhost").pathname);
-		const model = basename(path, ".wasm");
-		if (!path.endsWith(`/build/core/${model}.wasm`) || (await queue.wait(model))) return next();
+		const model = /\/build\/core\/(\w+)\.wasm(?:\?|$)/.exec(request.url ?? "")?.[1];
+		if (!model || (await queue.wait(model)) || existsSync(moduleOf(model))) return next();
 		response.statusCode = 503;
 		response.end(`The core of ${model} does not compile; see the terminal.`);
 	});
@@ -85,7 +86,7 @@ async function serveCore(server) {
 	const models = modelFolders().sort((a, b) => Number(b === FIRST) - Number(a === FIRST));
 	const send = (model, status) =>
 		server.ws.send({ type: "custom", event: "panicle:core", data: { model, state: status } });
-	const queue = new CoreQueue(models, (model) => build(server, state, [model], generateCode), send);
+	const queue = new CoreQueue(models, (model) => build(server, state, [model]), send);
 	// A page that has just connected may have missed the first message.
 	server.ws.on("connection", () => {
 		for (const model of queue.requested) send(model, "building");
@@ -95,7 +96,8 @@ async function serveCore(server) {
 	server.watcher.add(watched);
 	const change = whenSettled(async () => {
 		await whole;
-		await build(server, state, [], () => generate({ write: true }));
+		generate();
+		await build(server, state, []);
 	});
 	server.watcher.on("all", (_event, path) => {
 		if (isSource(path)) change();
@@ -104,22 +106,28 @@ async function serveCore(server) {
 	state.isServing = true;
 }
 
+/** The address under which Vite serves a file of the repository, whatever the root of the page. */
+const served = (file) => join("/@fs/", file).replaceAll(sep, "/");
+
 /**
  * core_files.ts for the development server: the addresses of all modules, built or not. The file itself lists those that
  * Vite finds on disk.
  */
 function plannedAddresses() {
-	const addresses = modelFolders().map((model) => [
-		`../../../build/core/${model}.wasm`,
-		join("/@fs/", modulesFolder, `${model}.wasm`).replaceAll(sep, "/"),
-	]);
+	const addresses = modelFolders().map((model) => [`../../../build/core/${model}.wasm`, served(moduleOf(model))]);
 	return `export const coreFiles = ${JSON.stringify(Object.fromEntries(addresses))};`;
 }
 
 /** Adapts the page to the development server, whose own scripts write styles into it and whose modules may be missing. */
 const forDevelopment = (html) => ({
 	html: html.replace(/style-src 'self'/, "style-src 'self' 'unsafe-inline'"),
-	tags: [{ tag: "script", attrs: { type: "module", src: "/dev/core_status.ts" }, injectTo: "head" }],
+	tags: [
+		{
+			tag: "script",
+			attrs: { type: "module", src: served(join(repository, "web/dev/core_status.ts")) },
+			injectTo: "head",
+		},
+	],
 });
 
 /** @returns {import("vite").Plugin} */
@@ -129,14 +137,14 @@ export function core() {
 	return {
 		name: "core",
 		configResolved(config) {
-			isServer = config.command === "serve" && !process.env.VITEST;
+			isServer = config.command === "serve";
 			isBuild = config.command === "build";
 		},
 		async buildStart() {
 			if (isBuild && process.env.PANICLE_CORE !== "built") await buildCore();
 		},
 		async configureServer(server) {
-			if (!process.env.VITEST) await serveCore(server);
+			await serveCore(server);
 		},
 		load: (id) => (isServer && id.endsWith(ADDRESSES) ? plannedAddresses() : undefined),
 		transformIndexHtml: (html) => (isServer ? /** @type {any} */ (forDevelopment(html)) : html),
