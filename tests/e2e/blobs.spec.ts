@@ -1,7 +1,7 @@
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
-test("no picture and no request comes from a data: or blob: address; the page needs none", { tag: "@long" }, async ({
+test("no picture and no request comes from a data: or blob: address; the page needs none", async ({
 	page,
 	complaints,
 }) => {

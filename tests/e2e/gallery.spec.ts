@@ -110,7 +110,7 @@ for (const [words, width, height] of [
 	});
 }
 
-test("pictures come when they are near to being seen", { tag: "@long" }, async ({ page }) => {
+test("pictures come when they are near to being seen", async ({ page }) => {
 	const asked = new Set<string>();
 	page.on("request", (request) => {
 		if (/\/gallery\//.test(request.url())) asked.add(request.url());

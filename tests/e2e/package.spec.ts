@@ -3,8 +3,6 @@ import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
-import { makePackage } from "../../wasm-core/tools/package/make.mjs";
-import { repository } from "../../wasm-core/tools/repository.mjs";
 import type { PanicleSpecimen } from "../../web/src/element/panicle";
 import { builtByVite, filesOfPage, type Project, projectWith } from "../package/project";
 import { expectSize } from "../sizes/expect_size";
@@ -79,10 +77,4 @@ test("served as it is, it grows in a page with an import map, and so does its el
 	expect(bytes).toBeGreaterThan(100_000);
 	expectSize("element of the package: scripts, gzipped", bytes);
 	await host.close();
-});
-
-test("docs/api is up to date with the comments of the package", async () => {
-	const { pages: api } = await makePackage();
-	for (const [name, text] of Object.entries(api))
-		expect(await readFile(join(repository, `docs/api/${name}.md`), "utf8"), "run `npm run docs -- api`").toBe(text);
 });

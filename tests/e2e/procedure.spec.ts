@@ -7,9 +7,7 @@ const PAPER = JSON.parse(readFileSync("tests/golden/bunch.json", "utf8"))["short
 
 const group = (studio: StudioPage, key: string) => studio.page.locator(`details[data-group=${key}]`);
 
-test("a link of version 1 keeps the paper's bunch, to the bit, and says nothing of it", { tag: "@long" }, async ({
-	page,
-}) => {
+test("a link of version 1 keeps the paper's bunch, to the bit, and says nothing of it", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=1&preset=short-conical");
 	await expect(studio.fingerprint).toHaveText(PAPER);
 	await expect(page).toHaveURL(/\?v=2&preset=short-conical&.*procedure=paper/);

@@ -14,7 +14,7 @@ test.beforeAll(async () => {
 });
 test.afterAll(() => host.close());
 
-test("a model of three files is shown, edited, linked, undone and downloaded", { tag: "@long" }, async ({ page }) => {
+test("a model of three files is shown, edited, linked, undone and downloaded", async ({ page }) => {
 	const studio = new StudioPage(page);
 	await page.goto(`${host.address}?model=toy`);
 	await expect(studio.fingerprint).toHaveText(/^[0-9a-f]{16}$/);

@@ -51,13 +51,6 @@ describe("under Node", () => {
 		expect(issues.numErrors + issues.numWarnings).toBe(0);
 	});
 
-	it("grows in a thread of its own: the second", async () => {
-		const { json } = await growByCommand(RIESLING);
-		expect(project.run("many.mjs")).toMatch(
-			new RegExp(`^${json.counts.berries} berries, .* ${json.fingerprint} true\n$`),
-		);
-	});
-
 	it("grows the goldens of links of every version, and other models’ presets", async () => {
 		const [paper, natural] = await Promise.all(
 			["bunch", "natural"].map(async (name) => JSON.parse(await inRepository(`tests/golden/${name}.json`))),

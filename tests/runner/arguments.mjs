@@ -3,11 +3,11 @@
  * (`bunch`), a folder of tests (`models`, `toy`, `fuzz`), or `unit`: native and web tests. `--long` chooses the long run,
  * `--changed` the tests of what changed.
  */
-import { existsSync, readdirSync } from "node:fs";
+import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { changeBase, changedFiles } from "../../wasm-core/tools/changes.mjs";
 import { repository } from "../../wasm-core/tools/repository.mjs";
-import { roomsOf } from "./changed.mjs";
+import { foldersIn, isOfCore } from "./changed.mjs";
 
 /** Folders of vitest's tests by room, from the repository's root. */
 const WEB = ["tests/web", "tests/web/models"];
@@ -32,16 +32,12 @@ const QUICK = ["docs", "lint", "types"];
  * @property {string[]} endToEnd arguments by which Playwright chooses files; empty: all
  */
 
-const foldersIn = (place) =>
-	existsSync(join(repository, place))
-		? readdirSync(join(repository, place), { withFileTypes: true })
-				.filter((entry) => entry.isDirectory() && entry.name !== "models")
-				.map(({ name }) => name)
-		: [];
+/** Folders of tests in a folder; that of the models holds one folder a model. */
+const testsIn = (place) => foldersIn(place).filter((name) => name !== "models");
 
 /** Rooms, models and folders that have tests, each once, in alphabetical order. */
 export function rooms() {
-	const names = [...CORE, ...WEB].flatMap(foldersIn);
+	const names = [...CORE, ...WEB].flatMap(testsIn);
 	const other = OTHER.filter((folder) => existsSync(join(repository, "tests", folder)));
 	return [...new Set(["core", "models", ...names, ...other])].sort();
 }
@@ -49,15 +45,15 @@ export function rooms() {
 /** The native programs of a room or model; `core` is every room. */
 function nativeOf(word) {
 	if (word === "core") return ["core_tests"];
-	if (word === "models") return foldersIn(CORE[1]).map((model) => `${model}_tests`);
-	return CORE.some((place) => foldersIn(place).includes(word)) ? [`${word}_tests`] : [];
+	if (word === "models") return testsIn(CORE[1]).map((model) => `${model}_tests`);
+	return CORE.some((place) => testsIn(place).includes(word)) ? [`${word}_tests`] : [];
 }
 
 function webOf(word) {
 	if (word === "models") return [`${WEB[1]}/`, "tests/golden/"];
 	if (OTHER.includes(word)) return [`tests/${word}/`];
-	const folders = WEB.filter((place) => foldersIn(place).includes(word)).map((place) => `${place}/${word}/`);
-	return foldersIn(WEB[1]).includes(word) ? [...folders, OF_ALL_MODELS] : folders;
+	const folders = WEB.filter((place) => testsIn(place).includes(word)).map((place) => `${place}/${word}/`);
+	return testsIn(WEB[1]).includes(word) ? [...folders, OF_ALL_MODELS] : folders;
 }
 
 /** The stages named, with those that they need, in the order of all stages; the set-up always comes first. */
@@ -66,17 +62,19 @@ function ordered(stages, names) {
 	return stages.map(({ name }) => name).filter((name) => name === "set-up" || withNeeds.includes(name));
 }
 
-/** The tests of what changed: rooms of the core, and whatever imports a changed file of the page. */
+/**
+ * The tests of what changed. Where it is the core, all native and web tests, since every model grows by it; else the web
+ * tests that import a changed file.
+ */
 function changedPlan(stages, isLong, files) {
-	const inCore = roomsOf(files);
-	const native = inCore.map((room) => `${room}_tests`).filter((program) => nativeOf(program.slice(0, -6)).length > 0);
-	const endToEnd = (files ?? []).filter(
-		(file) => /^tests\/e2e\/.*\.spec\.ts$/.test(file) && existsSync(join(repository, file)),
-	);
-	const base = files ? changeBase() : undefined;
+	const isCore = !files || files.some(isOfCore);
+	const base = isCore ? undefined : changeBase();
+	const isTest = (file) => /^tests\/e2e\/.*\.spec\.ts$/.test(file) && existsSync(join(repository, file));
+	const endToEnd = (files ?? []).filter(isTest);
 	const names = [...QUICK, "web"];
-	if (native.length > 0) names.push("native");
+	if (isCore) names.push("native");
 	if (endToEnd.length > 0) names.push("e2e");
+	const native = isCore ? ["core_tests"] : [];
 	return { isLong, stages: ordered(stages, names), native, web: base ? [`--changed=${base}`] : [], endToEnd };
 }
 

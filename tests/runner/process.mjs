@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { run } from "../../wasm-core/tools/process.mjs";
 import { buildFolder, repository } from "../../wasm-core/tools/repository.mjs";
 
-/** A stage that found a fault in the code, as opposed to one that could not run. Its message is for the person who waits. */
+/** A stage failed because of the code under test. The message is printed without a stack trace. */
 export class StageError extends Error {}
 
 /**

@@ -13,13 +13,13 @@ import { mustSucceed, node, readReport, reportPath, StageError } from "./process
 
 /** @typedef {import("./arguments.mjs").Plan} Plan */
 
-/** Documentation pages that programs write: those that are not what their tables say. */
+/** Fails where a generated page of the documentation is out of date. */
 function stalePages() {
 	const stale = generate({ write: false, only: "pages" });
 	if (stale.length > 0) throw new StageError(`stale: ${stale.join(", ")}; run \`npm run docs -- tables\``);
 }
 
-/** Types of the page with the tests, and of the tools. What was checked before and has not changed is not checked again. */
+/** Checks the types of the page with the tests, and of the tools. */
 async function types() {
 	for (const project of [".", "wasm-core/tools"]) {
 		await mustSucceed("node_modules/typescript/bin/tsc", ["--noEmit", "--project", project]);
@@ -82,9 +82,9 @@ async function otherBrowsers() {
 /** Sizes in bytes of what was built, against those of the last release. */
 async function sizes() {
 	const { checkSizes } = await import("../sizes/check.mjs");
-	const { table, problems } = checkSizes();
+	const { table, advice } = checkSizes();
 	console.log(table);
-	if (problems.length > 0) throw new StageError(problems.join("\n"));
+	if (advice) throw new StageError(advice);
 }
 
 /**

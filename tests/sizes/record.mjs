@@ -12,7 +12,7 @@ import { compilerVersion, measure, measuredFile } from "./measure.mjs";
 /** Runs the end-to-end tests that measure sizes: their titles have the tag @sizes. */
 async function measureInBrowser() {
 	rmSync(dirname(measuredFile("")), { recursive: true, force: true });
-	const env = { ...process.env, PANICLE_SIZES: "record", PANICLE_PORT: String(await freePort()) };
+	const env = { ...process.env, PANICLE_LONG: "1", PANICLE_SIZES: "record", PANICLE_PORT: String(await freePort()) };
 	const cli = join(repository, "node_modules/@playwright/test/cli.js");
 	const args = [cli, "test", "--grep", "@sizes", "--reporter", "line"];
 	const { status } = await run(process.execPath, args, { cwd: repository, env, show: process.stderr });
@@ -27,12 +27,15 @@ async function measureInBrowser() {
  */
 export async function recordSizes(version, date) {
 	await measureInBrowser();
-	const { previous, date: _, ...last } = lastRelease();
+	const { previous, ...last } = lastRelease();
+	const sizes = measure();
+	const missing = Object.keys(last.sizes).filter((row) => !(row in sizes));
+	if (missing.length > 0) throw new Error(`These rows of the last release were not measured: ${missing.join("; ")}.`);
 	const recorded = {
 		version,
 		date,
 		emscripten: compilerVersion(),
-		sizes: measure(),
+		sizes,
 		// Recorded again, a release keeps the one before it.
 		previous: last.version === version ? previous : last,
 	};

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { readArguments, rooms } from "../runner/arguments.mjs";
-import { coreRooms, roomsOf } from "../runner/changed.mjs";
+import { coreFolders, roomsOf } from "../runner/changed.mjs";
 import { stages } from "../runner/stages.mjs";
 import { slowest, table } from "../runner/times.mjs";
 
@@ -27,7 +27,7 @@ describe("the arguments of a test run", () => {
 		});
 	});
 
-	it("choose one room's tests, whichever side it is on", () => {
+	it("choose a room's native or web tests", () => {
 		expect(read("lsystem")).toMatchObject({ stages: ["set-up", "native"], native: ["lsystem_tests"], web: [] });
 		expect(read("studio")).toMatchObject({ stages: ["set-up", "wasm", "web"], web: ["tests/web/studio/"] });
 		expect(read("core")).toMatchObject({
@@ -72,7 +72,7 @@ describe("the arguments of a test run", () => {
 		expect(chosen).toEqual(["set-up", "native", "wasm", "web", "app", "e2e", "sizes", "browsers"]);
 	});
 
-	it("are refused where they mean nothing", () => {
+	it("return a problem for unknown words and options", () => {
 		expect(read("bunch", "grapes")).toEqual({ problem: expect.stringMatching(/^No stage, room or model “grapes”; /) });
 		expect(read("--slow")).toEqual({ problem: expect.stringMatching(/^Unknown option --slow/) });
 		expect(read("--changed", "bunch")).toHaveProperty("problem");
@@ -81,35 +81,49 @@ describe("the arguments of a test run", () => {
 });
 
 describe("the tests of what changed", () => {
-	it("are those of changed rooms, changed end-to-end tests, and what vitest finds", () => {
-		const changed = changes("wasm-core/src/lsystem/code.cpp", "tests/e2e/link.spec.ts", "tests/e2e/gone.spec.ts");
-		expect(readArguments(["--changed"], all, changed)).toMatchObject({
+	it.each([
+		"wasm-core/src/lsystem/code.cpp",
+		"wasm-core/parameters/bunch.json",
+		"wasm-core/grammars/flower/tulip.gl3",
+		"tests/core/fuzz_dice.hpp",
+	])("are all native and web tests where %s changed, for every model grows by the core", (file) => {
+		const changed = changes(file, "tests/e2e/link.spec.ts", "tests/e2e/gone.spec.ts");
+		expect(readArguments(["--changed"], all, changed)).toEqual({
+			isLong: false,
 			stages: ["set-up", "docs", "lint", "types", "native", "wasm", "web", "app", "e2e"],
-			native: ["lsystem_tests"],
+			native: ["core_tests"],
+			web: [],
 			endToEnd: ["tests/e2e/link.spec.ts"],
 		});
 	});
 
-	it("leave out what did not change", () => {
-		expect(readArguments(["--changed"], all, changes("README.md"))).toMatchObject({
+	it("are the web tests that import a changed file where the core did not change", () => {
+		expect(readArguments(["--changed"], all, changes("README.md"))).toEqual({
+			isLong: false,
 			stages: ["set-up", "docs", "lint", "types", "wasm", "web"],
-			native: ["core_tests"].slice(1),
+			native: [],
+			web: [expect.stringMatching(/^--changed=[0-9a-f]{40}$/)],
 			endToEnd: [],
 		});
 	});
 });
 
 describe("the rooms to sanitize", () => {
-	it("are those whose sources or tests changed, models by their names", () => {
+	it("are those whose sources, tests, grammars or tables changed, models by their names", () => {
 		const files = ["wasm-core/src/plant/plant.cpp", "tests/core/models/bunch/bunch_test.cpp", "web/src/core/core.ts"];
 		expect(roomsOf(files)).toEqual(["bunch", "plant"]);
+		expect(roomsOf(["wasm-core/grammars/flower/tulip.gl3", "wasm-core/parameters/growth.measures.json"])).toEqual([
+			"flower",
+			"growth",
+		]);
 	});
 
-	it("are all where the build changed, or where changes are unknown", () => {
-		expect(roomsOf(undefined)).toEqual(coreRooms());
-		expect(roomsOf(["wasm-core/CMakeLists.txt"])).toEqual(coreRooms());
-		expect(coreRooms()).toEqual(expect.arrayContaining(["boundary", "foundation", "flower"]));
-		expect(coreRooms()).not.toContain("models");
+	it("are all where changes are unknown or concern every room", () => {
+		expect(roomsOf(undefined)).toEqual(coreFolders());
+		for (const file of ["wasm-core/CMakeLists.txt", "tests/core/main.cpp", "wasm-core/parameters/leaf.json"])
+			expect(roomsOf([file])).toEqual(coreFolders());
+		expect(coreFolders()).toEqual(expect.arrayContaining(["boundary", "foundation", "flower"]));
+		expect(coreFolders()).not.toContain("models");
 	});
 });
 

@@ -1,4 +1,4 @@
-/** The files that differ from the branch that a change is for. */
+/** Lists the files that the current branch changes. */
 import { capture } from "./process.mjs";
 import { repository } from "./repository.mjs";
 
@@ -32,7 +32,7 @@ export function changeBase({ folder = repository, env = process.env } = {}) {
 }
 
 /**
- * Files that exist and that were changed since `changeBase()`: committed, uncommitted and new ones. Paths from the root of the
+ * Files that were changed since `changeBase()`: committed, uncommitted, new and deleted ones. Paths from the root of the
  * repository.
  *
  * @param {Options} [options]
@@ -41,7 +41,7 @@ export function changeBase({ folder = repository, env = process.env } = {}) {
 export function changedFiles({ folder = repository, env = process.env } = {}) {
 	const git = gitIn(folder);
 	const base = changeBase({ folder, env });
-	const changed = base && git("diff", "--name-only", "--diff-filter=d", base);
+	const changed = base && git("diff", "--name-only", base);
 	const untracked = git("ls-files", "--others", "--exclude-standard");
 	if (typeof changed !== "string" || untracked === undefined) return undefined;
 	return [...new Set([...changed.split("\n"), ...untracked.split("\n")])].filter(Boolean).sort();

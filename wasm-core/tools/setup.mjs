@@ -18,7 +18,7 @@ function checkNode() {
  * Checks Node, generates code, finds the tools that `purpose` needs and installs the npm packages. Returns the tools' paths.
  *
  * @param {string} purpose
- * @param {{ meanwhile?: () => Promise<void> }} [options] meanwhile: what needs the tools, but no npm package
+ * @param {{ meanwhile?: () => Promise<void> }} [options] meanwhile: work that needs the tools but no npm package; runs while these are installed
  */
 export async function setUp(purpose, { meanwhile = async () => {} } = {}) {
 	checkNode();

@@ -167,8 +167,8 @@ export const needs = {
 	test: Object.keys(tools).filter((name) => !["ccache", "clang-tidy"].includes(name)),
 };
 
-/** What each purpose uses where the machine has it, and gets along without: installed beside what is needed. */
-const uses = { core: ["ccache"], native: ["ccache"], test: ["ccache"] };
+/** Optional tools by purpose: used if present, and installed together with required ones that are missing. */
+const optionalTools = { core: ["ccache"], native: ["ccache"], test: ["ccache"] };
 
 /**
  * Paths of the tools named, and the names of those that are not there.
@@ -218,7 +218,7 @@ export function missingMessage(missing, manager, why, unfit = []) {
  */
 export async function prepare(purpose, { env = process.env, log = console.error } = {}) {
 	const names = needs[purpose];
-	const optional = locate(uses[purpose] ?? [], env);
+	const optional = locate(optionalTools[purpose] ?? [], env);
 	const { found, missing } = locate(names, env);
 	if (missing.length === 0) return { ...found, ...optional.found };
 	const manager = packageManager(env);
@@ -229,7 +229,7 @@ export async function prepare(purpose, { env = process.env, log = console.error 
 	const packages = [...missing, ...optional.missing].flatMap((name) => tools[name].packages[manager.name]);
 	const problem = await installWithApt(packages, { emscripten: oldestEmscripten }, env);
 	const after = locate(names, env);
-	if (after.missing.length === 0) return { ...after.found, ...locate(uses[purpose] ?? [], env).found };
+	if (after.missing.length === 0) return { ...after.found, ...locate(optionalTools[purpose] ?? [], env).found };
 	const { why, unfit } = problem ?? {
 		why: "which its package did not bring",
 		unfit: after.missing.flatMap((name) => tools[name].packages[manager.name]),

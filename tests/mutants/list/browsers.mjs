@@ -42,14 +42,14 @@ export default [
 		faults: [
 			{
 				id: "runner-unknown-changes",
-				find: "if (!files || files.some",
-				replace: "if (files?.some",
+				find: "if (!files || files.some((file) => OF_ALL_ROOMS",
+				replace: "if (files?.some((file) => OF_ALL_ROOMS",
 				breaks: "without git's history no room is sanitized",
 			},
 			{
 				id: "runner-tests-of-a-room",
-				find: "(?:wasm-core\\/src|tests\\/core)",
-				replace: "(?:wasm-core\\/src)",
+				find: "(?:wasm-core\\/src|tests\\/core)\\/(?:models",
+				replace: "(?:wasm-core\\/src)\\/(?:models",
 				breaks: "a room whose tests changed is not sanitized",
 			},
 		],
