@@ -13,7 +13,7 @@ test.beforeEach(({ page }) => openViews(page, host.address));
 
 const SMALL = "?v=2&preset=redcurrant&count=6";
 
-test("twenty views made and disposed leave nothing behind", async ({ page }) => {
+test("twenty views made and disposed leave nothing behind", { tag: "@long" }, async ({ page }) => {
 	const warnings: string[] = [];
 	page.on("console", (message) => warnings.push(message.text()));
 	const left = await page.evaluate(async (query) => {
