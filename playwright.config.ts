@@ -21,8 +21,6 @@ if (process.getuid?.() === 0) flags.push("--no-sandbox");
 /**
  * End-to-end tests: the built app in dist/, in the system's Chromium. Tests with the tag `@long` run only in the long run
  * (`PANICLE_LONG=1`).
- *
- * Each test has a browser context of its own. Sharing one (`reuseContext`) was measured: it saves 8 % of the processor time.
  */
 export default defineConfig({
 	testDir: "tests/e2e",

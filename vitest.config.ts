@@ -28,7 +28,7 @@ export default defineConfig({
 	test: {
 		globalSetup: at("tests/run_setup.ts"),
 		setupFiles: [at("tests/file_setup.ts")],
-		// Ends what hangs; no test fails because it is slow.
+		// Ends tests that hang; far above the time of any test.
 		testTimeout: 300_000,
 		hookTimeout: 300_000,
 		pool: "threads",

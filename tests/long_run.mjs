@@ -13,3 +13,11 @@ export const isLongRun = process.env.PANICLE_LONG === "1";
  * @returns {T}
  */
 export const inRun = (gate, long) => (isLongRun ? long : gate);
+
+/**
+ * The names that a repeated test runs: those in `gate` in `npm test`, all of them in `npm run test:long`.
+ *
+ * @param {readonly string[]} names
+ * @param {readonly string[]} gate
+ */
+export const namesInRun = (names, gate) => names.filter((name) => isLongRun || gate.includes(name));

@@ -14,7 +14,7 @@ import { MessageChannel, Worker } from "node:worker_threads";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
 import { bundleForNode } from "../../wasm-core/tools/node_bundle.mjs";
 import { buildFolder } from "../../wasm-core/tools/repository.mjs";
-import { soakQuestion } from "./soak_questions.mjs";
+import { soakRequest } from "./soak_requests.mjs";
 import { printTable } from "./statistics.mjs";
 import { grown } from "./steady.mjs";
 
@@ -28,11 +28,11 @@ const REQUESTS = 100_000;
 
 /**
  * @typedef {object} Service the service as it runs, with what measures it
- * @property {(question: { path: string }) => Promise<number>} ask the status of an answer, which is read to its end
- * @property {(asked: number) => Promise<Sample>} sample
+ * @property {(request: { path: string }) => Promise<number>} send the status of an answer, which is read to its end
+ * @property {(requests: number) => Promise<Sample>} sample
  * @property {() => Promise<void>} close
  *
- * @typedef {{ asked: number, cores: number, threads: number, server: number, process: number }} Sample memory in MB after a
+ * @typedef {{ requests: number, cores: number, threads: number, server: number, process: number }} Sample memory in MB after a
  * number of requests: of the cores, of the heaps of the threads, of the heap of the server, and of the process
  */
 
@@ -68,18 +68,18 @@ async function startService() {
 	server.keepAliveTimeout = 0;
 	const agent = new Agent({ keepAlive: true, maxSockets: 2 * THREADS });
 	return {
-		ask: ({ path, ...options }) =>
+		send: ({ path, ...options }) =>
 			new Promise((resolve, reject) => {
 				const { port } = server.address();
-				const asking = request({ agent, host: "127.0.0.1", port, path, ...options }, (answer) => {
+				const outgoing = request({ agent, host: "127.0.0.1", port, path, ...options }, (answer) => {
 					answer.resume().on("end", () => resolve(answer.statusCode));
 				});
-				asking.on("error", reject).end();
+				outgoing.on("error", reject).end();
 			}),
-		async sample(asked) {
+		async sample(requests) {
 			const held = await Promise.all(
 				[...watched].map(async (port) => {
-					port.postMessage("weigh");
+					port.postMessage("measure");
 					const [{ cores, heap }] = await once(port, "message");
 					return { cores, heap };
 				}),
@@ -87,7 +87,7 @@ async function startService() {
 			collect();
 			const { heapUsed, rss } = process.memoryUsage();
 			const sum = (key) => held.reduce((all, each) => all + each[key], 0) / 1e6;
-			return { asked, cores: sum("cores"), threads: sum("heap"), server: heapUsed / 1e6, process: rss / 1e6 };
+			return { requests, cores: sum("cores"), threads: sum("heap"), server: heapUsed / 1e6, process: rss / 1e6 };
 		},
 		async close() {
 			for (const port of watched) port.close();
@@ -116,15 +116,15 @@ export async function soak(requests = REQUESTS) {
 	const statuses = new Map();
 	const samples = [];
 	let next = 0;
-	const askUntil = async (end) => {
+	const sendUntil = async (end) => {
 		while (next < end) {
-			const status = await service.ask(soakQuestion(next++ % ADDRESSES));
+			const status = await service.send(soakRequest(next++ % ADDRESSES));
 			statuses.set(status, (statuses.get(status) ?? 0) + 1);
 		}
 	};
 	for (let part = 1; part <= SAMPLES; part++) {
 		const end = Math.round((total * part) / SAMPLES);
-		await Promise.all(Array.from({ length: 2 * THREADS }, () => askUntil(end)));
+		await Promise.all(Array.from({ length: 2 * THREADS }, () => sendUntil(end)));
 		samples.push(await service.sample(next));
 		process.stderr.write(`${next} of ${total}: ${JSON.stringify(samples.at(-1))}\n`);
 	}
@@ -140,9 +140,9 @@ function verdict(samples, statuses) {
 	const keys = ["cores", "threads", "server", "process"];
 	printTable("Memory held after collecting, MB", [
 		["requests", "cores", "threads’ heaps", "server’s heap", "process"],
-		...samples.map((each) => [each.asked, ...keys.map((key) => each[key].toFixed(1))]),
+		...samples.map((each) => [each.requests, ...keys.map((key) => each[key].toFixed(1))]),
 	]);
-	const settled = samples.filter(({ asked }) => asked >= 2 * ADDRESSES);
+	const settled = samples.filter(({ requests }) => requests >= 2 * ADDRESSES);
 	const growing = keys.filter((key) => grown(settled.map((each) => each[key])));
 	const broken = statuses.filter((status) => status >= 500 && status !== 501);
 	if (growing.length > 0) console.error(`Memory grows with the requests: ${growing.join(", ")}.`);

@@ -70,7 +70,7 @@ const ROWS: Readonly<Record<string, Row>> = {
 		gate: ["apple, steps 6", "apple, steps 6, levels"],
 	},
 	flower: {
-		// The map of a flower is large: of one preset it is enough.
+		// One preset with its map is enough: a map is large.
 		growths: (presets) => [
 			{ preset: presets[0], options: { map: true } },
 			{ preset: presets[0], change: { age: 0.4 }, options: { map: true } },

@@ -21,8 +21,8 @@ function everyModel() {
 
 /** @param {string[]} named models or presets; none: all */
 export async function render(named) {
-	for (const asked of named.length > 0 ? named : everyModel()) {
-		const [model, begin = ""] = asked.split("/");
+	for (const name of named.length > 0 ? named : everyModel()) {
+		const [model, begin = ""] = name.split("/");
 		const folder = new URL(`../../public/gallery/${model}/`, import.meta.url);
 		mkdirSync(folder, { recursive: true });
 		let total = 0;

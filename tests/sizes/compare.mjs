@@ -1,8 +1,8 @@
 /** Compares sizes with those of the last release. Pure: all that it needs is passed to it. */
 
-/** A row may rise by this share without a word. */
+/** Tolerated growth of a row, as a share. */
 const SHARE = 0.02;
-/** … and by this many bytes, which is much of a small file. */
+/** Tolerated growth in bytes, for small files. */
 const SLACK = 256;
 
 /**
@@ -17,14 +17,15 @@ const SLACK = 256;
 const isCount = (row) => row.startsWith("number of");
 const limit = (row, size) => size * (1 + SHARE) + (isCount(row) ? 0 : SLACK);
 
-/** Whether the compiler decides over a row: one compiler's cores are not to be compared with another's. */
+/** Whether a row depends on the compiler: rows of different compilers are not compared. */
 const isOfCompiler = (row) => row.includes(".wasm") || row === "package for npm";
 
-const inFull = (number) => number.toLocaleString("en");
+const formatNumber = (number) => number.toLocaleString("en");
 const unit = (row) => (isCount(row) ? "files" : "bytes");
 
 /** The line by which a changelog's section states a rise. */
-export const lineFor = (row, before, now) => `- \`${row}\`: ${inFull(before)} → ${inFull(now)} ${unit(row)}: REASON`;
+export const lineFor = (row, before, now) =>
+	`- \`${row}\`: ${formatNumber(before)} → ${formatNumber(now)} ${unit(row)}: REASON`;
 
 /** The sections of a changelog, by the names in their headings, in its order. */
 function sectionsOf(changelog) {
@@ -73,19 +74,20 @@ export function compare(now, last, { stated = {}, emscripten }) {
 	const problems = [];
 	const rows = Object.entries(now).map(([row, size]) => {
 		const before = last.sizes[row];
-		if (before === undefined) return [row, inFull(size), "–", "new"];
+		if (before === undefined) return [row, formatNumber(size), "–", "new"];
 		const change = `${size < before ? "−" : "+"}${(100 * Math.abs(size / before - 1)).toFixed(1)} %`;
-		if (other && isOfCompiler(row)) return [row, inFull(size), inFull(before), `${change} (other compiler)`];
-		if (size <= (limitOf(row, last, stated) ?? size)) return [row, inFull(size), inFull(before), change];
+		if (other && isOfCompiler(row))
+			return [row, formatNumber(size), formatNumber(before), `${change} (other compiler)`];
+		if (size <= (limitOf(row, last, stated) ?? size)) return [row, formatNumber(size), formatNumber(before), change];
 		problems.push(lineFor(row, before, size));
-		return [row, inFull(size), inFull(before), `${change} TOO LARGE`];
+		return [row, formatNumber(size), formatNumber(before), `${change} TOO LARGE`];
 	});
 	const gone = Object.keys(last.sizes).filter((row) => !(row in now));
-	rows.push(...gone.map((row) => [row, "not measured", inFull(last.sizes[row]), ""]));
-	return { table: printed([["", "now", last.version, "change"], ...rows]), problems };
+	rows.push(...gone.map((row) => [row, "not measured", formatNumber(last.sizes[row]), ""]));
+	return { table: formatTable([["", "now", last.version, "change"], ...rows]), problems };
 }
 
-function printed(rows) {
+function formatTable(rows) {
 	const widths = [0, 1, 2].map((column) => Math.max(...rows.map((row) => row[column].length)));
 	return rows
 		.map(([row, now, before, change]) =>

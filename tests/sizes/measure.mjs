@@ -22,7 +22,7 @@ const filesBelow = (folder) =>
 		.filter((entry) => entry.isFile())
 		.map(({ parentPath, name }) => join(parentPath, name));
 
-/** The one file below dist/assets that is called so. */
+/** The one script of that name in dist/assets. */
 function asset(name) {
 	const found = readdirSync(join(dist, "assets")).filter((file) => new RegExp(`^${name}-[\\w-]{8}\\.js$`).test(file));
 	if (found.length !== 1) throw new Error(`dist/assets has ${found.length} scripts called ${name}.`);
@@ -39,7 +39,7 @@ function withImports(script, known = new Set()) {
 	return known;
 }
 
-/** Rows of the models' cores; with another compiler they are others. */
+/** Rows of the models' cores, which depend on the compiler. */
 function cores() {
 	return modelFolders().flatMap((name) => [
 		[`${name}.wasm`, sizeOf(moduleOf(name))],
@@ -88,7 +88,7 @@ function tarball() {
 	return existsSync(file) ? [["package for npm", sizeOf(file)]] : [];
 }
 
-/** What tells one build of dist/ from another. */
+/** Identifies a build of dist/. */
 export function buildId() {
 	return createHash("sha256")
 		.update(readFileSync(join(dist, "service-worker.js")))
@@ -107,7 +107,7 @@ function ofBrowsers() {
 		.map(({ row, bytes }) => [row, bytes]);
 }
 
-/** Where a browser's row is left. */
+/** The file of a row that a browser measured. */
 export const measuredFile = (row) => join(measuredFolder, `${row.replace(/[^\w]+/g, "-")}.json`);
 
 /** The version of the compiler that makes the cores here. */

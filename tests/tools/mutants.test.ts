@@ -37,7 +37,7 @@ describe("the list of mutants", () => {
 		expect(all.flatMap((mutant) => problemsOf(mutant, readCheckout))).toEqual([]);
 	});
 
-	it("has an id for each, and says what a person would see of it", () => {
+	it("has a unique id and describes its visible effect", () => {
 		expect(repeatedIds(all)).toEqual([]);
 		expect(all.filter(({ id }) => !/^[a-z0-9-]+$/.test(id))).toEqual([]);
 		expect(all.filter(({ breaks }) => breaks.length < 10)).toEqual([]);

@@ -14,7 +14,7 @@ import type { Preset } from "../../web/src/specimen/presets";
 import * as restored from "../../web/src/specimen/restore";
 import type { CoreEntry, Entry } from "../../web/src/specimen/table";
 import * as written from "../../web/src/specimen/written";
-import { inRun } from "../long_run.mjs";
+import { namesInRun } from "../long_run.mjs";
 
 export {
 	BERRY_IDS,
@@ -29,14 +29,15 @@ export type { BunchSpecimen as Specimen, Look };
 export const ENTRIES: readonly Entry[] = BUNCH.table.entries;
 export const CORE_ENTRIES: readonly CoreEntry[] = BUNCH.table.core;
 export const entryOf = (key: string) => BUNCH.table.entry(key);
-/** Presets that stand for all in the gate: shapes without and with wings, a fruit, varieties set by density and by a count of berries. */
+/** The presets of the gate: shapes without and with wings, a fruit, varieties set by density and by a count of berries. */
 const GATE_PRESETS = ["short-conical", "double-bunch-winged", "rubus", "riesling", "kyoho"];
 
 /** Names of the presets that a sweep over presets grows: a few in the gate, all in the long run. */
 export const presetsInRun = (isWanted: (preset: Preset) => boolean = () => true): readonly string[] =>
-	PRESETS.filter(isWanted)
-		.map(({ name }) => name)
-		.filter((name) => inRun(GATE_PRESETS.includes(name), true));
+	namesInRun(
+		PRESETS.filter(isWanted).map(({ name }) => name),
+		GATE_PRESETS,
+	);
 
 export const presetNamed = (name: string) => BUNCH.presets.named(name);
 

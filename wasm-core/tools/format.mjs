@@ -49,7 +49,7 @@ export async function biome({ write }) {
 	return (await run(process.execPath, args, { cwd: repository, show: process.stderr })).status === 0;
 }
 
-/** Checks the format of all files and the rules of Biome without changing anything; returns what is wrong, a line each. */
+/** Checks the format of all files and the rules of Biome without changing anything; returns one line per problem. */
 export async function checkFormat() {
 	const problems = (await formatCplusplus({ write: false })).map((file) => `${file}: not formatted`);
 	if (!(await biome({ write: false }))) problems.push("Biome: see above");
@@ -61,11 +61,6 @@ export async function checkFormat() {
 if (process.argv[1] === fileURLToPath(import.meta.url))
 	await command(async () => {
 		await setUp("format");
-		if (process.argv.includes("--check")) {
-			const problems = await checkFormat();
-			if (problems.length > 0) throw new ToolchainError(problems.join("\n"));
-			return;
-		}
 		for (const file of await formatCplusplus({ write: true })) console.error(`${file}: formatted`);
 		if (!(await biome({ write: true }))) throw new ToolchainError("Fix the rest by hand: see above.");
 	});

@@ -29,8 +29,6 @@ const isOfCore = (path) => /^wasm-core\/.*\.(cpp|hpp|h)$/.test(path);
 async function compiledFiles(tools, folder) {
 	const definitions = [
 		"-DCMAKE_BUILD_TYPE=Debug",
-		"-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
-		"-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON",
 		`-DPANICLE_GLM_ROOT=${tools.glm}`,
 		`-DCMAKE_MAKE_PROGRAM=${tools.ninja}`,
 		`-DCMAKE_CXX_COMPILER=${tools.compiler}`,
@@ -44,7 +42,7 @@ async function compiledFiles(tools, folder) {
 }
 
 /**
- * Translation units whose check covers the changed files: a source is its own, a header is covered by the source of the same name, or
+ * Translation units whose check covers the changed files: a source covers itself, a header is covered by the source of the same name, or
  * else by the first one that includes it.
  */
 export function unitsOf(changed, units, read = (path) => readFileSync(join(repository, path), "utf8")) {
@@ -58,7 +56,7 @@ export function unitsOf(changed, units, read = (path) => readFileSync(join(repos
 	return [...new Set(changed.filter(isOfCore).map(coveredBy))].filter((unit) => unit !== undefined).sort();
 }
 
-/** What clang-tidy says about the units; empty where it finds nothing. */
+/** Runs clang-tidy on the units; returns its findings. */
 async function tidy(program, folder, units) {
 	const waiting = [...units];
 	const findings = [];

@@ -1,7 +1,7 @@
 /**
- * `npm run release`: makes build/release/VERSION out of what is committed: the app, the package for npm, what has changed, and their sums
- * (SHA-256; `sha256sum -c SHA256SUMS`). Publishes nothing. `npm run release -- --sizes` comes before, ahead of the commit of the version: it records
- * the sizes of the release, and prints the rises that the changelog has to state.
+ * `npm run release`: builds the committed version into build/release/VERSION: the app, the npm package, its changelog and SHA-256
+ * checksums. Publishes nothing. Before the commit of a version, run `npm run release -- --sizes`: it records the sizes and prints the
+ * rises that the changelog has to state.
  */
 import { join } from "node:path";
 import { buildCore } from "./core.mjs";
@@ -11,7 +11,7 @@ import { buildFolder, repository } from "./repository.mjs";
 import { command, setUp } from "./setup.mjs";
 import { ToolchainError } from "./toolchain.mjs";
 
-/** A module of tests/sizes, which are no part of this project of TypeScript. */
+/** Imports a module of tests/sizes, which this TypeScript project does not include. */
 const sizes = (module) => import(new URL(`../../tests/sizes/${module}`, import.meta.url).href);
 
 async function app() {

@@ -5,7 +5,7 @@ import type { WithGrammar } from "../../../web/src/specimen/grammar_text";
 import { decodeLink, linkParts } from "../../../web/src/specimen/link";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 
-/** Fields of a specimen that say nothing of the plant's growth, or say it by their parameters or text. */
+/** Fields that do not affect growth, or do so only through parameters or the text. */
 const NO_INPUT = ["v", "model", "preset", "parameters", "look", "grammar"];
 
 /** A parameter or field that leaves the segments and organs, and with them the fingerprint, as they are. */
@@ -31,7 +31,7 @@ const EXCEPTIONS: readonly Exception[] = [
 		when: (specimen, { table }) => table.option(specimen, "procedure") === "natural",
 	},
 	{ model: "grammar", field: "sides" },
-	// Most texts leave nothing to chance.
+	// Most grammars are deterministic.
 	{ model: "grammar", field: "seed", when: (_specimen, _model, text = "") => !CHANCE.test(text) },
 ];
 

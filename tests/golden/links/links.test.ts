@@ -15,7 +15,7 @@ const models = await Promise.all(modelNames().map(modelNamed));
 const frozen = readFrozenLinks();
 
 describe("frozen links", () => {
-	it("are read without a note and grow the same plants as ever", async () => {
+	it("are read without a note and grow the recorded plants", async () => {
 		const now = await Promise.all(
 			frozen.map(async ({ link }) => {
 				const { notes, fingerprint } = await meantBy(link);

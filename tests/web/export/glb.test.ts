@@ -88,7 +88,6 @@ describe.each(FORMS)("the shade in which vertices stand (%o)", (form) => {
 		["of a mesh with colours", { sky, colours: Float32Array.from([...albedo, ...albedo, ...albedo, ...albedo]) }],
 		["of a mesh with its material's colour alone", { sky }],
 	])("is in the colours %s", async (_, mesh) => {
-		expect(await complaints(exportGlb(dressed(mesh), ABOUT, form))).toEqual([]);
 		const colours = await seen(dressed(mesh));
 		for (const [k, value] of albedo.entries()) {
 			expect(colours[0][k]).toBeCloseTo(value, 2);

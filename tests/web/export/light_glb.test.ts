@@ -1,4 +1,4 @@
-/** The light forms, of plants of every model: read back by three.js, judged by Khronos' validator, compared with the detailed one. */
+/** The light forms, of plants of several models: read back by three.js and compared with the detailed one. */
 import { MeshoptDecoder } from "meshoptimizer/decoder";
 import { Box3, type BufferAttribute, type InterleavedBufferAttribute, type Mesh, Vector3 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
@@ -44,14 +44,14 @@ function boxesApart(one: Box3, other: Box3): number {
 }
 
 /** What is compared: a preset, the most bytes of its web form, and how much of the outline may differ in its low form. */
-const PLANTS: [source: string, mostBytes: number, leastAlike: number][] = [
+const PLANTS: [source: string, mostBytes: number, mostDifferent: number][] = [
 	["root/carrot", 0.2e6, 0.01],
 	["leaf/oak", 0.8e6, 0.01],
 	["bunch/long-conical", 0.8e6, 0.02],
 	["tree/bonsai", 5.2e6, 0.25],
 ];
 
-describe.each(PLANTS.slice(0, inRun(3, 4)))("the light forms of %s", (source, mostBytes, leastAlike) => {
+describe.each(PLANTS.slice(0, inRun(3, 4)))("the light forms of %s", (source, mostBytes, mostDifferent) => {
 	let parts: Awaited<ReturnType<typeof grownParts>>["parts"];
 	let about: Awaited<ReturnType<typeof grownParts>>["about"];
 	let detailed: Mesh[];
@@ -60,10 +60,9 @@ describe.each(PLANTS.slice(0, inRun(3, 4)))("the light forms of %s", (source, mo
 		detailed = await meshesIn(exportGlb(parts(), about));
 	});
 
-	it("for the web: small, few draw calls, the same to look at, and valid where it can be looked into", async () => {
+	it("for the web: small, few draw calls, and the same to look at", async () => {
 		const [web, twin] = [await webGlb(parts(), about), await webGlb(parts(), about, false)];
 		expect(web.length).toBeLessThan(mostBytes);
-		expect(await complaints(twin)).toEqual([]);
 		const { asset, meshes, extensionsRequired = [] } = documentOf(web);
 		expect(extensionsRequired.toSorted()).toEqual(["EXT_meshopt_compression", "KHR_mesh_quantization"]);
 		expect(asset.extras.link).toBe(about.link);
@@ -86,7 +85,6 @@ describe.each(PLANTS.slice(0, inRun(3, 4)))("the light forms of %s", (source, mo
 	it("low: no more triangles than asked for, and the same outline", async () => {
 		for (const budget of inRun([LOW_TRIANGLES], [LOW_TRIANGLES, 5000])) {
 			const low = await lowGlb(parts(), about, budget);
-			expect(await complaints(low)).toEqual([]);
 			expect(documentOf(low).extensionsRequired).toBeUndefined();
 			const meshes = await meshesIn(low);
 			const most = Math.min(budget, trianglesOf(detailed));
@@ -94,7 +92,7 @@ describe.each(PLANTS.slice(0, inRun(3, 4)))("the light forms of %s", (source, mo
 			expect(trianglesOf(meshes)).toBeGreaterThan(0.5 * most);
 			if (budget !== LOW_TRIANGLES) continue;
 			for (const axis of [0, 2]) {
-				expect(unlike(silhouette(detailed, axis), silhouette(meshes, axis))).toBeLessThan(leastAlike);
+				expect(unlike(silhouette(detailed, axis), silhouette(meshes, axis))).toBeLessThan(mostDifferent);
 			}
 		}
 	});

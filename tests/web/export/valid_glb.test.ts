@@ -27,7 +27,7 @@ const SMALL: Record<string, object> = {
 	stand: { grammar: "plants 2, random\ngrowth/figure-5: steps 2" },
 };
 
-/** Compressed ones cannot be looked into, and MSFT_lod is unknown to the validator: lod_glb.test.ts. */
+/** Without glb-web, whose compression the validator cannot read, and MSFT_lod, which it does not know (lod_glb.test.ts). */
 const FORMS = PLANT_FILES.filter(({ ending, life, levelled }) => ending === "glb" && !life && !levelled)
 	.map(({ key }) => key)
 	.filter((key) => key !== "glb-web");

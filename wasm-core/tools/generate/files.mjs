@@ -1,5 +1,5 @@
 /**
- * The files that are made from tables and texts: code (`*.generated.hpp`, `*.generated.ts`), which lies beside the files that use it and
+ * The files that are made from tables and texts: code (`*.generated.hpp`, `*.generated.ts`), which is written beside the files that use it and
  * is ignored by git, and pages of documentation, which are committed. Imports no package: every command that reads generated code calls
  * `generateCode` first, before packages are installed.
  */

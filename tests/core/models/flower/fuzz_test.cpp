@@ -1,5 +1,5 @@
 // Texts put together from tokens at random, and good texts with tokens changed: each ends in a flower or a diagnostic,
-// and what grew is a whole map. The seeds are fixed, so a failure comes again.
+// and what grew is a whole map. PANICLE_SEED repeats a run (fuzz_dice.hpp).
 #include "flowers.hpp"
 #include "fuzz_dice.hpp"
 #include "generalized_map/embedding.hpp"
@@ -95,16 +95,20 @@ void try_out(const std::string& text) {
   CHECK(again.value() == derived.value().values);
 }
 
+// A random integer in 0 … most. `draw` numbers the draws of one text.
+std::size_t random_index(std::uint64_t run, std::uint64_t test, std::uint32_t draw, std::size_t most) {
+  return static_cast<std::size_t>(
+      random_integer(run + (panicle::tests::fuzz_seed() << 32), test, draw, 0, static_cast<std::int32_t>(most)));
+}
+
 }  // namespace
 
 TEST_CASE("texts of random tokens end in a flower or a diagnostic") {
   for (std::uint64_t run = 0; run < panicle::tests::fuzz_runs(3000); ++run) {
     std::string text;
-    const auto draw = [&](std::uint32_t i, std::int32_t most) {
-      return static_cast<std::size_t>(random_integer(run + (panicle::tests::fuzz_seed() << 32), 1, i, 0, most));
-    };
+    const auto draw = [&](std::uint32_t i, std::size_t most) { return random_index(run, 1, i, most); };
     const std::size_t length = 1 + draw(0, 40);
-    for (std::uint32_t i = 1; i <= length; ++i) text += pool[draw(i, static_cast<std::int32_t>(pool.size()) - 1)] + " ";
+    for (std::uint32_t i = 1; i <= length; ++i) text += pool[draw(i, pool.size() - 1)] + " ";
     CAPTURE(text);
     try_out("#define A(4,0,0,0,1,1,1,1)\n#axiom: A\n" + text);
     try_out(text);
@@ -120,10 +124,7 @@ TEST_CASE("good texts with tokens changed end in a flower or a diagnostic") {
       "R : R_C1 < R_C3 -> R_C1 | R_C3\nR{}{step==4}{} -E-> R V\nV{}{step==5}{} -> R\nV -> V[&M(,2)]_{C5}\n#module "
       "M\n#define k=ran(2)\n#define Q(5,0,k,0,1,1,1,1)\n#axiom: Q(,,1)\nQ -> Q[Q]_{E}");
   for (std::uint64_t run = 0; run < panicle::tests::fuzz_runs(3000); ++run) {
-    const auto draw = [&](std::uint32_t i, std::size_t most) {
-      return static_cast<std::size_t>(
-          random_integer(run + (panicle::tests::fuzz_seed() << 32), 2, i, 0, static_cast<std::int32_t>(most)));
-    };
+    const auto draw = [&](std::uint32_t i, std::size_t most) { return random_index(run, 2, i, most); };
     std::string text = texts[draw(0, texts.size() - 1)];
     const std::size_t changes = 1 + draw(1, 3);
     for (std::uint32_t i = 0; i < changes; ++i) {

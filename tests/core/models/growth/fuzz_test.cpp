@@ -1,5 +1,5 @@
 // Texts put together from tokens at random, and good texts with tokens changed: each ends in a tree or a diagnostic,
-// whatever it is. The seeds are fixed, so a failure comes again.
+// whatever it is. PANICLE_SEED repeats a run (fuzz_dice.hpp).
 #include <array>
 #include <cmath>
 

@@ -1,8 +1,6 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { aboutPlant } from "../../../../web/src/export/about_plant";
-import { exportGlb } from "../../../../web/src/export/glb";
 import { exportJson } from "../../../../web/src/export/json";
 import { type FlowerPlant, readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
@@ -13,7 +11,6 @@ import { fetchedText, fetchTexts } from "../../../../web/src/models/flower/texts
 import { everyPart } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { freshCore } from "../../core/wasm";
-import { complaints } from "../../export/reading";
 
 let core: Core;
 beforeAll(async () => {
@@ -175,13 +172,6 @@ describe("a flower", () => {
 			if (high < 0.004) expect(colours[3 * v]).toBeGreaterThan(0.95);
 			if (high > 0.05) expect(colours[3 * v + 2]).toBeGreaterThan(0.95);
 		}
-	});
-
-	it("is a GLB that Khronos's validator takes", async () => {
-		const specimen = fromPreset(model, "tulip");
-		const grown = grow(specimen);
-		const about = await aboutPlant(model, grown, specimen, "https://example.org/");
-		expect(await complaints(exportGlb(model.parts(grown), about, {}))).toEqual([]);
 	});
 
 	it("is a table with a line for each volume", () => {

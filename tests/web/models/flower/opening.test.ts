@@ -5,7 +5,7 @@ import { type FlowerPlant, readFlowerPlant } from "../../../../web/src/models/fl
 import { model } from "../../../../web/src/models/flower/index";
 import { fetchedText, fetchTexts } from "../../../../web/src/models/flower/texts";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
-import { inRun } from "../../../long_run.mjs";
+import { namesInRun } from "../../../long_run.mjs";
 import { freshCore } from "../../core/wasm";
 
 const STEPS = 8;
@@ -18,12 +18,15 @@ beforeAll(async () => {
 	core = await freshCore("flower.wasm");
 });
 
-/** One of each way to open: petals on a ring, florets of a head, flowers of an inflorescence, and a clock that scatters. */
+/**
+ * The presets of the gate, one of each way to open: petals on a ring, florets of a head, flowers of an inflorescence, and a clock that
+ * scatters.
+ */
 const GATE_PRESETS = ["tulip", "daisy", "umbel", "dandelion-clock"];
-const opening = model.presets.list
-	.filter(({ kind }) => kind !== "figures")
-	.map(({ name }) => name)
-	.filter((name) => inRun(GATE_PRESETS.includes(name), true));
+const opening = namesInRun(
+	model.presets.list.filter(({ kind }) => kind !== "figures").map(({ name }) => name),
+	GATE_PRESETS,
+);
 
 function grown(name: string, age: number): FlowerPlant {
 	const specimen = fromPreset(model, name);

@@ -1,7 +1,5 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { aboutPlant } from "../../../../web/src/export/about_plant";
-import { exportGlb } from "../../../../web/src/export/glb";
 import { exportJson, writeJson } from "../../../../web/src/export/json";
 import type { GrammarPlant } from "../../../../web/src/models/grammar/grammar_plant";
 import { model } from "../../../../web/src/models/grammar/index";
@@ -12,7 +10,6 @@ import { fetchTexts } from "../../../../web/src/models/grammar/texts";
 import { everyPart } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { freshCore } from "../../core/wasm";
-import { complaints } from "../../export/reading";
 
 let core: Core;
 beforeAll(async () => {
@@ -88,15 +85,6 @@ describe("a plant that a text grows", () => {
 		expect(parts.map(({ name }) => name)).toEqual(["Lines", "Ball 7"]);
 		expect(parts[1].shape?.material).toMatchObject({ name: "Skin 7", colour: [0, 0, 1] });
 		expect(parts[1].shape?.instances?.each?.(1)).toEqual({ name: "Ball 2", extras: { segment: 2, module: 9 } });
-	});
-
-	it("becomes a GLB that Khronos' validator has nothing to say to", async () => {
-		for (const text of [TWIGS, "axiom: S(2)"]) {
-			const specimen = of(text);
-			const grown = grow(specimen);
-			const about = await aboutPlant(model, grown, specimen);
-			expect(await complaints(exportGlb(model.parts(grown, specimen), about, {}))).toEqual([]);
-		}
 	});
 
 	it("refuses what has no text", () => {

@@ -7,7 +7,7 @@ import type { GrowthPlant } from "../../../../web/src/models/growth/growth_plant
 import { model } from "../../../../web/src/models/growth/index";
 import { TRANSFORM } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
-import { inRun } from "../../../long_run.mjs";
+import { namesInRun } from "../../../long_run.mjs";
 
 const MODULE = new URL("../../../../build/core/growth.wasm", import.meta.url);
 const SPECIES = model.presets.list.filter(({ kind }) => kind === "species");
@@ -51,70 +51,72 @@ it("there are twelve species and more, of which one is a vine", () => {
 	expect(SPECIES.map(({ name }) => name)).toContain("grapevine");
 });
 
-/** A broad-leaved tree, an evergreen, a fruit tree and the vine stand for all in the gate. */
+/** The presets of the gate: a broad-leaved tree, an evergreen, a fruit tree and the vine. */
 const GATE_SPECIES = ["oak", "pine", "apple", "grapevine"];
 
-describe.each(SPECIES.map(({ name }) => name).filter((name) => inRun(GATE_SPECIES.includes(name), true)))(
-	"%s",
-	(name) => {
-		const evergreen = EVERGREEN.includes(name);
-
-		it("is as large as its text says", () => {
-			const about = SPECIES.find((each) => each.name === name)?.about ?? "";
-			const said = /([\d.]+) m high(?: and|, ([\d.]+) m) wide/.exec(about);
-			if (name === "grapevine") return;
-			const [high, wide] = [Number(said?.[1]), Number(said?.[2] ?? said?.[1])];
-			const plant = grown(name, { season: 0.4 }, true);
-			expect(Math.abs(measured(plant, "height") / high - 1)).toBeLessThan(0.15);
-			expect(Math.abs(measured(plant, "spread") / wide - 1)).toBeLessThan(0.25);
-		});
-
-		it("grows from a seed without a jump", () => {
-			const tall = measured(grown(name, { season: 0.4 }, true), "height");
-			expect(grown(name, { age: 0 }).segments.count).toBe(0);
-			for (const age of [4, 71]) {
-				const [before, after] = [grown(name, { age }), grown(name, { age: age + 0.2 })];
-				const tips = tipsOf(after);
-				for (const [shoot, tip] of tipsOf(before)) {
-					const now = tips.get(shoot);
-					if (!now) throw new Error(`shoot ${shoot} is gone`);
-					// At most the trunk's first piece, nearly all of its height, in the first of the steps.
-					const moved = Math.hypot(...tip.map((value, k) => now[k] - value));
-					if (moved > 0.03 * tall) expect(moved, `shoot ${shoot} at ${age}`).toBeLessThan(0.03 * tall);
-				}
-			}
-		});
-
-		it("goes through the year: leaves unfold, fall where nothing hangs any more, and stay where they are till then", () => {
-			const summer = grown(name, { season: 0.4 });
-			const [all, most] = [placesOf(summer, "leaf"), summer.counts.leaves];
-			let lying = new Set<string>();
-			for (const season of [0, 0.2, 0.6, 0.84, 1]) {
-				const plant = grown(name, { season });
-				expect(within(placesOf(plant, "leaf"), all), `season ${season}`).toBe(true);
-				expect(plant.counts.leaves + plant.counts.shed).toBeLessThanOrEqual(most);
-				// What lies on the ground stays there.
-				const shed = placesOf(plant, "shed");
-				expect(within(lying, shed)).toBe(true);
-				lying = shed;
-				if (evergreen)
-					expect([plant.counts.leaves, plant.counts.shed, plant.fingerprint]).toEqual([most, 0, summer.fingerprint]);
-			}
-			if (evergreen) return;
-			expect(grown(name, { season: 0 }).counts).toMatchObject({ leaves: 0, shed: 0 });
-			expect(grown(name, { season: 1 }).counts).toMatchObject({ leaves: 0, shed: most });
-			const falling = grown(name, { season: 0.8 }).counts;
-			expect(Math.min(falling.leaves, falling.shed)).toBeGreaterThan(most / 5);
-		});
-
-		it("is in flower in spring alone, where it is a fruit tree's picture", () => {
-			const flowers = (season: number) => grown(name, { season }).counts.blossoms;
-			const fruit = name === "apple" || name === "cherry";
-			expect(flowers(0.2) > 1000).toBe(fruit);
-			expect([flowers(0), flowers(0.45), flowers(0.8)]).toEqual([0, 0, 0]);
-		});
-	},
+const speciesInRun = namesInRun(
+	SPECIES.map(({ name }) => name),
+	GATE_SPECIES,
 );
+
+describe.each(speciesInRun)("%s", (name) => {
+	const evergreen = EVERGREEN.includes(name);
+
+	it("is as large as its text says", () => {
+		const about = SPECIES.find((each) => each.name === name)?.about ?? "";
+		const said = /([\d.]+) m high(?: and|, ([\d.]+) m) wide/.exec(about);
+		if (name === "grapevine") return;
+		const [high, wide] = [Number(said?.[1]), Number(said?.[2] ?? said?.[1])];
+		const plant = grown(name, { season: 0.4 }, true);
+		expect(Math.abs(measured(plant, "height") / high - 1)).toBeLessThan(0.15);
+		expect(Math.abs(measured(plant, "spread") / wide - 1)).toBeLessThan(0.25);
+	});
+
+	it("grows from a seed without a jump", () => {
+		const tall = measured(grown(name, { season: 0.4 }, true), "height");
+		expect(grown(name, { age: 0 }).segments.count).toBe(0);
+		for (const age of [4, 71]) {
+			const [before, after] = [grown(name, { age }), grown(name, { age: age + 0.2 })];
+			const tips = tipsOf(after);
+			for (const [shoot, tip] of tipsOf(before)) {
+				const now = tips.get(shoot);
+				if (!now) throw new Error(`shoot ${shoot} is gone`);
+				// At most the trunk's first piece, nearly all of its height, in the first of the steps.
+				const moved = Math.hypot(...tip.map((value, k) => now[k] - value));
+				if (moved > 0.03 * tall) expect(moved, `shoot ${shoot} at ${age}`).toBeLessThan(0.03 * tall);
+			}
+		}
+	});
+
+	it("goes through the year: leaves unfold, fall where nothing hangs any more, and stay where they are till then", () => {
+		const summer = grown(name, { season: 0.4 });
+		const [all, most] = [placesOf(summer, "leaf"), summer.counts.leaves];
+		let lying = new Set<string>();
+		for (const season of [0, 0.2, 0.6, 0.84, 1]) {
+			const plant = grown(name, { season });
+			expect(within(placesOf(plant, "leaf"), all), `season ${season}`).toBe(true);
+			expect(plant.counts.leaves + plant.counts.shed).toBeLessThanOrEqual(most);
+			// What lies on the ground stays there.
+			const shed = placesOf(plant, "shed");
+			expect(within(lying, shed)).toBe(true);
+			lying = shed;
+			if (evergreen)
+				expect([plant.counts.leaves, plant.counts.shed, plant.fingerprint]).toEqual([most, 0, summer.fingerprint]);
+		}
+		if (evergreen) return;
+		expect(grown(name, { season: 0 }).counts).toMatchObject({ leaves: 0, shed: 0 });
+		expect(grown(name, { season: 1 }).counts).toMatchObject({ leaves: 0, shed: most });
+		const falling = grown(name, { season: 0.8 }).counts;
+		expect(Math.min(falling.leaves, falling.shed)).toBeGreaterThan(most / 5);
+	});
+
+	it("is in flower in spring alone, where it is a fruit tree's picture", () => {
+		const flowers = (season: number) => grown(name, { season }).counts.blossoms;
+		const fruit = name === "apple" || name === "cherry";
+		expect(flowers(0.2) > 1000).toBe(fruit);
+		expect([flowers(0), flowers(0.45), flowers(0.8)]).toEqual([0, 0, 0]);
+	});
+});
 
 it("a vine has places for two bunches on each cane that is grown, above its wire, hanging down", () => {
 	const { counts, organs } = grown("grapevine", {});

@@ -42,8 +42,8 @@ Spread over_seeds(std::uint32_t seeds, Of of) {
 }
 
 // The ratios by which a seed changes the profile, each of which has a random number of its own: length, cross-section,
-// four half-widths, four drops and the wing. `counted` bunches keep the room of their berries, so that their widths
-// show what each side has by itself; those of the others are wider or narrower as a whole. The variability is one at
+// four half-widths, four drops and the wing. With a fixed berry count the volume per berry is constant, so that widths
+// show each side's own ratio; those of `free` bunches are wider or narrower as a whole. The variability is one at
 // which no factor meets its limit.
 std::array<double, 11> ratios_of(std::uint64_t seed) {
   constexpr float variability = 0.4f;

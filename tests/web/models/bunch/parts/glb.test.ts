@@ -13,13 +13,6 @@ const grown = makeGrown(SKETCH);
 const specimen = paperSpecimen({ preset: "short-conical", seed: 7 });
 
 describe("the GLB", () => {
-	it.each([{ instancing: false }, { instancing: true }])(
-		"gives Khronos' validator nothing to say (%o)",
-		async (form) => {
-			expect(await complaints(await bunchGlb(grown, specimen, form))).toEqual([]);
-		},
-	);
-
 	it("is valid for any growth and specimen", async () => {
 		await fc.assert(
 			fc.asyncProperty(arbitrary.sketch, arbitrary.specimen, fc.boolean(), async (sketch, any, instancing) => {

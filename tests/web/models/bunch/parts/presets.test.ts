@@ -9,7 +9,7 @@ import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
 import { exportJson, presetsInRun, specimenFromFile, specimenFromPreset } from "../../../bunch";
 import { growBunch } from "../../../core/wasm";
-import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
+import { documentOf, load, meshesOf } from "../../../export/reading";
 import { loadObj } from "../../../export/reading_obj";
 import { fingerprintOfDocument } from "../fingerprint";
 import { bunchGlb, bunchObj } from "./files";
@@ -32,10 +32,9 @@ describe.each(presetsInRun(({ kind }) => kind !== "variety"))("%s", (name) => {
 		grown = grow(name);
 	});
 
-	it("is a valid GLB in every form, named through", async () => {
+	it("has a unique name for every node of a GLB in every form", async () => {
 		for (const form of [{}, { instancing: true }, { compact: true }]) {
 			const glb = await bunchGlb(grown, specimen, form);
-			expect(await complaints(glb)).toEqual([]);
 			const { nodes } = documentOf(glb);
 			const names = nodes.map((node) => node.name);
 			expect(names.slice(0, 2)).toEqual([`Bunch ${name}`, "Rachis"]);

@@ -49,7 +49,7 @@ const KINDS = [
 const METHODS = ["GET", "GET", "GET", "HEAD", "GET", "OPTIONS", "GET", "GET", "POST", "GET"];
 
 /** @returns {{ path: string, method: string, headers: Record<string, string> }} */
-export function soakQuestion(i) {
+export function soakRequest(i) {
 	const path = `/${KINDS[i % KINDS.length](i)}`;
 	const again = i % 11 === 0;
 	return { path, method: METHODS[Math.floor(i / 10) % METHODS.length], headers: again ? { "if-none-match": "*" } : {} };
