@@ -11,7 +11,7 @@ const TESTS = ["tests/{web,golden,fuzz,tools,toy,package,docs}/**/*.test.ts", "t
 /** Files that replace modules or add models: what they change would stay for the next file of the thread. */
 const CHANGES_MODULES = /\bvi\.(?:mock|doMock|resetModules)\(|\baddModel\(/;
 /** Files that need modules in their first state, such as a cache in which nothing has been fetched yet. */
-const FIRST_STATE = ["tests/web/models/bunch/leaf.test.ts"];
+const FIRST_STATE = ["tests/web/models/bunch/leaf.test.ts", "tests/golden/bunch.test.ts"];
 
 const isolated = readdirSync(at("tests"), { recursive: true, encoding: "utf8" })
 	.map((file) => `tests/${file.replaceAll("\\", "/")}`)

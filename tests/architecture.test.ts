@@ -3,17 +3,20 @@ import { readFileSync } from "node:fs";
 import { dirname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
+import { generatedFiles } from "../wasm-core/tools/generate/files.mjs";
 import { beforeModels, coreRooms, knowBuild, webRooms } from "./rooms";
 
 const repository = dirname(dirname(fileURLToPath(import.meta.url)));
 
-/** Every file of the repository, those not yet committed included. */
-const files = execFileSync("git", ["ls-files", "--cached", "--others", "--exclude-standard"], {
+const listed = execFileSync("git", ["ls-files", "--cached", "--others", "--exclude-standard"], {
 	cwd: repository,
 	encoding: "utf8",
 })
 	.split("\n")
 	.filter(Boolean);
+
+/** Every file of the repository, those not yet committed and generated ones included. */
+const files = [...new Set([...listed, ...generatedFiles().map(({ path }) => path)])];
 
 function read(file: string): string {
 	try {

@@ -5,7 +5,7 @@
 import { join } from "node:path";
 import { build, preview } from "vite";
 import { modulesFolder, repository } from "../../wasm-core/tools/repository.mjs";
-import { launch } from "../e2e/browser.mjs";
+import { launch } from "../browsers/chromium.mjs";
 import { byKind, firstLoad, gzipped } from "./sizes.mjs";
 import { median, printTable } from "./statistics.mjs";
 
@@ -86,7 +86,7 @@ function benchSizes(asked) {
 		["file", "kB"],
 		["core, bunch.wasm", kilobytes(gzipped(join(modulesFolder, "bunch.wasm")))],
 		...files.filter(({ bytes }) => bytes > 500).map(({ path, bytes }) => [`  ${path}`, kilobytes(bytes)]),
-		["first load: page, styles, scripts, core", kilobytes(kinds.code)],
+		["first load: page, styles, scripts, core", kilobytes(kinds.code + kinds.core)],
 		["  fonts", kilobytes(kinds.fonts)],
 		["  the gallery's pictures in view", kilobytes(kinds.pictures)],
 	]);

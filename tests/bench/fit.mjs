@@ -1,17 +1,14 @@
 /**
- * `npm run fit`: how closely bunches follow the outline that the handles draw, into docs/fit.md: the nine grape shapes
- * of the paper's Table 3 and fifty random profiles, grown naturally, by the paper's procedure, and the bare octahedron.
+ * `npm run bench -- fit`: how closely bunches follow the outline that the handles draw: the nine grape shapes of the paper's
+ * Table 3 and fifty random profiles, grown by the natural procedure and by the paper's, and the octahedron by itself.
+ * `npm run docs -- fit` writes the table into docs/fit.md.
  */
-import { readFileSync, writeFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { runnerImport } from "vite";
-import { buildCore } from "../../wasm-core/tools/core.mjs";
 import { moduleOf, repository } from "../../wasm-core/tools/repository.mjs";
 import { octahedronFit } from "./octahedron_fit.mjs";
 
-const PAGE = join(repository, "docs/fit.md");
-const BEGIN = "<!-- made by npm run fit -->";
-const END = "<!-- end -->";
 const RANDOM_PROFILES = 50;
 const SIDES = ["p3", "p4", "p5", "p6"];
 const WAYS = ["natural", "paper", "octahedron"];
@@ -28,24 +25,22 @@ const { measureOf } = await source("web/src/models/bunch/measures.ts");
 const { envelopePath } = await source("web/src/models/bunch/profile/envelope.ts");
 const { metresPerPixel } = await source("web/src/models/bunch/profile/handles.ts");
 
-await buildCore();
 const core = await Core.instantiate(new WebAssembly.Module(readFileSync(moduleOf("bunch"))));
 
-const shapes = PRESETS.filter(({ kind, parameters }) => kind === "shape" && !parameters.wing).map(
-	({ name, title }) => ({
-		title,
-		specimen: specimenFromPreset(name),
-	}),
-);
-const random = Array.from({ length: RANDOM_PROFILES }, (_, index) => ({
-	title: `random ${index + 1}`,
-	specimen: randomSpecimen(index),
-}));
-const text = page(shapes.map(measured), random.map(measured));
-const old = readFileSync(PAGE, "utf8");
-const [before, after] = [old.slice(0, old.indexOf(BEGIN)), old.slice(old.indexOf(END))];
-writeFileSync(PAGE, `${before}${BEGIN}\n\n${text}\n\n${after}`);
-console.log(text);
+/** The table as Markdown, and whether the aims are reached. */
+export function fitTable() {
+	const shapes = PRESETS.filter(({ kind, parameters }) => kind === "shape" && !parameters.wing).map(
+		({ name, title }) => ({
+			title,
+			specimen: specimenFromPreset(name),
+		}),
+	);
+	const random = Array.from({ length: RANDOM_PROFILES }, (_, index) => ({
+		title: `random ${index + 1}`,
+		specimen: randomSpecimen(index),
+	}));
+	return page(shapes.map(measured), random.map(measured));
+}
 
 /** An even draw from 0 up to 1, the same on every run: an integer hash of where it is used. */
 function draw(index, place) {

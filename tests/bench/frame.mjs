@@ -5,7 +5,7 @@
 import { join } from "node:path";
 import { build, preview } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
-import { launch } from "../e2e/browser.mjs";
+import { launch } from "../browsers/chromium.mjs";
 import { printTable } from "./statistics.mjs";
 
 const FRAMES = 3;

@@ -7,7 +7,7 @@ import { loadavg } from "node:os";
 import { join } from "node:path";
 import { build, preview } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
-import { launch } from "../e2e/browser.mjs";
+import { launch } from "../browsers/chromium.mjs";
 import { withoutDrawing } from "../e2e/without_drawing.mjs";
 import { followed, forget, noteAll } from "./page_notes.mjs";
 import { median, printTable } from "./statistics.mjs";

@@ -1,212 +1,111 @@
 /**
- * `npm run bench`: what the core and the page cost, as medians and as ratios, for machines differ. Nothing here passes or
- * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench -- grammar` all but texts, `-- growth` all but trees by divisor functions, `-- flower` all but flowers, `-- stand` grows and shows stands of up to 2,000 trees (of the page as it was built), `-- topiary` all but those clipped to areas, `-- maps` all but generalized maps, `npm run bench
- * -- browser` all but the page, `-- page [FOLDER]` all but texts in the page, `npm run bench -- watching [model/preset …]` all but particles that run on it; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before; `npm run bench -- service` the model service.
+ * `npm run bench [-- NAME]`: what the core, the page and the service cost, as medians and as ratios (docs/speed.md). Ratios can
+ * be compared between machines, times cannot. Without a name it runs everything but `fit`, `soak` and `stand`. Only `soak` can fail.
  */
 import { join } from "node:path";
-import { runnerImport } from "vite";
+import { buildCore } from "../../wasm-core/tools/core.mjs";
 import { repository } from "../../wasm-core/tools/repository.mjs";
-import { benchBrowser } from "./browser.mjs";
-import { benchModule, grower, KERNELS, loadBenchCore, nativeGrow, nativeKernel } from "./core.mjs";
-import { benchFlowers } from "./flower.mjs";
-import { benchFrame } from "./frame.mjs";
-import { benchGrammar } from "./grammar.mjs";
-import { benchGrowth } from "./growth.mjs";
-import { benchMaps } from "./maps.mjs";
-import { benchNatural } from "./natural.mjs";
-import { benchPage } from "./page.mjs";
-import { benchParticles } from "./particles.mjs";
-import { peerModules } from "./peer.mjs";
-import { benchService } from "./service.mjs";
-import { benchStand } from "./stand.mjs";
-import { geometricMean, median, microseconds, printTable } from "./statistics.mjs";
-import { benchTopiaries } from "./topiary.mjs";
-import { benchWatching } from "./watching.mjs";
+import { command, setUp } from "../../wasm-core/tools/setup.mjs";
+import { runTask } from "../../wasm-core/tools/tasks.mjs";
 
-/** Huang et al. 2013, Table 2: internodes, berries, milliseconds on a Core i5-3470. */
-const TABLE_2 = [
-	[179, 41, 610],
-	[177, 53, 697],
-	[177, 75, 816],
-	[178, 82, 831],
-	[172, 102, 919],
-	[183, 110, 1009],
-	[197, 118, 1108],
-];
-const RADII = [40, 35, 30, 25, 20, 15, 10];
-const RUNS = 15;
-const DERIVE_STEPS = 16;
+/** What runs on the core take: loaded once, when the first of them begins. */
+let loaded;
+const onCore = () => {
+	loaded ??= loadCore();
+	return loaded;
+};
 
-const digits = (number, count) => number.toFixed(count);
-const source = async (path) => (await runnerImport(join(repository, path))).module;
-
-const PAPER = 1; // links of version 1 mean the paper's procedure
-
-const { writeContainer } = await source("web/src/core/container.ts");
-const { Core } = await source("web/src/core/core.ts");
-const { readGrown } = await source("web/src/models/bunch/read_grown.ts");
-const { encodeRequest: blocksOf } = await source("web/src/models/bunch/request.ts");
-const { PRESETS } = await source("web/src/models/bunch/presets/presets.ts");
-const { specimenFromPreset } = await source("web/src/models/bunch/species.ts");
-const core = await loadBenchCore();
-const instance = await Core.instantiate(benchModule());
-/** A request as the bytes that cross the border. */
-const encodeRequest = (specimen, options) => writeContainer(blocksOf(specimen, options));
-const reader = { grow: (request) => readGrown(instance.growBytes(request)) };
-const ratios = [];
-
-const [, , only, ...named] = process.argv;
-if (only === undefined || only === "core") benchCore();
-if (only === undefined || only === "particles") await benchParticles({ core, source });
-if (only === undefined || only === "maps") benchMaps({ core });
-if (only === undefined || only === "topiary") await benchTopiaries({ core, source });
-if (only === undefined || only === "grammar") await benchGrammar({ core, source });
-if (only === undefined || only === "growth") await benchGrowth({ core, instance, source });
-if (only === undefined || only === "flower") await benchFlowers({ core, instance, source });
-if (only === "stand") await benchStand();
-if (only === undefined || only === "service") await benchService();
-if (only === undefined || only === "browser") await benchBrowser();
-if (only === undefined || only === "page") await benchPage(named[0]);
-if (only === undefined || only === "frame") await benchFrame(named[0]);
-if (only === undefined || only === "watching") await benchWatching(named);
-
-function benchCore() {
-	ratios.push(...benchNatural({ core, reader, encodeRequest, presets: PRESETS, specimenFromPreset }));
-	benchPresets();
-	benchTable2();
-	benchKernels();
-	benchScale();
-	console.log(
-		`\nwasm / native, geometric mean of ${ratios.length}: ${digits(geometricMean(ratios), 2)} (aim 1.35 at the most)`,
-	);
+async function loadCore() {
+	const { runnerImport } = await import("vite");
+	const { benchModule, loadBenchCore } = await import("./core.mjs");
+	const source = async (path) => (await runnerImport(join(repository, path))).module;
+	const core = await loadBenchCore();
+	const { Core } = await source("web/src/core/core.ts");
+	return { core, instance: await Core.instantiate(benchModule()), source };
 }
 
-/** Wasm and native microseconds of one request, and their ratio. */
-function timeGrow(request) {
-	const wasm = microseconds(20, RUNS, grower(core, request));
-	const native = nativeGrow(request, 20, RUNS);
-	return { wasm, native, ratio: wasm / native };
-}
+/** @type {Record<string, import("../../wasm-core/tools/tasks.mjs").Task>} */
+const RUNS = {
+	core: {
+		about: "bunches and the kernels of the core, as wasm and natively",
+		run: async () => (await import("./bunch.mjs")).benchBunch(await onCore()),
+	},
+	particles: {
+		about: "leaves, trees and roots",
+		run: async () => (await import("./particles.mjs")).benchParticles(await onCore()),
+	},
+	maps: {
+		about: "generalized maps",
+		run: async () => (await import("./maps.mjs")).benchMaps(await onCore()),
+	},
+	topiary: {
+		about: "trees clipped to growth areas",
+		run: async () => (await import("./topiary.mjs")).benchTopiaries(await onCore()),
+	},
+	grammar: {
+		about: "texts of L-systems",
+		run: async () => (await import("./grammar.mjs")).benchGrammar(await onCore()),
+	},
+	growth: {
+		about: "trees by divisor functions",
+		run: async () => (await import("./growth.mjs")).benchGrowth(await onCore()),
+	},
+	flower: {
+		about: "flowers",
+		run: async () => (await import("./flower.mjs")).benchFlowers(await onCore()),
+	},
+	service: {
+		about: "bunches per second that the model service answers as JSON",
+		run: async () => (await import("./service.mjs")).benchService(),
+	},
+	browser: {
+		about: "the page: its size, its start, a drag",
+		run: async () => (await import("./browser.mjs")).benchBrowser(),
+	},
+	page: {
+		about: "texts in the built page, or in one built before",
+		words: "[FOLDER]",
+		run: async ([folder]) => (await import("./page.mjs")).benchPage(folder),
+	},
+	frame: {
+		about: "drawing alone, of the built page or of one built before",
+		words: "[FOLDER]",
+		run: async ([folder]) => (await import("./frame.mjs")).benchFrame(folder),
+	},
+	watching: {
+		about: "a life of particles in the page, played from start to end",
+		words: "[MODEL/PRESET …]",
+		run: async (plants) => (await import("./watching.mjs")).benchWatching(plants),
+	},
+	stand: {
+		about: "stands of up to 2,000 trees, in wasm and in the built page",
+		run: async () => (await import("./stand.mjs")).benchStand(),
+	},
+	fit: {
+		about: "how closely bunches follow their handles (`npm run docs -- fit` writes docs/fit.md)",
+		run: async () => console.log((await import("./fit.mjs")).fitTable()),
+	},
+	soak: {
+		about: "the memory of the model service over 100,000 requests; fails if it grows",
+		words: "[REQUESTS]",
+		run: async ([requests]) => {
+			const { failed } = await (await import("./soak.mjs")).soak(requests);
+			if (failed > 0) process.exitCode = 1;
+		},
+	},
+};
 
-function benchPresets() {
-	const rows = [
-		["growing a preset", "internodes", "berries", "wasm µs", "native µs", "ratio", "with meshes µs", "vertices"],
-	];
-	for (const { name } of PRESETS.filter(({ kind }) => kind !== "variety")) {
-		const specimen = specimenFromPreset(name, PAPER);
-		const bare = encodeRequest(specimen, { meshes: false, measures: false });
-		const whole = encodeRequest(specimen, { measures: false });
-		const { counts, stem } = reader.grow(whole);
-		const { wasm, native, ratio } = timeGrow(bare);
-		const meshed = microseconds(10, RUNS, grower(core, whole));
-		ratios.push(ratio);
-		rows.push([
-			name,
-			counts.internodes,
-			counts.berries,
-			digits(wasm, 0),
-			digits(native, 0),
-			digits(ratio, 2),
-			digits(meshed, 0),
-			stem.positions.length / 3,
-		]);
-	}
-	printTable(`The paper's procedure, medians of ${RUNS} runs of 20 (aim: the largest in about 1000 µs)`, rows);
-}
+/** Runs that are made by name alone: they take long, or have other pages in the documentation. */
+const BY_NAME = ["stand", "fit", "soak"];
 
-function benchTable2() {
-	const rows = [["paper: internodes", "berries", "ms", "ours: radius", "internodes", "berries", "wasm ms"]];
-	RADII.forEach((radius, i) => {
-		const grown = Array.from({ length: 20 }, (_, seed) => {
-			const specimen = specimenFromPreset("shouldered-conical", PAPER);
-			specimen.seed = seed + 1;
-			Object.assign(specimen.parameters, { fit: 0, vary: 0, rmin: radius * 0.8, rmax: radius * 1.2 });
-			const request = encodeRequest(specimen, { meshes: false, measures: false });
-			return { counts: reader.grow(request).counts, time: microseconds(5, 3, grower(core, request)) };
-		});
-		const mean = (pick) => grown.reduce((sum, one) => sum + pick(one), 0) / grown.length;
-		rows.push([
-			...TABLE_2[i],
-			radius,
-			digits(
-				mean(({ counts }) => counts.internodes),
-				1,
-			),
-			digits(
-				mean(({ counts }) => counts.berries),
-				1,
-			),
-			digits(median(grown.map(({ time }) => time)) / 1000, 3),
-		]);
+const words = process.argv.slice(2);
+if (words[0] !== "--help") {
+	await command(async () => {
+		await setUp("core");
+		await buildCore();
 	});
-	printTable("Table 2 of the paper (2012, native) and shouldered conical as printed here, 20 seeds", rows);
 }
-
-/** A kernel both ways: microseconds of a round and its work. */
-function timeKernel(kernel, size, rounds) {
-	core.panicle_bench(KERNELS[kernel], size, 0);
-	const work = core.panicle_bench(KERNELS[kernel], size, 1);
-	const wasm = microseconds(rounds, RUNS, (times) => core.panicle_bench(KERNELS[kernel], size, times));
-	const native = nativeKernel(kernel, size, rounds, RUNS).microseconds;
-	ratios.push(wasm / native);
-	return { work, wasm, native, ratio: wasm / native };
-}
-
-function benchKernels() {
-	const rows = [["kernel", "work", "wasm", "native", "unit", "ratio"]];
-	const derive = timeKernel("derive", DERIVE_STEPS, 3);
-	const rate = ({ work }, time) => digits(work / time, 1);
-	rows.push([
-		`derive, ${DERIVE_STEPS} steps`,
-		derive.work,
-		rate(derive, derive.wasm),
-		rate(derive, derive.native),
-		"M modules/s",
-		digits(derive.ratio, 2),
-	]);
-	for (const spheres of [500, 10000]) {
-		const probe = timeKernel("probe", spheres, spheres < 1000 ? 20 : 2);
-		const each = (time) => digits(time / probe.work, 2);
-		rows.push([
-			`probe, ${spheres} spheres`,
-			probe.work,
-			each(probe.wasm),
-			each(probe.native),
-			"µs a sphere",
-			digits(probe.ratio, 2),
-		]);
-	}
-	const tubes = timeKernel("tubes", 199, 20);
-	rows.push([
-		"tubes, 12 sides",
-		tubes.work,
-		rate(tubes, tubes.wasm),
-		rate(tubes, tubes.native),
-		"M vertices/s",
-		digits(tubes.ratio, 2),
-	]);
-	printTable("Kernels (aims: 200 M modules/s, 3 µs a sphere, 100 M vertices/s)", rows);
-
-	const modules = peerModules(DERIVE_STEPS);
-	const peer = modules / microseconds(1, 5, () => peerModules(DERIVE_STEPS));
-	const ours = derive.work / derive.wasm;
-	console.log(
-		`lindenmayer (npm), same rule, ${modules} modules: ${digits(peer, 1)} M modules/s; ours / peer ${digits(ours / peer, 1)} (aim 10)`,
-	);
-}
-
-function benchScale() {
-	const rows = [["plan", "pedicels", "wasm ms", "native ms", "µs a pedicel", "ratio"]];
-	for (const factor of [1, 10, 100]) {
-		const { work, wasm, native, ratio } = timeKernel("plan", factor, factor > 10 ? 1 : 10);
-		rows.push([
-			`${factor} ×`,
-			work,
-			digits(wasm / 1000, 2),
-			digits(native / 1000, 2),
-			digits(wasm / work, 2),
-			digits(ratio, 2),
-		]);
-	}
-	printTable("Cost as the paper's plan grows", rows);
-}
+const standard = async () => {
+	for (const [name, { run }] of Object.entries(RUNS)) if (!BY_NAME.includes(name)) await run([]);
+};
+await runTask("bench", RUNS, words, { standard });

@@ -1,4 +1,4 @@
-/** How much of dist/ a first load brings over the wire: the page and all that it asks for until its plant is drawn. */
+/** Sizes of files in dist/ as they are sent, and of what a page has fetched of them. */
 import { readFileSync } from "node:fs";
 import { extname, join } from "node:path";
 import { gzipSync } from "node:zlib";
@@ -6,22 +6,23 @@ import { gzipSync } from "node:zlib";
 export const gzipped = (path) => gzipSync(readFileSync(path), { level: 9 }).length;
 
 /**
+ * The files that a page has fetched, with their sizes.
  * @param {string} dist
- * @param {string[]} requested paths below dist/ that the page asked for
- * @throws where one of them is not there
+ * @param {string[]} requested paths below dist/ that the page requested
+ * @throws where one of them does not exist
  */
 export function firstLoad(dist, requested) {
 	return requested.map((path) => ({ path, bytes: gzipped(join(dist, path)) }));
 }
 
-const KINDS = { ".woff2": "fonts", ".webp": "pictures" };
+const KINDS = { ".wasm": "core", ".woff2": "fonts", ".webp": "pictures" };
 
 /**
- * What a first load comes to by kind: `code` is the page, its styles and scripts, and the core.
+ * The size of fetched files by kind: `code` is the page with its styles and scripts, `core` the models' WebAssembly.
  * @param {{ path: string, bytes: number }[]} files
  */
 export function byKind(files) {
-	const sums = { code: 0, fonts: 0, pictures: 0 };
+	const sums = { code: 0, core: 0, fonts: 0, pictures: 0 };
 	for (const { path, bytes } of files) sums[KINDS[extname(path)] ?? "code"] += bytes;
 	return sums;
 }

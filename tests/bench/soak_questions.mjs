@@ -1,4 +1,4 @@
-/** What `npm run soak` asks, by number: the same for the same number. Most plants are small, for it is asked often. */
+/** The requests of `npm run bench -- soak`, by number: the same for the same number. Most plants are small, for there are many requests. */
 import { deflateRawSync } from "node:zlib";
 
 const BUNCHES = ["riesling", "merlot", "long-conical", "short-conical", "lychee", "rubus", "redcurrant", "grape-15a"];

@@ -1,4 +1,4 @@
-/** A thread of the model service that tells `npm run soak` what it holds: the memory of its cores that are alive, and its heap. */
+/** A thread of the model service that tells `npm run bench -- soak` what it holds: the memory of its cores that are alive, and its heap. */
 import { setFlagsFromString } from "node:v8";
 import { runInNewContext } from "node:vm";
 import { workerData } from "node:worker_threads";

@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { createServer, preview } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
-import { launch } from "../e2e/browser.mjs";
+import { launch } from "../browsers/chromium.mjs";
 import { benchBeds } from "./beds.mjs";
 import { median, printTable } from "./statistics.mjs";
 

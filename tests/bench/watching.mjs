@@ -7,7 +7,7 @@
 import { join } from "node:path";
 import { build, preview } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
-import { launch } from "../e2e/browser.mjs";
+import { launch } from "../browsers/chromium.mjs";
 import { withoutDrawing } from "../e2e/without_drawing.mjs";
 import { printTable } from "./statistics.mjs";
 import { heaviestIn, tasksOf } from "./trace.mjs";

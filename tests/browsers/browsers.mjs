@@ -1,6 +1,6 @@
 /**
- * Browsers besides Chromium: where they are on this machine, and how Debian's packages bring them. The tests do with those
- * that can be had. Runs on a clean clone: nothing here may import a package.
+ * Browsers besides Chromium: where they are on this machine, and which Debian packages install them. The tests use the browsers
+ * that are available. Runs on a clean clone: nothing here may import a package.
  */
 import { existsSync, readdirSync } from "node:fs";
 import { join } from "node:path";
@@ -14,7 +14,7 @@ const libraries = ["/usr/lib64", "/usr/lib"].flatMap((folder) => [
 	),
 ]);
 
-/** Mesa, by which WebGL 2 is drawn without a graphics card; `MESA` names its folder where that is no usual one. */
+/** Mesa, which draws WebGL 2 without a graphics card. `MESA` names its folder if it is not a usual one. */
 const findMesa = ({ MESA }) =>
 	(MESA ? [MESA] : libraries).map((folder) => join(folder, "libEGL_mesa.so.0")).find(existsSync) ?? null;
 
@@ -25,16 +25,26 @@ const parts = {
 	mesa: { find: findMesa, packages: ["libegl1", "libgl1-mesa-dri"] },
 };
 
-/** What each takes. Neither shows WebGL 2 without a screen. */
+/** The parts that each browser needs. Neither shows WebGL 2 without a screen. */
 export const browsers = {
 	firefox: { title: "Firefox", parts: ["firefox", "screen", "mesa"] },
 	webkit: { title: "WebKit", parts: ["webkit", "screen", "mesa"] },
 };
 
 const missingOf = (name, env) => browsers[name].parts.filter((part) => !parts[part].find(env));
+const packagesOf = (missing) => missing.flatMap((part) => parts[part].packages);
 
 /**
- * The program that a browser is driven by.
+ * The packages that the browsers on this machine still lack.
+ *
+ * @returns {string[]}
+ */
+export function missingPackages(env = process.env) {
+	return packagesOf([...new Set(Object.keys(browsers).flatMap((name) => missingOf(name, env)))]);
+}
+
+/**
+ * The program that drives a browser.
  *
  * @param {string} name
  * @throws when it is not on this machine
@@ -49,14 +59,20 @@ export function find(name, env = process.env) {
 }
 
 /**
- * Browsers that can be had, after installing what is missing, each by itself; and why others cannot, a line for each.
+ * Installs the missing packages of all browsers in one call, and if that fails, of each browser by itself.
  *
+ * @returns the browsers that are available, and a line for each of the others with the reason.
  * @param {{ env?: NodeJS.ProcessEnv, install?: typeof installWithApt, log?: (line: string) => void }} [by]
  * @returns {Promise<{ there: string[], without: string[] }>}
  */
 export async function prepareBrowsers({ env = process.env, install = installWithApt, log = console.error } = {}) {
 	const there = [];
 	const without = [];
+	const missing = missingPackages(env);
+	if (missing.length > 0 && packageManager(env)?.name === "apt-get") {
+		log(`Installing ${missing.join(", ")} …`);
+		await install(missing, {}, env);
+	}
 	for (const [name, { title }] of Object.entries(browsers)) {
 		const why = await whyNot(name, env, install, log);
 		if (why) without.push(`${title} is not tested: ${why}.`);
@@ -65,11 +81,11 @@ export async function prepareBrowsers({ env = process.env, install = installWith
 	return { there, without };
 }
 
-/** Why a browser cannot be had; null when it is there. */
+/** Why a browser is not available, after a try to install it; null when it is. */
 async function whyNot(name, env, install, log) {
 	const missing = missingOf(name, env);
 	if (missing.length === 0) return null;
-	const packages = missing.flatMap((part) => parts[part].packages);
+	const packages = packagesOf(missing);
 	if (packageManager(env)?.name !== "apt-get") return `this machine lacks ${packages.join(", ")}`;
 	log(`Installing ${packages.join(", ")} …`);
 	const problem = await install(packages, {}, env);

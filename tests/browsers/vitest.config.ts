@@ -1,19 +1,17 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 
-/** The built app in browsers besides Chromium: `npm test -- browsers`. */
+/** The built app in browsers besides Chromium: `npm test -- browsers`. No test is tried twice. */
 export default defineConfig({
 	root: fileURLToPath(new URL("../..", import.meta.url)),
 	test: {
 		include: ["tests/browsers/*.test.ts"],
 		testTimeout: 180_000,
-		// As in playwright.config.ts.
-		retry: process.env.CI ? 1 : 0,
 		hookTimeout: 120_000,
 		pool: "forks",
-		// A browser beside the other, each on a processor.
+		// Both browsers at the same time.
 		maxWorkers: 2,
-		// Node has had it without a flag since version 22.
+		// Node has WebSocket without a flag since version 22.
 		execArgv: typeof WebSocket === "undefined" ? ["--experimental-websocket"] : [],
 	},
 });

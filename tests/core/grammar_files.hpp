@@ -1,4 +1,4 @@
-// The texts of the shelf, as files.
+// Grammar files of the repository, for tests that read them.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -12,10 +12,14 @@
 
 namespace panicle::tests {
 
-// Those of a model, by their names.
+// The repository's root, an absolute path. Defined in main.cpp alone, so that a compiler cache can share all other
+// objects between checkouts.
+std::string repository_folder();
+
+// The grammar files of a model, sorted by name.
 inline std::vector<std::filesystem::path> grammar_files(const std::string& model) {
   std::vector<std::filesystem::path> found;
-  for (const auto& entry : std::filesystem::directory_iterator(PANICLE_GRAMMARS "/" + model))
+  for (const auto& entry : std::filesystem::directory_iterator(repository_folder() + "/wasm-core/grammars/" + model))
     if (entry.path().extension() != ".json") found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   return found;

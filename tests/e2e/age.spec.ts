@@ -1,4 +1,5 @@
 import { expect, test } from "./fixtures";
+import { framesRequested, passFrames } from "./frames";
 import { StudioPage } from "./studio_page";
 
 const NATURAL = "?v=2&preset=short-conical";
@@ -10,7 +11,7 @@ async function thumb(studio: StudioPage, age: number): Promise<{ x: number; y: n
 	return { x: box.x + 7 + ((box.width - 14) * age) / 125, y: box.y + box.height / 2 };
 }
 
-test("scrubbing the age and back gives the same bunch and leaves no step", async ({ page }) => {
+test("scrubbing the age and back gives the same bunch and leaves no step", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open(NATURAL);
 	const first = await studio.fingerprint.innerText();
 	const [ripe, green] = [await thumb(studio, 100), await thumb(studio, 40)];
@@ -25,7 +26,9 @@ test("scrubbing the age and back gives the same bunch and leaves no step", async
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
-test("an age is one step, in the address and in the history, by stage, key and number", async ({ page }) => {
+test("an age is one step, in the address and in the history, by stage, key and number", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open(NATURAL);
 	const age = studio.slider("Age");
 	const first = await studio.fingerprint.innerText();
@@ -57,8 +60,10 @@ test("an age is one step, in the address and in the history, by stage, key and n
 test("play runs from the flower on, by key or button, and a pause is one step", async ({ page }) => {
 	const studio = await new StudioPage(page).open(NATURAL);
 	const age = studio.slider("Age");
-	await page.waitForTimeout(300);
-	await expect(age).toHaveValue("100"); // Nothing plays by itself.
+	// The life is not played until the button is pressed.
+	await passFrames(page, 10);
+	await expect(studio.button("Play")).toBeVisible();
+	await expect(age).toHaveValue("100");
 	await studio.regrown(() => studio.button("Play").click());
 	await expect(studio.button("Pause")).toBeVisible();
 	await expect.poll(async () => Number(await age.inputValue())).toBeLessThan(100);
@@ -67,7 +72,7 @@ test("play runs from the flower on, by key or button, and a pause is one step", 
 	await expect(studio.button("Play")).toBeVisible();
 	const stopped = await age.inputValue();
 	await expect(page).toHaveURL(/[?&]age=/);
-	await page.waitForTimeout(300);
+	await expect.poll(() => framesRequested(page)).toBe(0);
 	await expect(age).toHaveValue(stopped);
 	await age.focus();
 	await page.keyboard.press("k");
@@ -82,7 +87,7 @@ test("play runs from the flower on, by key or button, and a pause is one step", 
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
-test("where motion is unwelcome, play goes from stage to stage", async ({ page }) => {
+test("where motion is unwelcome, play goes from stage to stage", { tag: "@long" }, async ({ page }) => {
 	await page.emulateMedia({ reducedMotion: "reduce" });
 	const studio = await new StudioPage(page).open(`${NATURAL}&age=30`);
 	const seen = page.evaluate(
@@ -101,7 +106,7 @@ test("where motion is unwelcome, play goes from stage to stage", async ({ page }
 	expect(await seen).toEqual(["30", "60", "100"]);
 });
 
-test("a handle can be dragged at any age", async ({ page }) => {
+test("a handle can be dragged at any age", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open(`${NATURAL}&age=30`);
 	const { x, y } = await studio.grip("Front", "p3");
 	await page.mouse.move(x, y);

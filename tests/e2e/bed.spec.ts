@@ -1,7 +1,9 @@
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
-test("a flowerbed is shown as it comes and counted; a click on a plant opens it, the same flower", async ({ page }) => {
+test("a flowerbed is shown as it comes and counted; a click on a plant opens it, the same flower", {
+	tag: "@long",
+}, async ({ page }) => {
 	const told = page.getByText(/^240 plants of 9 kinds on 2\.2 × 1\.3 m$/).first();
 	const partly = page.getByText(/, \d+ grown so far/).first();
 	const opening = new StudioPage(page).open("?v=2&model=stand&preset=flowerbed&many=240");

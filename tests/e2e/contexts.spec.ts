@@ -13,7 +13,7 @@ test.beforeEach(({ page }) => openViews(page, host.address));
 
 const SMALL = "?v=2&preset=redcurrant&count=6";
 
-test("twenty views made and disposed leave nothing behind", async ({ page }) => {
+test("twenty views made and disposed leave nothing behind", { tag: "@long" }, async ({ page }) => {
 	const warnings: string[] = [];
 	page.on("console", (message) => warnings.push(message.text()));
 	const left = await page.evaluate(async (query) => {
@@ -51,7 +51,7 @@ test("twenty views made and disposed leave nothing behind", async ({ page }) => 
 			contexts.push({ viewer, lost: canvas.getContext("webgl2")?.isContextLost() });
 			canvas.remove();
 		}
-		await new Promise((resolve) => setTimeout(resolve, 400));
+		for (let i = 0; i < 30; i++) await new Promise(requestAnimationFrame);
 		return {
 			firstLost: gl?.isContextLost(),
 			lost: contexts.map(({ lost }) => lost),
@@ -68,7 +68,9 @@ test("twenty views made and disposed leave nothing behind", async ({ page }) => 
 	expect(warnings.filter((text) => /context/i.test(text))).toEqual([]);
 });
 
-test("twenty views share one context, and each shows its own plant at its own size", async ({ page }) => {
+test("twenty views share one context, and each shows its own plant at its own size", { tag: "@long" }, async ({
+	page,
+}) => {
 	const seen = await page.evaluate(async () => {
 		const { canvas, grow, pixels, Renderer, Viewer, bunchFigure } = window.views;
 		const asked = HTMLCanvasElement.prototype.getContext;

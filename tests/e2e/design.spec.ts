@@ -11,9 +11,9 @@ async function written(page: Page, action: () => Promise<unknown>): Promise<stri
 	return page.url();
 }
 
-test("a flower is designed: choices, the diagram and the outline write its text, and undo, redo and the link bring it back", async ({
-	page,
-}) => {
+test("a flower is designed: choices, the diagram and the outline write its text, and undo, redo and the link bring it back", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-buttercup");
 	const before = page.url();
 	await expect(page.getByText("K5 C5 A12+12+12 G14")).toBeVisible();
@@ -71,7 +71,9 @@ test("a flower is designed: choices, the diagram and the outline write its text,
 	await expect(page).toHaveTitle(/^Buttercup by choices, altered/);
 });
 
-test("what is edited by hand survives a choice elsewhere; what cannot is told, and can be kept", async ({ page }) => {
+test("what is edited by hand survives a choice elsewhere; what cannot is told, and can be kept", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-tulip");
 	await page.getByLabel("Stamen", { exact: true }).check();
 	const text = page.getByRole("region", { name: "Grammar" }).locator(".cm-content");
@@ -120,9 +122,9 @@ test("what is edited by hand survives a choice elsewhere; what cannot is told, a
 	await expect(page).toHaveURL(lost);
 });
 
-test("a picture that is dropped is traced as the chosen organ; a handle of the diagram adds a whorl of it", async ({
-	page,
-}) => {
+test("a picture that is dropped is traced as the chosen organ; a handle of the diagram adds a whorl of it", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-buttercup");
 	const [outline, width] = [page.getByRole("combobox", { name: "Outline" }), studio.slider("Width")];
 	const [before, length] = [page.url(), Number(await studio.slider("Length").inputValue())];
@@ -173,9 +175,9 @@ test("a text without descriptions says so, and a design begins", async ({ page }
 	await expect(page.getByRole("region", { name: "Diagram view" })).toBeVisible();
 });
 
-test("on a phone the diagram and the outline are views of their own, whose handles a finger can take", async ({
-	page,
-}) => {
+test("on a phone the diagram and the outline are views of their own, whose handles a finger can take", {
+	tag: "@long",
+}, async ({ page }) => {
 	await page.setViewportSize({ width: 390, height: 844 });
 	await new StudioPage(page).open("?v=2&model=flower&preset=designed-violet");
 	await page.getByRole("radio", { name: "Diagram" }).check({ force: true });

@@ -4,6 +4,7 @@ import { prepare } from "../../wasm-core/tools/toolchain.mjs";
 import { Desk } from "../docs/desk";
 import { examplesOf, pages, partOf, plainly, textOf } from "../docs/examples";
 import { freePort } from "../free_port.mjs";
+import { isLongRun } from "../long_run.mjs";
 import { type Project, projectWith } from "../package/project";
 import { installed } from "../readers/programs.mjs";
 import { expect, test } from "./fixtures";
@@ -14,12 +15,15 @@ let project: Project;
 let python: string;
 test.beforeAll(async () => {
 	project = await projectWith({});
-	python = await installed("trimesh", (await prepare("trimesh")).python);
+	if (isLongRun) python = await installed("trimesh", (await prepare("trimesh")).python);
 });
 test.afterAll(() => project.remove());
 
+/** The page whose examples run in the gate, too: its examples need no Python. */
+const IN_GATE = "for-web-authors";
+
 for (const name of pages()) {
-	test(`docs/${name}.md: its examples do what it says`, async ({ page }) => {
+	test(`docs/${name}.md: its examples do what it says`, { tag: name === IN_GATE ? [] : "@long" }, async ({ page }) => {
 		// Many programs, one after the other.
 		test.slow();
 		const desk = await Desk.at(project, python);

@@ -51,7 +51,7 @@ test("a mistake is shown where it stands, and the last bunch stays until it is m
 	await expect(studio.fingerprint).toHaveText(first);
 });
 
-test("whoever closes the editor over a mistake is told, and led back", async ({ page }) => {
+test("whoever closes the editor over a mistake is told, and led back", { tag: "@long" }, async ({ page }) => {
 	const studio = await new EditorPage(page).edit(PAPER);
 	await studio.endOf("axiom:");
 	await page.keyboard.type(" )");
@@ -63,7 +63,7 @@ test("whoever closes the editor over a mistake is told, and led back", async ({ 
 	await expect(studio.text).toBeVisible();
 });
 
-test("a remark of the core stands in its line", async ({ page }) => {
+test("a remark of the core stands in its line", { tag: "@long" }, async ({ page }) => {
 	const studio = await new EditorPage(page).edit(PAPER);
 	await studio.endOf("Ap(l,w) -->");
 	await page.keyboard.type(" F1");
@@ -71,9 +71,9 @@ test("a remark of the core stands in its line", async ({ page }) => {
 	await expect(studio.text.locator(".cm-remark")).toHaveText("F1");
 });
 
-test("a number follows the mouse in steps of its last digit, ten with Shift, tenths with Control; a drag is one step", async ({
-	page,
-}) => {
+test("a number follows the mouse in steps of its last digit, ten with Shift, tenths with Control; a drag is one step", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new EditorPage(page).edit(PAPER);
 	const first = await studio.fingerprint.innerText();
 	await drag(page, studio.number("#define alpha_y"), 20);
@@ -91,7 +91,7 @@ test("a number follows the mouse in steps of its last digit, ten with Shift, ten
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
-test("constants of a text of one's own are sliders that write into it", async ({ page }) => {
+test("constants of a text of one's own are sliders that write into it", { tag: "@long" }, async ({ page }) => {
 	const studio = await new EditorPage(page).edit(PAPER);
 	await expect(page.locator("details[data-group=constants]")).toHaveCount(0);
 	await studio.endOf("#define l_i 50");
@@ -111,7 +111,7 @@ test("constants of a text of one's own are sliders that write into it", async ({
 	await expect(studio.line("#define bend 12 /*")).toBeVisible();
 });
 
-test("words are completed and explained", async ({ page }) => {
+test("words are completed and explained", { tag: "@long" }, async ({ page }) => {
 	const studio = await new EditorPage(page).edit(PAPER);
 	await studio.endOf("Ap(l,w) -->");
 	await page.keyboard.type(" F(cl");
@@ -123,7 +123,7 @@ test("words are completed and explained", async ({ page }) => {
 	await expect(page.locator(".cm-help")).toContainText("A constant.");
 });
 
-test("Tab goes on and Escape leaves, unless Tab is set to indent", async ({ page }) => {
+test("Tab goes on and Escape leaves, unless Tab is set to indent", { tag: "@long" }, async ({ page }) => {
 	const studio = await new EditorPage(page).edit(PAPER);
 	await expect(studio.text).toBeFocused();
 	await expect(studio.text).toHaveAccessibleDescription(/Escape leaves/);
@@ -141,7 +141,7 @@ test("Tab goes on and Escape leaves, unless Tab is set to indent", async ({ page
 	await expect(studio.button("Grammar")).toBeFocused();
 });
 
-test("curves are drawn, and their points are moved, added and removed", async ({ page }) => {
+test("curves are drawn, and their points are moved, added and removed", { tag: "@long" }, async ({ page }) => {
 	const studio = await new EditorPage(page).edit(PAPER);
 	await studio.endOf("#define l_i 50");
 	await page.keyboard.press("Enter");
@@ -156,7 +156,9 @@ test("curves are drawn, and their points are moved, added and removed", async ({
 	await expect(studio.line("#curve taper")).toHaveText("#curve taper (0, 0) (1, 1)");
 });
 
-test("a grammar's preset opens its text, with sliders of its constants, and grows what is typed", async ({ page }) => {
+test("a grammar's preset opens its text, with sliders of its constants, and grows what is typed", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new EditorPage(page).edit("?model=grammar");
 	const first = await studio.fingerprint.innerText();
 	await expect(page.locator("details[data-group=constants]")).toHaveCount(1);

@@ -5,9 +5,9 @@ test.use({ viewport: { width: 1440, height: 1000 } });
 
 const PAPER = "?v=1&preset=grape-15b";
 
-test("words are found, one after the other, and replaced as one step; Escape goes back to the text", async ({
-	page,
-}) => {
+test("words are found, one after the other, and replaced as one step; Escape goes back to the text", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new EditorPage(page).edit("?model=grammar");
 	const first = await studio.fingerprint.innerText();
 	await page.keyboard.press("Control+f");
@@ -55,7 +55,7 @@ test.describe("on a phone", () => {
 		await expect(studio.number("#define alpha_y")).toHaveText("66");
 	});
 
-	test("the keyboard covers no line that is typed in", async ({ page }) => {
+	test("the keyboard covers no line that is typed in", { tag: "@long" }, async ({ page }) => {
 		await page.addInitScript(() => {
 			const viewport = Object.assign(new EventTarget(), { height: 844, offsetTop: 0, scale: 1 });
 			Object.defineProperty(window, "visualViewport", { value: viewport });

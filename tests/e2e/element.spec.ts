@@ -2,6 +2,7 @@ import type { Page } from "@playwright/test";
 import type { GrownDetail, PanicleSpecimen } from "../../web/src/element/panicle";
 import { grown, openHost, SMALL, serveLibrary } from "./element_page";
 import { expect, test } from "./fixtures";
+import { framesRequested } from "./frames";
 import { type HostPage, serveUnder } from "./static_server";
 
 let library: Awaited<ReturnType<typeof serveLibrary>>;
@@ -118,25 +119,16 @@ test("policies as strict as the app's own let it live", async ({ page }) => {
 	await close();
 });
 
-test("what is off screen grows when it comes near, and turns only where it is seen", async ({ page }) => {
+test("what is off screen grows when it comes near, and turns only where it is seen", { tag: "@long" }, async ({
+	page,
+}) => {
 	const close = await open(
 		page,
 		`<panicle-specimen id="first" ${SMALL} autorotate></panicle-specimen><div style="height: 3000px"></div>
 		<panicle-specimen id="second" ${SMALL} loading="lazy"></panicle-specimen>`,
 	);
 	await page.waitForFunction(() => document.querySelector<PanicleSpecimen>("#first")?.plant);
-	const frames = () =>
-		page.evaluate(async () => {
-			let count = 0;
-			const asked = window.requestAnimationFrame;
-			window.requestAnimationFrame = (callback) => {
-				count++;
-				return asked.call(window, callback);
-			};
-			await new Promise((resolve) => setTimeout(resolve, 600));
-			window.requestAnimationFrame = asked;
-			return count;
-		});
+	const frames = () => framesRequested(page);
 	await expect.poll(frames).toBeGreaterThan(3);
 	expect(await page.evaluate(() => document.querySelector<PanicleSpecimen>("#second")?.plant)).toBeUndefined();
 	await page.locator("#second").scrollIntoViewIfNeeded();

@@ -1,6 +1,7 @@
 import type { Locator, Page } from "@playwright/test";
 import type { PanicleSpecimen } from "../../web/src/element/panicle";
 import { byKind, firstLoad } from "../bench/sizes.mjs";
+import { expectSize } from "../sizes/expect_size";
 import { grown, openHost, SMALL, serveLibrary } from "./element_page";
 import { expect, test } from "./fixtures";
 
@@ -99,7 +100,7 @@ test("the bar turns, ages, seeds and saves a plant, and leads into the app", asy
 	await close();
 });
 
-test("handles stand on the plant, follow hand and keys, and the plant regrows", async ({ page }) => {
+test("handles stand on the plant, follow hand and keys, and the plant regrows", { tag: "@sizes" }, async ({ page }) => {
 	const scripts: string[] = [];
 	page.on("request", (request) => {
 		if (request.url().endsWith(".js")) scripts.push(request.url().slice(library.address.length));
@@ -145,8 +146,7 @@ test("handles stand on the plant, follow hand and keys, and the plant regrows", 
 	await page.keyboard.press("Shift+ArrowUp");
 	await expect(left).not.toHaveAttribute("aria-label", held ?? "");
 	await expect(page.getByRole("group", { name: "Handles" }).getByRole("status")).toHaveText(/mm wide, [\d.]+ mm down$/);
-	// All of it, three.js included.
-	expect(byKind(firstLoad("dist", [...new Set(scripts)])).code).toBeLessThan(300_000);
+	expectSize("element with handles: scripts, gzipped", byKind(firstLoad("dist", [...new Set(scripts)])).code);
 	// They go with the plant when that is turned.
 	const front = page.getByRole("button", { name: /^Front: / });
 	const at = await middle(front);
@@ -155,9 +155,9 @@ test("handles stand on the plant, follow hand and keys, and the plant regrows", 
 	await close();
 });
 
-test("every model says what it is, shows its age where it has one, and has handles; all their scripts together are small", async ({
-	page,
-}) => {
+test("every model is described, shows its age where it has one, and has handles", {
+	tag: ["@sizes", "@long"],
+}, async ({ page }) => {
 	const scripts = new Set<string>();
 	page.on("request", (request) => {
 		if (request.url().endsWith(".js")) scripts.add(request.url().slice(library.address.length));
@@ -181,6 +181,6 @@ test("every model says what it is, shows its age where it has one, and has handl
 		await expect(plant.getByRole("slider", { name: "Age" })).toHaveCount(i === 1 ? 0 : 1);
 		for (const control of await plant.getByRole("button").all()) await expect(control).toHaveAccessibleName(/\S/);
 	}
-	expect(byKind(firstLoad("dist", [...scripts])).code).toBeLessThan(320_000);
+	expectSize("elements of five plants: scripts, gzipped", byKind(firstLoad("dist", [...scripts])).code);
 	await close();
 });

@@ -10,7 +10,7 @@ test.beforeAll(async () => {
 test.afterAll(() => library.close());
 const open = (page: Page, body: string, policy?: string) => openHost(page, library.address, body, policy);
 
-test("a hundred that come and go leave nothing behind, and ten share a context", async ({ page }) => {
+test("a hundred that come and go leave nothing behind, and ten share a context", { tag: "@long" }, async ({ page }) => {
 	await page.addInitScript(() => {
 		const counts = { workers: 0, contexts: 0, listeners: 0 };
 		Object.assign(window, { counts });
@@ -79,34 +79,34 @@ test("a hundred that come and go leave nothing behind, and ten share a context",
 				plant.remove();
 			}
 		}, count);
-	/** After what lingers has gone. */
+	const countsOf = () => page.evaluate(() => (window as unknown as { counts: object }).counts);
+	/** What is left once the workers have ended, which are kept for a moment after the last plant has gone. */
 	const left = async () => {
-		await page.waitForTimeout(1500);
+		await expect.poll(countsOf).toEqual({ workers: 0, contexts: 0, listeners: 0 });
 		const session = await page.context().newCDPSession(page);
 		await session.send("HeapProfiler.collectGarbage");
 		const { usedSize } = await session.send("Runtime.getHeapUsage");
 		await session.detach();
-		return { heap: usedSize, counts: await page.evaluate(() => (window as unknown as { counts: object }).counts) };
+		return { heap: usedSize, counts: await countsOf() };
 	};
 	// Until what a browser makes of code that runs often is there, too.
 	await cycles(60);
 	const before = await left();
 	await cycles(100);
 	const after = await left();
-	expect(before.counts).toEqual({ workers: 0, contexts: 0, listeners: 0 });
 	expect(after.counts).toEqual(before.counts);
 	expect(after.heap / before.heap).toBeLessThan(1.05);
 	await page.evaluate((plant) => {
 		(document.querySelector("main") as HTMLElement).innerHTML = plant.repeat(10);
 	}, `<panicle-specimen style="width: 90px; height: 120px" autorotate ${SMALL}></panicle-specimen>`);
 	await grown(page);
-	expect(await page.evaluate(() => (window as unknown as { counts: object }).counts)).toMatchObject({ contexts: 1 });
+	expect(await countsOf()).toMatchObject({ contexts: 1 });
 	await close();
 });
 
-test("ten visible ones are turned on one context that is not lost, and what comes and goes beside them leaves nothing on the card", async ({
-	page,
-}) => {
+test("ten visible ones are turned on one context that is not lost, and what comes and goes beside them leaves nothing on the card", {
+	tag: "@long",
+}, async ({ page }) => {
 	await page.addInitScript(() => {
 		const counts = { Buffer: 0, Texture: 0, Program: 0, Shader: 0, Framebuffer: 0, Renderbuffer: 0, VertexArray: 0 };
 		const seen = { lost: 0, draws: 0, counts };

@@ -21,7 +21,7 @@ async function failing(page: Page, pattern: RegExp): Promise<{ allow(): void; fa
 test.beforeEach(({ complaints }) => complaints.expect(/503|file_worker.*ERR_FAILED/));
 
 for (const script of ["viewer", "bunch_figure"]) {
-	test(`the 3-D view comes when asked again, where its ${script} did not`, async ({ page }) => {
+	test(`the 3-D view comes when asked again, where its ${script} did not`, { tag: "@long" }, async ({ page }) => {
 		const scene = await failing(page, new RegExp(`assets/${script}-`));
 		const studio = await new StudioPage(page).open();
 		const trouble = page.getByRole("alert");
@@ -35,9 +35,9 @@ for (const script of ["viewer", "bunch_figure"]) {
 	});
 }
 
-test("leaves are fetched when a bunch has some; where they did not come, a note says so until they do", async ({
-	page,
-}) => {
+test("leaves are fetched when a bunch has some; where they did not come, a note says so until they do", {
+	tag: "@long",
+}, async ({ page }) => {
 	const leaf = await failing(page, /assets\/grapevine-/);
 	const note = page.getByText("The cane has no leaves");
 	const studio = await new StudioPage(page).open("?v=2&preset=riesling");
@@ -55,7 +55,7 @@ test("leaves are fetched when a bunch has some; where they did not come, a note 
 test.describe("to the eye", () => {
 	test.use({ drawn: true });
 
-	test("the octahedron comes with the next press, where its script did not", async ({ page }) => {
+	test("the octahedron comes with the next press, where its script did not", { tag: "@long" }, async ({ page }) => {
 		const handles = await failing(page, /assets\/octahedron-/);
 		const studio = await new StudioPage(page).open();
 		await studio.button("Octahedron").click();
@@ -80,7 +80,9 @@ test("the tools come when asked again, where their script did not", async ({ pag
 	await expect(studio.notices.getByRole("button", { name: "Try again" })).toHaveCount(0);
 });
 
-test("a file is made when asked again, where the script that writes it did not come", async ({ page }) => {
+test("a file is made when asked again, where the script that writes it did not come", { tag: "@long" }, async ({
+	page,
+}) => {
 	const exporter = await failing(page, /assets\/file_worker-/);
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	await studio.button("Download").click();
@@ -95,7 +97,9 @@ test("a file is made when asked again, where the script that writes it did not c
 	expect(exporter.failed()).toBeLessThanOrEqual(2);
 });
 
-test("a file that takes its time says so, can be cancelled, and holds nothing else up", async ({ page }) => {
+test("a file that takes its time says so, can be cancelled, and holds nothing else up", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	let release = () => {};
 	const held = new Promise<void>((resolve) => {

@@ -20,7 +20,7 @@ test("GLB: valid, and dropped back it restores its bunch", async ({ page }) => {
 	}
 });
 
-test("a natural bunch's GLB is valid, and brings its age and thinning back", async ({ page }) => {
+test("a natural bunch's GLB is valid, and brings its age and thinning back", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=pinot-noir&age=90");
 	await studio.slider("Berry").focus();
 	await studio.regrown(() => page.keyboard.press("Delete"));
@@ -45,7 +45,7 @@ test("a natural bunch's GLB is valid, and brings its age and thinning back", asy
 	await expect(page).toHaveURL(/preset=pinot-noir&age=90&thin=/);
 });
 
-test("berries as CSV: one line each, in millimetres", async ({ page }) => {
+test("berries as CSV: one line each, in millimetres", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=pinot-noir");
 	const { name, bytes } = await studio.download("csv");
 	expect(name).toBe("pinot-noir-1-berries.csv");
@@ -71,7 +71,7 @@ test("JSON: the numbers of the page, and it restores its bunch from the picker",
 	await expect(studio.fingerprint).toHaveText(first);
 });
 
-test("OBJ with its MTL in one archive, and a series of plants in one", async ({ page }) => {
+test("OBJ with its MTL in one archive, and a series of plants in one", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	const { name, bytes } = await studio.download("obj");
 	expect(name).toBe("lychee-1-obj.zip");
@@ -114,7 +114,7 @@ test("OBJ with its MTL in one archive, and a series of plants in one", async ({ 
 test.describe("to the eye", () => {
 	test.use({ drawn: true });
 
-	test("the picture is a PNG of the view", async ({ page }) => {
+	test("the picture is a PNG of the view", { tag: "@long" }, async ({ page }) => {
 		const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0);
 		const { bytes } = await studio.download("png");
@@ -129,7 +129,7 @@ test.describe("to the eye", () => {
 	});
 });
 
-test("a file that is none of ours is refused with a word and the bunch stays", async ({ page }) => {
+test("a file that is none of ours is refused with a word and the bunch stays", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	const first = await studio.fingerprint.innerText();
 	await studio.drop("holiday.doc", readFileSync("public/icons/panicle-180.png"));

@@ -32,9 +32,9 @@ test("a flower's text is edited: it regrows, a mistake is told, undo and the lin
 	await expect(studio.fingerprint).toHaveText(grown ?? "");
 });
 
-test("a click on a volume shows its numbers; a figure of the text is dragged, undone, and changes how many sides there are", async ({
-	page,
-}) => {
+test("a click on a volume shows its numbers; a figure of the text is dragged, undone, and changes how many sides there are", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=petal");
 	await studio.openGroup("Volume");
 	const { x, y, width, height } = (await page.getByRole("application", { name: /^Flower/ }).boundingBox())!;
@@ -75,7 +75,9 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	await expect(page.locator("panicle-volume [aria-live]")).toHaveText("StemSTEM, volume 1.");
 });
 
-test("a chosen volume is let go with the flower that it was of; its sliders are explained", async ({ page }) => {
+test("a chosen volume is let go with the flower that it was of; its sliders are explained", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=tulip&smooth=0");
 	await studio.openGroup("Volume");
 	const number = page.getByLabel("Volume", { exact: true });
@@ -96,7 +98,9 @@ test("a chosen volume is let go with the flower that it was of; its sliders are 
 	await expect(page.getByText("None is chosen.")).toBeVisible();
 });
 
-test("a grammar as XML is dropped and grows; a mistake in one is told with its place", async ({ page }) => {
+test("a grammar as XML is dropped and grows; a mistake in one is told with its place", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=figure-16");
 	const volume = (category: string) => `<volume category="${category}"><name>STEM</name><degree>6</degree></volume>`;
 	const xml = `${volume("#define")}<axiom>STEM</axiom><rule><predecessor>${volume("").replace("6", "")}</predecessor>
@@ -114,9 +118,9 @@ test("a grammar as XML is dropped and grows; a mistake in one is told with its p
 	expect(bytes.toString()).toContain("<axiom");
 });
 
-test("a flower's life is played from the bud, by stages and by numbers; undo and the link bring it back", async ({
-	page,
-}) => {
+test("a flower's life is played from the bud, by stages and by numbers; undo and the link bring it back", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=bluebell&smooth=0");
 	const age = studio.slider("Age");
 	const open = await studio.fingerprint.textContent();

@@ -29,7 +29,7 @@ test("presets are searched by what they are called and said to be, and the count
 	await expect(search(page)).toHaveValue("blue-black cone");
 });
 
-test("nothing found says so, and Escape or a button brings all of them back", async ({ page }) => {
+test("nothing found says so, and Escape or a button brings all of them back", { tag: "@long" }, async ({ page }) => {
 	await opened(page);
 	const all = await shown(page).count();
 	await search(page).fill("plum pudding");
@@ -45,7 +45,7 @@ test("nothing found says so, and Escape or a button brings all of them back", as
 	await expect(shown(page)).toHaveCount(all);
 });
 
-test("one kind is shown alone, and searched alone", async ({ page }) => {
+test("one kind is shown alone, and searched alone", { tag: "@long" }, async ({ page }) => {
 	await opened(page);
 	await expect(page.locator("section[data-model=leaf] h2").first()).toContainText("preview");
 	await expect(page.locator("section[data-model=bunch] h2").first()).not.toContainText("preview");
@@ -85,7 +85,9 @@ test("the keyboard goes from the field to the presets and from one to the next; 
 	await expect(page).toHaveURL(/preset=riesling/);
 });
 
-test("typing in the field is typing: no letter is a shortcut, and undo is the field's", async ({ page }) => {
+test("typing in the field is typing: no letter is a shortcut, and undo is the field's", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await opened(page);
 	await search(page).pressSequentially("snot");
 	await expect(studio.button("Show stems only")).toHaveAttribute("aria-pressed", "false");
@@ -97,7 +99,7 @@ for (const [words, width, height] of [
 	["on a phone", 390, 844],
 	["at 200 %", 640, 400],
 ] as const) {
-	test(`presets are found ${words}`, async ({ page }) => {
+	test(`presets are found ${words}`, { tag: "@long" }, async ({ page }) => {
 		await page.setViewportSize({ width, height });
 		const studio = await opened(page);
 		await search(page).fill("syrah");

@@ -26,7 +26,9 @@ test("a dropped .lsys grows, is its link, and is undone; its own file brings it 
 	await expect(studio.fingerprint).toHaveText(grown);
 });
 
-test("a wrong text is told with its place, and the plant stays; a bunch's text grows a bunch", async ({ page }) => {
+test("a wrong text is told with its place, and the plant stays; a bunch's text grows a bunch", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=grammar");
 	const grown = await studio.fingerprint.innerText();
 	await studio.drop("broken.lsys", Buffer.from("axiom: F [ F\n"));
@@ -38,7 +40,7 @@ test("a wrong text is told with its place, and the plant stays; a bunch's text g
 	await expect(page).toHaveURL(/\?v=2#g=/);
 });
 
-test("the gallery has a section of grammars", async ({ page }) => {
+test("the gallery has a section of grammars", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=grammar");
 	const kinds = page.getByRole("combobox", { name: "Kind of preset" });
 	await expect(kinds.locator("optgroup[label=Grammars] option").first()).toBeAttached();

@@ -33,7 +33,7 @@ test("a growth volume is stretched by its handle: the text follows, undo and the
 	await expect(studio.fingerprint).toHaveText(grown ?? "");
 });
 
-test("a mistake in the text is told at its place, and the last tree stays", async ({ page }) => {
+test("a mistake in the text is told at its place, and the last tree stays", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=growth&preset=figure-5&steps=4");
 	await studio.button("Grammar").click();
 	const text = page.getByRole("region", { name: "Grammar" }).locator(".cm-content");
@@ -45,9 +45,9 @@ test("a mistake in the text is told at its place, and the last tree stays", asyn
 	expect(await studio.fingerprint.textContent()).toBe(before);
 });
 
-test("the year goes round by one slider: bare in winter, in flower in spring, and undo and the link bring it back", async ({
-	page,
-}) => {
+test("the year goes round by one slider: bare in winter, in flower in spring, and undo and the link bring it back", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=growth&preset=apple&steps=5");
 	const words = page.getByText(caption).first();
 	await expect(words).toContainText(/[1-9]\d* blossoms/);

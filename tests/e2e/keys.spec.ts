@@ -16,7 +16,7 @@ test("letters in a list are the list's, and with a modifier they are nobody's", 
 	await expect(studio.button("Show stems only")).toHaveAttribute("aria-pressed", "true");
 });
 
-test("single letters can be switched off, in every tab and for good, and the help says so", async ({
+test("single letters can be switched off, in every tab and for good, and the help says so", { tag: "@long" }, async ({
 	page,
 	context,
 	complaints,
@@ -52,7 +52,11 @@ test("single letters can be switched off, in every tab and for good, and the hel
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
-test("two tabs keep each other's settings, and have the theme in common", async ({ page, context, complaints }) => {
+test("two tabs keep each other's settings, and have the theme in common", { tag: "@long" }, async ({
+	page,
+	context,
+	complaints,
+}) => {
 	await new StudioPage(page).open("?v=2&preset=duku");
 	const other = await context.newPage();
 	complaints.listenTo(other);
@@ -97,7 +101,9 @@ test("a number is typed from its slider, by Enter or by its digits, and the keys
 	await expect(studio.slider("Age")).toHaveValue("30");
 });
 
-test("the view says that it takes keys, shows the focus, and its tools are one stop", async ({ page }) => {
+test("the view says that it takes keys, shows the focus, and its tools are one stop", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	await expect(studio.canvas).toHaveAttribute("aria-roledescription", "3-D view");
 	await expect(studio.canvas).toHaveAccessibleDescription(/Arrow keys orbit.*plus and minus.*0 resets/);
@@ -120,7 +126,9 @@ test("the view says that it takes keys, shows the focus, and its tools are one s
 	await expect(studio.button("Grammar")).toBeFocused();
 });
 
-test("a handle says where it stands: after a key step, and when it is pressed, every time", async ({ page }) => {
+test("a handle says where it stands: after a key step, and when it is pressed, every time", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const view = page.getByRole("region", { name: "Front view" });
 	const said = view.locator("[aria-live=polite]");

@@ -41,7 +41,7 @@ test("a leaf's outline is dragged, stepped by keys, undone, and linked", async (
 	await expect(points).toHaveCount(before);
 });
 
-test("Escape calls off a drag, and the lock lets go of the other side", async ({ page }) => {
+test("Escape calls off a drag, and the lock lets go of the other side", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?model=leaf&preset=lime");
 	const published = await studio.fingerprint.innerText();
 	const from = await gripOf(studio, 4);
@@ -60,7 +60,7 @@ test("Escape calls off a drag, and the lock lets go of the other side", async ({
 	await expect(page).toHaveURL(/preset=lime&o=~[\w-]+$/);
 });
 
-test("a leaf is downloaded as GLB, JSON and SVG", async ({ page }) => {
+test("a leaf is downloaded as GLB, JSON and SVG", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?model=leaf&preset=oak");
 	await studio.stands();
 	const glb = await studio.download("glb");
@@ -74,7 +74,7 @@ test("a leaf is downloaded as GLB, JSON and SVG", async ({ page }) => {
 	expect(svg.bytes.toString()).toContain("<title>Oak leaf, ");
 });
 
-test("a picture's leaf is traced, and what is none is refused in plain words", async ({ page }) => {
+test("a picture's leaf is traced, and what is none is refused in plain words", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?model=leaf");
 	const picture = await drawnBlade(page);
 	const [chooser] = await Promise.all([page.waitForEvent("filechooser"), studio.button("Trace a picture…").click()]);

@@ -24,7 +24,7 @@ test("the key light comes from the upper left", async ({ page }) => {
 	expect(plantOf(seen, (x, y) => x < 0.5 && y < 0.5)).toBeGreaterThan(plantOf(seen, (x, y) => x < 0.5 && y > 0.5));
 });
 
-test("berries stand in each other's light", async ({ page }) => {
+test("berries stand in each other's light", { tag: "@long" }, async ({ page }) => {
 	// Where a bunch's berries are is told by black ones, how they are lit by pale ones.
 	const black = await drawn(page, { query: `${DARK}&bloom=0&glow=0&skin=000000&unripe=000000&stem=000000` });
 	const rows = black.pixels;
@@ -38,7 +38,7 @@ test("berries stand in each other's light", async ({ page }) => {
 	expect(right).toBeGreaterThan(0.5 * whole);
 });
 
-test("the bunch's shadow lies on the paper to its right, in both themes", async ({ page }) => {
+test("the bunch's shadow lies on the paper to its right, in both themes", { tag: "@long" }, async ({ page }) => {
 	const paper = (seen: Seen, from: number, to: number) =>
 		brightness(seen, (x, y) => x > from && x < to && y > 0.35 && y < 0.65);
 	for (const theme of ["light", "dark"] as const) {
@@ -47,7 +47,7 @@ test("the bunch's shadow lies on the paper to its right, in both themes", async 
 	}
 });
 
-test("wax pales dark skins", async ({ page }) => {
+test("wax pales dark skins", { tag: "@long" }, async ({ page }) => {
 	const [clean, waxed] = [
 		await drawn(page, { query: `${DARK}&bloom=0` }),
 		await drawn(page, { query: `${DARK}&bloom=1` }),
@@ -55,9 +55,9 @@ test("wax pales dark skins", async ({ page }) => {
 	expect(plantOf(waxed)).toBeGreaterThan(1.6 * plantOf(clean));
 });
 
-test("stems that stand bare are brighter than among berries, and nothing is left of the berries' shadow", async ({
-	page,
-}) => {
+test("stems that stand bare are brighter than among berries, and nothing is left of the berries' shadow", {
+	tag: "@long",
+}, async ({ page }) => {
 	// Pale stems on dark paper.
 	const query = `${DARK}&stem=e0e0a0&skin=101010&unripe=101010&bloom=0&density=3`;
 	const isStem = ([red, , blue]: readonly number[]) => red > 1.35 * blue && red > 50;
@@ -68,7 +68,9 @@ test("stems that stand bare are brighter than among berries, and nothing is left
 	expect(stems(bare)).toBeGreaterThan(1.4 * stems(among));
 });
 
-test("a turn to the right takes the berry in front to the right, one to the left to the left", async ({ page }) => {
+test("a turn to the right takes the berry in front to the right, one to the left to the left", {
+	tag: "@long",
+}, async ({ page }) => {
 	const query = `${DARK}&count=40`;
 	const marked = await page.evaluate((asked) => {
 		const { spheres, count } = window.views.grow(asked).grown.berries;
@@ -83,7 +85,7 @@ test("a turn to the right takes the berry in front to the right, one to the left
 	expect(right).toBeGreaterThan(middle + 0.02);
 });
 
-test("a matt card is as bright as the lamps' own numbers make it", async ({ page }) => {
+test("a matt card is as bright as the lamps' own numbers make it", { tag: "@long" }, async ({ page }) => {
 	for (const theme of ["light", "dark"] as const) {
 		const { seen, said } = await page.evaluate(async (which) => {
 			const { canvas, card, pixels, Viewer } = window.views;
@@ -100,9 +102,9 @@ test("a matt card is as bright as the lamps' own numbers make it", async ({ page
 	}
 });
 
-test("a plant that is cut out has nothing behind it, its own colours, and the paper is back after", async ({
-	page,
-}) => {
+test("a plant that is cut out has nothing behind it, its own colours, and the paper is back after", {
+	tag: "@long",
+}, async ({ page }) => {
 	const { corner, berry, onPaper, after, refused, middle } = await page.evaluate(async () => {
 		const { view, pixels } = window.views;
 		const viewer = view("?v=2&preset=merlot", [96, 96]);

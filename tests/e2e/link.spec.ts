@@ -23,7 +23,7 @@ test("the copied link brings the same bunch back", async ({ page, context, compl
 	await expect(studio.notices.getByRole("button", { name: "Dismiss" })).toHaveCount(0);
 });
 
-test("where copying is denied, the link is shown for copying by hand", async ({ page }) => {
+test("where copying is denied, the link is shown for copying by hand", { tag: "@long" }, async ({ page }) => {
 	await page.addInitScript(() => {
 		Object.defineProperty(navigator, "clipboard", { value: { writeText: () => Promise.reject(new Error("denied")) } });
 	});
@@ -59,7 +59,7 @@ test("a malformed link opens what it can and says what it could not, until dismi
 	await expect(notices.getByRole("listitem")).toHaveCount(0);
 });
 
-test("an unknown preset or a nonsense query still shows a bunch", async ({ page }) => {
+test("an unknown preset or a nonsense query still shows a bunch", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?preset=%3Cscript%3E&v=999&&&=%ff");
 	await expect(studio.notices).toContainText("is not a preset");
 	await expect(page.locator("[data-preset=long-conical]")).toHaveAttribute("aria-current", "true");
@@ -84,7 +84,7 @@ test("Back brings the last preset as it was left, Forward the next; edits are no
 	await expect(studio.fingerprint).toHaveText(rubus);
 });
 
-test("Undo and Back go the same way: what one has left the other finds", async ({ page }) => {
+test("Undo and Back go the same way: what one has left the other finds", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	const lychee = await studio.fingerprint.innerText();
 	const rubus = await studio.regrown(() => preset(page, "rubus").click());
@@ -103,7 +103,9 @@ test("Undo and Back go the same way: what one has left the other finds", async (
 	await expect(page).toHaveURL(/preset=lychee/);
 });
 
-test("a grammar in the fragment outlives the skip link, and fragments that are none of ours", async ({ page }) => {
+test("a grammar in the fragment outlives the skip link, and fragments that are none of ours", { tag: "@long" }, async ({
+	page,
+}) => {
 	const text = `/* mine */\n${readFileSync("wasm-core/grammars/bunch/grape-bunch-3.lsys", "utf8")}`;
 	const studio = await new StudioPage(page).open(`?preset=duku#g=${await compressText(text)}`);
 	await expect(page).toHaveURL(/#g=/);
@@ -122,7 +124,7 @@ test("a grammar in the fragment outlives the skip link, and fragments that are n
 	}
 });
 
-test("a link of ours in the fragment opens, as a step that can be undone", async ({ page }) => {
+test("a link of ours in the fragment opens, as a step that can be undone", { tag: "@long" }, async ({ page }) => {
 	const text = `/* mine */\n${readFileSync("wasm-core/grammars/bunch/grape-bunch-3.lsys", "utf8")}`;
 	const studio = await new StudioPage(page).open("?v=2&preset=duku&procedure=paper");
 	const packed = await compressText(text.replace(/#define near [\d.]+/, "#define near 0.9"));
@@ -136,7 +138,7 @@ test("a link of ours in the fragment opens, as a step that can be undone", async
 	await expect(page).not.toHaveURL(/#g=/);
 });
 
-test("choosing a preset from the gallery is a link and one undo step", async ({ page }) => {
+test("choosing a preset from the gallery is a link and one undo step", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	const first = await studio.fingerprint.innerText();
 	await studio.regrown(() => page.getByRole("button", { name: "Redcurrant" }).click());
@@ -146,7 +148,7 @@ test("choosing a preset from the gallery is a link and one undo step", async ({ 
 	await expect(studio.fingerprint).toHaveText(first);
 });
 
-test("inputs that a link sets are shown, and can follow the profile again", async ({ page }) => {
+test("inputs that a link sets are shown, and can follow the profile again", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?m=3&n=1,2");
 	await expect(studio.readout("Rachis segments")).toHaveText("3");
 	await expect(page.getByText("in place of the profile: m = 3; n = 1, 2.")).toBeVisible();
@@ -155,7 +157,9 @@ test("inputs that a link sets are shown, and can follow the profile again", asyn
 	await expect(page).not.toHaveURL(/[?&]m=/);
 });
 
-test("a link with a grammar of its own opens without a step to undo, and grows by it", async ({ page }) => {
+test("a link with a grammar of its own opens without a step to undo, and grows by it", { tag: "@long" }, async ({
+	page,
+}) => {
 	const text = `/* mine */\n${readFileSync("wasm-core/grammars/bunch/grape-bunch-3.lsys", "utf8")}`;
 	const studio = await new StudioPage(page).open(`?preset=duku#g=${await compressText(text)}`);
 	await studio.openGroup("Branching");

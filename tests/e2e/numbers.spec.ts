@@ -1,7 +1,9 @@
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
-test("measures are told in words, with unit, descriptor and class, each explained in a sentence", async ({ page }) => {
+test("measures are told in words, with unit, descriptor and class, each explained in a sentence", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=pinot-noir");
 	await expect(studio.measure("bunch_length")).toContainText(/Bunch length\s*OIV 202: class \d, \w+/);
 	await expect(studio.measure("bunch_length").locator(".value")).toHaveText(/^\d+ mm$/);
@@ -35,7 +37,9 @@ test("a number is asked for where it stands, and the plant follows, as one step"
 	await expect(row.getByRole("alert")).toHaveText("“high” is no number that can be asked for.");
 });
 
-test("while a hand moves, what was last measured stays; it is measured anew on release", async ({ page }) => {
+test("while a hand moves, what was last measured stays; it is measured anew on release", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=pinot-noir");
 	const length = studio.measure("bunch_length").locator(".value");
 	const before = await length.innerText();
@@ -50,7 +54,7 @@ test("while a hand moves, what was last measured stays; it is measured anew on r
 	await expect(length).not.toHaveText(before);
 });
 
-test("what is not there is told by reason", async ({ page }) => {
+test("what is not there is told by reason", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=long-conical&count=60");
 	await expect(studio.missing("not set")).toHaveText(/^\d+ flowers that set no berry$/);
 });

@@ -5,12 +5,11 @@ import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
 import type { PanicleSpecimen } from "../../web/src/element/panicle";
 import { builtByVite, filesOfPage, type Project, projectWith } from "../package/project";
+import { expectSize } from "../sizes/expect_size";
 import { grown } from "./element_page";
 import { expect, test } from "./fixtures";
 import { serveUnder } from "./static_server";
 
-/** Of scripts gzipped, three.js included. */
-const ELEMENT_BYTES = 300_000;
 /** What the page says is the least, and an icon. */
 const POLICY =
 	"default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src data:";
@@ -28,9 +27,9 @@ test.afterAll(() => project.remove());
 
 const below = (folder: string) => pathToFileURL(folder).href;
 
-test("bundled by Vite it grows in a page under a strict policy, in its own workers and in a worker of the page’s", async ({
-	page,
-}) => {
+test("bundled by Vite it grows in a page under a strict policy, in its own workers and in a worker of the page’s", {
+	tag: "@long",
+}, async ({ page }) => {
 	await project.borrow("three");
 	const dist = await builtByVite(project);
 	const html = await readFile(join(dist, "index.html"), "utf8");
@@ -48,7 +47,9 @@ test("bundled by Vite it grows in a page under a strict policy, in its own worke
 	await host.close();
 });
 
-test("served as it is, it grows in a page with an import map, and its element is light", async ({ page }) => {
+test("served as it is, it grows in a page with an import map, and so does its element", {
+	tag: "@sizes",
+}, async ({ page }) => {
 	const scripts = new Set<string>();
 	page.on("response", (response) => {
 		if (/\.js$/.test(response.url())) scripts.add(response.url());
@@ -71,10 +72,9 @@ test("served as it is, it grows in a page with an import map, and its element is
 		[...scripts].map(async (url) => gzipSync(Buffer.from(await (await page.request.get(url)).body())).length),
 	);
 	const bytes = sizes.reduce((sum, size) => sum + size, 0);
-	test.info().annotations.push({ type: "size", description: `${bytes} bytes of scripts` });
 	expect(scripts.size).toBeGreaterThan(5);
 	// three.js alone is more than this: that scripts were counted at all.
 	expect(bytes).toBeGreaterThan(100_000);
-	expect(bytes).toBeLessThan(ELEMENT_BYTES);
+	expectSize("element of the package: scripts, gzipped", bytes);
 	await host.close();
 });

@@ -3,7 +3,9 @@ import { StudioPage } from "./studio_page";
 
 test.use({ drawn: true });
 
-test("a leaf's shadow lies on the paper to its right, and no edge shows where it ends", async ({ page }) => {
+test("a leaf's shadow lies on the paper to its right, and no edge shows where it ends", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&model=leaf&preset=lime");
 	const view = page.getByRole("application", { name: /leaf/i });
 	await expect.poll(() => studio.inkOn(view)).toBeGreaterThan(0.02);

@@ -6,7 +6,7 @@ test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true
 test.describe("to the eye", () => {
 	test.use({ drawn: true });
 
-	test("one flat view at a time, chosen by a switch, the plant beside it", async ({ page }) => {
+	test("one flat view at a time, chosen by a switch, the plant beside it", { tag: "@long" }, async ({ page }) => {
 		const studio = await new StudioPage(page).open();
 		const front = page.getByRole("region", { name: "Front view" });
 		const side = page.getByRole("region", { name: "Side view" });
@@ -37,7 +37,7 @@ test("a thumb drags a handle, and that is one undo step", async ({ page }) => {
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
-test("the age is at hand, whatever of the sheet is in sight", async ({ page }) => {
+test("the age is at hand, whatever of the sheet is in sight", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	await page.locator(".sheet").evaluate((sheet) => sheet.scrollBy(0, 900));
 	await expect(studio.slider("Age")).toBeInViewport();
@@ -64,7 +64,9 @@ test("the sheet holds the gallery and every group, with targets for a thumb", as
 	expect(await studio.overflow()).toBeLessThanOrEqual(0);
 });
 
-test("a thumb moves a leaf's point and a tree's target, and takes particles a step on", async ({ page }) => {
+test("a thumb moves a leaf's point and a tree's target, and takes particles a step on", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?model=leaf&preset=lime&n=200");
 	const pull = async (view: string, editor: string, handle: string) => {
 		await page.getByRole("radio", { name: view }).check();

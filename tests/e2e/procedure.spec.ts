@@ -16,7 +16,7 @@ test("a link of version 1 keeps the paper's bunch, to the bit, and says nothing 
 	await expect(studio.fingerprint).toHaveText(PAPER);
 });
 
-test("each procedure brings the controls that it heeds", async ({ page }) => {
+test("each procedure brings the controls that it heeds", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	const natural = await studio.fingerprint.innerText();
 	await expect(studio.slider("Density")).toBeVisible();
@@ -43,7 +43,9 @@ test("each procedure brings the controls that it heeds", async ({ page }) => {
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
-test("a choice drops down, is a link, and comes back by a double click or Delete", async ({ page }) => {
+test("a choice drops down, is a link, and comes back by a double click or Delete", { tag: "@long" }, async ({
+	page,
+}) => {
 	await new StudioPage(page).open("?v=2&preset=short-conical");
 	const fruit = page.getByRole("combobox", { name: "Fruit" });
 	await expect(fruit).toHaveAccessibleDescription(/skin and surface/);
@@ -57,7 +59,9 @@ test("a choice drops down, is a link, and comes back by a double click or Delete
 	await expect(page).not.toHaveURL(/fruit=/);
 });
 
-test("instances are offered of natural bunches, too, with their size before one clicks", async ({ page }) => {
+test("instances are offered of natural bunches, too, with their size before one clicks", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	await studio.button("Download").click();
 	await expect(page.locator("[data-format=glb-instanced] .size")).toHaveText(/^[\d.]+ (k|M)B$/, { timeout: 60_000 });

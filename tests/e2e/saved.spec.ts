@@ -131,9 +131,9 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 	await expect(studio.notices.locator(".notice")).toHaveCount(0);
 });
 
-test("everything goes into one file and comes back out of it, once; what cannot be used is said with its place", async ({
-	page,
-}) => {
+test("everything goes into one file and comes back out of it, once; what cannot be used is said with its place", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	await openSaved(page);
 	await save(page);
@@ -174,7 +174,7 @@ test("everything goes into one file and comes back out of it, once; what cannot 
 	await expect(studio.notices).toContainText("fingerprint 0123456789abcdef");
 });
 
-test("two tabs see what the other does, and a later version in one is no harm to the other", async ({
+test("two tabs see what the other does, and a later version in one is no harm to the other", { tag: "@long" }, async ({
 	page,
 	context,
 	complaints,
@@ -207,7 +207,9 @@ test("two tabs see what the other does, and a later version in one is no harm to
 	await expect(cards(page).first()).toContainText("not kept");
 });
 
-test("what a full disk does not take is said, can be exported, and is kept when there is room", async ({ page }) => {
+test("what a full disk does not take is said, can be exported, and is kept when there is room", {
+	tag: "@long",
+}, async ({ page }) => {
 	await new StudioPage(page).open("?v=2&preset=lychee");
 	await openSaved(page);
 	await save(page);
@@ -235,7 +237,7 @@ test("what a full disk does not take is said, can be exported, and is kept when 
 	await expect(names(page)).toHaveText(["Lychee 2", "Lychee"]);
 });
 
-test("a browser that keeps nothing says so before anything is saved", async ({ page }) => {
+test("a browser that keeps nothing says so before anything is saved", { tag: "@long" }, async ({ page }) => {
 	await page.addInitScript(() => {
 		IDBFactory.prototype.open = () => {
 			throw new DOMException("no", "SecurityError");

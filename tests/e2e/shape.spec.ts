@@ -29,9 +29,10 @@ test("dragging a handle regrows the bunch and is one step, in the address and in
 	await expect(page).toHaveURL(/[?&]p3=\d+,\d+/);
 });
 
-test("a handle stays below the pointer that lets go of it, and the view suits the bunch once it leaves", async ({
-	page,
-}) => {
+test("a handle stays below the pointer that lets go of it, and the view suits the bunch once it leaves", {
+	tag: "@long",
+}, async ({ page }) => {
+	await page.clock.install();
 	const studio = await new StudioPage(page).open("?v=2&preset=long-conical");
 	const view = page.getByRole("region", { name: "Front view" });
 	const { x, y } = await studio.grip("Front", "p2");
@@ -42,8 +43,8 @@ test("a handle stays below the pointer that lets go of it, and the view suits th
 	await page.mouse.down();
 	await studio.regrown(() => page.mouse.move(x, to, { steps: 6 }));
 	await page.mouse.up();
-	// Longer than the view waits before it suits a bunch that has come to rest.
-	await page.waitForTimeout(700);
+	// Longer than the view waits before it fits a bunch that no longer changes.
+	await page.clock.runFor(1000);
 	const at = async () => {
 		const box = await studio.handle("Front", "p2").boundingBox();
 		return box ? box.y + box.height / 2 : Number.NaN;
@@ -53,7 +54,7 @@ test("a handle stays below the pointer that lets go of it, and the view suits th
 	await expect.poll(at).toBeGreaterThan(to + 8);
 });
 
-test("presses of an arrow key that follow each other are one step", async ({ page }) => {
+test("presses of an arrow key that follow each other are one step", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const first = await studio.fingerprint.innerText();
 	await studio.handle("Front", "p3").focus();
@@ -63,7 +64,7 @@ test("presses of an arrow key that follow each other are one step", async ({ pag
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
-test("a pen drags a handle, and that is one undo step", async ({ page, context }) => {
+test("a pen drags a handle, and that is one undo step", { tag: "@long" }, async ({ page, context }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const { x, y } = await studio.grip("Front", "p4");
 	const seen = page.evaluate(
@@ -85,7 +86,9 @@ test("a pen drags a handle, and that is one undo step", async ({ page, context }
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
-test("a drag that ends where it began leaves no step and keeps what can be redone", async ({ page }) => {
+test("a drag that ends where it began leaves no step and keeps what can be redone", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	await studio.regrown(() => studio.button("New variation").click());
 	await studio.regrown(() => studio.button("Undo").click());
@@ -102,7 +105,9 @@ test("a drag that ends where it began leaves no step and keeps what can be redon
 	await expect(studio.button("Redo")).toBeEnabled();
 });
 
-test("the tip's handle makes the bunch longer under the mouse, before it is let go", async ({ page }) => {
+test("the tip's handle makes the bunch longer under the mouse, before it is let go", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical&l=300");
 	const { x, y } = await studio.grip("Front", "p2");
 	await page.mouse.move(x, y);
@@ -154,13 +159,13 @@ test("typed values are taken, clamped with a word, or refused with one", async (
 	await expect(page.getByText("“wide” is not a number; Length stays 250.")).toBeVisible();
 });
 
-test("a double click on a slider's name brings the preset's value back", async ({ page }) => {
+test("a double click on a slider's name brings the preset's value back", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical&l=300");
 	await page.locator("label", { hasText: "Length" }).first().dblclick();
 	await expect(studio.slider("Length")).toHaveValue("523");
 });
 
-test("a double click on a handle brings its numbers back, as one step", async ({ page }) => {
+test("a double click on a handle brings its numbers back, as one step", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical&p3=90,150&l=400");
 	const { x, y } = await studio.grip("Front", "p3");
 	await studio.regrown(() => page.mouse.dblclick(x, y));
@@ -191,7 +196,9 @@ test("mirror, locks and reset", async ({ page }) => {
 	await expect(studio.button("Reset")).toBeDisabled();
 });
 
-test("a new variation is another bunch of the same shape; typing its seed brings one back", async ({ page }) => {
+test("a new variation is another bunch of the same shape; typing its seed brings one back", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open();
 	const first = await studio.fingerprint.innerText();
 	await studio.regrown(() => studio.button("New variation").click());
@@ -206,7 +213,7 @@ test("a new variation is another bunch of the same shape; typing its seed brings
 	await expect(studio.notices).toContainText("4294967295 is used");
 });
 
-test("as printed sets fit and vary to 0 and back", async ({ page }) => {
+test("as printed sets fit and vary to 0 and back", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&procedure=paper");
 	await studio.openGroup("Between the integers");
 	const first = await studio.fingerprint.innerText();
@@ -217,7 +224,7 @@ test("as printed sets fit and vary to 0 and back", async ({ page }) => {
 	await expect(studio.fingerprint).toHaveText(first);
 });
 
-test("colours change the picture, not the bunch", async ({ page }) => {
+test("colours change the picture, not the bunch", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	const first = await studio.fingerprint.innerText();
 	await studio.openGroup("Look");
@@ -232,7 +239,7 @@ test("colours change the picture, not the bunch", async ({ page }) => {
 	await expect(studio.notices).toContainText("six hexadecimal digits");
 });
 
-test("a flat view draws the bunch that stands there, in the theme's ink", async ({ page }) => {
+test("a flat view draws the bunch that stands there, in the theme's ink", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const drawing = page.getByRole("region", { name: "Front view" }).locator("canvas");
 	/** The middle of what is drawn, in shares of the view, and the ink's mean brightness. */

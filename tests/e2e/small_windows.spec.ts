@@ -38,7 +38,9 @@ for (const [width, height] of [
 	test.describe(`at ${width} × ${height}`, () => {
 		test.use({ viewport: { width, height } });
 
-		test("every control is within reach, nothing scrolls sideways, and a slider works", async ({ page }) => {
+		test("every control is within reach, nothing scrolls sideways, and a slider works", {
+			tag: width === 320 ? [] : "@long",
+		}, async ({ page }) => {
 			const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 			await expect(studio.button("Reset view")).toBeVisible();
 			const sideways = () => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
@@ -69,7 +71,7 @@ for (const [width, height] of [
 	});
 }
 
-test("the strip keeps its height whatever is found, in windows of any size", async ({ page }) => {
+test("the strip keeps its height whatever is found, in windows of any size", { tag: "@long" }, async ({ page }) => {
 	await new StudioPage(page).open();
 	const search = page.getByRole("searchbox", { name: "Search presets" });
 	const found = page.locator(".find [role=status]");
@@ -99,7 +101,7 @@ for (const [query, editors] of [
 	["?model=leaf&preset=lime&n=200", { Outline: "panicle-outline" }],
 	["?model=tree&preset=sphere&n=60", { Boundary: "panicle-boundary", Plan: "panicle-plan", Sun: "panicle-sun" }],
 ] as const) {
-	test(`every control of the editors is within reach at 320 × 256: ${query}`, async ({ page }) => {
+	test(`every control of the editors is within reach at 320 × 256: ${query}`, { tag: "@long" }, async ({ page }) => {
 		await page.setViewportSize({ width: 320, height: 256 });
 		await new StudioPage(page).open(query);
 		for (const [view, editor] of Object.entries(editors)) {
@@ -111,7 +113,7 @@ for (const [query, editors] of [
 	});
 }
 
-test("the chosen preset stands clear of the strip's edge", async ({ page }) => {
+test("the chosen preset stands clear of the strip's edge", { tag: "@long" }, async ({ page }) => {
 	await page.setViewportSize({ width: 667, height: 375 });
 	await new StudioPage(page).open("?v=2&preset=merlot");
 	const chosen = await page.locator("[data-preset=merlot]").boundingBox();
@@ -121,7 +123,7 @@ test("the chosen preset stands clear of the strip's edge", async ({ page }) => {
 	expect(strip.x + strip.width - chosen.x - chosen.width).toBeGreaterThan(40);
 });
 
-test("on a phone the stage's name stands below the thumb", async ({ page }) => {
+test("on a phone the stage's name stands below the thumb", { tag: "@long" }, async ({ page }) => {
 	await page.setViewportSize({ width: 390, height: 844 });
 	const studio = await new StudioPage(page).open();
 	const name = page.locator(".stage-now");

@@ -1,4 +1,5 @@
 import { expect, test } from "./fixtures";
+import { framesRequested } from "./frames";
 import { StudioPage } from "./studio_page";
 
 test.use({ drawn: true });
@@ -7,32 +8,27 @@ test.use({ drawn: true });
 const same = (one: Uint8Array, other: Uint8Array) =>
 	one.length === other.length && one.every((level, at) => Math.abs(level - other[at]) <= 2);
 
-test("the 3-D view turns by mouse and keys, and comes back to the picture it began with", async ({ page }) => {
+test("the 3-D view turns by mouse and keys, and comes back to the picture it began with", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
-	// What else comes with the page has come: a first picture taken meanwhile need not be the last.
+	// The rest of the page has arrived: it may still change the first picture.
 	await expect(page.locator("[data-preset=twin]")).toBeAttached();
 	await page.waitForLoadState("networkidle");
-	/** Less its lowest rows, where the ring of the focus goes through a button of the view. */
+	/** Without the lowest rows, where the focus ring crosses a button of the view. */
 	const drawn = async () => {
 		const { data, width } = await studio.pixels();
 		return data.subarray(0, data.length - 4 * 6 * width);
 	};
-	/** The picture once it stands still, drawn in full, with the focus on it and the mouse away. */
+	/** The picture at rest and at full resolution, with the focus on it and the mouse away. */
 	const settled = async () => {
 		await page.mouse.move(0, 0);
 		await studio.canvas.focus();
-		let picture: Uint8Array = new Uint8Array();
-		const still = async () => {
-			const before = picture;
-			picture = await drawn();
-			return same(picture, before);
-		};
-		// Longer than a movement takes to be drawn in full, even where software draws.
-		await expect.poll(still, { intervals: [1500] }).toBe(true);
-		return picture;
+		await expect.poll(() => framesRequested(page)).toBe(0);
+		return drawn();
 	};
-	// The ring of the focus is seen after a key, and not after a click.
+	// The focus ring is shown after a key press, but not after a click.
 	await studio.button("Reset view").click();
 	const clicked = await settled();
 	await page.keyboard.press("0");
@@ -56,7 +52,7 @@ test("the 3-D view turns by mouse and keys, and comes back to the picture it beg
 	expect(page.url()).not.toMatch(/[?&]l=/);
 });
 
-test("stems only leaves the berries away", async ({ page }) => {
+test("stems only leaves the berries away", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 	const whole = await studio.inkOnCanvas();
@@ -68,7 +64,7 @@ test("stems only leaves the berries away", async ({ page }) => {
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(whole / 2);
 });
 
-test("the octahedron's handles can be dragged in 3-D, as one undo step", async ({ page }) => {
+test("the octahedron's handles can be dragged in 3-D, as one undo step", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=grape-15b");
 	const first = await studio.fingerprint.innerText();
 	await studio.button("Octahedron").click();
@@ -87,18 +83,22 @@ test("the octahedron's handles can be dragged in 3-D, as one undo step", async (
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
-test("the help lists the keys and gives the focus back", async ({ page }) => {
-	await new StudioPage(page).open();
-	await page.keyboard.press("?");
-	const dialog = page.getByRole("dialog", { name: "Panicle" });
-	await expect(dialog).toContainText("Ctrl+Shift+Z");
-	await page.keyboard.press("Escape");
-	await expect(dialog).toBeHidden();
-});
+test.describe("without the picture", () => {
+	test.use({ drawn: false });
 
-test("what has grown is told to a screen reader once it rests", async ({ page }) => {
-	const studio = await new StudioPage(page).open();
-	await studio.regrown(() => studio.slider("Length").press("PageDown"));
-	const words = `${await studio.readout("Berries").innerText()} berries`;
-	await expect(page.locator("panicle-speaker [role=status]")).toContainText(words);
+	test("the help lists the keys and gives the focus back", async ({ page }) => {
+		await new StudioPage(page).open();
+		await page.keyboard.press("?");
+		const dialog = page.getByRole("dialog", { name: "Panicle" });
+		await expect(dialog).toContainText("Ctrl+Shift+Z");
+		await page.keyboard.press("Escape");
+		await expect(dialog).toBeHidden();
+	});
+
+	test("what has grown is told to a screen reader once it rests", async ({ page }) => {
+		const studio = await new StudioPage(page).open();
+		await studio.regrown(() => studio.slider("Length").press("PageDown"));
+		const words = `${await studio.readout("Berries").innerText()} berries`;
+		await expect(page.locator("panicle-speaker [role=status]")).toContainText(words);
+	});
 });

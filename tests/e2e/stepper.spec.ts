@@ -106,7 +106,7 @@ test("strings, parents and children of the algae are those worked out by hand, a
 	await expect(studio.text.locator(".cm-fires")).toHaveCount(0);
 });
 
-test("the modules of the production at the cursor are marked", async ({ page }) => {
+test("the modules of the production at the cursor are marked", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StepperPage(page).steps(ALGAE);
 	await studio.step.fill("4");
 	await studio.reads(FIBONACCI[4]);
@@ -116,7 +116,7 @@ test("the modules of the production at the cursor are marked", async ({ page }) 
 	await expect(studio.told).toContainText("The production in line 10 wrote 4 of them and rewrites 3 next.");
 });
 
-test("a slider dragged fast shows no string but of the step where it stands", async ({ page }) => {
+test("a slider dragged fast shows no string but of the step where it stands", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StepperPage(page).steps(ALGAE);
 	const wrong = await page.evaluate(async (strings) => {
 		const slider = document.querySelector<HTMLInputElement>(".step-slide input");
@@ -135,7 +135,9 @@ test("a slider dragged fast shows no string but of the step where it stands", as
 	await studio.reads(FIBONACCI[(59 * 7) % FIBONACCI.length]);
 });
 
-test("in context, only what has its neighbour is rewritten; by chance, the lot is told", async ({ page }) => {
+test("in context, only what has its neighbour is rewritten; by chance, the lot is told", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StepperPage(page).steps("?v=2&model=grammar&preset=signal");
 	await studio.button("First step").click();
 	await studio.reads("baaaaaaaa");
@@ -153,7 +155,7 @@ test("in context, only what has its neighbour is rewritten; by chance, the lot i
 	await expect(studio.told).toContainText(/line 1\d, by chance: 0\.3[34] of 1 is its weight, 0\.\d+ was drawn/);
 });
 
-test("a mistake in the text leaves the string; a change derives anew", async ({ page }) => {
+test("a mistake in the text leaves the string; a change derives anew", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StepperPage(page).steps(ALGAE);
 	await studio.step.fill("3");
 	await studio.reads("aba");
@@ -167,7 +169,7 @@ test("a mistake in the text leaves the string; a change derives anew", async ({ 
 	await studio.reads("abaaba");
 });
 
-test("a step that cannot be told leaves the others in reach", async ({ page }) => {
+test("a step that cannot be told leaves the others in reach", { tag: "@long" }, async ({ page }) => {
 	await page.addInitScript(() => {
 		// The core refuses a step that is no whole number.
 		const post = Worker.prototype.postMessage;
@@ -185,7 +187,7 @@ test("a step that cannot be told leaves the others in reach", async ({ page }) =
 	await studio.reads(FIBONACCI[5]);
 });
 
-test("steps are played until the last, and stop at a hand on the slider", async ({ page }) => {
+test("steps are played until the last, and stop at a hand on the slider", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StepperPage(page).steps(ALGAE);
 	await studio.step.fill("7");
 	await studio.button("Play the steps").click();
@@ -197,7 +199,9 @@ test("steps are played until the last, and stop at a hand on the slider", async 
 	await expect(studio.button("Play the steps")).toBeVisible();
 });
 
-test("a long string is there a window at a time, and is walked through to its ends", async ({ page }) => {
+test("a long string is there a window at a time, and is walked through to its ends", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StepperPage(page).steps("?v=2&model=grammar&preset=stochastic-plant");
 	const place = studio.slider("Place in the string");
 	const length = Number(await studio.modules.first().getAttribute("aria-setsize"));
@@ -217,7 +221,9 @@ test("a long string is there a window at a time, and is walked through to its en
 test.describe("in the view", () => {
 	test.use({ drawn: true, viewport: { width: 1000, height: 700 } });
 
-	test("the chosen module shines, and what is clicked there is chosen in the string", async ({ page }) => {
+	test("the chosen module shines, and what is clicked there is chosen in the string", { tag: "@long" }, async ({
+		page,
+	}) => {
 		const text = "derivation length: 2\naxiom: A\nA --> B C\nB --> F\nC --> F [ +(60) F ] F\n";
 		const studio = await new StepperPage(page).steps("?v=2&model=grammar", text);
 		await studio.stands();
@@ -241,9 +247,9 @@ test.describe("in the view", () => {
 		await expect(studio.chosen).toHaveText("C");
 	});
 
-	test("the plant is shown as it was after the step, and the whole again where that is not wanted", async ({
-		page,
-	}) => {
+	test("the plant is shown as it was after the step, and the whole again where that is not wanted", {
+		tag: "@long",
+	}, async ({ page }) => {
 		const studio = await new StepperPage(page).steps(ALGAE);
 		await studio.stands();
 		await studio.step.fill("6");
@@ -256,7 +262,7 @@ test.describe("in the view", () => {
 	});
 });
 
-test("a bunch tells what its pedicels asked, what they were answered, and why", async ({ page }) => {
+test("a bunch tells what its pedicels asked, what they were answered, and why", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StepperPage(page).steps("?v=1&preset=grape-15b");
 	await studio.button("Next question").click();
 	await expect(studio.told).toContainText(/Asked .+ → answered /);
@@ -270,7 +276,7 @@ test("a bunch tells what its pedicels asked, what they were answered, and why", 
 test.describe("on a phone", () => {
 	test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-	test("nothing sticks out, and modules, steps and productions are in reach", async ({ page }) => {
+	test("nothing sticks out, and modules, steps and productions are in reach", { tag: "@long" }, async ({ page }) => {
 		const studio = await new StepperPage(page).steps(ALGAE);
 		expect(await studio.overflow()).toBeLessThanOrEqual(0);
 		expect((await studio.string.boundingBox())?.height).toBeGreaterThan(90);

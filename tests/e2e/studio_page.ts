@@ -136,9 +136,9 @@ export class StudioPage {
 		return { x: (box?.x ?? 0) + (pixel % width), y: (box?.y ?? 0) + Math.floor(pixel / width) - 2 };
 	}
 
-	/** What the view shows, read from a screenshot: a WebGL canvas keeps no pixels to ask for. */
+	/** The pixels of a view, read from a screenshot: a WebGL canvas does not preserve them. Transitions are shown at their end. */
 	async pixels(view = this.canvas): Promise<{ width: number; data: Uint8Array }> {
-		const picture = await view.screenshot();
+		const picture = await view.screenshot({ animations: "disabled" });
 		const { width, base64 } = await this.page.evaluate(async (png) => {
 			const bytes = Uint8Array.from(atob(png), (char) => char.charCodeAt(0));
 			const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));

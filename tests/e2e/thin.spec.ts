@@ -33,7 +33,9 @@ test("a click takes the berry under it off; link, undo and reload know of it", a
 	await expect(page.getByText("1 removed", { exact: true })).toBeVisible();
 });
 
-test("a drag turns the bunch and takes nothing off, nor does a click without the mode", async ({ page }) => {
+test("a drag turns the bunch and takes nothing off, nor does a click without the mode", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open(NATURAL);
 	const { x, y } = await middle(studio);
 	await page.mouse.click(x, y);
@@ -50,7 +52,9 @@ test("a drag turns the bunch and takes nothing off, nor does a click without the
 	await expect(studio.button("Thin")).toHaveAttribute("aria-pressed", "false");
 });
 
-test("berries are gone through and taken off by keyboard, and all put back at once", async ({ page }) => {
+test("berries are gone through and taken off by keyboard, and all put back at once", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open(NATURAL);
 	const first = await studio.fingerprint.innerText();
 	const berry = studio.slider("Berry");
@@ -72,7 +76,7 @@ test("berries are gone through and taken off by keyboard, and all put back at on
 test.describe("by touch", () => {
 	test.use({ hasTouch: true });
 
-	test("a tap takes a berry off", async ({ page }) => {
+	test("a tap takes a berry off", { tag: "@long" }, async ({ page }) => {
 		const studio = await new StudioPage(page).open(NATURAL);
 		const { x, y } = await middle(studio);
 		await studio.button("Thin").tap();

@@ -5,7 +5,9 @@ import { StudioPage } from "./studio_page";
 const CUBES = "?v=2&model=grammar&preset=topiary-two-cubes&define=leaf:0.2";
 const over = ".stage-warnings";
 
-test("of a topiary it is told beside the picture what is missed, and what a hand has moved", async ({ page }) => {
+test("of a topiary it is told beside the picture what is missed, and what a hand has moved", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open(`${CUBES}&path=0,0,0,5,0.1,0,5,0.2,0`);
 	await studio.stands();
 	await expect(page.locator(over)).toContainText("Nothing grows in area 2: the main branch does not come there.");
@@ -71,7 +73,7 @@ test("the editor of a text that cannot be grown is offered where the plant would
 	await expect(studio.button("Grammar")).toBeFocused();
 });
 
-test("a picture that holds no plant is told what this model takes", async ({ page }) => {
+test("a picture that holds no plant is told what this model takes", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open(CUBES);
 	const png = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==";
 	await studio.drop("a.png", Buffer.from(png, "base64"));
@@ -79,7 +81,7 @@ test("a picture that holds no plant is told what this model takes", async ({ pag
 	await expect(studio.notices).toContainText(/Grammar: a closed mesh .* becomes a growth area/);
 });
 
-test("of very many remarks some are listed, and all are marked", async ({ page }) => {
+test("of very many remarks some are listed, and all are marked", { tag: "@long" }, async ({ page }) => {
 	const lines = Array.from({ length: 300 }, (_, i) => `X${i} --> F [ F${i} ]`);
 	const studio = await new StudioPage(page).open(
 		`?v=2&model=grammar#g=${await compressText(["axiom: A", ...lines].join("\n"))}`,

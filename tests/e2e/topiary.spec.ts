@@ -38,7 +38,9 @@ test("areas are moved and widened by their handles, by keys and by a pointer, an
 	await expect(studio.fingerprint).toHaveText(before ?? "");
 });
 
-test("areas come, change places and go in the panel, by numbers, and from a file", async ({ page }) => {
+test("areas come, change places and go in the panel, by numbers, and from a file", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await open(page);
 	await studio.openGroup("Growth areas");
 	const list = page.getByRole("list", { name: "Growth areas, in the order of the main branch" });
@@ -74,7 +76,9 @@ test("areas come, change places and go in the panel, by numbers, and from a file
 	await expect(studio.notices).toContainText("The mesh is a growth area now");
 });
 
-test("the main branch is drawn over the picture, and led back from middle to middle", async ({ page }) => {
+test("the main branch is drawn over the picture, and led back from middle to middle", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await open(page);
 	const before = await studio.fingerprint.textContent();
 	await studio.openGroup("Growth areas");
@@ -105,9 +109,9 @@ for (const [width, height, hasTouch] of [
 	test.describe(`at ${width} × ${height}`, () => {
 		test.use({ viewport: { width, height }, hasTouch });
 
-		test("a handle is dragged and stepped by keys: each one step to undo, and the link brings the plant back", async ({
-			page,
-		}) => {
+		test("a handle is dragged and stepped by keys: each one step to undo, and the link brings the plant back", {
+			tag: "@long",
+		}, async ({ page }) => {
 			const studio = await open(page);
 			const before = (await studio.fingerprint.textContent()) ?? "";
 			const second = page.getByRole("button", { name: /^Area 2, a box: / });

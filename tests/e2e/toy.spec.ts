@@ -38,7 +38,7 @@ test("a model of three files is shown, edited, linked, undone and downloaded", a
 	expect([issues.numErrors, issues.numWarnings]).toEqual([0, 0]);
 });
 
-test("a preset of another model brings that model, and undo goes back across", async ({ page }) => {
+test("a preset of another model brings that model, and undo goes back across", { tag: "@long" }, async ({ page }) => {
 	const studio = new StudioPage(page);
 	await page.goto(host.address);
 	await expect(studio.fingerprint).toHaveText(/^[0-9a-f]{16}$/);

@@ -6,7 +6,9 @@ import { StudioPage } from "./studio_page";
 /** Few enough particles for a machine that draws by software. */
 const SMALL = "&n=300";
 
-test("a boundary's point is dragged, stepped by keys and undone; Escape calls a drag off", async ({ page }) => {
+test("a boundary's point is dragged, stepped by keys and undone; Escape calls a drag off", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
 	await expect(page).toHaveTitle("Oak, altered 1 · Panicle");
 	const grown = await studio.fingerprint.innerText();
@@ -60,9 +62,9 @@ test("a boundary's point is dragged, stepped by keys and undone; Escape calls a 
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
-test("trunks and obstacles are taken out by key and by finger, and the focus and the voice follow", async ({
-	page,
-}) => {
+test("trunks and obstacles are taken out by key and by finger, and the focus and the voice follow", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new StudioPage(page).open(`?model=tree&preset=twin${SMALL}`);
 	const handle = (id: string) => page.locator(`panicle-boundary [data-handle="${id}"]`);
 	const spoken = page.locator("panicle-boundary [aria-live]");
@@ -100,7 +102,7 @@ test("trunks and obstacles are taken out by key and by finger, and the focus and
 	await expect(page).not.toHaveURL(/obstacles=/);
 });
 
-test("the sun is moved, the age runs back and forth to the same tree", async ({ page }) => {
+test("the sun is moved, the age runs back and forth to the same tree", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
 	const grown = await studio.fingerprint.innerText();
 	await page.getByRole("region", { name: "Sun view" }).locator("[data-handle=sun]").focus();
@@ -123,7 +125,9 @@ test("the sun is moved, the age runs back and forth to the same tree", async ({ 
 	await expect(studio.button("Play")).toBeVisible();
 });
 
-test("every press of Step is seen, from the scattered particles to the grown tree", async ({ page }) => {
+test("every press of Step is seen, from the scattered particles to the grown tree", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open("?model=tree&preset=sphere&n=20&leaves=0");
 	const grown = await studio.fingerprint.innerText();
 	const age = studio.slider("Age");
@@ -142,7 +146,7 @@ test("every press of Step is seen, from the scattered particles to the grown tre
 	expect(pressed).toBeLessThan(200);
 });
 
-test("a tree is downloaded as GLB, OBJ and JSON", async ({ page }) => {
+test("a tree is downloaded as GLB, OBJ and JSON", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?model=tree&preset=sphere&n=60");
 	const glb = await studio.download("glb");
 	const { issues } = await validateBytes(new Uint8Array(glb.bytes));
@@ -155,7 +159,9 @@ test("a tree is downloaded as GLB, OBJ and JSON", async ({ page }) => {
 	expect(json.fingerprint).toBe(await studio.fingerprint.innerText());
 });
 
-test("a closed mesh dropped on the boundary becomes it, and the page says where it is kept", async ({ page }) => {
+test("a closed mesh dropped on the boundary becomes it, and the page says where it is kept", { tag: "@long" }, async ({
+	page,
+}) => {
 	const studio = await new StudioPage(page).open(`?model=tree&preset=box${SMALL}`);
 	const octahedron = ["1 0 0", "-1 0 0", "0 1 0", "0 -1 0", "0 0 1", "0 0 -1"].map((point) => `v ${point}`);
 	const faces = ["1 3 5", "3 2 5", "2 4 5", "4 1 5", "3 1 6", "2 3 6", "4 2 6", "1 4 6"].map((face) => `f ${face}`);

@@ -18,7 +18,7 @@ test("without the core the page says so, and grows when it comes after all", asy
 	await expect(alert(page)).toHaveCount(0);
 });
 
-test("a core of the wrong MIME type grows all the same", async ({ page }) => {
+test("a core of the wrong MIME type grows all the same", { tag: "@long" }, async ({ page }) => {
 	await page.route("**/*.wasm", async (route) => {
 		const response = await route.fetch();
 		await route.fulfill({ response, headers: { ...response.headers(), "content-type": "application/octet-stream" } });
@@ -27,13 +27,13 @@ test("a core of the wrong MIME type grows all the same", async ({ page }) => {
 	await expect(studio.canvas).toHaveAccessibleName(/berries/);
 });
 
-test("a page in place of the core is told from one", async ({ page }) => {
+test("a page in place of the core is told from one", { tag: "@long" }, async ({ page }) => {
 	await page.route("**/*.wasm", (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html>" }));
 	await page.goto("./");
 	await expect(alert(page)).toContainText("What came in place of the core (text/html) cannot be run");
 });
 
-test("a browser without WebAssembly is told what it lacks", async ({ page }) => {
+test("a browser without WebAssembly is told what it lacks", { tag: "@long" }, async ({ page }) => {
 	await page.addInitScript(() => {
 		Reflect.deleteProperty(globalThis, "WebAssembly");
 	});
@@ -124,9 +124,9 @@ test("a long growth says so and can be cancelled, by its button and by Escape", 
 	await studio.regrown(() => studio.slider("Length").press("PageDown"));
 });
 
-test("what takes long to grow from a text is ended by Escape, which stays in the text, and by the next character", async ({
-	page,
-}) => {
+test("what takes long to grow from a text is ended by Escape, which stays in the text, and by the next character", {
+	tag: "@long",
+}, async ({ page }) => {
 	await wiretap(page);
 	const studio = await new StudioPage(page).open("?model=grammar&preset=koch-curve-a");
 	const first = await studio.fingerprint.innerText();
@@ -153,7 +153,7 @@ test("what takes long to grow from a text is ended by Escape, which stays in the
 test.describe("to the eye", () => {
 	test.use({ drawn: true });
 
-	test("a lost context is told and comes back", async ({ page, complaints }) => {
+	test("a lost context is told and comes back", { tag: "@long" }, async ({ page, complaints }) => {
 		complaints.expect(/CONTEXT_LOST|Context Lost/i);
 		const studio = await new StudioPage(page).open();
 		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
@@ -169,7 +169,7 @@ test.describe("to the eye", () => {
 	});
 });
 
-test("a grammar with an error in it is told with its line and column", async ({ page }) => {
+test("a grammar with an error in it is told with its line and column", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?preset=short-conical");
 	const { bytes } = await studio.download("json");
 	const first = await studio.fingerprint.innerText();
@@ -196,7 +196,9 @@ test("a link whose grammar has an error says that there is no bunch, and offers 
 	await expect(page).toHaveURL(/\?v=2&preset=duku&procedure=paper$/);
 });
 
-test("a trap on the very first growth says that there is no bunch, and grows when asked again", async ({ page }) => {
+test("a trap on the very first growth says that there is no bunch, and grows when asked again", {
+	tag: "@long",
+}, async ({ page }) => {
 	await wiretap(page, "trap");
 	await page.goto("./?preset=short-conical");
 	await expect(alert(page)).toContainText("There is no bunch yet");

@@ -7,14 +7,13 @@ import { expect, it } from "vitest";
 import { readAttributes } from "../../web/src/element/attributes";
 import { modelNamed, modelNames } from "../../web/src/models/index";
 import { decodeLink, encodeLink, linkParts, modelInQuery } from "../../web/src/specimen/link";
-import { readList } from "../golden/links/list";
+import { previewLinks, readFrozenLinks } from "../golden/links/list";
 import { inRun } from "../long_run.mjs";
 
 const RUNS = Number(process.env.PANICLE_FUZZ ?? inRun(200, 4000));
 
 const models = await Promise.all(modelNames().map(modelNamed));
-const { frozen, previews } = readList();
-const published = [...frozen, ...previews].map(({ link }) => link);
+const published = [...readFrozenLinks().map(({ link }) => link), ...(await previewLinks())];
 
 /** Names that objects have of their own accord. */
 const INHERITED = [

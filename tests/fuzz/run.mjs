@@ -27,6 +27,8 @@ if (!Object.hasOwn(TESTS, name) || !/^\d+$/.test(runs)) {
 	process.exit(2);
 }
 const [command, ...args] = await TESTS[name]();
-const env = { ...process.env, PANICLE_FUZZ: runs };
+const seed = process.env.PANICLE_SEED ?? String(Math.floor(Math.random() * 2 ** 31));
+console.log(`PANICLE_SEED=${seed} repeats this run.`);
+const env = { ...process.env, PANICLE_FUZZ: runs, PANICLE_SEED: seed };
 const { status } = spawnSync(command, args, { cwd: repository, env, stdio: "inherit" });
 process.exit(status ?? 1);

@@ -1,7 +1,7 @@
 import { createHash } from "node:crypto";
 import type { Columns } from "../../web/src/core/container";
 
-/** Each column by its name: how many values a row has, how many there are, and a hash of their bytes. */
+/** Each column by its name: the width of a row, the number of rows, and a hash of the bytes. */
 export function digest(columns: Columns): Record<string, string> {
 	const entries = columns.names.sort().map((name) => {
 		const data = columns.any(name);

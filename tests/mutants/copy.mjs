@@ -2,7 +2,7 @@
  * A copy of the checkout, in build/, in which mutants are made: the checkout itself is never touched. It stays from run to
  * run, so that what is built in it is built once.
  */
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import {
 	existsSync,
@@ -19,6 +19,12 @@ import { repository } from "../../wasm-core/tools/repository.mjs";
 
 /** Of the checkout's build folder: the modules of models and of tests. */
 const MODULES = ["build/core", "build/core-test"];
+
+/** Files that generated code is made from, and those that make it. */
+const GENERATES = /^wasm-core\/(parameters|grammars|tools\/generate)\b/;
+
+/** A mutant of a table that the copy's own generator refuses. */
+export class RefusedError extends Error {}
 
 function checkoutFiles() {
 	const listed = execFileSync("git", ["ls-files", "-z", "--cached", "--others", "--exclude-standard"], {
@@ -78,23 +84,37 @@ export class Copy {
 		writeFileSync(record, JSON.stringify(files));
 		const packages = join(this.folder, "node_modules");
 		if (!existsSync(packages)) symlinkSync(join(repository, "node_modules"), packages);
+		this.#generate();
 		return hash.digest("hex");
 	}
 
 	/** A text as it was when the copy was made: the checkout may go on while mutants are tried. */
 	read = (path) => (path === this.#mutated?.file ? this.#mutated.text : reading(this.folder)(path));
 
-	/** Puts a text in place of a file's, and back what was mutated before. */
+	/** Brings the copy's generated code, which git does not list, up to date with its own tables. @throws RefusedError */
+	#generate() {
+		const command = ["wasm-core/tools/generate.mjs"];
+		const { status, stderr } = spawnSync(process.execPath, command, { cwd: this.folder, encoding: "utf8" });
+		if (status !== 0) throw new RefusedError(stderr);
+	}
+
+	/** Writes a file, and what is generated from it. */
+	#write({ file, text }) {
+		writeFileSync(join(this.folder, file), text);
+		if (GENERATES.test(file)) this.#generate();
+	}
+
+	/** Puts a text in place of a file's, and back what was mutated before. @throws RefusedError */
 	mutate(file, text) {
 		if (this.#mutated?.file !== file) {
 			this.restore();
 			this.#mutated = { file, text: this.read(file) };
 		}
-		writeFileSync(join(this.folder, file), text);
+		this.#write({ file, text });
 	}
 
 	restore() {
-		if (this.#mutated) writeFileSync(join(this.folder, this.#mutated.file), this.#mutated.text);
+		if (this.#mutated) this.#write(this.#mutated);
 		this.#mutated = undefined;
 	}
 }

@@ -72,6 +72,7 @@ export function applied(text, { find, replace }) {
 export function problemsOf(mutant, read) {
 	const text = read(mutant.file);
 	const problems = [];
+	if (mutant.file.includes(".generated.")) problems.push(`${mutant.file} is generated: mutate the table or its maker`);
 	if (text === undefined) problems.push(`${mutant.file} is not there`);
 	else if (countOf(text, mutant.find) !== 1) {
 		problems.push(`“${mutant.find}” stands ${countOf(text, mutant.find)} times in ${mutant.file}, not once`);

@@ -9,7 +9,7 @@ import { stripVTControlCharacters } from "node:util";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
 import { withLock } from "../../wasm-core/tools/lock.mjs";
 import { buildFolder } from "../../wasm-core/tools/repository.mjs";
-import { Copy, readCheckout } from "./copy.mjs";
+import { Copy, RefusedError, readCheckout } from "./copy.mjs";
 import { groups } from "./list/index.mjs";
 import {
 	applied,
@@ -63,7 +63,12 @@ async function tried(copy, mutant) {
 	const text = applied(copy.read(mutant.file) ?? "", mutant) ?? "";
 	const wrong = await syntaxError(mutant.file, text);
 	if (wrong) return { outcome: "invalid", why: stripVTControlCharacters(wrong).slice(0, 400) };
-	copy.mutate(mutant.file, text);
+	try {
+		copy.mutate(mutant.file, text);
+	} catch (error) {
+		if (!(error instanceof RefusedError)) throw error;
+		return { outcome: "invalid", why: error.message.slice(0, 2000) };
+	}
 	for (const suite of mutant.suites) {
 		const { outcome, output } = await runSuites(copy.folder, [suite]);
 		if (outcome === "unbuilt") return { outcome: "invalid", why: output.slice(0, 2000) };

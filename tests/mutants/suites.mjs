@@ -54,7 +54,7 @@ export async function syntaxError(file, text) {
 /** Suites of one kind that need the same thing built. */
 const BUILDS = {
 	core: (folder, suites) =>
-		node(folder, "wasm-core/tools/core.mjs", ["quick", ...new Set(suites.map(({ path }) => programOf(path)))]),
+		node(folder, "wasm-core/tools/core.mjs", ["native", ...new Set(suites.map(({ path }) => programOf(path)))]),
 	web: async () => ({ status: 0, output: "", late: false }),
 	e2e: (folder) => node(folder, "node_modules/vite/bin/vite.js", ["build", ...VITE]),
 };
@@ -67,7 +67,7 @@ const RUNS = {
 		for (const program of programs) {
 			const files = suites.filter(({ path }) => programOf(path) === program).map(({ path }) => `*/${path}`);
 			const args = ["--no-colors", "--abort-after=1", `--source-file=${files.join(",")}`];
-			const ended = await run(folder, join(folder, "build/quick", program), args, { patience });
+			const ended = await run(folder, join(folder, "build/native", program), args, { patience });
 			if (ended.status !== 0) return ended;
 			if (/test cases: +0 /.test(ended.output)) throw new Error(`${files} holds no test of ${program}.`);
 		}

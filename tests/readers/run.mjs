@@ -1,9 +1,11 @@
 /**
- * `npm run readers`: files of each model, opened by programs that are none of ours – trimesh, Blender (`bpy`), USD (`usd-core`) – and
- * compared in counts and bounds. Installs them from PyPI into build/readers, which takes Python 3.11 with its venv and a gigabyte.
+ * `npm run test:long -- readers`, or this script alone: files of each model, opened by independent programs – trimesh, Blender
+ * (`bpy`), USD (`usd-core`) – and compared in counts and bounds. Installs these from PyPI into build/readers, which takes Python 3.11
+ * with its venv and a gigabyte.
  */
 import { statSync } from "node:fs";
 import { join } from "node:path";
+import { fileURLToPath } from "node:url";
 import { buildFolder } from "../../wasm-core/tools/repository.mjs";
 import { installed, must, readBy } from "./programs.mjs";
 
@@ -52,25 +54,36 @@ function problems(found, { within, count, fewer = 0 }, first, detailed) {
 	return [...said, ...(found.complaints ?? [])];
 }
 
-const python = await installed("readers", PYTHON);
-let failed = 0;
-for (const plant of PLANTS) {
-	let detailed;
-	for (const file of FILES) {
-		const path = join(folder, `${plant.replace("/", "-")}-${file.name}`);
-		await must(process.execPath, ["wasm-core/tools/grow.mjs", plant, "--out", path, ...file.words]);
-		let first;
-		for (const reader of file.readers) {
-			const [found] = await readBy(python, reader, [path]);
-			detailed ??= found;
-			first ??= found;
-			const said = problems(found, file, first, detailed);
-			if (statSync(path).size > (file.most ?? Number.POSITIVE_INFINITY)) said.push(`more than ${file.most} bytes`);
-			failed += Number(said.length > 0);
-			const size = (statSync(path).size / 1e6).toFixed(2);
-			console.log(`${plant} ${file.name} ${size} MB, ${reader}: ${found.count} ${said.join("; ") || "ok"}`);
+/**
+ * Reads every file of every plant with all its readers, and prints a line for each.
+ * @returns {Promise<{ passed: number, failed: number }>} a check for each reader of a file
+ */
+export async function readFiles() {
+	const python = await installed("readers", PYTHON);
+	const total = { passed: 0, failed: 0 };
+	for (const plant of PLANTS) {
+		let detailed;
+		for (const file of FILES) {
+			const path = join(folder, `${plant.replace("/", "-")}-${file.name}`);
+			await must(process.execPath, ["wasm-core/tools/grow.mjs", plant, "--out", path, ...file.words]);
+			let first;
+			for (const reader of file.readers) {
+				const [found] = await readBy(python, reader, [path]);
+				detailed ??= found;
+				first ??= found;
+				const said = problems(found, file, first, detailed);
+				if (statSync(path).size > (file.most ?? Number.POSITIVE_INFINITY)) said.push(`more than ${file.most} bytes`);
+				total[said.length > 0 ? "failed" : "passed"]++;
+				const size = (statSync(path).size / 1e6).toFixed(2);
+				console.log(`${plant} ${file.name} ${size} MB, ${reader}: ${found.count} ${said.join("; ") || "ok"}`);
+			}
 		}
 	}
+	console.log(total.failed === 0 ? "All readers agree." : `${total.failed} do not agree.`);
+	return total;
 }
-console.log(failed === 0 ? "All readers agree." : `${failed} do not agree.`);
-process.exitCode = failed === 0 ? 0 : 1;
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+	const { failed } = await readFiles();
+	if (failed > 0) process.exitCode = 1;
+}

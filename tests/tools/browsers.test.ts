@@ -2,7 +2,7 @@ import { chmodSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:f
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterEach, beforeEach, describe, expect, it } from "vitest";
-import { find, prepareBrowsers } from "../browsers/browsers.mjs";
+import { find, missingPackages, prepareBrowsers } from "../browsers/browsers.mjs";
 
 let machine: string;
 let env: NodeJS.ProcessEnv;
@@ -13,7 +13,7 @@ beforeEach(() => {
 });
 afterEach(() => rmSync(machine, { recursive: true }));
 
-/** Puts programs on the pretended machine. */
+/** Puts programs on the simulated machine. */
 function have(...names: string[]): void {
 	mkdirSync(machine, { recursive: true });
 	for (const name of names) {
@@ -24,31 +24,46 @@ function have(...names: string[]): void {
 
 const SCREEN = ["Xvfb", "libEGL_mesa.so.0"];
 const quiet = () => {};
-const never = () => Promise.reject(new Error("nothing is to be installed"));
+const never = () => Promise.reject(new Error("nothing needs to be installed"));
 
 describe("browsers besides Chromium", () => {
-	it("are taken from the machine where they are there", async () => {
+	it("are used as they are on the machine", async () => {
 		have("firefox-esr", "firefox", "WebKitWebDriver", ...SCREEN);
 		expect(await prepareBrowsers({ env, install: never })).toEqual({ there: ["firefox", "webkit"], without: [] });
 		expect(find("firefox", env)).toBe(join(machine, "firefox-esr"));
 	});
 
-	it("are installed by apt, with what shows them, each by itself", async () => {
-		have("apt-get", "firefox-esr");
-		const asked: string[][] = [];
+	it("are installed in one call of apt, with a screen and Mesa", async () => {
+		have("apt-get");
+		const calls: string[][] = [];
 		const install = async (packages: string[]) => {
-			asked.push(packages);
-			if (packages.includes("xvfb")) have(...SCREEN);
-			return packages.includes("webkit2gtk-driver") ? { why: "and it is unknown", unfit: packages } : null;
+			calls.push(packages);
+			have("firefox-esr", "WebKitWebDriver", ...SCREEN);
+			return null;
+		};
+		expect(await prepareBrowsers({ env, install, log: quiet })).toEqual({ there: ["firefox", "webkit"], without: [] });
+		expect(calls).toEqual([["firefox-esr", "xvfb", "libegl1", "libgl1-mesa-dri", "webkit2gtk-driver"]]);
+		expect(missingPackages(env)).toEqual([]);
+	});
+
+	it("are installed each by itself if apt does not install all of them", async () => {
+		have("apt-get", "firefox-esr");
+		const calls: string[][] = [];
+		const install = async (packages: string[]) => {
+			calls.push(packages);
+			if (packages.includes("webkit2gtk-driver")) return { why: "and it is unknown", unfit: packages };
+			have(...SCREEN);
+			return null;
 		};
 		expect(await prepareBrowsers({ env, install, log: quiet })).toEqual({
 			there: ["firefox"],
 			without: ["WebKit is not tested: it is not there and it is unknown."],
 		});
-		expect(asked).toEqual([["xvfb", "libegl1", "libgl1-mesa-dri"], ["webkit2gtk-driver"]]);
+		const shared = ["xvfb", "libegl1", "libgl1-mesa-dri"];
+		expect(calls).toEqual([[...shared, "webkit2gtk-driver"], shared, ["webkit2gtk-driver"]]);
 	});
 
-	it("are named in a line where there is no apt, and the tests go on with the others", async () => {
+	it("are named with what they lack where there is no apt, and the tests use the others", async () => {
 		have("WebKitWebDriver", ...SCREEN);
 		expect(await prepareBrowsers({ env, install: never })).toEqual({
 			there: ["webkit"],

@@ -1,7 +1,23 @@
-import { describe, expect, it } from "vitest";
+import { execFileSync } from "node:child_process";
+import {
+	cpSync,
+	existsSync,
+	mkdirSync,
+	mkdtempSync,
+	readdirSync,
+	readFileSync,
+	rmSync,
+	statSync,
+	utimesSync,
+	writeFileSync,
+} from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { afterEach, beforeEach, describe, expect, it } from "vitest";
 import { checkTable } from "../../wasm-core/tools/generate/check_table.mjs";
+import { generate, generatedFiles } from "../../wasm-core/tools/generate/files.mjs";
 import { checkMeasures } from "../../wasm-core/tools/generate/measures.mjs";
-import { generate } from "../../wasm-core/tools/generate.mjs";
+import { coreFolder, modelFolders } from "../../wasm-core/tools/repository.mjs";
 
 const groups = [{ key: "shape", title: "Shape", help: "" }];
 const length = {
@@ -88,4 +104,79 @@ describe("the table of measures", () => {
 	it("may not name two alike", () => expect(problems(weight, weight)).toBe("m.json: weight stands in it twice"));
 });
 
-it("what is generated is what is committed", () => expect(generate({ write: false })).toEqual([]));
+describe("generate", () => {
+	let root: string;
+	beforeEach(() => {
+		root = mkdtempSync(join(tmpdir(), "panicle-generate-"));
+	});
+	afterEach(() => rmSync(root, { recursive: true }));
+
+	const files = generatedFiles();
+	const paths = files.map(({ path }) => path);
+	const put = (path: string, text = "") => {
+		mkdirSync(dirname(join(root, path)), { recursive: true });
+		writeFileSync(join(root, path), text);
+	};
+	/** Paths below the root, folders left out. */
+	const found = () =>
+		readdirSync(root, { recursive: true, encoding: "utf8" }).filter((path) => statSync(join(root, path)).isFile());
+
+	it("writes every file into an empty folder", () => {
+		expect(generate({ root })).toEqual(paths);
+		expect(found().sort()).toEqual([...paths].sort());
+		for (const { path, text } of files) expect(readFileSync(join(root, path), "utf8")).toBe(text);
+		expect(paths).toContain("wasm-core/src/models/particles/leaf/parameters.generated.hpp");
+		expect(paths).toContain("web/src/models/bunch/grammars.generated.ts");
+		expect(paths).toContain("docs/turtle.md");
+	});
+
+	it("writes only code, or only pages of documentation, where that is requested", () => {
+		const code = paths.filter((path) => !path.startsWith("docs/"));
+		expect(generate({ root, only: "code" })).toEqual(code);
+		expect(found().sort()).toEqual([...code].sort());
+		expect(generate({ root, only: "pages" })).toEqual(paths.filter((path) => path.startsWith("docs/")));
+	});
+
+	it("rewrites only the files whose text differs", () => {
+		generate({ root });
+		for (const path of paths) utimesSync(join(root, path), 1e9, 1e9);
+		const [changed, ...same] = paths;
+		writeFileSync(join(root, changed), "another text");
+		expect(generate({ root })).toEqual([changed]);
+		for (const path of same) expect(statSync(join(root, path)).mtimeMs, path).toBe(1e12);
+		expect(statSync(join(root, changed)).mtimeMs).toBeGreaterThan(1e12);
+		expect(generate({ root })).toEqual([]);
+	});
+
+	it("removes code that no table makes, with the folders that are empty then", () => {
+		const orphans = [
+			"wasm-core/src/models/gone/measures/measures.generated.hpp",
+			"web/src/models/gone/parameters.generated.ts",
+			"web/src/models/grammar/gone.generated.ts",
+		];
+		const own = ["web/src/models/gone/index.ts", "web/src/models/gone.ts", "docs/gone.generated.md"];
+		generate({ root });
+		for (const path of [...orphans, ...own]) put(path);
+		expect(generate({ root, only: "code" }).sort()).toEqual(orphans);
+		expect(found().sort()).toEqual([...paths, ...own].sort());
+		expect(existsSync(join(root, "wasm-core/src/models/gone"))).toBe(false);
+	});
+
+	it("writes and removes nothing when it only checks", () => {
+		const orphan = "web/src/models/gone/parameters.generated.ts";
+		put(orphan);
+		expect(generate({ write: false, root })).toEqual([...paths, orphan]);
+		expect(found()).toEqual([orphan]);
+	});
+
+	it("runs where no package is installed", () => {
+		for (const folder of ["tools", "parameters", "grammars"])
+			cpSync(join(coreFolder, folder), join(root, "wasm-core", folder), { recursive: true });
+		for (const folder of modelFolders()) mkdirSync(join(root, "wasm-core/src/models", folder), { recursive: true });
+		execFileSync(process.execPath, ["wasm-core/tools/generate.mjs"], { cwd: root, stdio: "pipe" });
+		const code = files.filter(({ path }) => !path.startsWith("docs/"));
+		for (const { path, text } of code) expect(readFileSync(join(root, path), "utf8"), path).toBe(text);
+	});
+});
+
+it("finds every page of documentation up to date", () => expect(generate({ write: false })).toEqual([]));

@@ -82,6 +82,8 @@ describe("a mutant", () => {
 		expect(problemsOf(one({}, ["tests/e2e/sum.spec.ts: hides it"]), read)).toEqual([
 			expect.stringContaining("hides it"),
 		]);
+		const generated = { ...one(), file: "web/sum.generated.ts" };
+		expect(problemsOf(generated, () => "a + b")).toEqual([expect.stringContaining("mutate the table")]);
 	});
 
 	it("is run again where its file, its tests or itself are others, and not else", () => {

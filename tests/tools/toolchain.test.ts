@@ -5,6 +5,7 @@ import { afterEach, beforeEach, describe, expect, it } from "vitest";
 import { isInstalled } from "../../wasm-core/tools/npm_packages.mjs";
 import { isOlder, objections } from "../../wasm-core/tools/packages.mjs";
 import {
+	emscriptenWarning,
 	findEmscripten,
 	findHeader,
 	findProgram,
@@ -99,6 +100,15 @@ describe("finding Emscripten", () => {
 			"#!/bin/sh\necho 'emcc (Emscripten gcc/clang-like replacement) 4.0.2 (abc)'\n",
 		);
 		expect(findEmscripten({ PATH: wrapper }, [])).toBe(join(wrapper, "emcc"));
+	});
+
+	it("warns of a version newer than those tested, and of no other", () => {
+		const emcc = (version: string) => join(emscripten(`sdk-${version}`, version), "emcc");
+		expect(emscriptenWarning(emcc("3.1.6"))).toBeUndefined();
+		expect(emscriptenWarning(emcc("3.1.69"))).toBeUndefined();
+		expect(emscriptenWarning(emcc("4.0.10"))).toBe(
+			"Emscripten 4.0.10 is newer than those tested (3.1.6 to 3.1.69): sizes and speed may differ.",
+		);
 	});
 
 	it.each([

@@ -6,15 +6,29 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, w
 import { availableParallelism } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { generateCode } from "./generate/files.mjs";
 import { withLock } from "./lock.mjs";
 import { run } from "./process.mjs";
-import { buildFolder, coreFolder, modelFolders, modulesFolder, testModulesFolder } from "./repository.mjs";
-import { emscriptenEnvironment, emscriptenIdentity, prepare, ToolchainError } from "./toolchain.mjs";
+import { buildFolder, coreFolder, modelFolders, modulesFolder, repository, testModulesFolder } from "./repository.mjs";
+import {
+	emscriptenEnvironment,
+	emscriptenIdentity,
+	emscriptenWarning,
+	findEmscriptenClang,
+	prepare,
+	ToolchainError,
+} from "./toolchain.mjs";
 
-/** The compiler's own words on what does not compile. */
+/** The core does not compile; the message is the compiler's. */
 export class CoreBuildError extends Error {}
 
-const presets = ["wasm", "asan", "debug", "quick", "release"];
+const presets = ["wasm", "native", "asan", "debug", "release"];
+
+/**
+ * Settings by which one compiler cache (ccache) serves every checkout on this machine: paths below the repository are
+ * hashed relative to it, and the folder in which the compiler runs is left out.
+ */
+const cacheEnvironment = { CCACHE_BASEDIR: repository, CCACHE_NOHASHDIR: "1" };
 
 /** What the compiler says, less the lines that tell how far the build is and how the compiler was called. */
 function essence(output) {
@@ -30,26 +44,44 @@ async function step(command, args, options) {
 	return output;
 }
 
-/** Configures the build folder where that has not been done with the same tools and presets. Ninja sees to the rest. */
-async function configure(preset, tools, env) {
+/**
+ * Configures a build folder unless that was done with the same tools and presets; Ninja does the rest. Rooms to sanitize
+ * are a setting that changes from run to run: only what they change is compiled again.
+ */
+async function configure(preset, tools, env, sanitizeRooms) {
 	const folder = join(buildFolder, preset);
 	const compiler = tools.emscripten ? emscriptenIdentity(tools.emscripten) : tools.compiler;
 	const settings = readFileSync(join(coreFolder, "CMakePresets.json"), "utf8");
-	const identity = [coreFolder, tools.glm, compiler, settings].join("\n");
+	const identity = [coreFolder, tools.glm, compiler, tools.ccache, settings].join("\n");
 	const stamp = join(folder, "toolchain.txt");
-	const known = existsSync(stamp) && existsSync(join(folder, "build.ninja")) ? readFileSync(stamp, "utf8") : "";
-	if (known === identity) return;
-	console.error(`Setting up the ${preset} build of the core …`);
-	rmSync(folder, { recursive: true, force: true });
-	const definitions = [`-DPANICLE_GLM_ROOT=${tools.glm}`, `-DCMAKE_MAKE_PROGRAM=${tools.ninja}`];
+	const roomsStamp = join(folder, "sanitized_rooms.txt");
+	const read = (file) => (existsSync(file) ? readFileSync(file, "utf8") : "");
+	const isSame = existsSync(join(folder, "build.ninja")) && read(stamp) === identity;
+	const rooms = sanitizeRooms?.join(";") ?? read(roomsStamp);
+	if (isSame && rooms === read(roomsStamp)) return;
+	if (!isSame) {
+		console.error(`Setting up the ${preset} build of the core …`);
+		rmSync(folder, { recursive: true, force: true });
+		const warning = tools.emscripten && emscriptenWarning(tools.emscripten);
+		if (warning) console.error(warning);
+	}
+	const definitions = [
+		`-DPANICLE_GLM_ROOT=${tools.glm}`,
+		`-DCMAKE_MAKE_PROGRAM=${tools.ninja}`,
+		`-DPANICLE_SANITIZE_ROOMS=${rooms}`,
+		`-DPANICLE_CCACHE=${tools.ccache ?? ""}`,
+	];
 	if (tools.compiler) definitions.push(`-DCMAKE_CXX_COMPILER=${tools.compiler}`);
+	const clang = tools.emscripten && findEmscriptenClang(tools.emscripten, env);
+	if (clang) definitions.push(`-DPANICLE_CLANG=${clang.join(";")}`);
 	const cmake = [tools.cmake, "--preset", preset, ...definitions];
 	if (tools.emscripten) cmake.unshift(join(dirname(tools.emscripten), "emcmake"));
 	await step(cmake[0], cmake.slice(1), { cwd: coreFolder, env });
 	writeFileSync(stamp, identity);
+	writeFileSync(roomsStamp, rooms);
 }
 
-/** Takes away modules of models that are no more: they would still be served. */
+/** Removes modules of models that no longer exist: they would still be served. */
 function prune(names) {
 	if (!existsSync(modulesFolder)) return;
 	for (const file of readdirSync(modulesFolder)) {
@@ -57,7 +89,7 @@ function prune(names) {
 	}
 }
 
-/** Copies a module to where it is read from, whole or not at all; tells whether it is a new one. */
+/** Copies a module to where it is read from, whole or not at all; returns whether it differs from the one before. */
 function publish(name, folder = modulesFolder) {
 	const from = join(buildFolder, "wasm", name);
 	const to = join(folder, name);
@@ -72,28 +104,26 @@ function publish(name, folder = modulesFolder) {
 }
 
 /**
- * Builds `targets` (default: all; of wasm, the models alone) of a preset of wasm-core/CMakePresets.json. Throws a ToolchainError or a
- * CoreBuildError; modules built before then stay as they are.
+ * Builds `targets` of a preset of wasm-core/CMakePresets.json. Throws a ToolchainError or a CoreBuildError; modules built
+ * before then stay as they are.
  *
  * @param {string} [preset]
- * @param {string[]} [targets]
- * @returns {Promise<{ changed: boolean }>} whether a model's module is another one than before
+ * @param {string[]} [targets] default: everything; of preset wasm, the modules of all models
+ * @param {{ sanitizeRooms?: string[] }} [options] sanitizeRooms: of preset native, the rooms to build with sanitizers;
+ *   default: those of the last build
+ * @returns {Promise<{ changed: boolean }>} whether a model's module is not the one from before
  */
-export async function buildCore(preset = "wasm", targets = []) {
+export async function buildCore(preset = "wasm", targets = [], { sanitizeRooms } = {}) {
+	generateCode();
 	if (!presets.includes(preset)) throw new ToolchainError(`No preset ${preset}; there are ${presets.join(", ")}.`);
 	const tools = await prepare(preset === "wasm" ? "core" : "native");
-	const env = tools.emscripten ? emscriptenEnvironment(tools.emscripten) : process.env;
+	const env = { ...(tools.emscripten ? emscriptenEnvironment(tools.emscripten) : process.env), ...cacheEnvironment };
 	return withLock(join(buildFolder, `${preset}.lock`), async () => {
-		await configure(preset, tools, env);
+		await configure(preset, tools, env, sanitizeRooms);
 		const jobs = String(availableParallelism());
 		const chosen = targets.length > 0 ? targets : preset === "wasm" ? ["models"] : ["all"];
-		const output = await step(
-			tools.cmake,
-			["--build", join(buildFolder, preset), "--parallel", jobs, "--target", ...chosen],
-			{
-				env,
-			},
-		);
+		const build = ["--build", join(buildFolder, preset), "--parallel", jobs, "--target", ...chosen];
+		const output = await step(tools.cmake, build, { env });
 		if (/warning:/.test(output)) console.error(essence(output));
 		if (preset !== "wasm") return { changed: false };
 		for (const name of ["core-bench.wasm", "toy.wasm"]) publish(name, testModulesFolder);

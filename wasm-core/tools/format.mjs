@@ -1,41 +1,44 @@
 /**
- * `npm run format`: lays out every file as `npm test` wants it. With `--check` it writes nothing and fails where it would.
- * Both formatters are npm packages of a fixed version: those of distributions differ from each other.
+ * `npm run format`: formats all files and applies the safe fixes of Biome. `npm run lint` only checks. Both formatters are npm
+ * packages of a fixed version: those of distributions differ from each other.
  */
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, relative } from "node:path";
+import { fileURLToPath } from "node:url";
 import { run } from "./process.mjs";
 import { coreFolder, repository } from "./repository.mjs";
 import { command, setUp } from "./setup.mjs";
 import { ToolchainError } from "./toolchain.mjs";
 
-const folders = ["wasm-core/src", "wasm-core/bench", "wasm-core/tools", "tests/core"];
+const folders = ["wasm-core/src", "wasm-core/bench", "wasm-core/tools", "tests/core", "tests/toy"];
 
+/** C++ files but for generated ones, which their makers format and git ignores. */
 function cplusplusFiles() {
 	const inFolder = (folder) => readdirSync(folder, { recursive: true }).map((name) => join(folder, name));
 	return folders
 		.map((folder) => join(repository, folder))
 		.filter(existsSync)
 		.flatMap(inFolder)
-		.filter((name) => /\.(cpp|hpp|h)$/.test(name))
+		.filter((name) => /\.(cpp|hpp|h)$/.test(name) && !name.endsWith(".generated.hpp"))
 		.sort();
 }
 
-/** Lays out the C++ files; returns those that were not. */
-async function formatCplusplus(write) {
+/** Formats the C++ files; returns those that were not formatted, from the root of the repository. */
+export async function formatCplusplus({ write }) {
 	const { format } = await import("@wasm-fmt/clang-format/node");
 	const style = readFileSync(join(coreFolder, ".clang-format"), "utf8");
-	return cplusplusFiles().filter((file) => {
+	const changed = cplusplusFiles().filter((file) => {
 		const text = readFileSync(file, "utf8");
-		const laidOut = format(text, file, style);
-		if (laidOut === text) return false;
-		if (write) writeFileSync(file, laidOut);
+		const formatted = format(text, file, style);
+		if (formatted === text) return false;
+		if (write) writeFileSync(file, formatted);
 		return true;
 	});
+	return changed.map((file) => relative(repository, file));
 }
 
-/** Formats and lints everything else. */
-async function biome(write) {
+/** Formats and lints TypeScript, JavaScript, CSS and HTML; whether they are clean. */
+export async function biome({ write }) {
 	const program = join(repository, "node_modules/@biomejs/biome/bin/biome");
 	const args = [
 		program,
@@ -46,13 +49,23 @@ async function biome(write) {
 	return (await run(process.execPath, args, { cwd: repository, show: process.stderr })).status === 0;
 }
 
-await command(async () => {
-	const write = !process.argv.includes("--check");
-	await setUp("format");
-	const strayed = await formatCplusplus(write);
-	for (const file of strayed)
-		console.error(`${relative(repository, file)}: ${write ? "laid out" : "not as clang-format lays it out"}`);
-	const clean = await biome(write);
-	if (!write && strayed.length > 0) throw new ToolchainError("Not laid out: run `npm run format`.");
-	if (!clean) throw new ToolchainError(write ? "The rest needs a person." : "Not clean: run `npm run format`.");
-});
+/** Checks the format of all files and the rules of Biome without changing anything; returns what is wrong, a line each. */
+export async function checkFormat() {
+	const problems = (await formatCplusplus({ write: false })).map((file) => `${file}: not formatted`);
+	if (!(await biome({ write: false }))) problems.push("Biome: see above");
+	return problems.length > 0
+		? [...problems, "`npm run format` formats, and fixes what can be fixed without a decision."]
+		: [];
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url))
+	await command(async () => {
+		await setUp("format");
+		if (process.argv.includes("--check")) {
+			const problems = await checkFormat();
+			if (problems.length > 0) throw new ToolchainError(problems.join("\n"));
+			return;
+		}
+		for (const file of await formatCplusplus({ write: true })) console.error(`${file}: formatted`);
+		if (!(await biome({ write: true }))) throw new ToolchainError("Fix the rest by hand: see above.");
+	});

@@ -1,5 +1,6 @@
 /** What every command does first. Runs on a clean clone: nothing here may import a package. */
 import { CoreBuildError } from "./core.mjs";
+import { generateCode } from "./generate/files.mjs";
 import { ensurePackages } from "./npm_packages.mjs";
 import { isOlder } from "./packages.mjs";
 import { prepare, ToolchainError } from "./toolchain.mjs";
@@ -13,11 +14,17 @@ function checkNode() {
 	);
 }
 
-/** Node, the tools that `purpose` takes, and the npm packages. Returns where the tools are. */
-export async function setUp(purpose) {
+/**
+ * Checks Node, generates code, finds the tools that `purpose` needs and installs the npm packages. Returns the tools' paths.
+ *
+ * @param {string} purpose
+ * @param {{ meanwhile?: () => Promise<void> }} [options] meanwhile: work that needs the tools but no npm package; runs while these are installed
+ */
+export async function setUp(purpose, { meanwhile = async () => {} } = {}) {
 	checkNode();
+	generateCode();
 	const tools = await prepare(purpose);
-	await ensurePackages();
+	await Promise.all([ensurePackages(), meanwhile()]);
 	return tools;
 }
 

@@ -1,6 +1,10 @@
-/** `npm start [-- --port N --host NAME]`: sets up what is missing, then serves the app and prints its address. */
+/**
+ * `npm start [-- --port N --host NAME]`: sets up what is missing, serves the app as soon as the bunch's core is built, and
+ * prints its address. The other cores are built in the background (vite_plugin.mjs).
+ */
 import { join } from "node:path";
 import { parseArgs } from "node:util";
+import { buildCore, CoreBuildError } from "./core.mjs";
 import { repository } from "./repository.mjs";
 import { command, setUp } from "./setup.mjs";
 import { ToolchainError } from "./toolchain.mjs";
@@ -15,9 +19,19 @@ function options() {
 	}
 }
 
+/** The bunch's core, while npm installs the packages. What does not compile is reported once the page is served. */
+async function buildFirst() {
+	console.error("Building the core of the bunch …");
+	try {
+		await buildCore("wasm", ["bunch"]);
+	} catch (error) {
+		if (!(error instanceof CoreBuildError)) throw error;
+	}
+}
+
 await command(async () => {
 	const { port, host } = options();
-	await setUp("core");
+	await setUp("core", { meanwhile: buildFirst });
 	const { createServer } = await import("vite");
 	const server = await createServer({
 		configFile: join(repository, "vite.config.ts"),

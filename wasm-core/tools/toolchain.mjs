@@ -8,7 +8,9 @@ import { delimiter, dirname, isAbsolute, join } from "node:path";
 import { installWithApt, isOlder, packageManager } from "./packages.mjs";
 import { capture } from "./process.mjs";
 
+/** The range of Emscripten that is tested, at both ends: Debian 12 has the oldest, Debian 13 the newest. */
 const oldestEmscripten = "3.1.6";
+const newestEmscripten = "3.1.69";
 
 /** What went wrong, in a message for the person at the terminal: no stack trace wanted. */
 export class ToolchainError extends Error {}
@@ -87,7 +89,7 @@ export const tools = {
 		packages: { "apt-get": ["emscripten"], dnf: ["emscripten"], pacman: ["emscripten"], brew: ["emscripten"] },
 		elsewhere: [
 			"git clone https://github.com/emscripten-core/emsdk",
-			"emsdk/emsdk install latest && emsdk/emsdk activate latest",
+			`emsdk/emsdk install ${newestEmscripten} && emsdk/emsdk activate ${newestEmscripten}`,
 			"export EMSDK=$PWD/emsdk",
 		],
 	},
@@ -120,6 +122,18 @@ export const tools = {
 		},
 		elsewhere: ["export CXX=/path/to/a/C++20/compiler"],
 	},
+	ccache: {
+		title: "ccache",
+		find: (env) => findProgram(["ccache"], env),
+		packages: { "apt-get": ["ccache"], dnf: ["ccache"], pacman: ["ccache"], brew: ["ccache"] },
+		elsewhere: [],
+	},
+	"clang-tidy": {
+		title: "clang-tidy",
+		find: (env) => findProgram(["clang-tidy", "/opt/homebrew/opt/llvm/bin/clang-tidy"], env),
+		packages: { "apt-get": ["clang-tidy"], dnf: ["clang-tools-extra"], pacman: ["clang"], brew: ["llvm"] },
+		elsewhere: ["python3 -m pip install clang-tidy"],
+	},
 	doctest: {
 		title: "doctest",
 		find: (env) => findHeader("doctest/doctest.h", env, includeFolders),
@@ -143,14 +157,18 @@ export const tools = {
 	},
 };
 
-/** What each purpose takes. Starting the app takes nothing that only tests use. */
+/** What each purpose needs. Starting the app needs nothing that only tests use. */
 export const needs = {
 	core: ["emscripten", "glm", "cmake", "ninja"],
 	format: [],
+	lint: ["clang-tidy", "compiler", "glm", "cmake", "ninja"],
 	native: ["compiler", "glm", "cmake", "ninja"],
 	trimesh: ["python"],
-	test: Object.keys(tools),
+	test: Object.keys(tools).filter((name) => !["ccache", "clang-tidy"].includes(name)),
 };
+
+/** Optional tools by purpose: used if present, and installed together with required ones that are missing. */
+const optionalTools = { core: ["ccache"], native: ["ccache"], test: ["ccache"] };
 
 /**
  * Paths of the tools named, and the names of those that are not there.
@@ -200,17 +218,18 @@ export function missingMessage(missing, manager, why, unfit = []) {
  */
 export async function prepare(purpose, { env = process.env, log = console.error } = {}) {
 	const names = needs[purpose];
+	const optional = locate(optionalTools[purpose] ?? [], env);
 	const { found, missing } = locate(names, env);
-	if (missing.length === 0) return found;
+	if (missing.length === 0) return { ...found, ...optional.found };
 	const manager = packageManager(env);
 	if (manager?.name !== "apt-get") {
 		throw new ToolchainError(missingMessage(missing, manager, "which this machine does not have"));
 	}
 	log(`Installing ${inWords(missing.map((name) => tools[name].title))} …`);
-	const packages = missing.flatMap((name) => tools[name].packages[manager.name]);
+	const packages = [...missing, ...optional.missing].flatMap((name) => tools[name].packages[manager.name]);
 	const problem = await installWithApt(packages, { emscripten: oldestEmscripten }, env);
 	const after = locate(names, env);
-	if (after.missing.length === 0) return after.found;
+	if (after.missing.length === 0) return { ...after.found, ...locate(optionalTools[purpose] ?? [], env).found };
 	const { why, unfit } = problem ?? {
 		why: "which its package did not bring",
 		unfit: after.missing.flatMap((name) => tools[name].packages[manager.name]),
@@ -223,6 +242,35 @@ export function emscriptenEnvironment(emcc, env = process.env) {
 	const debian = "/usr/share/nodejs";
 	if (!realpathSync(emcc).startsWith("/usr/share/emscripten") || !existsSync(debian)) return { ...env };
 	return { ...env, NODE_PATH: [env.NODE_PATH, debian].filter(Boolean).join(delimiter) };
+}
+
+/**
+ * The clang++ that em++ would start, with the flags that it would add to every source; null where Emscripten does not say.
+ *
+ * @param {string} emcc
+ * @param {NodeJS.ProcessEnv} env
+ * @returns {string[] | null}
+ */
+export function findEmscriptenClang(emcc, env) {
+	const folder = dirname(emcc);
+	const setting = (name) => capture(join(folder, "em-config"), [name], env)?.trim();
+	// Debian's clang has its version in its name.
+	const version = setting("CLANG_ADD_VERSION");
+	const clang = findProgram([version ? `clang++-${version}` : "clang++"], { PATH: setting("LLVM_ROOT") });
+	const flags = capture(join(folder, "em++"), ["--cflags"], env)?.trim();
+	return clang && flags ? [clang, ...flags.split(/\s+/)] : null;
+}
+
+/**
+ * A warning about an Emscripten newer than those that are tested; undefined for one in the range. An older one is not found
+ * in the first place.
+ *
+ * @param {string} emcc
+ */
+export function emscriptenWarning(emcc) {
+	const version = versionOfEmscripten(emcc) ?? "";
+	if (!isOlder(newestEmscripten, version)) return undefined;
+	return `Emscripten ${version} is newer than those tested (${oldestEmscripten} to ${newestEmscripten}): sizes and speed may differ.`;
 }
 
 /** What tells one toolchain from another: a build folder configured with one is of no use to the other. */

@@ -1,89 +1,152 @@
 /**
- * The core under Vite: built before the page is served or bundled, and built again when its sources change. What does
- * not compile shows in the terminal and over the page, which keeps running on the last good core.
+ * The core under Vite. `vite build` builds all modules first. The development server builds the bunch's module, serves
+ * the page, and builds the others in the background, the one that a page requests next; it builds again when sources of
+ * the core change. What does not compile shows in the terminal and over the page, which keeps the last good core.
  */
+import { existsSync } from "node:fs";
 import { join, sep } from "node:path";
 import { buildCore } from "./core.mjs";
-import { generate } from "./generate.mjs";
-import { coreFolder } from "./repository.mjs";
+import { CoreQueue } from "./core_queue.mjs";
+import { generate } from "./generate/files.mjs";
+import { coreFolder, modelFolders, moduleOf, repository } from "./repository.mjs";
 
 const watched = ["src", "grammars", "parameters", "tools", "CMakeLists.txt", "CMakePresets.json"].map((name) =>
 	join(coreFolder, name),
 );
-const settled = 60; // milliseconds in which an editor's several writes become one change
+/** Milliseconds in which an editor's several writes become one change. */
+const SETTLED = 60;
+/** The module that the page opens with. */
+const FIRST = "bunch";
+/** The module of web/src that knows the addresses of the built modules. */
+const ADDRESSES = "/web/src/core/core_files.ts";
 
-function isSource(path) {
-	const ofCore = watched.some((place) => path === place || path.startsWith(place + sep));
-	return ofCore && /\.(cpp|hpp|h|lsys|json|cmake|txt)$/.test(path);
-}
+const isSource = (path) =>
+	watched.some((place) => path === place || path.startsWith(place + sep)) &&
+	/\.(cpp|hpp|h|lsys|growth|gl3|stand|json|cmake|txt)$/.test(path);
 
 /** Runs `work` after changes have settled; one run at a time, and one more if something changed meanwhile. */
 function whenSettled(work) {
 	let timer;
-	let running = false;
-	let again = false;
+	let isRunning = false;
+	let isDue = false;
 	const start = async () => {
-		if (running) {
-			again = true;
+		if (isRunning) {
+			isDue = true;
 			return;
 		}
-		running = true;
+		isRunning = true;
 		do {
-			again = false;
+			isDue = false;
 			await work();
-		} while (again);
-		running = false;
+		} while (isDue);
+		isRunning = false;
 	};
 	return () => {
 		clearTimeout(timer);
-		timer = setTimeout(start, settled);
+		timer = setTimeout(start, SETTLED);
 	};
 }
 
-/** Builds and tells the page: to load again, or what does not compile. */
-async function rebuild(server, state) {
+/** Builds and informs the page: to reload, or of what does not compile. Returns whether it was built. */
+async function build(server, state, targets) {
 	const { logger } = server.config;
 	const from = performance.now();
 	try {
-		generate({ write: true });
-		const { changed } = await buildCore();
+		const { changed } = await buildCore("wasm", targets);
 		const seconds = ((performance.now() - from) / 1000).toFixed(1);
-		logger.info(`core ${changed ? "built" : "unchanged"} in ${seconds} s`, { timestamp: true });
-		if (changed || state.failed) server.ws.send({ type: "full-reload" });
-		state.failed = false;
+		const what = targets.length > 0 ? `core of ${targets.join(", ")}` : "core";
+		logger.info(`${what} ${changed ? "built" : "unchanged"} in ${seconds} s`, { timestamp: true });
+		if (state.isServing && targets.length === 0 && (changed || state.hasFailed))
+			server.ws.send({ type: "full-reload" });
+		state.hasFailed = false;
+		return true;
 	} catch (error) {
-		state.failed = true;
-		logger.error(`the core does not build; the page keeps the last one\n${error.message}`, { timestamp: true });
+		state.hasFailed = true;
+		logger.error(`The core does not compile; the page keeps the last one.\n${error.message}`, { timestamp: true });
 		server.ws.send({ type: "error", err: { message: error.message, stack: "", plugin: "core" } });
+		return false;
 	}
 }
 
-/** Vite's own scripts write styles into the page; the built page never does. */
-function forDevelopment(html) {
-	return html.replace(/style-src 'self'/, "style-src 'self' 'unsafe-inline'");
+/**
+ * Holds a request for a module until the module is built. Where it does not compile, the last one that did is served, or an
+ * error where there is none.
+ */
+function holdRequests(server, queue) {
+	server.middlewares.use(async (request, response, next) => {
+		const model = /\/build\/core\/(\w+)\.wasm(?:\?|$)/.exec(request.url ?? "")?.[1];
+		if (!model || (await queue.wait(model)) || existsSync(moduleOf(model))) return next();
+		response.statusCode = 503;
+		response.end(`The core of ${model} does not compile; see the terminal.`);
+	});
 }
+
+async function serveCore(server) {
+	const state = { hasFailed: false, isServing: false };
+	const models = modelFolders().sort((a, b) => Number(b === FIRST) - Number(a === FIRST));
+	const send = (model, status) =>
+		server.ws.send({ type: "custom", event: "panicle:core", data: { model, state: status } });
+	const queue = new CoreQueue(models, (model) => build(server, state, [model]), send);
+	// A page that has just connected may have missed the first message.
+	server.ws.on("connection", () => {
+		for (const model of queue.requested) send(model, "building");
+	});
+	holdRequests(server, queue);
+	const whole = queue.run();
+	server.watcher.add(watched);
+	const change = whenSettled(async () => {
+		await whole;
+		generate();
+		await build(server, state, []);
+	});
+	server.watcher.on("all", (_event, path) => {
+		if (isSource(path)) change();
+	});
+	await queue.wait(FIRST);
+	state.isServing = true;
+}
+
+/** The address under which Vite serves a file of the repository, whatever the root of the page. */
+const served = (file) => join("/@fs/", file).replaceAll(sep, "/");
+
+/**
+ * core_files.ts for the development server: the addresses of all modules, built or not. The file itself lists those that
+ * Vite finds on disk.
+ */
+function plannedAddresses() {
+	const addresses = modelFolders().map((model) => [`../../../build/core/${model}.wasm`, served(moduleOf(model))]);
+	return `export const coreFiles = ${JSON.stringify(Object.fromEntries(addresses))};`;
+}
+
+/** Adapts the page to the development server, whose own scripts write styles into it and whose modules may be missing. */
+const forDevelopment = (html) => ({
+	html: html.replace(/style-src 'self'/, "style-src 'self' 'unsafe-inline'"),
+	tags: [
+		{
+			tag: "script",
+			attrs: { type: "module", src: served(join(repository, "web/dev/core_status.ts")) },
+			injectTo: "head",
+		},
+	],
+});
 
 /** @returns {import("vite").Plugin} */
 export function core() {
-	let serves = false;
+	let isServer = false;
+	let isBuild = false;
 	return {
 		name: "core",
 		configResolved(config) {
-			serves = config.command === "serve";
+			isServer = config.command === "serve";
+			isBuild = config.command === "build";
 		},
 		async buildStart() {
-			if (!serves) await buildCore();
+			if (isBuild && process.env.PANICLE_CORE !== "built") await buildCore();
 		},
 		async configureServer(server) {
-			if (process.env.VITEST) return;
-			const state = { failed: false };
-			const change = whenSettled(() => rebuild(server, state));
-			server.watcher.add(watched);
-			server.watcher.on("all", (_event, path) => {
-				if (isSource(path)) change();
-			});
-			await rebuild(server, state);
+			await serveCore(server);
 		},
-		transformIndexHtml: (html) => (serves ? forDevelopment(html) : html),
+		load: (id) => (isServer && id.endsWith(ADDRESSES) ? plannedAddresses() : undefined),
+		transformIndexHtml: (html) => (isServer ? /** @type {any} */ (forDevelopment(html)) : html),
 	};
 }

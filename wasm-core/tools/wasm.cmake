@@ -1,5 +1,5 @@
-# <model>.wasm for each model and, where there is a bench, core-bench.wasm with all of them: standalone modules that export
-# the functions of boundary/panicle.h. The caller runs `_initialize` once.
+# <model>.wasm for each model (target `models`) and, for the bench alone, core-bench.wasm with all of them (target
+# `core-bench`): standalone modules that export the functions of boundary/panicle.h. The caller runs `_initialize` once.
 
 # The header is the one list of exports.
 file(STRINGS src/boundary/panicle.h declarations REGEX "^[A-Za-z].* \\*?panicle_[a-z_]+\\(")
@@ -47,7 +47,7 @@ foreach(model IN LISTS models)
     set(exported "${exports}")
   endif()
   set(objects "")
-  foreach(each linked_${model} model_${model} plant lsystem environment generalized_map geometry foundation)
+  foreach(each boundary linked_${model} model_${model} plant lsystem environment generalized_map geometry foundation)
     list(APPEND objects $<TARGET_OBJECTS:panicle_${each}>)
   endforeach()
   panicle_wasm(${model} panicle_linked_${model} "${exported}" ${objects})
@@ -63,4 +63,5 @@ file(GLOB bench_sources CONFIGURE_DEPENDS bench/*.cpp)
 if(bench_sources)
   # Functions of the bench are marked EMSCRIPTEN_KEEPALIVE (or __attribute__((export_name))) where they stand.
   panicle_wasm(core-bench panicle_core "${exports}" ${bench_sources})
+  set_target_properties(core-bench PROPERTIES EXCLUDE_FROM_ALL ON)
 endif()

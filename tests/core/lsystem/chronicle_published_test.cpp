@@ -215,7 +215,7 @@ TEST_CASE("texts by chance are told without contradiction, or end in a diagnosti
   std::size_t grown_texts = 0, steps = 0;
   const std::uint64_t runs = fuzz_runs(400);
   for (std::uint64_t run = 0; run < runs; ++run) {
-    Dice dice(7'000'000 + run);
+    Dice dice(7, 7'000'000 + run);
     std::string text = dice.below(2) == 0 ? "derivation length: 7\n" : "";
     text += "axiom: A(1) [ B ] A ?E(1,1)";
     const auto productions = [&](std::size_t count, bool alone) {

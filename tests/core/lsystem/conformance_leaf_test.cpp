@@ -30,7 +30,8 @@ Blades drawing(const char* name, std::uint32_t steps, const Inputs& inputs = {})
 
 // The constants of a preset, as variants.json has them: a preset a line.
 Inputs constants_of(const std::string& name) {
-  std::istringstream lines(file_text(PANICLE_GRAMMARS "/grammar/variants.json"));
+  std::istringstream lines(
+      file_text(panicle::tests::repository_folder() + "/wasm-core/grammars/grammar/variants.json"));
   Inputs inputs;
   for (std::string line; std::getline(lines, line);) {
     if (line.find("\"" + name + "\"") == std::string::npos) continue;

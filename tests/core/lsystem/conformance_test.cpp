@@ -341,7 +341,7 @@ TEST_CASE("synthetic topiary: what leaves the box dies, and buds below it wake")
 }
 
 TEST_CASE("published grammars: strings are those of another engine") {
-  std::istringstream lines(file_text(PANICLE_GRAMMARS "/../../tests/golden/oracle.tsv"));
+  std::istringstream lines(file_text(panicle::tests::repository_folder() + "/tests/golden/oracle.tsv"));
   std::string name;
   BoundPointer bound;
   std::unique_ptr<lsystem::Derivation> derivation;
@@ -356,7 +356,8 @@ TEST_CASE("published grammars: strings are those of another engine") {
     if (now != name) {
       name = now;
       derivation.reset();
-      bound = compiled_published(file_text(PANICLE_GRAMMARS "/grammar/" + name));
+      bound =
+          compiled_published(file_text(panicle::tests::repository_folder() + "/wasm-core/grammars/grammar/" + name));
       derivation = std::make_unique<lsystem::Derivation>(*bound, 1, Limits{});
       ++texts;
     } else {

@@ -1,34 +1,14 @@
-// What the fuzz tests share: dice that fall the same each time, and a text tried in every way there is.
+// Tries a text in every way there is: what the fuzz tests of this folder share.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
-#include "foundation/random.hpp"
+#include "fuzz_dice.hpp"
 #include "lsystem/derivation.hpp"
 #include "lsystem/grammars.hpp"
 
 namespace panicle::tests {
-
-// How many texts: more where `npm run fuzz -- texts` asks for them.
-inline std::uint64_t fuzz_runs(std::uint64_t otherwise) {
-  const char* const asked = std::getenv("PANICLE_FUZZ");
-  return asked == nullptr ? otherwise : std::strtoull(asked, nullptr, 10);
-}
-
-// The n-th draw of one text.
-class Dice {
- public:
-  explicit Dice(std::uint64_t text) : text_(text) {}
-  std::size_t below(std::size_t count) {
-    return static_cast<std::size_t>(random_integer(7, text_, drawn_++, 0, static_cast<std::int32_t>(count) - 1));
-  }
-
- private:
-  std::uint64_t text_;
-  std::uint64_t drawn_ = 0;
-};
 
 class Contrary : public Listener {
  public:

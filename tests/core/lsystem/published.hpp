@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "grammar_files.hpp"
 #include "lsystem/grammars.hpp"
 #include "lsystem/words.hpp"
 
@@ -24,12 +25,13 @@ inline std::string file_text(const std::string& path) {
 }
 
 inline std::string published(const std::string& name) {
-  return file_text(PANICLE_GRAMMARS "/grammar/" + name + ".lsys");
+  return file_text(panicle::tests::repository_folder() + "/wasm-core/grammars/grammar/" + name + ".lsys");
 }
 
 inline std::vector<std::string> published_names() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(PANICLE_GRAMMARS "/grammar"))
+  for (const auto& entry :
+       std::filesystem::directory_iterator(panicle::tests::repository_folder() + "/wasm-core/grammars/grammar"))
     if (entry.path().extension() == ".lsys") names.push_back(entry.path().stem());
   std::sort(names.begin(), names.end());
   return names;

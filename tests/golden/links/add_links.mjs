@@ -1,15 +1,42 @@
 /**
- * `npm run links:add [-- LINK…] [-- --renew]`: grows links and lists them with their fingerprints; without one, all that are to stand in the
- * list and do not. What is frozen is never changed; `--renew` takes what previews mean now.
+ * `npm run generate -- links [LINK…]`: adds links with the fingerprints of their plants to links.json, whose links are frozen. Without a link it adds
+ * every link that has to be listed and is not. Listed links are never changed.
  */
-import { spawnSync } from "node:child_process";
+import { argv } from "node:process";
 import { fileURLToPath } from "node:url";
+import { buildCore } from "../../../wasm-core/tools/core.mjs";
+import { repository } from "../../../wasm-core/tools/repository.mjs";
 
-const repository = fileURLToPath(new URL("../../../", import.meta.url));
-const vitest = fileURLToPath(new URL("../../../node_modules/vitest/vitest.mjs", import.meta.url));
-const { status } = spawnSync(process.execPath, [vitest, "run", "tests/golden/links/add.test.ts"], {
-	cwd: repository,
-	env: { ...process.env, PANICLE_ADD_LINKS: JSON.stringify(process.argv.slice(2)) },
-	stdio: "inherit",
-});
-process.exit(status ?? 1);
+/**
+ * @param {readonly string[]} links where empty: all that have to be listed and are not
+ * @returns {Promise<string[]>} the links that were added
+ */
+export async function addLinks(links = []) {
+	if (process.env.PANICLE_CORE !== "built") await buildCore();
+	const { createServer } = await import("vite");
+	const server = await createServer({
+		configFile: false,
+		root: repository,
+		appType: "custom",
+		logLevel: "error",
+		server: { middlewareMode: true, hmr: false, watch: null },
+		optimizeDeps: { noDiscovery: true },
+	});
+	try {
+		const module = await server.ssrLoadModule("/tests/golden/links/add_links.ts");
+		return await module.addLinks(links);
+	} finally {
+		await server.close();
+	}
+}
+
+if (argv[1] === fileURLToPath(import.meta.url)) {
+	try {
+		const added = await addLinks(argv.slice(2));
+		for (const link of added) console.log(link);
+		console.log(`${added.length} links added.`);
+	} catch (error) {
+		console.error(error instanceof Error ? error.message : error);
+		process.exitCode = 1;
+	}
+}

@@ -1,56 +1,81 @@
 /**
- * Links of every version and model still give the plants that they gave. Where one of `frozen` fails, old links have changed: make a new
- * version. `npm run links:add` lists new ones, `npm run links:add -- --renew` takes what previews mean now.
+ * Published links. Where a frozen link fails, old links have changed: the change needs a new version of links. Links of previews may
+ * change: they only have to work. `npm run generate -- links` adds new links to the frozen ones.
  */
 import { describe, expect, it } from "vitest";
 import { modelNamed, modelNames } from "../../../web/src/models/index";
 import { decodeLink } from "../../../web/src/specimen/link";
 import { SPECIMEN_VERSION } from "../../../web/src/specimen/specimen";
-import { FROZEN_VERSION, isFrozen, type Listed, meantBy, modelOf, readList, versionOf } from "./list";
-import { standingLinks } from "./standing_links";
+import { isLongRun } from "../../long_run.mjs";
+import { presetLinks } from "./covering_links";
+import { growthInput } from "./growth_input";
+import { isFrozen, linksToFreeze, meantBy, modelOf, previewLinks, readFrozenLinks, versionOf } from "./list";
 
-const list = readList();
 const models = await Promise.all(modelNames().map(modelNamed));
-const listed = [...list.frozen, ...list.previews];
-const linksOf = (links: readonly Listed[]) => links.map(({ link }) => link);
+const frozen = readFrozenLinks();
 
-describe("published links", () => {
-	it.each([
-		["that are frozen give the same plants for ever", list.frozen, true],
-		["of previews give the plants that they gave last; that may change", list.previews, false],
-	])("%s", async (_, links, frozen) => {
+describe("frozen links", () => {
+	it("are read without a note and grow the same plants as ever", async () => {
 		const now = await Promise.all(
-			links.map(async ({ link }) => {
+			frozen.map(async ({ link }) => {
 				const { notes, fingerprint } = await meantBy(link);
-				expect([link, notes, isFrozen(await modelOf(link), versionOf(link))]).toEqual([link, [], frozen]);
+				expect([link, notes, isFrozen(await modelOf(link), versionOf(link))]).toEqual([link, [], true]);
 				return { link, fingerprint };
 			}),
 		);
-		expect(now).toEqual(links);
+		expect(now).toEqual(frozen);
 	});
 
-	it("are each in the list once, of every model and version that there is", () => {
-		expect(new Set(linksOf(listed)).size).toBe(listed.length);
-		const missing = models.flatMap((model) => {
-			const versions = model.preview ? [SPECIMEN_VERSION] : Array.from({ length: FROZEN_VERSION }, (_, i) => i + 1);
-			return versions.flatMap((version) => standingLinks(model, version));
-		});
-		expect(linksOf(listed)).toEqual(expect.arrayContaining(missing));
+	it("are each listed once, and use every preset, key and detail of the models that are no previews", async () => {
+		const links = frozen.map(({ link }) => link);
+		expect(new Set(links).size).toBe(links.length);
+		expect(links).toEqual(expect.arrayContaining(await linksToFreeze()));
 	});
 
-	it("differ in what they grow into, but for looks and what a preset has as it is", () => {
-		expect(new Set(listed.map(({ fingerprint }) => fingerprint)).size).toBeGreaterThan(0.45 * listed.length);
+	it("have different fingerprints wherever their plants grow from different values", async () => {
+		const first = new Map<string, { link: string; input: unknown }>();
+		for (const { link, fingerprint } of frozen) {
+			const model = await modelOf(link);
+			const input = await growthInput(model, link);
+			const key = `${model.name} ${fingerprint}`;
+			const known = first.get(key);
+			if (known) expect({ ...known, same: link }).toEqual({ ...known, same: link, input });
+			else first.set(key, { link, input });
+		}
 	});
 });
 
-describe("a link from a newer version", () => {
-	it.each(models.map((model) => ({ model, of: model.name })))("says so: $of", async ({ model }) => {
-		const link = `?v=${SPECIMEN_VERSION + 1}&model=${model.name}&seed=7&unheard=of`;
-		const { specimen, notes } = await decodeLink(model, link);
-		expect(specimen).toMatchObject({ model: model.name, seed: 7, v: SPECIMEN_VERSION });
-		expect(notes.map(({ text }) => text)).toEqual([
-			`v: made by a newer version (${SPECIMEN_VERSION + 1}); read as far as it is known here.`,
-			expect.stringMatching(/^unheard: not known here/),
-		]);
+describe("links of previews", () => {
+	/** `npm test` takes two presets of each model, `npm run test:long` every preset and key. */
+	const chosen = async () =>
+		isLongRun
+			? await previewLinks()
+			: models.filter(({ preview }) => preview).flatMap((model) => presetLinks(model, SPECIMEN_VERSION).slice(0, 2));
+
+	it("are read without a note and grow, each preset another plant", async () => {
+		const presets = new Map<string, string>();
+		for (const link of await chosen()) {
+			const { notes, fingerprint } = await meantBy(link);
+			expect([link, notes]).toEqual([link, []]);
+			expect(fingerprint, link).toMatch(/^[0-9a-f]{16}$/);
+			if (!/[?&]preset=/.test(link)) continue;
+			expect(presets.get(fingerprint), link).toBeUndefined();
+			presets.set(fingerprint, link);
+		}
 	});
+});
+
+describe("a link of a newer version", () => {
+	it.each(models.map((model) => ({ model, of: model.name })))(
+		"is read as far as it is known: $of",
+		async ({ model }) => {
+			const link = `?v=${SPECIMEN_VERSION + 1}&model=${model.name}&seed=7&unheard=of`;
+			const { specimen, notes } = await decodeLink(model, link);
+			expect(specimen).toMatchObject({ model: model.name, seed: 7, v: SPECIMEN_VERSION });
+			expect(notes.map(({ text }) => text)).toEqual([
+				`v: made by a newer version (${SPECIMEN_VERSION + 1}); read as far as it is known here.`,
+				expect.stringMatching(/^unheard: not known here/),
+			]);
+		},
+	);
 });

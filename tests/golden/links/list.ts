@@ -1,42 +1,48 @@
-/** The list of links that were published, and what they grew into: docs/links.md, "For ever". */
+/** The frozen links with their fingerprints (links.json), and the links of previews: docs/links.md, "For ever". */
 import { readFileSync, writeFileSync } from "node:fs";
 import { version } from "../../../package.json";
 import type { Core } from "../../../web/src/core/core";
-import { modelNamed } from "../../../web/src/models/index";
+import { modelNamed, modelNames } from "../../../web/src/models/index";
 import type { Model } from "../../../web/src/models/model";
 import { decodeLink, linkParts, modelInQuery } from "../../../web/src/specimen/link";
 import { SPECIMEN_VERSION } from "../../../web/src/specimen/specimen";
 import { freshCore } from "../../web/core/wasm";
+import { coveringLinks } from "./covering_links";
 
-export interface Listed {
-	/** From its `?` on. */
+export interface FrozenLink {
+	/** The link's query, from its `?` on, and its fragment. */
 	readonly link: string;
 	readonly fingerprint: string;
 }
 
-export interface LinkList {
-	/** Never changed, never taken out. */
-	readonly frozen: readonly Listed[];
-	/** Of models, and of a version, that may still change: made anew when they do. */
-	readonly previews: readonly Listed[];
-}
-
 const FILE = new URL("links.json", import.meta.url);
 
-/** The version that releases hold to: what a candidate brings is not among it. */
+/** The newest version of links that is frozen: a release candidate's own version is not. */
 export const FROZEN_VERSION = version.includes("-") ? SPECIMEN_VERSION - 1 : SPECIMEN_VERSION;
 
-/** Whether what a link of that model and version means is fixed. */
+/** Whether the meaning of a model's links of that version is frozen. */
 export const isFrozen = ({ preview }: Model, of: number): boolean => !preview && of <= FROZEN_VERSION;
 
-export function readList(): LinkList {
-	return JSON.parse(readFileSync(FILE, "utf8"));
+export const readFrozenLinks = (): readonly FrozenLink[] => JSON.parse(readFileSync(FILE, "utf8")).frozen;
+
+export function writeFrozenLinks(links: readonly FrozenLink[]): void {
+	const lines = links.map((each) => `\t\t${JSON.stringify(each)}`);
+	writeFileSync(FILE, `{\n\t"frozen": [\n${lines.join(",\n")}\n\t]\n}\n`);
 }
 
-export function writeList(list: LinkList): void {
-	const lines = (links: readonly Listed[]) => links.map((each) => `\t\t${JSON.stringify(each)}`).join(",\n");
-	const text = Object.entries(list).map(([key, links]) => `\t"${key}": [\n${lines(links)}\n\t]`);
-	writeFileSync(FILE, `{\n${text.join(",\n")}\n}\n`);
+const allModels = () => Promise.all(modelNames().map(modelNamed));
+
+/** Links that use everything of the models and versions that are frozen: all of them have to be in links.json. */
+export async function linksToFreeze(): Promise<string[]> {
+	const versions = Array.from({ length: FROZEN_VERSION }, (_, i) => i + 1);
+	const models = (await allModels()).filter(({ preview }) => !preview);
+	return models.flatMap((model) => versions.flatMap((of) => coveringLinks(model, of)));
+}
+
+/** Links that use everything of the models that are previews. */
+export async function previewLinks(): Promise<string[]> {
+	const models = (await allModels()).filter(({ preview }) => preview);
+	return models.flatMap((model) => coveringLinks(model, SPECIMEN_VERSION));
 }
 
 export const modelOf = (link: string): Promise<Model> => modelNamed(modelInQuery(linkParts(link).query));
@@ -45,14 +51,14 @@ export const modelOf = (link: string): Promise<Model> => modelNamed(modelInQuery
 export const versionOf = (link: string): number => Number(new URLSearchParams(linkParts(link).query).get("v") ?? 1);
 
 export interface Meant {
-	/** What could not be used. */
+	/** The notes about the parts of the link that could not be used. */
 	readonly notes: readonly string[];
 	readonly fingerprint: string;
 }
 
 const cores = new Map<string, Promise<Core>>();
 
-/** What a link grows into, as the page does it. */
+/** Grows a link's plant, as the page does. */
 export async function meantBy(link: string): Promise<Meant> {
 	const { query, fragment } = linkParts(link);
 	const model = await modelOf(link);

@@ -75,8 +75,11 @@ it.runIf(isLongRun)("grows a series into a folder that it makes, and goes on whe
 
 it.runIf(isLongRun)("is all in what the container file copies", async () => {
 	const image = join(folder, "image");
-	const lines = (await readFile(join(repository, "Containerfile"), "utf8")).split("\n");
-	for (const [, from, to] of lines.flatMap((line) => [...line.matchAll(/^COPY (\S+) (\S+)$/g)])) {
+	const stages = (await readFile(join(repository, "Containerfile"), "utf8")).split(/^FROM /m);
+	const lines = stages.find((stage) => /^\S+ AS command\n/.test(stage))?.split("\n") ?? [];
+	for (const [, from, to] of lines.flatMap((line) => [
+		...line.matchAll(/^COPY --from=build \/panicle\/(\S+) (\S+)$/g),
+	])) {
 		await cp(join(repository, from), join(image, to), { recursive: true });
 	}
 	const entry = lines.find((line) => line.startsWith("ENTRYPOINT "))?.slice("ENTRYPOINT ".length);

@@ -47,7 +47,7 @@ describe("the growth of a plant as a GLB", () => {
 });
 
 describe.each(["bunch/long-conical", "leaf/oak", "tree/bonsai"])("the growth of %s", (source) => {
-	/** Of its ages, the first and the last among them; `npm run readers` makes all. */
+	/** Of its ages, the first and the last among them; `npm run test:long -- readers` makes all. */
 	const EVERY = 12;
 
 	it("takes 6 MB at the most, by the ages that are made here", async () => {

@@ -1,5 +1,5 @@
 // What a model may keep from one growth for the next: to be quicker, and for nothing else. The same request gives the
-// same plant, byte by byte, whatever is kept (tests/golden/again.test.ts asks in any order).
+// same plant, byte by byte, whatever is kept (tests/golden/native_wasm.test.ts).
 #pragma once
 
 #include <cstddef>

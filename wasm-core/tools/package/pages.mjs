@@ -32,7 +32,7 @@ function page(door, { docComment, members }) {
 	const title = door === "panicle" ? "panicle" : `panicle/${door}`;
 	const begin = [
 		`# ${title}`,
-		"Made from the sources’ own comments by `npm run package`; how it is used is in [package.md](../package.md).",
+		"Made from the sources’ own comments by `npm run docs -- api`; how it is used is in [package.md](../package.md).",
 	];
 	const about = summaryOf(docComment);
 	const known = new Set(members.map(({ name }) => name));

@@ -8,7 +8,7 @@ const cores = new URL("../../../build/core/", import.meta.url);
 
 async function coreBytes(wasm: string): Promise<Uint8Array<ArrayBuffer>> {
 	return readFile(new URL(wasm, cores)).catch(() => {
-		throw new Error(`build/core/${wasm} is missing; npm run core builds it`);
+		throw new Error(`build/core/${wasm} is missing; npm run build:core builds it`);
 	});
 }
 

@@ -1,11 +1,6 @@
-/** Where the built cores lie: one file a model. */
-const addresses = import.meta.glob<string>("../../../build/core/*.wasm", {
-	query: "?url",
-	import: "default",
-	eager: true,
-});
+import { coreFiles } from "./core_files";
 
-/** The address of a core: of a file that was built, by its name, or what is an address already; else undefined. */
+/** The address of a core: of a built file, by its name (`bunch.wasm`), or `file` itself if it is an address; else undefined. */
 export function coreAddress(file: string): string | undefined {
-	return addresses[`../../../build/core/${file}`] ?? (URL.canParse(file) ? file : undefined);
+	return coreFiles[`../../../build/core/${file}`] ?? (URL.canParse(file) ? file : undefined);
 }

@@ -1,6 +1,6 @@
 /**
  * A leaf that another plant bears: baked from a grown one, committed beside this file and read as data, so that no model
- * asks another for it (docs/foliage.md). `npm run bake` writes them.
+ * asks another for it (docs/foliage.md). `npm run generate -- leaves` writes them.
  */
 import { type Block, Columns } from "../core/container";
 

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "grammar_files.hpp"
 #include "models/bunch/builtin.hpp"
 
 using namespace panicle;
@@ -30,7 +31,8 @@ std::string bare(const std::string& text) {
 
 TEST_CASE("the grammars compiled in are the files, less their comments") {
   for (const int number : {1, 2, 3, 4}) {
-    std::ifstream file(std::string(PANICLE_GRAMMARS "/bunch/grape-bunch-") + std::to_string(number) + ".lsys");
+    std::ifstream file(panicle::tests::repository_folder() + "/wasm-core/grammars/bunch/grape-bunch-" +
+                       std::to_string(number) + ".lsys");
     std::ostringstream text;
     text << file.rdbuf();
     const std::string compiled_in(bunch::builtin_grammar(number));

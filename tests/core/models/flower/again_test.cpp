@@ -313,7 +313,7 @@ TEST_CASE("a skin faces outwards") {
 TEST_CASE("all columns are documented where the model is") {
   const Asked asked{.text = text_named("table-3"), .outputs = "meshes"};
   const Plant plant = sound(ask(asked, nullptr));
-  const std::string page = content(PANICLE_GRAMMARS "/../../wasm-core/src/models/flower/model.hpp");
+  const std::string page = content(panicle::tests::repository_folder() + "/wasm-core/src/models/flower/model.hpp");
   std::size_t wide = 0;
   for (std::size_t i = 0; i < plant.columns.size(); ++i) {
     const std::string name(plant.columns[i].name);

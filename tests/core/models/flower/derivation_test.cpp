@@ -500,7 +500,7 @@ TEST_CASE("every grammar of the shelf grows to a whole map, and the same one eac
 }
 
 TEST_CASE("the examples of the language's page grow") {
-  const std::string page = content(PANICLE_GRAMMARS "/../../docs/models/flower/language.md");
+  const std::string page = content(panicle::tests::repository_folder() + "/docs/models/flower/language.md");
   std::size_t examples = 0;
   for (std::size_t at = 0; (at = page.find("```flower\n", at)) != std::string::npos; ++examples) {
     at += 10;

@@ -77,6 +77,8 @@ inline Diagnostic trouble(std::string_view text, const Given& given = {}, const 
 
 inline std::vector<std::filesystem::path> files() { return panicle::tests::grammar_files("flower"); }
 
-inline std::string text_named(const std::string& name) { return content(PANICLE_GRAMMARS "/flower/" + name + ".gl3"); }
+inline std::string text_named(const std::string& name) {
+  return content(panicle::tests::repository_folder() + "/wasm-core/grammars/flower/" + name + ".gl3");
+}
 
 }  // namespace panicle::flower::tests

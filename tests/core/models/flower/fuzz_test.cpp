@@ -1,9 +1,7 @@
 // Texts put together from tokens at random, and good texts with tokens changed: each ends in a flower or a diagnostic,
 // and what grew is a whole map. The seeds are fixed, so a failure comes again.
-#include <cstdlib>
-
 #include "flowers.hpp"
-#include "foundation/random.hpp"
+#include "fuzz_dice.hpp"
 #include "generalized_map/embedding.hpp"
 
 using namespace panicle;
@@ -75,11 +73,6 @@ const std::vector<std::string> pool = {"#define",
                                        "_",
                                        "§"};
 
-std::uint32_t runs() {
-  const char* const asked = std::getenv("PANICLE_FUZZ");
-  return asked == nullptr ? 3000 : static_cast<std::uint32_t>(std::atoi(asked));
-}
-
 void try_out(const std::string& text) {
   Limits limits;
   limits.darts = 20000;
@@ -105,10 +98,10 @@ void try_out(const std::string& text) {
 }  // namespace
 
 TEST_CASE("texts of random tokens end in a flower or a diagnostic") {
-  for (std::uint32_t run = 0; run < runs(); ++run) {
+  for (std::uint64_t run = 0; run < panicle::tests::fuzz_runs(3000); ++run) {
     std::string text;
     const auto draw = [&](std::uint32_t i, std::int32_t most) {
-      return static_cast<std::size_t>(random_integer(run, 1, i, 0, most));
+      return static_cast<std::size_t>(random_integer(run + (panicle::tests::fuzz_seed() << 32), 1, i, 0, most));
     };
     const std::size_t length = 1 + draw(0, 40);
     for (std::uint32_t i = 1; i <= length; ++i) text += pool[draw(i, static_cast<std::int32_t>(pool.size()) - 1)] + " ";
@@ -126,9 +119,10 @@ TEST_CASE("good texts with tokens changed end in a flower or a diagnostic") {
       "V[V(,u,,,,,,)]_{E}[R]_{C2,C(3+step%2)}\n"
       "R : R_C1 < R_C3 -> R_C1 | R_C3\nR{}{step==4}{} -E-> R V\nV{}{step==5}{} -> R\nV -> V[&M(,2)]_{C5}\n#module "
       "M\n#define k=ran(2)\n#define Q(5,0,k,0,1,1,1,1)\n#axiom: Q(,,1)\nQ -> Q[Q]_{E}");
-  for (std::uint32_t run = 0; run < runs(); ++run) {
+  for (std::uint64_t run = 0; run < panicle::tests::fuzz_runs(3000); ++run) {
     const auto draw = [&](std::uint32_t i, std::size_t most) {
-      return static_cast<std::size_t>(random_integer(run, 2, i, 0, static_cast<std::int32_t>(most)));
+      return static_cast<std::size_t>(
+          random_integer(run + (panicle::tests::fuzz_seed() << 32), 2, i, 0, static_cast<std::int32_t>(most)));
     };
     std::string text = texts[draw(0, texts.size() - 1)];
     const std::size_t changes = 1 + draw(1, 3);

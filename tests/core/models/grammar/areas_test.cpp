@@ -8,6 +8,7 @@
 
 #include "environment/surfaces.hpp"
 #include "foundation/random.hpp"
+#include "grammar_files.hpp"
 #include "models/grammar/growing.hpp"
 
 namespace panicle::grammar {
@@ -16,7 +17,7 @@ namespace {
 using Kind = Volume::Kind;
 
 std::string topiary() {
-  std::ifstream file(std::string(PANICLE_GRAMMARS) + "/grammar/topiary.lsys");
+  std::ifstream file(panicle::tests::repository_folder() + "/wasm-core/grammars/grammar/topiary.lsys");
   std::stringstream text;
   text << file.rdbuf();
   return text.str();

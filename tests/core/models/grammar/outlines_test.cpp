@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "grammar_files.hpp"
 #include "growing.hpp"
 #include "models/grammar/surfaces.hpp"
 
@@ -14,7 +15,7 @@ namespace panicle::grammar {
 namespace {
 
 std::string leaf() {
-  std::ifstream file(std::string(PANICLE_GRAMMARS) + "/grammar/leaf.lsys");
+  std::ifstream file(panicle::tests::repository_folder() + "/wasm-core/grammars/grammar/leaf.lsys");
   std::stringstream text;
   text << file.rdbuf();
   return text.str();

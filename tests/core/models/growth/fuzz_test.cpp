@@ -2,9 +2,8 @@
 // whatever it is. The seeds are fixed, so a failure comes again.
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
-#include "foundation/random.hpp"
+#include "fuzz_dice.hpp"
 #include "models/growth/foliage.hpp"
 #include "models/growth/levels.hpp"
 #include "models/growth/texts.hpp"
@@ -104,23 +103,6 @@ const std::vector<std::string> pool = {"footprint",
                                        "]",
                                        "#"};
 
-// The n-th draw of one text.
-class Dice {
- public:
-  explicit Dice(std::uint64_t text) : text_(text) {}
-  std::size_t below(std::size_t count) {
-    return static_cast<std::size_t>(random_integer(13, text_, drawn_++, 0, static_cast<std::int32_t>(count) - 1));
-  }
-
- private:
-  std::uint64_t text_, drawn_ = 0;
-};
-
-std::uint64_t runs(std::uint64_t otherwise) {
-  const char* const asked = std::getenv("PANICLE_FUZZ");
-  return asked == nullptr ? otherwise : std::strtoull(asked, nullptr, 10);
-}
-
 Limits small_limits() {
   Limits limits;
   limits.evaluations = 20'000;
@@ -159,9 +141,9 @@ void is_sound(const std::string& text, std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("growth grammars of random tokens end in a tree or a diagnostic") {
-  for (std::uint64_t text = 0; text < runs(3000); ++text) {
+  for (std::uint64_t text = 0; text < panicle::tests::fuzz_runs(3000); ++text) {
     CAPTURE(text);
-    Dice dice(text);
+    panicle::tests::Dice dice(13, text);
     std::string written;
     for (std::size_t token = dice.below(60); token > 0; --token) written += pool[dice.below(pool.size())] + " ";
     grows(written);
@@ -172,9 +154,9 @@ TEST_CASE("growth grammars with tokens changed end in a tree or a diagnostic") {
   std::vector<std::string> good;
   for (const auto& path : files()) good.push_back(content(path));
   std::size_t sound_texts = 0;
-  for (std::uint64_t text = 0; text < runs(1500); ++text) {
+  for (std::uint64_t text = 0; text < panicle::tests::fuzz_runs(1500); ++text) {
     CAPTURE(text);
-    Dice dice(100'000 + text);
+    panicle::tests::Dice dice(13, 100'000 + text);
     std::string written = good[dice.below(good.size())];
     for (std::size_t change = 1 + dice.below(4); change > 0; --change) {
       const std::size_t at = dice.below(written.size());

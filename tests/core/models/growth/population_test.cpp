@@ -354,7 +354,7 @@ TEST_CASE("a tree whose drawn volumes are written out in numbers stays the same"
 }
 
 TEST_CASE("the examples of the language's page grow") {
-  const std::string page = content(PANICLE_GRAMMARS "/../../docs/models/growth/language.md");
+  const std::string page = content(panicle::tests::repository_folder() + "/docs/models/growth/language.md");
   std::size_t examples = 0;
   for (std::size_t at = 0; (at = page.find("```growth\n", at)) != std::string::npos; ++examples) {
     at += 10;

@@ -40,7 +40,7 @@ inline Diagnostic trouble(std::string_view text, std::uint16_t steps = 6, const 
 inline std::vector<std::filesystem::path> files() { return panicle::tests::grammar_files("growth"); }
 
 inline std::string text_named(const std::string& name) {
-  return content(PANICLE_GRAMMARS "/growth/" + name + ".growth");
+  return content(panicle::tests::repository_folder() + "/wasm-core/grammars/growth/" + name + ".growth");
 }
 
 }  // namespace panicle::growth::tests

@@ -16,7 +16,7 @@ let base: string;
 /** The program by itself in an empty folder: it is one file. */
 beforeAll(async () => {
 	folder = await mkdtemp(join(tmpdir(), "panicle-service-"));
-	const build = ["wasm-core/tools/serve.mjs", "--build"];
+	const build = ["wasm-core/tools/service.mjs", "--build"];
 	const program = execFileSync(process.execPath, build, { cwd: repository, encoding: "utf8" })
 		.trim()
 		.split("\n")
@@ -90,6 +90,6 @@ it("refuses options that it does not know", () => {
 			return `${(error as { status: number }).status} ${(error as { stderr: Buffer }).stderr}`;
 		}
 	};
-	expect(call("--port", "http")).toMatch(/^2 serve: --port http: a number from 0 to 65535\n/);
-	expect(call("--colour")).toMatch(/^2 serve: Unknown option/);
+	expect(call("--port", "http")).toMatch(/^2 service: --port http: a number from 0 to 65535\n/);
+	expect(call("--colour")).toMatch(/^2 service: Unknown option/);
 });

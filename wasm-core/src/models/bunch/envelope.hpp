@@ -34,7 +34,7 @@ class Envelope {
 
   float length() const { return length_; }
   // Half-width of side i (p3 +x, p4 −x, p5 +z, p6 −z) at a depth below p1; 0 outside 0 … length.
-  float half_width(std::size_t side, float depth) const;
+  float half_width(std::size_t i, float depth) const;
   // How far from the axis the outline is, that way round; 0 outside 0 … length.
   float radius(const Azimuth& round, float depth) const;
   // Between two neighbouring sides the outline is a quarter ellipse at every depth. Area of such a slice and volume.

@@ -121,25 +121,25 @@ glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
 
 }  // namespace
 
-void add_plate(Mesh& mesh, std::span<const glm::vec3> corners, std::span<const std::uint32_t> given, float thickness,
-               std::vector<std::uint32_t>& from) {
-  if (given.empty()) return;
-  const std::vector<std::uint32_t> place = places_of(corners, given);
-  std::vector<std::uint32_t> triangles;
-  for (std::size_t k = 0; k < given.size(); k += 3) {
-    const std::uint32_t a = place[given[k]], b = place[given[k + 1]], c = place[given[k + 2]];
-    if (a != b && b != c && c != a) triangles.insert(triangles.end(), {a, b, c});
+void add_plate(Mesh& mesh, std::span<const glm::vec3> corners, std::span<const std::uint32_t> triangles,
+               float thickness, std::vector<std::uint32_t>& from) {
+  if (triangles.empty()) return;
+  const std::vector<std::uint32_t> place = places_of(corners, triangles);
+  std::vector<std::uint32_t> valid;
+  for (std::size_t k = 0; k < triangles.size(); k += 3) {
+    const std::uint32_t a = place[triangles[k]], b = place[triangles[k + 1]], c = place[triangles[k + 2]];
+    if (a != b && b != c && c != a) valid.insert(valid.end(), {a, b, c});
   }
   // Of each corner the sum of its triangles' areas, with and without their turn.
   std::vector<glm::vec3> sums(corners.size(), glm::vec3(0));
   std::vector<float> areas(corners.size(), 0);
   glm::vec3 whole(0);
-  for (std::size_t k = 0; k < triangles.size(); k += 3) {
-    const glm::vec3 &a = corners[triangles[k]], &b = corners[triangles[k + 1]], &c = corners[triangles[k + 2]];
+  for (std::size_t k = 0; k < valid.size(); k += 3) {
+    const glm::vec3 &a = corners[valid[k]], &b = corners[valid[k + 1]], &c = corners[valid[k + 2]];
     const glm::vec3 twice = glm::cross(b - a, c - a);
     for (std::size_t m = 0; m < 3; ++m) {
-      sums[triangles[k + m]] += twice;
-      areas[triangles[k + m]] += glm::length(twice);
+      sums[valid[k + m]] += twice;
+      areas[valid[k + m]] += glm::length(twice);
     }
     whole += twice;
   }
@@ -156,11 +156,10 @@ void add_plate(Mesh& mesh, std::span<const glm::vec3> corners, std::span<const s
     std::vector<std::uint32_t> number(corners.size(), 0);
     for (std::uint32_t corner = 0; corner < corners.size(); ++corner)
       if (areas[corner] > 0) number[corner] = add(corner, side, side * unit(sums[corner], mean));
-    for (std::size_t k = 0; k < triangles.size(); k += 3)
-      put(mesh.indices, number[triangles[k]], number[triangles[k + (side > 0 ? 1 : 2)]],
-          number[triangles[k + (side > 0 ? 2 : 1)]]);
+    for (std::size_t k = 0; k < valid.size(); k += 3)
+      put(mesh.indices, number[valid[k]], number[valid[k + (side > 0 ? 1 : 2)]], number[valid[k + (side > 0 ? 2 : 1)]]);
   }
-  for (const auto& [a, b] : rim_of(triangles)) {
+  for (const auto& [a, b] : rim_of(valid)) {
     const glm::vec3 up = unit(sums[a], mean) + unit(sums[b], mean);
     const glm::vec3 out = unit(glm::cross(corners[b] - corners[a], up), mean);
     const std::uint32_t top = add(a, 1, out), far_top = add(b, 1, out), low = add(a, -1, out),

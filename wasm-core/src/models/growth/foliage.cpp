@@ -251,10 +251,10 @@ Diagnostic add_leaves(Plant& plant, const Population& population, const Form& fo
   plant.organs.reserve(
       std::min<std::size_t>(population.leaves.size() * (habit.many + habit.blossoms), limits.copies + std::size_t{1}));
   const auto too_many = [&] { return plant.organs.size() > limits.copies; };
-  const Diagnostic trouble{Reason::limit,
-                           "The tree has more than " + std::to_string(limits.copies) +
-                               " leaves; ask for fewer steps, or for fewer leaves for one.",
-                           0, 0};
+  Diagnostic trouble{Reason::limit,
+                     "The tree has more than " + std::to_string(limits.copies) +
+                         " leaves; ask for fewer steps, or for fewer leaves for one.",
+                     0, 0};
   for (std::size_t l = 0; l < population.leaves.size();) {
     const std::size_t count = crown.together(l);
     crown.leaves_of(l, count);

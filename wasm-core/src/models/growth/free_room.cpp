@@ -121,7 +121,7 @@ FreeRoom::Found FreeRoom::about(const Look& look, const VolumeShape& volume, con
     const Four place_x = off_x + look.tip.x, place_y = off_y + look.tip.y, place_z = off_z + look.tip.z;
     // What is no number is no place that is free; and a node that is none takes no room, for the grid leaves it out.
     const Four somewhere = place_x + place_y + place_z;
-    auto taken = somewhere != somewhere;
+    auto taken = somewhere != somewhere;  // NOLINT(misc-redundant-expression)
     for (const float *node = near_.data(), *const end = node + 3 * near_count_; node < end; node += 3) {
       const Four to_x = off_x - node[0], to_y = off_y - node[1], to_z = off_z - node[2];
       taken |= to_x * to_x + to_y * to_y + to_z * to_z < square;

@@ -64,8 +64,9 @@ std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const
   std::sort(cells.begin(), cells.end());
   std::vector<glm::vec2> spots;
   for (const std::uint32_t cell : cells) {
-    const float u = (static_cast<float>(cell % across) + luck.unit(3 * cell)) / static_cast<float>(across);
-    const float v = (static_cast<float>(cell / across) + luck.unit(3 * cell + 1)) / static_cast<float>(deep);
+    const std::uint32_t column = cell % across, row = cell / across;
+    const float u = (static_cast<float>(column) + luck.unit(3 * cell)) / static_cast<float>(across);
+    const float v = (static_cast<float>(row) + luck.unit(3 * cell + 1)) / static_cast<float>(deep);
     spots.push_back(strip.at(u, v));
   }
   return spots;

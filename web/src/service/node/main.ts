@@ -1,4 +1,4 @@
-/** `npm run serve`: the service under Node, bundled into one file by wasm-core/tools/serve.mjs. Does its work when it is loaded. */
+/** `npm run service`: the service under Node, bundled into one file by wasm-core/tools/service.mjs. Does its work when it is loaded. */
 import { availableParallelism } from "node:os";
 import { parseArgs } from "node:util";
 import { isMainThread, Worker } from "node:worker_threads";
@@ -7,7 +7,7 @@ import { makeServer } from "./server";
 import { answerQuestions } from "./thread";
 import { Threads } from "./threads";
 
-const USAGE = `npm run serve -- [--port 8765] [--host 127.0.0.1] [--threads N] [--seconds 20]
+const USAGE = `npm run service -- [--port 8765] [--host 127.0.0.1] [--threads N] [--seconds 20]
 Answers /specimens/PRESET.ENDING?… with the plant's file. --host 0.0.0.0 lets other machines ask too.
 `;
 
@@ -29,7 +29,7 @@ async function serve(): Promise<void> {
 	});
 	const server = makeServer(pool);
 	server.on("error", ({ message }) => {
-		process.stderr.write(`serve: ${message}\n`);
+		process.stderr.write(`service: ${message}\n`);
 		process.exitCode = 1;
 		void pool.close();
 	});
@@ -67,6 +67,6 @@ function number(name: string, text: string | undefined, otherwise: number, least
 }
 
 function refuse(why: string): never {
-	process.stderr.write(`serve: ${why}\n${USAGE}`);
+	process.stderr.write(`service: ${why}\n${USAGE}`);
 	process.exit(2);
 }

@@ -10,7 +10,7 @@ import { SAVED } from "./late_parts";
 import { openPart } from "./open_part";
 import { StudioPart } from "./studio_part";
 
-/** Rendered by the app itself on the paper of each theme (`npm run gallery`). */
+/** Rendered by the app itself on the paper of each theme (`npm run pictures -- gallery`). */
 const pictureOf = (model: Model, { name }: Preset, dark: boolean) =>
 	`${import.meta.env.BASE_URL}gallery/${model.name}/${name}-${dark ? "dark" : "light"}.webp`;
 

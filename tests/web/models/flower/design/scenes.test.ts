@@ -1,31 +1,18 @@
-import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { readFileSync, writeFileSync } from "node:fs";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { type Description, described, lineOf, usual } from "../../../../../web/src/models/flower/design/description";
-import { assembled, describedIn, designOf } from "../../../../../web/src/models/flower/design/design";
+import { assembled } from "../../../../../web/src/models/flower/design/design";
 import { moved, readMargin, writtenMargin } from "../../../../../web/src/models/flower/design/margin";
 import { ORGANS, type Organ } from "../../../../../web/src/models/flower/design/organs";
 import { fitOf, SHAPES } from "../../../../../web/src/models/flower/design/shapes";
 import { elevation } from "../../../../../web/src/models/flower/tools/design/elevation";
 import { floralDiagram, floralFormula } from "../../../../../web/src/models/flower/tools/design/floral_diagram";
 import { outlineScene } from "../../../../../web/src/models/flower/tools/design/outline_scene";
-import { pictureOf, type Scene, type SceneHandle } from "../../../../../web/src/models/flower/tools/design/scene";
+import type { Scene, SceneHandle } from "../../../../../web/src/models/flower/tools/design/scene";
+import { descriptionsOf, designedFlowers, diagrams } from "../../../../pictures/diagrams";
 
-const grammars = "wasm-core/grammars/flower";
-const docs = "docs/models/flower";
-
-const descriptionsOf = (text: string): readonly Description[] => {
-	const design = designOf(text);
-	if (!design) throw new Error("no design");
-	return ORGANS.map((organ) => describedIn(design, organ));
-};
-const shelf = readdirSync(grammars)
-	.filter((file) => file.startsWith("designed-"))
-	.map((file) => ({
-		name: file.replace(/^designed-|\.gl3$/g, ""),
-		descriptions: descriptionsOf(readFileSync(join(grammars, file), "utf8")),
-	}));
+const shelf = designedFlowers();
 const usually = descriptionsOf(assembled([usual("sepal", { count: 5 })]));
 
 const handleIn = ({ handles }: Scene, id: string): SceneHandle => {
@@ -161,20 +148,9 @@ it("draws the stem and the bract whole: only middle lines are dashed", () => {
 });
 
 describe("the docs of designs", () => {
-	const kept = (file: string, now: string) => {
-		if (process.env.UPDATE_GOLDENS) {
-			mkdirSync(join(docs, "diagrams"), { recursive: true });
-			writeFileSync(join(docs, file), now);
-		} else expect(readFileSync(join(docs, file), "utf8")).toBe(now);
-	};
-
-	it.each(shelf)(
-		"have the diagram and the elevation of the $name as they are drawn (UPDATE_GOLDENS=1)",
-		({ name, descriptions }) => {
-			kept(`diagrams/${name}-diagram.svg`, pictureOf(floralDiagram(descriptions), `Floral diagram of the ${name}`));
-			kept(`diagrams/${name}-elevation.svg`, pictureOf(elevation(descriptions), `Side elevation of the ${name}`));
-		},
-	);
+	it.each(diagrams())("have $path as `npm run pictures -- drawings` writes it", ({ path, text }) => {
+		expect(readFileSync(path, "utf8")).toBe(text);
+	});
 
 	it("have the table of shapes as it is fitted (UPDATE_GOLDENS=1)", () => {
 		const rows = Object.entries(SHAPES).map(([name, shape]) => {
@@ -182,10 +158,10 @@ describe("the docs of designs", () => {
 			const notes = [even && "even steps", fan > 0 && `foot turned back by ${fan}°`].filter(Boolean).join(", ");
 			return `| ${name} | ${coefficients.join(" ")} | ${error.toFixed(3)} | ${notes} |`;
 		});
-		const before = readFileSync(join(docs, "design.md"), "utf8");
-		kept(
-			"design.md",
-			before.replace(/(\|---\|---\|---\|---\|\n)(?:\|.*\n)*/, (_, head) => `${head}${rows.join("\n")}\n`),
-		);
+		const page = "docs/models/flower/design.md";
+		const before = readFileSync(page, "utf8");
+		const now = before.replace(/(\|---\|---\|---\|---\|\n)(?:\|.*\n)*/, (_, head) => `${head}${rows.join("\n")}\n`);
+		if (process.env.UPDATE_GOLDENS) writeFileSync(page, now);
+		else expect(before).toBe(now);
 	});
 });

@@ -140,7 +140,7 @@ Diagnostic grow_paper(const Request& request, const Values& values, const Limits
   grown.chronicle = std::move(told.value());
   lsystem::Chronicle* const chronicle = grown.chronicle ? &*grown.chronicle : nullptr;
   std::size_t second_from = 0;
-  const Diagnostic trouble = grow_stocks(planned.value(), roles, limits, growth, chronicle, second_from);
+  Diagnostic trouble = grow_stocks(planned.value(), roles, limits, growth, chronicle, second_from);
   if (trouble.reason != Reason::none) return trouble;
   const std::uint32_t loose = growth.finish();
 

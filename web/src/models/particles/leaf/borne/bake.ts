@@ -1,4 +1,4 @@
-/** The leaves that other plants bear, baked from this model's presets: what `npm run bake` writes and a test compares. */
+/** The leaves that other plants bear, baked from this model's presets: what `npm run generate -- leaves` writes and a test compares. */
 import type { Core } from "../../../../core/core";
 import type { LeafFile } from "../../../../plant/leaf";
 import { outlineOf } from "../presets/presets";

@@ -1,0 +1,49 @@
+/** What changed since the last release or the merge base (wasm-core/tools/changes.mjs), as rooms and tests. */
+import { existsSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { changedFiles } from "../../wasm-core/tools/changes.mjs";
+import { repository } from "../../wasm-core/tools/repository.mjs";
+
+/** Names of the folders in a folder of the repository; none where that does not exist. */
+export const foldersIn = (place) =>
+	existsSync(join(repository, place))
+		? readdirSync(join(repository, place), { withFileTypes: true })
+				.filter((entry) => entry.isDirectory())
+				.map(({ name }) => name)
+		: [];
+
+/** All rooms of the core: the folders of wasm-core/src, with each model in place of `models`. */
+export const coreFolders = () => [
+	...foldersIn("wasm-core/src").filter((name) => name !== "models"),
+	...foldersIn("wasm-core/src/models"),
+];
+
+/** Files that concern every room: the build, and what all native tests share. */
+const OF_ALL_ROOMS = /^(wasm-core\/(CMake[^/]*|tools\/native\.cmake)|tests\/core\/[^/]+)$/;
+/** Files of one room: sources, tests, grammars, tables. */
+const OF_A_ROOM = [
+	/^(?:wasm-core\/src|tests\/core)\/(?:models\/)?([^/]+)\//,
+	/^wasm-core\/grammars\/([^/]+)\//,
+	/^wasm-core\/parameters\/([^/.]+)\./,
+];
+
+/** Whether a change of the file can change what grows, or what the native tests find. */
+export const isOfCore = (file) => OF_ALL_ROOMS.test(file) || OF_A_ROOM.some((pattern) => pattern.test(file));
+
+/**
+ * The rooms of the core whose files are among those that changed; all of them where these are unknown, or where one concerns
+ * every room.
+ *
+ * @param {string[] | undefined} files
+ * @returns {string[]}
+ */
+export function roomsOf(files) {
+	const rooms = coreFolders();
+	if (!files || files.some((file) => OF_ALL_ROOMS.test(file))) return rooms;
+	const named = files.flatMap((file) => OF_A_ROOM.map((pattern) => pattern.exec(file)?.[1])).filter(Boolean);
+	// The table of a model of a family, such as leaf.json, names no folder.
+	if (named.some((name) => !rooms.includes(name) && name !== "models")) return rooms;
+	return [...new Set(named)].filter((name) => rooms.includes(name)).sort();
+}
+
+export const changedRooms = () => roomsOf(changedFiles());
