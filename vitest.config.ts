@@ -31,6 +31,7 @@ export default defineConfig({
 		// Ends tests that hang; far above the time of any test.
 		testTimeout: 300_000,
 		hookTimeout: 300_000,
+		expect: { poll: { timeout: 240_000 } },
 		pool: "threads",
 		// All processors: the default leaves one of two idle.
 		maxWorkers: "100%",

@@ -22,12 +22,9 @@ export async function studioWith(specimen: Specimen, model: Model = bunchModel, 
 		remember: vi.fn(),
 	};
 	const studio = new Studio({ model, specimen, ui, systemDark: false }, surroundings);
-	await vi.waitFor(
-		() => {
-			if (!studio.state.face) throw new Error("The tools have not come yet.");
-		},
-		{ timeout: 10_000 },
-	);
+	await vi.waitFor(() => {
+		if (!studio.state.face) throw new Error("The tools have not come yet.");
+	});
 	return { studio, surroundings };
 }
 

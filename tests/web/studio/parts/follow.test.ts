@@ -63,7 +63,7 @@ const aged = (value: number) => studio.edit({ parameters: { age: value } }, PLAY
 beforeAll(async () => {
 	vi.stubGlobal("window", new EventTarget());
 	vi.stubGlobal("ResizeObserver", class {});
-	const tools = vi.waitFor(() => expect(studio.state.face).toBeDefined(), { timeout: 10_000 });
+	const tools = vi.waitFor(() => expect(studio.state.face).toBeDefined());
 	await tools;
 	for (const [name, load] of Object.entries(PARTS) as [Name, () => Promise<new () => StudioPart>][]) {
 		const probe = new (await load())() as unknown as Probe;
