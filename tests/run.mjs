@@ -4,7 +4,7 @@
  *
  *     npm test                  the gate: what must pass before a change lands
  *     npm run test:long         everything, in full (CONTRIBUTING.md)
- *     npm run test:changed      the tests of what changed since the last release or the merge base
+ *     npm run test:changed      the tests of what changed since this branch left main
  *     npm test -- types bunch   the set-up, and the stages, rooms or models named
  *
  * Works on a clean clone: nothing here may import a package.
@@ -35,6 +35,10 @@ async function runStage({ name, run }, plan) {
 }
 
 const plan = readArguments(process.argv.slice(2), stages);
+if ("nothing" in plan) {
+	console.log(plan.nothing);
+	process.exit(0);
+}
 if ("problem" in plan) {
 	console.error(plan.problem);
 	process.exit(2);
@@ -65,7 +69,7 @@ for (const stage of chosen) {
 
 const total = (key) => results.reduce((sum, result) => sum + result[key], 0);
 const times = {
-	run: plan.isLong ? "long" : "gate",
+	run: process.argv.length > 2 && !plan.isLong ? "part" : plan.isLong ? "long" : "gate",
 	seconds: total("seconds"),
 	stages: results.map(({ name, seconds, passed, failed }) => ({ name, seconds, passed, failed })),
 	slowest: slowest(results, 10),

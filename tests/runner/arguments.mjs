@@ -67,6 +67,8 @@ function ordered(stages, names) {
  * tests that import a changed file.
  */
 function changedPlan(stages, isLong, files) {
+	if (files?.length === 0)
+		return { nothing: "Nothing has changed since this branch left main: there is nothing to test." };
 	const isCore = !files || files.some(isOfCore);
 	const base = isCore ? undefined : changeBase();
 	const isTest = (file) => /^tests\/e2e\/.*\.spec\.ts$/.test(file) && existsSync(join(repository, file));
@@ -81,7 +83,7 @@ function changedPlan(stages, isLong, files) {
 /**
  * @param {readonly string[]} args
  * @param {readonly { name: string, isLong?: boolean }[]} stages
- * @returns {Plan | { problem: string }}
+ * @returns {Plan | { problem: string } | { nothing: string }} problem: wrong arguments; nothing: why there is nothing to test
  */
 export function readArguments(args, stages, changed = changedFiles) {
 	const isLong = args.includes("--long");

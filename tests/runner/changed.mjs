@@ -1,7 +1,7 @@
-/** What changed since the last release or the merge base (wasm-core/tools/changes.mjs), as rooms and tests. */
+/** The rooms of the core that a change concerns. */
 import { existsSync, readdirSync } from "node:fs";
 import { join } from "node:path";
-import { changedFiles } from "../../wasm-core/tools/changes.mjs";
+import { changedFiles, gateBase } from "../../wasm-core/tools/changes.mjs";
 import { repository } from "../../wasm-core/tools/repository.mjs";
 
 /** Names of the folders in a folder of the repository; none where that does not exist. */
@@ -46,4 +46,8 @@ export function roomsOf(files) {
 	return [...new Set(named)].filter((name) => rooms.includes(name)).sort();
 }
 
-export const changedRooms = () => roomsOf(changedFiles());
+/** The rooms that the gate sanitizes; all of them without a base to compare with. */
+export function changedRooms() {
+	const base = gateBase();
+	return roomsOf(base && changedFiles({ base }));
+}

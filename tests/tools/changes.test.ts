@@ -1,9 +1,9 @@
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterEach, beforeEach, describe, expect, it } from "vitest";
-import { changeBase, changedFiles } from "../../wasm-core/tools/changes.mjs";
+import { changeBase, changedFiles, gateBase } from "../../wasm-core/tools/changes.mjs";
 
 describe("changed files", () => {
 	let folder: string;
@@ -37,16 +37,31 @@ describe("changed files", () => {
 		expect(changedFiles({ folder, env: {} })).toEqual(["a", "c", "new"]);
 	});
 
-	it("are those of the last commit on main, and those since a named commit", () => {
+	it("are the uncommitted ones on main, and those since a named commit", () => {
 		const first = commit("a");
 		const second = commit("b");
-		commit("c");
 		expect(changeBase({ folder, env: {} })).toBe(second);
-		expect(changedFiles({ folder, env: { PANICLE_BASE: first } })).toEqual(["b", "c"]);
+		expect(changedFiles({ folder, env: {} })).toEqual([]);
+		writeFileSync(join(folder, "a"), "changed");
+		expect(changedFiles({ folder, env: {} })).toEqual(["a"]);
+		expect(changedFiles({ folder, env: { PANICLE_BASE: first } })).toEqual(["a", "b"]);
 	});
 
-	it("are unknown without a history", () => {
+	it("are counted by the gate since the last release on main, and else since the branch left it", () => {
 		commit("a");
+		expect(gateBase({ folder, env: {} })).toBeUndefined();
+		mkdirSync(join(folder, "tests/sizes"), { recursive: true });
+		const release = commit("tests/sizes/last_release.json");
+		const last = commit("b");
+		expect(gateBase({ folder, env: {} })).toBe(release);
+		git("checkout", "-q", "-b", "topic");
+		commit("c");
+		expect(gateBase({ folder, env: {} })).toBe(last);
+	});
+
+	it("are unknown without git", () => {
+		rmSync(join(folder, ".git"), { recursive: true });
 		expect(changedFiles({ folder, env: {} })).toBeUndefined();
+		expect(gateBase({ folder, env: {} })).toBeUndefined();
 	});
 });

@@ -97,6 +97,12 @@ describe("the tests of what changed", () => {
 		});
 	});
 
+	it("are none where nothing changed, and the run says so", () => {
+		expect(readArguments(["--changed"], all, changes())).toEqual({
+			nothing: expect.stringMatching(/^Nothing has changed/),
+		});
+	});
+
 	it("are the web tests that import a changed file where the core did not change", () => {
 		expect(readArguments(["--changed"], all, changes("README.md"))).toEqual({
 			isLong: false,

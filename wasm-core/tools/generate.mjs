@@ -33,7 +33,7 @@ const tasks = {
 		run: async () => (await import("./generate/leaves.mjs")).generateLeaves(),
 	},
 	links: {
-		about: "lists frozen links with their fingerprints (docs/links.md)",
+		about: "adds frozen links with their fingerprints (docs/links.md): those given, or all that are missing",
 		words: "[LINK …]",
 		run: (words) => {
 			const script = join(repository, "tests/golden/links/add_links.mjs");

@@ -90,7 +90,7 @@ async function checkCplusplus({ all, gate }) {
 	const units = unitsOf(changed, await compiledFiles(tools, folder));
 	const chosen = gate ? units.slice(0, GATE_FILES) : units;
 	const rest = units.length > chosen.length ? ` of ${units.length}; \`npm run lint\` checks all of them` : "";
-	console.error(`clang-tidy: ${chosen.length}${rest}`);
+	console.error(`clang-tidy checks ${chosen.length} ${chosen.length === 1 ? "file" : "files"}${rest}`);
 	return tidy(tools["clang-tidy"], folder, chosen);
 }
 

@@ -21,7 +21,7 @@ function options() {
 
 /** The bunch's core, while npm installs the packages. What does not compile is reported once the page is served. */
 async function buildFirst() {
-	console.error("Building the core of the bunch …");
+	console.error("Building the core of the bunch; the first time this takes a minute or more …");
 	try {
 		await buildCore("wasm", ["bunch"]);
 	} catch (error) {
@@ -37,6 +37,9 @@ await command(async () => {
 		configFile: join(repository, "vite.config.ts"),
 		server: { port, host, strictPort: port !== undefined },
 	});
-	await server.listen();
+	await server.listen().catch((error) => {
+		if (!/already in use/.test(error.message)) throw error;
+		throw new ToolchainError(`Port ${port} is in use; \`npm start -- --port N\` takes another.`);
+	});
 	server.printUrls();
 });

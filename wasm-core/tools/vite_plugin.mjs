@@ -55,7 +55,9 @@ async function build(server, state, targets) {
 		const { changed } = await buildCore("wasm", targets);
 		const seconds = ((performance.now() - from) / 1000).toFixed(1);
 		const what = targets.length > 0 ? `core of ${targets.join(", ")}` : "core";
-		logger.info(`${what} ${changed ? "built" : "unchanged"} in ${seconds} s`, { timestamp: true });
+		logger.info(`${what} ${state.isServing && !changed ? "unchanged" : "ready"} after ${seconds} s`, {
+			timestamp: true,
+		});
 		if (state.isServing && targets.length === 0 && (changed || state.hasFailed))
 			server.ws.send({ type: "full-reload" });
 		state.hasFailed = false;
@@ -96,6 +98,7 @@ async function serveCore(server) {
 	server.watcher.add(watched);
 	const change = whenSettled(async () => {
 		await whole;
+		server.config.logger.info("building the core …", { timestamp: true });
 		generate();
 		await build(server, state, []);
 	});
