@@ -12,7 +12,7 @@ const building = new Set<string>();
 const message = document.createElement("p");
 message.setAttribute("role", "status");
 message.style.cssText =
-	"position:fixed;inset:5rem auto auto 50%;transform:translateX(-50%);z-index:1000;pointer-events:none;" +
+	"position:fixed;inset:8rem auto auto 50%;transform:translateX(-50%);z-index:1000;pointer-events:none;" +
 	"margin:0;padding:.6rem 1rem;border-radius:.5rem;width:max-content;" +
 	"background:#2b2320;color:#f4efe4;font:14px/1.4 system-ui,sans-serif;max-width:calc(100vw - 4rem)";
 
