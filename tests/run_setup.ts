@@ -1,7 +1,6 @@
 /** Runs once before all of vitest's tests. */
 import type { TestProject } from "vitest/node";
 import { buildCore, CoreBuildError } from "../wasm-core/tools/core.mjs";
-import { generateCode } from "../wasm-core/tools/generate/files.mjs";
 import { isLongRun } from "./long_run.mjs";
 
 declare module "vitest" {
@@ -12,12 +11,10 @@ declare module "vitest" {
 }
 
 /**
- * Generates code and builds the core, so that tests never run on old ones. `PANICLE_CORE=built` skips the build where the caller has just
- * done it. When the core does not compile, the tests run on the last one that did; `npm test` itself stops before.
+ * Generates code and builds the core, so that tests never run on old ones. When the core does not compile, the tests run on
+ * the last one that did; `npm test` itself stops before.
  */
 async function buildModules(): Promise<void> {
-	generateCode();
-	if (process.env.PANICLE_CORE === "built") return;
 	try {
 		await buildCore("wasm", ["models", "toy"]);
 	} catch (error) {

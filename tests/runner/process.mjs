@@ -21,8 +21,8 @@ export async function node(script, args, env = process.env) {
 }
 
 /** Runs a script as `node` does. Throws a StageError where it fails. */
-export async function mustSucceed(script, args = []) {
-	if ((await node(script, args)) !== 0) throw new StageError("see above");
+export async function mustSucceed(script, args = [], env = {}) {
+	if ((await node(script, args, { ...process.env, ...env })) !== 0) throw new StageError("see above");
 }
 
 /** The path of a report that a stage writes. */

@@ -35,10 +35,13 @@ function native({ native: programs, isLong }) {
 	return nativeTests("native", programs, isLong ? [] : [...new Set(["boundary", ...changedRooms()])].sort());
 }
 
+/** For programs that need the modules, which the stage `wasm` has built. */
+const BUILT = { PANICLE_CORE: "built" };
+
 /** Runs vitest; `report` names its report. */
 async function vitest(report, args) {
 	const outputs = ["--reporter=default", "--reporter=json", `--outputFile=${reportPath(report)}`];
-	const env = { ...process.env, PANICLE_CORE: "built" };
+	const env = { ...process.env, ...BUILT };
 	const status = await node("node_modules/vitest/vitest.mjs", ["run", ...args, ...outputs], env);
 	const { numPassedTests, numFailedTests, testResults } = readReport(report);
 	const tests = testResults
@@ -62,7 +65,12 @@ function timedTests(suite, titles = []) {
 
 /** @param {Plan} plan */
 async function endToEnd({ endToEnd: files }) {
-	const env = { ...process.env, PANICLE_PORT: String(await freePort()), PANICLE_E2E_REPORT: reportPath("e2e.json") };
+	const env = {
+		...process.env,
+		...BUILT,
+		PANICLE_PORT: String(await freePort()),
+		PANICLE_E2E_REPORT: reportPath("e2e.json"),
+	};
 	const status = await node("node_modules/@playwright/test/cli.js", ["test", ...files], env);
 	const report = readReport("e2e.json");
 	const { expected, unexpected, flaky } = report.stats;
@@ -99,7 +107,7 @@ export const stages = [
 	{ name: "native", run: native },
 	{ name: "wasm", run: () => buildCore("wasm", ["models", "toy"]).then(() => undefined) },
 	{ name: "web", run: ({ web }) => vitest("vitest.json", web) },
-	{ name: "app", run: () => mustSucceed("node_modules/vite/bin/vite.js", ["build"]) },
+	{ name: "app", run: () => mustSucceed("node_modules/vite/bin/vite.js", ["build"], BUILT) },
 	{ name: "e2e", run: endToEnd },
 	{ name: "sizes", run: sizes },
 	{ name: "browsers", run: otherBrowsers },

@@ -105,7 +105,8 @@ function publish(name, folder = modulesFolder) {
 
 /**
  * Builds `targets` of a preset of wasm-core/CMakePresets.json. Throws a ToolchainError or a CoreBuildError; modules built
- * before then stay as they are.
+ * before then stay as they are. `PANICLE_CORE=built` says that the modules have just been built, so that programs which one
+ * program starts do not check them one after the other.
  *
  * @param {string} [preset]
  * @param {string[]} [targets] default: everything; of preset wasm, the modules of all models
@@ -115,6 +116,7 @@ function publish(name, folder = modulesFolder) {
  */
 export async function buildCore(preset = "wasm", targets = [], { sanitizeRooms } = {}) {
 	generateCode();
+	if (preset === "wasm" && process.env.PANICLE_CORE === "built") return { changed: false };
 	if (!presets.includes(preset)) throw new ToolchainError(`No preset ${preset}; there are ${presets.join(", ")}.`);
 	const tools = await prepare(preset === "wasm" ? "core" : "native");
 	const env = { ...(tools.emscripten ? emscriptenEnvironment(tools.emscripten) : process.env), ...cacheEnvironment };

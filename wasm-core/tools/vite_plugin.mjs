@@ -144,7 +144,7 @@ export function core() {
 			isBuild = config.command === "build";
 		},
 		async buildStart() {
-			if (isBuild && process.env.PANICLE_CORE !== "built") await buildCore();
+			if (isBuild) await buildCore();
 		},
 		async configureServer(server) {
 			await serveCore(server);

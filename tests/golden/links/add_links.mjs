@@ -12,7 +12,7 @@ import { repository } from "../../../wasm-core/tools/repository.mjs";
  * @returns {Promise<string[]>} the links that were added
  */
 export async function addLinks(links = []) {
-	if (process.env.PANICLE_CORE !== "built") await buildCore();
+	await buildCore();
 	const { createServer } = await import("vite");
 	const server = await createServer({
 		configFile: false,
