@@ -71,7 +71,7 @@ test("a flower is designed: choices, the diagram and the outline write its text,
 	await expect(page).toHaveTitle(/^Buttercup by choices, altered/);
 });
 
-test("what is edited by hand survives a choice elsewhere; what cannot is told, and can be kept", {
+test("edits by hand survive a choice elsewhere; those that cannot are listed, and can be kept", {
 	tag: "@long",
 }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=designed-tulip");

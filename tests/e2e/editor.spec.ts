@@ -51,7 +51,7 @@ test("a mistake is shown where it stands, and the last bunch stays until it is m
 	await expect(studio.fingerprint).toHaveText(first);
 });
 
-test("whoever closes the editor over a mistake is told, and led back", { tag: "@long" }, async ({ page }) => {
+test("closing the editor over a mistake shows a message that leads back to it", { tag: "@long" }, async ({ page }) => {
 	const studio = await new EditorPage(page).edit(PAPER);
 	await studio.endOf("axiom:");
 	await page.keyboard.type(" )");

@@ -98,7 +98,7 @@ test("a chosen volume is let go with the flower that it was of; its sliders are 
 	await expect(page.getByText("None is chosen.")).toBeVisible();
 });
 
-test("a grammar as XML is dropped and grows; a mistake in one is told with its place", { tag: "@long" }, async ({
+test("a grammar as XML is dropped and grows; a mistake in one is reported with its place", { tag: "@long" }, async ({
 	page,
 }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=figure-16");

@@ -26,7 +26,7 @@ test("a dropped .lsys grows, is its link, and is undone; its own file brings it 
 	await expect(studio.fingerprint).toHaveText(grown);
 });
 
-test("a wrong text is told with its place, and the plant stays; a bunch's text grows a bunch", {
+test("a wrong text is reported with its place, and the plant stays; a bunch's text grows a bunch", {
 	tag: "@long",
 }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=grammar");

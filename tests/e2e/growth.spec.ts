@@ -33,7 +33,7 @@ test("a growth volume is stretched by its handle: the text follows, undo and the
 	await expect(studio.fingerprint).toHaveText(grown ?? "");
 });
 
-test("a mistake in the text is told at its place, and the last tree stays", { tag: "@long" }, async ({ page }) => {
+test("a mistake in the text is reported at its place, and the last tree stays", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=growth&preset=figure-5&steps=4");
 	await studio.button("Grammar").click();
 	const text = page.getByRole("region", { name: "Grammar" }).locator(".cm-content");

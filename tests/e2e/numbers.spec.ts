@@ -1,7 +1,7 @@
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
-test("measures are told in words, with unit, descriptor and class, each explained in a sentence", {
+test("measures are shown in words, with unit, descriptor and class, each explained in a sentence", {
 	tag: "@long",
 }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=pinot-noir");
@@ -54,7 +54,7 @@ test("while a hand moves, what was last measured stays; it is measured anew on r
 	await expect(length).not.toHaveText(before);
 });
 
-test("what is not there is told by reason", { tag: "@long" }, async ({ page }) => {
+test("missing measures are shown with their reason", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=long-conical&count=60");
 	await expect(studio.missing("not set")).toHaveText(/^\d+ flowers that set no berry$/);
 });

@@ -91,7 +91,7 @@ test("a new version is offered, and old pages keep theirs until they are left", 
 	await site.stop();
 });
 
-test("a host that rewrites its pages, or takes the worker away, leaves nobody with an old version", {
+test("a host that rewrites its pages, or removes the worker, leaves no visitor with an old version", {
 	tag: "@long",
 }, async ({ page, complaints }) => {
 	const site = new Site("rewritten");

@@ -16,7 +16,7 @@ test("a link of version 1 keeps the paper's bunch, to the bit, and says nothing 
 	await expect(studio.fingerprint).toHaveText(PAPER);
 });
 
-test("each procedure brings the controls that it heeds", { tag: "@long" }, async ({ page }) => {
+test("each procedure brings the controls that it uses", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	const natural = await studio.fingerprint.innerText();
 	await expect(studio.slider("Density")).toBeVisible();

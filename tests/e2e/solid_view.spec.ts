@@ -95,7 +95,7 @@ test.describe("without the picture", () => {
 		await expect(dialog).toBeHidden();
 	});
 
-	test("what has grown is told to a screen reader once it rests", async ({ page }) => {
+	test("a screen reader announces the plant once it rests", async ({ page }) => {
 		const studio = await new StudioPage(page).open();
 		await studio.regrown(() => studio.slider("Length").press("PageDown"));
 		const words = `${await studio.readout("Berries").innerText()} berries`;

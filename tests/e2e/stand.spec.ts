@@ -4,9 +4,9 @@ import { StudioPage } from "./studio_page";
 
 const WOOD = "?v=2&model=stand&preset=ecosystem-500&many=12";
 
-test("a stand is laid, its plants told on the map, walked through, changed and brought back", { tag: "@long" }, async ({
-	page,
-}) => {
+test("a stand grows, shows its plants on the map, is walked through, changed and brought back", {
+	tag: "@long",
+}, async ({ page }) => {
 	const studio = await new StudioPage(page).open(WOOD);
 	const caption = page.getByText("12 plants of 4 kinds on 90 × 90 m").first();
 	await expect(caption).toBeVisible();

@@ -169,7 +169,7 @@ test("a mistake in the text leaves the string; a change derives anew", { tag: "@
 	await studio.reads("abaaba");
 });
 
-test("a step that cannot be told leaves the others in reach", { tag: "@long" }, async ({ page }) => {
+test("a step that cannot be traced leaves the others in reach", { tag: "@long" }, async ({ page }) => {
 	await page.addInitScript(() => {
 		// The core refuses a step that is no whole number.
 		const post = Worker.prototype.postMessage;

@@ -5,7 +5,7 @@ import { StudioPage } from "./studio_page";
 const CUBES = "?v=2&model=grammar&preset=topiary-two-cubes&define=leaf:0.2";
 const over = ".stage-warnings";
 
-test("of a topiary it is told beside the picture what is missed, and what a hand has moved", { tag: "@long" }, async ({
+test("of a topiary a text beside the picture lists missed areas and those that were moved", { tag: "@long" }, async ({
 	page,
 }) => {
 	const studio = await new StudioPage(page).open(`${CUBES}&path=0,0,0,5,0.1,0,5,0.2,0`);
@@ -73,7 +73,7 @@ test("the editor of a text that cannot be grown is offered where the plant would
 	await expect(studio.button("Grammar")).toBeFocused();
 });
 
-test("a picture that holds no plant is told what this model takes", { tag: "@long" }, async ({ page }) => {
+test("a picture without a plant brings a message on what this model accepts", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open(CUBES);
 	const png = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==";
 	await studio.drop("a.png", Buffer.from(png, "base64"));

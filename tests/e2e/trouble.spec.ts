@@ -27,13 +27,13 @@ test("a core of the wrong MIME type grows all the same", { tag: "@long" }, async
 	await expect(studio.canvas).toHaveAccessibleName(/berries/);
 });
 
-test("a page in place of the core is told from one", { tag: "@long" }, async ({ page }) => {
+test("a page in place of the core is recognised", { tag: "@long" }, async ({ page }) => {
 	await page.route("**/*.wasm", (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html>" }));
 	await page.goto("./");
 	await expect(alert(page)).toContainText("What came in place of the core (text/html) cannot be run");
 });
 
-test("a browser without WebAssembly is told what it lacks", { tag: "@long" }, async ({ page }) => {
+test("a browser without WebAssembly shows what it lacks", { tag: "@long" }, async ({ page }) => {
 	await page.addInitScript(() => {
 		Reflect.deleteProperty(globalThis, "WebAssembly");
 	});
@@ -153,7 +153,7 @@ test("what takes long to grow from a text is ended by Escape, which stays in the
 test.describe("to the eye", () => {
 	test.use({ drawn: true });
 
-	test("a lost context is told and comes back", { tag: "@long" }, async ({ page, complaints }) => {
+	test("a lost context is reported and comes back", { tag: "@long" }, async ({ page, complaints }) => {
 		complaints.expect(/CONTEXT_LOST|Context Lost/i);
 		const studio = await new StudioPage(page).open();
 		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
@@ -169,7 +169,7 @@ test.describe("to the eye", () => {
 	});
 });
 
-test("a grammar with an error in it is told with its line and column", { tag: "@long" }, async ({ page }) => {
+test("an error in a grammar is reported with its line and column", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StudioPage(page).open("?preset=short-conical");
 	const { bytes } = await studio.download("json");
 	const first = await studio.fingerprint.innerText();

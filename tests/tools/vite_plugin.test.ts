@@ -59,6 +59,19 @@ async function serving() {
 	return server;
 }
 
+/** A server whose modules are all built, but for that of the stand, which does not compile. */
+async function servingWithoutStand() {
+	const server = fakeServer();
+	build.mockImplementation((_preset, targets) =>
+		targets?.[0] === "stand"
+			? Promise.reject(new Error("places.cpp:3: expected ;"))
+			: Promise.resolve({ changed: true }),
+	);
+	await serve(server);
+	await settled();
+	return server;
+}
+
 const settled = () => vi.advanceTimersByTimeAsync(1000);
 
 beforeEach(() => {
@@ -119,14 +132,7 @@ it("holds a request for a module until it is built, and sends the page its state
 });
 
 it("serves the last module that compiled where the new one does not, and again the new one when it does", async () => {
-	const server = fakeServer();
-	build.mockImplementation((_preset, targets) =>
-		targets?.[0] === "stand"
-			? Promise.reject(new Error("places.cpp:3: expected ;"))
-			: Promise.resolve({ changed: true }),
-	);
-	await serve(server);
-	await settled();
+	const server = await servingWithoutStand();
 	const address = "/@fs/panicle/build/core/stand.wasm";
 	expect(await request(server, address)).toBe(503);
 	vi.mocked(existsSync).mockImplementation((path) => String(path).endsWith("stand.wasm"));
@@ -134,14 +140,7 @@ it("serves the last module that compiled where the new one does not, and again t
 });
 
 it("answers with an error for a module that does not compile, and passes other requests on, malformed ones too", async () => {
-	const server = fakeServer();
-	build.mockImplementation((_preset, targets) =>
-		targets?.[0] === "stand"
-			? Promise.reject(new Error("places.cpp:3: expected ;"))
-			: Promise.resolve({ changed: true }),
-	);
-	await serve(server);
-	await settled();
+	const server = await servingWithoutStand();
 	expect(await request(server, "/@fs/panicle/build/core/stand.wasm")).toBe(503);
 	expect(await request(server, "/@fs/panicle/build/core/bunch.wasm?import")).toBe(200);
 	for (const url of ["/src/studio/main.ts", "/%", "//", ""]) expect(await request(server, url)).toBe(200);

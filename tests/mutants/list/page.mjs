@@ -133,7 +133,7 @@ export default [
 	},
 	{
 		file: "web/src/studio/parts/speaker.ts",
-		suites: [`${E2E}/solid_view.spec.ts: what has grown is told to a screen reader`],
+		suites: [`${E2E}/solid_view.spec.ts: a screen reader announces the plant once it rests`],
 		faults: [
 			{
 				id: "speaker-silent",
