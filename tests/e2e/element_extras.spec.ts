@@ -63,6 +63,18 @@ test("the bar turns, ages, seeds and saves a plant, and leads into the app", asy
 	await seed.fill("-1");
 	await seed.press("Enter");
 	await expect(seed).toHaveValue("12");
+	// An invalid seed gives back the last valid one, also while that one's plant still grows.
+	const typed = await seed.evaluate((field: HTMLInputElement) => {
+		for (const value of ["14", "-1"]) {
+			field.value = value;
+			field.dispatchEvent(new Event("change"));
+		}
+		return field.value;
+	});
+	expect(typed).toBe("14");
+	await seed.fill("12");
+	await seed.press("Enter");
+	await expect(bar.getByRole("link", { name: "Open in the app" })).toHaveAttribute("href", /seed=12/);
 	await expect(bar.getByRole("link", { name: "Open in the app" })).toHaveAttribute(
 		"href",
 		`${library.address}${seeded}`,

@@ -38,6 +38,8 @@ export class Bar implements Extra {
 	#shown: Shown | undefined;
 	/** Whether a hand has changed something since it was last said what grew. */
 	#touched = false;
+	/** The last valid seed that was typed, until its plant is shown. */
+	#requestedSeed: number | undefined;
 	/** `autorotate` as it was when it was last switched off. */
 	#speed = "";
 
@@ -77,6 +79,7 @@ export class Bar implements Extra {
 			if (!this.#age.matches(":active")) this.#age.value = `${value}`;
 			this.#age.ariaValueText = `${value} ${age.unit}`;
 		}
+		if (specimen.seed === this.#requestedSeed) this.#requestedSeed = undefined;
 		if (this.#seed !== this.#host.root.activeElement) this.#seed.value = `${specimen.seed}`;
 		if (this.#touched) this.#say(plantInWords(shown));
 		else if (!this.#said.classList.contains("unseen")) this.#say("");
@@ -116,9 +119,10 @@ export class Bar implements Extra {
 		this.#seed.addEventListener("change", () => {
 			const { valueAsNumber: seed, validity } = this.#seed;
 			if (!validity.valid || Number.isNaN(seed)) {
-				this.#seed.value = `${this.#shown?.specimen.seed ?? ""}`;
+				this.#seed.value = `${this.#requestedSeed ?? this.#shown?.specimen.seed ?? ""}`;
 				return;
 			}
+			this.#requestedSeed = seed;
 			hands.edit((now) => withSeed(now, seed));
 			this.#rest();
 		});
