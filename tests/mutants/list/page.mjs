@@ -88,8 +88,8 @@ export default [
 		faults: [
 			{
 				id: "shortcuts-while-typing",
-				find: "if (event.defaultPrevented || isTyping(event)) return;",
-				replace: "if (event.defaultPrevented) return;",
+				find: "event.defaultPrevented || isTyping(event) ||",
+				replace: "event.defaultPrevented ||",
 				breaks: "typing an n into the search grows another variation",
 			},
 		],

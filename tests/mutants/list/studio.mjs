@@ -79,6 +79,25 @@ export default [
 				replace: "",
 				breaks: "the view stays light in the dark theme",
 			},
+			{
+				id: "solid-view-fetches-without-end",
+				find: "if (shown.model !== this.#missing) void",
+				replace: "void",
+				breaks: "a script that does not come is fetched hundreds of times a second",
+				hangs: true,
+			},
+			{
+				id: "solid-view-never-fetches-again",
+				find: "this.#missing = undefined;\n\t\tconst instead",
+				replace: "const instead",
+				breaks: "a model whose script did not come once is never drawn, though the network is back",
+			},
+			{
+				id: "solid-view-pictures-overlap",
+				find: "if (this.#instead && this.#taking === 0)",
+				replace: "if (this.#instead)",
+				breaks: "of two pictures at once the second shows what a tool compares with",
+			},
 		],
 	},
 	{
@@ -294,6 +313,30 @@ export default [
 				find: 'event.preventDefault();\n\t\t\tthis.querySelector<HTMLElement>("input[type=search]")?.focus();',
 				replace: 'this.querySelector<HTMLElement>("input[type=search]")?.focus();',
 				breaks: "who leaves the strip of presets by Escape loses the chosen plant",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/shortcuts.ts",
+		suites: ["tests/web/studio/shortcut_keys.test.ts"],
+		faults: [
+			{
+				id: "shortcuts-behind-dialogs",
+				find: ' || document.querySelector("dialog[open]")',
+				replace: "",
+				breaks: "Ctrl and Z in a dialog undo a step of the plant behind it",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/late_link.ts",
+		suites: ["tests/web/studio/late_link.test.ts"],
+		faults: [
+			{
+				id: "late-link-overwrites",
+				find: "if (studio.state.history === history) {",
+				replace: "if (history) {",
+				breaks: "what was changed before a long link was read to its end is lost",
 			},
 		],
 	},

@@ -118,6 +118,25 @@ describe("the 3-D view", () => {
 		expect(view.holdView.mock.lastCall).toEqual([false]);
 	});
 
+	it("takes pictures that overlap of the document's plant, too, and shows the tool's after the last", async () => {
+		const { specimen } = studio.state;
+		const other = sampleBunch(3);
+		studio.grew(grown, specimen);
+		update();
+		solid.showInstead({ grown: other, from: specimen });
+		const finish: (() => void)[] = [];
+		const take = () => new Promise<void>((resolve) => finish.push(resolve));
+		view.snapshot.mockImplementationOnce(take).mockImplementationOnce(take);
+		const [first, second] = [solid.picture(), solid.picture()];
+		finish[0]();
+		await first;
+		update();
+		expect(view.show.mock.lastCall?.[0]).toBe(grown);
+		finish[1]();
+		await second;
+		expect(view.show.mock.lastCall?.[0]).toBe(other);
+	});
+
 	it("takes its pictures of the state as it is", async () => {
 		studio.grew(grown, studio.state.specimen);
 		await solid.picture();
@@ -199,6 +218,34 @@ describe("the 3-D view", () => {
 		expect(view.use).toHaveBeenCalledTimes(1);
 		expect(view.use.mock.invocationCallOrder[0]).toBeLessThan(view.show.mock.invocationCallOrder[0]);
 		expect(bunchModel.name).not.toBe(studio.state.model.name);
+	});
+
+	it("fetches a figure that did not come once, and again only when it is asked to or another model was shown", async () => {
+		const figure = vi.fn<() => Promise<never>>(() => Promise.reject(new TypeError("Failed to fetch")));
+		const broken = { ...toy, figure } as unknown as Model;
+		studio.grew(grown, studio.state.specimen);
+		const end = studio.subscribe(update);
+		const notices = () => studio.state.notices.filter(({ title }) => title === `The ${toy.noun} cannot be drawn`);
+		studio.choosePreset("plain", broken);
+		await vi.waitFor(() => expect(studio.state.face).toBeDefined());
+		const toyPlant = { ...grown, measures: undefined };
+		studio.grew(toyPlant, studio.state.specimen);
+		await vi.waitFor(() => expect(notices()).toHaveLength(1));
+		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
+		studio.grew({ ...toyPlant }, studio.state.specimen);
+		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
+		expect(figure).toHaveBeenCalledTimes(1);
+		notices()[0].again?.();
+		await vi.waitFor(() => expect(figure).toHaveBeenCalledTimes(2));
+		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
+		studio.undo();
+		studio.grew(grown, studio.state.specimen);
+		studio.redo();
+		studio.grew(toyPlant, studio.state.specimen);
+		await vi.waitFor(() => expect(figure).toHaveBeenCalledTimes(3));
+		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
+		expect(figure).toHaveBeenCalledTimes(3);
+		end();
 	});
 
 	it("lets go of everything when it goes", () => {

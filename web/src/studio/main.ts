@@ -9,6 +9,7 @@ import { allBut } from "../specimen/all_but";
 import { AddressBar, isForeign, modelInAddress, readAddress, readWholeAddress } from "./address";
 import { Cores } from "./cores";
 import { Growing } from "./growing";
+import { openLate } from "./late_link";
 import { runningBy } from "./panel_groups";
 import { HELP, SAVED } from "./parts/late_parts";
 import { openPart } from "./parts/open_part";
@@ -91,7 +92,7 @@ function start(model: Model): void {
 	);
 	// Asked for before the parts are drawn, the plant grows meanwhile; a text in the fragment has to be unpacked first.
 	if (opened.whole) studio.open(opened, "link");
-	else void readWholeAddress(model, location).then((whole) => studio.open(whole, "link"));
+	else void openLate(studio, readWholeAddress(model, location));
 	draw(studio);
 	followFirst(studio, growing, renewing(studio));
 	listenForSkips();

@@ -7,10 +7,13 @@ export interface Opens {
 	saved(): void;
 }
 
-/** Keys for the whole page. While text is typed or a list is open, they are the field's. Returns what ends it. */
+/**
+ * Keys for the whole page. While text is typed or a list is open, they are the field's, and while a dialog is open, the dialog's.
+ * @returns what ends it
+ */
 export function listenForShortcuts(studio: Studio, opens: Opens): () => void {
 	const listener = (event: KeyboardEvent) => {
-		if (event.defaultPrevented || isTyping(event)) return;
+		if (event.defaultPrevented || isTyping(event) || document.querySelector("dialog[open]")) return;
 		const action = event.ctrlKey || event.metaKey ? commandOf(event, studio, opens) : letterOf(event, studio, opens);
 		if (!action) return;
 		event.preventDefault();
@@ -29,7 +32,7 @@ function commandOf(event: KeyboardEvent, studio: Studio, { saved }: Opens): (() 
 }
 
 function letterOf(event: KeyboardEvent, studio: Studio, { help }: Opens): (() => void) | undefined {
-	if (event.altKey || document.querySelector("dialog[open]")) return undefined;
+	if (event.altKey) return undefined;
 	if (event.key === "Escape" && studio.state.growing) return () => studio.cancel();
 	if (!studio.state.ui.letters) return undefined;
 	// "?" may need Shift; no letter does.

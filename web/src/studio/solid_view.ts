@@ -38,13 +38,15 @@ export class SolidView implements ToolView {
 	/** Whose figure is on the stage, and whose is on its way. */
 	#figured: Model | undefined;
 	#awaited: Model | undefined;
+	/** Whose figure did not come: fetched again only when that is asked for, or when another model was shown. */
+	#missing: Model | undefined;
 	#shown: Shown | undefined;
 	#look: StudioState["specimen"]["look"] | undefined;
 	/** What a tool shows, and what is shown of that. */
 	#instead: Instead | undefined;
 	#stands: Plant | undefined;
-	/** Whether a picture is being taken. */
-	#taking = false;
+	/** How many pictures are being taken. */
+	#taking = 0;
 	#dark: boolean | undefined;
 	/** The hands of the tools of `#face`. */
 	#hands: ToolHands[] = [];
@@ -92,10 +94,11 @@ export class SolidView implements ToolView {
 	update(state: StudioState): void {
 		const { shown, model, held, dark, face } = state;
 		if (shown && shown.model !== this.#figured) {
-			this.#bring(shown.model);
+			if (shown.model !== this.#missing) void this.#bring(shown.model);
 			return;
 		}
-		const instead = this.#taking ? undefined : this.#instead;
+		this.#missing = undefined;
+		const instead = this.#taking > 0 ? undefined : this.#instead;
 		// What is compared with the plant is to be seen from where that is.
 		this.#view.holdView(held || instead !== undefined);
 		const look = shown && lookOf(shown, state);
@@ -118,13 +121,13 @@ export class SolidView implements ToolView {
 
 	/** The present view as a PNG, of the document's plant. */
 	async picture(options: PictureOptions = {}): Promise<Blob> {
-		this.#taking = true;
+		this.#taking++;
 		this.update(this.#studio.state);
 		try {
 			return await this.#taken(options);
 		} finally {
-			this.#taking = false;
-			if (this.#instead) this.update(this.#studio.state);
+			this.#taking--;
+			if (this.#instead && this.#taking === 0) this.update(this.#studio.state);
 		}
 	}
 
@@ -252,23 +255,30 @@ export class SolidView implements ToolView {
 	}
 
 	/** The same while the page goes on; the newest that was asked for is the one that comes. */
-	#bring(model: Model): void {
+	async #bring(model: Model): Promise<void> {
 		if (model === this.#awaited) return;
 		this.#awaited = model;
-		loadFigure(model)
-			.then(() => (model === this.#awaited ? this.#use(model) : undefined))
-			.then(() => {
-				if (model === this.#awaited && !this.#disposed) {
-					this.#awaited = undefined;
-					this.update(this.#studio.state);
-				}
-			})
-			.catch(() => {
-				this.#awaited = undefined;
-				const again = () => this.#bring(model);
-				const details = ["Part of the page could not be fetched; sliders and downloads work all the same.", TRY_AGAIN];
-				this.#studio.notify(`The ${model.noun} cannot be drawn`, details, { again });
-			});
+		this.#missing = undefined;
+		const isWanted = () => model === this.#awaited && !this.#disposed;
+		try {
+			await loadFigure(model);
+			if (isWanted()) await this.#use(model);
+		} catch {
+			if (isWanted()) this.#miss(model);
+			return;
+		}
+		if (!isWanted()) return;
+		this.#awaited = undefined;
+		this.update(this.#studio.state);
+	}
+
+	/** Without its figure a model is not drawn until someone asks for it again: each update that asked would be answered by the next. */
+	#miss(model: Model): void {
+		this.#awaited = undefined;
+		this.#missing = model;
+		const again = () => void this.#bring(model);
+		const details = ["Part of the page could not be fetched; sliders and downloads work all the same.", TRY_AGAIN];
+		this.#studio.notify(`The ${model.noun} cannot be drawn`, details, { again });
 	}
 
 	/** Gives the canvas into the hands of a model's tools. */

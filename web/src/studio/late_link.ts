@@ -1,0 +1,25 @@
+/** A link whose fragment is packed: it is unpacked while the page is in use already. */
+import type { Restored } from "../specimen/restore";
+import type { Studio } from "./studio";
+
+/**
+ * Opens a link once it is unpacked. Where the document has been changed meanwhile it stays, and a notice offers the link's in its place.
+ * @param whole what the link says; rejects where the script that unpacks it cannot be fetched
+ */
+export async function openLate(studio: Studio, whole: Promise<Restored>): Promise<void> {
+	const { history, model } = studio.state;
+	try {
+		const restored = await whole;
+		if (studio.state.history === history) {
+			studio.open(restored, "link");
+			return;
+		}
+		const open = () => studio.take(model, restored, "link");
+		const details = ["You changed the plant before the link was read to its end; your changes are kept."];
+		studio.notify("The link is not opened yet", details, { act: { words: "Open the link", run: open } });
+	} catch {
+		studio.notify("The link could not be read to its end", [
+			"Part of this page could not be fetched; check the connection and load the page again.",
+		]);
+	}
+}
