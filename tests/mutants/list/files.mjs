@@ -35,6 +35,12 @@ export default [
 				breaks: "a download that takes its time cannot be cancelled",
 				hangs: true,
 			},
+			{
+				id: "exporter-uncloneable-leaks",
+				find: "end(() => reject(error));",
+				replace: "reject(error);",
+				breaks: "a plant that cannot be copied to a worker leaves the worker behind",
+			},
 		],
 	},
 	{

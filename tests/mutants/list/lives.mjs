@@ -11,6 +11,12 @@ export default [
 				breaks: "a page that was hidden jumps to the end of the play",
 			},
 			{
+				id: "life-runs-twice",
+				find: "if (this.#isFrameDue) return;",
+				replace: "",
+				breaks: "a play that is stopped and started quickly runs at twice its speed",
+			},
+			{
 				id: "life-motion-unwelcome-unheeded",
 				find: "if (this.#clock.stepwise()) {",
 				replace: "if (false) {",

@@ -63,10 +63,16 @@ export default [
 			},
 			{
 				id: "client-superseded-never-told",
-				find: "this.#waiting?.reject(new Superseded());\n\t\tthis.#waiting = waiting;",
-				replace: "this.#waiting = waiting;",
+				find: "this.#takeWaiting()?.reject(new Superseded());\n\t\tconst abort",
+				replace: "this.#takeWaiting();\n\t\tconst abort",
 				breaks: "what was superseded is waited for for ever",
 				hangs: true,
+			},
+			{
+				id: "client-listeners-pile-up",
+				find: "waiting?.ignoreSignal();",
+				replace: "",
+				breaks: "a long drag leaves a listener on its signal for each step",
 			},
 		],
 	},
@@ -74,6 +80,12 @@ export default [
 		file: `${SRC}/seat.ts`,
 		suites: [`${TESTS}/seat.test.ts`, `${TESTS}/pool.test.ts`],
 		faults: [
+			{
+				id: "seat-uncloneable-waits",
+				find: "this.#die(`its request could not be sent",
+				replace: "console.info(`its request could not be sent",
+				breaks: "a request that cannot be copied to a worker is waited for without end",
+			},
 			{
 				id: "seat-heard-after-its-end",
 				find: 'if (this.#over) return;\n\t\tif (message.type === "broken")',

@@ -121,6 +121,19 @@ describe("the player of a life", () => {
 		expect(age() - fast).toBeLessThan(3);
 	});
 
+	it("runs one loop of frames, though it is stopped and started again before the next frame", () => {
+		const frames: ((now: number) => void)[] = [];
+		const clock = { request: (frame: (now: number) => void) => void frames.push(frame), stepwise: () => false };
+		player.dispose();
+		player = new LifePlayer(studio, LIFE, PLAYED, clock);
+		for (let press = 0; press < 5; press++) play(press % 2 === 0);
+		for (let frame = 0; frame < 3; frame++) {
+			expect(frames).toHaveLength(1);
+			frames.shift()?.(FRAME * frame);
+		}
+		player.dispose();
+	});
+
 	it("lets go for good: where it stood is a step, and nothing runs any more", () => {
 		play(true);
 		run(1000);

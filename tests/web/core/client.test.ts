@@ -136,6 +136,23 @@ describe("cancelling", () => {
 		expect(FakeWorker.all[0].seeds).toEqual([2]);
 	});
 
+	it("leaves one listener on a signal, however many requests of a drag it has cancelled", async () => {
+		start();
+		const { signal } = new AbortController();
+		const heard = new Set<unknown>();
+		const add = vi.spyOn(signal, "addEventListener").mockImplementation((_, listener) => void heard.add(listener));
+		vi.spyOn(signal, "removeEventListener").mockImplementation((_, listener) => void heard.delete(listener));
+		const drag = Array.from({ length: 100 }, (_, seed) => client.grow(withSeed(seed), { signal }).catch(() => {}));
+		await settled();
+		expect(add).toHaveBeenCalled();
+		expect(heard.size).toBe(1);
+		FakeWorker.all[0].finish();
+		await settled();
+		expect(heard.size).toBe(0);
+		FakeWorker.all[0].finish();
+		await Promise.all(drag);
+	});
+
 	it("lets the request that waits begin at once", async () => {
 		start();
 		const controller = new AbortController();

@@ -37,3 +37,14 @@ it("a worker dies but once, and it is told whether it ever lived", async () => {
 	other.worker.onmessageerror?.();
 	expect(other.events.died.mock.calls).toEqual([["its answer could not be read", true]]);
 });
+
+it("ends a worker that a request cannot be sent to, so that nobody waits for its answer", async () => {
+	const { worker, events, seat } = seated();
+	vi.spyOn(worker, "postMessage").mockImplementation((message) => {
+		if (message.type === "grow") structuredClone({ message, uncloneable: () => {} });
+	});
+	seat.grow(1, withSeed(1).blocks, compiled);
+	await vi.waitFor(() => expect(events.died).toHaveBeenCalledOnce());
+	expect(events.died.mock.calls[0][0]).toMatch(/^its request could not be sent: /);
+	expect(worker.terminated).toBe(true);
+});

@@ -56,6 +56,18 @@ describe("making a file", () => {
 		expect(worker.terminate).toHaveBeenCalledOnce();
 	});
 
+	it("ends the worker and stops listening for cancelling when the request cannot be sent to it", async () => {
+		const cancel = new AbortController();
+		const heard = vi.spyOn(cancel.signal, "removeEventListener");
+		const worker = new Standin();
+		worker.postMessage.mockImplementation((message) => void structuredClone({ message, uncloneable: () => {} }));
+		const spawn = () => worker as unknown as Worker;
+		const file = exportFile(model, request, { spawn, signal: cancel.signal });
+		await expect(file).rejects.toMatchObject({ name: "DataCloneError" });
+		expect(worker.terminate).toHaveBeenCalledOnce();
+		expect(heard).toHaveBeenCalledOnce();
+	});
+
 	it("tells what cannot be made from what did not come", async () => {
 		const failing = asking();
 		failing.worker.onmessage?.({ data: { type: "failed", message: "too large" } });

@@ -36,6 +36,8 @@ export class LifePlayer {
 	readonly #clock: Clock;
 	readonly #unsubscribe: () => void;
 	#running = false;
+	/** Whether a frame is due: one that was requested before a stop serves the next start. */
+	#isFrameDue = false;
 	#age = 0;
 	#last = 0;
 	/** What the last frame made; anything else on the controls means that a hand has taken over. */
@@ -69,6 +71,12 @@ export class LifePlayer {
 		const { end, height, stages } = this.#life;
 		this.#age = age >= end || age === height ? stages[0].at : age;
 		this.#last = Number.NaN;
+		this.#requestFrame();
+	}
+
+	#requestFrame(): void {
+		if (this.#isFrameDue) return;
+		this.#isFrameDue = true;
 		this.#clock.request(this.#frame);
 	}
 
@@ -82,6 +90,7 @@ export class LifePlayer {
 	}
 
 	readonly #frame = (now: number): void => {
+		this.#isFrameDue = false;
 		if (!this.#running) return;
 		const desk = this.#desk;
 		if (this.#made && desk.state.specimen !== this.#made) {
@@ -95,7 +104,7 @@ export class LifePlayer {
 			this.#made = desk.state.specimen;
 		}
 		if (this.#age >= this.#life.end) this.#stop();
-		else this.#clock.request(this.#frame);
+		else this.#requestFrame();
 	};
 
 	get #whole(): number {

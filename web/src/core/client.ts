@@ -34,6 +34,8 @@ export interface GrowOptions {
 interface Waiting {
 	begin(): void;
 	reject(reason: unknown): void;
+	/** Stops listening for cancelling: it waits no longer. */
+	ignoreSignal(): void;
 }
 
 export class Client {
@@ -87,7 +89,7 @@ export class Client {
 					.then(resolve, reject);
 			};
 			if (this.#running < this.#abreast) begin();
-			else this.#wait({ begin, reject }, signal);
+			else this.#wait(begin, reject, signal);
 		});
 	}
 
@@ -100,8 +102,7 @@ export class Client {
 
 	/** What is under way rejects with Superseded. Ends the workers of a pool of its own. */
 	close(): void {
-		this.#waiting?.reject(new Superseded());
-		this.#waiting = undefined;
+		this.#takeWaiting()?.reject(new Superseded());
 		if (this.#ownsPool) this.#pool.close();
 		else this.#closing.abort(new Superseded());
 	}
@@ -111,19 +112,25 @@ export class Client {
 		return signal ? AbortSignal.any([signal, this.#closing.signal]) : this.#closing.signal;
 	}
 
-	#wait(waiting: Waiting, signal: AbortSignal | undefined): void {
-		this.#waiting?.reject(new Superseded());
-		this.#waiting = waiting;
-		signal?.addEventListener("abort", () => {
-			if (this.#waiting !== waiting) return;
-			this.#waiting = undefined;
-			waiting.reject(signal.reason);
-		});
+	/** Takes the place of the request that waits. */
+	#wait(begin: () => void, reject: (reason: unknown) => void, signal: AbortSignal | undefined): void {
+		this.#takeWaiting()?.reject(new Superseded());
+		const abort = () => this.#takeWaiting()?.reject(signal?.reason);
+		// A drag has one signal for all its requests: each that waits no longer takes its listener along.
+		const ignoreSignal = () => signal?.removeEventListener("abort", abort);
+		this.#waiting = { begin, reject, ignoreSignal };
+		signal?.addEventListener("abort", abort);
+	}
+
+	/** The request that waits, which waits no longer. */
+	#takeWaiting(): Waiting | undefined {
+		const waiting = this.#waiting;
+		this.#waiting = undefined;
+		waiting?.ignoreSignal();
+		return waiting;
 	}
 
 	#next(): void {
-		const next = this.#waiting;
-		this.#waiting = undefined;
-		next?.begin();
+		this.#takeWaiting()?.begin();
 	}
 }

@@ -43,7 +43,7 @@ export class Seat {
 	grow(id: number, blocks: readonly Block[], { wasm, module }: Compiling): void {
 		this.#when(module, (compiled) => {
 			this.#give(wasm, compiled);
-			this.#post({ type: "grow", id, wasm, blocks });
+			if (!this.#over) this.#post({ type: "grow", id, wasm, blocks });
 		});
 	}
 
@@ -69,8 +69,13 @@ export class Seat {
 		);
 	}
 
+	/** A request that cannot be copied (DataCloneError, or no memory for the copy) ends the worker: its job is settled as that of one that died. */
 	#post(message: ToWorker): void {
-		this.#worker.postMessage(message);
+		try {
+			this.#worker.postMessage(message);
+		} catch (error) {
+			this.#die(`its request could not be sent: ${error instanceof Error ? error.message : error}`);
+		}
 	}
 
 	#hear(message: FromWorker): void {

@@ -53,7 +53,12 @@ function ask(request: FileRequest, { signal, spawn = spawnExporter }: ExportOpti
 			// What fails once the script runs is answered: without a word, it has not come.
 			end(() => reject(event.message ? new Error(event.message) : new NotFetched()));
 		};
-		worker.postMessage(request);
+		try {
+			worker.postMessage(request);
+		} catch (error) {
+			// A plant that the browser cannot copy (DataCloneError): the worker has nothing to do.
+			end(() => reject(error));
+		}
 	});
 }
 

@@ -45,7 +45,8 @@ export class Axes {
 	/** The change that takes axes to values, each on its own steps. */
 	to(values: ReadonlyMap<string, number>): Change {
 		const parameters: Record<string, number> = {};
-		const constants: Record<string, number> = {};
+		// Names are the text's own: any word, `__proto__` too.
+		const constants: Record<string, number> = Object.create(null);
 		for (const { id, min, max, step } of this.all) {
 			const value = values.get(id);
 			if (value === undefined) continue;

@@ -208,6 +208,20 @@ describe("who paints leaves", () => {
 		expect(delivered).toEqual([true, true]);
 	});
 
+	it("paints in the page what cannot be copied to the worker", async () => {
+		const bench = new Bench();
+		vi.spyOn(bench, "postMessage").mockImplementation(() => void structuredClone({ uncloneable: () => {} }));
+		const delivered: Faces[] = [];
+		const commission = new Commission(
+			(faces) => delivered.push(faces),
+			() => bench,
+		);
+		commission.order(leaf, specimen);
+		await commission.whenDone();
+		expect(bench.ended).toBe(true);
+		expect(delivered).toHaveLength(1);
+	});
+
 	it("paints in the page where no worker can be had", async () => {
 		const bench = new Bench();
 		const delivered: Faces[] = [];

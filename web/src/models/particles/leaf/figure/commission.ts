@@ -58,7 +58,16 @@ export class Commission {
 		this.#underWay = { order, leaf };
 		this.#given = leaf;
 		if (this.#alone) this.#paint(this.#alone);
-		else this.#employ().postMessage(order);
+		else this.#send(order);
+	}
+
+	/** An order that cannot be copied to the worker is painted here. */
+	#send(order: PaintOrder): void {
+		try {
+			this.#employ().postMessage(order);
+		} catch {
+			this.#paintAlone();
+		}
 	}
 
 	#employ(): PaintWorker {
@@ -67,12 +76,17 @@ export class Commission {
 		worker.onmessage = ({ data }: MessageEvent<Painted>) => this.#take(data);
 		worker.onerror = (event) => {
 			event.preventDefault(); // It is dealt with here; the console need not hear of it.
-			worker.terminate();
-			this.#alone = new Painter();
-			this.#paint(this.#alone);
+			this.#paintAlone();
 		};
 		this.#worker = worker;
 		return worker;
+	}
+
+	/** From now on without a worker. */
+	#paintAlone(): void {
+		this.#worker?.terminate();
+		this.#alone = new Painter();
+		this.#paint(this.#alone);
 	}
 
 	/** The order under way, here. */
