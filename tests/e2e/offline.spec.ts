@@ -142,6 +142,66 @@ test.describe("without a service worker", () => {
 	});
 });
 
+test("a specimen that takes long holds up none of the app's files: a page grows it", { tag: "@long" }, async ({
+	page,
+}) => {
+	const site = new Site("heavy");
+	const html = `<!doctype html><title>Plants</title><link rel="icon" href="icons/panicle.svg">`;
+	const address = await site.start({ "plants/mine.html": { html } });
+	await page.goto(`${address}mine.html`);
+	await page.evaluate(async () => (await import(new URL("specimens.js", location.href).href)).ready);
+	const order = await page.evaluate(async () => {
+		const order: string[] = [];
+		const get = async (name: string, path: string) => {
+			const { status } = await fetch(path);
+			order.push(`${name} ${status}`);
+		};
+		const plant = get("plant", "specimens/growth/oak.glb?steps=14");
+		// By then it grows.
+		await new Promise((resolve) => setTimeout(resolve, 1000));
+		for (let i = 0; i < 5; i++) await get("file", "icons/panicle.svg");
+		order.push("files are there");
+		await plant;
+		return order;
+	});
+	expect(order).toEqual([...Array.from({ length: 5 }, () => "file 200"), "files are there", "plant 200"]);
+	expect(page.workers().map((worker) => worker.url())).toEqual([
+		expect.stringMatching(/assets\/specimens-[\w-]{8}\.js$/),
+	]);
+	await page.goto("about:blank");
+	await site.stop();
+});
+
+test("the plant of a frame keeps its scripts while newer versions come", { tag: "@long" }, async ({
+	page,
+	context,
+}) => {
+	const site = new Site("frames");
+	const address = await site.start();
+	const studio = new StudioPage(page);
+	await page.goto(`${address}${SMALL}`);
+	await expectKept(page);
+	const frame = await context.newPage();
+	await frame.goto(`${address}embed.html${SMALL}`);
+	await frame.waitForFunction(() => document.querySelector<PanicleSpecimen>("panicle-specimen")?.plant);
+	const exporter = readdirSync(join(site.folder, "assets")).find((name) => /^file_worker-[\w-]{8}\.js$/.test(name));
+	site.deploy("exporter");
+	await page.reload();
+	await studio.notices.getByRole("button", { name: "Reload" }).click();
+	await expect.poll(() => wholeBuilds(page)).toBe(2);
+	await page.reload();
+	await expect(studio.fingerprint).toHaveText(/\w/);
+	expect(exporter).toBeDefined();
+	const size = await frame.evaluate(async () => {
+		const plant = document.querySelector<PanicleSpecimen>("panicle-specimen");
+		return (await plant?.toFile("glb"))?.size;
+	});
+	expect(size).toBeGreaterThan(1000);
+	expect(await wholeBuilds(page)).toBe(2);
+	await page.goto("about:blank");
+	await site.stop();
+});
+
 test("a page of the same host has specimens by their addresses, with and without it", { tag: "@long" }, async ({
 	page,
 	complaints,

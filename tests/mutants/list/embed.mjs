@@ -132,6 +132,18 @@ export default [
 				replace: "given < least",
 				breaks: "a page asks a frame for a million million points",
 			},
+			{
+				id: "frame-listeners-unlimited",
+				find: "this.#listeners.size >= MOST_LISTENERS",
+				replace: "false",
+				breaks: "a page that makes frames without end has a plant hold them all",
+			},
+			{
+				id: "frame-closed-listeners-kept",
+				find: "if (listener.closed) this.#listeners.delete(listener);",
+				replace: "",
+				breaks: "windows that are closed take the places of those that are open",
+			},
 		],
 	},
 	{
@@ -179,6 +191,42 @@ export default [
 				find: '.pipeThrough(new CompressionStream("gzip"))',
 				replace: "",
 				breaks: "the dialog says twice what a visitor downloads",
+			},
+		],
+	},
+	{
+		file: "web/src/element/app_address.ts",
+		suites: ["tests/web/element/app_address.test.ts"],
+		faults: [
+			{
+				id: "app-address-runs-scripts",
+				find: 'return protocol === "http:" || protocol === "https:" || protocol === own?.protocol ? href : undefined;',
+				replace: "return protocol ? href : undefined;",
+				breaks: "“Open in the app” runs a script that an attribute holds",
+			},
+		],
+	},
+	{
+		file: "web/src/element/current_document.ts",
+		suites: ["tests/web/element/current_document.test.ts"],
+		faults: [
+			{
+				id: "element-failure-kept",
+				find: "if (this.#current === next) this.#current = isBeforeGood ? before : undefined;",
+				replace: "",
+				breaks: "an element whose script did not come once never grows again",
+			},
+		],
+	},
+	{
+		file: "web/src/element/commons.ts",
+		suites: ["tests/web/element/commons.test.ts"],
+		faults: [
+			{
+				id: "element-holds-no-scripts",
+				find: "if (!this.#held) this.#options.hold();",
+				replace: "",
+				breaks: "an update of the app deletes scripts that an open frame has yet to fetch",
 			},
 		],
 	},

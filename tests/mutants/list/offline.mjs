@@ -124,4 +124,46 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/offline/hold_scripts.ts",
+		suites: ["tests/web/offline/hold_scripts.test.ts"],
+		faults: [
+			{
+				id: "offline-lock-let-go",
+				find: "() => new Promise(() => {})",
+				replace: "async () => {}",
+				breaks: "an update deletes scripts that an open page has yet to fetch",
+			},
+		],
+	},
+	{
+		file: "web/src/offline/page_growth.ts",
+		suites: ["tests/web/offline/page_growth.test.ts"],
+		faults: [
+			{
+				id: "offline-no-page-grows",
+				find: "data === FREE && settle(port1)",
+				replace: "data === GROWTH_NEEDED && settle(port1)",
+				breaks: "the service worker grows specimens itself, and the app's files wait",
+			},
+		],
+	},
+	{
+		file: "web/src/offline/specimen_queue.ts",
+		suites: ["tests/web/offline/specimen_queue.test.ts"],
+		faults: [
+			{
+				id: "offline-growth-without-end",
+				find: "this.#timer = setTimeout(() => this.#break(refusal(late)), LONGEST_GROWTH);",
+				replace: "",
+				breaks: "a specimen that never ends keeps all others waiting",
+			},
+			{
+				id: "offline-queue-unlimited",
+				find: "this.#waiting.length >= MOST_WAITING",
+				replace: "false",
+				breaks: "requests for specimens pile up without a limit",
+			},
+		],
+	},
 ];

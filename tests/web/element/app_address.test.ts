@@ -23,6 +23,18 @@ describe("where Open in the app leads", () => {
 		expect(await addressIn("package", "../app/")).toBe("https://a.page/app/");
 	});
 
+	it("is no script and no data: only addresses of HTTP lead anywhere", async () => {
+		for (const mode of ["production", "package"])
+			for (const said of [
+				"javascript:alert(1)//",
+				" JavaScript:alert(1)",
+				"data:text/html,x",
+				"blob:https://a.page/1",
+				"mailto:a@b",
+			])
+				expect(await addressIn(mode, said)).toBeUndefined();
+	});
+
 	it("is nowhere where that is what a page says, or says what is no address", async () => {
 		for (const mode of ["production", "package"]) {
 			expect(await addressIn(mode, "")).toBeUndefined();

@@ -5,11 +5,12 @@ import type { Renderer } from "../../../web/src/scene/renderer";
 
 const pool = vi.fn(() => ({ close: vi.fn() }) as unknown as Pool);
 const renderer = vi.fn(async () => ({ dispose: vi.fn() }) as unknown as Renderer);
+const hold = vi.fn();
 let commons: Commons;
 beforeEach(() => {
 	vi.useFakeTimers();
 	vi.clearAllMocks();
-	commons = new Commons({ pool, renderer });
+	commons = new Commons({ pool, renderer, hold });
 });
 afterEach(() => vi.useRealTimers());
 
@@ -47,4 +48,11 @@ it("tries again for a renderer that could not be had", async () => {
 	renderer.mockRejectedValueOnce(new Error("no script"));
 	await expect(commons.renderer()).rejects.toThrow("no script");
 	expect(await commons.renderer()).toBeDefined();
+});
+
+it("holds the scripts that plants may yet need, once, when the first plant comes", () => {
+	expect(hold).not.toHaveBeenCalled();
+	commons.enter()();
+	commons.enter();
+	expect(hold).toHaveBeenCalledOnce();
 });

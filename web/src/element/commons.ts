@@ -6,6 +6,7 @@ import { Client } from "../core/client";
 import { compileCore } from "../core/loader";
 import { Pool } from "../core/pool";
 import { spawnWorker } from "../core/spawn";
+import { holdScripts } from "../offline/hold_scripts";
 import type { Renderer } from "../scene/renderer";
 import { loadScene } from "./figures";
 
@@ -15,21 +16,26 @@ const LINGER = 1000;
 export interface CommonsOptions {
 	pool?: () => Pool;
 	renderer?: () => Promise<Renderer>;
+	/** Has the scripts that plants may yet need stay where they are. */
+	hold?: () => void;
 }
 
 export class Commons {
 	readonly #options: Required<CommonsOptions>;
+	#held = false;
 	#users = 0;
 	#pool: Pool | undefined;
 	#renderer: Promise<Renderer> | undefined;
 	#leaving: ReturnType<typeof setTimeout> | undefined;
 
-	constructor({ pool = ownPool, renderer = ownRenderer }: CommonsOptions = {}) {
-		this.#options = { pool, renderer };
+	constructor({ pool = ownPool, renderer = ownRenderer, hold = holdOwn }: CommonsOptions = {}) {
+		this.#options = { pool, renderer, hold };
 	}
 
 	/** One plant more. @returns what is to be called once when it goes */
 	enter(): () => void {
+		if (!this.#held) this.#options.hold();
+		this.#held = true;
 		this.#users++;
 		clearTimeout(this.#leaving);
 		return () => {
@@ -68,6 +74,11 @@ export const commons = new Commons();
 
 function ownPool(): Pool {
 	return new Pool({ spawn: spawnWorker, compile: compileCore, seats: Math.min(navigator.hardwareConcurrency, 2) });
+}
+
+/** Of the element: where it is in a page of the app's folder, or in `embed.html`, the service worker fetches its scripts. */
+function holdOwn(): void {
+	holdScripts(import.meta.url);
 }
 
 async function ownRenderer(): Promise<Renderer> {

@@ -16,6 +16,7 @@ import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { appAddress } from "./app_address";
 import { readAttributes, saysSpecimen } from "./attributes";
 import { commons } from "./commons";
+import { CurrentDocument } from "./current_document";
 import { Extras } from "./extras/extras";
 import { growDocument } from "./grow_document";
 import { changedIn, type Document, detailOf, documentOf, type GrownDetail, type Shown } from "./grown_detail";
@@ -31,7 +32,10 @@ export class PanicleSpecimen extends HTMLElement {
 	readonly #canvas: HTMLCanvasElement;
 	readonly #poster: HTMLImageElement;
 	readonly #message: HTMLElement;
-	#document: Promise<Document> | undefined;
+	readonly #document = new CurrentDocument(async () => {
+		const said = await readAttributes(this.attributes);
+		return documentOf(said.model, said);
+	});
 	#shown: Shown | undefined;
 	/** From when it comes to a page until it leaves. */
 	#life: AbortController | undefined;
@@ -162,7 +166,7 @@ export class PanicleSpecimen extends HTMLElement {
 	#changed(names: readonly string[]): void {
 		for (const name of names) this.#follow(name);
 		if (!names.some(saysSpecimen)) return;
-		this.#document = undefined;
+		this.#document.forget();
 		this.#ask();
 	}
 
@@ -182,9 +186,7 @@ export class PanicleSpecimen extends HTMLElement {
 	/** Another document in place of this one; while a hand still moves (`passing`), `input` tells of it, else `change`. */
 	async #put(make: (before: Document) => Document, { passing = false } = {}): Promise<GrownDetail> {
 		this.#flush();
-		const document = this.#read().then(make);
-		this.#document = document;
-		const { model, specimen } = await document;
+		const { model, specimen } = await this.#document.change(make);
 		const detail = { link: await encodeLink(model, specimen) };
 		this.dispatchEvent(new CustomEvent(passing ? "input" : "change", { detail, bubbles: true }));
 		this.#withView((view) => view.hold(passing));
@@ -206,11 +208,6 @@ export class PanicleSpecimen extends HTMLElement {
 		if (!lazy || this.#near) queueMicrotask(() => this.#due && this.#life && void this.grow().catch(() => {}));
 	}
 
-	#read(): Promise<Document> {
-		this.#document ??= readAttributes(this.attributes).then((said) => documentOf(said.model, said));
-		return this.#document;
-	}
-
 	async #grow(options: GrowthOptions): Promise<GrownDetail> {
 		const life = this.#life;
 		const client = this.#client;
@@ -218,7 +215,7 @@ export class PanicleSpecimen extends HTMLElement {
 		const turn = ++this.#turn;
 		this.setAttribute("aria-busy", "true");
 		try {
-			const document = await this.#read();
+			const document = await this.#document.get();
 			const grown = await growDocument(client, document, options, life.signal, () => turn === this.#turn);
 			const shown: Shown = { ...document, grown };
 			await this.#show(shown);
@@ -240,7 +237,7 @@ export class PanicleSpecimen extends HTMLElement {
 		const view = await this.#viewed().catch((error: unknown) => this.#fail(error));
 		await view?.show(shown.model, shown.grown, shown.specimen);
 		// What is older than what hands have done since would undo it under them.
-		const newest = await this.#document;
+		const newest = await this.#document.get().catch(() => undefined);
 		if (view && this.#view && newest?.specimen === shown.specimen) this.#extras.show(shown);
 	}
 

@@ -51,17 +51,18 @@ export class KeptApp {
 
 	/** A file as it is kept: of this build, or where that has none of the name, of one that pages are still open of. */
 	async find(path: string): Promise<Response | undefined> {
-		if (!(path in this.#options.built.files)) return isNamedByContent(path) ? this.#inOthers(path) : undefined;
+		if (!Object.hasOwn(this.#options.built.files, path))
+			return isNamedByContent(path) ? this.#inOthers(path) : undefined;
 		const cache = await this.#open();
 		return cache.match(this.#address(path), MATCHING);
 	}
 
-	/** A file of this build, fetched if it has not been yet. @throws as `fill` */
+	/** A file of this build, or its script that answers for specimens, fetched if it has not been yet. @throws as `fill` */
 	async bring(path: string): Promise<Response> {
 		const cache = await this.#open();
 		const kept = await cache.match(this.#address(path), MATCHING);
 		if (kept) return kept;
-		const response = await this.#fetch(path);
+		const response = await this.#fetch(path, "auto");
 		await cache.put(this.#address(path), response.clone());
 		return response;
 	}
@@ -92,12 +93,12 @@ export class KeptApp {
 		await cache.put(address, before ?? (await this.#fetch(path)));
 	}
 
-	async #fetch(path: string): Promise<Response> {
+	async #fetch(path: string, priority: "auto" | "low" = "low"): Promise<Response> {
 		const response = await this.#options.fetch(this.#address(path), {
 			integrity: this.#options.built.files[path],
 			// What may have changed under the same name is asked for again.
 			cache: isNamedByContent(path) ? "default" : "no-cache",
-			priority: "low",
+			priority,
 		} as RequestInit);
 		if (!response.ok) throw new Error(`${path || "The page"} could not be fetched: ${response.status}`);
 		// Browsers open no page by an answer that was sent on from elsewhere, as some hosts do with the endings of names.

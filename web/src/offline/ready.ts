@@ -3,6 +3,7 @@
  * browser, by the app's service worker. docs/service.md has examples.
  */
 import { registerWorker, tellOpened } from "./register";
+import { hostSpecimens } from "./specimen_host";
 
 /** Settles when this page's requests go by the worker; rejects where they never will, and says why. */
 export const ready: Promise<void> = start();
@@ -14,6 +15,7 @@ async function start(): Promise<void> {
 		throw new Error(`Only pages below ${folder.href} are answered by its service worker.`);
 	const registration = await registerWorker(folder);
 	if (!registration) throw new Error("There is no service worker here that could grow specimens.");
+	hostSpecimens();
 	if (navigator.serviceWorker.controller) return;
 	const controlled = new Promise<void>((resolve) => {
 		navigator.serviceWorker.addEventListener("controllerchange", () => resolve(), { once: true });

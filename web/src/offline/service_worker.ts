@@ -5,7 +5,8 @@
 import type { Service } from "../service/service";
 import { type Built, isNamedByContent } from "./built";
 import { KeptApp } from "./kept_app";
-import type { ToWorker } from "./messages";
+import { MOST_WAITING, refusal, type SpecimenRequest, TOO_MANY, type ToWorker } from "./messages";
+import { grownByPage, responseOf } from "./page_growth";
 import type { MakeSpecimens } from "./specimens";
 import { wantedBy } from "./wanted";
 import type { WorkerScope } from "./worker_scope";
@@ -17,7 +18,10 @@ const worker = self as unknown as WorkerScope & { panicleSpecimens?: MakeSpecime
 const built = __BUILT__;
 const { scope } = worker.registration;
 const app = new KeptApp({ scope, built, caches, fetch: (url, init) => fetch(url, init) });
+/** The script that answers for specimens, and the cores. */
+const IN_GROWTH = new Set([built.specimens, ...Object.values(built.cores)]);
 let service: Service | undefined;
+let growingHere = 0;
 
 worker.addEventListener("install", (event) => event.waitUntil(install()));
 worker.addEventListener("activate", (event) => event.waitUntil(Promise.all([sweep(), worker.clients.claim()])));
@@ -31,7 +35,8 @@ worker.addEventListener("fetch", (event) => {
 	const { request } = event;
 	const wanted = wantedBy(request, scope);
 	if (wanted === "specimen") event.respondWith(answerSpecimen(request));
-	else if (wanted && (wanted.file in built.files || isNamedByContent(wanted.file)))
+	else if (wanted && IN_GROWTH.has(wanted.file)) event.respondWith(answerGrowth(request, wanted.file));
+	else if (wanted && (Object.hasOwn(built.files, wanted.file) || isNamedByContent(wanted.file)))
 		event.respondWith(answerFile(request, wanted.file));
 });
 
@@ -63,12 +68,40 @@ async function answerFile(request: Request, path: string): Promise<Response> {
 	return (await app.find(path).catch(() => undefined)) ?? fetch(request);
 }
 
+/** What a page's growth fetches is kept from then on, so that growing needs no network. */
+async function answerGrowth(request: Request, path: string): Promise<Response> {
+	return (await app.find(path).catch(() => undefined)) ?? app.bring(path).catch(() => fetch(request));
+}
+
 async function answerSpecimen(request: Request): Promise<Response> {
+	const pages = await worker.clients.matchAll({ type: "window" });
+	return (await grownByPage(pages, requestOf(request))) ?? answerHere(request);
+}
+
+function requestOf({ url, method, headers }: Request): SpecimenRequest {
+	const tag = headers.get("if-none-match");
+	const cores = Object.entries(built.cores).map(([wasm, path]) => [wasm, scope + path]);
+	return {
+		url,
+		method,
+		headers: tag === null ? {} : { "if-none-match": tag },
+		script: scope + built.specimens,
+		cores: Object.fromEntries(cores),
+		release: built.release,
+	};
+}
+
+/** Where no page grows specimens: on this thread, which answers nothing else meanwhile. */
+async function answerHere(request: Request): Promise<Response> {
+	if (growingHere >= MOST_WAITING) return responseOf(refusal(TOO_MANY));
+	growingHere++;
 	try {
 		service ??= startService();
 		return await service(request);
 	} catch {
 		return new Response("specimens cannot be grown here\n", { status: 500 });
+	} finally {
+		growingHere--;
 	}
 }
 

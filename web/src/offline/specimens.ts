@@ -1,6 +1,10 @@
-/** Answers for specimens, in the service worker: a script of its own, which is run when the first is asked for. */
+/**
+ * Answers for specimens, as a script of its own: in a worker of a page, and in the service worker, which runs it when no page grows
+ * specimens. It is classic: service workers cannot `import()`.
+ */
 import { loadCoreFromBytes } from "../core/loader";
 import { makeService, type Service } from "../service/service";
+import type { SpecimenAnswer, SpecimenRequest } from "./messages";
 
 /** @param bringCore a core's file, by what models call it */
 export type MakeSpecimens = (bringCore: (wasm: string) => Promise<ArrayBuffer>, release: string) => Service;
@@ -8,5 +12,31 @@ export type MakeSpecimens = (bringCore: (wasm: string) => Promise<ArrayBuffer>, 
 const makeSpecimens: MakeSpecimens = (bringCore, release) =>
 	makeService({ release, loadCore: async (wasm) => loadCoreFromBytes(await bringCore(wasm)) });
 
+interface Scope {
+	panicleSpecimens?: MakeSpecimens;
+	DedicatedWorkerGlobalScope?: unknown;
+	onmessage?: (event: MessageEvent<SpecimenRequest>) => void;
+	postMessage(answer: SpecimenAnswer, transfer: Transferable[]): void;
+}
+
+const scope = globalThis as unknown as Scope;
 // Classic scripts have no exports.
-(globalThis as { panicleSpecimens?: MakeSpecimens }).panicleSpecimens = makeSpecimens;
+scope.panicleSpecimens = makeSpecimens;
+if (scope.DedicatedWorkerGlobalScope) answerThePage();
+
+function answerThePage(): void {
+	let service: Service | undefined;
+	scope.onmessage = async ({ data: { url, method, headers, cores, release } }) => {
+		service ??= makeSpecimens((wasm) => fetched(cores[wasm]), release);
+		const answer = await service(new Request(url, { method, headers }));
+		const body = new Uint8Array(await answer.arrayBuffer());
+		const { status } = answer;
+		scope.postMessage({ type: "answer", status, headers: Object.fromEntries(answer.headers), body }, [body.buffer]);
+	};
+}
+
+async function fetched(address: string): Promise<ArrayBuffer> {
+	const response = await fetch(address);
+	if (!response.ok) throw new Error(`${address} could not be fetched: ${response.status}`);
+	return response.arrayBuffer();
+}

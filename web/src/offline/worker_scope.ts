@@ -1,3 +1,5 @@
+import type { PageClient } from "./page_growth";
+
 /** What is used of a service worker's surroundings: the page's types, which hold everywhere else here, do not have them. */
 interface Lasting extends Event {
 	/** Until then the browser lets the worker live; rejected, what was begun has failed. */
@@ -15,7 +17,10 @@ interface Told extends Lasting {
 
 export interface WorkerScope {
 	readonly registration: ServiceWorkerRegistration;
-	readonly clients: { claim(): Promise<void> };
+	readonly clients: {
+		claim(): Promise<void>;
+		matchAll(options: { type: "window" }): Promise<readonly PageClient[]>;
+	};
 	skipWaiting(): Promise<void>;
 	importScripts(...addresses: string[]): void;
 	addEventListener(type: "install" | "activate", listener: (event: Lasting) => void): void;

@@ -1,6 +1,8 @@
 /** The app without a network, and its next version: what the page does of docs/offline.md. */
+import { holdScripts } from "../offline/hold_scripts";
 import type { ToWorker } from "../offline/messages";
 import { forgetWorker, registerWorker, tellOpened } from "../offline/register";
+import { hostSpecimens } from "../offline/specimen_host";
 
 /** A page that stays open asks for a new version when it is turned to, so often at the most; milliseconds. */
 const ASKS_AFTER = 3_600_000;
@@ -20,8 +22,7 @@ export class Renewal {
 	/** @param offer says that there is a new version, and how to go over to it: the page is loaded again */
 	constructor(offer: (reload: () => void) => void) {
 		this.#offer = offer;
-		// As long as this is held, the scripts that this page may yet ask for stay where they are.
-		void navigator.locks?.request(mainScript(), { mode: "shared" }, () => new Promise(() => {}));
+		holdScripts(mainScript());
 	}
 
 	/** Registers the worker and has it keep the app. Rejects where that fails: then the app is what it was without. */
@@ -32,6 +33,7 @@ export class Renewal {
 		const registration = await registerWorker(folder());
 		if (!registration) return;
 		this.#registration = registration;
+		hostSpecimens();
 		registration.addEventListener("updatefound", () => void this.#follow());
 		void this.#follow();
 		document.addEventListener("visibilitychange", () => this.#ask());

@@ -99,6 +99,28 @@ describe("what a host page may ask", () => {
 		expect(source.postMessage.mock.calls[1]).toEqual([told, { targetOrigin: HOST }]);
 	});
 
+	it("tells at most 64 windows, forgets those that are closed, and refuses one more in words", async () => {
+		const conversation = new Conversation(plant as unknown as Plant);
+		const windows = Array.from({ length: 65 }, () => ({ postMessage: vi.fn(), closed: false }));
+		const listen = (source: (typeof windows)[number]) =>
+			conversation.hear({ data: { panicle: PROTOCOL, id: 1, method: "listen" }, origin: HOST, source });
+		for (const source of windows) await listen(source);
+		const results = windows.map(({ postMessage }) => postMessage.mock.lastCall?.[0]);
+		expect(results.slice(0, 64).every(({ result }) => result === true)).toBe(true);
+		expect(results[64].error).toMatch(/^64 windows listen already/);
+		// One that listens already may say so again.
+		await listen(windows[0]);
+		expect(windows[0].postMessage.mock.lastCall?.[0]).toMatchObject({ result: true });
+		windows[1].closed = true;
+		await listen(windows[64]);
+		expect(windows[64].postMessage.mock.lastCall?.[0]).toMatchObject({ result: true });
+		for (const { postMessage } of windows) postMessage.mockClear();
+		conversation.tell("grown", grown);
+		expect(windows.map(({ postMessage }) => postMessage.mock.calls.length)).toEqual(
+			windows.map((_, i) => (i === 1 ? 0 : 1)),
+		);
+	});
+
 	it.each([Number.NaN, Number.POSITIVE_INFINITY, "x".repeat(201), null, {}])("passes over the id %s", async (id) => {
 		expect((await asked({ id, method: "grow" })).answers).toEqual([]);
 		expect(plant.grow).not.toHaveBeenCalled();

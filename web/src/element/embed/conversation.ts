@@ -23,7 +23,11 @@ export interface Plant {
 export interface Heard {
 	readonly data: unknown;
 	readonly origin: string;
-	readonly source: { postMessage(message: unknown, options: { targetOrigin: string }): void } | null;
+	readonly source: {
+		postMessage(message: unknown, options: { targetOrigin: string }): void;
+		/** Whether the window is gone; windows alone have it. */
+		readonly closed?: boolean;
+	} | null;
 }
 
 type Values = Readonly<Record<string, unknown>>;
@@ -35,6 +39,8 @@ class Unfit extends Error {}
 const MOST_VALUES = 200;
 const LONGEST_ID = 200;
 const LONGEST_TEXT = 512 * 1024;
+/** Windows that are told what happens: a page may make frames without end. */
+const MOST_LISTENERS = 64;
 
 export class Conversation {
 	readonly #plant: Plant;
@@ -74,7 +80,7 @@ export class Conversation {
 			throw new Unfit(`pages of ${origin} may not ask this frame`);
 		const { method } = data;
 		if (method === "listen" && source) {
-			this.#listeners.set(source, origin);
+			this.#listen(source, origin);
 			return true;
 		}
 		const known = typeof method === "string" && Object.hasOwn(METHODS, method) ? METHODS[method] : undefined;
@@ -83,6 +89,13 @@ export class Conversation {
 		const { values = {} } = data;
 		if (!isRecord(values)) throw new Unfit("values: an object is wanted");
 		return known(this.#plant, values, heard);
+	}
+
+	#listen(source: NonNullable<Heard["source"]>, origin: string): void {
+		for (const listener of this.#listeners.keys()) if (listener.closed) this.#listeners.delete(listener);
+		if (!this.#listeners.has(source) && this.#listeners.size >= MOST_LISTENERS)
+			throw new Unfit(`${MOST_LISTENERS} windows listen already; close one, or remove its frame, and try again`);
+		this.#listeners.set(source, origin);
 	}
 }
 

@@ -1,0 +1,113 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { MOST_WAITING, type SpecimenAnswer, type SpecimenRequest } from "../../../web/src/offline/messages";
+import { SpecimenQueue } from "../../../web/src/offline/specimen_queue";
+
+const script = "https://plants.example/app/assets/specimens-1.js";
+const asked = (url: string, of = script): SpecimenRequest => ({
+	url,
+	method: "GET",
+	headers: {},
+	script: of,
+	cores: {},
+	release: "1",
+});
+const answer = (text: string): SpecimenAnswer => ({
+	type: "answer",
+	status: 200,
+	headers: {},
+	body: new TextEncoder().encode(text),
+});
+const textOf = (given: SpecimenAnswer) => (given.type === "answer" ? new TextDecoder().decode(given.body) : given.type);
+
+/** A worker that answers when the test has it do so. */
+class Thread {
+	onmessage: Worker["onmessage"] = null;
+	onerror: Worker["onerror"] = null;
+	readonly heard: string[] = [];
+	terminate = vi.fn();
+	constructor(readonly script: string) {}
+	postMessage({ url }: SpecimenRequest): void {
+		this.heard.push(url);
+	}
+	finish(): void {
+		this.onmessage?.call(this as never, { data: answer(`${this.heard.at(-1)} grown`) } as MessageEvent);
+	}
+}
+
+let threads: Thread[];
+let queue: SpecimenQueue;
+beforeEach(() => {
+	vi.useFakeTimers();
+	threads = [];
+	queue = new SpecimenQueue({
+		start: (of) => {
+			const thread = new Thread(of);
+			threads.push(thread);
+			return thread;
+		},
+	});
+});
+afterEach(() => vi.useRealTimers());
+
+describe("specimens that a page grows", () => {
+	it("come one after the other from one worker, which ends when nothing is requested", async () => {
+		const answers = ["a", "b"].map((url) => queue.ask(asked(url)));
+		expect(threads.map(({ heard }) => heard)).toEqual([["a"]]);
+		threads[0].finish();
+		threads[0].finish();
+		expect((await Promise.all(answers)).map(textOf)).toEqual(["a grown", "b grown"]);
+		expect(threads).toHaveLength(1);
+		vi.advanceTimersByTime(60_000);
+		expect(threads[0].terminate).toHaveBeenCalledOnce();
+		void queue.ask(asked("c"));
+		expect(threads[1].heard).toEqual(["c"]);
+	});
+
+	it("are ended with their worker after 30 s, and the next begins in another", async () => {
+		const late = queue.ask(asked("huge"));
+		const next = queue.ask(asked("small"));
+		vi.advanceTimersByTime(29_999);
+		expect(threads[0].terminate).not.toHaveBeenCalled();
+		vi.advanceTimersByTime(1);
+		expect(threads[0].terminate).toHaveBeenCalledOnce();
+		expect(await late).toMatchObject({ status: 503 });
+		expect(textOf(await late)).toContain("it took more than 30 s");
+		expect(threads[1].heard).toEqual(["small"]);
+		threads[1].finish();
+		expect(textOf(await next)).toBe("small grown");
+	});
+
+	it("are refused where too many wait", async () => {
+		const answers = Array.from({ length: MOST_WAITING + 3 }, (_, i) => queue.ask(asked(`${i}`)));
+		const refused = await Promise.all(answers.slice(-2));
+		expect(refused.map((each) => each.type === "answer" && each.status)).toEqual([503, 503]);
+		for (let i = 0; i <= MOST_WAITING; i++) threads[0].finish();
+		expect((await Promise.all(answers.slice(0, -2))).map(textOf)).toEqual(
+			answers.slice(0, -2).map((_, i) => `${i} grown`),
+		);
+	});
+
+	it("are left to others where the worker cannot be started, or breaks", async () => {
+		const broken = queue.ask(asked("a"));
+		threads[0].onerror?.call(threads[0] as never, new Event("error") as ErrorEvent);
+		expect(await broken).toEqual({ type: "unable" });
+		const without = new SpecimenQueue({
+			start: () => {
+				throw new DOMException("no workers", "SecurityError");
+			},
+		});
+		expect(await without.ask(asked("a"))).toEqual({ type: "unable" });
+	});
+
+	it("are grown by the script of their own version of the app", async () => {
+		const first = queue.ask(asked("a"));
+		threads[0].finish();
+		await first;
+		void queue.ask(asked("b", `${script}2`));
+		expect(threads.map((thread) => [thread.script, thread.heard])).toEqual([
+			[script, ["a"]],
+			[`${script}2`, ["b"]],
+		]);
+		expect(threads[0].terminate).toHaveBeenCalledOnce();
+	});
+});

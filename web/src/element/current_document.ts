@@ -1,0 +1,42 @@
+/** The document of an element: what its attributes say, until a script or a control changes it. */
+import type { Document } from "./grown_detail";
+
+/** Reads the attributes when the document is first needed. A reading or a change that failed is forgotten, so that the next call tries again. */
+export class CurrentDocument {
+	readonly #readAttributes: () => Promise<Document>;
+	#current: Promise<Document> | undefined;
+
+	/** @param readAttributes rejects where the script of a model cannot be fetched */
+	constructor(readAttributes: () => Promise<Document>) {
+		this.#readAttributes = readAttributes;
+	}
+
+	/** The document as it is now. Rejects as reading the attributes does. */
+	get(): Promise<Document> {
+		return this.#current ?? this.#keep(this.#readAttributes());
+	}
+
+	/** Changes the document. Rejects as `get` does, and with what `make` throws: the document then stays as it was. */
+	change(make: (before: Document) => Document): Promise<Document> {
+		const before = this.get();
+		return this.#keep(before.then(make), before);
+	}
+
+	/** The attributes have changed: they are read again when the document is next needed. */
+	forget(): void {
+		this.#current = undefined;
+	}
+
+	/** @param before the document that is current again where the next one fails */
+	#keep(next: Promise<Document>, before?: Promise<Document>): Promise<Document> {
+		this.#current = next;
+		next.catch(async () => {
+			const isBeforeGood = await before?.then(
+				() => true,
+				() => false,
+			);
+			if (this.#current === next) this.#current = isBeforeGood ? before : undefined;
+		});
+		return next;
+	}
+}

@@ -1,0 +1,33 @@
+/** A page that grows specimens for the service worker, in a worker of its own. */
+import { FREE, GROWTH_NEEDED, type SpecimenAnswer, type SpecimenRequest } from "./messages";
+
+type Ask = (request: SpecimenRequest) => Promise<SpecimenAnswer>;
+
+/** Grows what the service worker requests from now on. What that takes is fetched with the first request. */
+export function hostSpecimens(
+	workers: EventTarget = navigator.serviceWorker,
+	load: () => Promise<Ask> = loadQueue,
+): void {
+	workers.addEventListener("message", (event) => {
+		const { data, ports } = event as MessageEvent<unknown>;
+		const [port] = ports;
+		if (data !== GROWTH_NEEDED || !port) return;
+		port.onmessage = async ({ data: request }: MessageEvent<SpecimenRequest>) => {
+			const answer = await load().then(
+				(ask) => ask(request),
+				(): SpecimenAnswer => ({ type: "unable" }),
+			);
+			port.postMessage(answer, answer.type === "answer" ? [answer.body.buffer] : []);
+			port.close();
+		};
+		port.postMessage(FREE);
+	});
+}
+
+let queue: { ask: Ask } | undefined;
+
+async function loadQueue(): Promise<Ask> {
+	const { SpecimenQueue } = await import("./specimen_queue");
+	queue ??= new SpecimenQueue();
+	return queue.ask.bind(queue);
+}

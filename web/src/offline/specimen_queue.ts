@@ -1,0 +1,93 @@
+/** Specimens one after the other, in a worker that ends with what takes too long. */
+import { MOST_WAITING, refusal, type SpecimenAnswer, type SpecimenRequest, TOO_MANY } from "./messages";
+
+/** A growth that takes longer ends, milliseconds. */
+const LONGEST_GROWTH = 30_000;
+/** The worker ends when nothing was requested for so long, milliseconds: a core keeps the memory that its largest plant took. */
+const REST = 10_000;
+
+export interface SpecimenQueueOptions {
+	/** Starts a worker of a script (specimens.ts), a classic one. */
+	start?(script: string): Pick<Worker, "postMessage" | "terminate" | "onmessage" | "onerror">;
+}
+
+interface Job {
+	readonly request: SpecimenRequest;
+	readonly resolve: (answer: SpecimenAnswer) => void;
+}
+
+type Thread = ReturnType<NonNullable<SpecimenQueueOptions["start"]>>;
+
+export class SpecimenQueue {
+	readonly #start: (script: string) => Thread;
+	readonly #waiting: Job[] = [];
+	#running: Job | undefined;
+	/** The worker, with the script that it runs: pages may outlive a version of the app. */
+	#thread: { readonly script: string; readonly worker: Thread } | undefined;
+	#timer: ReturnType<typeof setTimeout> | undefined;
+
+	constructor({ start = (script) => new Worker(script) }: SpecimenQueueOptions = {}) {
+		this.#start = start;
+	}
+
+	/** Never rejects: where too many wait, or it takes too long, the answer is 503 with the reason. */
+	ask(request: SpecimenRequest): Promise<SpecimenAnswer> {
+		return new Promise((resolve) => {
+			if (this.#waiting.length >= MOST_WAITING) {
+				resolve(refusal(TOO_MANY));
+				return;
+			}
+			this.#waiting.push({ request, resolve });
+			this.#next();
+		});
+	}
+
+	#next(): void {
+		if (this.#running) return;
+		clearTimeout(this.#timer);
+		const job = this.#waiting.shift();
+		if (!job) {
+			this.#timer = setTimeout(() => this.#end(), REST);
+			return;
+		}
+		this.#running = job;
+		const late = `it took more than ${LONGEST_GROWTH / 1000} s; ask for a smaller plant or a smaller file`;
+		this.#timer = setTimeout(() => this.#break(refusal(late)), LONGEST_GROWTH);
+		try {
+			this.#workerFor(job.request.script).postMessage(job.request);
+		} catch {
+			this.#break({ type: "unable" });
+		}
+	}
+
+	#workerFor(script: string): Thread {
+		if (this.#thread?.script === script) return this.#thread.worker;
+		this.#end();
+		const worker = this.#start(script);
+		worker.onmessage = ({ data }: MessageEvent<SpecimenAnswer>) => this.#answer(data);
+		worker.onerror = (event) => {
+			event.preventDefault(); // The service worker is told; the console need not hear of it.
+			this.#break({ type: "unable" });
+		};
+		this.#thread = { script, worker };
+		return worker;
+	}
+
+	/** Ends what runs, with its worker. */
+	#break(answer: SpecimenAnswer): void {
+		this.#end();
+		this.#answer(answer);
+	}
+
+	#answer(answer: SpecimenAnswer): void {
+		const job = this.#running;
+		this.#running = undefined;
+		job?.resolve(answer);
+		this.#next();
+	}
+
+	#end(): void {
+		this.#thread?.worker.terminate();
+		this.#thread = undefined;
+	}
+}
