@@ -26,6 +26,12 @@ export default [
 				replace: "",
 				breaks: "twins in a file both come",
 			},
+			{
+				id: "saved-pictures-lost-by-deleting",
+				find: "{ ...before, ...gone }",
+				replace: "gone",
+				breaks: "what was deleted comes back without its picture",
+			},
 		],
 	},
 	{
@@ -55,6 +61,13 @@ export default [
 				find: "database.close();",
 				replace: "",
 				breaks: "a later version in another tab waits for ever",
+			},
+			{
+				id: "saved-old-pictures-lost",
+				find: "if (oldVersion === 1 && transaction)",
+				replace: "if (oldVersion > 2 && transaction)",
+				breaks: "pictures of former versions are gone",
+				suites: [`${E2E}: pictures of the first layout`],
 			},
 		],
 	},

@@ -54,11 +54,12 @@ describe("a library", () => {
 	});
 
 	it("does not bring back by another name what was deleted in another tab", async () => {
-		const { one, other } = twoTabs();
+		const { shelf, one } = twoTabs();
 		const { id } = await one.add(savedAs("Merlot"));
-		await other.read();
-		await Promise.all([other.remove(id), one.rename(id, "Syrah")]);
-		expect(namesOf(one)).toEqual([]);
+		// Before this tab has heard of it.
+		await shelf.change(() => ({ remove: [id] }));
+		await one.rename(id, "Syrah");
+		expect([namesOf(one), shelf.kept]).toEqual([[], []]);
 	});
 
 	it("brings back what was deleted, the last first, as it was", async () => {
@@ -121,6 +122,37 @@ describe("a library", () => {
 		expect(namesOf(one)).toEqual(["Kept"]);
 		expect(one.trouble).toBe("No shelf.");
 		expect(one.lastDeleted).toEqual(unkept);
+	});
+
+	it("reads a picture only where it is shown, exported or deleted, and brings it back with what was deleted", async () => {
+		const { shelf, one, other } = twoTabs();
+		const picture = (byte: number) => Uint8Array.of(byte, byte);
+		const merlot = await one.add(savedAs("Merlot", { picture: picture(1) }));
+		const syrah = await one.add(savedAs("Syrah", { picture: picture(2) }));
+		await one.rename(merlot.id, "Malbec");
+		await other.read();
+		await other.rename(syrah.id, "Shiraz");
+		expect(shelf.looked).toEqual([]);
+		expect([...one.all, ...other.all].some((saved) => saved.picture)).toBe(false);
+		const exported = await other.withPictures(other.all);
+		expect(exported.map((saved) => [saved.name, saved.picture?.[0]]).sort()).toEqual([
+			["Malbec", 1],
+			["Shiraz", 2],
+		]);
+		await one.remove(merlot.id);
+		expect(shelf.drawn.has(merlot.id)).toBe(false);
+		await one.undelete();
+		expect(shelf.drawn.get(merlot.id)).toEqual(picture(1));
+	});
+
+	it("shows and exports the picture of what is renamed while the shelf takes nothing", async () => {
+		const { shelf, one } = twoTabs();
+		const { id } = await one.add(savedAs("Merlot", { picture: Uint8Array.of(7) }));
+		shelf.full = "The disk is full.";
+		await one.rename(id, "Malbec");
+		expect((await one.withPictures(one.unkept))[0]).toMatchObject({ name: "Malbec", picture: Uint8Array.of(7) });
+		vi.spyOn(shelf, "pictures").mockRejectedValue(new Error("No shelf."));
+		expect((await one.withPictures(one.unkept))[0].name).toBe("Malbec");
 	});
 
 	it("tells whoever listens of every change", async () => {

@@ -1,9 +1,19 @@
 import type { Saved } from "../../../../web/src/studio/saved/saved";
-import { type Edit, edited, type Shelf, ShelfError } from "../../../../web/src/studio/saved/shelf";
+import {
+	type Edit,
+	edited,
+	type Pictures,
+	type Shelf,
+	ShelfError,
+	withoutPicture,
+} from "../../../../web/src/studio/saved/shelf";
 
 /** A shelf that several libraries share, as tabs share a browser's. Steps take turns, and each takes a while. */
 export class SharedShelf implements Shelf {
 	kept: readonly Saved[] = [];
+	readonly drawn = new Map<string, NonNullable<Saved["picture"]>>();
+	/** Ids whose pictures were read. */
+	readonly looked: string[] = [];
 	/** Why nothing goes on it. */
 	full: string | undefined;
 	#last: Promise<unknown> = Promise.resolve();
@@ -12,11 +22,20 @@ export class SharedShelf implements Shelf {
 		return this.#inTurn(() => this.kept);
 	}
 
+	pictures(ids: readonly string[]): Promise<Pictures> {
+		return this.#inTurn(() => {
+			this.looked.push(...ids);
+			return new Map([...this.drawn].filter(([id]) => ids.includes(id)));
+		});
+	}
+
 	change(decide: (kept: readonly Saved[]) => Edit): Promise<readonly Saved[]> {
 		return this.#inTurn(() => {
 			const edit = decide(this.kept);
 			if (this.full && edit.put?.length) throw new ShelfError(this.full);
-			this.kept = edited(this.kept, edit);
+			for (const { id, picture } of edit.put ?? []) if (picture) this.drawn.set(id, picture);
+			for (const id of edit.remove ?? []) this.drawn.delete(id);
+			this.kept = edited(this.kept, { ...edit, put: edit.put?.map(withoutPicture) });
 			return this.kept;
 		});
 	}

@@ -200,7 +200,8 @@ export class SavedDialog extends StudioPart {
 		list?.goTo(saved.id);
 	};
 
-	#export(saved: readonly Saved[]): void {
+	async #export(several: readonly Saved[]): Promise<void> {
+		const saved = await this.#library.withPictures(several);
 		const now = Date.now();
 		saveFile(writeLibrary(saved, now), `saved-${new Date(now).toISOString().slice(0, 10)}.panicle.json`);
 	}

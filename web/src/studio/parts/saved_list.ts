@@ -69,7 +69,7 @@ export class SavedList extends StudioPart {
 			<button
 				class="open" type="button" tabindex="-1" aria-label="Open ${name}" aria-describedby=${about} title="Open ${name}"
 				@click=${() => this.dispatchEvent(new CustomEvent("open-saved", { detail: saved }))}
-			><panicle-saved-picture .saved=${saved} aria-hidden="true"></panicle-saved-picture></button>
+			><panicle-saved-picture .library=${this.library} .saved=${saved} aria-hidden="true"></panicle-saved-picture></button>
 			${id === this.#renaming ? this.#nameField(saved) : html`<p class="name" title=${name}>${name}</p>`}
 			<p class="about" id=${about}>${this.#modelTitle(saved)}${kept ? nothing : html`<b> not kept</b>`}<br>${dayOf(saved)}</p>
 			<div class="of-one">

@@ -1,3 +1,4 @@
+import type { Library } from "../saved/library";
 import { readPicture, type Saved } from "../saved/saved";
 import { THUMBNAIL } from "../saved/thumbnail";
 
@@ -7,6 +8,8 @@ const NEAR = "200px";
 /** The picture of one that is saved. The page's policy lets no address stand for bytes, so it is drawn. */
 export class SavedPicture extends HTMLElement {
 	#saved: Saved | undefined;
+	/** Where the picture is; set before `saved`. */
+	library: Library | undefined;
 
 	/** One's picture never changes. */
 	set saved(saved: Saved) {
@@ -25,7 +28,8 @@ export class SavedPicture extends HTMLElement {
 	}
 
 	async draw(): Promise<void> {
-		const { id, picture } = this.#saved ?? {};
+		if (!this.#saved) return;
+		const [{ id, picture }] = (await this.library?.withPictures([this.#saved])) ?? [this.#saved];
 		if (!picture || !("value" in readPicture(picture))) return;
 		const bitmap = await createImageBitmap(new Blob([picture], { type: "image/jpeg" })).catch(() => undefined);
 		if (!bitmap || id !== this.#saved?.id) return;

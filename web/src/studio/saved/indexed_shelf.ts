@@ -1,10 +1,11 @@
 import { isSaved, type Saved } from "./saved";
-import { type Edit, edited, type Shelf, ShelfError } from "./shelf";
+import { type Edit, edited, type Pictures, type Shelf, ShelfError, withoutPicture } from "./shelf";
 
 const DATABASE = "panicle.saved";
-/** Of the stores below. */
-const LAYOUT = 1;
-const STORE = "specimens";
+/** Of the stores below. In the first layout the pictures were in the records of the specimens. */
+const LAYOUT = 2;
+/** Records without pictures, by `id`; and pictures, by the same ids as keys. */
+const [SPECIMENS, PICTURES] = ["specimens", "pictures"];
 
 /**
  * The browser's IndexedDB, of this origin. The database is opened for each step and closed after it: a later version of the page in
@@ -12,23 +13,24 @@ const STORE = "specimens";
  */
 export class IndexedShelf implements Shelf {
 	all(): Promise<readonly Saved[]> {
-		return inOneStep("readonly", () => ({}));
+		return inOneStep((database) => changed(database, "readonly", () => ({})));
+	}
+
+	pictures(ids: readonly string[]): Promise<Pictures> {
+		return inOneStep((database) => picturesOf(database, ids));
 	}
 
 	change(decide: (kept: readonly Saved[]) => Edit): Promise<readonly Saved[]> {
-		return inOneStep("readwrite", decide);
+		return inOneStep((database) => changed(database, "readwrite", decide));
 	}
 }
 
 /** Browsers let transactions that write wait for each other, be they of other tabs. */
-async function inOneStep(
-	mode: IDBTransactionMode,
-	decide: (kept: readonly Saved[]) => Edit,
-): Promise<readonly Saved[]> {
+async function inOneStep<T>(step: (database: IDBDatabase) => Promise<T>): Promise<T> {
 	try {
 		const database = await opened();
 		try {
-			return await done(database, mode, decide);
+			return await step(database);
 		} finally {
 			database.close();
 		}
@@ -40,31 +42,56 @@ async function inOneStep(
 function opened(): Promise<IDBDatabase> {
 	return new Promise((resolve, reject) => {
 		const request = indexedDB.open(DATABASE, LAYOUT);
-		request.onupgradeneeded = () => request.result.createObjectStore(STORE, { keyPath: "id" });
+		request.onupgradeneeded = ({ oldVersion }) => {
+			const { result: database, transaction } = request;
+			if (oldVersion < 1) database.createObjectStore(SPECIMENS, { keyPath: "id" });
+			const pictures = database.createObjectStore(PICTURES);
+			if (oldVersion === 1 && transaction) takeOutPictures(transaction.objectStore(SPECIMENS), pictures);
+		};
 		request.onsuccess = () => resolve(request.result);
 		request.onerror = () => reject(request.error);
 	});
 }
 
-function done(
+/** From the first layout to the second, one record after the other; what is no record of ours is left alone. */
+function takeOutPictures(specimens: IDBObjectStore, pictures: IDBObjectStore): void {
+	const reading = specimens.openCursor();
+	reading.onsuccess = () => {
+		const cursor = reading.result;
+		if (!cursor) return;
+		if (isSaved(cursor.value) && cursor.value.picture) {
+			pictures.put(cursor.value.picture, cursor.value.id);
+			cursor.update(withoutPicture(cursor.value));
+		}
+		cursor.continue();
+	};
+}
+
+function changed(
 	database: IDBDatabase,
 	mode: IDBTransactionMode,
 	decide: (kept: readonly Saved[]) => Edit,
 ): Promise<readonly Saved[]> {
 	return new Promise((resolve, reject) => {
 		// Strict: it is kept once it is on the disk, so that a full one is heard of.
-		const transaction = database.transaction(STORE, mode, { durability: "strict" });
-		const store = transaction.objectStore(STORE);
-		const reading = store.getAll();
+		const transaction = database.transaction([SPECIMENS, PICTURES], mode, { durability: "strict" });
+		const specimens = transaction.objectStore(SPECIMENS);
+		const pictures = transaction.objectStore(PICTURES);
+		const reading = specimens.getAll();
 		let after: readonly Saved[] = [];
 		let failed: unknown;
 		reading.onsuccess = () => {
 			try {
 				const kept = reading.result.filter(isSaved);
-				const edit = decide(kept);
-				for (const id of edit.remove ?? []) store.delete(id);
-				for (const saved of edit.put ?? []) store.put(saved);
-				after = edited(kept, edit);
+				const { put = [], remove = [] } = decide(kept);
+				for (const id of remove) {
+					specimens.delete(id);
+					pictures.delete(id);
+				}
+				const records = put.map(withoutPicture);
+				for (const record of records) specimens.put(record);
+				for (const { id, picture } of put) if (picture) pictures.put(picture, id);
+				after = edited(kept, { put: records, remove });
 			} catch (error) {
 				failed = error;
 				transaction.abort();
@@ -72,6 +99,22 @@ function done(
 		};
 		transaction.oncomplete = () => resolve(after);
 		transaction.onabort = () => reject(failed ?? transaction.error);
+	});
+}
+
+function picturesOf(database: IDBDatabase, ids: readonly string[]): Promise<Pictures> {
+	return new Promise((resolve, reject) => {
+		const transaction = database.transaction(PICTURES, "readonly");
+		const store = transaction.objectStore(PICTURES);
+		const found = new Map<string, NonNullable<Saved["picture"]>>();
+		for (const id of ids) {
+			const reading = store.get(id);
+			reading.onsuccess = () => {
+				if (reading.result instanceof Uint8Array) found.set(id, reading.result as NonNullable<Saved["picture"]>);
+			};
+		}
+		transaction.oncomplete = () => resolve(found);
+		transaction.onabort = () => reject(transaction.error);
 	});
 }
 

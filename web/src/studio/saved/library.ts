@@ -27,7 +27,7 @@ export class Library {
 		if (tabs) tabs.onmessage = () => void this.read();
 	}
 
-	/** All there is, kept or not. */
+	/** All there is, kept or not; of what is kept without pictures, which `withPictures` brings. */
 	get all(): readonly Saved[] {
 		return edited(this.#kept, { put: [...this.#unkept.values()] });
 	}
@@ -55,6 +55,16 @@ export class Library {
 	subscribe(listener: () => void): () => void {
 		this.#listeners.add(listener);
 		return () => this.#listeners.delete(listener);
+	}
+
+	/** These with their pictures, as far as the shelf can be read. */
+	async withPictures(several: readonly Saved[]): Promise<readonly Saved[]> {
+		const missing = several.flatMap(({ id, picture }) => (picture ? [] : [id]));
+		const found = missing.length > 0 ? await this.#shelf.pictures(missing).catch(() => undefined) : undefined;
+		return several.map((each) => {
+			const picture = each.picture ?? found?.get(each.id);
+			return picture ? { ...each, picture } : each;
+		});
 	}
 
 	/** Looks what is on the shelf. */
@@ -92,6 +102,8 @@ export class Library {
 	/** Takes one away; `undelete` brings it back. */
 	async remove(id: string): Promise<void> {
 		const unkept = this.#unkept.get(id);
+		// One's picture never changes, so that it may be read before.
+		const [before] = await this.withPictures(this.all.filter((each) => each.id === id));
 		let gone = unkept;
 		// What is here alone needs no shelf to go.
 		const here = unkept && !this.#kept.some((each) => each.id === id);
@@ -102,7 +114,7 @@ export class Library {
 			}));
 		if (!done) return;
 		this.#unkept.delete(id);
-		if (gone) this.#deleted = [...this.#deleted, gone];
+		if (gone) this.#deleted = [...this.#deleted, { ...before, ...gone }];
 		this.#tell();
 	}
 

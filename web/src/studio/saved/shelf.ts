@@ -3,19 +3,25 @@ import type { Saved } from "./saved";
 
 /** What is to be done on the shelf. */
 export interface Edit {
-	/** Put there, in place of what has the same id. */
+	/** Put there, in place of what has the same id; one without a picture keeps the picture that is there. */
 	readonly put?: readonly Saved[];
-	/** Ids of what goes. */
+	/** Ids of what goes, with the pictures. */
 	readonly remove?: readonly string[];
 }
 
+/** A small JPEG for each id that has one. */
+export type Pictures = ReadonlyMap<string, NonNullable<Saved["picture"]>>;
+
+/** Pictures are kept apart from what they are of: they are most of the bytes, and few steps need them. */
 export interface Shelf {
-	/** Everything that is kept, in no order. @throws ShelfError */
+	/** Everything that is kept, in no order, without pictures. @throws ShelfError */
 	all(): Promise<readonly Saved[]>;
+	/** The pictures of these alone. @throws ShelfError */
+	pictures(ids: readonly string[]): Promise<Pictures>;
 	/**
 	 * One step during which no other tab writes: all of it is done, or nothing.
-	 * @param decide what to do, in sight of all that is kept now
-	 * @returns all that is kept afterwards
+	 * @param decide what to do, in sight of all that is kept now, without pictures
+	 * @returns all that is kept afterwards, without pictures
 	 * @throws ShelfError where nothing was done
 	 */
 	change(decide: (kept: readonly Saved[]) => Edit): Promise<readonly Saved[]>;
@@ -30,4 +36,9 @@ export class ShelfError extends Error {
 export function edited(kept: readonly Saved[], { put = [], remove = [] }: Edit): readonly Saved[] {
 	const gone = new Set([...remove, ...put.map(({ id }) => id)]);
 	return [...kept.filter(({ id }) => !gone.has(id)), ...put];
+}
+
+/** One as the shelf lists it. */
+export function withoutPicture({ picture: _, ...saved }: Saved): Saved {
+	return saved;
 }
