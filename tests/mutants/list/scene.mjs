@@ -238,4 +238,28 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/scene/output_shader.ts",
+		suites: ["tests/web/scene/output_shader.test.ts"],
+		faults: [
+			{
+				id: "berries-of-another-curve",
+				find: "sRGBTransferOETF(vec4(max(vec3(0.0), toned), 1.0)).rgb",
+				replace: "sqrt(max(vec3(0.0), toned))",
+				breaks: "berries are darker than stems in the same light",
+			},
+		],
+	},
+	{
+		file: "web/src/plant/material.ts",
+		suites: ["tests/web/plant/material.test.ts"],
+		faults: [
+			{
+				id: "materials-of-every-object",
+				find: "if (Object.hasOwn(STANDARD, kind)) return",
+				replace: "if (STANDARD[kind]) return",
+				breaks: "a module called constructor is drawn in no colour",
+			},
+		],
+	},
 ];

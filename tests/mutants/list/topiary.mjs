@@ -112,6 +112,12 @@ export default [
 				breaks: "nobody learns that 12 of 60 steps are shown",
 			},
 			{
+				id: "warnings-constants-of-every-object",
+				find: "Object.hasOwn(constants, length) ? constants[length] : undefined",
+				replace: "constants[length]",
+				breaks: "a constant called constructor hides how many steps were asked for",
+			},
+			{
 				id: "warnings-no-area-unsaid",
 				find: "!specimen.areas?.length",
 				replace: "specimen.areas?.length === 0",

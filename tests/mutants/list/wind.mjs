@@ -10,6 +10,12 @@ export default [
 				replace: "",
 				breaks: "when the graphics card comes back plants throw no shadows",
 			},
+			{
+				id: "marks-share-buffers",
+				find: "only.setAttribute(name, new BufferAttribute(values, 3));",
+				replace: "only.setAttribute(name, values.length > 0 ? attribute : attribute);",
+				breaks: "a mark that goes takes the plant's buffers on the graphics card along",
+			},
 		],
 	},
 	{

@@ -14,6 +14,11 @@ describe("standardMaterial", () => {
 		},
 	);
 
+	it("has a plain green for a kind of any name, those that every object has too", () => {
+		for (const kind of ["constructor", "toString", "__proto__"])
+			expect(standardMaterial(kind)).toMatchObject({ roughness: 0.75, colour: standardMaterial("other").colour });
+	});
+
 	it("shows sheets from both sides, and skin as the smoothest", () => {
 		expect(["blade", "petal", "sepal"].map((kind) => standardMaterial(kind).doubleSided)).toEqual([true, true, true]);
 		expect(standardMaterial("bark").doubleSided).toBeUndefined();

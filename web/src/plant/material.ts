@@ -90,7 +90,8 @@ const PLAIN: Omit<Material, "name"> = { colour: linear("86a046"), roughness: 0.7
 
 /** The material of a kind that a model does not dress itself: a kind nobody has heard of is a leaf's matt green. */
 export function standardMaterial(kind: string): Material {
-	return STANDARD[kind] ?? { name: kind.charAt(0).toUpperCase() + kind.slice(1), ...PLAIN };
+	if (Object.hasOwn(STANDARD, kind)) return STANDARD[kind];
+	return { name: kind.charAt(0).toUpperCase() + kind.slice(1), ...PLAIN };
 }
 
 /** Light that comes through a sheet as a share of what it throws back, colour by colour: what is paler lets more pass. The view does the same pixel by pixel. */

@@ -1,4 +1,5 @@
 import {
+	BufferAttribute,
 	BufferGeometry,
 	Color,
 	InstancedMesh,
@@ -215,14 +216,29 @@ function instanceOf(object: PartObject, index: number): PartObject {
 	return mark;
 }
 
-/** The triangles of some cells. */
+/**
+ * The triangles of some cells, with vertices of their own: three deletes a geometry's buffers on the graphics card with the geometry, though
+ * another shares its attributes.
+ */
 function onlyOf(geometry: BufferGeometry, cells: Uint32Array, which: (cell: number) => boolean): BufferGeometry {
-	const only = new BufferGeometry();
-	for (const [name, attribute] of Object.entries(geometry.attributes)) only.setAttribute(name, attribute);
 	const indices = geometry.index?.array ?? [];
+	/** The place of each vertex in the mark, in the order of first use. */
+	const places = new Map<number, number>();
 	const own: number[] = [];
-	for (let t = 0; t < cells.length; t++)
-		if (which(cells[t])) own.push(indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]);
+	for (let corner = 0; corner < 3 * cells.length; corner++) {
+		if (!which(cells[Math.floor(corner / 3)])) continue;
+		const place = places.get(indices[corner]) ?? places.size;
+		places.set(indices[corner], place);
+		own.push(place);
+	}
+	const only = new BufferGeometry();
+	for (const name of ["position", "normal"]) {
+		const attribute = geometry.getAttribute(name);
+		const values = new Float32Array(3 * places.size);
+		for (const [vertex, place] of places)
+			for (let axis = 0; axis < 3; axis++) values[3 * place + axis] = attribute.getComponent(vertex, axis);
+		only.setAttribute(name, new BufferAttribute(values, 3));
+	}
 	only.setIndex(own);
 	return only;
 }

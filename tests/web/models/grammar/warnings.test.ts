@@ -70,6 +70,11 @@ describe("what a plant lacks", () => {
 			]);
 		const fewer = { ...of("#define n 60\nderivation length: n\naxiom: F"), constants: { n: 20 } };
 		expect(warningsOf(cut, fewer)).toEqual([expect.stringMatching(/These are 12 of 20 steps\.$/)]);
+		// Names that every object has are no constants.
+		for (const name of ["constructor", "toString", "__proto__"])
+			expect(warningsOf(cut, of(`#define ${name} 60\nderivation length: ${name}\naxiom: F`))).toEqual([
+				expect.stringMatching(/These are 12 of 60 steps\.$/),
+			]);
 		expect(warningsOf(cut, of("derivation length: 2*n\naxiom: F"))).toEqual([expect.stringMatching(/words\.$/)]);
 		expect(readFileSync("wasm-core/src/models/grammar/model.cpp", "utf8")).toContain(`"${words}"`);
 	});

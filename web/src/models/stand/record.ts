@@ -80,7 +80,7 @@ export function placementsCsv(stand: StandPlant, { preset: plan, seed: own }: St
 	const rows = plantsIn(stand).map((each, i): Cell[] => [
 		...[plan, own, i, each.model, each.preset, each.seed, each.x, each.y, each.z, each.scale, each.turn],
 		each.bearer ?? null,
-		...keys.map((key) => each.values[key] ?? null),
+		...keys.map((key) => (Object.hasOwn(each.values, key) ? each.values[key] : null)),
 		each.fingerprint ?? null,
 	]);
 	return writeCsv([header, ...rows]);

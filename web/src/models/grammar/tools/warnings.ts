@@ -58,6 +58,7 @@ function lengthIn(text: string, constants: GrammarSpecimen["constants"]): number
 	const bare = text.replace(/\/\*[\s\S]*?\*\//g, " ");
 	const [, length = ""] = /^[ \t]*derivation[ \t]+length[ \t]*:[ \t]*([\p{L}\w]+)[ \t]*$/imu.exec(bare) ?? [];
 	const [, defined] = new RegExp(`^[ \\t]*#define[ \\t]+${length}[ \\t]+(\\d+)[ \\t]*$`, "mu").exec(bare) ?? [];
-	const asked = /^\d+$/.test(length) ? length : (constants[length] ?? defined);
+	const given = Object.hasOwn(constants, length) ? constants[length] : undefined;
+	const asked = /^\d+$/.test(length) ? length : (given ?? defined);
 	return asked === undefined ? undefined : Number(asked);
 }
