@@ -1,41 +1,7 @@
-import { readFileSync } from "node:fs";
-import type { Locator, Page } from "@playwright/test";
+import type { Page } from "@playwright/test";
 import { expect, test } from "./fixtures";
+import { cards, dialog, exported, imported, inDialog, names, openSaved, said, save } from "./saved_page";
 import { StudioPage } from "./studio_page";
-
-const dialog = (page: Page) => page.getByRole("dialog", { name: "Saved" });
-const cards = (page: Page) => dialog(page).locator("[data-saved]");
-const names = (page: Page) => dialog(page).locator("[data-saved] .name");
-const said = (page: Page) => dialog(page).locator(".said [role=status]");
-const inDialog = (page: Page, name: string | RegExp): Locator =>
-	dialog(page).getByRole("button", { name, exact: typeof name === "string" });
-
-/** Opens the dialog by its button. */
-async function openSaved(page: Page): Promise<void> {
-	await page.getByRole("button", { name: "Saved…" }).click();
-	await expect(dialog(page)).toBeVisible();
-}
-
-async function save(page: Page, name?: string): Promise<void> {
-	if (name !== undefined) await dialog(page).getByLabel("Name", { exact: true }).fill(name);
-	await inDialog(page, /^Save this/).click();
-	await expect(said(page)).toContainText("Saved as");
-}
-
-/** The text of an exported file. */
-async function exported(page: Page, button = "Export all"): Promise<string> {
-	const downloading = page.waitForEvent("download");
-	await inDialog(page, button).click();
-	const download = await downloading;
-	expect(download.suggestedFilename()).toMatch(/^saved-\d{4}-\d\d-\d\d\.panicle\.json$/);
-	return readFileSync(await download.path(), "utf8");
-}
-
-async function imported(page: Page, name: string, text: string): Promise<void> {
-	const choosing = page.waitForEvent("filechooser");
-	await inDialog(page, "Import…").click();
-	await (await choosing).setFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });
-}
 
 /** As when the person clears the browser's data. */
 const forget = (page: Page) =>
@@ -129,61 +95,6 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 	await studio.button("Undo").click();
 	await expect(studio.fingerprint).toHaveText(duku);
 	await expect(studio.notices.locator(".notice")).toHaveCount(0);
-});
-
-test("pictures of the first layout are kept, apart from the records, and a rename reads none", {
-	tag: "@long",
-}, async ({ page }) => {
-	await new StudioPage(page).open("?v=2&preset=lychee");
-	await openSaved(page);
-	await save(page);
-	await page.keyboard.press("Escape");
-	// As a former version of the page left it: pictures within the records.
-	const letters = await page.evaluate(async () => {
-		const done = <T>(request: IDBRequest<T>) =>
-			new Promise<T>((resolve, reject) => {
-				request.onsuccess = () => resolve(request.result);
-				request.onerror = () => reject(request.error);
-			});
-		const before = await done(indexedDB.open("panicle.saved"));
-		const from = before.transaction(["specimens", "pictures"]);
-		const [record] = await done(from.objectStore("specimens").getAll());
-		const picture = await done(from.objectStore("pictures").get(record.id));
-		before.close();
-		await done(indexedDB.deleteDatabase("panicle.saved"));
-		const opening = indexedDB.open("panicle.saved", 1);
-		opening.onupgradeneeded = () => opening.result.createObjectStore("specimens", { keyPath: "id" });
-		const database = await done(opening);
-		const store = database.transaction("specimens", "readwrite").objectStore("specimens");
-		for (let i = 0; i < 5; i++) await done(store.put({ ...record, id: `id ${i}`, name: `Lychee ${i}`, picture }));
-		database.close();
-		return [Object.hasOwn(record, "picture"), picture.length];
-	});
-	expect(letters[0]).toBe(false);
-	expect(letters[1]).toBeGreaterThan(1000);
-	await page.addInitScript(() => {
-		const read: string[] = [];
-		Object.assign(window, { storesRead: read });
-		for (const name of ["get", "getAll"] as const) {
-			const whole = IDBObjectStore.prototype[name] as (...of: unknown[]) => IDBRequest;
-			IDBObjectStore.prototype[name] = function (this: IDBObjectStore, ...of: unknown[]) {
-				read.push(this.name);
-				return whole.apply(this, of);
-			};
-		}
-	});
-	await page.reload();
-	await openSaved(page);
-	await expect(cards(page).locator("canvas")).toHaveCount(5);
-	await page.evaluate(() => Reflect.get(window, "storesRead").splice(0));
-	await inDialog(page, "Rename Lychee 3").click();
-	await page.keyboard.type("Litchi");
-	await page.keyboard.press("Enter");
-	await expect(said(page)).toHaveText("“Lychee 3” is “Litchi” now.");
-	expect(await page.evaluate(() => Reflect.get(window, "storesRead"))).toEqual(["specimens"]);
-	await expect(cards(page).locator("canvas")).toHaveCount(5);
-	const { specimens } = JSON.parse(await exported(page));
-	expect(specimens.every(({ picture }: { picture?: string }) => picture?.startsWith("data:image/jpeg;"))).toBe(true);
 });
 
 test("everything goes into one file and comes back out of it, once; what cannot be used is said with its place", {

@@ -47,6 +47,7 @@ import standCrowd from "./stand_crowd.mjs";
 import standTrellis from "./stand_trellis.mjs";
 import stepper from "./stepper.mjs";
 import studio from "./studio.mjs";
+import studioView from "./studio_view.mjs";
 import swelling from "./swelling.mjs";
 import targets from "./targets.mjs";
 import topiary from "./topiary.mjs";
@@ -103,6 +104,7 @@ export const groups = [
 	...growthShape,
 	...stepper,
 	...studio,
+	...studioView,
 	...offline,
 	...files,
 	...embed,

@@ -125,8 +125,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/offline/hold_scripts.ts",
-		suites: ["tests/web/offline/hold_scripts.test.ts"],
+		file: "web/src/core/hold_scripts.ts",
+		suites: ["tests/web/core/hold_scripts.test.ts"],
 		faults: [
 			{
 				id: "offline-lock-let-go",

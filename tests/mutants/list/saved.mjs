@@ -67,7 +67,7 @@ export default [
 				find: "if (oldVersion === 1 && transaction)",
 				replace: "if (oldVersion > 2 && transaction)",
 				breaks: "pictures of former versions are gone",
-				suites: [`${E2E}: pictures of the first layout`],
+				suites: ["tests/e2e/saved_pictures.spec.ts: pictures of the first layout"],
 			},
 		],
 	},

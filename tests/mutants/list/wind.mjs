@@ -14,6 +14,7 @@ export default [
 				id: "marks-share-buffers",
 				find: "only.setAttribute(name, new BufferAttribute(values, 3));",
 				replace: "only.setAttribute(name, values.length > 0 ? attribute : attribute);",
+				suites: ["tests/web/scene/part_marks.test.ts"],
 				breaks: "a mark that goes takes the plant's buffers on the graphics card along",
 			},
 		],

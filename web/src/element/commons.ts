@@ -3,10 +3,10 @@
  * only some sixteen. Made when first asked for; given up some time after the last plant has gone.
  */
 import { Client } from "../core/client";
+import { holdScripts } from "../core/hold_scripts";
 import { compileCore } from "../core/loader";
 import { Pool } from "../core/pool";
 import { spawnWorker } from "../core/spawn";
-import { holdScripts } from "../offline/hold_scripts";
 import type { Renderer } from "../scene/renderer";
 import { loadScene } from "./figures";
 

@@ -1,5 +1,5 @@
 /** The app without a network, and its next version: what the page does of docs/offline.md. */
-import { holdScripts } from "../offline/hold_scripts";
+import { holdScripts } from "../core/hold_scripts";
 import type { ToWorker } from "../offline/messages";
 import { forgetWorker, registerWorker, tellOpened } from "../offline/register";
 import { hostSpecimens } from "../offline/specimen_host";

@@ -2,7 +2,7 @@
 
 /**
  * Holds a lock by the address of a script for as long as the page lives. The service worker keeps every build that has the script
- * (`KeptApp.sweep`), so that what the page has yet to fetch is still there after an update.
+ * (offline/kept_app.ts), so that what the page has yet to fetch is still there after an update.
  */
 export function holdScripts(script: string): void {
 	// Pages without a secure address have no locks, and sandboxed frames may not request one.

@@ -1,5 +1,5 @@
 import { afterEach, expect, it, vi } from "vitest";
-import { holdScripts } from "../../../web/src/offline/hold_scripts";
+import { holdScripts } from "../../../web/src/core/hold_scripts";
 
 const script = "https://plants.example/app/assets/embed-1.js";
 afterEach(() => vi.unstubAllGlobals());

@@ -1,0 +1,38 @@
+/** The dialog of what is saved, as tests use it. */
+import { readFileSync } from "node:fs";
+import type { Locator, Page } from "@playwright/test";
+import { expect } from "./fixtures";
+
+export const dialog = (page: Page) => page.getByRole("dialog", { name: "Saved" });
+export const cards = (page: Page) => dialog(page).locator("[data-saved]");
+export const names = (page: Page) => dialog(page).locator("[data-saved] .name");
+export const said = (page: Page) => dialog(page).locator(".said [role=status]");
+export const inDialog = (page: Page, name: string | RegExp): Locator =>
+	dialog(page).getByRole("button", { name, exact: typeof name === "string" });
+
+/** Opens the dialog by its button. */
+export async function openSaved(page: Page): Promise<void> {
+	await page.getByRole("button", { name: "Saved…" }).click();
+	await expect(dialog(page)).toBeVisible();
+}
+
+export async function save(page: Page, name?: string): Promise<void> {
+	if (name !== undefined) await dialog(page).getByLabel("Name", { exact: true }).fill(name);
+	await inDialog(page, /^Save this/).click();
+	await expect(said(page)).toContainText("Saved as");
+}
+
+/** The text of an exported file. */
+export async function exported(page: Page, button = "Export all"): Promise<string> {
+	const downloading = page.waitForEvent("download");
+	await inDialog(page, button).click();
+	const download = await downloading;
+	expect(download.suggestedFilename()).toMatch(/^saved-\d{4}-\d\d-\d\d\.panicle\.json$/);
+	return readFileSync(await download.path(), "utf8");
+}
+
+export async function imported(page: Page, name: string, text: string): Promise<void> {
+	const choosing = page.waitForEvent("filechooser");
+	await inDialog(page, "Import…").click();
+	await (await choosing).setFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });
+}
