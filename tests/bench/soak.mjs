@@ -42,13 +42,13 @@ async function startService() {
 	const collect = runInNewContext("gc");
 	await buildCore();
 	const folder = join(buildFolder, "node/soak");
-	const rooms = { server: "server.ts", threads: "threads.ts", thread: "thread.ts" };
+	const rooms = { server: "server.ts", threads: "thread_pool.ts", thread: "thread.ts" };
 	await bundleForNode(
 		Object.fromEntries(Object.entries(rooms).map(([name, path]) => [name, `service/node/${path}`])),
 		folder,
 	);
 	const at = (name) => pathToFileURL(join(folder, `${name}.mjs`)).href;
-	const [{ makeServer }, { Threads }] = [await import(at("server")), await import(at("threads"))];
+	const [{ makeServer }, { ThreadPool }] = [await import(at("server")), await import(at("threads"))];
 
 	/** Ports to the threads that report their memory. */
 	const watched = new Set();
@@ -61,7 +61,7 @@ async function startService() {
 		return thread;
 	}
 
-	const pool = new Threads({ start, threads: THREADS, patience: 120_000, waiting: 64 });
+	const pool = new ThreadPool({ start, threads: THREADS, timeout: 120_000, queueLength: 64 });
 	const server = makeServer(pool).listen(0, "127.0.0.1");
 	await once(server, "listening");
 	// A sample can take longer than the server waits for the next request of a connection.

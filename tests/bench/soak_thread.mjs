@@ -15,11 +15,11 @@ WebAssembly.instantiate = async (...given) => {
 	return made;
 };
 
-const { answerQuestions } = await import(workerData.program);
+const { answerRequests } = await import(workerData.program);
 workerData.port.on("message", () => {
 	collect();
 	memories = memories.filter((memory) => memory.deref());
 	const cores = memories.reduce((bytes, memory) => bytes + (memory.deref()?.buffer.byteLength ?? 0), 0);
 	workerData.port.postMessage({ cores, heap: process.memoryUsage().heapUsed });
 });
-answerQuestions("soak");
+answerRequests("soak");

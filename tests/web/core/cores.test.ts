@@ -43,10 +43,13 @@ describe("cores of a thread", () => {
 		expect(load).toHaveBeenCalledTimes(2);
 	});
 
-	it("are given up with the memory of a very large plant", async () => {
-		const { cores, load, memory } = told();
+	it.each([
+		["grown", () => "grown"],
+		["refused", fails(new CoreError("limit", "Too large."))],
+	])("are dropped with the memory of a very large plant that is %s", async (_, outcome) => {
+		const { cores, load, memory } = told(outcome);
 		memory.bytes = LARGE;
-		await cores.grow("a.wasm", []);
+		await cores.grow("a.wasm", []).catch(() => {});
 		memory.bytes = SMALL;
 		await cores.grow("a.wasm", []);
 		await cores.grow("a.wasm", []);

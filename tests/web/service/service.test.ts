@@ -190,7 +190,7 @@ describe("what HTTP asks", () => {
 		expect(Number(head.headers.get("content-length"))).toBeGreaterThan(1000);
 		const options = await ask(small, { method: "OPTIONS" });
 		expect([options.status, options.headers.get("allow")]).toEqual([204, "GET, HEAD, OPTIONS"]);
-		expect(await refused(small, { method: "POST", body: "x" })).toBe("405 POST is not for plants");
+		expect(await refused(small, { method: "POST", body: "x" })).toBe("405 method POST is not allowed");
 	});
 
 	it("says where a grammar is wrong", async () => {

@@ -3,7 +3,7 @@ import type { Block } from "./container";
 import type { Answer, Core } from "./core";
 import { CoreError } from "./errors";
 
-/** A core that took more than this for a plant is given up for a small one. */
+/** A core whose memory has grown beyond this is dropped, and the next request gets a new one, bytes. */
 const MOST_MEMORY = 256 * 1024 * 1024;
 
 export class Cores {
@@ -24,9 +24,12 @@ export class Cores {
 		this.#cores.set(wasm, loading);
 		try {
 			const core = await loading;
-			const answer = core.grow(blocks);
-			if (core.memoryBytes > MOST_MEMORY) this.#cores.delete(wasm);
-			return answer;
+			try {
+				return core.grow(blocks);
+			} finally {
+				// The memory of an instance never shrinks, whether its plant was grown or refused.
+				if (core.memoryBytes > MOST_MEMORY) this.#cores.delete(wasm);
+			}
 		} catch (error) {
 			if (!(error instanceof CoreError)) this.#cores.delete(wasm);
 			throw error;

@@ -30,7 +30,8 @@ export interface Surroundings {
 /** Answers a request; never throws. */
 export type Service = (request: Request) => Promise<Response>;
 
-const METHODS = "GET, HEAD, OPTIONS";
+/** Methods of HTTP that are answered. */
+export const METHODS = ["GET", "HEAD", "OPTIONS"];
 /** Any page may ask: what is answered is public, and the same for all. */
 const FOR_ALL = {
 	"access-control-allow-origin": "*",
@@ -67,9 +68,10 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 
 	async function answer(request: Request): Promise<Response> {
 		const { method } = request;
-		if (method === "OPTIONS") return new Response(null, { status: 204, headers: { ...FOR_ALL, allow: METHODS } });
-		if (method !== "GET" && method !== "HEAD")
-			throw new Refused(405, `${method} is not for plants`, { allow: METHODS });
+		if (method === "OPTIONS")
+			return new Response(null, { status: 204, headers: { ...FOR_ALL, allow: METHODS.join(", ") } });
+		if (!METHODS.includes(method))
+			throw new Refused(405, `method ${method} is not allowed`, { allow: METHODS.join(", ") });
 		const asked = await readAddress(new URL(request.url));
 		const format = await formatOf(asked);
 		const link = await encodeLink(asked.model, asked.specimen);

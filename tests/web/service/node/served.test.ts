@@ -13,6 +13,18 @@ let folder: string;
 let server: ChildProcess;
 let base: string;
 
+/** Starts the program on a free port, with one thread that has four seconds for a plant. */
+async function start() {
+	const program = ["service.mjs", "--port", "0", "--threads", "1", "--seconds", "4"];
+	const service = spawn(process.execPath, program, { cwd: folder });
+	const ended = new Promise<number | null>((resolve) => service.on("close", resolve));
+	const address = new Promise<string>((resolve, reject) => {
+		service.stdout.on("data", (data) => resolve(/http:\S+(?=specimens)/.exec(`${data}`)?.[0] ?? ""));
+		void ended.then((status) => reject(new Error(`ended with ${status}`)));
+	});
+	return { process: service, ended, base: await address };
+}
+
 /** The program by itself in an empty folder: it is one file. */
 beforeAll(async () => {
 	folder = await mkdtemp(join(tmpdir(), "panicle-service-"));
@@ -22,11 +34,7 @@ beforeAll(async () => {
 		.split("\n")
 		.at(-1);
 	await copyFile(program as string, join(folder, "service.mjs"));
-	server = spawn(process.execPath, ["service.mjs", "--port", "0", "--threads", "1", "--seconds", "4"], { cwd: folder });
-	base = await new Promise<string>((resolve, reject) => {
-		server.stdout?.on("data", (data) => resolve(/http:\S+(?=specimens)/.exec(`${data}`)?.[0] ?? ""));
-		server.on("close", (status) => reject(new Error(`ended with ${status}`)));
-	});
+	({ process: server, base } = await start());
 });
 afterAll(async () => {
 	server?.kill();
@@ -44,7 +52,7 @@ it("answers from one file, on loopback, with every model's plants", async () => 
 	expect(new TextDecoder().decode((await root.arrayBuffer()).slice(0, 4))).toBe("glTF");
 });
 
-it("heeds the tag, HEAD and refusals over HTTP", async () => {
+it("answers tags, HEAD and refusals over HTTP", async () => {
 	const address = `${base}specimens/redcurrant.json?count=5`;
 	const first = await fetch(address);
 	const tag = first.headers.get("etag") as string;
@@ -67,18 +75,65 @@ it.runIf(isLongRun)("gives up a plant that takes too long, and grows the next", 
 	expect((await fetch(`${base}specimens/redcurrant.json?count=5`)).status).toBe(200);
 });
 
-it("survives what is no HTTP", async () => {
+/** The answer to one line of HTTP, sent over a raw connection. */
+function answerTo(line: string): Promise<string> {
 	const { port } = new URL(base);
-	const answer = await new Promise<string>((resolve) => {
-		const socket = connect(Number(port), "127.0.0.1", () => socket.end("GET http://[ HTTP/1.1\r\nhost: x\r\n\r\n"));
+	return new Promise((resolve) => {
+		const request = `${line} HTTP/1.1\r\nhost: x\r\nconnection: close\r\n\r\n`;
+		const socket = connect(Number(port), "127.0.0.1", () => socket.write(request));
 		let text = "";
 		socket.on("data", (data) => {
 			text += data;
 		});
 		socket.on("close", () => resolve(text));
 	});
-	expect(answer).toMatch(/^HTTP\/1\.1 400 /);
+}
+
+it("answers malformed requests with an error, and goes on", async () => {
+	expect(await answerTo("GET http://[")).toMatch(/^HTTP\/1\.1 400 /);
+	expect(await answerTo("TRACE /specimens/redcurrant.json?count=5")).toMatch(/^HTTP\/1\.1 405 /);
+	expect(await answerTo("GET //u:p@h/specimens/redcurrant.json?count=5")).toMatch(/^HTTP\/1\.1 200 /);
 	expect((await fetch(`${base}health`)).status).toBe(200);
+});
+
+it("answers a small request soon after fifteen clients with large ones have left", async () => {
+	const heavy = `${base}specimens/tree/oak.stl?file-thickness=0.2`;
+	const clients = Array.from({ length: 15 }, () => new AbortController());
+	const left = clients.map(({ signal }, n) => fetch(`${heavy}&seed=${n}`, { signal }).catch(() => undefined));
+	// The first of them grows by then, the others wait.
+	await fetch(`${base}health`);
+	for (const client of clients) client.abort();
+	await Promise.all(left);
+	// One thread gives up a plant after four seconds: fifteen would take a minute, and this request would be refused.
+	expect((await fetch(`${base}specimens/redcurrant.json?count=5`)).status).toBe(200);
+});
+
+it.runIf(isLongRun)("answers or refuses each of 100 large requests at once", async () => {
+	const answers = Array.from({ length: 100 }, (_, n) => fetch(`${base}specimens/tree/oak.glb?seed=${n}`));
+	const health = await fetch(`${base}health`);
+	expect(health.status).toBe(200);
+	const statuses = await Promise.all(
+		answers.map(async (answering) => {
+			const answer = await answering;
+			const { byteLength } = await answer.arrayBuffer();
+			expect(byteLength).toBeGreaterThan(0);
+			return answer.status;
+		}),
+	);
+	expect(new Set(statuses)).toEqual(new Set([200, 503]));
+});
+
+it("answers what it has begun when it is ended by SIGTERM, and refuses the rest", async () => {
+	const { ended, base: own, process: service } = await start();
+	const growing = fetch(`${own}specimens/tree/oak.glb`);
+	// The request has come by the time that another one is answered.
+	await fetch(`${own}health`);
+	service.kill("SIGTERM");
+	const answer = await growing;
+	expect([answer.status, answer.headers.get("connection")]).toEqual([200, "close"]);
+	expect((await answer.arrayBuffer()).byteLength).toBeGreaterThan(0);
+	expect(await ended).toBe(0);
+	await expect(fetch(`${own}health`)).rejects.toThrow();
 });
 
 it("refuses options that it does not know", () => {

@@ -4,15 +4,18 @@ import { parseArgs } from "node:util";
 import { isMainThread, Worker } from "node:worker_threads";
 import { version } from "../../../../package.json";
 import { makeServer } from "./server";
-import { answerQuestions } from "./thread";
-import { Threads } from "./threads";
+import { answerRequests } from "./thread";
+import { ThreadPool } from "./thread_pool";
 
+/** Most memory for the JavaScript objects of one thread, MiB; one that needs more ends, and another takes its place. */
+const HEAP = 1024;
 const USAGE = `npm run service -- [--port 8765] [--host 127.0.0.1] [--threads N] [--seconds 20]
-Answers /specimens/PRESET.ENDING?… with the plant's file. --host 0.0.0.0 lets other machines ask too.
+Serves /specimens/PRESET.ENDING?…, the plant's file, with N threads and at most the given seconds for one plant.
+--host 0.0.0.0 accepts requests from other machines.
 `;
 
 if (isMainThread) await serve();
-else answerQuestions(version);
+else answerRequests(version);
 
 async function serve(): Promise<void> {
 	const { port, host, threads, seconds, help } = options();
@@ -21,11 +24,11 @@ async function serve(): Promise<void> {
 		return;
 	}
 	const own = new URL(import.meta.url);
-	const pool = new Threads({
-		start: () => new Worker(own),
+	const pool = new ThreadPool({
+		start: () => new Worker(own, { resourceLimits: { maxOldGenerationSizeMb: HEAP } }),
 		threads: number("threads", threads, availableParallelism(), 1, 256),
-		patience: 1000 * number("seconds", seconds, 20, 0.1, 3600),
-		waiting: 256,
+		timeout: 1000 * number("seconds", seconds, 20, 0.1, 3600),
+		queueLength: 256,
 	});
 	const server = makeServer(pool);
 	server.on("error", ({ message }) => {
@@ -38,13 +41,17 @@ async function serve(): Promise<void> {
 		const at = typeof address === "object" && address ? address.port : address;
 		process.stdout.write(`Specimens at http://${host}:${at}/specimens/\n`);
 	});
-	const end = () => {
+	let draining = false;
+	const end = async () => {
+		// A second signal does not wait for the answers that are due.
+		if (draining) return process.exit(1);
+		draining = true;
 		server.close();
-		server.closeAllConnections();
-		void pool.close();
+		server.closeIdleConnections();
+		await pool.drain();
 	};
-	process.once("SIGINT", end);
-	process.once("SIGTERM", end);
+	process.on("SIGINT", end);
+	process.on("SIGTERM", end);
 }
 
 function options() {

@@ -1,16 +1,16 @@
-/** What the server's thread and those that answer say to each other. */
+/** Messages between the server's thread and the threads that grow plants. */
 
-export interface Question {
+export interface ThreadRequest {
 	readonly id: number;
 	readonly url: string;
 	readonly method: string;
 	readonly headers: Readonly<Record<string, string>>;
 }
 
-export interface Reply {
+export interface ThreadResponse {
 	readonly id: number;
 	readonly status: number;
 	readonly headers: Readonly<Record<string, string>>;
-	/** Moved, not copied. */
+	/** Transferred, not copied. */
 	readonly body: Uint8Array<ArrayBuffer>;
 }

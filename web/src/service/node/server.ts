@@ -1,45 +1,107 @@
-/** The service as a server of HTTP. */
+/** The service as an HTTP server. */
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from "node:http";
 import { LONGEST_ADDRESS } from "../address";
 import { Refused } from "../refused";
-import type { Threads } from "./threads";
+import { METHODS } from "../service";
+import type { ThreadResponse } from "./messages";
+import type { ThreadPool } from "./thread_pool";
 
-/** What a plant depends on besides its address. */
-const HEEDED = ["if-none-match"] as const;
+/** Request headers on which an answer depends. */
+const USED_HEADERS = ["if-none-match"] as const;
 const HELP =
 	"A specimen's file: /specimens/riesling.glb?seed=7, /specimens/NAME.json?v=2&… with a link's query. /health says ok.\n";
 
-export function makeServer(threads: Pick<Threads, "ask">): Server {
-	const server = createServer({ maxHeaderSize: LONGEST_ADDRESS + 8 * 1024 }, (request, response) => {
-		void answer(threads, request, response);
+/** What clients may take of the server. Times in milliseconds. */
+export interface ServerLimits {
+	/** Open connections. */
+	readonly connections: number;
+	/** Until a request's head, or the whole request, has come. */
+	readonly request: number;
+	/** An answer of which the client has read nothing for so long is dropped, … */
+	readonly stalled: number;
+	/** … and one that is read more slowly than this over all, bytes a second. */
+	readonly slowest: number;
+	/** Bytes of answers that clients have yet to read; above, further requests are refused until some have been read. */
+	readonly unread: number;
+}
+
+export const SERVER_LIMITS: ServerLimits = {
+	connections: 1024,
+	request: 10_000,
+	stalled: 10_000,
+	slowest: 64 * 1024,
+	unread: 256 * 1024 * 1024,
+};
+
+/** @param threads answers the requests */
+export function makeServer(threads: Pick<ThreadPool, "run">, limits = SERVER_LIMITS): Server {
+	const options = {
+		maxHeaderSize: LONGEST_ADDRESS + 8 * 1024,
+		headersTimeout: limits.request,
+		requestTimeout: limits.request,
+		keepAliveTimeout: limits.request / 2,
+		connectionsCheckingInterval: limits.request / 10,
+	};
+	let unread = 0;
+	const server = createServer(options, async (request, response) => {
+		request.socket.setTimeout(0); // Growing may take longer than a client may be silent.
+		request.resume(); // Bodies are ignored.
+		const { method = "GET", url = "/" } = request;
+		if (url === "/" || url === "/health") return sendText(response, 200, url === "/" ? HELP : "ok\n");
+		try {
+			if (!METHODS.includes(method))
+				throw new Refused(405, `method ${method} is not allowed`, { allow: METHODS.join(", ") });
+			if (unread > limits.unread)
+				throw new Refused(503, "too many answers are still to be read; try again in a moment", { "retry-after": "5" });
+			const answer = await threads.run(
+				{ url: addressOf(url), method, headers: usedHeaders(request) },
+				leaving(response),
+			);
+			unread += answer.body.byteLength;
+			response.once("close", () => {
+				unread -= answer.body.byteLength;
+			});
+			// A server that is shutting down waits for no further request of the connection.
+			if (!server.listening) response.setHeader("connection", "close");
+			send(response, answer, limits);
+		} catch (error) {
+			const refused = error instanceof Refused ? error : new Refused(400, "the address cannot be read");
+			sendText(response, refused.status, `${refused.message}\n`, refused.headers);
+		}
 	});
-	// Who sends a request's head slowly must not keep others out.
-	server.headersTimeout = 10_000;
-	server.requestTimeout = 10_000;
+	server.maxConnections = limits.connections;
+	server.timeout = limits.request; // Connections that send nothing at all are closed by nothing else.
 	return server;
 }
 
-async function answer(
-	threads: Pick<Threads, "ask">,
-	request: IncomingMessage,
-	response: ServerResponse,
-): Promise<void> {
-	request.resume(); // A body is none of ours.
-	const { method = "GET", url = "/" } = request;
-	if (url === "/" || url === "/health") return say(response, 200, url === "/" ? HELP : "ok\n");
-	const headers = Object.fromEntries(
-		HEEDED.flatMap((key) => (request.headers[key] ? [[key, request.headers[key]]] : [])),
-	);
-	try {
-		const reply = await threads.ask({ url: new URL(url, "http://localhost").href, method, headers });
-		response.writeHead(reply.status, reply.headers).end(method === "HEAD" ? undefined : reply.body);
-	} catch (error) {
-		const refused = error instanceof Refused ? error : new Refused(400, "this is no address");
-		say(response, refused.status, `${refused.message}\n`, refused.headers);
-	}
+/** The address of a request's first line, which may be a path or a whole address; a user's name and password are left out. */
+function addressOf(url: string): string {
+	const address = new URL(url.startsWith("/") ? `http://localhost${url}` : url);
+	address.username = "";
+	address.password = "";
+	return address.href;
 }
 
-function say(
+function usedHeaders(request: IncomingMessage): Record<string, string> {
+	return Object.fromEntries(USED_HEADERS.flatMap((key) => (request.headers[key] ? [[key, request.headers[key]]] : [])));
+}
+
+/** Aborted when the client closes the connection before its answer has been sent. */
+function leaving(response: ServerResponse): AbortSignal {
+	const controller = new AbortController();
+	response.once("close", () => controller.abort());
+	return controller.signal;
+}
+
+function send(response: ServerResponse, { status, headers, body }: ThreadResponse, limits: ServerLimits): void {
+	const drop = () => void response.destroy();
+	response.setTimeout(limits.stalled, drop);
+	const deadline = setTimeout(drop, limits.stalled + (1000 * body.byteLength) / limits.slowest);
+	response.once("close", () => clearTimeout(deadline));
+	response.writeHead(status, headers).end(response.req.method === "HEAD" ? undefined : body);
+}
+
+function sendText(
 	response: ServerResponse,
 	status: number,
 	text: string,
