@@ -20,6 +20,9 @@ class Slow extends EventEmitter {
 	}
 }
 
+// A request that is never answered fails its test soon.
+vi.setConfig({ testTimeout: 10_000 });
+
 let started: Slow[];
 let threads: ThreadPool;
 beforeEach(() => {
