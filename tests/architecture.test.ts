@@ -222,15 +222,4 @@ describe("the repository", () => {
 		const naming = files.filter((file) => isText(file) && file !== "package-lock.json" && places.test(read(file)));
 		expect(naming).toEqual([]);
 	});
-
-	it.each([
-		[/^(web\/src|tests|wasm-core\/tools)\/.*\.(ts|mjs)$/, 300],
-		[/^(wasm-core|tests)\/.*\.(cpp|hpp|h)$/, 600],
-	])("keeps files like %s within %i lines", (pattern, limit) => {
-		const long = files
-			.filter((file) => pattern.test(file) && !file.includes(".generated."))
-			.map((file) => ({ file, lines: read(file).split("\n").length - 1 }))
-			.filter(({ lines }) => lines > limit);
-		expect(long).toEqual([]);
-	});
 });
