@@ -85,3 +85,44 @@ TEST_CASE("long texts are read in proportion to their length") {
   for (int i = 0; i < 20'000; ++i) terms += "+x*" + std::to_string(i);
   CHECK(trouble(terms + ")") == "none");
 }
+
+namespace {
+
+// As many repetitions as a text may have, `begin` and `end` included. `%` stands for the number of each.
+std::string largest(const std::string& begin, const std::string& repeated, const std::string& end = {}) {
+  std::string text = begin;
+  for (int i = 0;; ++i) {
+    std::string part = repeated;
+    for (std::size_t at; (at = part.find('%')) != std::string::npos;) part.replace(at, 1, std::to_string(i));
+    if (text.size() + part.size() + end.size() > Limits{}.text_bytes) return text + end;
+    text += part;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("lists of symbols, roles, labels and signs are read in proportion to their length, up to the largest text") {
+  const std::string symbols = largest("axiom: ", "a% ").substr(0, 120'000), list = symbols.substr(7);
+  CHECK(trouble("ignore: " + list + "\n" + symbols) == "none");
+  std::string systems = "axiom: A\n";
+  for (int i = 0; i < 5000; ++i) systems += "Lsystem: l" + std::to_string(i) + "\nA --> B\n";
+  CHECK(trouble(largest(systems + "endlsystem\nignore: ", "A ")) == "none");
+  CHECK(trouble(largest("axiom: A\n", "B% --> B\n#role r% B%\n")) == "none");
+  CHECK(trouble(largest("axiom: A\n#define x 1\n", "p% : x --> A\n")) == "none");
+  CHECK(trouble(largest("axiom: A\n", "B --> p%\nA% : B --> A\n")) == "syntax 3:1");
+  CHECK(trouble(largest("axiom: A\n#define x 1\n", "p% : x --> A p%\n")) == "none");
+  CHECK(trouble(largest("axiom: A\n", "'", "")) == "none");
+  CHECK(trouble(largest("#define n[] 1", ",1", "\naxiom: F(n[2])")) == "none");
+  CHECK(trouble(largest("axiom: A" + std::string(100'000, ' '), "'")) == "none");
+}
+
+TEST_CASE("values that a request gives are found in proportion to their number") {
+  std::string text = "axiom: A(x7)\n";
+  Inputs inputs;
+  for (int i = 0; i < 14'000; ++i) text += "#define x" + std::to_string(i) + " 1\n";
+  for (int i = 0; i < 100'000; ++i) inputs.scalars.push_back({"x" + std::to_string(100'000 - i), 1.0f * i});
+  inputs.scalars.push_back({"x7", 1});  // of two values the first counts
+  const BoundPointer bound = compiled(text, inputs);
+  CHECK(text_of(*bound, derived(*bound, 0)) == "A(99993)");
+  CHECK(lsystem::remarks(lsystem::program_of(*bound), inputs.scalars).size() == 100'000 - 13'999);
+}

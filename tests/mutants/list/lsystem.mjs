@@ -4,6 +4,30 @@ const TESTS = "tests/core";
 
 export default [
 	{
+		file: `${SRC}/lsystem/production_reader.cpp`,
+		suites: [`${TESTS}/lsystem/limits_test.cpp`],
+		faults: [
+			{
+				id: "production-label-declared-names",
+				find: "declared_.add(tokens_[i + 2].text);",
+				replace: "{}",
+				breaks: "a condition that is a #define alone is taken for the successor of a label",
+			},
+		],
+	},
+	{
+		file: `${SRC}/lsystem/bound.cpp`,
+		suites: [`${TESTS}/lsystem/limits_test.cpp`],
+		faults: [
+			{
+				id: "bound-last-input-counts",
+				find: "return number == Names::none ? nullptr : &given_[places_[number]];",
+				replace: "return number == Names::none ? nullptr : &given_.back();",
+				breaks: "a constant takes the value of another",
+			},
+		],
+	},
+	{
 		file: `${SRC}/lsystem/derivation.cpp`,
 		suites: [`${TESTS}/lsystem/derivation_test.cpp`, `${TESTS}/lsystem/open_derivation_test.cpp`],
 		faults: [

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lsystem/machine.hpp"
+#include "lsystem/names.hpp"
 #include "lsystem/number_text.hpp"
 
 namespace panicle::lsystem {
@@ -16,16 +17,33 @@ constexpr std::uint32_t most_depth = 256;
 
 bool is_finite(float value) { return value - value == 0; }
 
+// Inputs by name. Of several with one name the first counts.
 template <class Given>
-const Given* named(const std::vector<Given>& given, std::string_view name) {
-  const auto found = std::find_if(given.begin(), given.end(), [&](const Given& one) { return one.name == name; });
-  return found == given.end() ? nullptr : &*found;
-}
+class Index {
+ public:
+  explicit Index(const std::vector<Given>& given) : given_(given) {
+    for (std::uint32_t i = 0; i < given.size(); ++i)
+      if (names_.add(given[i].name) == places_.size()) places_.push_back(i);
+  }
+  const Given* find(std::string_view name) const {
+    const std::uint32_t number = names_.find(name);
+    return number == Names::none ? nullptr : &given_[places_[number]];
+  }
+
+ private:
+  const std::vector<Given>& given_;
+  Names names_;
+  std::vector<std::uint32_t> places_;
+};
 
 class Binder {
  public:
   Binder(std::shared_ptr<const Program> program, const Inputs& inputs, const Limits& limits)
-      : program_(*program), inputs_(inputs), limits_(limits), bound_(std::make_shared<Bound>()) {
+      : program_(*program),
+        scalars_(inputs.scalars),
+        arrays_(inputs.arrays),
+        limits_(limits),
+        bound_(std::make_shared<Bound>()) {
     bound_->program = std::move(program);
     bound_->registers = program_.code.registers;
     bound_->lists.resize(program_.code.arrays.size());
@@ -59,7 +77,7 @@ class Binder {
 
   bool scalar(const Declaration& declaration) {
     float& value = bound_->registers[declaration.to];
-    if (const Inputs::Scalar* const given = named(inputs_.scalars, declaration.name)) {
+    if (const Inputs::Scalar* const given = scalars_.find(declaration.name)) {
       value = given->value;
       if (!is_finite(value))
         return fail(Reason::bad_input, declaration.place, "'%' was given %; give it a finite number.",
@@ -99,7 +117,7 @@ class Binder {
   }
 
   bool list(const Declaration& declaration) {
-    const Inputs::Array* const given = named(inputs_.arrays, declaration.name);
+    const Inputs::Array* const given = arrays_.find(declaration.name);
     if (given == nullptr && !declaration.values.empty()) {
       std::vector<float>& values = bound_->lists[declaration.to];
       for (const Value& of : declaration.values)
@@ -156,7 +174,8 @@ class Binder {
   }
 
   const Program& program_;
-  const Inputs& inputs_;
+  const Index<Inputs::Scalar> scalars_;
+  const Index<Inputs::Array> arrays_;
   const Limits& limits_;
   std::shared_ptr<Bound> bound_;
   Diagnostic trouble_;
@@ -172,8 +191,9 @@ Result<std::shared_ptr<const Bound>> bind(std::shared_ptr<const Program> program
 const Program& program_of(const Bound& bound) { return *bound.program; }
 
 float constant(const Bound& bound, std::string_view name, float otherwise) {
-  const Definition* const definition = named(bound.definitions, name);
-  return definition && definition->kind != Definition::Kind::array ? definition->values[0] : otherwise;
+  const auto found = std::find_if(bound.definitions.begin(), bound.definitions.end(),
+                                  [&](const Definition& definition) { return definition.name == name; });
+  return found != bound.definitions.end() && found->kind != Definition::Kind::array ? found->values[0] : otherwise;
 }
 
 std::optional<std::uint32_t> derivation_length(const Bound& bound) { return bound.steps; }

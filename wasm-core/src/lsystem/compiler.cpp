@@ -118,10 +118,10 @@ class Compiler {
   bool roles() {
     Roles& roles = program_->roles;
     roles.of_symbol.assign(program_->symbols.size(), Roles::none);
+    Names names;
     for (const RoleTree& tree : grammar_.roles) {
-      const auto found = std::find(roles.names.begin(), roles.names.end(), tree.name);
-      const auto role = static_cast<std::uint32_t>(found - roles.names.begin());
-      if (found == roles.names.end()) roles.names.emplace_back(tree.name);
+      const std::uint32_t role = names.add(tree.name);
+      if (role == roles.names.size()) roles.names.emplace_back(tree.name);
       for (const Named& symbol : tree.symbols)
         if (!give_role(role, symbol)) return false;
     }
@@ -150,15 +150,17 @@ class Compiler {
     const SightTree& sight = grammar_.sight;
     const bool consider = sight.kind == SightTree::Kind::consider;
     program_->passed_over.assign(program_->symbols.size(), consider);
+    Names listed;
     for (const Named& symbol : sight.symbols) {
-      const std::uint32_t number = symbols_.find(symbol.name);
-      if (number == Names::none)
+      if (symbols_.find(symbol.name) == Names::none)
         return fail(Reason::undefined, symbol.place,
                     "Nothing in this text has the symbol '%'; take it out of the list, or put spaces between several.",
                     {symbol.name});
-      for (std::uint32_t same = 0; same < program_->symbols.size(); ++same)
-        if (program_->symbols[same] == symbol.name) program_->passed_over[same] = !consider;
+      listed.add(symbol.name);
     }
+    // Each L-system of the text may have a symbol of that name.
+    for (std::uint32_t symbol = 0; symbol < program_->symbols.size(); ++symbol)
+      if (listed.find(program_->symbols[symbol]) != Names::none) program_->passed_over[symbol] = !consider;
     return true;
   }
 

@@ -45,27 +45,32 @@ bool ProductionReader::is_label() {
   const Token& next = tokens_[at_ + 2];
   static constexpr std::string_view never_begin_expressions = "&^/\\|[]%?";
   if (times_named(found()) > 1) return false;
-  if (next.kind == TokenKind::name) return times_named(next.text) > 1 && !is_value(at_ + 2);
+  if (next.kind == TokenKind::name) return times_named(next.text) > 1 && !is_value(next.text);
   if (next.is('*')) return at_ + 3 < arrow_;
   return next.kind == TokenKind::sign && never_begin_expressions.find(next.text[0]) != std::string_view::npos;
 }
 
-// Whether the name at `at` is a constant's or calls a function.
-bool ProductionReader::is_value(std::size_t at) const {
+// Whether a name is a constant's or calls a function.
+bool ProductionReader::is_value(std::string_view name) {
+  index_words();
   for (const Function& function : functions)
-    if (tokens_[at].is(function.name)) return true;
-  for (std::size_t i = 0; i + 2 < tokens_.size(); ++i)
-    if (tokens_[i].is('#') && tokens_[i + 2].is(tokens_[at].text)) return true;
-  return false;
+    if (name == function.name) return true;
+  return declared_.find(name) != Names::none;
 }
 
-// How often a name of the text stands there.
+// How often a name of the text occurs in it.
 std::uint32_t ProductionReader::times_named(std::string_view name) {
-  if (times_.empty()) {
-    times_.assign(tokens_.size(), 0);
-    for (const Token& token : tokens_) ++times_[words_.add(token.text)];
-  }
+  index_words();
   return times_[words_.find(name)];
+}
+
+void ProductionReader::index_words() {
+  if (!times_.empty()) return;
+  times_.assign(tokens_.size(), 0);
+  for (std::size_t i = 0; i < tokens_.size(); ++i) {
+    ++times_[words_.add(tokens_[i].text)];
+    if (tokens_[i].is('#') && i + 2 < tokens_.size()) declared_.add(tokens_[i + 2].text);
+  }
 }
 
 // `left < predecessor > right`, up to the colon of a condition.

@@ -15,16 +15,19 @@ class ProductionReader : public TokenReader {
 
  private:
   bool is_label();
-  bool is_value(std::size_t at) const;
+  bool is_value(std::string_view name);
   std::uint32_t times_named(std::string_view name);
+  void index_words();
   bool predecessor(ProductionTree& production);
   bool neighbours(std::size_t end, char side, std::vector<NeighbourTree>& neighbours, std::vector<Named>& beside);
   bool different(const std::vector<Named>& formals);
   bool condition(ProductionTree& production);
   bool block(std::vector<AssignmentTree>& assignments);
 
-  Names words_;                       // all that stands in the text
-  std::vector<std::uint32_t> times_;  // how often each word does
+  // Of the whole text, filled when the first production may begin with a label:
+  Names words_;                       // all tokens
+  std::vector<std::uint32_t> times_;  // how often each word occurs
+  Names declared_;                    // the names that directives declare, as in #define NAME
 };
 
 }  // namespace panicle::lsystem

@@ -177,9 +177,10 @@ class Reader {
   std::vector<Remark> on_axiom_;
 };
 
-bool declares(const Program& program, std::string_view name) {
-  return std::any_of(program.declarations.begin(), program.declarations.end(),
-                     [&](const Declaration& declaration) { return declaration.name == name; });
+Names declared_by(const Program& program) {
+  Names names;
+  for (const Declaration& declaration : program.declarations) names.add(declaration.name);
+  return names;
 }
 
 }  // namespace
@@ -194,8 +195,9 @@ std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scal
       all.push_back({sentence("% draws for its random condition once; with a derivation length it draws in each step.",
                               {program.symbols[production.predecessor]}),
                      production.place.line, production.place.column});
+  const Names declared = asked.empty() ? Names() : declared_by(program);
   for (const Inputs::Scalar& given : asked)
-    if (!declares(program, given.name))
+    if (declared.find(given.name) == Names::none)
       all.push_back({sentence("The grammar has no #define %, so its parameter changes nothing.", {given.name}), 0, 0});
   return all;
 }

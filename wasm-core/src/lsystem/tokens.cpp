@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "lsystem/foreign.hpp"
 #include "lsystem/number_text.hpp"
@@ -104,6 +105,8 @@ class Tokenizer {
     ++place_.line;
     place_.column = 1;
     first_on_line_ = true;
+    line_begin_ = at_;
+    in_comment_.reset();
   }
 
   // Whether a token follows.
@@ -230,10 +233,14 @@ class Tokenizer {
     return fail(place_, "'%' is not part of the notation; take it out.", {character});
   }
 
-  // Whether the line begins as `// two words`.
-  bool in_comment() const {
-    const std::size_t newline = text_.rfind('\n', at_);
-    const std::size_t begin = text_.find_first_not_of(" \t", newline == std::string_view::npos ? 0 : newline + 1);
+  // Whether the line begins as `// two words`: found once a line, however many signs of prose it has.
+  bool in_comment() {
+    if (!in_comment_) in_comment_ = begins_as_comment();
+    return *in_comment_;
+  }
+
+  bool begins_as_comment() const {
+    const std::size_t begin = text_.find_first_not_of(" \t", line_begin_);
     if (begin == std::string_view::npos || text_.substr(begin, 2) != "//") return false;
     const std::size_t first = text_.find_first_not_of(" \t", begin + 2);
     const auto letter = [&](std::size_t at) { return at < text_.size() && is_letter(decode(text_.substr(at)).value); };
@@ -247,6 +254,8 @@ class Tokenizer {
   std::size_t at_ = 0;
   Place place_{1, 1};
   bool first_on_line_ = true;
+  std::size_t line_begin_ = 0;
+  std::optional<bool> in_comment_;  // of this line, once it is known
   std::vector<Token> tokens_;
   Diagnostic trouble_;
 };
