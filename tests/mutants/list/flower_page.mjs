@@ -180,7 +180,7 @@ export default [
 		faults: [
 			{
 				id: "flower-life-of-texts-without-one",
-				find: "text === undefined || OF_AGE.test(uncommented(text))",
+				find: "text === undefined || isOfAge(uncommented(text))",
 				replace: "true",
 				breaks: "a life is offered to be played in which nothing happens",
 			},

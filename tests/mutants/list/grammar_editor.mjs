@@ -21,8 +21,8 @@ export default [
 			},
 			{
 				id: "grammar-editor-constant-outside-its-slider",
-				find: "Math.max(low, high, value)]",
-				replace: "Math.max(low, high)]",
+				find: "const ends = [read(low), read(high), value];",
+				replace: "const ends = [read(low), read(high)];",
 				breaks: "a slider jumps when it is touched, where the text's number lies beyond the comment's range",
 			},
 		],
@@ -114,6 +114,75 @@ export default [
 				find: "if (desk.state.growing) desk.cancel();",
 				replace: "",
 				breaks: "the next character waits until a million modules of the text before have grown",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/grammar/range_words.ts",
+		suites: ["tests/web/controls/grammar/range_words.test.ts"],
+		faults: [
+			{
+				id: "range-words-dots-of-numbers",
+				find: 'text[whole] === "." && text[whole + 1] !== "."',
+				replace: 'text[whole] === "."',
+				breaks: "a comment that says 0..90 gives its slider no range",
+			},
+			{
+				id: "range-words-looked-at-again",
+				find: "at = separated ?? low;",
+				replace: "at++;",
+				suites: ["tests/web/hostile_texts.test.ts"],
+				breaks: "a link with a long number in a comment hangs the page",
+				hangs: true,
+			},
+		],
+	},
+	{
+		file: "web/src/controls/grammar/comments.ts",
+		suites: ["tests/patterns.test.ts"],
+		faults: [
+			{
+				id: "comments-never-closed-hang",
+				find: "(?:\\*\\/|$)/g, blanked)",
+				replace: "\\*\\//g, blanked)",
+				breaks: "a text of many comments that are never closed hangs the page",
+			},
+		],
+	},
+	{
+		file: "web/src/specimen/read_values.ts",
+		suites: ["tests/patterns.test.ts"],
+		faults: [
+			{
+				id: "numbers-backtrack",
+				find: "\\d+(?:\\.\\d*)?|",
+				replace: "\\d+\\.?\\d*|",
+				breaks: "a file with a long number that is none hangs the page",
+			},
+		],
+	},
+	{
+		file: "web/src/models/growth/volumes/footprint.ts",
+		suites: ["tests/web/hostile_texts.test.ts"],
+		faults: [
+			{
+				id: "footprints-in-footprints",
+				find: "if (head.index < (found.at(-1)?.to ?? 0)) continue;",
+				replace: "",
+				breaks: "a text of many volumes that are never closed hangs the page",
+				hangs: true,
+			},
+		],
+	},
+	{
+		file: "web/src/batch/csv_rows.ts",
+		suites: ["tests/web/hostile_texts.test.ts"],
+		faults: [
+			{
+				id: "csv-rows-within-quotes",
+				find: 'else if (!isQuoted && text[at] === "\\n") {',
+				replace: 'else if (text[at] === "\\n") {',
+				breaks: "a series goes on from a table whose notes have lines as if plants were missing",
 			},
 		],
 	},

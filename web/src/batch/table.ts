@@ -1,6 +1,7 @@
 /** The table of a series: a line for each plant, with all that brings it back and what was measured. */
 import { type Cell, writeCsv } from "../export/csv";
 import { measureValues } from "../export/measures";
+import { cellsOf, splitRows } from "./csv_rows";
 import type { Grown, Member, Series } from "./series";
 
 /** What stands before the values and the measures. */
@@ -74,14 +75,4 @@ export function readLines(series: Series, text: string): Map<string, Line> | und
 		return { file, bytes: Number(bytes), sum, link: aims.length > 0 ? from : link, text: row, same };
 	});
 	return new Map(lines.filter(({ file, same }) => file !== "" && same).map((line) => [line.file, line]));
-}
-
-/** Rows with the CRLF that ends them: none within quotation marks does. */
-function splitRows(text: string): string[] {
-	return text.match(/(?:"(?:[^"]|"")*"|[^"\r\n])*\r\n/g) ?? [];
-}
-
-function cellsOf(row: string): string[] {
-	const cells = row.slice(0, -2).match(/(?<=^|,)(?:"(?:[^"]|"")*"|[^",]*)/g) ?? [];
-	return cells.map((cell) => (cell.startsWith('"') ? cell.slice(1, -1).replaceAll('""', '"') : cell));
 }

@@ -1,4 +1,5 @@
 /** What is varied from plant to plant of a series: `age=60..110,density=3..8,fruit=lychee|duku`. */
+import { halvesOf, keyAndValue } from "../specimen/halves";
 import { readNumber } from "../specimen/read_values";
 import { type Restored, restore } from "../specimen/restore";
 import type { Species } from "../specimen/species";
@@ -26,12 +27,12 @@ export function readVary<S extends Specimen>(species: Species<S>, text: string, 
 }
 
 function readOne<S extends Specimen>(species: Species<S>, part: string, from: S): Varied {
-	const [, key, values] = /^([^=\s]+)\s*=\s*(.+)$/.exec(part) ?? [];
-	if (key === undefined) throw new Unusable(`“${part}”: write KEY=FROM..TO or KEY=ONE|ANOTHER, as in age=60..110`);
+	const [key, values] = keyAndValue(part) ?? [];
+	if (!key || !values) throw new Unusable(`“${part}”: write KEY=FROM..TO or KEY=ONE|ANOTHER, as in age=60..110`);
 	const entry = entryOf(species, key) ?? constantOf(key);
 	const own = entryOf(species, key) ? {} : ({ own: true } as const);
-	const [, low, high] = /^(.*?)\.\.(.*)$/.exec(values) ?? [];
-	if (low === undefined) {
+	const [low, high] = halvesOf(values, "..") ?? [];
+	if (low === undefined || high === undefined) {
 		const list = values.split("|").map((value) => value.trim());
 		for (const value of list) check(species, { entry, own }, value, from);
 		return { entry, ...own, values: list };

@@ -1,5 +1,6 @@
 /** `--target KEY=VALUE`: measures asked for in place of parameters. */
 import type { Model } from "../models/model";
+import { keyAndValue } from "../specimen/halves";
 import { readNumber } from "../specimen/read_values";
 import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
@@ -15,8 +16,8 @@ export function readTargets(model: Model, specimen: Specimen, texts: readonly st
 }
 
 function readOne(text: string, known: readonly string[], noun: string): Aim {
-	const [, key, written] = /^\s*([^=\s]+)\s*=\s*(.*)$/.exec(text) ?? [];
-	if (key === undefined) {
+	const [key, written] = keyAndValue(text) ?? [];
+	if (key === undefined || written === undefined) {
 		throw new UsageError(`--target ${text}: write MEASURE=VALUE, as in --target ${known[0] ?? "height"}=160`);
 	}
 	if (known.length === 0) throw new UsageError(`--target ${key}: of a ${noun} no measure can be asked for`);

@@ -6,7 +6,9 @@ import { html, nothing } from "lit";
  */
 export function symbol(text: string): unknown {
 	if (text === "") return nothing;
-	const [, base, index] = /^(.*?)(?:[_ ](.+))?$/.exec(lowerDigits(text)) ?? [];
+	const whole = lowerDigits(text);
+	const mark = whole.search(/[_ ]./);
+	const [base, index] = mark < 0 ? [whole, ""] : [whole.slice(0, mark), whole.slice(mark + 1)];
 	return html`<i class="symbol" aria-hidden="true">${base}${index ? html`<sub>${index}</sub>` : nothing}</i>`;
 }
 

@@ -1,4 +1,9 @@
 /** "67108864 words" → "67,108,864 words": the core writes numbers bare, for whoever reads them by program. */
 export function withThousands(text: string): string {
-	return text.replace(/(?<![\d.,])\d{5,}(?![\d.])/g, (digits) => Number(digits).toLocaleString("en-GB"));
+	return text.replace(/[\d.,]+/g, (run) => {
+		const [digits] = run.split(/[.,]/, 1);
+		// What is behind a point or before one is no whole number.
+		if (digits.length < 5 || run[digits.length] === ".") return run;
+		return Number(digits).toLocaleString("en-GB") + run.slice(digits.length);
+	});
 }

@@ -1,6 +1,6 @@
 /** Reading single values from outside: text of a link, a form or the command line, or values of a JSON file. */
 
-const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const DECIMAL = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?$/i;
 
 /** A number or the text of one; undefined where it is neither. Never NaN. */
 export function readNumber(value: unknown): number | undefined {

@@ -5,7 +5,10 @@ import { formalsAt } from "./explain";
 import { type Outline, outlineOf } from "./outline";
 import type { Word } from "./words.generated";
 
-const WORD = /(?:[#?@][\p{L}]*|[\p{L}_][\p{L}\p{N}_]*)$/u;
+/** A word, or a character that is in none: what a line consists of. */
+const WORD = /[#?@]\p{L}*|[\p{L}_][\p{L}\p{N}_]*|[\s\S]/gu;
+/** Longer words are not completed; characters. */
+const LONGEST_WORD = 250;
 
 /** Completes words of a grammar. @param roles the names that `#role` takes */
 export function completion(roles: readonly string[]): CompletionSource {
@@ -15,7 +18,12 @@ export function completion(roles: readonly string[]): CompletionSource {
 function complete(context: CompletionContext, roles: readonly string[]): CompletionResult | null {
 	const { pos, explicit, state } = context;
 	const line = state.doc.lineAt(pos);
-	const word = WORD.exec(line.text.slice(0, pos - line.from))?.[0] ?? "";
+	const [last = ""] =
+		line.text
+			.slice(Math.max(0, pos - line.from - LONGEST_WORD), pos - line.from)
+			.match(WORD)
+			?.slice(-1) ?? [];
+	const word = /^[#?@\p{L}_]/u.test(last) ? last : "";
 	if (word === "" && !explicit) return null;
 	const text = state.doc.toString();
 	const options = optionsFor(text, pos, word, roles, state.facet(dialect));

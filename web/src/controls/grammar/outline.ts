@@ -1,4 +1,6 @@
 /** What a text of a grammar has that controls are made of: its constants, its curves, its numbers. */
+import { insideComment } from "./comments";
+import { findRange, type RangeWords, trimmed } from "./range_words";
 import { type Piece, scan } from "./scan";
 
 /** A number as it stands in a text, with the sign that is its own. */
@@ -101,10 +103,14 @@ export function withConstants(
 	values: Readonly<Partial<Record<string, number>>>,
 	pieces?: readonly Piece[],
 ): string {
-	let result = text;
-	for (const { name, from, to } of outlineOf(text, pieces).definitions.toReversed())
-		if (Object.hasOwn(values, name)) result = result.slice(0, from) + values[name] + result.slice(to);
-	return result;
+	const parts: string[] = [];
+	let done = 0;
+	for (const { name, from, to } of outlineOf(text, pieces).definitions) {
+		if (!Object.hasOwn(values, name)) continue;
+		parts.push(text.slice(done, from), String(values[name]));
+		done = to;
+	}
+	return parts.join("") + text.slice(done);
 }
 
 /** The pieces from each statement on, up to the end of its line; it goes on in the next one within brackets and behind `<`. */
@@ -139,23 +145,20 @@ function constantIn(line: readonly Piece[]): Constant[] {
 	const number = signed(line, at);
 	// One number, and nothing besides it.
 	if (number.from !== values[0].from || number.to !== values.at(-1)?.to) return [];
-	const said = rest.findLast(({ kind }) => kind === "comment")?.text.replace(/^\/\*+|\*+\/$/g, "") ?? "";
-	const found = RANGE.exec(said);
+	const comment = insideComment(rest.findLast(({ kind }) => kind === "comment")?.text ?? "");
+	const found = findRange(comment);
 	const range = found ? rangeIn(found, number) : guessed(name.text, number);
-	const words = said.replace(RANGE, "").replace(/^[\s,;:]+|[\s,;:]+$/g, "");
+	const words = trimmed(found?.words ?? comment);
 	return [{ name: name.text, line: head.line, number, words, ...range }];
 }
 
-const NUMBER = "[-−]?(?:\\d+\\.?\\d*|\\.\\d+)";
-/** `0 … 90`, `0...90`, `0..90 step 5`, `0 to 90`, `−1 – 1`. */
-const RANGE = new RegExp(`(${NUMBER})\\s*(?:…|\\.{2,3}|–|\\bto\\b)\\s*(${NUMBER})(?:\\s*,?\\s*step\\s*(${NUMBER}))?`);
 const read = (text: string) => Number(text.replace("−", "-"));
 
-function rangeIn([, first, second, third]: RegExpExecArray, { text, value }: NumberAt): Range {
-	const [low, high] = [read(first), read(second)];
-	const [min, max] = [Math.min(low, high, value), Math.max(low, high, value)];
-	const asked = third === undefined ? 0 : Math.abs(read(third));
-	return { min, max, step: asked || stepFor(max - min, Math.max(...[first, second, text].map(decimals))) };
+function rangeIn({ low, high, step }: RangeWords, { text, value }: NumberAt): Range {
+	const ends = [read(low), read(high), value];
+	const [min, max] = [Math.min(...ends), Math.max(...ends)];
+	const given = step === undefined ? 0 : Math.abs(read(step));
+	return { min, max, step: given || stepFor(max - min, Math.max(...[low, high, text].map(decimals))) };
 }
 
 /** Angles by their names; what has a share's size is one. */
@@ -192,12 +195,15 @@ export function decimals(text: string): number {
 	return Math.max(0, (mantissa.split(".")[1]?.length ?? 0) - Number(exponent));
 }
 
+/** `(0.5,-1)`. */
+const POINT = /\(([-−]?(?:\d+(?:\.\d*)?|\.\d+)),([-−]?(?:\d+(?:\.\d*)?|\.\d+))\)/g;
+
 function curveIn(line: readonly Piece[]): Curve[] {
 	const [head, name, ...rest] = line;
 	const body = rest.filter(({ kind }) => kind !== "comment");
 	if (body.length === 0) return [];
 	const text = body.map((piece) => piece.text).join("");
-	const points = [...text.matchAll(new RegExp(`\\((${NUMBER}),(${NUMBER})\\)`, "g"))];
+	const points = [...text.matchAll(POINT)];
 	if (points.length < 2 || points.map(([all]) => all).join("") !== text) return [];
 	return [
 		{

@@ -36,7 +36,7 @@ const PIECE =
 /** What a line may begin with besides a directive, up to its colon. */
 const HEAD =
 	/^(?:axiom|derivation[ \t]+length|maximum[ \t]+depth|ignore|consider|angle[ \t]+increment|line[ \t]+(?:length|width)(?:[ \t]+increment)?|tropism|Lsystem)[ \t]*:/;
-const ALONE = /^(?:decomposition|homomorphism|derivation|endlsystem)(?=[ \t]*(?:\n|\/\*|$))/;
+const ALONE = /^(decomposition|homomorphism|derivation|endlsystem)[ \t]*(?:\n|\/\*|$)/;
 /** Whose line is of values; the others' is of modules. */
 const OF_VALUES = /^(?:#define|#input|#curve|derivation|maximum|angle|line|tropism)/;
 const VALUE_SIGNS = /^(?:[<>=!]=|&&|\|\||[-+*/%^!<>=])$/;
@@ -89,7 +89,7 @@ class Scanner {
 	#begin(at: number): number {
 		const end = this.#text.indexOf("\n", at);
 		const line = this.#text.slice(at, end < 0 ? undefined : end);
-		const head = /^#\p{L}+/u.exec(line)?.[0] ?? HEAD.exec(line)?.[0] ?? ALONE.exec(line)?.[0];
+		const head = /^#\p{L}+/u.exec(line)?.[0] ?? HEAD.exec(line)?.[0] ?? ALONE.exec(line)?.[1];
 		this.#before = head === undefined && line.includes("-->");
 		if (head === undefined) {
 			if (this.#before) this.#enter("modules");

@@ -13,7 +13,7 @@ import type { BunchSpecimen } from "./specimen";
 import { BUNCH_TABLE } from "./table";
 
 /** What symbols may be to a bunch (wasm-core/src/models/bunch/roles.cpp). */
-const ROLE = /^\s*#role\s+(rachis|axis|end|pedicel)\b/m;
+const ROLE = /^[ \t]*#role[ \t]+(?:rachis|axis|end|pedicel)\b/m;
 
 export const BUNCH: Species<BunchSpecimen> = {
 	name: "bunch",

@@ -1,3 +1,4 @@
+import { blanked } from "../../controls/grammar/comments";
 import { presetTexts } from "../../specimen/preset_texts";
 import { PRESETS } from "./presets.generated";
 
@@ -16,16 +17,20 @@ export async function variablesIn(flower: { readonly grammar?: string; readonly 
 /** Whether anything of a flower depends on its age; yes of a text that has not been fetched. */
 export function heedsAge(flower: { readonly grammar?: string; readonly preset: string }): boolean {
 	const text = fetchedText(flower);
-	if (text !== lastAsked?.text) lastAsked = { text, heeds: text === undefined || OF_AGE.test(uncommented(text)) };
+	if (text !== lastAsked?.text) lastAsked = { text, heeds: text === undefined || isOfAge(uncommented(text)) };
 	return lastAsked?.heeds ?? true;
 }
 
 /** The word itself, or colours of buds and of what has wilted. */
-const OF_AGE = /\bage\b|^[ \t]*#[ \t]*material\b.*(?<!")\b(?:bud|wilted)\b/mu;
+function isOfAge(text: string): boolean {
+	if (/\bage\b/.test(text)) return true;
+	const materials = text.split("\n").filter((line) => /^[ \t]*#[ \t]*material\b/.test(line));
+	// Within quotes it is a name.
+	return materials.some((line) => line.match(/"?\b(?:bud|wilted)\b/g)?.some((word) => !word.startsWith('"')));
+}
 
 /** It is asked at every change of a document, and texts are long. */
 let lastAsked: { readonly text: string | undefined; readonly heeds: boolean } | undefined;
 
-/** The text with blanks for its comments; lines stay. */
-export const uncommented = (text: string): string =>
-	text.replace(/@[^@]*@|\/\*[\s\S]*?\*\//g, (all) => all.replace(/[^\n]/g, " "));
+/** The text with blanks for its comments, those between two `@` too; lines stay. One that is never closed goes on to the end. */
+export const uncommented = (text: string): string => text.replace(/@[^@]*(?:@|$)|\/\*[\s\S]*?(?:\*\/|$)/g, blanked);

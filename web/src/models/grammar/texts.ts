@@ -1,3 +1,4 @@
+import { blankComments } from "../../controls/grammar/comments";
 import { presetTexts } from "../../specimen/preset_texts";
 import { PRESETS } from "./presets.generated";
 import type { GrammarSpecimen } from "./specimen";
@@ -18,6 +19,6 @@ export const presetText = (preset: string): Promise<string> => textOf({ preset }
 
 /** The names to which the text that a specimen grows by lets values be given: of its `#define`s and `#input`s. */
 export async function definedNames(specimen: Pick<GrammarSpecimen, "grammar" | "preset">): Promise<string[]> {
-	const bare = (await textOf(specimen)).replace(/\/\*[\s\S]*?\*\//g, (all) => all.replace(/[^\n]/g, " "));
+	const bare = blankComments(await textOf(specimen));
 	return [...bare.matchAll(/^[ \t]*#[ \t]*(?:define|input)[ \t]+(\p{L}[\p{L}\p{N}_]*)/gmu)].map(([, name]) => name);
 }

@@ -10,8 +10,15 @@ export function grammarInWords({ counts }: GrammarPlant): string {
 
 const counted = (count: number, noun: string) => `${count.toLocaleString("en-GB")} ${noun}${count === 1 ? "" : "s"}`;
 
+/** Characters: what is longer is a text of its own, not a title. */
+const LONGEST_TITLE = 60;
+
 /** The first line of the comment that a text begins with, as presets' texts have their title there. */
 export function titleOfText(text: string): string {
-	const [, line] = /^\s*\/\*\s*([^\n*]{1,60}?)\s*(?:\n|\*\/)/.exec(text) ?? [];
-	return line ?? "A grammar of one’s own";
+	const start = text.trimStart();
+	const comment = start.startsWith("/*") ? start.slice(2).trimStart() : "";
+	const end = comment.search(/[\n*]/);
+	const line = comment.slice(0, Math.max(0, end)).trimEnd();
+	const isTitle = line !== "" && line.length <= LONGEST_TITLE && (comment[end] === "\n" || comment[end + 1] === "/");
+	return isTitle ? line : "A grammar of one’s own";
 }

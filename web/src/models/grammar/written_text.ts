@@ -12,7 +12,20 @@ export async function writtenText(specimen: GrammarSpecimen): Promise<string> {
 export function withValues(text: string, { constants, steps }: Pick<GrammarSpecimen, "constants" | "steps">): string {
 	const written = withConstants(text, constants);
 	if (steps === undefined) return written;
-	const length = /^([ \t]*derivation[ \t]+length[ \t]*:[ \t]*)[^\n/]*?([ \t]*(?:\/\*.*)?)$/m;
-	if (length.test(written)) return written.replace(length, (_, before, after) => `${before}${steps}${after}`);
+	const length = lengthIn(written);
+	if (length) return `${written.slice(0, length.from)}${steps}${written.slice(length.to)}`;
 	return written.replace(/^[ \t]*axiom[ \t]*:/m, (axiom) => `derivation length: ${steps}\n${axiom}`);
+}
+
+/** Where the derivation length of a text stands: behind its colon, up to the blanks and the comment that end its line. */
+function lengthIn(text: string): { from: number; to: number } | undefined {
+	for (const head of text.matchAll(/^[ \t]*derivation[ \t]+length[ \t]*:[ \t]*/gm)) {
+		const from = head.index + head[0].length;
+		const end = text.indexOf("\n", from);
+		const line = text.slice(from, end < 0 ? undefined : end);
+		const slash = line.indexOf("/");
+		if (slash >= 0 && line[slash + 1] !== "*") continue;
+		return { from, to: from + (slash < 0 ? line : line.slice(0, slash)).trimEnd().length };
+	}
+	return undefined;
 }

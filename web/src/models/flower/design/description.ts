@@ -56,12 +56,18 @@ export function readLine(line: string): Description | undefined {
 	const [, name, rest] = /^@organ (\w+)\b([^@\n]*)@\s*$/.exec(line) ?? [];
 	if (name === undefined || !Object.hasOwn(FIELDS, name)) return undefined;
 	const organ = name as Organ;
-	const said = Object.fromEntries(
-		[...rest.matchAll(/(?<![a-z])([a-z]+)=(\S+)/g)].map(([, key, value]) => [key, value]),
-	);
+	const said = Object.fromEntries(rest.split(/\s+/).flatMap((word) => settingIn(word)));
 	const margin = said.margin === undefined ? undefined : readMargin(said.margin);
 	const description = usual(organ, said);
 	if (description.values.outline === DRAWN && !margin)
 		return described(description, { outline: FIELDS[organ].find(({ key }) => key === "outline")?.usual ?? DRAWN });
 	return { ...description, ...(margin && { margin }) };
+}
+
+/** `count=5`; what is no letter before the key is passed over. */
+function settingIn(word: string): [key: string, value: string][] {
+	const at = word.indexOf("=");
+	let from = at;
+	while (from > 0 && /[a-z]/.test(word[from - 1])) from--;
+	return from < at && at + 1 < word.length ? [[word.slice(from, at), word.slice(at + 1)]] : [];
 }

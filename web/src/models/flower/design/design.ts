@@ -17,12 +17,19 @@ export interface Design {
 
 /** A text's sections, in time that grows with its length, for it may come by a link; undefined where it does not describe all six organs, each once and in their order. */
 export function designOf(text: string): Design | undefined {
-	const parts = text.split(/^(?=@organ \w[^@\n]*@[ \t]*$)/m);
+	const parts = partsOf(text);
 	const head = readLine(firstLine(parts[0])) ? "" : (parts.shift() ?? "");
 	const sections = parts.map((part) => ({ description: readLine(firstLine(part)), text: part }));
 	const organs = sections.map(({ description }) => description?.organ);
 	if (organs.length !== ORGANS.length || !ORGANS.every((organ, i) => organs[i] === organ)) return undefined;
 	return { head, sections: sections as Section[] };
+}
+
+/** The text from each organ's line on to the next one's; first what stands before them, where something does. */
+function partsOf(text: string): string[] {
+	const starts = [...text.matchAll(/^@organ \w[^@\n]*@[ \t]*$/gm)].map(({ index }) => index);
+	const cuts = starts[0] === 0 ? starts : [0, ...starts];
+	return cuts.map((from, at) => text.slice(from, cuts[at + 1]));
 }
 
 const firstLine = (text: string): string => text.split("\n", 1)[0];

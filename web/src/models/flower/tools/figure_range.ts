@@ -35,6 +35,6 @@ export function within(range: Range | undefined, value: number): Range | undefin
 }
 
 function range(min: number, max: number, step: number): Range {
-	const places = step < 1 ? Math.max(0, decimals(step.toFixed(6).replace(/0+$/, ""))) : 0;
+	const places = step < 1 ? Math.max(0, decimals(String(Number(step.toFixed(6))))) : 0;
 	return { min, max, step, written: (value) => written(Math.min(Math.max(value, min), max), places) };
 }

@@ -17,6 +17,12 @@ export const FIELDS = [
 export function figureWords(text: string, name: string): string {
 	const field = FIELDS.find(([sign]) => sign === name);
 	if (field) return field[2] ? `${field[1]}, ${field[2]}` : field[1];
-	const defined = new RegExp(`^[ \\t]*#[ \\t]*define[ \\t]+${name}[ \\t]*=[^\\n]*?/\\*([^\\n]*?)\\*/`, "mu").exec(text);
-	return defined?.[1].trim() ?? "";
+	for (const head of text.matchAll(/^[ \t]*#[ \t]*define[ \t]+([\p{L}\p{N}_]+)[ \t]*=/gmu)) {
+		if (head[1] !== name) continue;
+		const line = text.slice(head.index + head[0].length).split("\n", 1)[0];
+		const from = line.indexOf("/*");
+		const to = line.indexOf("*/", from + 2);
+		if (from >= 0 && to >= 0) return line.slice(from + 2, to).trim();
+	}
+	return "";
 }

@@ -1,10 +1,11 @@
 /** What a plant lacks of what was asked for, and why: told beside its picture and below its text. */
+import { blankComments } from "../../../controls/grammar/comments";
 import { withThousands } from "../../../controls/thousands";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
 import { asksForAreas, fetchedText } from "../texts";
 
-const BARE = /^Nothing grows in area (\d+)(?=:)/;
+const BARE = /^Nothing grows in area (\d+):/;
 /** Of the core's notes; others stand with the numbers, or have a place in the text. */
 const CUT = /^What grew so far is shown/;
 const SAID = /^The grammar (?:draws nothing|has no #define)/;
@@ -33,7 +34,7 @@ export function bareAreas({ notes }: Pick<GrammarPlant, "notes">): ReadonlySet<n
 function reasonsOf(notes: readonly string[]): string[][] {
 	const together = new Map<string, string[]>();
 	for (const note of notes) {
-		const reason = note.replace(BARE, "");
+		const reason = note.replace(BARE, ":");
 		together.set(reason, [...(together.get(reason) ?? []), note]);
 	}
 	return [...together.values()];
@@ -44,7 +45,7 @@ function inOne(notes: readonly string[]): string {
 	const numbers = notes.map((note) => BARE.exec(note)?.[1]);
 	if (numbers.length < 2) return notes[0];
 	const areas = `areas ${numbers.slice(0, -1).join(", ")} and ${numbers.at(-1)}`;
-	return notes[0].replace(BARE, `Nothing grows in ${areas}`);
+	return notes[0].replace(BARE, `Nothing grows in ${areas}:`);
 }
 
 /** How far the derivation has come, where it has not come to its end. */
@@ -55,9 +56,10 @@ function stepsOf(done: number, { steps, constants }: GrammarSpecimen, text: stri
 
 /** The derivation length, where it is a number or the name of one; what is reckoned is the core's to know. */
 function lengthIn(text: string, constants: GrammarSpecimen["constants"]): number | undefined {
-	const bare = text.replace(/\/\*[\s\S]*?\*\//g, " ");
+	const bare = blankComments(text);
 	const [, length = ""] = /^[ \t]*derivation[ \t]+length[ \t]*:[ \t]*([\p{L}\w]+)[ \t]*$/imu.exec(bare) ?? [];
-	const [, defined] = new RegExp(`^[ \\t]*#define[ \\t]+${length}[ \\t]+(\\d+)[ \\t]*$`, "mu").exec(bare) ?? [];
+	const numbers = bare.matchAll(/^[ \t]*#define[ \t]+([\p{L}\p{N}_]+)[ \t]+(\d+)[ \t]*$/gmu);
+	const defined = [...numbers].find(([, name]) => name === length)?.[2];
 	const given = Object.hasOwn(constants, length) ? constants[length] : undefined;
 	const asked = /^\d+$/.test(length) ? length : (given ?? defined);
 	return asked === undefined ? undefined : Number(asked);

@@ -1,31 +1,35 @@
 /** The growth volumes that a growth grammar's `footprint` has, read from its text and written into it: the text owns them. */
+import { blankComments } from "../../../controls/grammar/comments";
 import { type GrowthVolume, meanWidth } from "./volume";
 
-const NUMBER = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?°?$/i;
+const NUMBER = /^[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?°?$/i;
 /** What has a number of its own in brackets. */
 const CALL = /^(\w+)\s*\(([^()]*)\)$/;
 
-/** A text with its comments as blanks: places stay what they are. */
-const withoutComments = (text: string): string =>
-	text.replace(/\/\*[\s\S]*?(?:\*\/|$)/g, (comment) => comment.replace(/[^\n]/g, " "));
-
-/** Where the footprints of a text stand, and what is in the brackets of each volume. */
+/** Where the footprints of a text stand, and what is in the brackets of each volume. Each character is looked at a few times at the most. */
 function footprintsOf(text: string): { from: number; to: number; volumes: string[] }[] {
-	const bare = withoutComments(text);
-	return [...bare.matchAll(/\bfootprint\s*(?:-->|->|→)/g)].map((head) => {
+	const bare = blankComments(text);
+	const found: { from: number; to: number; volumes: string[] }[] = [];
+	for (const head of bare.matchAll(/\bfootprint\s*(?:-->|->|→)/g)) {
+		// Within the brackets of the last one it is none of its own.
+		if (head.index < (found.at(-1)?.to ?? 0)) continue;
 		const volumes: string[] = [];
 		let to = head.index + head[0].length;
 		for (;;) {
-			const opened = /^\s*,?\s*GrowVol\s*\(/.exec(bare.slice(to));
+			VOLUME.lastIndex = to;
+			const opened = VOLUME.exec(bare);
 			if (!opened) break;
 			const inside = to + opened[0].length;
 			const end = closing(bare, inside);
 			volumes.push(bare.slice(inside, end));
 			to = Math.min(bare.length, end + 1);
 		}
-		return { from: head.index, to, volumes };
-	});
+		found.push({ from: head.index, to, volumes });
+	}
+	return found;
 }
+
+const VOLUME = /\s*(?:,\s*)?GrowVol\s*\(/y;
 
 /** The place of the bracket that closes what was opened right before; the end where none does. */
 function closing(text: string, from: number): number {
@@ -51,7 +55,7 @@ const TURN = 137.5;
 
 /** `1, 1, 4, 10, 2.5, 0, towards(90), at(1, 2)`. Where those behind the first stand is worked out, unless it is said. */
 function volumeOf(inside: string, index: number): GrowthVolume | undefined {
-	const parts = inside.split(/,(?![^(]*\))/).map((part) => part.trim());
+	const parts = partsOf(inside).map((part) => part.trim());
 	const numbers = parts.filter((part) => NUMBER.test(part)).map(Number.parseFloat);
 	const calls = parts.filter((part) => !NUMBER.test(part)).map((part) => CALL.exec(part));
 	if (numbers.length !== 6 || numbers[0] !== 1) return undefined;
@@ -71,6 +75,21 @@ function volumeOf(inside: string, index: number): GrowthVolume | undefined {
 	return volume;
 }
 
+/** What commas part that stand in no brackets. */
+function partsOf(inside: string): string[] {
+	const parts: string[] = [];
+	let [from, depth] = [0, 0];
+	for (let at = 0; at < inside.length; at++) {
+		if (inside[at] === "(") depth++;
+		else if (inside[at] === ")") depth--;
+		else if (inside[at] === "," && depth === 0) {
+			parts.push(inside.slice(from, at));
+			from = at + 1;
+		}
+	}
+	return [...parts, inside.slice(from)];
+}
+
 /** Shortest to the hundredth: centimetres, and hundredths of a degree. */
 const written = (value: number): string => String(Math.round(value * 100) / 100 + 0);
 
@@ -81,6 +100,9 @@ function lineOf({ id, base, height, top, middle, gradient, towards, at }: Growth
 	return `GrowVol(${numbers}${curved}, towards(${written(towards)}), at(${at.map(written).join(", ")}))`;
 }
 
+/** Blanks, and the line's end. */
+const REST_OF_LINE = /[ \t]*\n?/y;
+
 /**
  * A text with these volumes in place of those it had: its first footprint holds them all, in numbers, and any other is taken out.
  * A text without a footprint gets one at its end.
@@ -89,9 +111,13 @@ export function withVolumes(text: string, volumes: readonly GrowthVolume[]): str
 	const head = "footprint -> ";
 	const footprint = head + volumes.map(lineOf).join(`\n${" ".repeat(head.length)}`);
 	const [first, ...others] = footprintsOf(text);
-	if (!first) return `${text.replace(/\s*$/, "\n")}${footprint}\n`;
-	let changed = text;
-	for (const { from, to } of others.reverse())
-		changed = changed.slice(0, from) + changed.slice(to).replace(/^[ \t]*\n?/, "");
-	return changed.slice(0, first.from) + footprint + changed.slice(first.to);
+	if (!first) return `${text.trimEnd()}\n${footprint}\n`;
+	const kept = [text.slice(0, first.from), footprint];
+	let done = first.to;
+	for (const { from, to } of others) {
+		kept.push(text.slice(done, from));
+		REST_OF_LINE.lastIndex = to;
+		done = to + (REST_OF_LINE.exec(text)?.[0].length ?? 0);
+	}
+	return kept.join("") + text.slice(done);
 }

@@ -3,7 +3,7 @@ import type { Dialect } from "../../../controls/grammar/dialect";
 import type { Kind, Piece } from "../../../controls/grammar/scan";
 
 const PIECE =
-	/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|"[^"\n]*"?|\p{L}[\p{L}\p{N}_]*\/[\p{L}\p{N}_-]*|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*|[\s\S]/gu;
+	/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|"[^"\n]*"?|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\/[\p{L}\p{N}_-]*)?|[\s\S]/gu;
 const STATEMENTS = new Set(["ground", "plants", "trellis"]);
 const ITEMS = new Set(
 	"relief hills stratified random blue rows towards jitter depth share crown scale seeds each height reach at posts wire pair x to".split(

@@ -1,0 +1,34 @@
+/** Rows and cells of a table as csv.ts writes it (RFC 4180), read in one pass each: a table that broke off may end anywhere. */
+
+/** Whole rows with the CRLF that ends them; none within quotation marks does. What stands before the first or behind the last is left out. */
+export function splitRows(text: string): string[] {
+	const rows: string[] = [];
+	let from = 0;
+	let isQuoted = false;
+	for (let at = 0; at < text.length; at++) {
+		if (text[at] === '"') isQuoted = !isQuoted;
+		else if (!isQuoted && text[at] === "\n") {
+			if (text[at - 1] === "\r") rows.push(text.slice(from, at + 1));
+			from = at + 1;
+		}
+	}
+	return rows;
+}
+
+/** What stands in the cells of a row. @param row with its CRLF */
+export function cellsOf(row: string): string[] {
+	const cells: string[] = [];
+	const end = row.length - "\r\n".length;
+	let from = 0;
+	let isQuoted = false;
+	for (let at = 0; at <= end; at++) {
+		if (at < end && row[at] === '"') isQuoted = !isQuoted;
+		if (at < end && (isQuoted || row[at] !== ",")) continue;
+		cells.push(unquoted(row.slice(from, at)));
+		from = at + 1;
+	}
+	return cells;
+}
+
+/** Two quotation marks within a cell's own are one. */
+const unquoted = (cell: string): string => (cell.startsWith('"') ? cell.slice(1, -1).replaceAll('""', '"') : cell);

@@ -1,0 +1,87 @@
+/** A range in a comment's words: `0 … 90`, `0...90`, `0..90 step 5`, `0 to 90`, `−1 – 1`. */
+
+export interface RangeWords {
+	/** As they are written. */
+	readonly low: string;
+	readonly high: string;
+	readonly step: string | undefined;
+	/** What the comment says besides. */
+	readonly words: string;
+}
+
+/** The first range in some words; undefined where there is none. Looks at each character at most a few times. */
+export function findRange(text: string): RangeWords | undefined {
+	for (let at = 0; at < text.length; ) {
+		const low = numberEnd(text, at);
+		if (low === at) {
+			at++;
+			continue;
+		}
+		const separated = separatorEnd(text, skipped(text, low));
+		const start = separated === undefined ? low : skipped(text, separated);
+		const high = separated === undefined ? start : numberEnd(text, start);
+		if (high === start) {
+			at = separated ?? low;
+			continue;
+		}
+		const [from, end] = stepAt(text, high);
+		return {
+			low: text.slice(at, low),
+			high: text.slice(start, high),
+			step: end > from ? text.slice(from, end) : undefined,
+			words: text.slice(0, at) + text.slice(end),
+		};
+	}
+	return undefined;
+}
+
+/** Words without the blanks and marks about them that part them from a range. */
+export function trimmed(words: string): string {
+	const isLoose = (at: number) => /[\s,;:]/.test(words[at]);
+	let [from, to] = [0, words.length];
+	while (from < to && isLoose(from)) from++;
+	while (from < to && isLoose(to - 1)) to--;
+	return words.slice(from, to);
+}
+
+const isDigit = (char: string | undefined): boolean => char !== undefined && char >= "0" && char <= "9";
+
+function skipped(text: string, from: number): number {
+	let at = from;
+	while (at < text.length && /\s/.test(text[at])) at++;
+	return at;
+}
+
+function digitsEnd(text: string, from: number): number {
+	let at = from;
+	while (isDigit(text[at])) at++;
+	return at;
+}
+
+/** The end of the number that begins at a place; the place itself where none does. Of two dots none is the number's. */
+function numberEnd(text: string, from: number): number {
+	const start = from + Number(text[from] === "-" || text[from] === "−");
+	const whole = digitsEnd(text, start);
+	const isPoint = text[whole] === "." && text[whole + 1] !== ".";
+	const end = isPoint ? digitsEnd(text, whole + 1) : whole;
+	return end > start + Number(isPoint && whole === start) ? end : from;
+}
+
+/** The end of what parts the ends of a range; undefined where it is something else. */
+function separatorEnd(text: string, from: number): number | undefined {
+	if (text[from] === "…" || text[from] === "–") return from + 1;
+	if (text.startsWith("...", from)) return from + 3;
+	if (text.startsWith("..", from)) return from + 2;
+	const isWord = (char: string | undefined) => char !== undefined && /\w/.test(char);
+	return text.startsWith("to", from) && !isWord(text[from - 1]) && !isWord(text[from + 2]) ? from + 2 : undefined;
+}
+
+/** Where the number behind `step` stands; twice the same place where there is none. */
+function stepAt(text: string, from: number): readonly [from: number, end: number] {
+	let at = skipped(text, from);
+	if (text[at] === ",") at = skipped(text, at + 1);
+	if (!text.startsWith("step", at)) return [from, from];
+	const start = skipped(text, at + "step".length);
+	const end = numberEnd(text, start);
+	return end > start ? [start, end] : [from, from];
+}

@@ -1,0 +1,13 @@
+/** `key=value`, `from..to`: text about a mark. */
+
+/** What stands before the first such mark and behind it, without blanks about both; undefined where there is none. */
+export function halvesOf(text: string, mark: string): readonly [before: string, after: string] | undefined {
+	const at = text.indexOf(mark);
+	return at < 0 ? undefined : [text.slice(0, at).trim(), text.slice(at + mark.length).trim()];
+}
+
+/** The same of `key=value`, where the key is one word. */
+export function keyAndValue(text: string): readonly [key: string, value: string] | undefined {
+	const halves = halvesOf(text, "=");
+	return halves && halves[0] !== "" && !/\s/.test(halves[0]) ? halves : undefined;
+}
