@@ -29,7 +29,7 @@ it.each([
 	[/(?:"(?:[^"]|"")*"|[^"\r\n])*\r\n/g, "exponential"],
 	[/@[^@]*@|\/\*[\s\S]*?\*\//g, "may stand in its loop"],
 	[/\(([^)]*),([^)]*)\)/, "Trade"],
-	[/\([^)]*\)=/, "may stand in its loop"],
+	[/\([^)]*\)=/, "Move"],
 ])("tells of %s", ({ source, flags }, why) => expect(complaintOf({ source, flags })).toContain(why));
 
 it.each([
