@@ -85,8 +85,8 @@ test("OBJ with its MTL in one archive, and a series of plants in one", { tag: "@
 	await studio.button("Download").click();
 	await page.locator("[data-format=many]").click();
 	const dialog = page.getByRole("dialog", { name: "Many in one ZIP" });
-	const grow = async (seeds: string, vary: string) => {
-		await dialog.getByLabel("Seeds").fill(seeds);
+	const grow = async (numbers: string, vary: string) => {
+		await dialog.getByLabel("Plants").fill(numbers);
 		await dialog.getByLabel("Vary").fill(vary);
 		await dialog.getByRole("button", { name: "Grow them" }).click();
 	};
@@ -106,7 +106,7 @@ test("OBJ with its MTL in one archive, and a series of plants in one", { tag: "@
 	const files = unzipSync(new Uint8Array(readFileSync(await download.path())));
 	expect(Object.keys(files)).toEqual(["lychee-1.json", "lychee-2.json", "plants.csv"]);
 	const [header, first] = strFromU8(files["plants.csv"]).split("\r\n");
-	expect(header).toMatch(/^seed,file,bytes,crc32,fingerprint,link,set_age,/);
+	expect(header).toMatch(/^number,seed,file,bytes,crc32,fingerprint,link,set_age,/);
 	expect(first).toContain(JSON.parse(strFromU8(files["lychee-1.json"])).fingerprint);
 	await expect(dialog).toBeHidden();
 });

@@ -1,5 +1,6 @@
 import { strFromU8, unzipSync } from "fflate";
 import { describe, expect, it } from "vitest";
+import { independentDraws } from "../../../web/src/batch/draws";
 import { zipOf } from "../../../web/src/batch/series_zip";
 import { readVary } from "../../../web/src/batch/vary";
 import { run } from "../../../web/src/cli/run";
@@ -13,7 +14,13 @@ import { freshCore } from "../core/wasm";
 
 const model = bunch as unknown as Model;
 const from = withParameters(model, fromPreset(model, "redcurrant"), { count: 5 });
-const series = { model, from, varied: readVary(model, "age=60..110", from), format: "glb" };
+const series = {
+	model,
+	from,
+	varied: readVary(model, "age=60..110", from),
+	draws: independentDraws(model, from),
+	format: "glb",
+};
 const core = await freshCore();
 const means: Parameters<typeof zipOf>[2] = {
 	grow: async (of, specimen, options) => of.read(core.grow(of.encode(specimen, options)), specimen),
@@ -49,7 +56,7 @@ describe("a series as one archive", () => {
 			new Uint8Array(await (await zipOf(series, [1, 2], { ...means, make }, watching())).arrayBuffer()),
 		);
 		expect(Object.keys(archive)).toEqual(["redcurrant-2.glb", "plants.csv"]);
-		expect(strFromU8(archive["plants.csv"]).split("\r\n")[1]).toMatch(/^1,,,,.*,no room$/);
+		expect(strFromU8(archive["plants.csv"]).split("\r\n")[1]).toMatch(/^1,\d+,,,,.*,no room$/);
 	});
 
 	it("is refused where none could be grown, with why", async () => {
@@ -60,7 +67,7 @@ describe("a series as one archive", () => {
 	});
 
 	it("is refused where it would hold too many", async () => {
-		const seeds = Array.from({ length: 1001 }, (_, seed) => seed);
-		await expect(zipOf(series, seeds, means, watching())).rejects.toThrow(/an archive holds 1000/);
+		const numbers = Array.from({ length: 1001 }, (_, number) => number);
+		await expect(zipOf(series, numbers, means, watching())).rejects.toThrow(/an archive holds 1000/);
 	});
 });

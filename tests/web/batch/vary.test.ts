@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { crc32 } from "../../../web/src/batch/crc32";
-import { readSeeds } from "../../../web/src/batch/seeds";
+import { independentDraws } from "../../../web/src/batch/draws";
+import { readPlantNumbers } from "../../../web/src/batch/plant_numbers";
 import { partOf } from "../../../web/src/batch/shard";
 import { drawn, readVary } from "../../../web/src/batch/vary";
 import { model } from "../../../web/src/models/bunch/index";
@@ -8,12 +9,13 @@ import { fromPreset } from "../../../web/src/specimen/from_preset";
 
 const from = fromPreset(model, "merlot");
 const of = (text: string) => readVary(model, text, from);
-const many = Array.from({ length: 4000 }, (_, seed) => seed);
+const many = Array.from({ length: 4000 }, (_, number) => number);
+const draws = independentDraws(model, from);
 
-describe("what a seed draws", () => {
+describe("what a plant of a series draws", () => {
 	it("fills a range evenly, on the steps that a link can hold", () => {
 		const [age] = of("age=60..110");
-		const ages = many.map((seed) => Number(drawn(age, seed)));
+		const ages = many.map((number) => Number(drawn(age, number, draws)));
 		for (let tenth = 0; tenth < 10; tenth++) {
 			const inside = ages.filter((value) => value >= 60 + 5 * tenth && value < 65 + 5 * tenth).length;
 			expect(inside).toBeGreaterThan(330);
@@ -29,7 +31,7 @@ describe("what a seed draws", () => {
 			[count, ["20", "21", "22", "23"]],
 			[fruit, ["lychee", "duku", "0"]],
 		] as const) {
-			const values = many.map((seed) => drawn(varied, seed));
+			const values = many.map((number) => drawn(varied, number, draws));
 			expect([...new Set(values)].sort()).toEqual([...options].sort());
 			for (const option of options) {
 				const share = values.filter((value) => value === option).length / many.length;
@@ -41,17 +43,22 @@ describe("what a seed draws", () => {
 	it("is the same whatever else is varied, and of two parameters not the same", () => {
 		const [alone] = of("age=0..100");
 		const [, beside] = of("density=3..8,age=0..100");
-		expect(many.map((seed) => drawn(beside, seed))).toEqual(many.map((seed) => drawn(alone, seed)));
-		expect([1, 2, 3].map((seed) => drawn(alone, seed))).toEqual(["78.41", "10.65", "92.02"]);
+		expect(many.map((number) => drawn(beside, number, draws))).toEqual(
+			many.map((number) => drawn(alone, number, draws)),
+		);
+		expect([1, 2, 3].map((number) => drawn(alone, number, draws))).toEqual(["78.41", "10.65", "92.02"]);
 		const [size] = of("size=5..25");
-		const shares = many.map((seed) => [Number(drawn(alone, seed)) / 100, (Number(drawn(size, seed)) - 5) / 20]);
+		const shares = many.map((number) => [
+			Number(drawn(alone, number, draws)) / 100,
+			(Number(drawn(size, number, draws)) - 5) / 20,
+		]);
 		const mean = shares.reduce((sum, [one, other]) => sum + (one - 0.5) * (other - 0.5), 0) / many.length;
 		expect(Math.abs(mean)).toBeLessThan(0.005);
 	});
 });
 
-it("seeds are read once each, in the order written", () => {
-	expect(readSeeds("3-5, 1,4,4294967295")).toEqual([3, 4, 5, 1, 4294967295]);
+it("numbers of plants are read once each, in the order written", () => {
+	expect(readPlantNumbers("3-5, 1,4,4294967295")).toEqual([3, 4, 5, 1, 4294967295]);
 });
 
 it("parts follow one another and differ by one plant at the most", () => {

@@ -11,6 +11,7 @@ import type { Aim } from "../targets/aim";
 import { reachedInWords } from "../targets/words";
 import { aimed } from "./aimed";
 import { crc32 } from "./crc32";
+import type { Draws } from "./draws";
 import { Unusable } from "./unusable";
 import { drawn, type Varied, withVaried } from "./vary";
 
@@ -19,6 +20,8 @@ export interface Series {
 	/** What all plants have but for seed and what is varied. */
 	readonly from: Specimen;
 	readonly varied: readonly Varied[];
+	/** Seeds and values of what is varied, by the plants' numbers. */
+	readonly draws: Draws;
 	/** Measures asked of each: its parameters are found for its seed. */
 	readonly aims?: readonly Aim[];
 	/** What files there are of each: a key of `formatsOf`. */
@@ -27,6 +30,7 @@ export interface Series {
 
 /** One plant of a series, not yet grown. */
 export interface Member {
+	readonly number: number;
 	readonly seed: number;
 	readonly specimen: Specimen;
 	/** The values of what is varied, in its order. */
@@ -68,9 +72,10 @@ function suffixOf({ formats }: Model, format: string): string {
 	return `${["", ...form].join("-")}.${kind}`;
 }
 
-export async function memberOf(series: Series, seed: number): Promise<Member> {
-	const { model, from, varied, format } = series;
-	const values = varied.map((each) => drawn(each, seed));
+export async function memberOf(series: Series, number: number): Promise<Member> {
+	const { model, from, varied, draws, format } = series;
+	const seed = draws.seed(number);
+	const values = varied.map((each) => drawn(each, number, draws));
 	const seeded = restore(model, { seed }, from).specimen;
 	const { specimen } = withVaried(
 		model,
@@ -78,7 +83,7 @@ export async function memberOf(series: Series, seed: number): Promise<Member> {
 		varied.map((each, at) => [each, values[at]]),
 	);
 	const link = await encodeLink(model, specimen);
-	return { seed, specimen, values, link, file: `${from.preset}-${seed}${suffixOf(model, format)}` };
+	return { number, seed, specimen, values, link, file: `${from.preset}-${number}${suffixOf(model, format)}` };
 }
 
 export interface Means {

@@ -20,18 +20,18 @@ export interface Watch {
  * Grows plant after plant and packs them with their table. One that cannot be grown has its line, which says why.
  * @throws Unusable where none can be grown, and where it comes to more than one archive holds, and the signal's reason
  */
-export async function zipOf(series: Series, seeds: readonly number[], means: Means, watch: Watch): Promise<Blob> {
+export async function zipOf(series: Series, numbers: readonly number[], means: Means, watch: Watch): Promise<Blob> {
 	const { signal, progress } = watch;
-	if (seeds.length > MOST_IN_ARCHIVE) {
-		throw new Unusable(`${seeds.length} plants; an archive holds ${MOST_IN_ARCHIVE}, the command line grows more`);
+	if (numbers.length > MOST_IN_ARCHIVE) {
+		throw new Unusable(`${numbers.length} plants; an archive holds ${MOST_IN_ARCHIVE}, the command line grows more`);
 	}
 	const archive = new ZipStream();
 	const lines = [written(columnsOf(series))];
 	let whole = 0;
 	let why = "";
-	for (const seed of seeds) {
+	for (const number of numbers) {
 		signal.throwIfAborted();
-		const member = await memberOf(series, seed);
+		const member = await memberOf(series, number);
 		try {
 			const grown = await growMember(series, member, means);
 			archive.add({ name: member.file, bytes: grown.bytes });
@@ -47,7 +47,7 @@ export async function zipOf(series: Series, seeds: readonly number[], means: Mea
 		}
 		progress(lines.length - 1);
 	}
-	if (whole === 0) throw new Unusable(`none of the ${seeds.length} plants could be grown: ${why.replace(/\.$/, "")}`);
+	if (whole === 0) throw new Unusable(`none of the ${numbers.length} plants could be grown: ${why.replace(/\.$/, "")}`);
 	archive.add({ name: "plants.csv", bytes: new TextEncoder().encode(lines.join("")) });
 	return archive.end();
 }

@@ -5,7 +5,7 @@ import { cellsOf, splitRows } from "./csv_rows";
 import type { Grown, Member, Series } from "./series";
 
 /** What stands before the values and the measures. */
-const FIRST = ["seed", "file", "bytes", "crc32", "fingerprint", "link"] as const;
+const FIRST = ["number", "seed", "file", "bytes", "crc32", "fingerprint", "link"] as const;
 
 /**
  * Names of the columns: a varied parameter's is `set_age`, since measures may be called like parameters. Where measures are asked for, `from` is
@@ -24,16 +24,17 @@ const askedCells = ({ aims = [] }: Series, { link }: Member): Cell[] =>
 
 /** A grown plant's line. */
 export function rowOf(series: Series, member: Member, { plant, link, bytes, sum }: Grown): Cell[] {
-	const { seed, file, values } = member;
+	const { number, seed, file, values } = member;
 	const measures = measureValues(series.model.table, plant).map(([, value]) => value);
-	const marks = [seed, file, bytes.length, sum, plant.fingerprint, link];
+	const marks = [number, seed, file, bytes.length, sum, plant.fingerprint, link];
 	return [...marks, ...askedCells(series, member), ...values, ...measures, plant.notes.join(" ")];
 }
 
 /** The line of a plant that could not be grown: no file, and why. */
 export function failedRow(series: Series, member: Member, why: string): Cell[] {
-	const { seed, link, values } = member;
+	const { number, seed, link, values } = member;
 	return [
+		number,
 		seed,
 		null,
 		null,
@@ -70,7 +71,7 @@ export function readLines(series: Series, text: string): Map<string, Line> | und
 	if (header !== undefined && header !== written(columns)) return undefined;
 	const { aims = [] } = series;
 	const lines = rows.map((row) => {
-		const [, file, bytes, sum, , link, from, ...more] = cellsOf(row);
+		const [, , file, bytes, sum, , link, from, ...more] = cellsOf(row);
 		const same = aims.every(({ value }, at) => Number(more[at]) === value);
 		return { file, bytes: Number(bytes), sum, link: aims.length > 0 ? from : link, text: row, same };
 	});

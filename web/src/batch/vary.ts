@@ -5,6 +5,7 @@ import { type Restored, restore } from "../specimen/restore";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 import { type Entry, nearestWithin, onStep } from "../specimen/table";
+import type { Draws } from "./draws";
 import { Unusable } from "./unusable";
 
 /** A parameter and where its values come from: anywhere from one number to another, or one of a few. */
@@ -119,28 +120,13 @@ function check<S extends Specimen>(
 	}
 }
 
-/** The value that a seed has, as links write it: of nothing but the seed, the key and what is allowed. */
-export function drawn(varied: Varied, seed: number): string {
-	const share = shareOf(varied.entry.key, seed);
+/** The value that a plant has, as links write it: of its number, the key and what is allowed, by the series' draws. */
+export function drawn(varied: Varied, number: number, draws: Draws): string {
+	const share = draws.share(`vary ${varied.entry.key}`, number);
 	if ("values" in varied) return varied.values[Math.floor(share * varied.values.length)];
 	const { entry, from, to } = varied;
 	if (entry.kind === "colour") throw new RangeError("Colours have no range.");
 	if (entry.kind === "integer") return String(from + Math.floor(share * (to - from + 1)));
 	const value = from + share * (to - from);
 	return String(varied.own ? Number(value.toPrecision(6)) : nearestWithin(entry, value));
-}
-
-/** A number from 0 up to but not 1, as good as drawn by lot. */
-function shareOf(key: string, seed: number): number {
-	let bits = 0x811c9dc5;
-	for (const char of key) bits = Math.imul(bits ^ (char.codePointAt(0) ?? 0), 0x01000193);
-	return mixed(mixed(bits) ^ seed) / 2 ** 32;
-}
-
-/** Every bit depends on every other (Appleby 2011, the end of MurmurHash3). */
-function mixed(bits: number): number {
-	let h = bits;
-	h = Math.imul(h ^ (h >>> 16), 0x85ebca6b);
-	h = Math.imul(h ^ (h >>> 13), 0xc2b2ae35);
-	return (h ^ (h >>> 16)) >>> 0;
 }

@@ -6,11 +6,15 @@ export const BATCH_OPTIONS = {
 	vary: { type: "string", multiple: true },
 	shard: { type: "string", multiple: true },
 	as: { type: "string", multiple: true },
+	"literal-seeds": { type: "boolean" },
 } as const;
 
 /** A series, still unread. */
 export interface BatchCall {
+	/** Numbers of the plants. */
 	seeds: string;
+	/** Whether these are the plants' seeds themselves. */
+	literal: boolean;
 	/** What is varied; undefined: only the seed. */
 	vary: string | undefined;
 	/** Which part of it; undefined: all. */
@@ -19,7 +23,9 @@ export interface BatchCall {
 	format: string;
 }
 
-type Values = Readonly<Partial<Record<keyof typeof BATCH_OPTIONS | "seed" | "out", string[]>>>;
+type Values = Readonly<
+	Partial<Record<"seeds" | "vary" | "shard" | "as" | "seed" | "out", string[]> & Record<"literal-seeds", boolean>>
+>;
 
 /**
  * Undefined where one plant is asked for.
@@ -28,11 +34,17 @@ type Values = Readonly<Partial<Record<keyof typeof BATCH_OPTIONS | "seed" | "out
 export function readBatch(values: Values): BatchCall | undefined {
 	const { seeds, vary, shard, as = ["glb"], seed, out } = values;
 	if (!seeds) {
-		const alone = (["vary", "shard", "as"] as const).find((option) => values[option]);
-		if (alone) throw new UsageError(`--${alone} is of a series: say which seeds, as in --seeds 1-100`);
+		const alone = (["vary", "shard", "as", "literal-seeds"] as const).find((option) => values[option]);
+		if (alone) throw new UsageError(`--${alone} is of a series: say which plants, as in --seeds 1-100`);
 		return undefined;
 	}
 	if (seed) throw new UsageError("--seed and --seeds: write one of them");
 	if (!out) throw new UsageError("--seeds needs a folder for the files: --out DIR");
-	return { seeds: seeds.join(), vary: vary?.join(), shard: shard?.at(-1), format: as[as.length - 1] };
+	return {
+		seeds: seeds.join(),
+		literal: values["literal-seeds"] ?? false,
+		vary: vary?.join(),
+		shard: shard?.at(-1),
+		format: as[as.length - 1],
+	};
 }

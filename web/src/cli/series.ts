@@ -4,7 +4,8 @@
  */
 import { join } from "node:path";
 import { crc32 } from "../batch/crc32";
-import { readSeeds } from "../batch/seeds";
+import { independentDraws, literalDraws } from "../batch/draws";
+import { readPlantNumbers } from "../batch/plant_numbers";
 import { checkFormat, growMember, type Member, memberOf, type Series } from "../batch/series";
 import { partOf, readShard, type Shard } from "../batch/shard";
 import { columnsOf, failedRow, type Line, readLines, rowOf, written } from "../batch/table";
@@ -26,7 +27,7 @@ const PATIENCE = 5000;
 interface Asked {
 	series: Series;
 	/** Of the part that is asked for, in order. */
-	seeds: readonly number[];
+	numbers: readonly number[];
 	folder: string;
 	/** The table's path. */
 	table: string;
@@ -35,17 +36,17 @@ interface Asked {
 /** @returns the exit status: 0 all are there, 1 some could not be grown */
 export async function growSeries(call: Call, batch: BatchCall, world: Surroundings): Promise<number> {
 	const asked = await readSeries(call, batch, world);
-	const { series, seeds, folder, table } = asked;
+	const { series, numbers, folder, table } = asked;
 	await writing(folder, () => world.makeFolder(folder));
 	const kept = await readTable(asked, world);
 	const journal = `${table}.part`;
 	const lines: string[] = [];
-	const say = sayer(seeds.length, world);
+	const say = sayer(numbers.length, world);
 	const grower = new Grower(series, world);
 	let [there, failed] = [0, 0];
 	await writing(journal, () => world.replaceFile(journal, [written(columnsOf(series)), ...kept.values()].join("")));
-	for (const seed of seeds) {
-		const member = await memberOf(series, seed);
+	for (const number of numbers) {
+		const member = await memberOf(series, number);
 		let line = kept.get(member.file);
 		if (line !== undefined) there++;
 		else {
@@ -59,7 +60,7 @@ export async function growSeries(call: Call, batch: BatchCall, world: Surroundin
 	}
 	await writing(table, () => world.replaceFile(table, [written(columnsOf(series)), ...lines].join("")));
 	await world.removeFile(journal);
-	world.say(`${seeds.length} plants: ${seeds.length - there - failed} grown, ${there} there before; ${table}`);
+	world.say(`${numbers.length} plants: ${numbers.length - there - failed} grown, ${there} there before; ${table}`);
 	if (failed > 0) world.say(`grow: ${failed} could not be grown; their lines have no file and say why`);
 	return failed > 0 ? 1 : 0;
 }
@@ -68,7 +69,7 @@ async function readSeries(call: Call, batch: BatchCall, world: Surroundings): Pr
 	const { model, specimen: from, notes } = await askedSpecimen(call, world);
 	for (const note of notes) world.say(`note: ${note.text}`);
 	const aims = readTargets(model, from, call.targets);
-	const all = typed("--seeds", batch.seeds, readSeeds);
+	const all = typed("--seeds", batch.seeds, readPlantNumbers);
 	const varied = batch.vary === undefined ? [] : typed("--vary", batch.vary, (text) => readVary(model, text, from));
 	await checkVaried(model, varied, from).catch((error: unknown) => {
 		throw error instanceof Unusable ? new UsageError(`--vary ${error.message}`) : error;
@@ -78,8 +79,11 @@ async function readSeries(call: Call, batch: BatchCall, world: Surroundings): Pr
 	typed("--as", batch.format, (format) => checkFormat(model, format));
 	const folder = call.out ?? ".";
 	return {
-		series: { model, from, varied, aims, format: batch.format },
-		seeds: shard ? partOf(all, shard) : all,
+		series: {
+			...{ model, from, varied, aims, format: batch.format },
+			draws: batch.literal ? literalDraws() : independentDraws(model, from),
+		},
+		numbers: shard ? partOf(all, shard) : all,
 		folder,
 		table: join(folder, tableName(shard)),
 	};
@@ -93,7 +97,7 @@ function tableName(shard: Shard | undefined): string {
 }
 
 /** The lines whose files are there and whole, by the files' names. */
-async function readTable({ series, seeds, folder, table }: Asked, world: Surroundings): Promise<Map<string, string>> {
+async function readTable({ series, numbers, folder, table }: Asked, world: Surroundings): Promise<Map<string, string>> {
 	const known = new Map<string, Line>();
 	for (const path of [table, `${table}.part`]) {
 		const bytes = await world.readFile(path).catch(() => undefined);
@@ -108,8 +112,8 @@ async function readTable({ series, seeds, folder, table }: Asked, world: Surroun
 	}
 	const kept = new Map<string, string>();
 	if (known.size === 0) return kept;
-	for (const seed of seeds) {
-		const { file, link } = await memberOf(series, seed);
+	for (const number of numbers) {
+		const { file, link } = await memberOf(series, number);
 		const line = known.get(file);
 		if (line?.link === link && (await isWhole(join(folder, file), line, world))) kept.set(file, line.text);
 	}

@@ -69,9 +69,12 @@ ${
   --translucent    light comes through pale skins in a .glb, which costs readers a pass
   --textures       a detailed .glb has pictures of colour, shade, roughness and relief, not
                    colours of vertices
-  --seeds 1-100    a series: a file for each seed and a table, plants.csv, into the folder DIR;
-                   what is there and whole is not grown again (docs/batch.md)
-  --vary KEY=…     drawn by the seed: age=60..110, or one of a few: fruit=lychee|duku
+  --seeds 1-100    a series: a file for each plant and a table, plants.csv, into the folder DIR;
+                   what is there and whole is not grown again (docs/batch.md). These are the
+                   plants' numbers; each plant's seed is drawn from its number, the preset and
+                   the settings
+  --literal-seeds  the numbers of --seeds are the seeds themselves
+  --vary KEY=…     drawn for each plant: age=60..110, or one of a few: fruit=lychee|duku
   --shard 3/16     that part of the series; auto in a Slurm array, auto/16 in a Kubernetes Job
   --as KIND        ${wrapped(formatsOf({ formats }))} (default: glb)
   --list           all models with their presets, as JSON

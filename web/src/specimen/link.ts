@@ -46,8 +46,8 @@ export function isQueryWhole<S extends Specimen>(species: Species<S>, specimen: 
 	return textsOf(species, specimen).length === 0;
 }
 
-/** The texts that its fragment carries, by their keys. */
-function textsOf<S extends Specimen>(species: Species<S>, specimen: S): [key: string, text: string][] {
+/** The texts that its fragment carries, by their keys, not packed. */
+export function textsOf<S extends Specimen>(species: Species<S>, specimen: S): [key: string, text: string][] {
 	return packedOf(species).flatMap(({ link, textOf }) => {
 		const text = textOf(specimen);
 		const same = text === undefined || text === textOf(fromPreset(species, specimen.preset));

@@ -1,4 +1,5 @@
 import { beforeAll, describe, expect, it } from "vitest";
+import { independentDraws } from "../../../../web/src/batch/draws";
 import { memberOf } from "../../../../web/src/batch/series";
 import { checkVaried, readVary } from "../../../../web/src/batch/vary";
 import { Axes } from "../../../../web/src/controls/gestures/axis";
@@ -162,15 +163,21 @@ describe("an address", () => {
 });
 
 describe("a series", () => {
-	it("varies them, each drawn by its seed", async () => {
+	it("varies them, each drawn by its number", async () => {
 		const varied = readVary(model, "length=200..400,bend=-1|0|1,age=0..2", tulip);
 		await expect(checkVaried(model, varied, tulip)).resolves.toBeUndefined();
-		const series = { model: model as never, from: tulip, varied, format: "json" };
-		const members = await Promise.all([1, 2, 3, 4].map((seed) => memberOf(series, seed)));
+		const series = {
+			model: model as never,
+			from: tulip,
+			varied,
+			draws: independentDraws(model, tulip),
+			format: "json",
+		};
+		const members = await Promise.all([1, 2, 3, 4].map((number) => memberOf(series, number)));
 		const lengths = members.map(({ specimen }) => (specimen as typeof tulip).constants.length);
 		for (const length of lengths) expect(length >= 200 && length < 400).toBe(true);
 		expect(new Set(lengths).size).toBe(4);
-		expect(members[1].link).toMatch(/seed=2.*&define=bend:-?\d,length:[\d.]+$/);
+		expect(members[1].link).toMatch(/seed=\d+.*&define=bend:-?\d,length:[\d.]+$/);
 		expect(members[1].values.map(Number)).toEqual([
 			lengths[1],
 			(members[1].specimen as typeof tulip).constants.bend,

@@ -1,5 +1,6 @@
 /** Many plants of what is on the controls, as one archive: asked for in the words of the command line. */
-import { readSeeds } from "../../batch/seeds";
+import { independentDraws } from "../../batch/draws";
+import { readPlantNumbers } from "../../batch/plant_numbers";
 import { formatsOf as formatsOfSeries, type Series } from "../../batch/series";
 import { type Watch, zipOf } from "../../batch/series_zip";
 import { checkVaried, readVary } from "../../batch/vary";
@@ -11,8 +12,8 @@ import type { Shown, StudioState } from "../studio_state";
 import { type Download, formatsOf } from "./formats";
 
 export interface Many {
-	/** As `--seeds` has them. */
-	readonly seeds: string;
+	/** Numbers of the plants, as `--seeds` has them. */
+	readonly numbers: string;
 	/** As `--vary`; empty: only the seed. */
 	readonly vary: string;
 	/** The key of a kind of file. */
@@ -31,17 +32,18 @@ export function formatsOfMany(shown: Shown): readonly Download[] {
  */
 export function readMany(
 	{ model, specimen }: StudioState,
-	{ seeds, vary, format }: Many,
-): { series: Series; seeds: number[] } {
+	{ numbers, vary, format }: Many,
+): { series: Series; numbers: number[] } {
 	const varied = vary.trim() === "" ? [] : readVary(model, vary, specimen);
-	return { series: { model, from: specimen, varied, format }, seeds: readSeeds(seeds) };
+	const draws = independentDraws(model, specimen);
+	return { series: { model, from: specimen, varied, draws, format }, numbers: readPlantNumbers(numbers) };
 }
 
 /**
  * Grows them with a worker of their own, so that the page goes on.
  * @throws Unusable, the signal's reason, and what the workers say
  */
-export async function growMany({ series, seeds }: ReturnType<typeof readMany>, watch: Watch): Promise<Blob> {
+export async function growMany({ series, numbers }: ReturnType<typeof readMany>, watch: Watch): Promise<Blob> {
 	await checkVaried(series.model, series.varied, series.from);
 	const client = new Client();
 	const cores = new Cores(coreAddress, client);
@@ -51,7 +53,7 @@ export async function growMany({ series, seeds }: ReturnType<typeof readMany>, w
 			grow: (model, specimen, options) => cores.grow(model, specimen, { ...options, signal }),
 			make: (model, request) => exportFile(model, request, { signal }),
 		} satisfies Parameters<typeof zipOf>[2];
-		return await zipOf(series, seeds, means, watch);
+		return await zipOf(series, numbers, means, watch);
 	} finally {
 		client.close();
 	}

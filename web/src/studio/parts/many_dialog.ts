@@ -20,14 +20,13 @@ export class ManyDialog extends StudioPart {
 	#problem = "";
 
 	protected override draw(studio: Studio): unknown {
-		const { specimen, shown } = studio.state;
+		const { shown } = studio.state;
 		if (!shown) return nothing;
-		const last = Math.min(specimen.seed + FEW - 1, 0xffffffff);
 		return html`<dialog class="help many" aria-labelledby=${this.idOf("title")} @close=${this.#cancel}>
 			<h2 id=${this.idOf("title")}>Many in one ZIP</h2>
-			<p>A file for each seed, and a table of them: their links, what was varied, what was measured.</p>
+			<p>A file for each plant, each of a random seed, and a table: seeds, links, what was varied, what was measured.</p>
 			<form @submit=${this.#submit}>
-				<label>Seeds <input name="seeds" required autocomplete="off" value="${specimen.seed}-${last}"></label>
+				<label>Plants <input name="numbers" required autocomplete="off" value="1-${FEW}"></label>
 				<label>Vary <input name="vary" autocomplete="off" placeholder=${exampleFor(studio)} aria-describedby=${this.idOf("vary")}></label>
 				<small id=${this.idOf("vary")}>Parameters by their keys in links: from one value to another, or one of a few (a|b); commas between several. Nothing: the seed alone.</small>
 				<label>Files <select name="format">${formatsOfMany(shown).map(({ key, title }) => html`<option value=${key}>${title}</option>`)}</select></label>
@@ -62,15 +61,15 @@ export class ManyDialog extends StudioPart {
 	#submit(event: SubmitEvent): void {
 		event.preventDefault();
 		const fields = new FormData(event.target as HTMLFormElement);
-		const [seeds, vary, format] = ["seeds", "vary", "format"].map((name) => String(fields.get(name)));
-		if (!this.#making) void this.#grow({ seeds, vary, format });
+		const [numbers, vary, format] = ["numbers", "vary", "format"].map((name) => String(fields.get(name)));
+		if (!this.#making) void this.#grow({ numbers, vary, format });
 	}
 
 	async #grow(many: Many): Promise<void> {
 		const cancel = new AbortController();
 		try {
 			const asked = readMany(this.desk.state, many);
-			const making: Making = { cancel, total: asked.seeds.length, done: 0 };
+			const making: Making = { cancel, total: asked.numbers.length, done: 0 };
 			this.#say("", making);
 			// The button that was pressed has gone.
 			await this.updateComplete;
@@ -83,7 +82,7 @@ export class ManyDialog extends StudioPart {
 				},
 			});
 			cancel.signal.throwIfAborted();
-			saveFile(archive, `${asked.series.from.preset}-${many.seeds.replaceAll(/[^\d-]+/g, "_").slice(0, 60)}.zip`);
+			saveFile(archive, `${asked.series.from.preset}-${many.numbers.replaceAll(/[^\d-]+/g, "_").slice(0, 60)}.zip`);
 			this.#say("", undefined);
 			this.#close();
 		} catch (error) {

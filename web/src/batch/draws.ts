@@ -1,0 +1,66 @@
+/**
+ * Random draws of a series: the seed of each plant, and the values of what differs from plant to plant.
+ *
+ * Seeds that are counted up, or that are the same in two varieties, give related plants: a model may spread seeds evenly on purpose (a
+ * bunch's length is a multiple of the golden ratio), which is wanted in the page and wrong in a sample. A series therefore hashes.
+ */
+import { DEFAULT_SEED } from "../specimen/from_preset";
+import { encodeQuery, textsOf } from "../specimen/link";
+import type { Species } from "../specimen/species";
+import type { Specimen } from "../specimen/specimen";
+
+export interface Draws {
+	/** The seed of a plant by its number; no two numbers have the same. 0 … 2³² − 1. */
+	seed(number: number): number;
+	/** A share for a plant and a quantity: 0 up to but not 1, uniform. `quantity` names what is drawn: `vary age`. */
+	share(quantity: string, number: number): number;
+}
+
+/** What all plants of a series have in common, as one text: the query without its seed, and the texts of the fragment, not packed. */
+export function specificationOf<S extends Specimen>(species: Species<S>, from: S): string {
+	const common = { ...from, seed: DEFAULT_SEED };
+	return JSON.stringify([species.name, from.preset, encodeQuery(species, common), ...textsOf(species, common)]);
+}
+
+/** Draws that are independent between plants, quantities, varieties and settings: a hash of all four. */
+export function independentDraws<S extends Specimen>(species: Species<S>, from: S): Draws {
+	const draw = hashed(specificationOf(species, from));
+	return { seed: (number) => draw("seed", number), share: (quantity, number) => draw(quantity, number) / 2 ** 32 };
+}
+
+/**
+ * Draws for comparisons in pairs: the number itself is the seed, and a quantity has the same share in every series, whatever its
+ * variety and settings.
+ */
+export function literalDraws(): Draws {
+	const draw = hashed("");
+	return { seed: (number) => number, share: (quantity, number) => draw(quantity, number) / 2 ** 32 };
+}
+
+/** A function from a quantity and a number to 32 bits, one to one in the number. */
+function hashed(specification: string): (quantity: string, number: number) => number {
+	const keys = new Map<string, readonly [number, number]>();
+	return (quantity, number) => {
+		let key = keys.get(quantity);
+		if (!key) {
+			key = keyOf(`${specification}\0${quantity}`);
+			keys.set(quantity, key);
+		}
+		return mixed(mixed(number ^ key[0]) ^ key[1]);
+	};
+}
+
+/** 64 bits of a text: FNV-1a (Fowler, Noll, Vo 1991) over its UTF-8, as two words. */
+function keyOf(text: string): readonly [number, number] {
+	let hash = 0xcbf29ce484222325n;
+	for (const byte of new TextEncoder().encode(text)) hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);
+	return [mixed(Number(hash >> 32n)), mixed(Number(hash & 0xffffffffn))];
+}
+
+/** Makes every bit depend on every other, one to one (Appleby 2011, the finalizer of MurmurHash3). */
+function mixed(bits: number): number {
+	let h = bits;
+	h = Math.imul(h ^ (h >>> 16), 0x85ebca6b);
+	h = Math.imul(h ^ (h >>> 13), 0xc2b2ae35);
+	return (h ^ (h >>> 16)) >>> 0;
+}
