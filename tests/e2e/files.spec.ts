@@ -104,7 +104,7 @@ test("OBJ with its MTL in one archive, and a series of plants in one", { tag: "@
 	const download = await downloading;
 	expect(download.suggestedFilename()).toBe("lychee-1-2.zip");
 	const files = unzipSync(new Uint8Array(readFileSync(await download.path())));
-	expect(Object.keys(files)).toEqual(["lychee-1.json", "lychee-2.json", "plants.csv"]);
+	expect(Object.keys(files)).toEqual(["lychee-1.json", "lychee-2.json", "plants.csv", "series.json"]);
 	const [header, first] = strFromU8(files["plants.csv"]).split("\r\n");
 	expect(header).toMatch(/^number,seed,file,bytes,crc32,fingerprint,link,set_age,/);
 	expect(first).toContain(JSON.parse(strFromU8(files["lychee-1.json"])).fingerprint);

@@ -55,7 +55,7 @@ describe("a series as one archive", () => {
 		const archive = unzipSync(
 			new Uint8Array(await (await zipOf(series, [1, 2], { ...means, make }, watching())).arrayBuffer()),
 		);
-		expect(Object.keys(archive)).toEqual(["redcurrant-2.glb", "plants.csv"]);
+		expect(Object.keys(archive)).toEqual(["redcurrant-2.glb", "plants.csv", "series.json"]);
 		expect(strFromU8(archive["plants.csv"]).split("\r\n")[1]).toMatch(/^1,\d+,,,,.*,no room$/);
 	});
 

@@ -19,7 +19,7 @@ async function series(words: string[], before: Files = {}, environment: Record<s
 	const world = {
 		...memory.world,
 		replaceFile: (path: string, data: string | Uint8Array) => {
-			if (!/\.csv/.test(path)) grown.push(path);
+			if (!/\.csv|series\.json/.test(path)) grown.push(path);
 			return replaceFile(path, data);
 		},
 	};
@@ -53,10 +53,11 @@ describe("a series", () => {
 			"d/redcurrant-1.glb",
 			"d/redcurrant-2.glb",
 			"d/redcurrant-3.glb",
+			"d/series.json",
 		]);
 		expect(said).toEqual(["3 plants: 3 grown, 0 there before; d/plants.csv"]);
 		const rows = rowsOf(files[TABLE]);
-		expect(rows.map(({ seed }) => seed)).toEqual(["1", "2", "3"]);
+		expect(rows.map(({ number }) => number)).toEqual(["1", "2", "3"]);
 		for (const { file, bytes, link, fingerprint, set_age, set_density, berry_count } of rows) {
 			expect(Number(set_age)).toBeGreaterThanOrEqual(60);
 			expect(Number(set_age)).toBeLessThanOrEqual(110);
@@ -76,7 +77,7 @@ describe("a series", () => {
 	it("is of any model, and of any kind of file", async () => {
 		const { status, written } = await grow(["leaf/oak", "--set", "n=60", "--seeds", "5", "--as", "svg", "--out", "d"]);
 		expect(status).toBe(0);
-		expect([...written.keys()].sort()).toEqual(["d/oak-5-veins.svg", "d/plants.csv"]);
+		expect([...written.keys()].sort()).toEqual(["d/oak-5-veins.svg", "d/plants.csv", "d/series.json"]);
 		const { files } = await series(["--seeds", "5", "--as", "obj"]);
 		expect(Object.keys(unzipSync(files["d/redcurrant-5-obj.zip"] as Uint8Array))).toContain("redcurrant-5.obj");
 	});
@@ -99,12 +100,14 @@ describe("parts of a series", () => {
 			for (let part = 1; part <= total; part++) {
 				const { files } = await series([...words, "--shard", `${part}/${total}`]);
 				const name = `d/plants-${part}-of-${total}.csv`;
-				const { [name]: lines, ...others } = files;
+				const { [name]: lines, "d/series.json": manifest, ...others } = files;
+				expect(JSON.parse(String(manifest))).toMatchObject({ plants: "1-3,10-13", parts: total });
 				table += part === 1 ? lines : String(lines).slice(String(lines).indexOf("\r\n") + 2);
 				for (const file of Object.keys(others)) expect(parts).not.toHaveProperty([file]);
 				Object.assign(parts, others);
 			}
-			expect(digests({ ...parts, [TABLE]: table })).toEqual(digests(whole.files));
+			const { "d/series.json": _, ...files } = whole.files;
+			expect(digests({ ...parts, [TABLE]: table })).toEqual(digests(files));
 		}
 	});
 
@@ -118,7 +121,7 @@ describe("parts of a series", () => {
 
 	it("may be empty, where there are more of them than plants", async () => {
 		const { status, files } = await series(["--seeds", "1", "--shard", "1/2"]);
-		expect([status, Object.keys(files)]).toEqual([0, ["d/plants-1-of-2.csv"]]);
+		expect([status, Object.keys(files)]).toEqual([0, ["d/series.json", "d/plants-1-of-2.csv"]]);
 	});
 });
 
@@ -151,21 +154,6 @@ describe("a series that was broken off", () => {
 		expect(grown).toEqual(["d/redcurrant-3.glb", "d/redcurrant-4.glb"]);
 		expect(digests(after)).toEqual(digests(whole.files));
 	});
-
-	it("grows again what another call left under the same name", async () => {
-		const whole = await series(words);
-		const { grown } = await series(["--seeds", "1-4", "--vary", "age=60..100"], whole.files);
-		expect(grown).toHaveLength(4);
-	});
-
-	it("leaves the table of another series alone", async () => {
-		const { files } = await series(["--seeds", "1"]);
-		const { status, said, files: after } = await series(words, files);
-		expect([status, digests(after)]).toEqual([2, digests(files)]);
-		expect(said).toEqual([
-			"grow: --out d: d/plants.csv is of another series; choose another folder, or take the table away",
-		]);
-	});
 });
 
 it("what does not grow leaves a line that says why, and is tried again", async () => {
@@ -194,8 +182,8 @@ it("what does not grow leaves a line that says why, and is tried again", async (
 
 it("a series in GLB has what each GLB says of itself", async () => {
 	const { files } = await series(["--seeds", "7"]);
-	const [{ link }] = rowsOf(files[TABLE]);
-	expect(link).toContain("seed=7");
+	const [{ link, seed }] = rowsOf(files[TABLE]);
+	expect(link).toContain(`seed=${seed}`);
 	expect(JSON.stringify(documentOf(files["d/redcurrant-7.glb"] as Uint8Array))).toContain(
 		JSON.stringify(link).slice(1, -1),
 	);
@@ -205,12 +193,12 @@ describe("what of a series cannot be used", () => {
 	const refused = (words: string[], environment = {}) => complaint([...SMALL, ...words], {}, environment);
 
 	it.each([
-		[["--seeds", "x"], "--seeds x: “x” is no seed and no range of them; write 1-100 or 1,5,9"],
+		[["--seeds", "x"], "--seeds x: “x” is no number and no range of them; write 1-100 or 1,5,9"],
 		[["--seeds", "9-1"], "--seeds 9-1: 9-1 runs backwards; write 1-9"],
-		[["--seeds", "1-4294967296"], "--seeds 1-4294967296: 4294967296 is above the greatest seed, 4294967295"],
+		[["--seeds", "1-4294967296"], "--seeds 1-4294967296: 4294967296 is above the greatest number, 4294967295"],
 		[["--seeds", "0-200000"], /^--seeds 0-200000: more than 100000 plants; write several series/],
 		[["--seeds", "1", "--seed", "2"], "--seed and --seeds: write one of them"],
-		[["--vary", "age=1..2"], "--vary is of a series: say which seeds, as in --seeds 1-100"],
+		[["--vary", "age=1..2"], "--vary is of a series: say which plants, as in --seeds 1-100"],
 		[["--seeds", "1", "--vary", "age"], /“age”: write KEY=FROM..TO or KEY=ONE\|ANOTHER/],
 		[["--seeds", "1", "--vary", "plum=1..2"], /plum: no parameter has that key/],
 		[["--seeds", "1", "--vary", "age=60..20"], /age=60\.\.20 runs backwards; write age=20\.\.60/],
@@ -252,7 +240,7 @@ describe("what of a series cannot be used", () => {
 	it("is a folder that is missing or cannot be written", async () => {
 		expect(await complaint(["rubus", "--seeds", "1"])).toBe("--seeds needs a folder for the files: --out DIR");
 		expect(await complaint(["rubus", "--seeds", "1", "--out", "nowhere"])).toMatch(
-			/^--out nowhere\/plants\.csv\.part: no such/,
+			/^--out nowhere\/series\.json: no such/,
 		);
 	});
 });

@@ -66,11 +66,11 @@ it.runIf(isLongRun)("grows a series into a folder that it makes, and goes on whe
 		out: "",
 		err: `2 plants: 2 grown, 0 there before; ${join(into, "plants.csv")}`,
 	});
-	expect((await readdir(into)).sort()).toEqual(["plants.csv", "redcurrant-1.glb", "redcurrant-2.glb"]);
+	expect((await readdir(into)).sort()).toEqual(["plants.csv", "redcurrant-1.glb", "redcurrant-2.glb", "series.json"]);
 	await rm(join(into, "redcurrant-2.glb"));
 	const again = await grow(...words);
 	expect(last(again.err)).toBe(`2 plants: 1 grown, 1 there before; ${join(into, "plants.csv")}`);
-	expect(await readdir(into)).toHaveLength(3);
+	expect(await readdir(into)).toHaveLength(4);
 });
 
 it.runIf(isLongRun)("is all in what the container file copies", async () => {
@@ -87,7 +87,7 @@ it.runIf(isLongRun)("is all in what the container file copies", async () => {
 	expect(program).toBe("node");
 	const series = ["leaf/lime", "--set", "n=40", "--seeds", "1", "--as", "obj", "--out", "out"];
 	execFileSync(process.execPath, [...words, ...series], { cwd: image, stdio: "pipe" });
-	expect((await readdir(join(image, "out"))).sort()).toEqual(["lime-1-obj.zip", "plants.csv"]);
+	expect((await readdir(join(image, "out"))).sort()).toEqual(["lime-1-obj.zip", "plants.csv", "series.json"]);
 });
 
 it.runIf(isLongRun)("keeps still when its reader has seen enough", async () => {

@@ -76,11 +76,11 @@ describe("a series with a target", () => {
 		}
 	});
 
-	it("is not grown again where it is there, but for another target it is", async () => {
+	it("is not grown again where it is there, and refused where it is of another target", async () => {
 		const { written } = await grow(words);
 		const there = Object.fromEntries(written);
 		expect((await grow(words, there)).said).toEqual(["2 plants: 0 grown, 2 there before; d/plants.csv"]);
 		const other = [...words.slice(0, -1), "berry_width=8"];
-		expect((await grow(other, there)).said).toEqual(["2 plants: 2 grown, 0 there before; d/plants.csv"]);
+		expect(await complaint(other, there)).toMatch(/\(--target berry_width: 10 there, 8 here\)/);
 	});
 });

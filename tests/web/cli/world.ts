@@ -3,12 +3,19 @@ import { run } from "../../../web/src/cli/run";
 import type { Surroundings } from "../../../web/src/cli/surroundings";
 import { freshCore } from "../core/wasm";
 
-/** Surroundings that keep everything in memory. @param environment variables by name */
+/** Numbers of processes: each world is another one, and all run on one machine. */
+let processes = 100;
+
+/**
+ * Surroundings that keep everything in memory.
+ * @param environment variables by name
+ * @param written what has been written; several worlds may share it
+ */
 export function memoryWorld(
 	files: Record<string, string | Uint8Array> = {},
 	environment: Surroundings["environment"] = {},
+	written = new Map<string, string | Uint8Array>(),
 ) {
-	const written = new Map<string, string | Uint8Array>();
 	const printed: string[] = [];
 	const said: string[] = [];
 	const missing = (path: string) => Object.assign(new Error(`ENOENT: ${path}`), { code: "ENOENT" });
@@ -23,9 +30,24 @@ export function memoryWorld(
 			written.set(path, data);
 		},
 		replaceFile: async (path, data) => world.writeFile(path, data),
+		createFile: async (path, data) => {
+			if (files[path] !== undefined || written.has(path)) return false;
+			await world.writeFile(path, data);
+			return true;
+		},
 		appendFile: async (path, text) => world.writeFile(path, `${written.get(path) ?? ""}${text}`),
 		removeFile: async (path) => void written.delete(path),
 		makeFolder: async () => {},
+		listFolder: async (folder) => {
+			const names = [...Object.keys(files), ...written.keys()].map((path) => path.split("/"));
+			const inside = folder === "." ? names : names.filter(([first]) => first === folder).map((path) => path.slice(1));
+			return inside.map(([name]) => name);
+		},
+		host: "here",
+		process: ++processes,
+		isRunning: () => true,
+		now: () => 1_000_000,
+		whenTerminated: () => () => {},
 		environment,
 		loadCore: freshCore,
 		print: (text) => printed.push(text),

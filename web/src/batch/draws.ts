@@ -10,6 +10,8 @@ import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 
 export interface Draws {
+	/** Whether the numbers are the seeds, and shares are the same in every series. */
+	readonly literal: boolean;
 	/** The seed of a plant by its number; no two numbers have the same. 0 … 2³² − 1. */
 	seed(number: number): number;
 	/** A share for a plant and a quantity: 0 up to but not 1, uniform. `quantity` names what is drawn: `vary age`. */
@@ -25,7 +27,11 @@ export function specificationOf<S extends Specimen>(species: Species<S>, from: S
 /** Draws that are independent between plants, quantities, varieties and settings: a hash of all four. */
 export function independentDraws<S extends Specimen>(species: Species<S>, from: S): Draws {
 	const draw = hashed(specificationOf(species, from));
-	return { seed: (number) => draw("seed", number), share: (quantity, number) => draw(quantity, number) / 2 ** 32 };
+	return {
+		literal: false,
+		seed: (number) => draw("seed", number),
+		share: (quantity, number) => draw(quantity, number) / 2 ** 32,
+	};
 }
 
 /**
@@ -34,7 +40,11 @@ export function independentDraws<S extends Specimen>(species: Species<S>, from: 
  */
 export function literalDraws(): Draws {
 	const draw = hashed("");
-	return { seed: (number) => number, share: (quantity, number) => draw(quantity, number) / 2 ** 32 };
+	return {
+		literal: true,
+		seed: (number) => number,
+		share: (quantity, number) => draw(quantity, number) / 2 ** 32,
+	};
 }
 
 /** A function from a quantity and a number to 32 bits, one to one in the number. */

@@ -72,8 +72,12 @@ function suffixOf({ formats }: Model, format: string): string {
 	return `${["", ...form].join("-")}.${kind}`;
 }
 
+/** What the file of a plant is called. */
+export const fileOf = ({ model, from, format }: Series, number: number): string =>
+	`${from.preset}-${number}${suffixOf(model, format)}`;
+
 export async function memberOf(series: Series, number: number): Promise<Member> {
-	const { model, from, varied, draws, format } = series;
+	const { model, from, varied, draws } = series;
 	const seed = draws.seed(number);
 	const values = varied.map((each) => drawn(each, number, draws));
 	const seeded = restore(model, { seed }, from).specimen;
@@ -83,7 +87,7 @@ export async function memberOf(series: Series, number: number): Promise<Member> 
 		varied.map((each, at) => [each, values[at]]),
 	);
 	const link = await encodeLink(model, specimen);
-	return { number, seed, specimen, values, link, file: `${from.preset}-${number}${suffixOf(model, format)}` };
+	return { number, seed, specimen, values, link, file: fileOf(series, number) };
 }
 
 export interface Means {

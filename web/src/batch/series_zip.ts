@@ -1,5 +1,6 @@
 /** A series as one archive: what the command line puts into a folder, byte for byte. */
 import { ZipStream } from "../files/zip";
+import { MANIFEST, manifestOf, writtenManifest } from "./manifest";
 import { growMember, type Means, memberOf, type Series } from "./series";
 import { columnsOf, failedRow, rowOf, written } from "./table";
 import { Unusable } from "./unusable";
@@ -48,6 +49,8 @@ export async function zipOf(series: Series, numbers: readonly number[], means: M
 		progress(lines.length - 1);
 	}
 	if (whole === 0) throw new Unusable(`none of the ${numbers.length} plants could be grown: ${why.replace(/\.$/, "")}`);
-	archive.add({ name: "plants.csv", bytes: new TextEncoder().encode(lines.join("")) });
+	const encoder = new TextEncoder();
+	archive.add({ name: "plants.csv", bytes: encoder.encode(lines.join("")) });
+	archive.add({ name: MANIFEST, bytes: encoder.encode(writtenManifest(manifestOf(series, numbers))) });
 	return archive.end();
 }

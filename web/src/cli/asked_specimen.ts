@@ -19,6 +19,7 @@ import { TextError } from "../specimen/text_error";
 import type { Call } from "./arguments";
 import type { Surroundings } from "./surroundings";
 import { UsageError } from "./usage";
+import { reasonOf } from "./writing";
 
 /**
  * `textName`: what places in the grammar's text are of; a file of XML has none of its lines.
@@ -202,13 +203,4 @@ async function readGrammar(file: string, readFile: Surroundings["readFile"]): Pr
 	} catch {
 		throw new UsageError(`--grammar ${file}: not text in UTF-8`);
 	}
-}
-
-/** The system's word on a file, in plain ones. */
-export function reasonOf(error: unknown): string {
-	const { code, message } = error as NodeJS.ErrnoException;
-	if (code === "ENOENT") return "no such file or folder";
-	if (code === "EISDIR") return "is a folder";
-	if (code === "EACCES" || code === "EPERM" || code === "EROFS") return "not allowed";
-	return message.split("\n")[0];
 }

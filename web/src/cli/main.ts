@@ -1,7 +1,9 @@
 /** `npm run -s grow -- …`, bundled for Node by wasm-core/tools/grow.mjs. Does its work when it is loaded. */
-import { appendFile, mkdir, readFile, rename, rm, writeFile } from "node:fs/promises";
+import { readFile } from "node:fs/promises";
 import { loadCoreFromBytes } from "../core/loader";
+import { nodeFiles } from "./node_files";
 import { run } from "./run";
+import { reasonOf } from "./writing";
 
 // The bundle lies as deep in the repository as this file, so the way to the cores is the same from both.
 const cores = new URL("../../../build/core/", import.meta.url);
@@ -14,20 +16,13 @@ async function coreBytes(wasm: string): Promise<Uint8Array<ArrayBuffer>> {
 
 // A reader that has seen enough (`| head`) is no error.
 process.stdout.on("error", (error: NodeJS.ErrnoException) => {
-	if (error.code !== "EPIPE") throw error;
+	if (error.code === "EPIPE") return;
+	process.stderr.write(`grow: standard output cannot be written: ${reasonOf(error)}\n`);
+	process.exit(1);
 });
 
 process.exitCode = await run(process.argv.slice(2), {
-	readFile,
-	writeFile,
-	replaceFile: async (path, data) => {
-		const unfinished = `${path}.new`;
-		await writeFile(unfinished, data);
-		await rename(unfinished, path);
-	},
-	appendFile,
-	removeFile: (path) => rm(path, { force: true }),
-	makeFolder: async (path) => void (await mkdir(path, { recursive: true })),
+	...nodeFiles,
 	environment: process.env,
 	loadCore: async (wasm) => loadCoreFromBytes(await coreBytes(wasm)),
 	print: (text) => process.stdout.write(text),

@@ -14,14 +14,15 @@ import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
 import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
 import { type Call, readArguments } from "./arguments";
-import { askedModel, askedSpecimen, reasonOf } from "./asked_specimen";
+import { askedModel, askedSpecimen } from "./asked_specimen";
 import { endingOf, endingsOf, filesOf, jsonOf, ownFormat } from "./outputs";
 import { growSeries } from "./series";
 import type { Surroundings } from "./surroundings";
 import { readTargets } from "./targets";
 import { UsageError, usage } from "./usage";
+import { writing } from "./writing";
 
-/** @returns the exit status: 0 grown, 1 the core broke or is missing or some of a series did not grow, 2 something in the call cannot be used */
+/** @returns the exit status: 0 grown, 1 the core broke or is missing, a file could not be written or some of a series did not grow, 2 something in the call cannot be used */
 export async function run(words: readonly string[], world: Surroundings): Promise<number> {
 	try {
 		const call = readArguments(words);
@@ -96,9 +97,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	const further = { aged: agedOf(model, specimen, again), levels: levelledOf(model, specimen, again) };
 	const options = { ...call.files, form: call.form };
 	for (const [file, data] of await filesOf(out, ending, model, all, specimen, options, further)) {
-		await world.writeFile(file, data).catch((error: unknown) => {
-			throw new UsageError(`--out ${file}: ${reasonOf(error)}`);
-		});
+		await writing(file, () => world.writeFile(file, data));
 	}
 	for (const note of all.notes) world.say(`note: ${note}`);
 }

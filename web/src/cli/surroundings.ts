@@ -6,11 +6,25 @@ export interface Surroundings {
 	writeFile(path: string, data: string | Uint8Array): Promise<void>;
 	/** Writes a file that is whole or not there under its name, whatever happens meanwhile. */
 	replaceFile(path: string, data: string | Uint8Array): Promise<void>;
+	/** Writes a whole file where there is none under its name. @returns whether it did; of several at once one does */
+	createFile(path: string, data: string): Promise<boolean>;
 	appendFile(path: string, text: string): Promise<void>;
 	/** One that is not there is no error. */
 	removeFile(path: string): Promise<void>;
 	/** With those above it; one that is there is no error. */
 	makeFolder(path: string): Promise<void>;
+	/** Names of what is in a folder, in any order. */
+	listFolder(path: string): Promise<string[]>;
+	/** The name of this machine. */
+	readonly host: string;
+	/** The number of this process. */
+	readonly process: number;
+	/** Whether a process of this machine runs, by its number. */
+	isRunning(process: number): boolean;
+	/** Milliseconds since 1970. */
+	now(): number;
+	/** Has work done before the process ends because it is told to (SIGTERM). @returns what takes that back */
+	whenTerminated(work: () => Promise<void>): () => void;
 	/** Variables by name. */
 	readonly environment: Readonly<Record<string, string | undefined>>;
 	/** @param wasm the file of a model's core: `bunch.wasm` */

@@ -1,0 +1,124 @@
+/**
+ * The manifest of a series, `series.json` beside its table: all that decides what its files hold. Two calls with equal manifests make the
+ * same files, so that one can go on where another ended; what differs must not share a folder.
+ */
+import { GENERATOR } from "../export/generator";
+import { DEFAULT_SEED } from "../specimen/from_preset";
+import { encodeQuery, textsOf } from "../specimen/link";
+import type { Series } from "./series";
+import type { Varied } from "./vary";
+
+export const MANIFEST = "series.json";
+
+export interface Manifest {
+	/** The program and its version: another one may grow other plants. */
+	readonly program: string;
+	/** `bunch/riesling`. */
+	readonly preset: string;
+	/** What all plants have besides the preset, by the keys of links. */
+	readonly settings: Readonly<Record<string, string>>;
+	/** Texts of the plants' own, by the keys of links. */
+	readonly texts: Readonly<Record<string, string>>;
+	readonly draws: "independent" | "literal";
+	/** Numbers of all plants, as `--seeds` has them. */
+	readonly plants: string;
+	/** In how many parts the series is grown, each with a table of its own. */
+	readonly parts: number;
+	/** By parameter: `60..110` or `lychee|duku`. */
+	readonly vary: Readonly<Record<string, string>>;
+	/** Measures aimed at, by key. */
+	readonly targets: Readonly<Record<string, string>>;
+	/** Kinds of files. */
+	readonly files: readonly string[];
+}
+
+/** @param numbers of all plants, those of other parts among them */
+export function manifestOf(series: Series, numbers: readonly number[], parts = 1): Manifest {
+	const { model, from, varied, aims = [], draws, format } = series;
+	const common = { ...from, seed: DEFAULT_SEED };
+	const settings = Object.fromEntries(new URLSearchParams(encodeQuery(model, common)));
+	const { v, model: _, preset: __, ...others } = settings;
+	return {
+		program: GENERATOR,
+		preset: `${model.name}/${from.preset}`,
+		settings: { v, ...others },
+		texts: Object.fromEntries(textsOf(model, common)),
+		draws: draws.literal ? "literal" : "independent",
+		plants: rangesOf(numbers),
+		parts,
+		vary: Object.fromEntries(varied.map((each) => [each.entry.key, writtenVaried(each)])),
+		targets: Object.fromEntries(aims.map(({ measure, value }) => [measure, String(value)])),
+		files: [format],
+	};
+}
+
+export const writtenManifest = (manifest: Manifest): string => `${JSON.stringify(manifest, null, "\t")}\n`;
+
+/**
+ * How a manifest that was read differs from one's own, in the words of the command line: `--seeds: 1-12 there, 5-8 here`.
+ * @param there any text; one that is no manifest differs as a whole
+ */
+export function differencesFrom(there: string, here: Manifest): string[] {
+	const before = labelled(parsed(there));
+	if (before.size === 0) return [`${MANIFEST} there cannot be read`];
+	const now = labelled(here);
+	return [...new Set([...before.keys(), ...now.keys()])].flatMap((label) => {
+		const [one, other] = [before.get(label), now.get(label)];
+		return one === other ? [] : [`${label}: ${shown(one)} there, ${shown(other)} here`];
+	});
+}
+
+const LABELS: Readonly<Record<keyof Manifest, string>> = {
+	program: "program",
+	preset: "preset",
+	settings: "--set",
+	texts: "text",
+	draws: "draws",
+	plants: "--seeds",
+	parts: "parts of --shard",
+	vary: "--vary",
+	targets: "--target",
+	files: "--as",
+};
+
+/** Every value by the words that name it. */
+function labelled(manifest: object): Map<string, string> {
+	const values = new Map<string, string>();
+	for (const [key, value] of Object.entries(manifest)) {
+		const label = LABELS[key as keyof Manifest] ?? key;
+		if (typeof value !== "object" || value === null || Array.isArray(value)) values.set(label, String(value));
+		else for (const [part, own] of Object.entries(value)) values.set(`${label} ${part}`, String(own));
+	}
+	return values;
+}
+
+function parsed(text: string): object {
+	try {
+		const value: unknown = JSON.parse(text);
+		return typeof value === "object" && value !== null ? value : {};
+	} catch {
+		return {};
+	}
+}
+
+/** Characters of a value that a message shows. */
+const SHOWN = 40;
+
+function shown(value: string | undefined): string {
+	if (value === undefined) return "not given";
+	return value.length > SHOWN || value.includes("\n") ? "another text" : value;
+}
+
+/** Numbers as `--seeds` takes them, neighbours as ranges: `1-12,20`. */
+function rangesOf(numbers: readonly number[]): string {
+	const ranges: [first: number, last: number][] = [];
+	for (const number of numbers) {
+		const run = ranges.at(-1);
+		if (run && number === run[1] + 1) run[1] = number;
+		else ranges.push([number, number]);
+	}
+	return ranges.map(([first, last]) => (first === last ? `${first}` : `${first}-${last}`)).join(",");
+}
+
+const writtenVaried = (varied: Varied): string =>
+	"values" in varied ? varied.values.join("|") : `${varied.from}..${varied.to}`;

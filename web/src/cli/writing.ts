@@ -1,0 +1,50 @@
+/** Writing of files that were named in a call: whose fault it is where one cannot be written. */
+import { UsageError } from "./usage";
+
+/** Codes of the system for which the call is to blame: another path can be written. */
+const OF_THE_PATH: Readonly<Record<string, string>> = {
+	ENOENT: "no such file or folder",
+	ENOTDIR: "a part of the path is no folder",
+	EISDIR: "is a folder",
+	EACCES: "not allowed",
+	EPERM: "not allowed",
+	EROFS: "not allowed: the disk is read-only",
+	ENAMETOOLONG: "the name is too long",
+	EINVAL: "the name cannot be used",
+};
+
+/** Codes for which the machine is. */
+const OF_THE_MACHINE: Readonly<Record<string, string>> = {
+	ENOSPC: "the disk is full",
+	EDQUOT: "the quota of the disk is used up",
+	EFBIG: "the file is too large for the disk",
+	EIO: "the disk fails",
+	EMFILE: "too many files are open",
+	ENFILE: "too many files are open",
+	EPIPE: "its reader has gone",
+};
+
+/** The system's word on a file, in plain ones. */
+export function reasonOf(error: unknown): string {
+	const { code = "", message } = error as NodeJS.ErrnoException;
+	return OF_THE_PATH[code] ?? OF_THE_MACHINE[code] ?? message.split("\n")[0];
+}
+
+/** A failure to write that no other call would have avoided: a full disk. Ends the command with status 1. */
+export class WriteError extends Error {
+	override name = "WriteError";
+}
+
+/**
+ * Writes, and says of a failure which path it was.
+ * @throws UsageError where the path cannot be used, WriteError where the machine cannot write
+ */
+export async function writing<Result>(path: string, write: () => Promise<Result>): Promise<Result> {
+	try {
+		return await write();
+	} catch (error) {
+		const { code = "" } = error as NodeJS.ErrnoException;
+		if (Object.hasOwn(OF_THE_PATH, code)) throw new UsageError(`--out ${path}: ${reasonOf(error)}`);
+		throw new WriteError(`${path} cannot be written: ${reasonOf(error)}`);
+	}
+}
