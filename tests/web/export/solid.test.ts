@@ -139,11 +139,11 @@ describe("points", () => {
 		const text = new TextDecoder().decode(file.subarray(0, 600));
 		const start = text.indexOf("end_header\n") + "end_header\n".length;
 		expect(text).toContain("element vertex 4000");
-		expect(file).toHaveLength(start + 27 * 4000);
+		expect(file).toHaveLength(start + 33 * 4000);
 		const view = new DataView(file.buffer, start);
 		const quarters = [0, 0, 0, 0];
 		for (let i = 0; i < 4000; i++) {
-			const [x, y, z] = [0, 4, 8].map((offset) => view.getFloat32(27 * i + offset, true));
+			const [x, y, z] = [0, 4, 8].map((offset) => view.getFloat32(33 * i + offset, true));
 			expect(y).toBe(0);
 			quarters[2 * Number(x > 0.5) + Number(z > 0.5)]++;
 		}

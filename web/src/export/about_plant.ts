@@ -3,11 +3,13 @@ import { encodeLink } from "../specimen/link";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 import { writtenSpecimen } from "../specimen/written";
-import type { About } from "./about";
+import type { About, PointLabels } from "./about";
 import { measuresOf } from "./measures";
 
 /** A model as far as files with meshes go. */
 export interface Described<S extends Specimen, G extends Plant> extends Species<S> {
+	/** How points on its plants are labelled. */
+	readonly labels?: PointLabels;
 	/** What such files say of the plant besides what they say of every plant. */
 	extras?(grown: G, specimen: S): Record<string, unknown>;
 }
@@ -26,6 +28,7 @@ export async function aboutPlant<S extends Specimen, G extends Plant>(
 	return {
 		name: `${kind} ${specimen.preset}`,
 		link: link ?? (await encodeLink(model, specimen)),
+		...(model.labels && { labels: model.labels }),
 		extras: {
 			specimen: writtenSpecimen(model, specimen),
 			...model.extras?.(grown, specimen),

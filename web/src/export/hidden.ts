@@ -6,25 +6,47 @@ import type { Mesh } from "../plant/plant";
 import { boundsOf, type Piece } from "./piece";
 import { welded } from "./weld";
 
-/**
- * The pieces without such triangles; those of which nothing is left are left out.
- * @param within how far in front of a surface it may be covered, metres: what lies nearer than this has nothing to be seen between
- */
-export function withoutHidden(pieces: readonly Piece[], within: number): Piece[] {
-	const boxes = pieces.map(({ mesh }) => boundsOf([mesh.positions]));
-	const closed = new Map<Uint32Array, boolean>();
-	const bodies = pieces.flatMap(({ mesh }, i) => {
-		// What shares its triangles is closed, or open, with the others.
-		const whole = closed.get(mesh.indices) ?? isClosed(mesh);
-		closed.set(mesh.indices, whole);
-		return whole ? [new Body(mesh, boxes[i])] : [];
-	});
-	return pieces.flatMap((piece, i) => {
-		const about = bodies.filter(({ box }) => overlap(box, boxes[i], within));
-		if (about.length === 0) return [piece];
-		const indices = visible(piece.mesh, about, within);
-		return indices.length > 0 ? [{ ...piece, mesh: { ...piece.mesh, indices } }] : [];
-	});
+/** Which places of a plant's surface its closed pieces hide. */
+export class Cover<Own extends Piece> {
+	readonly #pieces: readonly Own[];
+	readonly #within: number;
+	/** Of each piece, the closed ones beside it. */
+	readonly #about: readonly (readonly Body[])[];
+
+	/** @param within how far in front of a surface it may be covered, metres: what lies nearer than this has nothing to be seen between */
+	constructor(pieces: readonly Own[], within: number) {
+		const boxes = pieces.map(({ mesh }) => boundsOf([mesh.positions]));
+		const closed = new Map<Uint32Array, boolean>();
+		const bodies = pieces.flatMap(({ mesh }, i) => {
+			// What shares its triangles is closed, or open, with the others.
+			const whole = closed.get(mesh.indices) ?? isClosed(mesh);
+			closed.set(mesh.indices, whole);
+			return whole ? [new Body(mesh, boxes[i])] : [];
+		});
+		this.#pieces = pieces;
+		this.#within = within;
+		this.#about = boxes.map((box) => bodies.filter((body) => overlap(body.box, box, within)));
+	}
+
+	/** The pieces without triangles that are hidden as a whole; those of which nothing is left are left out. */
+	visible(): Own[] {
+		return this.#pieces.flatMap((piece, i) => {
+			if (this.#about[i].length === 0) return [piece];
+			const indices = visible(piece.mesh, this.#about[i], this.#within);
+			return indices.length > 0 ? [{ ...piece, mesh: { ...piece.mesh, indices } }] : [];
+		});
+	}
+
+	/** Whether a place on the surface of the piece of that index is hidden. `normal` has unit length. */
+	hides(index: number, place: readonly number[], normal: readonly number[]): boolean {
+		const [x, y, z] = place.map((value, k) => value + this.#within * normal[k]);
+		return this.#about[index].some((body) => body.holds(x, y, z));
+	}
+}
+
+/** The pieces without triangles that nobody can see (`Cover`). */
+export function withoutHidden<Own extends Piece>(pieces: readonly Own[], within: number): Own[] {
+	return new Cover(pieces, within).visible();
 }
 
 function visible({ positions, normals, indices }: Mesh, about: readonly Body[], within: number): Uint32Array {

@@ -5,7 +5,7 @@
 import type { Material, Picture, Textures } from "../plant/material";
 import type { Part, Vector } from "../plant/part";
 import { drawCalls } from "./draw_calls";
-import { withoutHidden } from "./hidden";
+import { Cover } from "./hidden";
 import { extentOf, type Piece, piecesOf } from "./piece";
 import { simplified } from "./simplified";
 import { sparse } from "./sparse";
@@ -37,8 +37,13 @@ export async function lightParts(parts: Iterable<Part>, { triangles, pixels, sti
 }
 
 /** What can be seen of pieces from outside. */
-export function visible(pieces: readonly Piece[]): Piece[] {
-	return withoutHidden(pieces, UNSEEN * extentOf(pieces));
+export function visible<Own extends Piece>(pieces: readonly Own[]): Own[] {
+	return coverOf(pieces).visible();
+}
+
+/** What hides what of pieces. */
+export function coverOf<Own extends Piece>(pieces: readonly Own[]): Cover<Own> {
+	return new Cover(pieces, UNSEEN * extentOf(pieces));
 }
 
 function known(pictures: Map<Picture, Picture>, picture: Picture, pixels: number): Picture {

@@ -1,6 +1,15 @@
 /** What light forms of a file are made from: all that is drawn of a plant, each where it stands. */
 import type { Material } from "../plant/material";
-import { everyPart, type Part, type PartMesh, type Shape, TRANSFORM, type Vector } from "../plant/part";
+import {
+	type Extras,
+	everyPart,
+	type Instances,
+	type Part,
+	type PartMesh,
+	type Shape,
+	TRANSFORM,
+	type Vector,
+} from "../plant/part";
 import { placed } from "./together";
 import { writtenColours } from "./vertex_colours";
 
@@ -10,30 +19,40 @@ export interface Piece {
 	mesh: PartMesh;
 }
 
+/** A piece that is a part, or an instance of one where each is a part by itself. */
+export interface NamedPiece extends Piece {
+	/** Of the part. */
+	name: string;
+	/** What is known of the part besides. */
+	extras?: Extras;
+}
+
 /**
  * Every mesh, and every instance of one by itself.
  * @param still where what stands still is held: then instances, too, say where they are (`feet`)
  */
-export function* piecesOf(parts: Iterable<Part>, still?: Vector): Generator<Piece> {
-	for (const { shape } of everyPart(parts)) {
-		if (shape?.instances) yield* instancesOf(shape, shape.instances.transforms, shape.instances.sky, still);
-		else if (shape) yield piece(still && shape.material.still ? { ...shape, mesh: heldAt(still, shape.mesh) } : shape);
+export function* piecesOf(parts: Iterable<Part>, still?: Vector): Generator<NamedPiece> {
+	for (const part of everyPart(parts)) {
+		const { shape } = part;
+		if (shape?.instances) yield* instancesOf(part, shape, shape.instances, still);
+		else if (shape)
+			yield piece(part, still && shape.material.still ? { ...shape, mesh: heldAt(still, shape.mesh) } : shape);
 	}
 }
 
 function* instancesOf(
+	part: Part,
 	{ mesh, material }: Shape,
-	transforms: Float32Array,
-	sky: Uint8Array | undefined,
+	{ transforms, sky, each }: Instances,
 	still: Vector | undefined,
-): Generator<Piece> {
+): Generator<NamedPiece> {
 	for (let i = 0; i < transforms.length / TRANSFORM; i++) {
 		const { positions, normals } = placed(mesh, transforms.subarray(TRANSFORM * i, TRANSFORM * (i + 1)));
 		const bare: PartMesh = { ...mesh, positions: Float32Array.from(positions), normals: Float32Array.from(normals) };
 		const [x, y, z] = transforms.subarray(TRANSFORM * i, TRANSFORM * i + 3);
 		const own = still ? heldAt([x, y, z], bare) : bare;
 		if (sky) own.sky = new Uint8Array(positions.length / 3).fill(sky[i]);
-		yield piece({ mesh: own, material });
+		yield piece(each?.(i) ?? part, { mesh: own, material });
 	}
 }
 
@@ -42,10 +61,13 @@ function heldAt(place: Vector, mesh: PartMesh): PartMesh {
 	return { ...mesh, feet: mesh.positions.map((_, at) => place[at % 3]) };
 }
 
-function piece({ mesh, material }: Pick<Shape, "mesh" | "material">): Piece {
+function piece(
+	{ name, extras }: Pick<Part, "name" | "extras">,
+	{ mesh, material }: Pick<Shape, "mesh" | "material">,
+): NamedPiece {
 	const { sky: _, colours: __, ...bare } = mesh;
 	const colours = writtenColours(mesh, material);
-	return { material, mesh: colours ? { ...bare, colours } : bare };
+	return { name, ...(extras && { extras }), material, mesh: colours ? { ...bare, colours } : bare };
 }
 
 /** The least box about all vertices: its lowest and its highest corner. */

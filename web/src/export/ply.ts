@@ -1,45 +1,166 @@
-/** Points on a plant's surface as binary PLY: places, normals and colours, for those who work with scans. Metres, +Y up. */
+/**
+ * Points on a plant's surface as binary PLY: place, normal, colour, and the part that each lies on, for those who work with scans. Metres, +Y up.
+ *
+ * `instance` counts the nodes with a mesh of the *detailed* GLB, from 0, in their order. `class` is the number of the part's kind, which comments
+ * of the header name. A model may add an id of its own (`PointLabels`).
+ */
 import { encoded } from "../plant/colour";
 import type { Part } from "../plant/part";
-import type { About } from "./about";
+import type { About, PointLabels } from "./about";
 import { GENERATOR } from "./generator";
-import { visible } from "./light";
-import { type Piece, piecesOf } from "./piece";
+import type { Cover } from "./hidden";
+import { coverOf } from "./light";
+import { type NamedPiece, type Piece, piecesOf } from "./piece";
+import { together } from "./together";
 import { plainBase } from "./vertex_colours";
 
-/** Six floats and three bytes. */
-const POINT = 27;
+/** Bytes of a point: six floats, three bytes of colour; then 32 bits and 16 of its label, and 32 of an id where there is one. */
+const [LABEL, ID, WITH_ID] = [27, 33, 37];
+
+/** What a point lies on. */
+interface Label {
+	readonly instance: number;
+	readonly kind: number;
+	/** Undefined where the model gives none. */
+	readonly id: number | undefined;
+}
 
 /** @param points as many, evenly over all that can be seen from outside */
 export function ply(parts: Iterable<Part>, about: About, points: number): Uint8Array<ArrayBuffer> {
-	const pieces = visible([...piecesOf(parts)]);
-	const areas = pieces.map(areasOf);
-	const whole = areas.reduce((sum, own) => sum + own.reduce((all, area) => all + area, 0), 0);
-	const count = whole > 0 ? points : 0;
+	// As nodes of a GLB: what is many times in one of them is one there.
+	const all = [...piecesOf([...parts].map(together))];
+	const kinds = kindsOf(all, about.labels?.classes);
+	const cover = coverOf(
+		all.map((piece, instance) => ({ ...piece, label: labelOf(piece, instance, kinds, about.labels) })),
+	);
+	const cloud = cloudOf(cover, points);
 	const properties = ["x", "y", "z", "nx", "ny", "nz"].map((name) => `property float ${name}`);
 	const colours = ["red", "green", "blue"].map((name) => `property uchar ${name}`);
+	const id = about.labels ? [`int ${about.labels.id.property}`] : [];
+	const size = about.labels ? WITH_ID : ID;
+	const labels = ["int instance", "ushort class", ...id].map((each) => `property ${each}`);
 	const words = [
 		"ply",
 		"format binary_little_endian 1.0",
 		`comment ${GENERATOR}: ${about.name}, metres, +Y up`,
 		`comment ${about.link}`,
+		...kinds.map((kind, number) => `comment class ${number} ${kind}`),
+		`element vertex ${cloud.count}`,
+		...[...properties, ...colours, ...labels, "end_header"],
 	];
-	const header = new TextEncoder().encode(
-		`${[...words, `element vertex ${count}`, ...properties, ...colours, "end_header"].join("\n")}\n`,
-	);
-	const file = new Uint8Array(header.length + POINT * count);
+	const header = new TextEncoder().encode(`${words.join("\n")}\n`);
+	const file = new Uint8Array(header.length + size * cloud.count);
 	file.set(header);
 	const view = new DataView(file.buffer, header.length);
-	let [passed, point] = [0, 0];
-	for (const [i, piece] of pieces.entries()) {
-		for (const [triangle, area] of areas[i].entries()) {
-			passed += area;
-			// One in the middle of each of so many equal shares of the area.
-			for (; point < count && (point + 0.5) * whole <= passed * count; point++)
-				write(view, POINT * point, piece, triangle, point);
-		}
-	}
+	for (let index = 0; index < cloud.count; index++) write(view, size * index, cloud.at(index));
 	return file;
+}
+
+/** A place on a triangle of a piece. */
+interface Point {
+	readonly piece: Labelled;
+	/** Vertices of the triangle. */
+	readonly corners: Uint32Array;
+	/** Of the corners; they sum to 1. */
+	readonly weights: readonly [number, number, number];
+}
+
+type Labelled = Piece & { readonly label: Label };
+
+/** Of the points on triangles that can be seen, the share that must not be hidden: below it all are taken. */
+const LEAST_SEEN = 0.05;
+/** Points that are placed beyond the share that was hidden before, so that a second time is enough. */
+const SPARE = 1.02;
+
+/** Points on triangles, all numbers by index: a cloud may have millions. */
+class Candidates {
+	/** Of each point, the index of its piece, and of its triangle in that. */
+	readonly #places: Uint32Array;
+	/** None where there is no area. */
+	readonly count: number;
+
+	/** One in the middle of each of so many equal shares of the area. */
+	constructor(
+		readonly pieces: readonly Labelled[],
+		areas: readonly Float64Array[],
+		count: number,
+	) {
+		this.#places = new Uint32Array(2 * count);
+		const whole = areas.reduce((sum, own) => sum + own.reduce((all, area) => all + area, 0), 0);
+		let [passed, point] = [0, 0];
+		for (const [piece, own] of areas.entries()) {
+			for (const [triangle, area] of own.entries()) {
+				passed += area;
+				for (; point < count && (point + 0.5) * whole <= passed * count; point++)
+					this.#places.set([piece, triangle], 2 * point);
+			}
+		}
+		this.count = point;
+	}
+
+	at(index: number): Point {
+		let [s, t] = STEPS.map((step) => (step * (index + 1)) % 1);
+		if (s + t > 1) [s, t] = [1 - s, 1 - t];
+		const [piece, triangle] = this.#places.subarray(2 * index, 2 * index + 2);
+		const { indices } = this.pieces[piece].mesh;
+		const corners = indices.subarray(3 * triangle, 3 * triangle + 3);
+		return { piece: this.pieces[piece], corners, weights: [1 - s - t, s, t] };
+	}
+}
+
+interface Cloud {
+	readonly count: number;
+	at(index: number): Point;
+}
+
+/** So many points, evenly over all that can be seen: parts of large triangles are hidden, too. */
+function cloudOf(cover: Cover<Labelled>, points: number): Cloud {
+	const pieces = cover.visible();
+	const areas = pieces.map(areasOf);
+	const all = new Candidates(pieces, areas, points);
+	let candidates = all;
+	while (candidates.count > 0) {
+		const seen = new Uint32Array(candidates.count);
+		let found = 0;
+		for (let i = 0; i < seen.length; i++) if (!isHidden(cover, candidates.at(i))) seen[found++] = i;
+		const [from, first] = [candidates, found];
+		if (found >= points)
+			return { count: points, at: (index) => from.at(seen[Math.floor(((index + 0.5) * first) / points)]) };
+		if (found < LEAST_SEEN * seen.length) break;
+		candidates = new Candidates(pieces, areas, Math.ceil((SPARE * seen.length * points) / found) + 1);
+	}
+	return all;
+}
+
+function isHidden(cover: Cover<Labelled>, point: Point): boolean {
+	const { positions } = point.piece.mesh;
+	return cover.hides(point.piece.label.instance, meanOf(positions, point), normalAt(point));
+}
+
+/** Of three numbers a vertex, those between the corners. */
+function meanOf(values: Float32Array, { corners, weights }: Point): number[] {
+	return [0, 1, 2].map((k) =>
+		weights.reduce((sum, weight, corner) => sum + weight * values[3 * corners[corner] + k], 0),
+	);
+}
+
+function normalAt(point: Point): number[] {
+	const normal = meanOf(point.piece.mesh.normals, point);
+	const length = Math.hypot(...normal) || 1;
+	return normal.map((value) => value / length);
+}
+
+/** What the name of a part says it is: all but the number behind it. */
+const kindOf = ({ name }: Pick<NamedPiece, "name">) => name.replace(/ [\d.]+$/, "");
+
+/** Kinds of parts by their class numbers: those that are known, then the others as they come. */
+function kindsOf(pieces: readonly NamedPiece[], known: readonly string[] = []): string[] {
+	return [...new Set([...known, ...pieces.map(kindOf)])];
+}
+
+function labelOf(piece: NamedPiece, instance: number, kinds: readonly string[], labels?: PointLabels): Label {
+	const id = labels ? (labels.id.of(piece) ?? -1) : undefined;
+	return { instance, kind: kinds.indexOf(kindOf(piece)), id };
 }
 
 /** Of its triangles. */
@@ -55,22 +176,20 @@ function areasOf({ mesh: { positions: p, indices } }: Piece): Float64Array {
 /** The generalised golden ratio of two dimensions: its multiples fill a square evenly (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"). */
 const STEPS = [0.7548776662466927, 0.5698402909980532] as const;
 
-function write(view: DataView, at: number, { mesh, material }: Piece, triangle: number, point: number): void {
-	let [s, t] = STEPS.map((step) => (step * (point + 1)) % 1);
-	if (s + t > 1) [s, t] = [1 - s, 1 - t];
-	const corners = mesh.indices.subarray(3 * triangle, 3 * triangle + 3);
-	const mean = (values: Float32Array, k: number) =>
-		(1 - s - t) * values[3 * corners[0] + k] + s * values[3 * corners[1] + k] + t * values[3 * corners[2] + k];
-	const normal = [0, 1, 2].map((k) => mean(mesh.normals, k));
-	const length = Math.hypot(...normal) || 1;
+function write(view: DataView, at: number, point: Point): void {
+	const { mesh, material, label } = point.piece;
 	// A picture is there by its mean, which vertices' colours multiply.
 	const under = material.textures?.colour && mesh.colours ? material.colour : [1, 1, 1];
 	const base = mesh.colours || !material.textures?.colour ? plainBase(material) : material.colour;
-	const colour = [0, 1, 2].map((k) => (mesh.colours ? mean(mesh.colours, k) * under[k] : base[k]));
-	const shown = encoded([colour[0], colour[1], colour[2]]);
+	const [red, green, blue] = mesh.colours ? meanOf(mesh.colours, point).map((value, k) => value * under[k]) : base;
+	const shown = encoded([red, green, blue]);
+	const [place, normal] = [meanOf(mesh.positions, point), normalAt(point)];
 	for (let k = 0; k < 3; k++) {
-		view.setFloat32(at + 4 * k, mean(mesh.positions, k), true);
-		view.setFloat32(at + 12 + 4 * k, normal[k] / length, true);
+		view.setFloat32(at + 4 * k, place[k], true);
+		view.setFloat32(at + 12 + 4 * k, normal[k], true);
 		view.setUint8(at + 24 + k, Math.round(255 * Math.max(0, Math.min(1, shown[k]))));
 	}
+	view.setInt32(at + LABEL, label.instance, true);
+	view.setUint16(at + LABEL + 4, label.kind, true);
+	if (label.id !== undefined) view.setInt32(at + ID, label.id, true);
 }

@@ -10,10 +10,12 @@ import type { HandlesOf } from "../controls/handles/plant_handle";
 import type { Face } from "../controls/tool";
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
+import type { PointLabels } from "../export/about";
 import type { ChronicleAsked } from "../plant/chronicle";
 import type { Part } from "../plant/part";
 import type { Plant } from "../plant/plant";
 import type { FigureMaker } from "../scene/figure";
+import type { Descriptor } from "../specimen/measures";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 import type { Levers } from "../targets/lever";
@@ -134,6 +136,10 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	record?(grown: G, specimen: S): object;
 	/** Why its JSON document with all its topology (`map`) is too large to be sent, and how to ask for less; undefined where it is not. It has grown without. */
 	heavy?(grown: G): string | undefined;
+	/** Descriptors with classes besides those of its measures. */
+	readonly descriptors?: readonly Descriptor<S>[];
+	/** How points on its plants are labelled in clouds; absent: by the kinds of its parts, as they come. */
+	readonly labels?: PointLabels;
 	/** What files with meshes (glTF) say of it besides what they say of every plant, by key. */
 	extras?(grown: G, specimen: S): Record<string, unknown>;
 	/** A grammar's text out of another form that the model claims; undefined of what is one already. Rejects with a TextError. */

@@ -28,6 +28,15 @@ export interface MeasureInfo {
 	readonly classes?: readonly MeasureClass[];
 }
 
+/** A descriptor of what the core does not measure: the look alone decides its class. */
+export interface Descriptor<S> {
+	readonly key: string;
+	readonly label: string;
+	/** Code of the OIV's descriptor. */
+	readonly oiv: number;
+	classOf(specimen: S): MeasureClass;
+}
+
 export interface MeasureGroup {
 	readonly key: string;
 	readonly title: string;

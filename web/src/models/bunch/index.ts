@@ -3,8 +3,11 @@ import type { Model } from "../model";
 import { BUNCH_FORMATS } from "./formats";
 import type { Grown } from "./grown";
 import { fetchLeaf, fetchSketch } from "./leaf";
+import { skinClass } from "./measures";
+import { SKIN_COLOUR } from "./measures.generated";
 import { ownTextNotes } from "./own_text";
 import { bunchParts } from "./parts/bunch_parts";
+import { BUNCH_LABELS } from "./parts/point_labels";
 import { readGrown } from "./read_grown";
 import { bunchRecord } from "./record";
 import { encodeRequest } from "./request";
@@ -30,6 +33,8 @@ export const model = {
 	instanced: () => true,
 	words: bunchInWords,
 	record: bunchRecord,
+	descriptors: [{ ...SKIN_COLOUR, classOf: ({ look }) => skinClass(look) }],
+	labels: BUNCH_LABELS,
 	extras: ({ procedure, plan, second }) => ({ procedure, plan: { ...plan, second } }),
 	formats: BUNCH_FORMATS,
 	targets: bunchTargets,
