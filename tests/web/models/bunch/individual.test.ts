@@ -5,7 +5,7 @@ import type { Core } from "../../../../web/src/core/core";
 import type { Grown } from "../../../../web/src/models/bunch/grown";
 import { measureOf } from "../../../../web/src/models/bunch/measures";
 import type { MeasureKey } from "../../../../web/src/models/bunch/measures.generated";
-import { exportJson, presetsInRun, specimenFromPreset, withParameters } from "../../bunch";
+import { entryOf, exportJson, presetsInRun, specimenFromPreset, withParameters } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 
 const SEEDS = 20;
@@ -76,4 +76,23 @@ it("the paper's procedure knows nothing of it", () => {
 	const fingerprint = (specimen: typeof paper) => growBunch(core, specimen, { meshes: false }).fingerprint;
 	expect(fingerprint(paper)).toBe(fingerprint(withParameters(paper, { variability: 0, peduncle: 0, wing_side: 2 })));
 	expect(growBunch(core, paper, { meshes: false }).profile).toBeUndefined();
+});
+
+it("berries differ in width as the parameter's help says", () => {
+	const said =
+		/(\d+) measures about (\d+) %, (\d+) about (\d+) %/
+			.exec(entryOf("spread")?.help ?? "")
+			?.slice(1)
+			.map(Number) ?? [];
+	expect(said).toHaveLength(4);
+	for (const [spread, percent] of [said.slice(0, 2), said.slice(2)]) {
+		const found = ["riesling", "merlot", "long-conical"].flatMap((preset) =>
+			[1, 2, 3].map((seed) => {
+				const specimen = { ...withParameters(specimenFromPreset(preset), { spread }), seed };
+				return 100 * measureOf(growBunch(core, specimen, { meshes: false }).measures, "diameter_spread");
+			}),
+		);
+		expect(Math.abs(found.reduce((sum, each) => sum + each, 0) / found.length - percent)).toBeLessThan(1.5);
+		for (const each of found) expect(Math.abs(each - percent)).toBeLessThan(5);
+	}
 });
