@@ -250,7 +250,7 @@ describe("files", () => {
 		const { written } = await grow(["rubus", "--out", "rubus.measures.csv"]);
 		const { berries, measures } = (await grow(["rubus"])).json;
 		const rows = (written.get("rubus.measures.csv") as string).trimEnd().split("\r\n");
-		expect(rows).toHaveLength(1 + Object.keys(measures).length);
+		expect(rows).toHaveLength(2 + Object.keys(measures).length);
 		expect(rows.find((row) => row.includes(",berry_count,"))).toContain(`,${berries.length},`);
 	});
 

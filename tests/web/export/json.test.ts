@@ -4,9 +4,10 @@ import { describe, expect, it } from "vitest";
 import { exportJson as exportAny, writeJson } from "../../../web/src/export/json";
 import { shortFloat } from "../../../web/src/export/numbers";
 import { model } from "../../../web/src/models/bunch/index";
-import { MEASURE_KEYS } from "../../../web/src/models/bunch/measures.generated";
+import { MEASURE_KEYS, MEASURES } from "../../../web/src/models/bunch/measures.generated";
 import type { NaturalBerryRecord } from "../../../web/src/models/bunch/record";
 import type { Model } from "../../../web/src/models/model";
+import { classOf } from "../../../web/src/specimen/measures";
 import { exportJson, writtenJson, writtenSpecimen } from "../bunch";
 import * as arbitrary from "../models/bunch/arbitrary";
 import { fingerprintOfDocument } from "../models/bunch/fingerprint";
@@ -16,11 +17,13 @@ import { makeNatural } from "../models/bunch/natural_fixture";
 const grown = makeGrown(SKETCH);
 const specimen = sampleSpecimen({ seed: 7 });
 
+const { version } = JSON.parse(readFileSync("package.json", "utf8"));
+
 describe("the JSON document", () => {
 	it("has the fields that were promised, and no others", () => {
 		const document = exportJson(grown, specimen);
-		const fields = ["specimen", "counts", "measures", "procedure", "form", "plan", "berries", "thinned", "internodes"];
-		fields.push("organs", "notes", "fingerprint", "timings");
+		const fields = ["generator", "specimen", "counts", "measures", "procedure", "form", "plan"];
+		fields.push("berries", "thinned", "internodes", "organs", "notes", "fingerprint", "timings");
 		expect(Object.keys(document)).toEqual(fields);
 		expect(Object.keys(document.plan)).toEqual(["m", "sides", "axes"]);
 		expect(document.plan.sides).toHaveLength(4);
@@ -36,6 +39,25 @@ describe("the JSON document", () => {
 		expect(Object.keys(document.berries[0])).toEqual(["x", "y", "z", "r", "parent"]);
 		const internode = ["parent", "kind", "axis", "start", "end", "radius", "radiusEnd", "state"];
 		expect(Object.keys(document.internodes[0])).toEqual(internode);
+	});
+
+	it("names the program with its version, and the classes of descriptors, that of the skin among them", () => {
+		const measured = makeNatural(SKETCH);
+		const dark = { ...specimen, look: { ...specimen.look, skin: "1d1c30" } };
+		const { generator, classes } = exportAny(model as unknown as Model, measured, dark);
+		expect(generator).toBe(`Panicle ${version}`);
+		expect(classes?.skin_colour).toEqual({ oiv: 225, class: 6, words: "blue-black" });
+		for (const [key, found] of Object.entries(classes ?? {})) {
+			if (key === "skin_colour") continue;
+			const info = MEASURES.find((each) => each.key === key);
+			const value = measured.measures?.[MEASURE_KEYS.indexOf(key as (typeof MEASURE_KEYS)[number])] ?? Number.NaN;
+			const { note, words } = classOf(info ?? {}, value) ?? {};
+			expect(found).toEqual({ oiv: info?.oiv, class: note, words });
+		}
+		expect(Object.keys(classes ?? {}).length).toBeGreaterThan(8);
+		expect(exportAny(model as unknown as Model, { ...measured, measures: undefined }, dark)).not.toHaveProperty(
+			"classes",
+		);
 	});
 
 	it("is written as JSON.stringify writes it, without being made", () => {

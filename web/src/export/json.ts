@@ -5,9 +5,12 @@
  */
 import type { Chronicle, ToldModule } from "../plant/chronicle";
 import type { Organs, Plant, Segments } from "../plant/plant";
+import type { Descriptor } from "../specimen/measures";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
+import { classesOf, type WrittenClass } from "./classes";
+import { GENERATOR } from "./generator";
 import { measuresOf, type WrittenMeasures } from "./measures";
 import { floats, integers, Rows, vectors, words } from "./rows";
 import { TextBuffer } from "./text_buffer";
@@ -58,10 +61,14 @@ export interface ChronicleRecord {
 
 /** What every plant's document has; the rest is its model's. */
 export interface PlantDocument<S extends Specimen> {
+	/** The program that wrote it, with its version: `Panicle 1.2.0`. */
+	generator: string;
 	specimen: WrittenSpecimen<S>;
 	counts: Plant["counts"];
 	/** By key; null where one does not apply; none where the model measures nothing or nothing was asked for. */
 	measures: WrittenMeasures;
+	/** Classes of descriptors (OIV) by the keys of their measures; absent of models that have none, and where nothing was measured. */
+	classes?: Record<string, WrittenClass>;
 	/** One a drawn module, unmerged, parents first; absent where nothing was drawn. */
 	segments?: SegmentRecord[];
 	/** Absent where nothing is borne. */
@@ -75,6 +82,8 @@ export interface PlantDocument<S extends Specimen> {
 
 /** A model as far as documents go. */
 export interface Recorded<S extends Specimen, G extends Plant, R extends object> extends Species<S> {
+	/** Descriptors besides those of its measures. */
+	readonly descriptors?: readonly Descriptor<S>[];
 	/** What the document has of the plant besides, or in place of, what it has of every plant: `Rows` where there are many alike. */
 	record?(grown: G, specimen: S): R;
 }
@@ -116,11 +125,14 @@ function contents<S extends Specimen, G extends Plant, R extends object>(
 	specimen: S,
 ): object {
 	const { counts, notes, fingerprint, timings } = grown;
+	const classes = classesOf(model, grown, specimen);
 	return {
+		generator: GENERATOR,
 		specimen: writtenSpecimen(model, specimen),
 		counts,
 		measures: {},
 		...measuresOf(model.table, grown),
+		...(Object.keys(classes).length > 0 ? { classes } : {}),
 		...plantRecord(grown),
 		...model.record?.(grown, specimen),
 		...(grown.chronicle ? { chronicle: chronicleRecord(grown.chronicle) } : {}),

@@ -40,12 +40,16 @@ export interface ObjFiles {
 
 /** The JSON document of a plant: what docs/command-line.md describes. Lengths in metres; each number reads back as the float32 it was. */
 export interface PlantDocument {
+	/** The program that wrote it, with its version. */
+	readonly generator: string;
 	/** What it grew from. */
 	readonly specimen: Specimen;
 	/** How many of what there are, by name. */
 	readonly counts: Readonly<Record<string, number>>;
 	/** By key; null where one does not apply. */
 	readonly measures: Readonly<Record<string, number | null>>;
+	/** Classes of descriptors by the keys of their measures, with the code of the OIV; absent where there are none. */
+	readonly classes?: Readonly<Record<string, { readonly oiv: number; readonly class: number; readonly words: string }>>;
 	/** One a drawn module, parents first; absent where nothing was drawn. A model may say them in other fields of its own. */
 	readonly segments?: readonly SegmentRecord[];
 	/** What is borne; absent where nothing is. */

@@ -1,5 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { skinClass } from "../../../../web/src/models/bunch/measures";
 import { MEASURES } from "../../../../web/src/models/bunch/measures.generated";
 import { berriesCsv, measuresCsv } from "../../../../web/src/models/bunch/tables";
 import * as arbitrary from "./arbitrary";
@@ -79,12 +80,15 @@ describe("the CSV of berries", () => {
 describe("the CSV of measures", () => {
 	it("has a row for each, with unit and class, and an empty value where one does not apply", () => {
 		const rows = records(measuresCsv(grown, specimen));
-		expect(rows.map(({ key }) => key)).toEqual(MEASURES.map(({ key }) => key));
-		rows.forEach((row, i) => {
+		expect(rows.map(({ key }) => key)).toEqual([...MEASURES.map(({ key }) => key), "skin_colour"]);
+		rows.slice(0, -1).forEach((row, i) => {
 			expect(row.value).toBe(i % 7 === 3 ? "" : String(Number((0.1 * i).toFixed(6))));
 			expect(row.class === "").toBe(!MEASURES[i].classes || row.value === "");
 		});
 		expect(rows.some((row) => row.class !== "" && row.oiv !== "")).toBe(true);
+		const { oiv, class: note, value, class_words } = rows[rows.length - 1];
+		const found = skinClass(specimen.look);
+		expect([oiv, note, value, class_words]).toEqual(["225", String(found.note), String(found.note), found.words]);
 	});
 
 	it("is a header alone where none were asked for", () => {

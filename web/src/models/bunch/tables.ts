@@ -7,6 +7,8 @@ import { measureValues } from "../../export/measures";
 import { rounded } from "../../export/numbers";
 import { classOf } from "../../specimen/measures";
 import type { Grown } from "./grown";
+import { skinClass } from "./measures";
+import { SKIN_COLOUR } from "./measures.generated";
 import type { BunchSpecimen as Specimen } from "./specimen";
 import { BUNCH_TABLE } from "./table";
 import { traitOf } from "./traits";
@@ -51,14 +53,19 @@ export function berriesCsv(grown: Grown, { preset, seed }: Specimen): string {
 	return writeCsv([["preset", "seed", ...BERRY_COLUMNS.map(([name]) => name)], ...rows]);
 }
 
-/** One row a measure; none where none were asked for. A value that does not apply is empty. */
-export function measuresCsv(grown: Grown, { preset, seed }: Specimen): string {
-	const rows = measureValues(BUNCH_TABLE, grown).map(([info, value]) => {
+/** One row a measure, and one for the skin's colour; none where no measures are wanted. A value that does not apply is empty. */
+export function measuresCsv(grown: Grown, { preset, seed, look }: Specimen): string {
+	const rows = measureValues(BUNCH_TABLE, grown).map(([info, value]): Cell[] => {
 		const { key, label, kind, unit, oiv = null } = info;
 		const found = classOf(info, value ?? Number.NaN);
 		const ofShare = kind === "share" ? "1" : unit;
 		return [preset, seed, key, label, value, ofShare, oiv, found?.note ?? null, found?.words ?? null];
 	});
+	if (rows.length > 0) {
+		const { key, label, oiv } = SKIN_COLOUR;
+		const { note, words } = skinClass(look);
+		rows.push([preset, seed, key, label, note, "", oiv, note, words]);
+	}
 	return writeCsv([["preset", "seed", "key", "measure", "value", "unit", "oiv", "class", "class_words"], ...rows]);
 }
 
