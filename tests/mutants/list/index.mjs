@@ -40,6 +40,7 @@ import particles from "./particles.mjs";
 import rooms from "./rooms.mjs";
 import saved from "./saved.mjs";
 import scene from "./scene.mjs";
+import series from "./series.mjs";
 import service from "./service.mjs";
 import specimen from "./specimen.mjs";
 import stand from "./stand.mjs";
@@ -71,6 +72,7 @@ export const groups = [
 	...bunchNatural,
 	...swelling,
 	...targets,
+	...series,
 	...library,
 	...service,
 	...docs,

@@ -31,6 +31,12 @@ export default [
 				breaks: "a bunch grows no longer than its pixels allow, though its scale could go on",
 			},
 			{
+				id: "solve-one-value-of-a-range",
+				find: "const there = isThere(task, values) || isWithin(task, values);",
+				replace: "const there = isThere(task, values);",
+				breaks: "a target of a range is missed though the plant measures within it",
+			},
+			{
 				id: "solve-spent-unsaid",
 				find: "spent: !there && spent.includes(i)",
 				replace: "spent: false",
@@ -74,8 +80,8 @@ export default [
 		faults: [
 			{
 				id: "series-asked-grown-again",
-				find: "link: aims.length > 0 ? from : link",
-				replace: "link",
+				find: 'const link = cells.get("from") ?? cell("link");',
+				replace: 'const link = cell("link");',
 				breaks: "a series with a target grows all its plants again when it is taken up",
 			},
 		],
