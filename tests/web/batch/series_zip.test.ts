@@ -19,7 +19,7 @@ const series = {
 	from,
 	varied: readVary(model, "age=60..110", from),
 	draws: independentDraws(model, from),
-	format: "glb",
+	formats: ["glb"],
 };
 const core = await freshCore();
 const means: Parameters<typeof zipOf>[2] = {

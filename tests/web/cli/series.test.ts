@@ -1,6 +1,7 @@
 import { createHash } from "node:crypto";
 import { unzipSync } from "fflate";
 import { describe, expect, it } from "vitest";
+import { crc32 } from "../../../web/src/batch/crc32";
 import { run } from "../../../web/src/cli/run";
 import { documentOf } from "../export/reading";
 import { complaint, grow, memoryWorld } from "./world";
@@ -80,6 +81,50 @@ describe("a series", () => {
 		expect([...written.keys()].sort()).toEqual(["d/oak-5-veins.svg", "d/plants.csv", "d/series.json"]);
 		const { files } = await series(["--seeds", "5", "--as", "obj"]);
 		expect(Object.keys(unzipSync(files["d/redcurrant-5-obj.zip"] as Uint8Array))).toContain("redcurrant-5.obj");
+	});
+
+	it("is of several kinds of files at once, each with its column, and of options of theirs", async () => {
+		const words = ["--seeds", "1-2", "--as", "json,ply", "--as", "glb-low", "--points", "50", "--triangles", "300"];
+		const whole = await series(words);
+		expect(whole.status).toBe(0);
+		const names = ["json", "ply", "glb"].flatMap((end) =>
+			[1, 2].map((n) => `redcurrant-${n}${end === "glb" ? "-low" : ""}.${end}`),
+		);
+		expect(Object.keys(whole.files).sort()).toEqual(
+			["plants.csv", ...names, "series.json"].map((name) => `d/${name}`).sort(),
+		);
+		const [row] = rowsOf(whole.files[TABLE]);
+		expect(row).toMatchObject({
+			file: "redcurrant-1.json",
+			file_ply: "redcurrant-1.ply",
+			"file_glb-low": "redcurrant-1-low.glb",
+		});
+		const ply = whole.files["d/redcurrant-1.ply"] as Uint8Array;
+		expect([Number(row.bytes_ply), row.crc32_ply]).toEqual([ply.length, crc32(ply)]);
+		expect(new TextDecoder("latin1").decode(ply)).toContain("element vertex 50\n");
+		const alone = await grow([row.link, "--triangles", "300", "--form", "low", "--out", "one.glb"]);
+		expect(digests({ a: alone.written.get("one.glb") as Uint8Array })).toEqual(
+			digests({ a: whole.files["d/redcurrant-1-low.glb"] }),
+		);
+		const { "d/redcurrant-2.ply": _, ...rest } = whole.files;
+		const again = await series(words, rest);
+		expect(again.said).toEqual(["2 plants: 1 grown, 1 there before; d/plants.csv"]);
+		expect(digests(again.files)).toEqual(digests(whole.files));
+	});
+
+	it("has codes and classes of the OIV's descriptors, as the JSON has them", async () => {
+		const { files } = await series(["--seeds", "3", "--as", "json"]);
+		const [row] = rowsOf(files[TABLE]);
+		const { classes } = JSON.parse(new TextDecoder().decode(files["d/redcurrant-3.json"] as Uint8Array));
+		const codes = Object.keys(row).flatMap((column) => /^oiv_(\d+)_class$/.exec(column)?.[1] ?? []);
+		expect(codes).toEqual(expect.arrayContaining(["202", "204", "220", "223", "225", "502"]));
+		for (const code of codes) {
+			const found = Object.values(classes as Record<string, { oiv: number; class: number; words: string }>).find(
+				({ oiv }) => oiv === Number(code),
+			);
+			const written = [row[`oiv_${code}_class`], row[`oiv_${code}_words`]];
+			expect(written).toEqual(found ? [String(found.class), found.words] : ["", ""]);
+		}
 	});
 
 	it("has no time of day or of work in it: grown again, all is the same", async () => {
@@ -213,7 +258,7 @@ describe("what of a series cannot be used", () => {
 			["--seeds", "1", "--as", "fbx"],
 			/“fbx” is no kind of file of a bunch; there are glb, glb-web, glb-low, .*, obj, json, csv, csv-measures/,
 		],
-		[["--seeds", "1", "--triangles", "300"], /--triangles is for one plant’s file; of a series, --as says the kind/],
+		[["--seeds", "1", "--triangles", "300"], /--triangles is for glb-low and glb-wind, and changes nothing in glb/],
 		[["--seeds", "1", "--boundary", "box.obj"], /--boundary is for one plant: links do not hold meshes/],
 		[["--points", "10.5"], /--points 10.5: a whole number from 1 to/],
 		[["--triangles", "1000.5"], /--triangles 1000.5: a whole number from 100 to/],

@@ -72,7 +72,7 @@ describe("a folder that holds another series", () => {
 		[["--seeds", "1-3"], "--vary age: 60..110 there, not given here"],
 		[[...words, "--set", "density=3"], "--set density: not given there, 3 here"],
 		[[...words, "--set", "count=6"], "--set count: 5 there, 6 here"],
-		[[...words, "--as", "csv"], "--as: json there, csv here"],
+		[[...words, "--as", "csv"], "--as: json there, json,csv here"],
 		[[...words, "--literal-seeds"], "draws: independent there, literal here"],
 		[[...words, "--shard", "1/2"], "parts of --shard: 1 there, 2 here"],
 		[[...words, "--target", "berry_width=8"], "--target berry_width: not given there, 8 here"],
@@ -87,9 +87,15 @@ describe("a folder that holds another series", () => {
 
 	it("is known by its preset, its program and its text as well", async () => {
 		const { written } = await series(words);
-		const { world, said } = memoryWorld({ "a.lsys": "axiom: F" }, {}, written);
-		expect(await run(["grammar/koch-curve", "--seeds", "1-3", "--out", "d", "--as", "json"], world)).toBe(2);
-		expect(said[0]).toContain("preset: bunch/redcurrant there, grammar/koch-curve here");
+		const texts = { "one.lsys": "axiom: F(10)[+F(5)]\n", "other.lsys": "axiom: F(10)[-F(5)]\n" };
+		const { world, said } = memoryWorld(texts, {}, written);
+		expect(await run(["leaf/oak", "--seeds", "1-3", "--out", "d", "--as", "json"], world)).toBe(2);
+		expect(said[0]).toContain("preset: bunch/redcurrant there, leaf/oak here");
+		const grow = (text: string) => run(["--grammar", text, "--seeds", "1", "--as", "json", "--out", "e"], world);
+		expect([await grow("one.lsys"), await grow("other.lsys")]).toEqual([0, 2]);
+		expect(said.at(-1)).toMatch(
+			/^grow: --out e holds another series \(text \w+: another text there, another text here\)/,
+		);
 
 		const older = JSON.parse(textOf(written, "d/series.json"));
 		written.set("d/series.json", JSON.stringify({ ...older, program: "Panicle 0.0.1" }));

@@ -19,6 +19,18 @@ describe("a target", () => {
 		expect(again.json.fingerprint).toBe(json.fingerprint);
 	});
 
+	it("from a range is drawn from it by the seed, and met within it", async () => {
+		const words = ["riesling", ...target("bunch_length=120..180")];
+		const lengths = [];
+		for (const seed of ["1", "2", "3", "4"]) {
+			const { status, json, said } = await grow([...words, "--seed", seed]);
+			expect([status, said[0]]).toEqual([0, expect.stringMatching(/^target: Bunch length: [\d.]+ mm reached/)]);
+			lengths.push(json.measures.bunch_length);
+		}
+		for (const length of lengths) expect(length > 119.5 && length < 180.5).toBe(true);
+		expect(Math.max(...lengths) - Math.min(...lengths)).toBeGreaterThan(15);
+	});
+
 	it("stands beside others, and beside what is set", async () => {
 		const words = ["merlot", "--set", "age=90", ...target("bunch_length=200", "berry_width=16")];
 		const { json, said } = await grow(words);
@@ -30,7 +42,7 @@ describe("a target", () => {
 
 	it("out of reach gives the nearest", async () => {
 		const { status, json, said } = await grow(["riesling", ...target("pedicel_length=500")]);
-		expect(status).toBe(0);
+		expect(status).toBe(3);
 		expect(json.specimen.parameters.pedicel).toBe(60);
 		expect(said[0]).toMatch(/500\.0 mm asked, [\d.]+ mm reached; what moves it goes no further$/);
 	});
@@ -41,6 +53,8 @@ describe("a target", () => {
 		expect(await refused("wings=2")).toMatch(/^--target wings: no measure of this bunch that can be asked for/);
 		expect(await refused("density=high")).toBe("--target density: “high” is no number from 0 on");
 		expect(await refused("density=-1")).toMatch(/no number from 0 on$/);
+		expect(await refused("bunch_length=9..x")).toBe("--target bunch_length: “x” is no number from 0 on");
+		expect(await refused("bunch_length=9..3")).toBe("--target bunch_length: 9..3 runs backwards; write 3..9");
 		expect(await refused("density=3", "density=4")).toBe("--target density: given twice");
 		expect(await complaint(["root", ...target("depth=3")])).toMatch(/of a root no measure can be asked for/);
 		const paper = ["riesling", "--set", "procedure=paper", ...target("density=3")];
@@ -74,6 +88,57 @@ describe("a series with a target", () => {
 			expect(link).not.toBe(from);
 			expect((await grow([link])).json.fingerprint).toBe(fingerprint);
 		}
+	});
+
+	it("draws a value of a range for every plant, and spreads plants over it", async () => {
+		const drawn = [
+			"redcurrant",
+			"--set",
+			"count=8",
+			"--seeds",
+			"1-12",
+			"--as",
+			"csv",
+			"--out",
+			"d",
+			...target("berry_width=6..14"),
+		];
+		const { status, written } = await grow(drawn);
+		expect(status).toBe(0);
+		const rows = cells(written.get("d/plants.csv"));
+		for (const { target_berry_width, berry_width } of rows) {
+			expect(Number(target_berry_width) >= 6 && Number(target_berry_width) < 14).toBe(true);
+			expect(Math.abs(Number(berry_width) - Number(target_berry_width))).toBeLessThan(0.3);
+		}
+		const widths = rows.map(({ berry_width }) => Number(berry_width));
+		expect(Math.max(...widths) - Math.min(...widths)).toBeGreaterThan(4);
+		expect(rows.map(({ missed }) => missed).join("")).toBe("");
+	});
+
+	it("ends with 3 where a plant misses it, and again where it is taken up", async () => {
+		const missing = [
+			"redcurrant",
+			"--set",
+			"count=5",
+			"--seeds",
+			"1-2",
+			"--as",
+			"csv",
+			"--out",
+			"d",
+			...target("pedicel_length=500"),
+		];
+		const { status, said, written } = await grow(missing);
+		expect(status).toBe(3);
+		expect(said).toEqual([
+			"2 plants: 2 grown, 0 there before; d/plants.csv",
+			"target: 2 of 2 plants miss theirs; the column “missed” says which",
+		]);
+		const rows = cells(written.get("d/plants.csv"));
+		expect(rows.map(({ missed }) => missed)).toEqual(["pedicel_length", "pedicel_length"]);
+		expect(rows[0].notes).toMatch(/500\.0 mm asked/);
+		const again = await grow(missing, Object.fromEntries(written));
+		expect([again.status, again.said[0]]).toEqual([3, "2 plants: 0 grown, 2 there before; d/plants.csv"]);
 	});
 
 	it("is not grown again where it is there, and refused where it is of another target", async () => {

@@ -55,6 +55,21 @@ describe("solve", () => {
 		expect(growths).toBe(2);
 	});
 
+	it("of a range counts any value within it as met, but searches for the one that was drawn", async () => {
+		const coarse = (step: number): Means<BunchSpecimen> => ({
+			measure: async (specimen) => (await measure(specimen)).map((value) => step * Math.round(value / step)),
+		});
+		const aims = [{ measure: "bunch_length", value: 147, within: [130, 170] as const }];
+		const question = { table: BUNCH.table, from, levers, aims };
+		const { reached: near } = await solve(question, { measure });
+		expect([near[0].there, Math.abs(near[0].got - 147) < 0.6]).toEqual([true, true]);
+		const { reached: far } = await solve(question, coarse(20));
+		expect([far[0].there, far[0].got]).toEqual([true, 140]);
+		expect(reachedInWords(far[0])).toBe("Bunch length: 140 mm reached, within 130 mm to 170 mm");
+		const { reached: none } = await solve({ ...question, aims: [{ ...aims[0], within: [145, 149] }] }, coarse(20));
+		expect([none[0].there, none[0].got]).toEqual([false, 140]);
+	});
+
 	it("stays within the table's limits, and says that they are in the way", async () => {
 		const { specimen, reached } = await asked({ bunch_length: 500 });
 		expect(specimen.parameters.l).toBe(580);

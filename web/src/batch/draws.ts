@@ -53,7 +53,7 @@ function hashed(specification: string): (quantity: string, number: number) => nu
 	return (quantity, number) => {
 		let key = keys.get(quantity);
 		if (!key) {
-			key = keyOf(`${specification}\0${quantity}`);
+			key = keyOf([specification, quantity].join("\0"));
 			keys.set(quantity, key);
 		}
 		return mixed(mixed(number ^ key[0]) ^ key[1]);

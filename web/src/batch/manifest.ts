@@ -3,8 +3,10 @@
  * same files, so that one can go on where another ended; what differs must not share a folder.
  */
 import { GENERATOR } from "../export/generator";
+import type { FileOptions } from "../export/plant_files";
 import { DEFAULT_SEED } from "../specimen/from_preset";
 import { encodeQuery, textsOf } from "../specimen/link";
+import { writtenGoal } from "./goals";
 import type { Series } from "./series";
 import type { Varied } from "./vary";
 
@@ -30,11 +32,13 @@ export interface Manifest {
 	readonly targets: Readonly<Record<string, string>>;
 	/** Kinds of files. */
 	readonly files: readonly string[];
+	/** Of the files: `points`, `triangles` and the like. */
+	readonly options: FileOptions;
 }
 
 /** @param numbers of all plants, those of other parts among them */
 export function manifestOf(series: Series, numbers: readonly number[], parts = 1): Manifest {
-	const { model, from, varied, aims = [], draws, format } = series;
+	const { model, from, varied, goals = [], draws, formats, options = {} } = series;
 	const common = { ...from, seed: DEFAULT_SEED };
 	const settings = Object.fromEntries(new URLSearchParams(encodeQuery(model, common)));
 	const { v, model: _, preset: __, ...others } = settings;
@@ -47,8 +51,8 @@ export function manifestOf(series: Series, numbers: readonly number[], parts = 1
 		plants: rangesOf(numbers),
 		parts,
 		vary: Object.fromEntries(varied.map((each) => [each.entry.key, writtenVaried(each)])),
-		targets: Object.fromEntries(aims.map(({ measure, value }) => [measure, String(value)])),
-		files: [format],
+		targets: Object.fromEntries(goals.map((goal) => [goal.measure, writtenGoal(goal)])),
+		...{ files: formats, options },
 	};
 }
 
@@ -79,6 +83,7 @@ const LABELS: Readonly<Record<keyof Manifest, string>> = {
 	vary: "--vary",
 	targets: "--target",
 	files: "--as",
+	options: "option",
 };
 
 /** Every value by the words that name it. */

@@ -1,6 +1,6 @@
 /** Many plants of one model that differ in seed and in what is varied: the same on any machine, in any order. */
 
-import { PLANT_FILES } from "../export/plant_files";
+import { type FileOptions, PLANT_FILES } from "../export/plant_files";
 import type { FileRequest } from "../files/messages";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
@@ -12,6 +12,7 @@ import { reachedInWords } from "../targets/words";
 import { aimed } from "./aimed";
 import { crc32 } from "./crc32";
 import type { Draws } from "./draws";
+import { aimsOf, type Goal } from "./goals";
 import { Unusable } from "./unusable";
 import { drawn, type Varied, withVaried } from "./vary";
 
@@ -22,10 +23,11 @@ export interface Series {
 	readonly varied: readonly Varied[];
 	/** Seeds and values of what is varied, by the plants' numbers. */
 	readonly draws: Draws;
-	/** Measures asked of each: its parameters are found for its seed. */
-	readonly aims?: readonly Aim[];
-	/** What files there are of each: a key of `formatsOf`. */
-	readonly format: string;
+	/** Measures that each is to meet: its parameters are searched for with its seed. */
+	readonly goals?: readonly Goal[];
+	/** Kinds of files of each: keys of `formatsOf`, one at the least. */
+	readonly formats: readonly string[];
+	readonly options?: FileOptions;
 }
 
 /** One plant of a series, not yet grown. */
@@ -35,19 +37,32 @@ export interface Member {
 	readonly specimen: Specimen;
 	/** The values of what is varied, in its order. */
 	readonly values: readonly string[];
+	/** What its measures are to be, in the order of the goals. */
+	readonly aims: readonly Aim[];
 	/** Query and fragment that bring it back, by themselves. */
 	readonly link: string;
-	/** Its file's name. */
-	readonly file: string;
+	/** Names of its files, in the order of the formats. */
+	readonly files: readonly string[];
+}
+
+/** A file of a plant. */
+export interface MadeFile {
+	readonly name: string;
+	readonly bytes: Uint8Array<ArrayBuffer>;
+	/** CRC-32 of the bytes. */
+	readonly sum: string;
 }
 
 export interface Grown {
 	readonly plant: Plant;
-	/** Query and fragment that bring it back; the member's own where nothing was asked of its measures. */
+	/** With the parameters that were found, where measures were to be met. */
+	readonly specimen: Specimen;
+	/** Query and fragment that bring it back; the member's own where no measures were to be met. */
 	readonly link: string;
-	readonly bytes: Uint8Array<ArrayBuffer>;
-	/** CRC-32 of the file. */
-	readonly sum: string;
+	/** Keys of the measures that were not met. */
+	readonly missed: readonly string[];
+	/** In the order of the formats. */
+	readonly files: readonly MadeFile[];
 }
 
 /** Every kind of file, by its key. */
@@ -72,12 +87,12 @@ function suffixOf({ formats }: Model, format: string): string {
 	return `${["", ...form].join("-")}.${kind}`;
 }
 
-/** What the file of a plant is called. */
-export const fileOf = ({ model, from, format }: Series, number: number): string =>
-	`${from.preset}-${number}${suffixOf(model, format)}`;
+/** What the files of a plant are called. */
+export const filesOf = ({ model, from, formats }: Series, number: number): string[] =>
+	formats.map((format) => `${from.preset}-${number}${suffixOf(model, format)}`);
 
 export async function memberOf(series: Series, number: number): Promise<Member> {
-	const { model, from, varied, draws } = series;
+	const { model, from, varied, draws, goals = [] } = series;
 	const seed = draws.seed(number);
 	const values = varied.map((each) => drawn(each, number, draws));
 	const seeded = restore(model, { seed }, from).specimen;
@@ -86,8 +101,9 @@ export async function memberOf(series: Series, number: number): Promise<Member> 
 		seeded,
 		varied.map((each, at) => [each, values[at]]),
 	);
+	const aims = aimsOf(model.table, goals, draws, number);
 	const link = await encodeLink(model, specimen);
-	return { number, seed, specimen, values, link, file: fileOf(series, number) };
+	return { number, seed, specimen, values, aims, link, files: filesOf(series, number) };
 }
 
 export interface Means {
@@ -95,32 +111,40 @@ export interface Means {
 	make(model: Model, request: FileRequest): Promise<Blob>;
 }
 
-/** Grows one and makes its file; throws what these throw. */
-export async function growMember(series: Series, asked: Member, means: Means): Promise<Grown> {
-	const { model, format, aims = [] } = series;
-	const { specimen, link, file, short } =
-		aims.length > 0 ? await foundFor(series, asked, aims, means) : { ...asked, short: [] };
-	const options = { meshes: format !== "json", measures: true };
+/** Grows one and makes its files; throws what these throw. */
+export async function growMember(series: Series, member: Member, means: Means): Promise<Grown> {
+	const { model, formats, options = {} } = series;
+	const { specimen, link, missed } =
+		member.aims.length > 0 ? await foundFor(series, member, means) : { ...member, missed: [] };
+	const meshes = formats.some((format) => format !== "json");
 	// How long it took is the machine's, and no part of what is the same everywhere.
-	const plant = { ...(await means.grow(model, specimen, options)), timings: { grow: 0 } };
-	const notes = [...plant.notes, ...short];
-	const name = file.slice(0, -suffixOf(model, format).length);
-	const request = { model: model.name, format, grown: plant, specimen, link, name };
-	const blob = await means.make(model, request);
-	const bytes = new Uint8Array(await blob.arrayBuffer());
-	return { plant: { ...plant, notes }, link, bytes, sum: crc32(bytes) };
+	const plant = { ...(await means.grow(model, specimen, { meshes, measures: true })), timings: { grow: 0 } };
+	const files: MadeFile[] = [];
+	for (const [at, format] of formats.entries()) {
+		const name = member.files[at];
+		const stem = name.slice(0, -suffixOf(model, format).length);
+		const request = { model: model.name, format, grown: plant, specimen, link, name: stem, options };
+		const bytes = new Uint8Array(await (await means.make(model, request)).arrayBuffer());
+		files.push({ name, bytes, sum: crc32(bytes) });
+	}
+	const notes = [...plant.notes, ...missed.map(({ words }) => words)];
+	return { plant: { ...plant, notes }, specimen, link, missed: missed.map(({ measure }) => measure), files };
 }
 
-/** The member whose measures are what is asked, and what is to be said of those that are not. */
-async function foundFor(
-	{ model }: Series,
-	member: Member,
-	aims: readonly Aim[],
-	{ grow }: Means,
-): Promise<Member & { short: string[] }> {
-	const { specimen, reached } = await aimed(model, member.specimen, aims, (each) =>
+interface Found {
+	specimen: Specimen;
+	link: string;
+	/** Measures that are not what they are to be, and how near they come. */
+	missed: { measure: string; words: string }[];
+}
+
+/** The specimen that comes nearest to what its measures are to be. */
+async function foundFor({ model }: Series, { specimen: from, aims }: Member, { grow }: Means): Promise<Found> {
+	const { specimen, reached } = await aimed(model, from, aims, (each) =>
 		grow(model, each, { meshes: false, measures: true }),
 	);
-	const short = reached.filter(({ there }) => !there).map((each) => `${reachedInWords(each)}.`);
-	return { ...member, specimen, link: await encodeLink(model, specimen), short };
+	const missed = reached
+		.filter(({ there }) => !there)
+		.map((each) => ({ measure: each.measure, words: `${reachedInWords(each)}.` }));
+	return { specimen, link: await encodeLink(model, specimen), missed };
 }

@@ -35,7 +35,7 @@ export async function zipOf(series: Series, numbers: readonly number[], means: M
 		const member = await memberOf(series, number);
 		try {
 			const grown = await growMember(series, member, means);
-			archive.add({ name: member.file, bytes: grown.bytes });
+			for (const { name, bytes } of grown.files) archive.add({ name, bytes });
 			lines.push(written(rowOf(series, member, grown)));
 			whole++;
 		} catch (error) {

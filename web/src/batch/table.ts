@@ -1,79 +1,97 @@
 /** The table of a series: a line for each plant, with all that brings it back and what was measured. */
+import { classesOf, descriptorsOf } from "../export/classes";
 import { type Cell, writeCsv } from "../export/csv";
 import { measureValues } from "../export/measures";
 import { cellsOf, splitRows } from "./csv_rows";
 import type { Grown, Member, Series } from "./series";
 
-/** What stands before the values and the measures. */
-const FIRST = ["number", "seed", "file", "bytes", "crc32", "fingerprint", "link"] as const;
-
-/**
- * Names of the columns: a varied parameter's is `set_age`, since measures may be called like parameters. Where measures are asked for, `from` is
- * the link without that, and `target_bunch_length` what is asked.
- */
-export function columnsOf({ model, varied, aims = [] }: Series): string[] {
-	const measures = model.table.measures.map(({ key }) => key);
-	const asked = aims.map(({ measure }) => `target_${measure}`);
-	const from = aims.length > 0 ? ["from"] : [];
-	return [...FIRST, ...from, ...asked, ...varied.map(({ entry }) => `set_${entry.key}`), ...measures, "notes"];
+/** Columns of a plant's files: of the first kind `file`, `bytes`, `crc32`, of each further one `file_json` and so on. */
+function fileColumns({ formats }: Series): (readonly [file: string, bytes: string, sum: string])[] {
+	const keyed = (suffix: string) => [`file${suffix}`, `bytes${suffix}`, `crc32${suffix}`] as const;
+	return formats.map((format, at) => keyed(at === 0 ? "" : `_${format}`));
 }
 
-/** What stands in `from` and `target_…`. */
-const askedCells = ({ aims = [] }: Series, { link }: Member): Cell[] =>
-	aims.length > 0 ? [link, ...aims.map(({ value }) => value)] : [];
+/**
+ * Names of the columns: a varied parameter's is `set_age`, since measures may be called like parameters. Where measures are to be met, `from` is
+ * the link before parameters were searched for, `target_bunch_length` what the measure is to be, and `missed` names those that are not met.
+ */
+export function columnsOf(series: Series): string[] {
+	const { model, varied, goals = [] } = series;
+	return [
+		...["number", "seed", ...fileColumns(series).flat(), "fingerprint", "link"],
+		...(goals.length > 0 ? ["from", ...goals.map(({ measure }) => `target_${measure}`), "missed"] : []),
+		...varied.map(({ entry }) => `set_${entry.key}`),
+		...model.table.measures.map(({ key }) => key),
+		...descriptorsOf(model).flatMap(({ oiv }) => [`oiv_${oiv}_class`, `oiv_${oiv}_words`]),
+		"notes",
+	];
+}
+
+/** The cells of a line by their columns; what is left out is empty. */
+type Cells = Record<string, Cell>;
+
+/** What a line says of a plant before it has grown. */
+function memberCells({ varied, goals = [] }: Series, { number, seed, values, aims, link }: Member): Cells {
+	return {
+		...{ number, seed },
+		...(goals.length > 0 ? { from: link } : {}),
+		...Object.fromEntries(aims.map(({ measure, value }) => [`target_${measure}`, value])),
+		...Object.fromEntries(varied.map(({ entry }, at) => [`set_${entry.key}`, values[at]])),
+	};
+}
 
 /** A grown plant's line. */
-export function rowOf(series: Series, member: Member, { plant, link, bytes, sum }: Grown): Cell[] {
-	const { number, seed, file, values } = member;
-	const measures = measureValues(series.model.table, plant).map(([, value]) => value);
-	const marks = [number, seed, file, bytes.length, sum, plant.fingerprint, link];
-	return [...marks, ...askedCells(series, member), ...values, ...measures, plant.notes.join(" ")];
+export function rowOf(series: Series, member: Member, { plant, specimen, link, missed, files }: Grown): Cell[] {
+	const cells = memberCells(series, member);
+	fileColumns(series).forEach(([name, bytes, sum], at) => {
+		Object.assign(cells, { [name]: files[at].name, [bytes]: files[at].bytes.length, [sum]: files[at].sum });
+	});
+	for (const [{ key }, value] of measureValues(series.model.table, plant)) cells[key] = value;
+	for (const { oiv, class: note, words } of Object.values(classesOf(series.model, plant, specimen)))
+		Object.assign(cells, { [`oiv_${oiv}_class`]: note, [`oiv_${oiv}_words`]: words });
+	const { fingerprint, notes } = plant;
+	return inColumns(series, { ...cells, fingerprint, link, missed: missed.join(" "), notes: notes.join(" ") });
 }
 
 /** The line of a plant that could not be grown: no file, and why. */
 export function failedRow(series: Series, member: Member, why: string): Cell[] {
-	const { number, seed, link, values } = member;
-	return [
-		number,
-		seed,
-		null,
-		null,
-		null,
-		null,
-		link,
-		...askedCells(series, member),
-		...values,
-		...series.model.table.measures.map(() => null),
-		why.replaceAll(/\s+/g, " "),
-	];
+	return inColumns(series, { ...memberCells(series, member), link: member.link, notes: why.replaceAll(/\s+/g, " ") });
 }
+
+const inColumns = (series: Series, cells: Cells): Cell[] => columnsOf(series).map((column) => cells[column] ?? null);
 
 export const written = (row: readonly Cell[]): string => writeCsv([row]);
 
-/** What a line says of its file. */
+/** What a line says of its files. */
 export interface Line {
-	readonly file: string;
-	readonly bytes: number;
-	readonly sum: string;
-	/** The member's link, as it is without what is asked of its measures. */
+	/** In the order of the formats. */
+	readonly files: readonly { readonly name: string; readonly bytes: number; readonly sum: string }[];
+	/** The member's link, as it is before parameters are searched for. */
 	readonly link: string;
+	/** Whether a measure that was to be met is not. */
+	readonly missed: boolean;
 	/** As it was read, to be written again. */
 	readonly text: string;
 }
 
 /**
- * The whole lines of a table by their files, whatever else is in the text: a last one that broke off is not among them.
+ * The whole lines of a table by the numbers of their plants, of those that were grown: a last one that broke off is not among them.
  * Undefined where the text is the table of another series: its columns are others.
  */
-export function readLines(series: Series, text: string): Map<string, Line> | undefined {
+export function readLines(series: Series, text: string): Map<number, Line> | undefined {
 	const [header, ...rows] = splitRows(text);
 	const columns = columnsOf(series);
 	if (header !== undefined && header !== written(columns)) return undefined;
-	const { aims = [] } = series;
-	const lines = rows.map((row) => {
-		const [, , file, bytes, sum, , link, from, ...more] = cellsOf(row);
-		const same = aims.every(({ value }, at) => Number(more[at]) === value);
-		return { file, bytes: Number(bytes), sum, link: aims.length > 0 ? from : link, text: row, same };
-	});
-	return new Map(lines.filter(({ file, same }) => file !== "" && same).map((line) => [line.file, line]));
+	const lines = new Map<number, Line>();
+	for (const row of rows) {
+		const cells = new Map(cellsOf(row).map((cell, at) => [columns[at], cell]));
+		const cell = (column: string) => cells.get(column) ?? "";
+		const files = fileColumns(series).map(([name, bytes, sum]) => ({
+			...{ name: cell(name), bytes: Number(cell(bytes)), sum: cell(sum) },
+		}));
+		if (files.some(({ name }) => name === "")) continue;
+		const link = cells.get("from") ?? cell("link");
+		lines.set(Number(cell("number")), { files, link, missed: cell("missed") !== "", text: row });
+	}
+	return lines;
 }

@@ -38,9 +38,7 @@ export function readArguments(words: readonly string[]): Call {
 		throw new UsageError(`one preset or link at a time: “${positionals[1]}” is one too many; put quotes around a link`);
 	}
 	const batch = readBatch(values);
-	const alone = (
-		["form", "triangles", "thickness", "points", "translucent", "textures", "string", "chronicle"] as const
-	).find((key) => values[key]);
+	const alone = (["form", "string", "chronicle"] as const).find((key) => values[key]);
 	if (batch && alone) throw new UsageError(`--${alone} is for one plant’s file; of a series, --as says the kind`);
 	// Each line of a series' table brings its plant back by its link alone, and links hold no meshes.
 	if (batch && values.boundary)

@@ -19,8 +19,8 @@ export interface BatchCall {
 	vary: string | undefined;
 	/** Which part of it; undefined: all. */
 	shard: string | undefined;
-	/** The key of a kind of file. */
-	format: string;
+	/** The keys of kinds of files. */
+	formats: readonly string[];
 }
 
 type Values = Readonly<
@@ -45,6 +45,9 @@ export function readBatch(values: Values): BatchCall | undefined {
 		literal: values["literal-seeds"] ?? false,
 		vary: vary?.join(),
 		shard: shard?.at(-1),
-		format: as[as.length - 1],
+		formats: as
+			.join()
+			.split(",")
+			.map((format) => format.trim()),
 	};
 }

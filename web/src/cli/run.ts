@@ -1,5 +1,7 @@
 /** The command: grows one specimen of any model and writes it. */
 import { aimed } from "../batch/aimed";
+import { literalDraws } from "../batch/draws";
+import { aimsOf } from "../batch/goals";
 import { Cores } from "../core/cores";
 import { CoreError } from "../core/errors";
 import { FORMS, plantFile } from "../export/plant_files";
@@ -15,21 +17,22 @@ import type { Aim } from "../targets/aim";
 import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
 import { type Call, readArguments } from "./arguments";
 import { askedModel, askedSpecimen } from "./asked_specimen";
+import { refuseUnused } from "./file_options";
 import { endingOf, endingsOf, filesOf, jsonOf, ownFormat } from "./outputs";
 import { growSeries } from "./series";
 import type { Surroundings } from "./surroundings";
 import { readTargets } from "./targets";
-import { UsageError, usage } from "./usage";
+import { MISSED, UsageError, usage } from "./usage";
 import { writing } from "./writing";
 
-/** @returns the exit status: 0 grown, 1 the core broke or is missing, a file could not be written or some of a series did not grow, 2 something in the call cannot be used */
+/** @returns the exit status: 0 grown, 1 the core broke or is missing, a file could not be written or some of a series did not grow, 2 something in the call cannot be used, 3 grown but a target is missed */
 export async function run(words: readonly string[], world: Surroundings): Promise<number> {
 	try {
 		const call = readArguments(words);
 		if (call.help) world.print(usage(await askedModel(call.source), modelNames()));
 		else if (call.list) world.print(await listed());
 		else if (call.batch) return await growSeries(call, call.batch, world);
-		else await growAndWrite(call, world);
+		else return await growAndWrite(call, world);
 		return 0;
 	} catch (error) {
 		const message = error instanceof Error ? error.message.replaceAll("\n", " ") : error;
@@ -49,15 +52,18 @@ async function listed(): Promise<string> {
 	return `${JSON.stringify(await Promise.all(rows))}\n`;
 }
 
-async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
+/** @returns the exit status: 0 grown, 3 grown but a target is missed */
+async function growAndWrite(call: Call, world: Surroundings): Promise<number> {
 	const { model, specimen: from, notes, textName } = await askedSpecimen(call, world);
-	const aims = readTargets(model, from, call.targets);
+	const goals = readTargets(model, from, call.targets);
+	const aims = aimsOf(model.table, goals, literalDraws(), from.seed);
 	const { out } = call;
 	const ending = out === undefined ? "json" : endingOf(model, out);
 	if (out?.toLowerCase().endsWith(".png"))
 		throw new UsageError(`--out ${out}: pictures take a graphics card; take them in the page, from its Download menu`);
 	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
 	await checkForm(call, ending, model, from);
+	refuseUnused(call.files, [plantFile(ending, call.form)?.key ?? ending]);
 	const texted = model.details.some(({ packed }) => packed?.key === "grammar");
 	const untold = (what: string) =>
 		texted ? `of a ${model.noun}’s text there is no ${what} to tell` : `the ${model.noun} is not grown by a text`;
@@ -80,7 +86,9 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	const own = "grammar" in from && typeof from.grammar === "string" ? from.grammar : undefined;
 	const grow = (each: Specimen, wanted: GrowthOptions) =>
 		growing(own === undefined ? undefined : { name: textName, text: own }, growPlant(model, each, wanted, run));
-	const specimen = aims.length > 0 ? await found(model, from, aims, grow, world) : from;
+	const { specimen, missed } =
+		aims.length > 0 ? await found(model, from, aims, grow, world) : { specimen: from, missed: false };
+	const status = missed ? MISSED : 0;
 	const { string, chronicle } = call;
 	const grown = await grow(specimen, {
 		meshes,
@@ -91,7 +99,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	const all: Plant = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
 	if (out === undefined) {
 		world.print(jsonOf(model, all, specimen));
-		return;
+		return status;
 	}
 	const again = (other: Specimen, wanted?: GrowthOptions) => grow(other, { measures: false, ...wanted });
 	const further = { aged: agedOf(model, specimen, again), levels: levelledOf(model, specimen, again) };
@@ -100,21 +108,22 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		await writing(file, () => world.writeFile(file, data));
 	}
 	for (const note of all.notes) world.say(`note: ${note}`);
+	return status;
 }
 
-/** The specimen that measures what is asked; says how near it comes and what it changed. */
+/** The specimen that comes nearest to its targets, and whether it misses one; reports how near it comes and what changed. */
 async function found(
 	model: Model,
 	from: Specimen,
 	aims: readonly Aim[],
 	grow: (specimen: Specimen, wanted: GrowthOptions) => Promise<Plant>,
 	{ say }: Surroundings,
-): Promise<Specimen> {
+): Promise<{ specimen: Specimen; missed: boolean }> {
 	const answer = await aimed(model, from, aims, (each) => grow(each, { meshes: false, measures: true }));
 	for (const each of answer.reached) say(`target: ${reachedInWords(each)}`);
 	const changes = changesInWords(model, from, answer.specimen);
 	if (changes) say(`target: ${changes}; ${growthsInWords(answer)}`);
-	return answer.specimen;
+	return { specimen: answer.specimen, missed: answer.reached.some(({ there }) => !there) };
 }
 
 /** @throws UsageError where there is no such form of the file, or the plant has no ages or levels for it to show */

@@ -7,7 +7,7 @@ import { crc32 } from "../batch/crc32";
 import { independentDraws, literalDraws } from "../batch/draws";
 import { differencesFrom, MANIFEST, manifestOf, writtenManifest } from "../batch/manifest";
 import { readPlantNumbers } from "../batch/plant_numbers";
-import { checkFormat, fileOf, growMember, type Member, memberOf, type Series } from "../batch/series";
+import { checkFormat, filesOf, growMember, type MadeFile, type Member, memberOf, type Series } from "../batch/series";
 import { partOf, readShard, type Shard } from "../batch/shard";
 import { columnsOf, failedRow, type Line, readLines, rowOf, written } from "../batch/table";
 import { Unusable } from "../batch/unusable";
@@ -18,10 +18,11 @@ import { makeFile } from "../files/make";
 import type { Call } from "./arguments";
 import { askedSpecimen } from "./asked_specimen";
 import type { BatchCall } from "./batch_arguments";
+import { refuseUnused } from "./file_options";
 import type { Surroundings } from "./surroundings";
 import { TableLock } from "./table_lock";
 import { readTargets } from "./targets";
-import { UsageError } from "./usage";
+import { MISSED, UsageError } from "./usage";
 import { writing } from "./writing";
 
 /** How often it says how far it is, in milliseconds. */
@@ -42,7 +43,7 @@ interface Asked {
 	table: string;
 }
 
-/** @returns the exit status: 0 all are there, 1 some could not be grown */
+/** @returns the exit status: 0 all are there, 1 some could not be grown, 3 some miss their targets */
 export async function growSeries(call: Call, batch: BatchCall, world: Surroundings): Promise<number> {
 	const asked = await readSeries(call, batch, world);
 	await claimFolder(asked, world);
@@ -69,7 +70,7 @@ async function claimFolder({ series, all, parts, folder }: Asked, world: Surroun
 	const read = () => world.readFile(path).catch(() => undefined);
 	let there = await read();
 	if (!there) {
-		const own = all.map((number) => fileOf(series, number)).find((file) => names.has(file));
+		const own = all.flatMap((number) => filesOf(series, number)).find((file) => names.has(file));
 		const taken = own ?? [...names].find((name) => /^plants(-\d+-of-\d+)?\.csv(\.part)?$/.test(name));
 		if (taken !== undefined) {
 			throw new UsageError(
@@ -94,19 +95,23 @@ async function growInto(asked: Asked, lock: TableLock, world: Surroundings): Pro
 	const lines: string[] = [];
 	const say = sayer(numbers.length, world);
 	const grower = new Grower(series, world);
-	let [there, failed] = [0, 0];
-	await writeTo(journal, [written(columnsOf(series)), ...kept.values()].join(""), world);
+	let [there, failed, missed] = [0, 0, 0];
+	const before = [...kept.values()].map(({ text }) => text);
+	await writeTo(journal, [written(columnsOf(series)), ...before].join(""), world);
 	for (const number of numbers) {
 		const member = await memberOf(series, number);
-		let line = kept.get(member.file);
+		const known = kept.get(number);
+		if (known?.missed) missed++;
+		let line = known?.text;
 		if (line !== undefined) there++;
 		else {
 			const made = await grower.grow(member);
 			await lock.keep();
 			line = made.line;
-			if (!made.file) failed++;
+			if (made.missed) missed++;
+			if (!made.files) failed++;
 			else {
-				await writeTo(join(folder, member.file), made.file, world);
+				for (const { name, bytes } of made.files) await writeTo(join(folder, name), bytes, world);
 				await writing(journal, () => world.appendFile(journal, made.line));
 			}
 		}
@@ -118,13 +123,15 @@ async function growInto(asked: Asked, lock: TableLock, world: Surroundings): Pro
 	await world.removeFile(journal);
 	world.say(`${numbers.length} plants: ${numbers.length - there - failed} grown, ${there} there before; ${table}`);
 	if (failed > 0) world.say(`grow: ${failed} could not be grown; their lines have no file and say why`);
-	return failed > 0 ? 1 : 0;
+	if (missed > 0)
+		world.say(`target: ${missed} of ${numbers.length} plants miss theirs; the column “missed” says which`);
+	return failed > 0 ? 1 : missed > 0 ? MISSED : 0;
 }
 
 async function readSeries(call: Call, batch: BatchCall, world: Surroundings): Promise<Asked> {
 	const { model, specimen: from, notes } = await askedSpecimen(call, world);
 	for (const note of notes) world.say(`note: ${note.text}`);
-	const aims = readTargets(model, from, call.targets);
+	const goals = readTargets(model, from, call.targets);
 	const all = typed("--seeds", batch.seeds, readPlantNumbers);
 	const varied = batch.vary === undefined ? [] : typed("--vary", batch.vary, (text) => readVary(model, text, from));
 	await checkVaried(model, varied, from).catch((error: unknown) => {
@@ -132,11 +139,13 @@ async function readSeries(call: Call, batch: BatchCall, world: Surroundings): Pr
 	});
 	const shard =
 		batch.shard === undefined ? undefined : typed("--shard", batch.shard, (text) => readShard(text, world.environment));
-	typed("--as", batch.format, (format) => checkFormat(model, format));
+	const formats = [...new Set(batch.formats)];
+	for (const each of formats) typed("--as", each, (format) => checkFormat(model, format));
+	refuseUnused(call.files, formats);
 	const folder = call.out ?? ".";
 	return {
 		series: {
-			...{ model, from, varied, aims, format: batch.format },
+			...{ model, from, varied, goals, formats, options: call.files },
 			draws: batch.literal ? literalDraws() : independentDraws(model, from),
 		},
 		all,
@@ -154,9 +163,9 @@ function tableName(shard: Shard | undefined): string {
 	return `plants-${String(index).padStart(String(total).length, "0")}-of-${total}.csv`;
 }
 
-/** The lines whose files are there and whole, by the files' names. */
-async function readTable({ series, numbers, folder, table }: Asked, world: Surroundings): Promise<Map<string, string>> {
-	const known = new Map<string, Line>();
+/** The lines whose files are all there and whole, by the plants' numbers. */
+async function readTable({ series, numbers, folder, table }: Asked, world: Surroundings): Promise<Map<number, Line>> {
+	const known = new Map<number, Line>();
 	for (const path of [table, `${table}.part`]) {
 		const bytes = await world.readFile(path).catch(() => undefined);
 		if (!bytes) continue;
@@ -164,21 +173,26 @@ async function readTable({ series, numbers, folder, table }: Asked, world: Surro
 		if (!lines) {
 			throw new UsageError(`--out ${folder}: ${path} has other columns than this series; choose another folder`);
 		}
-		for (const [file, line] of lines) known.set(file, line);
+		for (const [number, line] of lines) known.set(number, line);
 	}
-	const kept = new Map<string, string>();
+	const kept = new Map<number, Line>();
 	if (known.size === 0) return kept;
 	for (const number of numbers) {
-		const { file, link } = await memberOf(series, number);
-		const line = known.get(file);
-		if (line?.link === link && (await isWhole(join(folder, file), line, world))) kept.set(file, line.text);
+		const line = known.get(number);
+		if (!line) continue;
+		const { files, link } = await memberOf(series, number);
+		const isOwn = line.link === link && line.files.every(({ name }, at) => name === files[at]);
+		if (isOwn && (await areWhole(folder, line, world))) kept.set(number, line);
 	}
 	return kept;
 }
 
-async function isWhole(path: string, { bytes, sum }: Line, world: Surroundings): Promise<boolean> {
-	const data = await world.readFile(path).catch(() => undefined);
-	return data !== undefined && data.length === bytes && crc32(data) === sum;
+async function areWhole(folder: string, { files }: Line, world: Surroundings): Promise<boolean> {
+	for (const { name, bytes, sum } of files) {
+		const data = await world.readFile(join(folder, name)).catch(() => undefined);
+		if (data?.length !== bytes || crc32(data) !== sum) return false;
+	}
+	return true;
 }
 
 /** Grows one plant after the other with the same cores, and with others after one that broke. */
@@ -191,8 +205,8 @@ class Grower {
 		this.#cores = new Cores((wasm) => world.loadCore(wasm));
 	}
 
-	/** @returns a plant's line of the table, and its file where it could be grown */
-	async grow(member: Member): Promise<{ line: string; file?: Uint8Array }> {
+	/** @returns a plant's line of the table, its files where it could be grown, and whether it misses a target */
+	async grow(member: Member): Promise<{ line: string; files?: readonly MadeFile[]; missed: boolean }> {
 		const series = this.#series;
 		const run = this.#cores.grow.bind(this.#cores);
 		try {
@@ -200,10 +214,10 @@ class Grower {
 				make: makeFile,
 				grow: (model, specimen, options) => growPlant(model, specimen, options, run),
 			});
-			return { line: written(rowOf(series, member, grown)), file: grown.bytes };
+			return { line: written(rowOf(series, member, grown)), files: grown.files, missed: grown.missed.length > 0 };
 		} catch (error) {
 			const why = error instanceof Error ? error.message : String(error);
-			return { line: written(failedRow(series, member, why)) };
+			return { line: written(failedRow(series, member, why)), missed: false };
 		}
 	}
 }

@@ -1,21 +1,21 @@
-/** `--target KEY=VALUE`: measures asked for in place of parameters. */
+/** `--target KEY=VALUE` and `KEY=FROM..TO`: measures to be met in place of parameters. */
+import type { Goal } from "../batch/goals";
 import type { Model } from "../models/model";
-import { keyAndValue } from "../specimen/halves";
+import { halvesOf, keyAndValue } from "../specimen/halves";
 import { readNumber } from "../specimen/read_values";
 import type { Specimen } from "../specimen/specimen";
-import type { Aim } from "../targets/aim";
 import { UsageError } from "./usage";
 
 /** @throws UsageError */
-export function readTargets(model: Model, specimen: Specimen, texts: readonly string[]): Aim[] {
+export function readTargets(model: Model, specimen: Specimen, texts: readonly string[]): Goal[] {
 	const known = model.targets?.measures(specimen) ?? [];
-	const aims = texts.map((text) => readOne(text, known, model.noun));
-	const twice = aims.find(({ measure }, at) => aims.findIndex((each) => each.measure === measure) < at);
+	const goals = texts.map((text) => readOne(text, known, model.noun));
+	const twice = goals.find(({ measure }, at) => goals.findIndex((each) => each.measure === measure) < at);
 	if (twice) throw new UsageError(`--target ${twice.measure}: given twice`);
-	return aims;
+	return goals;
 }
 
-function readOne(text: string, known: readonly string[], noun: string): Aim {
+function readOne(text: string, known: readonly string[], noun: string): Goal {
 	const [key, written] = keyAndValue(text) ?? [];
 	if (key === undefined || written === undefined) {
 		throw new UsageError(`--target ${text}: write MEASURE=VALUE, as in --target ${known[0] ?? "height"}=160`);
@@ -24,7 +24,11 @@ function readOne(text: string, known: readonly string[], noun: string): Aim {
 	if (!known.includes(key)) {
 		throw new UsageError(`--target ${key}: no measure of this ${noun} that can be asked for; see --help`);
 	}
-	const value = readNumber(written);
-	if (value === undefined || value < 0) throw new UsageError(`--target ${key}: “${written}” is no number from 0 on`);
-	return { measure: key, value };
+	const [from, to] = (halvesOf(written, "..") ?? [written, written]).map((value) => {
+		const number = readNumber(value);
+		if (number === undefined || number < 0) throw new UsageError(`--target ${key}: “${value}” is no number from 0 on`);
+		return number;
+	});
+	if (from > to) throw new UsageError(`--target ${key}: ${written} runs backwards; write ${to}..${from}`);
+	return { measure: key, from, to };
 }

@@ -22,6 +22,9 @@ export class UsageError extends Error {
 	}
 }
 
+/** Exit status where all is grown and something does not measure what it is to. */
+export const MISSED = 3;
+
 /** The text of --help: of one model, with the names of the others. */
 export function usage(model: Model, models: readonly string[]): string {
 	const { name, title, noun, table, presets, details, formats, targets } = model;
@@ -38,7 +41,7 @@ export function usage(model: Model, models: readonly string[]): string {
   npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--target MEASURE=VALUE …]
                      [--grammar FILE] [--string] [--chronicle STEP] [--boundary FILE] [--out FILE]
                      [--form FORM] [--triangles N] [--translucent] [--textures] [--thickness MM] [--points N]
-  npm run -s grow -- … --seeds 1-100 [--vary KEY=FROM..TO,…] [--shard PART/PARTS] [--as KIND] --out DIR
+  npm run -s grow -- … --seeds 1-100 [--vary KEY=FROM..TO,…] [--shard PART/PARTS] [--as KIND,…] --out DIR
   npm run -s grow -- --list
 
   MODEL/PRESET     a preset of any model (--list): ${name}/${presets.standard}; MODEL alone is its first choice
@@ -50,7 +53,8 @@ export function usage(model: Model, models: readonly string[]): string {
                    ${wrapped([...keys, ...details.flatMap(({ settings = [] }) => settings)])}
 ${
 	asked.length > 0
-		? `  --target M=VALUE finds the parameters that measure so, as near as they can; as often as needed; M is one of
+		? `  --target M=VALUE searches for parameters with which M measures so, as near as they can; FROM..TO draws a
+                   value from the range; as often as needed; M is one of
                    ${wrapped(asked)}
 `
 		: ""
@@ -76,12 +80,12 @@ ${
   --literal-seeds  the numbers of --seeds are the seeds themselves
   --vary KEY=…     drawn for each plant: age=60..110, or one of a few: fruit=lychee|duku
   --shard 3/16     that part of the series; auto in a Slurm array, auto/16 in a Kubernetes Job
-  --as KIND        ${wrapped(formatsOf({ formats }))} (default: glb)
+  --as KIND,…      ${wrapped(formatsOf({ formats }))} (default: glb)
   --list           all models with their presets, as JSON
   --help           ${wrapped(others.length > 0 ? ["this;", "of", "other", "models:", ...others] : ["this"])}
 
-Exit status: 0 grown, 1 the core broke or is missing, or some of a series did not grow,
-2 something in the call cannot be used.
+Exit status: 0 grown; 1 the core broke or is missing, a file could not be written, or some of a
+series did not grow; 2 something in the call cannot be used; 3 grown, but a --target is missed.
 What the keys mean: docs/models/*/parameters.md, docs/links.md. Fields of the JSON: docs/command-line.md.
 `;
 }

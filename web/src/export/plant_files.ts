@@ -50,6 +50,8 @@ export interface PlantFile {
 	readonly suffix: string;
 	/** The media type of the file. */
 	readonly type: string;
+	/** What of the options it uses. */
+	readonly uses?: readonly (keyof FileOptions)[];
 	/** Whether it is the file of its kind only where parts share meshes. */
 	readonly shared?: true;
 	/** Whether making it takes seconds. */
@@ -84,6 +86,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		title: "GLB",
 		about: "glTF, one node per part; opens everywhere",
 		suffix: ".glb",
+		uses: ["translucent", "textures"],
 		make: async (parts, about, { translucent = false, textures = false }) => {
 			const shown = textures ? await (await import("./baked")).baked([...parts]) : parts;
 			return (await import("./glb")).exportGlb(shown, about, { translucent });
@@ -105,6 +108,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		title: "GLB, low",
 		about: "As few triangles as you say; opens everywhere",
 		suffix: "-low.glb",
+		uses: ["triangles"],
 		make: async (parts, about, { triangles }) => (await import("./low_glb")).lowGlb(parts, about, triangles),
 	},
 	{
@@ -114,6 +118,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		title: "GLB, instanced",
 		about: "Parts that are alike in one node; for readers of EXT_mesh_gpu_instancing",
 		suffix: "-instanced.glb",
+		uses: ["translucent"],
 		shared: true,
 		make: async (parts, about, { translucent = false }) => {
 			const shared = [...parts].map((await import("./alike")).alike);
@@ -141,6 +146,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		title: "GLB, in the wind",
 		about: "Swaying as an animation without end; opens everywhere",
 		suffix: "-wind.glb",
+		uses: ["triangles"],
 		blown: true,
 		slow: true,
 		make: async (parts, about, { triangles }, { sway } = {}) =>
@@ -175,6 +181,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		title: "PLY points",
 		about: "Places, normals and colours, evenly over the surface",
 		suffix: ".ply",
+		uses: ["points"],
 		make: async (parts, about, { points = POINTS }) => (await import("./ply")).ply(parts, about, points),
 	},
 	{
@@ -184,6 +191,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		title: "3MF for printers",
 		about: "One closed body in millimetres, thick enough to print",
 		suffix: ".3mf",
+		uses: ["thickness"],
 		slow: true,
 		make: async (parts, about, { thickness = THICKNESS }) =>
 			(await import("./three_mf")).threeMf(parts, about, thickness),
@@ -195,6 +203,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		title: "STL for printers",
 		about: "The same body for older programs",
 		suffix: ".stl",
+		uses: ["thickness"],
 		slow: true,
 		make: async (parts, about, { thickness = THICKNESS }) => (await import("./stl")).stl(parts, about, thickness),
 	},

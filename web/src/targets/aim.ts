@@ -6,6 +6,8 @@ export interface Aim {
 	readonly measure: string;
 	/** In the measure's unit; a share from 0 to 1. */
 	readonly value: number;
+	/** Between which values the measure counts as met, where the value was drawn from a range. */
+	readonly within?: readonly [from: number, to: number];
 }
 
 /** As near as counts as there: half of the last digit that is shown, or this share of the value. */

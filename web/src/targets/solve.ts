@@ -32,7 +32,7 @@ export interface Reached extends Aim {
 	readonly info: MeasureInfo;
 	/** What the specimen found measures; NaN where it has no such measure. */
 	readonly got: number;
-	/** Whether that is what was asked, but for what does not show. */
+	/** Whether that is the value that was aimed at, but for what does not show, or within the range that it was drawn from. */
 	readonly there: boolean;
 	/** Whether there is a parameter that moves it. */
 	readonly moved: boolean;
@@ -103,12 +103,10 @@ class Solver<S extends Specimen> {
 		}
 		const { specimen, values } = this.#best;
 		const reached = this.#tasks.map((task, i) => {
-			const { measure, value, info, index, levers } = task;
-			const there = isThere(task, values);
+			const { measure, value, within, info, index, levers } = task;
+			const there = isThere(task, values) || isWithin(task, values);
 			return {
-				measure,
-				value,
-				info,
+				...{ measure, value, info, ...(within && { within }) },
 				got: values[index],
 				there,
 				moved: levers.length > 0,
@@ -172,6 +170,10 @@ function setAll<S extends Specimen>(specimen: S, tasks: readonly Task<S>[]): S {
 
 const isThere = ({ index, value, tolerance }: Place, values: Float32Array) =>
 	Math.abs(values[index] - value) <= tolerance;
+
+/** The search aims at a value of its range, so that plants of a series are spread over it; any other is as good in the end. */
+const isWithin = ({ index, within, tolerance }: Place, values: Float32Array) =>
+	within !== undefined && values[index] >= within[0] - tolerance && values[index] <= within[1] + tolerance;
 
 /** Of logarithms where the measure is large, since lengths, volumes and weights grow by powers; straight near 0. */
 function residualOf({ index, value, tolerance }: Place, values: Float32Array): number {

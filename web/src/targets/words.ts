@@ -3,13 +3,15 @@ import { readIn, scaleOf } from "../specimen/lengths";
 import { measureText } from "../specimen/measures";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
-import { reachedText } from "./aim";
+import { reachedText, toleranceOf } from "./aim";
 import type { Answer, Reached } from "./solve";
 
 /** "Bunch length: 160 mm reached", or "Bunch length: 300 mm asked, 158.9 mm reached; nothing goes further". */
-export function reachedInWords({ info, value, got, there, moved, spent }: Reached): string {
+export function reachedInWords({ info, value, within, got, there, moved, spent }: Reached): string {
 	const asked = measureText(info, value);
-	if (there) return `${info.label}: ${asked} reached`;
+	if (there && Math.abs(got - value) <= toleranceOf(info, value)) return `${info.label}: ${asked} reached`;
+	if (there && within)
+		return `${info.label}: ${reachedText(info, got, value)} reached, within ${measureText(info, within[0])} to ${measureText(info, within[1])}`;
 	if (!Number.isFinite(got)) return `${info.label}: this has none`;
 	const end = !moved ? "; nothing moves it" : spent ? "; what moves it goes no further" : "";
 	return `${info.label}: ${asked} asked, ${reachedText(info, got, value)} reached${end}`;

@@ -171,7 +171,7 @@ describe("a series", () => {
 			from: tulip,
 			varied,
 			draws: independentDraws(model, tulip),
-			format: "json",
+			formats: ["json"],
 		};
 		const members = await Promise.all([1, 2, 3, 4].map((number) => memberOf(series, number)));
 		const lengths = members.map(({ specimen }) => (specimen as typeof tulip).constants.length);

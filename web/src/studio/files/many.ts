@@ -36,7 +36,7 @@ export function readMany(
 ): { series: Series; numbers: number[] } {
 	const varied = vary.trim() === "" ? [] : readVary(model, vary, specimen);
 	const draws = independentDraws(model, specimen);
-	return { series: { model, from: specimen, varied, draws, format }, numbers: readPlantNumbers(numbers) };
+	return { series: { model, from: specimen, varied, draws, formats: [format] }, numbers: readPlantNumbers(numbers) };
 }
 
 /**

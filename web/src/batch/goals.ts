@@ -1,0 +1,48 @@
+/** Goals of a series: measures to be met by each plant, one value for all or drawn from a range. */
+import type { MeasureInfo } from "../specimen/measures";
+import type { Table } from "../specimen/table";
+import type { Aim } from "../targets/aim";
+import type { Draws } from "./draws";
+
+export interface Goal {
+	/** The key of the measure. */
+	readonly measure: string;
+	/** In the measure's unit; a share from 0 to 1. */
+	readonly from: number;
+	/** The same as `from` where one value is wanted. */
+	readonly to: number;
+}
+
+/** As `--target` has it: `160`, `120..160`. */
+export const writtenGoal = ({ from, to }: Goal): string => (from === to ? String(from) : `${from}..${to}`);
+
+/** What a plant aims at, by its number: of a range each value is as likely as any other. */
+export function aimsOf(
+	{ measures }: Pick<Table, "measures">,
+	goals: readonly Goal[],
+	draws: Draws,
+	number: number,
+): Aim[] {
+	return goals.map((goal) => {
+		const { measure, from, to } = goal;
+		if (from === to) return { measure, value: from };
+		const share = draws.share(`target ${measure}`, number);
+		return {
+			measure,
+			value: drawn(
+				goal,
+				share,
+				measures.find(({ key }) => key === measure),
+			),
+			within: [from, to],
+		};
+	});
+}
+
+/** Significant digits of a drawn value. */
+const DIGITS = 6;
+
+function drawn({ from, to }: Goal, share: number, info: MeasureInfo | undefined): number {
+	if (info?.kind === "whole") return Math.ceil(from) + Math.floor(share * (Math.floor(to) - Math.ceil(from) + 1));
+	return Number((from + share * (to - from)).toPrecision(DIGITS));
+}

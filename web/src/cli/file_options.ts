@@ -1,0 +1,15 @@
+/** Options of files (`--points 5000`): refused where no file uses them, since a silent nothing would spoil a series. */
+import { type FileOptions, PLANT_FILES } from "../export/plant_files";
+import { UsageError } from "./usage";
+
+/**
+ * @param formats keys of the kinds of files that are to be made
+ * @throws UsageError
+ */
+export function refuseUnused(options: FileOptions, formats: readonly string[]): void {
+	for (const option of Object.keys(options) as (keyof FileOptions)[]) {
+		const users = PLANT_FILES.filter(({ uses = [] }) => uses.includes(option)).map(({ key }) => key);
+		if (formats.some((format) => users.includes(format))) continue;
+		throw new UsageError(`--${option} is for ${users.join(" and ")}, and changes nothing in ${formats.join(" and ")}`);
+	}
+}
