@@ -249,3 +249,25 @@ TEST_CASE("who watches no drawing is told nothing of one: a limit has left anoth
   CHECK(lines(chronicle.value(), &ToldModule::fires) == "0:0 0:0 0:0 0:0 ");
   CHECK(joined(chronicle.value(), &ToldModule::answer, "") == "");
 }
+
+TEST_CASE("wherever a limit ends a derivation, its trace ends with the string that is derived") {
+  // ?P has the turtle's place written into it after each step, which can come to the limit as well.
+  const BoundPointer bound = compiled("axiom: A(1) B ?P(0,0,0)\nA(x) --> F A(x+1) [ A(x) ?P(0,0,0) ]\nB --> B F");
+  std::uint32_t most_steps = 0;
+  for (std::uint64_t evaluations = 1; evaluations < 1500; ++evaluations) {
+    Limits limits;
+    limits.evaluations = evaluations;
+    CAPTURE(evaluations);
+    const auto derived = lsystem::develop_so_far(*bound, 1, 12, limits, {});
+    const auto traced = lsystem::chronicle(*bound, 1, 12, limits, {}, {.step = 0});
+    REQUIRE(derived);
+    REQUIRE(traced);
+    CHECK(traced->stopped().reason == Reason::limit);
+    CHECK(traced->counts().back() == lsystem::length(*derived->string));
+    std::uint32_t descendants = 0;
+    for (const ToldModule& module : traced->modules()) descendants += module.last.count;
+    if (!traced->modules().empty()) CHECK(descendants == traced->counts().back());
+    most_steps = std::max(most_steps, traced->steps());
+  }
+  CHECK(most_steps > 4);
+}

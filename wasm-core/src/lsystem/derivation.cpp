@@ -140,13 +140,16 @@ bool Derivation::step() {
     at_rest_ = true;
     return false;
   }
+  if (rewrote_ && !locate()) {  // the step is not whole: its string gives way to the one before
+    std::swap(now_, next_);
+    at_rest_ = true;
+    return false;
+  }
   at_rest_ = now_.active_count == 0 || !(rewrote_ || waiting_);
   answered_ = false;
   ++steps_;
-  const bool fine = !rewrote_ || locate();
   if (around_.watcher != nullptr) around_.watcher->ends(now_.string);
-  at_rest_ |= !fine;
-  return fine && rewrote_;
+  return rewrote_;
 }
 
 bool Derivation::ask(const Turtle& start, Listener& listener) {
