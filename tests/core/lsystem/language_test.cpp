@@ -204,7 +204,57 @@ TEST_CASE("blocks work values out for condition, successor and weight") {
 TEST_CASE("a number in parentheses behind a name that is defined is its value") {
   CHECK(after("#define f(2)*3\naxiom: A(f)", 0) == "A(6)");
   CHECK(after("#define f(2)\naxiom: A(f)", 0) == "A(2)");
-  CHECK(trouble("#define f(x)*3\naxiom: A(f)") == "syntax 1:10");
+  CHECK(after("#define x 5\n#define f(x)\naxiom: A(f)", 0) == "A(5)");
+}
+
+TEST_CASE("a #define with parameters is a function whose calls its body replaces") {
+  CHECK(after("#define twice(x) x*2\naxiom: A(twice(1+1), twice(twice(3)))", 0) == "A(4,12)");
+  CHECK(after("#define f(x,y) x-y*y\naxiom: B(7)\nB(n) : f(n,2)>2 --> C(f(n,n-5)) : f(3,1)", 1) == "C(3)");
+  CHECK(after("#define between(x,a,b) x>=a && x<=b\naxiom: A(1) A(5)\nA(x) : !between(x,2,6) --> B", 1) == "B A(5)");
+  CHECK(after("#define k 3\n#define f(x) k*x\n#define g(x) f(x)+f(1)\naxiom: A(g(2))", 0) == "A(9)");
+  // Other names of the body are those of the place where it is called.
+  CHECK(after("#define f(x) x+n\naxiom: A(2)\nA(n) --> B(f(1))", 1) == "B(3)");
+  CHECK(trouble("#define f(x) x + min(x, c(1))\n#curve c (0, 0) (1, 1)\naxiom: A") == "undefined 1:25");
+  CHECK(after("#curve c (0, 0) (1, 2)\n#define f(x) c(x)*x\n#input n[]\naxiom: A(f(n[1]))", 0, {{}, {{"n", {0.5f}}}}) ==
+        "A(0.5)");
+  CHECK(trouble("#define f(x) x*y\naxiom: A(f(1))") == "undefined 1:16");
+  CHECK(trouble("#define f(x,x) x\naxiom: A") == "syntax 1:13");
+  CHECK(trouble("#define f(x) x*2\naxiom: A(f(1,2))") == "syntax 2:10");
+  CHECK(trouble("#define f(x) x*2\n#define f 3\naxiom: A") == "syntax 2:9");
+  CHECK(trouble("#define sin(x) x*2\naxiom: A") == "syntax 1:9");
+  CHECK(trouble("axiom: A(f(1))\n#define f(x) x*2") == "undefined 1:10");
+}
+
+TEST_CASE("functions that call each other end at a limit before they use up the memory") {
+  std::string text = "#define f0(x) x+x\n";
+  for (int i = 1; i < 60; ++i) {
+    const std::string before = "f" + std::to_string(i - 1);
+    text += "#define f" + std::to_string(i) + "(x) " + before + "(" + before + "(x))\n";
+  }
+  std::string message;
+  CHECK(trouble(text + "axiom: A", {}, {}, &message).starts_with("limit "));
+  CHECK(message.find("100,000 operations") != std::string::npos);
+  // All calls of a text count together.
+  text = "#define f(x) x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x\naxiom:";
+  for (int i = 0; i < 2000; ++i) text += "\nA(f(2))";
+  CHECK(trouble(text + "\n") == "none");
+  for (int i = 0; i < 2000; ++i) text += "\nA(f(2))";
+  CHECK(trouble(text + "\n").starts_with("limit "));
+}
+
+TEST_CASE("a backslash at the end of a line goes on with the next where it can be no roll") {
+  CHECK(after("#define k 1 + \\\n 2\naxiom: A(k)", 0) == "A(3)");
+  CHECK(after("#define k 1 + \\ /* first */\n\\\n 2 + \\\n 3\naxiom: A(k)", 0) == "A(6)");
+  CHECK(after("axiom: A(2)\nA(x) : x>1 && \\\n x<3 --> B\nB --> C", 2) == "C");
+  CHECK(after("axiom: A(2)\nA(x) \\\n --> B", 1) == "B");
+  CHECK(after("axiom: A(1 + \\\n 2) B", 0) == "A(3)B");
+  CHECK(after("derivation length: \\\n 3\naxiom: A", 0) == "A");
+  // In a string it is one in cpfg alone, and never before a statement.
+  CHECK(after("axiom: A \\\n B", 0) == "A\\B");
+  CHECK(after("#turtle cpfg\naxiom: A \\\n B", 0) == "A B");
+  CHECK(after("#turtle cpfg\naxiom: A(2)\nA(x) --> F \\\n + \\\n F", 1) == "F+F");
+  CHECK(after("#turtle cpfg\naxiom: A B\nA --> F \\\nB --> G", 1) == "F\\G");
+  CHECK(after("#turtle cpfg\naxiom: A \\ B \\", 0) == "A\\B\\");
 }
 
 TEST_CASE("lists and curves stand in the text") {

@@ -29,6 +29,26 @@ TEST_CASE("there is nothing to remark on where everything is heeded") {
            "axiom: Fl\nFl --> F Fr\nFr --> f",
            "axiom: F1\nF1 --> F(1)",
            "#role bud A\naxiom: A",
+           // Every number of parameters has its production.
+           "axiom: A(1) A(1,2)\nA(x) --> A(x,x)\nA(x,y) --> F(x)",
+           "axiom: A\nA --> B(1)\nhomomorphism\nB(x) --> F(x)",
+           "axiom: F F(1)\nF(x) --> F",  // the turtle draws the other
+           // What is drawn by weights, or narrower first.
+           "axiom: A\nA --> B : 0.5\nA --> C : 0.5",
+           "axiom: A(1)\nA(x) : x>1 --> B\nA(x) : x>0 --> C\nA(x) --> F",
+           "axiom: A(1)\nA(x) : x>1 --> B\nA(y) : y>2 --> C\nA(z) : ran(1)<0.5 --> F\nA(z) : ran(1)<0.5 --> G\n"
+           "derivation length: 3",
+           "axiom: A B\nB < A --> C\nA > B --> F\nA > B F --> F",
+           "derivation length: 2\naxiom: A\nA --> B\ndecomposition\nA --> C\nhomomorphism\nA --> F",
+           // Contexts that meet, if only after some steps.
+           "axiom: A [ B ] B\nA > B --> C",
+           "axiom: A [ B ]\nA > [ B ] --> C",
+           "axiom: A [ B ] X\nX --> Y F\nY --> B\nA > B --> C",
+           "axiom: X [ B ] B\nX --> F A\nA > B --> C [ F A ]",
+           "axiom: A [ + B ] B\nB < A --> C\nA > B --> A",
+           "axiom: [ B ] A\nB < A --> C\nB --> B [ A ]",
+           "axiom: [ B ] A B X\nB < A --> C\nX --> [ A ]",
+           "ignore: F\naxiom: A F [ B ] F B\nA > B --> C",
        }) {
     CAPTURE(text);
     CHECK(remarked(text) == "");
@@ -65,7 +85,7 @@ TEST_CASE("arguments that are left out and not what they are elsewhere") {
 }
 
 TEST_CASE("the turtle's sphere as a symbol of one's own") {
-  CHECK(remarked("axiom: S\nS --> F S\nS(i) --> F") ==
+  CHECK(remarked("axiom: S(1) S\nS --> F S\nS(i) --> F") ==
         "2:1 S is the turtle's sphere and is drawn where no production rewrites it; give a symbol of your own another "
         "name.");
   std::string message;
@@ -103,4 +123,58 @@ TEST_CASE("remarks stand in the order of the text") {
         "2:8 ! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).|"
         "2:10 G draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.|"
         "3:7 F3 is one symbol of its own and draws nothing; write F(3).");
+}
+
+TEST_CASE("a module with another number of parameters than its production has is told once for each number") {
+  CHECK(remarked("axiom: A(1,2) A(3,4)\nA(x) --> B A\nB --> F") ==
+        "1:8 A has 2 parameters here, but its production in line 2 has 1 parameter, so this one is not rewritten; give "
+        "it as many, or a production of its own.|"
+        "2:12 A has no parameters here, but its production in line 2 has 1 parameter, so this one is not rewritten; "
+        "give it as many, or a production of its own.");
+  CHECK(remarked("axiom: A\nA --> A\nA(x) --> F") ==
+        "3:1 No A of this text has 1 parameter, so this production is never used; write as many as the text has.");
+  // A part's symbols are its own.
+  CHECK(remarked("axiom: A [ ?leaf(1) A(2) ]\nA --> F\nLsystem: leaf\nA(x) --> F") == "");
+}
+
+TEST_CASE("a production that an earlier one always precedes is told") {
+  const auto behind = [](const std::string& place, const std::string& line) {
+    return place + " This production is never used, since the one in line " + line +
+           " applies before it wherever it could; move it up, or give both a weight, A --> B : 0.5.";
+  };
+  CHECK(remarked("axiom: A\nA --> B\nA --> C") == behind("3:1", "2"));
+  CHECK(remarked("axiom: A(1)\nA(x) --> B\nA(x) : x>1 --> C") == behind("3:1", "2"));
+  CHECK(remarked("axiom: A B\nA --> B\nA > B --> C") == behind("3:1", "2"));
+  CHECK(remarked("axiom: A(1)\nA(x) : x>1 --> B\nA(y) : y>1 --> C\nA(y) : y>1 --> F : 2") ==
+        behind("3:1", "2") + "|" + behind("4:1", "2"));
+  CHECK(remarked("axiom: A(1) B\nA(x) > B : x>1 --> B\nA(y) > B : y>1 --> C") == behind("3:1", "2"));
+  CHECK(remarked("axiom: A(1) B\nA(x) : x>1 --> B\nA(y) > B : y>1 --> C") == behind("3:1", "2"));
+  CHECK(remarked("axiom: A\nA --> B : 0.5\nA --> C") == behind("3:1", "2"));
+  CHECK(remarked("axiom: A\nA --> B\nA --> C : 0.5\nA --> F : 0.5") == behind("3:1", "2") + "|" + behind("4:1", "2"));
+  // One with a weight before both is drawn from, and the last with it.
+  CHECK(remarked("axiom: A(1)\nA(x) : x>1 --> F : 1\nA(x) --> C\nA(x) : x>2 --> G : 2") == "");
+  CHECK(remarked("#define w 0\naxiom: A\nA --> B : w\nA --> C") == "");
+  CHECK(remarked("axiom: A\nhomomorphism\nA --> B\nA --> C") == behind("4:1", "3"));
+}
+
+TEST_CASE("a context that a bracket keeps from being met is told") {
+  CHECK(remarked("axiom: A [ B ]\nA > B --> C") ==
+        "2:5 B stands behind A only in a branch, in line 1, and a right context passes branches over; to look into it "
+        "write A > [ B ].");
+  CHECK(remarked("axiom: A F\nA > B --> A\nA --> F A [ B ]") ==
+        "2:5 B stands behind A only in a branch, in line 3, and a right context passes branches over; to look into it "
+        "write A > [ B ].");
+  CHECK(remarked("axiom: [ B ] A\nB < A --> C") ==
+        "2:1 B stands before A only in a branch that is closed between them, in line 1, and a left context does not "
+        "look into it; write B before that bracket.");
+  // What is between may vanish.
+  CHECK(remarked("axiom: A [ B ] X B\nX --> *\nA > B --> C") == "");
+}
+
+TEST_CASE("remarks on productions cost in proportion to the text") {
+  // Each symbol becomes the next: as many rounds as there are symbols, were they not counted.
+  std::string text = "axiom: A0 [ B ]\nA0 > B --> F";
+  for (int i = 9000; i-- > 0;) text += "\nA" + std::to_string(i) + " --> A" + std::to_string(i + 1) + " F";
+  for (int i = 0; i < 400; ++i) text += "\nA0 > B --> F [ A0 [ B ] ]";
+  CHECK_FALSE(lsystem::remarks(*sound(lsystem::compile(text, Limits{}))).empty());
 }

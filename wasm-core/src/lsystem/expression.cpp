@@ -49,7 +49,9 @@ struct Waiting {
   Kind kind = Kind::operation;
   std::uint32_t precedence = 0;
   Node node;
-  std::uint32_t arguments = 1;  // of a call, counted so far
+  std::uint32_t arguments = 1;           // of a call, counted so far
+  std::uint32_t macro = Names::none;     // that is called
+  std::vector<std::size_t> begins = {};  // of a macro's arguments among the expression's nodes
 };
 
 const Function* function_named(std::string_view name) {
@@ -60,8 +62,8 @@ const Function* function_named(std::string_view name) {
 
 class Parser {
  public:
-  Parser(std::span<const Token> tokens, std::size_t at, std::size_t end, const Names& curves)
-      : tokens_(tokens), at_(at), end_(end), curves_(curves) {}
+  Parser(std::span<const Token> tokens, std::size_t at, std::size_t end, const Names& curves, Macros& macros)
+      : tokens_(tokens), at_(at), end_(end), curves_(curves), macros_(macros) {}
 
   std::size_t at() const { return at_; }
 
@@ -147,20 +149,60 @@ class Parser {
   bool begin_call() {
     const Token& name = token();
     const Function* function = function_named(name.text);
-    const std::uint32_t curve = curves_.find(name.text);
+    const std::uint32_t curve = curves_.find(name.text), macro = macros_.names.find(name.text);
+    if (macro != Names::none) return begin_macro(name, macro);
     if (function == nullptr && curve == Names::none) {
       if (!foreign_function(name.text).empty())
         return fail(Reason::undefined, name.place, "%", {foreign_function(name.text)});
       std::string known;
       for (const Function& f : functions) known.append(known.empty() ? "" : ", ").append(f.name);
       return fail(Reason::undefined, name.place,
-                  "There is no function '%'; there are %, and what #curve lines above define.", {name.text, known});
+                  "There is no function '%'; there are %, and what lines above define by #curve or #define f(x).",
+                  {name.text, known});
     }
     at_ += 2;
     Node node{Node::Kind::operation, Op::curve, 1, 0, name.text, name.place, curve};
     if (function != nullptr)
       node = {Node::Kind::operation, function->op, function->arguments, 0, function->name, name.place};
     return push({Waiting::Kind::call, 0, node});
+  }
+
+  bool begin_macro(const Token& name, std::uint32_t macro) {
+    at_ += 2;
+    const auto arguments = static_cast<std::uint32_t>(macros_.all[macro].formals.size());
+    Waiting call{Waiting::Kind::call, 0, {Node::Kind::operation, Op::add, arguments, 0, name.text, name.place}};
+    call.macro = macro;
+    call.begins.push_back(expression_.nodes.size());
+    return push(call);
+  }
+
+  // Puts a macro's body in the place of its arguments, which are the last nodes of the expression.
+  bool replace(const Waiting& call) {
+    const Macro& macro = macros_.all[call.macro];
+    std::vector<Node>& nodes = expression_.nodes;
+    const std::vector<Node> given(nodes.begin() + static_cast<std::ptrdiff_t>(call.begins[0]), nodes.end());
+    nodes.resize(call.begins[0]);
+    for (const Node& node : macro.body.nodes) {
+      std::size_t formal = macro.formals.size();
+      if (node.kind == Node::Kind::name)
+        for (formal = 0; formal < macro.formals.size() && macro.formals[formal].name != node.name;) ++formal;
+      if (formal == macro.formals.size()) {
+        put(node);
+        ++macros_.nodes;
+      } else {
+        const std::size_t begin = call.begins[formal] - call.begins[0];
+        const std::size_t end =
+            formal + 1 < call.begins.size() ? call.begins[formal + 1] - call.begins[0] : given.size();
+        nodes.insert(nodes.end(), given.begin() + static_cast<std::ptrdiff_t>(begin),
+                     given.begin() + static_cast<std::ptrdiff_t>(end));
+        macros_.nodes += end - begin;
+      }
+      if (macros_.nodes > Macros::most_nodes)
+        return fail(Reason::limit, call.node.place,
+                    "The calls of #define functions come to more than 100,000 operations; call fewer within each "
+                    "other.");
+    }
+    return true;
   }
 
   bool next_operator() {
@@ -233,6 +275,7 @@ class Parser {
           Reason::syntax, group.node.place, "% takes %%%.",
           {group.node.name, std::to_string(group.node.arguments),
            group.node.arguments == 1 ? " argument, not " : " arguments, not ", std::to_string(group.arguments)});
+    if (group.macro != Names::none) return replace(group);
     if (group.kind != Waiting::Kind::parenthesis) put(group.node);
     return true;
   }
@@ -242,6 +285,7 @@ class Parser {
     if (waiting_.empty() || waiting_.back().kind != Waiting::Kind::call)
       return fail(Reason::syntax, comma.place, "A comma can only stand between the arguments of a function here.");
     ++waiting_.back().arguments;
+    if (waiting_.back().macro != Names::none) waiting_.back().begins.push_back(expression_.nodes.size());
     ++at_;
     wants_operand_ = true;
     return true;
@@ -253,6 +297,7 @@ class Parser {
   std::size_t at_;
   std::size_t end_;
   const Names& curves_;
+  Macros& macros_;
   bool wants_operand_ = true;
   bool done_ = false;
   std::size_t groups_ = 0;
@@ -273,8 +318,8 @@ Place place_of(std::span<const Token> tokens, std::size_t at, std::size_t end) {
 }
 
 Result<Expression> parse_expression(std::span<const Token> tokens, std::size_t& at, std::size_t end,
-                                    const Names& curves) {
-  Parser parser(tokens, at, end, curves);
+                                    const Names& curves, Macros& macros) {
+  Parser parser(tokens, at, end, curves, macros);
   Result<Expression> expression = parser.run();
   at = parser.at();
   return expression;

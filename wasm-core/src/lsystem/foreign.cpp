@@ -40,7 +40,7 @@ constexpr Entry directives[] = {
      "There is no #include; put everything into one text, parts of their own as Lsystem: name … endlsystem."},
 };
 
-constexpr Entry signs[] = {{"_", wider}};
+constexpr Entry signs[] = {{"_", wider}, {"°", "Angles are in degrees here; leave the ° out."}};
 
 constexpr Entry modules[] = {
     {"=", "An arrow is written -->; an = stands in a condition or a block, A(x) : x = 1 --> B."},

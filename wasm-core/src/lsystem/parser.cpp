@@ -32,6 +32,7 @@ class GrammarParser : public ProductionReader {
   }
 
   Result<Grammar> run() {
+    join_lines();
     if (!find_systems()) return trouble_;
     while (at_ < tokens_.size())
       if (!statement()) return trouble_;
@@ -95,7 +96,8 @@ class GrammarParser : public ProductionReader {
   bool begins_statement(std::size_t at) {
     return is_directive(at) || is_axiom(at) || is_length(at) || is_depth(at) || is_sight(at) || is_section(at) ||
            is_system(at) || setting_line(at) != nullptr || is_foreign_line(at) || is_unknown_line(at) ||
-           foreign_arrow(at) != 0 || (tokens_[at].is('#') && is_comment(at)) || arrow_of_line(at) < end_of_line(at);
+           foreign_arrow(at) != none || is_assignment(at) || (tokens_[at].is('#') && is_comment(at)) ||
+           arrow_of_line(at) < end_of_line(at);
   }
 
   // `#define` and the like; a # of the turtle stands apart from what follows.
@@ -160,16 +162,62 @@ class GrammarParser : public ProductionReader {
     }
   }
 
-  // Where `->`, `=>`, `:=` or `-.33->` stands in a line without an arrow; 0 where neither does.
+  // `n = 5`, which no string of modules goes on with.
+  bool is_assignment(std::size_t at) const {
+    const std::size_t end = end_of_line(at), value = at + 2 + (at + 2 < end && tokens_[at + 2].is('-'));
+    return tokens_[at].kind == TokenKind::name && value < end && tokens_[at + 1].is('=') &&
+           tokens_[value].kind == TokenKind::number && arrow_of_line(at) == end;
+  }
+
+  // Where `->`, `=>`, `:=` or `-.33->` stands in a line without an arrow; `none` where neither does.
   std::size_t foreign_arrow(std::size_t at) const {
     const std::size_t end = end_of_line(at);
-    if (arrow_of_line(at) < end) return 0;
-    for (++at; at + 1 < end; ++at) {
+    if (arrow_of_line(at) < end) return none;
+    for (; at + 1 < end; ++at) {
       const bool drawn = (tokens_[at].is('-') || tokens_[at].is('=')) && tokens_[at + 1].is('>');
       if ((drawn || (tokens_[at].is(':') && tokens_[at + 1].is('='))) && touching(tokens_[at], tokens_[at + 1]))
         return at;
     }
-    return 0;
+    return none;
+  }
+
+  // A \ at the end of a line joins it with the next. In a string of modules it is a roll as well: there it joins lines
+  // only under cpfg's turtle, and where the next line begins no statement.
+  void join_lines() {
+    std::size_t last = 0;
+    while (last + 1 < tokens_.size() && !ends_line_in_backslash(last)) ++last;
+    if (last + 1 >= tokens_.size()) return;
+    std::vector<Token> joined;
+    const bool cpfg = is_cpfg();
+    bool among = false;  // modules, where a line begins
+    for (std::size_t at = 0; at < tokens_.size();) {
+      if (begins_statement(at)) among = is_axiom(at);
+      std::size_t open = 0;
+      const std::size_t axiom = is_axiom(at) ? at + 1 : none, line = joined.size();
+      for (bool whole = false; !whole;) {
+        const std::size_t end = end_of_line(at);
+        const std::size_t begin = joined.size();
+        for (; at < end; ++at) {
+          if (tokens_[at].kind == TokenKind::arrow) among = true, open = 0;
+          if (tokens_[at].is(':')) among = at == axiom;
+          if (tokens_[at].is('(')) ++open;
+          if (tokens_[at].is(')') && open > 0) --open;
+          joined.push_back(tokens_[at]);
+        }
+        joined[begin].first_on_line = begin == line;
+        whole = !ends_line_in_backslash(end - 1);
+        if (!whole && among && open == 0 && !begins_with_arrow(end)) whole = !cpfg || begins_statement(end);
+        if (!whole) joined.pop_back();
+      }
+    }
+    joined_ = std::move(joined);
+    tokens_ = joined_;
+    strung_known_ = false;
+    strung_ = {};
+  }
+
+  bool ends_line_in_backslash(std::size_t at) const {
+    return tokens_[at].is('\\') && at + 1 < tokens_.size() && tokens_[at + 1].first_on_line;
   }
 
   // `// words`, or `# words` of which the first is no directive.
@@ -208,6 +256,7 @@ class GrammarParser : public ProductionReader {
   bool statement() {
     const std::size_t begin = at_;
     end_ = end_of_line(begin);
+    if (begins_with_arrow(end_) && arrow_of_line(begin) == end_) return arrow_alone(end_);
     if (is_directive(begin)) return directive();
     if (is_length(begin)) return length();
     if (is_depth(begin)) return depth();
@@ -219,7 +268,15 @@ class GrammarParser : public ProductionReader {
     const bool production = arrow_ < end_;
     if (!production && !is_axiom(begin)) return no_statement(begin);
     while (end_ < tokens_.size() && !begins_statement(end_)) end_ = end_of_line(end_);
+    if (begins_with_arrow(end_)) return arrow_alone(end_);
     return production ? this->production(purpose_) : axiom();
+  }
+
+  bool begins_with_arrow(std::size_t at) const { return at < tokens_.size() && tokens_[at].kind == TokenKind::arrow; }
+
+  bool arrow_alone(std::size_t at) {
+    return wrong(tokens_[at].place,
+                 "An arrow stands on the line of its predecessor; move --> to the end of the line before.");
   }
 
   bool no_statement(std::size_t begin) {
@@ -227,8 +284,15 @@ class GrammarParser : public ProductionReader {
     if (is_foreign_line(begin)) return wrong(place, "%", {foreign_statement(tokens_[begin].text)});
     if (is_unknown_line(begin) && !foreign_label(tokens_[begin].text).empty())
       return wrong(place, "%", {foreign_label(tokens_[begin].text)});
-    if (const std::size_t arrow = foreign_arrow(begin)) {
-      if (tokens_[arrow - 1].kind != TokenKind::number) return wrong(tokens_[arrow].place, "An arrow is written -->.");
+    if (is_assignment(begin)) {
+      const std::string_view name = tokens_[begin].text;
+      if (!foreign_statement(name).empty()) return wrong(place, "%", {foreign_statement(name)});
+      if (!foreign_label(name).empty()) return wrong(place, "%", {foreign_label(name)});
+      return wrong(place, "A constant is written #define % and its value, without =.", {name});
+    }
+    if (const std::size_t arrow = foreign_arrow(begin); arrow != none) {
+      if (arrow == begin || tokens_[arrow - 1].kind != TokenKind::number)
+        return wrong(tokens_[arrow].place, "An arrow is written -->.");
       return wrong(tokens_[arrow - 1].place, "A weight stands behind the successor and a colon here: A --> B : %.",
                    {tokens_[arrow - 1].text});
     }
@@ -294,11 +358,12 @@ class GrammarParser : public ProductionReader {
     definition.place = tokens_[at_].place;
     ++at_;
     if (!new_name({definition.name, definition.place})) return false;
-    // A number in the parentheses is no parameter: `f(2)*3` is 6.
+    // A number in the parentheses is no formal: `f(2)*3` is 6. Nor is a name with nothing behind: `f(x)` is x.
     if (on_sign('(') && touching(tokens_[at_ - 1], tokens_[at_]) && at_ + 2 < end_ &&
         tokens_[at_ + 1].kind == TokenKind::name &&
         (tokens_[at_ + 2].is(',') || (tokens_[at_ + 2].is(')') && at_ + 3 < end_)))
-      return wrong(here(), "A #define has no parameters; write the expression where it is used, or a #curve.");
+      return input ? wrong(here(), "Nothing may follow the name of an input, but here is '%'.", {found()})
+                   : macro(definition.name, definition.place);
     if (on_sign('[')) {
       ++at_;
       if (!expect(']', "An array is declared as #input name[], with nothing between the brackets.")) return false;
@@ -312,6 +377,23 @@ class GrammarParser : public ProductionReader {
       return false;
     }
     grammar_.definitions.push_back(std::move(definition));
+    return true;
+  }
+
+  // `#define name(formals) body`.
+  bool macro(std::string_view name, const Place& place) {
+    Macro macro;
+    for (const Function& function : functions)
+      if (function.name == name)
+        return wrong(place, "There is a function % already; give this one another name.", {name});
+    if (!formals(macro.formals)) return false;
+    for (std::size_t i = 1; i < macro.formals.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (macro.formals[k].name == macro.formals[i].name)
+          return wrong(macro.formals[i].place, "The parameter '%' stands here twice.", {macro.formals[i].name});
+    if (!expression_to(end_, macro.body)) return false;
+    macros_.names.add(name);
+    macros_.all.push_back(std::move(macro));
     return true;
   }
 
@@ -451,7 +533,17 @@ class GrammarParser : public ProductionReader {
     return !grammar_.axiom.empty() || wrong(place, "The axiom needs at least one module, such as A(1).");
   }
 
-  Names defined_;  // in the order of the text
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  bool is_cpfg() const {
+    for (std::size_t i = 0; i + 2 < tokens_.size(); ++i)
+      if (tokens_[i].first_on_line && tokens_[i].is('#') && tokens_[i + 1].is("turtle"))
+        return tokens_[i + 2].is("cpfg");
+    return grammar_.notation == Notation::cpfg;
+  }
+
+  std::vector<Token> joined_;  // where lines are joined
+  Names defined_;              // in the order of the text
   std::vector<Place> places_;
   Names strung_;  // of modules, once asked for
   bool strung_known_ = false;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lsystem/names.hpp"
+#include "lsystem/production_remarks.hpp"
 #include "lsystem/program.hpp"
 
 namespace panicle::lsystem {
@@ -185,7 +186,14 @@ Names declared_by(const Program& program) {
 
 }  // namespace
 
-std::vector<Remark> remarks_on(const Grammar& grammar) { return Reader(grammar).run(); }
+std::vector<Remark> remarks_on(const Grammar& grammar) {
+  std::vector<Remark> all = Reader(grammar).run();
+  for (Remark& remark : remarks_on_productions(grammar)) all.push_back(std::move(remark));
+  std::stable_sort(all.begin(), all.end(), [](const Remark& one, const Remark& other) {
+    return one.line < other.line || (one.line == other.line && one.column < other.column);
+  });
+  return all;
+}
 
 std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scalar> asked,
                             std::optional<std::uint32_t> steps) {

@@ -45,7 +45,7 @@ std::size_t TokenReader::arrow_of_line(std::size_t at) const {
 }
 
 bool TokenReader::expression_before(std::size_t end, Expression& expression) {
-  Result<Expression> result = parse_expression(tokens_, at_, end, curves_);
+  Result<Expression> result = parse_expression(tokens_, at_, end, curves_, macros_);
   if (!result) {
     trouble_ = result.error();
     return false;

@@ -54,6 +54,7 @@ class TokenReader {
   std::size_t arrow_ = 0;     // of the production
   std::uint32_t system_ = 0;  // the L-system that is read
   Names curves_;              // in the order of the text
+  Macros macros_;             // likewise
   Names systems_;             // that the text has somewhere
   Grammar grammar_;
   Diagnostic trouble_;

@@ -68,6 +68,15 @@ describe("constants", () => {
 		expect([...outlineOf("#define x 2*y\n#input m[]").names.keys()]).toEqual(["x", "m"]);
 	});
 
+	it("are no functions, whose bodies have no value that could be another", () => {
+		const text = "#define f(x) 2*x\n#define g(x, y) 3\n#define h(x)\n#define k (2)\naxiom: A";
+		const { constants, definitions, names } = outlineOf(text);
+		expect(definitions.map(({ name }) => name)).toEqual(["h", "k"]);
+		expect(constants).toEqual([]);
+		expect(names.get("f")).toBe("#define f(x) 2*x");
+		expect(withConstants(text, { f: 7, g: 8 })).toBe(text);
+	});
+
 	it("and what is worked out have places in the text, not lists, nor comments and modules", () => {
 		const text =
 			"#define x 2*y /* z */\n/*\n#define x 7\n*/\n#define w (1 +\n 2)\n#define l[] 1, 2\n#define e\n#module M\n#define m 1";

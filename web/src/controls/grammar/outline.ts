@@ -133,8 +133,19 @@ function* byStatement(pieces: readonly Piece[]): Iterable<Piece[]> {
 /** Lists and volumes have no value that could be another. */
 function definitionIn([, name, ...rest]: readonly Piece[]): Definition[] {
 	const body = rest.filter(({ kind, text }, index) => kind !== "comment" && !(index === 0 && text === "="));
-	if (name.kind !== "name" || body.length === 0 || body[0].text === "[") return [];
+	if (name.kind !== "name" || body.length === 0 || body[0].text === "[" || isFunction(name, body)) return [];
 	return [{ name: name.text, from: body[0].from, to: body[body.length - 1].to }];
+}
+
+/** `f(x) x*2`, whose parameters touch its name; `f(x)` alone is a value. */
+function isFunction(name: Piece, [open, first, next, ...rest]: readonly Piece[]): boolean {
+	const named = first?.kind === "name" || first?.kind === "function";
+	return (
+		open.text === "(" &&
+		open.from === name.to &&
+		named &&
+		(next?.text === "," || (next?.text === ")" && rest.length > 0))
+	);
 }
 
 function constantIn(line: readonly Piece[]): Constant[] {
