@@ -106,6 +106,21 @@ test("strings, parents and children of the algae are those worked out by hand, a
 	await expect(studio.text.locator(".cm-fires")).toHaveCount(0);
 });
 
+test("a module lists the productions that do not rewrite it, and why; each leads to its line", async ({ page }) => {
+	const text = "axiom: A(3) [ B ]\nA(x) : x>4 --> F\nA(x) > B --> F\nA(x) --> F(x) A(x+1)\n";
+	const studio = await new StepperPage(page).steps("?v=2&model=grammar", text);
+	await studio.step.fill("0");
+	await studio.modules.first().click();
+	const others = studio.told.getByRole("list", { name: "Productions that do not apply" });
+	await expect(others.getByRole("listitem")).toHaveText([
+		"Not line 2: its condition is false with x = 3.",
+		"Not line 3: the B behind it stands in a branch; to look into it write > [ B ].",
+	]);
+	await expect(studio.told).toContainText("Rewritten next by line 4 with x = 3");
+	await others.getByRole("button", { name: "line 3" }).click();
+	await expect(studio.text).toBeFocused();
+});
+
 test("the modules of the production at the cursor are marked", { tag: "@long" }, async ({ page }) => {
 	const studio = await new StepperPage(page).steps(ALGAE);
 	await studio.step.fill("4");

@@ -40,6 +40,7 @@ void Chronicle::begins(const String& string) {
 }
 
 void Chronicle::ends(const String& string) {
+  find_refusals();  // the string is the one before where nothing was rewritten
   copied_until(counts_.back());
   for (; border_ < borders_.size(); ++border_) borders_[border_] = new_;
   counts_.push_back(static_cast<std::uint32_t>(string.modules));
@@ -53,6 +54,16 @@ void Chronicle::begin_step(const String& string) {
   string_ = &string;
   word_ = index_ = old_ = new_ = 0;
   border_ = 0;
+  answered_ = false;
+}
+
+// Why productions do not rewrite the window's modules, before anything has.
+void Chronicle::find_refusals() {
+  if (!tells_this() || std::exchange(refused_, true)) return;
+  std::optional<std::uint32_t> step;
+  if (by_steps_) step = asked_.step;
+  Refusals refusals(*bound_, seed_, limits_, space_, *string_, step, answered_);
+  for (std::size_t i = 0; i < modules_.size(); ++i) modules_[i].refusals = refusals.of(words_[i]);
 }
 
 std::uint32_t Chronicle::index_of(std::uint64_t word) {
@@ -69,6 +80,7 @@ ToldModule* Chronicle::find_told(std::uint32_t index) {
 void Chronicle::rewrites(std::uint64_t at) {
   if (string_ == nullptr) return;
   rewriting_ = index_of(at);
+  if (drawing_ == nullptr) find_refusals();
   if (drawing_ == nullptr) copied_until(rewriting_);
   parts_.clear();
 }
@@ -91,6 +103,7 @@ void Chronicle::rewritten(std::uint64_t modules) {
 }
 
 void Chronicle::removes(std::uint64_t at, std::uint64_t modules) {
+  find_refusals();
   copied_until(index_of(at));
   change(static_cast<std::uint32_t>(modules), 0);
 }
@@ -165,6 +178,7 @@ void Chronicle::asks() {
 }
 
 void Chronicle::answered() {
+  answered_ = true;
   for (std::size_t i = 0; i < questions_.size(); ++i) {
     const std::uint32_t* const module = string_->begin() + words_[i];
     if (symbol_of(*module) != ask_symbol) continue;
@@ -172,10 +186,14 @@ void Chronicle::answered() {
   }
 }
 
-void Chronicle::finish(std::uint32_t steps, const Diagnostic& stopped) {
+void Chronicle::finish(std::uint32_t steps, const Diagnostic& stopped, const String& last) {
   stopped_ = stopped;
-  string_ = nullptr;
   counts_.resize(std::min<std::size_t>(counts_.size(), steps + 1));
+  string_ = &last;
+  find_refusals();
+  string_ = nullptr;
+  bound_ = nullptr;
+  space_ = nullptr;
   // What of a step that never ended has been told.
   for (std::uint32_t i = 0; tells_this() && i < modules_.size(); ++i) {
     ToldModule& told = modules_[i];
@@ -214,13 +232,14 @@ void Chronicle::add_answer(std::uint32_t module, std::string_view answer) {
 Result<Chronicle> chronicle(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
                             const Limits& limits, const Surroundings& around, ChronicleAsked asked) {
   for (;;) {
-    Chronicle told(bound, asked);
+    const bool by_steps = steps || derivation_length(bound);
+    Chronicle told(bound, seed, limits, around.space, by_steps, asked);
     Surroundings watched = around;
     watched.watcher = &told;
     const auto derived = develop_so_far(bound, seed, steps, limits, watched);
     if (!derived) return derived.error();
     // Steps that rewrote nothing change nothing but what is answered.
-    told.finish(around.answers == nullptr ? derived->steps : told.steps(), derived->stopped);
+    told.finish(around.answers == nullptr ? derived->steps : told.steps(), derived->stopped, *derived->string);
     if (asked.step <= told.steps()) return told;
     asked.step = told.steps();
   }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lsystem/derivation.hpp"
+#include "lsystem/refusals.hpp"
 #include "lsystem/watcher.hpp"
 
 namespace panicle::lsystem {
@@ -39,6 +40,7 @@ struct ToldModule {
   std::uint32_t parent = none;       // of the step before
   Place production;                  // that wrote it in this step
   Place fires;                       // that rewrites it next
+  std::vector<Refusal> refusals;     // the other productions of its symbol
   std::string values;                // of its formals, then of what its blocks work out: `n=3 t=0.5`
   std::array<float, 3> chance = {};  // where it was drawn: the sum of all weights, its own, where in the sum it fell
   ModuleSpan children;               // in the next step
@@ -50,7 +52,17 @@ class Chronicle final : public Watcher {
  public:
   static constexpr std::size_t most_rewritten = 4'000'000;  // in all steps, for ancestors to be found
 
-  Chronicle(const Bound& bound, const ChronicleAsked& asked) : program_(bound.program), asked_(asked) {}
+  // Of a derivation that has these; `bound` and the space must last until `finish`. `by_steps`: whether each step draws
+  // anew (Derivation::Chance).
+  Chronicle(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space, bool by_steps,
+            const ChronicleAsked& asked)
+      : program_(bound.program),
+        bound_(&bound),
+        seed_(seed),
+        limits_(limits),
+        space_(space),
+        by_steps_(by_steps),
+        asked_(asked) {}
 
   // The step that is told, and the first module of the window.
   std::uint32_t step() const { return asked_.step; }
@@ -65,9 +77,9 @@ class Chronicle final : public Watcher {
   // What cut the derivation short: a limit.
   const Diagnostic& stopped() const { return stopped_; }
 
-  // The derivation is over, and nothing more is heard: its strings are gone. Of `steps` steps, where more were taken
-  // and did nothing.
-  void finish(std::uint32_t steps, const Diagnostic& stopped);
+  // The derivation is over, and nothing more is heard: its strings are gone but the last. Of `steps` steps, where more
+  // were taken and did nothing.
+  void finish(std::uint32_t steps, const Diagnostic& stopped, const String& last);
   // From now on it watches how the last string is drawn, and tells which production answers a ?E in place.
   void watch_drawing(std::shared_ptr<const String> last);
   // Whether the window has this module of the last string, which is being drawn.
@@ -96,6 +108,7 @@ class Chronicle final : public Watcher {
   bool tells_next() const { return steps() + 1 == asked_.step; }
   ToldModule* find_told(std::uint32_t index);
   void begin_step(const String& string);
+  void find_refusals();
   std::uint32_t index_of(std::uint64_t word);
   void copied_until(std::uint32_t index);
   void change(std::uint32_t removed, std::uint32_t written);
@@ -105,6 +118,11 @@ class Chronicle final : public Watcher {
   std::uint32_t ancestor_of(std::uint32_t module, std::uint32_t step) const;
 
   std::shared_ptr<const Program> program_;
+  const Bound* bound_;  // null once it is finished
+  std::uint64_t seed_;
+  Limits limits_;
+  const Space* space_;
+  bool by_steps_;
   ChronicleAsked asked_;
   std::vector<std::uint32_t> counts_;
   std::vector<ToldModule> modules_;
@@ -118,6 +136,8 @@ class Chronicle final : public Watcher {
   std::uint32_t old_ = 0, new_ = 0;  // modules of the string before and after that this step has told of
   std::uint32_t rewriting_ = 0;      // the module
   const Production* production_ = nullptr;
+  bool answered_ = false;  // ?E, since the step before
+  bool refused_ = false;   // whether the window has its refusals
   std::vector<const Production*> parts_;
   std::vector<ToldModule> written_;           // of the window, what is known before its string is there
   std::vector<std::uint64_t> words_;          // where the window's modules stand

@@ -31,6 +31,19 @@ const Production* Machine::choose_by_chance(const Rules& rules, std::uint32_t co
   return production;
 }
 
+Machine::Obstacle Machine::obstacle_of(const Production& production, const std::uint32_t* module) {
+  if (production.arity != parameters_of(*module)) return Obstacle::parameters;
+  load(module);
+  const bool sees_it = !production.in_context || (may_fit(production) && (!production.looks_on || sees(production)));
+  if (!sees_it || !spend(production.cost)) return Obstacle::context;
+  if (!production.condition.given) return Obstacle::none;
+  const std::uint64_t address = sources_.address;
+  if (stepping_ && rules_[symbol_of(*module)].by_chance) sources_.address = hash_combine(address, step_);
+  const bool holds = evaluate(production.condition.code) && registers_[production.condition.source] != 0;
+  sources_.address = address;
+  return holds ? Obstacle::none : Obstacle::condition;
+}
+
 bool Machine::waits_for_chance(std::uint32_t header) const {
   const Range range = rules_[symbol_of(header)].productions;
   return std::any_of(productions_ + range.begin, productions_ + range.end, [&](const Production& production) {

@@ -22,14 +22,17 @@ class Machine {
   const Production* choose(const std::uint32_t* module) { return choose(module, rules_); }
   // The same among those of another purpose: `by_symbol` are their rules.
   const Production* choose(const std::uint32_t* module, const Rules* by_symbol) {
-    const std::uint32_t header = *module;
-    const Rules& rules = by_symbol[symbol_of(header)];
-    const std::uint32_t count = parameters_of(header);
-    for (std::uint32_t i = 0; i < count; i += block) std::memcpy(registers_ + i, module + 1 + i, block * sizeof(float));
-    if (has_lineage(header)) sources_.address = origin_of(module).address;
+    const Rules& rules = by_symbol[symbol_of(*module)];
+    const std::uint32_t count = parameters_of(*module);
+    load(module);
     if (rules.by_chance) return choose_by_chance(rules, count);
     return first_that_matches(rules, count);
   }
+
+  // What keeps a production of derivation from matching a module, be it that another one comes first. For tools: it
+  // costs what choosing does. Meaningless when `failed()`.
+  enum class Obstacle : std::uint8_t { none, parameters, context, condition };
+  Obstacle obstacle_of(const Production& production, const std::uint32_t* module);
 
   // Writes a successor to `to`, where it has room in whole blocks. `parent` is the origin of the module that
   // `choose` looked at last, `symbol` its symbol. False: `trouble()`.
@@ -97,6 +100,11 @@ class Machine {
   static Diagnostic refusal(const Program& program, const Patch& patch, float value);
 
  private:
+  void load(const std::uint32_t* module) {
+    const std::uint32_t count = parameters_of(*module);
+    for (std::uint32_t i = 0; i < count; i += block) std::memcpy(registers_ + i, module + 1 + i, block * sizeof(float));
+    if (has_lineage(*module)) sources_.address = origin_of(module).address;
+  }
   bool matches(const Production& production, std::uint32_t count) {
     if (production.arity != count || (production.in_context && !may_fit(production))) return false;
     if (!spend(production.cost) || (production.looks_on && !sees(production))) return false;

@@ -24,6 +24,11 @@ class Neighbourhood {
   // on the way.
   void go_to(std::uint64_t at, std::uint64_t& looked);
 
+  // Of what stands right before and behind the module, its symbol and how many parameters (`Neighbour::kind`);
+  // `Neighbour::any` where nothing does.
+  std::uint32_t left() const { return left_; }
+  std::uint32_t right() const { return right_; }
+
   // Whether what stands right beside the module is what a production wants there: most productions are out by that.
   bool may_fit(const Production& production) const {
     return (production.nearest_left == Neighbour::any || production.nearest_left == left_) &&

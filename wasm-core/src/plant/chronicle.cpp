@@ -19,6 +19,20 @@ std::string lines_of(const std::vector<ToldModule>& modules, std::string ToldMod
   return all;
 }
 
+// `3:1 its condition is false`, with tabs between several.
+std::string refusals_of(const std::vector<ToldModule>& modules) {
+  std::string all;
+  for (const ToldModule& told : modules) {
+    if (&told != modules.data()) all += '\n';
+    for (const lsystem::Refusal& refusal : told.refusals) {
+      if (&refusal != told.refusals.data()) all += '\t';
+      all += std::to_string(refusal.production.line) + ':' + std::to_string(refusal.production.column) + ' ';
+      all += refusal.why;
+    }
+  }
+  return all;
+}
+
 Words pairs_of(const std::vector<ToldModule>& modules, lsystem::Place ToldModule::* place) {
   return column_of<std::uint32_t>(modules, 2, [place](const ToldModule& told, std::uint32_t* at) {
     at[0] = (told.*place).line;
@@ -67,6 +81,7 @@ void add_chronicle(Plant& plant, const lsystem::Chronicle& chronicle) {
               }));
   columns.add("chronicle.production", pairs_of(modules, &ToldModule::production), 2);
   columns.add("chronicle.fires", pairs_of(modules, &ToldModule::fires), 2);
+  columns.add("chronicle.refusals", refusals_of(modules));
   columns.add("chronicle.values", lines_of(modules, &ToldModule::values));
   columns.add(
       "chronicle.chance",

@@ -6,7 +6,7 @@
 export { CoreError, type CoreReason, CoreTrap, UnsupportedError } from "../core/errors";
 export type { OrganRecord, SegmentRecord, Vector } from "../export/json";
 export type { FileOptions } from "../export/plant_files";
-export type { Chance, Chronicle, ModuleAnswer, ModuleSpan, TextPlace, ToldModule } from "../plant/chronicle";
+export type { Chance, Chronicle, ModuleAnswer, ModuleSpan, Refusal, TextPlace, ToldModule } from "../plant/chronicle";
 export type { Colour } from "../plant/colour";
 export type { Material, Picture, Textures } from "../plant/material";
 export type { Extras, Instances, Part, PartMesh, Shape } from "../plant/part";

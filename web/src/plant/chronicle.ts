@@ -52,6 +52,13 @@ export interface ModuleAnswer {
 	readonly words?: string;
 }
 
+/** A production that does not rewrite a module, and why. */
+export interface Refusal {
+	readonly production: TextPlace;
+	/** "its condition is false with x = 3" */
+	readonly why: string;
+}
+
 /** A module of the window. */
 export interface ToldModule {
 	/** As the string has it: `B(29)`. */
@@ -62,6 +69,8 @@ export interface ToldModule {
 	readonly production?: TextPlace;
 	/** The production that rewrites it next; undefined where it stays, is cut, or there is no next step. */
 	readonly fires?: TextPlace;
+	/** The other productions of its symbol, in the order of the text; absent where there are none. */
+	readonly refusals?: readonly Refusal[];
 	/** What that production is used with, in its own order: parameters of predecessor and contexts, then what its blocks work out. */
 	readonly values: readonly { readonly name: string; readonly value: string }[];
 	/** Of a production with a weight that fires. */
@@ -108,7 +117,7 @@ export function readChronicle(columns: Columns): Chronicle | undefined {
 	const [step, first, count] = columns.words("chronicle.window");
 	const pairs = (name: string, index: number) => columns.words(`chronicle.${name}`).subarray(2 * index, 2 * index + 2);
 	const lines = (name: string) => columns.text(`chronicle.${name}`).split("\n");
-	const [texts, values, answers] = [lines("modules"), lines("values"), lines("answers")];
+	const [texts, values, answers, refused] = [lines("modules"), lines("values"), lines("answers"), lines("refusals")];
 	const parents = columns.words("chronicle.parent");
 	const chances = columns.floats("chronicle.chance");
 	const modules = Array.from({ length: count }, (_, index): ToldModule => {
@@ -116,11 +125,13 @@ export function readChronicle(columns: Columns): Chronicle | undefined {
 		const production = placeOf(pairs("production", index));
 		const fires = placeOf(pairs("fires", index));
 		const answer = answerOf(answers[index]);
+		const refusals = refusalsOf(refused[index]);
 		return {
 			text: texts[index],
 			...(parents[index] === NOT_DRAWN ? {} : { parent: parents[index] }),
 			...(production ? { production } : {}),
 			...(fires ? { fires } : {}),
+			...(refusals.length > 0 ? { refusals } : {}),
 			values: values[index].split(" ").filter(Boolean).map(assignment),
 			...(total > 0 ? { chance: { total, weight, drawn } } : {}),
 			children: spanOf(pairs("children", index)),
@@ -141,6 +152,18 @@ export function readChronicle(columns: Columns): Chronicle | undefined {
 
 function placeOf([line, column]: Uint32Array): TextPlace | undefined {
 	return line === 0 ? undefined : { line, column };
+}
+
+/** `3:1 its condition is false` of each, with tabs between. */
+function refusalsOf(line: string): Refusal[] {
+	return line
+		.split("\t")
+		.filter(Boolean)
+		.map((text) => {
+			const [place] = text.split(" ", 1);
+			const [row, column] = place.split(":").map(Number);
+			return { production: { line: row, column }, why: text.slice(place.length + 1) };
+		});
 }
 
 function spanOf([first, count]: Uint32Array): ModuleSpan {

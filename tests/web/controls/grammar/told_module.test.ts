@@ -69,6 +69,16 @@ describe("a module in words", () => {
 		expect(fateOf({ fires, children: one }, true)).toBe("The derivation ends here.");
 	});
 
+	it("lists the productions that do not rewrite it, and why", () => {
+		const refusals = [
+			{ production: { line: 3, column: 1 }, why: "its condition is false with n = 3" },
+			{ production: { line: 5, column: 1 }, why: "the production in line 9 comes first" },
+		];
+		expect(moduleInWords({ ...module, refusals }, false)).toMatch(
+			/It becomes 3 modules\. Not line 3: its condition is false with n = 3\. Not line 5: the production in line 9 comes first\.$/,
+		);
+	});
+
 	it("is one of a number, after a step of so many", () => {
 		expect([countInWords(1), countInWords(1240)]).toEqual(["1 module", "1,240 modules"]);
 		expect([stepInWords(0, 7), stepInWords(3, 7)]).toEqual(["Axiom", "Step 3 of 7"]);

@@ -57,6 +57,20 @@ describe("a derivation that a text's plant tells", () => {
 			last: { first: 0, count: 1 },
 		});
 		expect([...(told.trail ?? [])]).toEqual([0, 4, 9]);
+	});
+
+	it("has for each module the productions that do not rewrite it, and why", () => {
+		const [bud, twig] = tell("axiom: A(3) B\nA(n) : n>3 --> F\nA --> F\nA(n) --> F", { step: 0 }).modules;
+		expect(bud.refusals).toEqual([
+			{ production: { line: 2, column: 1 }, why: "its condition is false with n = 3" },
+			{ production: { line: 3, column: 1 }, why: "it is for no parameters, and the module has 1 parameter" },
+		]);
+		expect(bud.fires).toEqual({ line: 4, column: 1 });
+		expect(twig).not.toHaveProperty("refusals");
+	});
+
+	it("tells what drew the lines", () => {
+		const told = tell(TWIGS, { step: 1, module: 9 });
 		expect([...told.segments]).toEqual([0, 3, 10]);
 		const [axiom] = tell(TWIGS, { step: 0 }).modules;
 		expect(axiom.parent).toBeUndefined();

@@ -133,7 +133,7 @@ export class Stepper extends ControlElement<GrammarDesk> {
 			const hint = words || "Choose a module, here or in the view: its production, its values, where it came from.";
 			return html`<p class="told-hint">${hint} ${this.#next(derivation)}</p>`;
 		}
-		const { production, fires, answer, chance, parent, children } = module;
+		const { production, fires, answer, chance, parent, children, refusals } = module;
 		const line = ({ line, column }: TextPlace) =>
 			html`<button class="to-line" type="button" @click=${() => this.goTo({ line, column })}>line ${line}</button>`;
 		const walk = (words: string, arrow: string, press: () => void, off: boolean) =>
@@ -152,7 +152,14 @@ export class Stepper extends ControlElement<GrammarDesk> {
 			}
 			${production ? html`<p>Written by ${line(production)}.</p>` : nothing}
 			<p>${fires ? html`Rewritten ${step === last ? "where it is drawn" : "next"} by ${line(fires)}${values ? html` with <code>${values}</code>` : nothing}${chance ? html`, ${chanceInWords(chance)}` : nothing}. ` : nothing}
-				${fateOf(module, step === last)}${derivation.bare ? " It draws nothing." : nothing}</p>`;
+				${fateOf(module, step === last)}${derivation.bare ? " It draws nothing." : nothing}</p>
+			${
+				refusals
+					? html`<ul class="told-refusals" aria-label="Productions that do not apply">${refusals.map(
+							({ production, why }) => html`<li>Not ${line(production)}: ${why}.</li>`,
+						)}</ul>`
+					: nothing
+			}`;
 	}
 
 	/** The environment's words; modules that it names can be gone to. */

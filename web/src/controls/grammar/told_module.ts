@@ -50,9 +50,9 @@ export function fateOf(
 	return count === 1 ? "It becomes one module." : `It becomes ${count.toLocaleString("en-GB")} modules.`;
 }
 
-/** All of it in a sentence or two, for those who hear it. */
+/** All of it in a few sentences, for screen readers. */
 export function moduleInWords(module: ToldModule, isLast: boolean): string {
-	const { production, fires, answer, chance } = module;
+	const { production, fires, answer, chance, refusals = [] } = module;
 	const values = valuesInWords(module);
 	const used = values ? ` with ${values}` : "";
 	return [
@@ -62,6 +62,7 @@ export function moduleInWords(module: ToldModule, isLast: boolean): string {
 			: "",
 		answer ? `${answerInWords(answer)}.${answer.words ? ` ${toldInWords(answer.words)}.` : ""}` : "",
 		fateOf(module, isLast),
+		...refusals.map(({ production: { line }, why }) => `Not line ${line}: ${why}.`),
 	]
 		.filter(Boolean)
 		.join(" ");
