@@ -109,4 +109,40 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/models/for_text.ts",
+		suites: ["tests/web/models/for_text.test.ts"],
+		faults: [
+			{
+				id: "any-text-before-its-own-model",
+				find: "models.find(({ details }) => details.some(({ claims }) => claims?.(text))) ??",
+				replace: "models.find(({ details }) => details.some(({ claims, takesAny }) => takesAny || claims?.(text))) ??",
+				breaks: "a tree's grammar and a stand's plan are taken for L-systems",
+			},
+			{
+				id: "file-names-before-texts",
+				find: "const ending = /\\.\\w+$/.exec(fileName.toLowerCase())?.[0];",
+				replace: "const ending = undefined;",
+				breaks: "the ending of a file's name means nothing where the text has no sign of a model",
+			},
+		],
+	},
+	{
+		file: "web/src/specimen/text_file.ts",
+		suites: ["tests/web/models/for_text.test.ts"],
+		faults: [
+			{
+				id: "text-file-comment-ended-by-a-value",
+				find: '.replaceAll("*/", "*%2F")',
+				replace: "",
+				breaks: "a value in a file's first line ends its comment",
+			},
+			{
+				id: "text-file-keeps-its-first-line",
+				find: "text: file.slice(line.length)",
+				replace: "text: file",
+				breaks: "each time a text is opened and downloaded it has one more line",
+			},
+		],
+	},
 ];

@@ -24,6 +24,21 @@ describe("--grammar", () => {
 		expect((await grow(["grammar", "--grammar", "g.lsys"], files)).json.specimen.model).toBe("grammar");
 	});
 
+	it("grows a tree and a stand by their texts, and by files that the command wrote with their parameters", async () => {
+		const tree = 'gs = 4\ntree -> DivFunc("sigma1"){branches}\n';
+		const { json: plain } = await grow(["--grammar", "mine.growth"], { "mine.growth": tree });
+		expect(plain.specimen).toMatchObject({ model: "growth", preset: "figure-5", grammar: tree });
+		const asked = ["growth/birch", "--seed", "5", "--set", "steps=5"];
+		const { json: birch } = await grow(asked);
+		const { written } = await grow([...asked, "--out", "birch.growth"]);
+		const again = await grow(["--grammar", "birch.growth"], Object.fromEntries(written));
+		expect(again.json.specimen).toMatchObject({ model: "growth", preset: "birch", seed: 5 });
+		expect(again.json.fingerprint).toBe(birch.fingerprint);
+		const plan = "ground 20 x 20\nplants 3, blue\ngrowth/figure-5, crown 5 x 9\n";
+		const stand = await grow(["--grammar", "orchard.stand"], { "orchard.stand": plan });
+		expect(stand.json).toMatchObject({ specimen: { model: "stand", grammar: plan }, counts: { plants: 3 } });
+	});
+
 	it("takes the place of a bunch's own text, less its mark of order", async () => {
 		const text = "\ufeffaxiom: F(10)[+F(5)][-F(5)]\n";
 		const call = ["long-conical", "--grammar", "mine.lsys", "--set", "procedure=paper"];

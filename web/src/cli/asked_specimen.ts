@@ -5,7 +5,7 @@
 
 import { basename } from "node:path";
 import { type Read as Asked, linkIn, readSource as readPresetOrLink, readTyped, SpecimenError } from "../library/asked";
-import { modelForText, readText } from "../models/for_text";
+import { type ReadText, readText } from "../models/for_text";
 import { modelNamed } from "../models/index";
 import type { Model } from "../models/model";
 import { fromPreset } from "../specimen/from_preset";
@@ -30,8 +30,9 @@ export async function askedSpecimen(
 	{ readFile }: Pick<Surroundings, "readFile">,
 ): Promise<Asked & { textName: string }> {
 	const said = call.grammarFile === undefined ? undefined : await readGrammar(call.grammarFile, readFile);
-	const grammar = said === undefined ? undefined : await translated(said, call.grammarFile);
-	const { model, specimen: start, notes } = await readStart(call.source, grammar);
+	const read = said === undefined ? undefined : await readGrammarText(said, call.grammarFile ?? "");
+	const grammar = read?.text;
+	const { model, specimen: start, notes } = await readStart(call.source, read);
 	let specimen = start;
 	const seed = { seed: call.seed };
 	if (call.seed !== undefined) specimen = typed(model, seed, specimen, (note) => `--seed: ${note.problem}`);
@@ -62,10 +63,10 @@ export async function askedModel(source: string | undefined): Promise<Model> {
 	return modelNamed(link ? modelInQuery(link.query) : model);
 }
 
-/** What the call names; where it names nothing, the model that its text is for. */
-async function readStart(source: string | undefined, grammar: string | undefined): Promise<Asked> {
-	const model = source === undefined && grammar !== undefined ? await modelForText(grammar) : undefined;
-	return model ? { model, specimen: fromPreset(model), notes: [] } : readSource(source);
+/** What the call names; where it names nothing, the model that its text is for, with what the text's file says of it. */
+async function readStart(source: string | undefined, read: ReadText | undefined): Promise<Asked> {
+	const model = source === undefined ? read?.model : undefined;
+	return model ? { model, specimen: read?.specimen ?? fromPreset(model), notes: [] } : readSource(source);
 }
 
 async function readSource(source: string | undefined): Promise<Asked> {
@@ -179,12 +180,13 @@ async function readBoundary(
 	});
 }
 
-const BEGIN = "begin with “axiom: F”, a flower with “#define STEM(8,0,0,0,9,3,3,1)” and “#axiom: STEM”";
+const BEGIN =
+	"begin with “axiom: F”, a flower with “#define STEM(8,0,0,0,9,3,3,1)” and “#axiom: STEM”, a tree of growth with “tree -> DivFunc(…)”, a stand with “plants 100”";
 
-/** A text that is in another form than its model's grammars, as one of those. */
-async function translated(said: string, file: string | undefined): Promise<string> {
+/** A text and the model that it is for; one that is in another form than its model's grammars, as one of those. */
+async function readGrammarText(said: string, file: string): Promise<ReadText> {
 	try {
-		return (await readText(said)).text;
+		return await readText(said, file);
 	} catch (error) {
 		if (error instanceof TextError) throw new UsageError(`--grammar ${file}: ${error.message}`);
 		throw error;

@@ -58,8 +58,8 @@ ${
                    ${wrapped(asked)}
 `
 		: ""
-}  --grammar FILE   grammar text in place of the preset's; without a preset, it says by its roles
-                   which model it is for, or any text's
+}  --grammar FILE   grammar text in place of the preset's; without a preset, the text decides
+                   which model grows, and where it has no sign of any, the file's ending
   --string         the JSON has the derived string, of plants that any text grows
   --chronicle STEP the JSON tells of that step of the derivation: which production fired
                    where and with what values; STEP,FIRST,COUNT of so many modules from one on

@@ -12,11 +12,11 @@ export interface WithGrammar {
 
 const BUILT_IN = "the built-in grammar is used";
 
-/** @param claims whether a text that names no model is for this one; absent: none is */
-export function grammarText<S extends Specimen & WithGrammar>(claims?: (text: string) => boolean): Detail<S> {
+/** @param claims whether a text that names no model is for this one; "any": each that no other model claims; absent: none is */
+export function grammarText<S extends Specimen & WithGrammar>(claims?: ((text: string) => boolean) | "any"): Detail<S> {
 	return {
 		keys: ["grammar"],
-		...(claims ? { claims } : {}),
+		...(claims === "any" ? { takesAny: true } : claims ? { claims } : {}),
 		read: (specimen, _, value, notes) => readGrammar(specimen, value, notes),
 		packed: {
 			link: "g",

@@ -32,8 +32,10 @@ export interface Detail<S extends Specimen = Specimen> {
 		specimen: S,
 		asked?: readonly string[],
 	): Promise<{ readonly name: string; readonly problem: string } | undefined>;
-	/** Whether a grammar's text that came without a model's name is for this one; the first model that says so has it. */
+	/** Whether a grammar's text that came without a model's name is for this one: no other model's text is claimed. */
 	claims?(text: string): boolean;
+	/** Whether it takes the texts that no model claims. */
+	readonly takesAny?: true;
 	/** Once everything has been read: makes what was read fit together, and notes what did not. */
 	agree?(specimen: S, notes: Notes): void;
 	/** What a link's query says of it, in order; nothing where it is as in the preset. */

@@ -17,6 +17,5 @@ export const GRAMMAR: Species<GrammarSpecimen> = {
 	name: "grammar",
 	table: GRAMMAR_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	// Any text that no other model has claimed.
-	details: [steps, constantValues<GrammarSpecimen>(definedNames), areas, path, grammarText(() => true)],
+	details: [steps, constantValues<GrammarSpecimen>(definedNames), areas, path, grammarText("any")],
 };

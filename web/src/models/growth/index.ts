@@ -1,6 +1,7 @@
 /** Trees by divisor functions (Kim, Kim and Cho 2013): docs/models/growth/growth.md. */
 import { titledBy } from "../../specimen/preset_texts";
 import type { Model } from "../model";
+import { GROWTH_FORMATS } from "./formats";
 import { fetchLeafOf, type GrowthPlant, readGrowthPlant } from "./growth_plant";
 import { growthLevels } from "./levels";
 import { growthParts } from "./parts";
@@ -28,5 +29,6 @@ export const model = {
 	titled: titledBy("A growth grammar of one’s own", fetchedText),
 	words: growthInWords,
 	record: growthRecord,
+	formats: GROWTH_FORMATS,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<GrowthSpecimen, GrowthPlant>;

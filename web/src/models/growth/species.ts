@@ -10,12 +10,13 @@ import { GROWTH_TABLE } from "./table";
 /** The preset a link without `preset` means. */
 export const DEFAULT_PRESET = "figure-5";
 
-/** What begins a line of a growth grammar, and of no L-system. */
+/** What begins a line of a growth grammar: an L-system may call a symbol so, but has an axiom. */
 const OWN = /^[ \t]*(?:footprint|tree)[ \t]*(?:-->|->|→)/m;
+const AXIOM = /^[ \t]*axiom[ \t]*:/im;
 
 export const GROWTH: Species<GrowthSpecimen> = {
 	name: "growth",
 	table: GROWTH_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [grammarText((text) => OWN.test(text)), surroundingsDetail()],
+	details: [grammarText((text) => OWN.test(text) && !AXIOM.test(text)), surroundingsDetail()],
 };

@@ -1,5 +1,6 @@
 /** Stands of many plants over a ground: docs/models/stand/stand.md. */
 import { titledBy } from "../../specimen/preset_texts";
+import { writeTextFile } from "../../specimen/text_file";
 import type { Model } from "../model";
 import { fetchSoil } from "./fetched_soil";
 import { standMembers } from "./members";
@@ -41,6 +42,17 @@ export const model = {
 			suffix: "-plants.csv",
 			type: "text/csv",
 			make: async (grown, specimen) => placementsCsv(grown, specimen),
+		},
+		{
+			key: "stand",
+			title: "Plan",
+			about: "The text it grows from, with its parameters in the first line: opens here again",
+			suffix: ".stand",
+			type: "text/plain",
+			make: async (_, specimen) => {
+				if (specimen.grammar === undefined) await fetchTexts();
+				return writeTextFile(STAND, specimen, fetchedText(specimen) ?? "");
+			},
 		},
 	],
 	figure: async () => {

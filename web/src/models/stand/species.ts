@@ -9,12 +9,13 @@ import { STAND_TABLE } from "./table";
 /** The preset a link without `preset` means. */
 export const DEFAULT_PRESET = "ecosystem-500";
 
-/** What begins a line of a plan, and of no grammar. */
+/** What begins a line of a plan: an L-system may call a symbol so, but has an axiom. */
 const OWN = /^[ \t]*plants[ \t]*[\d,]/m;
+const AXIOM = /^[ \t]*axiom[ \t]*:/im;
 
 export const STAND: Species<StandSpecimen> = {
 	name: "stand",
 	table: STAND_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [grammarText((text) => OWN.test(text))],
+	details: [grammarText((text) => OWN.test(text) && !AXIOM.test(text))],
 };

@@ -10,7 +10,7 @@ export function dropsOf({ state: { face, specimen } }: Studio): ToolDrop[] {
 }
 
 /** The files that the picker offers. */
-export const ACCEPT = ".glb,.json,.png,.lsys,.gl3,.xml,model/gltf-binary,application/json,image/png";
+export const ACCEPT = ".glb,.json,.png,.lsys,.gl3,.growth,.stand,.xml,model/gltf-binary,application/json,image/png";
 
 /** Opens a file (open.ts); whatever is wrong is said, and the plant stays. */
 export async function takeFile(studio: Studio, file: File): Promise<void> {

@@ -21,7 +21,7 @@ import { dropsOf } from "./drops";
  * is wrong with the file is said, and the plant stays.
  */
 export async function openFile(studio: Studio, file: File): Promise<void> {
-	if (/\.(?:lsys|gl3|xml)$/i.test(file.name)) return openText(studio, file);
+	if (TEXT_FILE.test(file.name)) return openText(studio, file);
 	const refuse = (details: readonly string[], again?: () => void) =>
 		studio.notify("The file was not opened", details, { topic: FILE_TOPIC, ...(again ? { again } : {}) });
 	const reader = await import("../../export/restore").catch(() => undefined);
@@ -51,6 +51,9 @@ export async function openFile(studio: Studio, file: File): Promise<void> {
 	}
 }
 
+/** Files of grammars by their names: what is in them decides which model they are for. */
+const TEXT_FILE = /\.(?:lsys|gl3|growth|stand|xml)$/i;
+
 /** Grows a grammar's text, as the model that it is for. */
 async function openText(studio: Studio, file: File): Promise<void> {
 	const refuse = (why: string) => studio.notify("The file was not opened", [why], { topic: FILE_TOPIC });
@@ -59,11 +62,11 @@ async function openText(studio: Studio, file: File): Promise<void> {
 		if (long) return refuse(`${file.name} is ${long}.`);
 		const said = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
 		if (said.trim() === "") return refuse(`${file.name} is empty.`);
-		const { model, text: grammar } = await readText(said);
+		const { model, text: grammar, specimen } = await readText(said, file.name);
 		// XML may be long and its text is not, or is: then the plant stays.
 		const longText = overlongText(grammar);
 		if (longText) return refuse(`${file.name} is ${longText} as a grammar’s text.`);
-		if (model) studio.take(model, restore(model, { v: SPECIMEN_VERSION, grammar }), FILE_TOPIC);
+		if (model) studio.take(model, restore(model, { v: SPECIMEN_VERSION, grammar }, specimen), FILE_TOPIC);
 	} catch (error) {
 		if (error instanceof TextError) refuse(`${file.name}: ${error.message}`);
 		else if (error instanceof TypeError) refuse(`${file.name} is not text in UTF-8.`);
@@ -78,7 +81,7 @@ function here(studio: Studio, { name }: File): string[] {
 	const taken = dropsOf(studio).map(({ words }) => words);
 	const { title } = studio.state.model;
 	return [
-		"A grammar as text (.lsys, .gl3, .xml) grows, whatever is shown.",
+		"A grammar as text (.lsys, .gl3, .growth, .stand, .xml) grows, whatever is shown.",
 		...taken.map((words) => `${title}: ${words}.`),
 	];
 }
