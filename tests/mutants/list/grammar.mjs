@@ -38,6 +38,18 @@ export default [
 				replace: "is_foreign_line(at) ||",
 				breaks: "a line that is no statement goes on with the production before it",
 			},
+			{
+				id: "arrow-on-the-next-line-goes-on",
+				find: "    if (begins_with_arrow(end_)) return arrow_alone(end_);\n    return production",
+				replace: "    return production",
+				breaks: "of an arrow on the next line something is said that has nothing to do with it",
+			},
+			{
+				id: "assignments-go-on",
+				find: "foreign_arrow(at) != none || is_assignment(at) ||",
+				replace: "foreign_arrow(at) != none ||",
+				breaks: "n = 5 goes on with the production before it",
+			},
 		],
 	},
 	{
@@ -268,8 +280,8 @@ export default [
 		faults: [
 			{
 				id: "for-text-first-model",
-				find: "if (model.details.some(({ claims }) => claims?.(text))) return model;",
-				replace: "return model;",
+				find: "models.find(({ details }) => details.some(({ claims }) => claims?.(text))) ??",
+				replace: "models[0] ??",
 				breaks: "every dropped text is a bunch's",
 			},
 		],
