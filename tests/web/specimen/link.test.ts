@@ -165,6 +165,15 @@ describe("a grammar in the fragment", () => {
 		expect(hasPacked(BUNCH, "")).toBe(false);
 	});
 
+	it("given twice is the last one, and a note says so", async () => {
+		const [first, last] = await Promise.all(
+			["axiom: F(1)\n", "axiom: F(2)\n"].map((grammar) => encodeLink({ ...specimenFromPreset(), grammar })),
+		);
+		const { specimen, notes } = await decodeLink("?v=2", `${first.slice(first.indexOf("#"))}&${last.split("#")[1]}`);
+		expect(specimen.grammar).toBe("axiom: F(2)\n");
+		expect(notes.map((note) => note.text)).toEqual(["grammar: given more than once; the last is read."]);
+	});
+
 	it("that is damaged is left out, and a note says so", async () => {
 		const link = await encodeLink({ ...specimenFromPreset(), grammar: text });
 		const hash = link.slice(link.indexOf("#"));

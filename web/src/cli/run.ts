@@ -19,6 +19,7 @@ import { type Call, readArguments } from "./arguments";
 import { askedModel, askedSpecimen } from "./asked_specimen";
 import { refuseUnused } from "./file_options";
 import { endingOf, endingsOf, filesOf, jsonOf, ownFormat } from "./outputs";
+import { printable } from "./printable";
 import { growSeries } from "./series";
 import type { Surroundings } from "./surroundings";
 import { readTargets } from "./targets";
@@ -26,7 +27,8 @@ import { MISSED, UsageError, usage } from "./usage";
 import { writing } from "./writing";
 
 /** @returns the exit status: 0 grown, 1 the core broke or is missing, a file could not be written or some of a series did not grow, 2 something in the call cannot be used, 3 grown but a target is missed */
-export async function run(words: readonly string[], world: Surroundings): Promise<number> {
+export async function run(words: readonly string[], surroundings: Surroundings): Promise<number> {
+	const world = { ...surroundings, say: (line: string) => surroundings.say(printable(line)) };
 	try {
 		const call = readArguments(words);
 		if (call.help) world.print(usage(await askedModel(call.source), modelNames()));

@@ -12,6 +12,8 @@ import type { Packed, Species } from "./species";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import { writtenIn } from "./table";
 
+/** The note on a key that a link gives twice. */
+const REPEATED = ["given more than once", "the last is read"] as const;
 /** Characters that are read of a query and of a fragment; the rest is not looked at. */
 export const LONGEST_QUERY = 16 * 1024;
 export const LONGEST_FRAGMENT = 512 * 1024;
@@ -95,7 +97,7 @@ export function modelInQuery(search: string): string | undefined {
 
 /** Whether a fragment holds anything of a specimen, so that the link needs `decodeLink`. */
 export function hasPacked<S extends Specimen>(species: Species<S>, hash: string): boolean {
-	return packedOf(species).some(({ link }) => inFragment(hash, link) !== null);
+	return packedOf(species).some(({ link }) => inFragment(hash, link).length > 0);
 }
 
 function restored<S extends Specimen>(species: Species<S>, values: Record<string, string>, notes: Notes): Restored<S> {
@@ -108,7 +110,7 @@ function valuesOf(search: string, notes: Notes): Record<string, string> {
 	if (search.length > LONGEST_QUERY) notes.add("link", "too long", `its first ${LONGEST_QUERY} characters are read`);
 	const values = new Map<string, string>();
 	for (const [key, value] of new URLSearchParams(search.slice(0, LONGEST_QUERY))) {
-		if (values.has(key)) notes.add(key, "given more than once", "the last is read");
+		if (values.has(key)) notes.add(key, ...REPEATED);
 		values.set(key, value);
 	}
 	return Object.fromEntries(values);
@@ -118,8 +120,9 @@ function packedOf<S extends Specimen>({ details }: Species<S>): Packed<S>[] {
 	return details.flatMap(({ packed }) => packed ?? []);
 }
 
-function inFragment(hash: string, link: string): string | null {
-	return new URLSearchParams(hash.replace(/^#/, "").slice(0, LONGEST_FRAGMENT)).get(link);
+/** All values of a key of the fragment. */
+function inFragment(hash: string, link: string): string[] {
+	return new URLSearchParams(hash.replace(/^#/, "").slice(0, LONGEST_FRAGMENT)).getAll(link);
 }
 
 async function textIn<S extends Specimen>(
@@ -127,12 +130,14 @@ async function textIn<S extends Specimen>(
 	{ link, key, longest, otherwise }: Packed<S>,
 	notes: Notes,
 ): Promise<string | undefined> {
-	const packed = inFragment(hash, link);
-	if (packed === null) return undefined;
+	const values = inFragment(hash, link);
+	const packed = values.at(-1);
+	if (packed === undefined) return undefined;
 	if (hash.length > LONGEST_FRAGMENT) {
 		notes.add(key, "the link is too long", otherwise);
 		return undefined;
 	}
+	if (values.length > 1) notes.add(key, ...REPEATED);
 	const text = await expandText(packed, longest);
 	if (text === undefined) notes.add(key, "the link is damaged here", otherwise);
 	return text;

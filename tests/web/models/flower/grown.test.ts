@@ -10,6 +10,7 @@ import type { FlowerSpecimen } from "../../../../web/src/models/flower/specimen"
 import { fetchedText, fetchTexts } from "../../../../web/src/models/flower/texts";
 import { everyPart } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
+import { inRun } from "../../../long_run.mjs";
 import { freshCore } from "../../core/wasm";
 
 let core: Core;
@@ -32,6 +33,27 @@ describe("a flower", () => {
 			).toEqual([]);
 			expect(counts.darts, name).toBeGreaterThan(2000);
 		}
+	});
+
+	it("grows at both ends of its ranges, for every preset", () => {
+		const names = inRun(
+			["rose", "double-umbel"],
+			model.presets.list.map(({ name }) => name),
+		);
+		const ends = model.table.core.flatMap(({ key, min, max }) => [min, max].map((value) => ({ key, value })));
+		const refused = names.flatMap((name) =>
+			ends.flatMap(({ key, value }) => {
+				const { parameters, ...specimen } = fromPreset(model, name);
+				try {
+					grow({ ...specimen, parameters: { ...parameters, [key]: value } }, { meshes: false, map: false });
+					return [];
+				} catch (error) {
+					return [`${name}, ${key} ${value}: ${(error as Error).message}`];
+				}
+			}),
+		);
+		expect(ends.length).toBeGreaterThan(4);
+		expect(refused).toEqual([]);
 	});
 
 	it("has the same measures, counts and notes where no meshes are asked for", () => {
