@@ -1,6 +1,6 @@
 /**
- * Regular expressions whose time may grow faster than the text they are given. A backtracking engine tries every way to match: two loops
- * that can share characters out, or a loop that each start runs through again, cost the square of the length and more.
+ * Finds regular expressions that may take time that grows faster than the text. A backtracking engine tries every way to match: two loops that
+ * can consume the same characters, or a loop that every start position repeats, cost the square of the length and more.
  */
 import { RegExpParser, visitRegExpAST } from "@eslint-community/regexpp";
 import { Chars, getConsumedChars, isPotentiallyEmpty } from "regexp-ast-analysis";
@@ -10,12 +10,12 @@ import { parseAst } from "vite";
 /** @typedef {import("@eslint-community/regexpp").AST.Element} Element */
 /** @typedef {import("@eslint-community/regexpp").AST.Flags} Flags */
 /**
- * A regular expression of a source file; `built` where it is put together as the program runs, so that nothing can be said of it.
+ * A regular expression of a source file; `built` if the program composes it at run time, so that it cannot be checked.
  * @typedef {{ line: number, text: string, source: string, flags: string, built: boolean }} Pattern
  */
 
 /**
- * All that a TypeScript source has.
+ * All regular expressions of a TypeScript source.
  * @param {string} code
  * @returns {Pattern[]}
  */
@@ -38,7 +38,7 @@ export function patternsIn(code) {
 }
 
 /**
- * Why a pattern may backtrack; undefined where its time grows with the length of the text alone.
+ * The reason why a pattern may backtrack; undefined if its time is proportional to the length of the text.
  * @param {Pick<Pattern, "source" | "flags">} pattern
  * @returns {string | undefined}
  */
@@ -46,11 +46,13 @@ export function complaintOf({ source, flags }) {
 	const literal = new RegExpParser({ ecmaVersion: 2024 }).parseLiteral(`/${source}/${flags}`);
 	const [report] = analyse(literal, { reportTypes: { Move: !flags.includes("y") } }).reports;
 	if (report)
-		return `${report.type}${report.exponential ? ", exponential" : ""}: two loops share characters out, or each start runs one`;
-	return restarts(literal) ? "what begins a match may stand in its loop again, and the end may be missing" : undefined;
+		return `${report.type}${report.exponential ? ", exponential" : ""}: two loops can consume the same characters, or every start repeats a loop`;
+	return restarts(literal)
+		? "the loop can consume further beginnings of a match, and the end of the match may be missing"
+		: undefined;
 }
 
-/** Whether a loop behind a beginning can run over further beginnings, each of which runs it again: `/\*[^]*?\*\/` of many `/*`. */
+/** Whether a loop can consume further beginnings of a match, each of which repeats the loop: `/\*[^]*?\*\/` on many `/*`. */
 function restarts({ pattern, flags }) {
 	if (flags.sticky) return false;
 	let found = false;
@@ -73,7 +75,7 @@ function restarts({ pattern, flags }) {
 }
 
 /**
- * What stands before an element and behind it, within its groups and outside them.
+ * The elements before an element and behind it, inside its groups and outside.
  * @param {Element} element
  * @returns {[before: Element[], after: Element[]]}
  */
@@ -91,7 +93,7 @@ function besides(element) {
 }
 
 /**
- * Whether what follows a loop is never missing: it may be empty, or the text's end will do and the loop reaches it.
+ * Whether the rest of a pattern always matches behind a loop: it may be empty, or it accepts the end of the text and the loop reaches it.
  * @param {readonly Element[]} after
  * @param {boolean} reachesEnd
  * @param {Flags} flags

@@ -1,7 +1,7 @@
 /**
- * Texts of 256 KiB that made a page, a service or the command line hang. That no pattern backtracks is proved in tests/patterns.test.ts; here
- * each reader is given its worst text. A reader whose time grows with the square of the length, or faster, takes minutes of one of these and
- * ends the run by its time limit.
+ * Reads texts of 256 KiB that made a page, a service or the command line hang. tests/patterns.test.ts proves that no pattern backtracks; here
+ * each reader gets its worst text. A reader that takes time with the square of the length, or more, takes minutes for one of them, and the
+ * run ends by its time limit.
  */
 import { expect, it } from "vitest";
 import { cellsOf, splitRows } from "../../web/src/batch/csv_rows";

@@ -40,8 +40,8 @@ export default [
 			},
 			{
 				id: "solid-view-pictures-overlap",
-				find: "if (this.#instead && this.#taking === 0)",
-				replace: "if (this.#instead)",
+				find: "this.#taking--;",
+				replace: "this.#taking = 0;",
 				breaks: "of two pictures at once the second shows what a tool compares with",
 			},
 		],

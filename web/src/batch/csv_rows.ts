@@ -1,6 +1,6 @@
 /** Rows and cells of a table as csv.ts writes it (RFC 4180), read in one pass each: a table that broke off may end anywhere. */
 
-/** Whole rows with the CRLF that ends them; none within quotation marks does. What stands before the first or behind the last is left out. */
+/** Whole rows with their CRLF; a CRLF within quotation marks ends no row. An unfinished last row is left out. */
 export function splitRows(text: string): string[] {
 	const rows: string[] = [];
 	let from = 0;
@@ -15,7 +15,7 @@ export function splitRows(text: string): string[] {
 	return rows;
 }
 
-/** What stands in the cells of a row. @param row with its CRLF */
+/** The values of a row's cells. @param row with its CRLF */
 export function cellsOf(row: string): string[] {
 	const cells: string[] = [];
 	const end = row.length - "\r\n".length;

@@ -2,7 +2,7 @@
 export function withThousands(text: string): string {
 	return text.replace(/[\d.,]+/g, (run) => {
 		const [digits] = run.split(/[.,]/, 1);
-		// What is behind a point or before one is no whole number.
+		// Digits next to a decimal point are not a whole number.
 		if (digits.length < 5 || run[digits.length] === ".") return run;
 		return Number(digits).toLocaleString("en-GB") + run.slice(digits.length);
 	});

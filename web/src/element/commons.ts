@@ -16,7 +16,7 @@ const LINGER = 1000;
 export interface CommonsOptions {
 	pool?: () => Pool;
 	renderer?: () => Promise<Renderer>;
-	/** Has the scripts that plants may yet need stay where they are. */
+	/** Keeps the element's scripts available after an update of the app. */
 	hold?: () => void;
 }
 
@@ -76,7 +76,7 @@ function ownPool(): Pool {
 	return new Pool({ spawn: spawnWorker, compile: compileCore, seats: Math.min(navigator.hardwareConcurrency, 2) });
 }
 
-/** Of the element: where it is in a page of the app's folder, or in `embed.html`, the service worker fetches its scripts. */
+/** Holds the element's scripts, which the service worker serves to pages in the app's folder and to `embed.html`. */
 function holdOwn(): void {
 	holdScripts(import.meta.url);
 }

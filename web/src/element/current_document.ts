@@ -1,4 +1,4 @@
-/** The document of an element: what its attributes say, until a script or a control changes it. */
+/** The document of an element, read from its attributes until a script or a control changes it. */
 import type { Document } from "./grown_detail";
 
 /** Reads the attributes when the document is first needed. A reading or a change that failed is forgotten, so that the next call tries again. */

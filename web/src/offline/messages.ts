@@ -1,4 +1,4 @@
-/** What pages say to the service worker, and it to them. */
+/** Messages between pages and the service worker. */
 
 /** From a page. */
 export type ToWorker =
@@ -7,18 +7,18 @@ export type ToWorker =
 	/** A person has asked for the new version. */
 	| { readonly type: "take over" };
 
-/** To every page: a specimen is to be grown. A page that grows them answers `FREE` on the port that comes with it, and gets the request there. */
+/** Sent to every page: a specimen is needed. A page that can grow specimens answers `FREE` on the port sent with the message, and receives the request there. */
 export const GROWTH_NEEDED = "panicle specimen";
 export const FREE = "free";
 
-/** A request for a specimen's file, and what its growth needs of the build. */
+/** A request for a specimen's file, with the addresses of the scripts and cores that grow it. */
 export interface SpecimenRequest {
 	readonly url: string;
 	readonly method: string;
 	readonly headers: Readonly<Record<string, string>>;
 	/** Address of the script that answers (specimens.ts). */
 	readonly script: string;
-	/** Addresses of the cores by what models call them. */
+	/** Addresses of the cores by file name: `tree.wasm`. */
 	readonly cores: Readonly<Record<string, string>>;
 	readonly release: string;
 }
@@ -33,11 +33,11 @@ export type SpecimenAnswer =
 	/** The page's worker could not be started. */
 	| { readonly type: "unable" };
 
-/** Requests that wait in one place at the most. */
+/** The maximum number of waiting requests in a page, and in the service worker. */
 export const MOST_WAITING = 16;
 export const TOO_MANY = "too many ask at once; try again in a moment";
 
-/** An answer in words. */
+/** An answer of status 503 with its reason. */
 export function refusal(message: string): Extract<SpecimenAnswer, { type: "answer" }> {
 	const headers = {
 		"content-type": "text/plain; charset=utf-8",

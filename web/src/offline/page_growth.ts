@@ -1,4 +1,4 @@
-/** Specimens that the service worker has a page grow: its own thread answers for the app's files, too, and cannot end a growth. */
+/** Delegates the growth of specimens from the service worker to an open page: the service worker's own thread also serves the app's files, and cannot end a growth. */
 import { FREE, GROWTH_NEEDED, type SpecimenAnswer, type SpecimenRequest } from "./messages";
 
 /** A page, as the service worker sees it. */
@@ -6,14 +6,14 @@ export interface PageClient {
 	postMessage(message: unknown, transfer: Transferable[]): void;
 }
 
-/** So long a page may take to say that it grows specimens, milliseconds. */
+/** The time in which a page has to answer that it grows specimens, milliseconds. */
 const PATIENCE = 250;
-/** A page that has taken a request has answered by then, milliseconds: what waits there at the most takes less (SpecimenQueue). */
+/** The time in which a page has to answer a request, milliseconds: longer than its full queue takes (SpecimenQueue). */
 const LONGEST = 600_000;
 
 /**
- * Has the first page that says it can grow a specimen do so.
- * @returns undefined where none can
+ * Sends the request to the first page that answers that it can grow specimens.
+ * @returns undefined if no page can
  */
 export async function grownByPage(
 	pages: readonly PageClient[],
@@ -44,7 +44,7 @@ export function responseOf({ status, headers, body }: Extract<SpecimenAnswer, { 
 	return new Response(EMPTY.includes(status) ? null : body, { status, headers });
 }
 
-/** The port of the page that was first to say so; those of others are closed. */
+/** The port of the first page that answers; the ports of the others are closed. */
 function firstFree(pages: readonly PageClient[], patience: number): Promise<MessagePort | undefined> {
 	return new Promise((resolve) => {
 		const ports: MessagePort[] = [];

@@ -68,7 +68,7 @@ async function answerFile(request: Request, path: string): Promise<Response> {
 	return (await app.find(path).catch(() => undefined)) ?? fetch(request);
 }
 
-/** What a page's growth fetches is kept from then on, so that growing needs no network. */
+/** Stores the script and the cores that a page's worker fetches, so that later growth needs no network. */
 async function answerGrowth(request: Request, path: string): Promise<Response> {
 	return (await app.find(path).catch(() => undefined)) ?? app.bring(path).catch(() => fetch(request));
 }

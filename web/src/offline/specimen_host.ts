@@ -3,7 +3,7 @@ import { FREE, GROWTH_NEEDED, type SpecimenAnswer, type SpecimenRequest } from "
 
 type Ask = (request: SpecimenRequest) => Promise<SpecimenAnswer>;
 
-/** Grows what the service worker requests from now on. What that takes is fetched with the first request. */
+/** Grows specimens on request of the service worker from now on. The script for that is fetched with the first request. */
 export function hostSpecimens(
 	workers: EventTarget = navigator.serviceWorker,
 	load: () => Promise<Ask> = loadQueue,

@@ -1,4 +1,4 @@
-/** Specimens one after the other, in a worker that ends with what takes too long. */
+/** Grows specimens one after the other in a worker, which is ended when a growth takes too long. */
 import { MOST_WAITING, refusal, type SpecimenAnswer, type SpecimenRequest, TOO_MANY } from "./messages";
 
 /** A growth that takes longer ends, milliseconds. */
@@ -66,14 +66,14 @@ export class SpecimenQueue {
 		const worker = this.#start(script);
 		worker.onmessage = ({ data }: MessageEvent<SpecimenAnswer>) => this.#answer(data);
 		worker.onerror = (event) => {
-			event.preventDefault(); // The service worker is told; the console need not hear of it.
+			event.preventDefault(); // The service worker grows the specimen itself.
 			this.#break({ type: "unable" });
 		};
 		this.#thread = { script, worker };
 		return worker;
 	}
 
-	/** Ends what runs, with its worker. */
+	/** Ends the growth that runs, with its worker. */
 	#break(answer: SpecimenAnswer): void {
 		this.#end();
 		this.#answer(answer);

@@ -1,8 +1,8 @@
 /** Light as the screen shows it: three's neutral tone mapping, without branches, and sRGB's curve. */
 
 /**
- * `displayed(light)`, in place of three's tonemapping_fragment and colorspace_fragment, for what is drawn on screen alone. The curve is three's
- * own, which every other material ends with: equal light has one colour, whatever is drawn.
+ * `displayed(light)`, in place of three's tonemapping_fragment and colorspace_fragment, for materials that are drawn on screen only. The curve is
+ * three's own, as in every other material: equal light gives equal colours.
  */
 export const OUTPUT_CHUNK = /* glsl */ `
 vec3 displayed(vec3 light) {

@@ -1,6 +1,6 @@
 /** `key=value`, `from..to`: text about a mark. */
 
-/** What stands before the first such mark and behind it, without blanks about both; undefined where there is none. */
+/** The text before the first such mark and the text behind it, both trimmed; undefined if the mark is missing. */
 export function halvesOf(text: string, mark: string): readonly [before: string, after: string] | undefined {
 	const at = text.indexOf(mark);
 	return at < 0 ? undefined : [text.slice(0, at).trim(), text.slice(at + mark.length).trim()];

@@ -1,10 +1,10 @@
-/** A link whose fragment is packed: it is unpacked while the page is in use already. */
+/** Opens a link with a packed fragment, which is unpacked while the page is already in use. */
 import type { Restored } from "../specimen/restore";
 import type { Studio } from "./studio";
 
 /**
  * Opens a link once it is unpacked. Where the document has been changed meanwhile it stays, and a notice offers the link's in its place.
- * @param whole what the link says; rejects where the script that unpacks it cannot be fetched
+ * @param whole the document of the link; rejects if the script that unpacks it cannot be fetched
  */
 export async function openLate(studio: Studio, whole: Promise<Restored>): Promise<void> {
 	const { history, model } = studio.state;

@@ -9,7 +9,7 @@ export interface Opens {
 
 /**
  * Keys for the whole page. While text is typed or a list is open, they are the field's, and while a dialog is open, the dialog's.
- * @returns what ends it
+ * @returns a function that stops listening
  */
 export function listenForShortcuts(studio: Studio, opens: Opens): () => void {
 	const listener = (event: KeyboardEvent) => {

@@ -38,7 +38,7 @@ export class SolidView implements ToolView {
 	/** Whose figure is on the stage, and whose is on its way. */
 	#figured: Model | undefined;
 	#awaited: Model | undefined;
-	/** Whose figure did not come: fetched again only when that is asked for, or when another model was shown. */
+	/** The model whose script could not be fetched: it is fetched again on request, or after another model was shown. */
 	#missing: Model | undefined;
 	#shown: Shown | undefined;
 	#look: StudioState["specimen"]["look"] | undefined;
@@ -127,7 +127,7 @@ export class SolidView implements ToolView {
 			return await this.#taken(options);
 		} finally {
 			this.#taking--;
-			if (this.#instead && this.#taking === 0) this.update(this.#studio.state);
+			if (this.#instead) this.update(this.#studio.state);
 		}
 	}
 
@@ -264,7 +264,7 @@ export class SolidView implements ToolView {
 			await loadFigure(model);
 			if (isWanted()) await this.#use(model);
 		} catch {
-			if (isWanted()) this.#miss(model);
+			if (isWanted()) this.#reportMissing(model);
 			return;
 		}
 		if (!isWanted()) return;
@@ -272,8 +272,8 @@ export class SolidView implements ToolView {
 		this.update(this.#studio.state);
 	}
 
-	/** Without its figure a model is not drawn until someone asks for it again: each update that asked would be answered by the next. */
-	#miss(model: Model): void {
+	/** Reports that a model cannot be drawn. The notice updates the view, so fetching again at each update would never end. */
+	#reportMissing(model: Model): void {
 		this.#awaited = undefined;
 		this.#missing = model;
 		const again = () => void this.#bring(model);

@@ -6,7 +6,7 @@ export const blankComments = (text: string): string => text.replace(/\/\*[\s\S]*
 /** A piece of a text as blanks; its lines stay. */
 export const blanked = (piece: string): string => piece.replace(/[^\n]/g, " ");
 
-/** What a comment says, without the signs about it. */
+/** The words of a comment, without its delimiters. */
 export function insideComment(comment: string): string {
 	let from = 2;
 	let to = comment.endsWith("*/") ? comment.length - 2 : comment.length;

@@ -5,7 +5,7 @@ import { formalsAt } from "./explain";
 import { type Outline, outlineOf } from "./outline";
 import type { Word } from "./words.generated";
 
-/** A word, or a character that is in none: what a line consists of. */
+/** The tokens of a line: words, and characters outside words. */
 const WORD = /[#?@]\p{L}*|[\p{L}_][\p{L}\p{N}_]*|[\s\S]/gu;
 /** Longer words are not completed; characters. */
 const LONGEST_WORD = 250;

@@ -5,7 +5,7 @@ export interface RangeWords {
 	readonly low: string;
 	readonly high: string;
 	readonly step: string | undefined;
-	/** What the comment says besides. */
+	/** The rest of the comment. */
 	readonly words: string;
 }
 
@@ -35,7 +35,7 @@ export function findRange(text: string): RangeWords | undefined {
 	return undefined;
 }
 
-/** Words without the blanks and marks about them that part them from a range. */
+/** Words without the blanks, commas, semicolons and colons at their ends. */
 export function trimmed(words: string): string {
 	const isLoose = (at: number) => /[\s,;:]/.test(words[at]);
 	let [from, to] = [0, words.length];
@@ -67,7 +67,7 @@ function numberEnd(text: string, from: number): number {
 	return end > start + Number(isPoint && whole === start) ? end : from;
 }
 
-/** The end of what parts the ends of a range; undefined where it is something else. */
+/** The end of the separator of a range; undefined if there is none at that place. */
 function separatorEnd(text: string, from: number): number | undefined {
 	if (text[from] === "…" || text[from] === "–") return from + 1;
 	if (text.startsWith("...", from)) return from + 3;
@@ -76,7 +76,7 @@ function separatorEnd(text: string, from: number): number | undefined {
 	return text.startsWith("to", from) && !isWord(text[from - 1]) && !isWord(text[from + 2]) ? from + 2 : undefined;
 }
 
-/** Where the number behind `step` stands; twice the same place where there is none. */
+/** The start and end of the number behind `step`; the same place twice if there is none. */
 function stepAt(text: string, from: number): readonly [from: number, end: number] {
 	let at = skipped(text, from);
 	if (text[at] === ",") at = skipped(text, at + 1);

@@ -39,7 +39,7 @@ class Unfit extends Error {}
 const MOST_VALUES = 200;
 const LONGEST_ID = 200;
 const LONGEST_TEXT = 512 * 1024;
-/** Windows that are told what happens: a page may make frames without end. */
+/** The maximum number of windows that listen: a page may create any number of frames. */
 const MOST_LISTENERS = 64;
 
 export class Conversation {

@@ -10,7 +10,7 @@ export function grammarInWords({ counts }: GrammarPlant): string {
 
 const counted = (count: number, noun: string) => `${count.toLocaleString("en-GB")} ${noun}${count === 1 ? "" : "s"}`;
 
-/** Characters: what is longer is a text of its own, not a title. */
+/** Characters; a longer line is not a title. */
 const LONGEST_TITLE = 60;
 
 /** The first line of the comment that a text begins with, as presets' texts have their title there. */

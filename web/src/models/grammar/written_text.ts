@@ -17,7 +17,7 @@ export function withValues(text: string, { constants, steps }: Pick<GrammarSpeci
 	return written.replace(/^[ \t]*axiom[ \t]*:/m, (axiom) => `derivation length: ${steps}\n${axiom}`);
 }
 
-/** Where the derivation length of a text stands: behind its colon, up to the blanks and the comment that end its line. */
+/** The place of the derivation length in a text: from behind its colon to the blanks and the comment that end its line. */
 function lengthIn(text: string): { from: number; to: number } | undefined {
 	for (const head of text.matchAll(/^[ \t]*derivation[ \t]+length[ \t]*:[ \t]*/gm)) {
 		const from = head.index + head[0].length;

@@ -8,7 +8,7 @@ const NEAR = "200px";
 /** The picture of one that is saved. The page's policy lets no address stand for bytes, so it is drawn. */
 export class SavedPicture extends HTMLElement {
 	#saved: Saved | undefined;
-	/** Where the picture is; set before `saved`. */
+	/** The library that has the picture; set before `saved`. */
 	library: Library | undefined;
 
 	/** One's picture never changes. */

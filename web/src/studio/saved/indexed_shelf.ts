@@ -53,7 +53,7 @@ function opened(): Promise<IDBDatabase> {
 	});
 }
 
-/** From the first layout to the second, one record after the other; what is no record of ours is left alone. */
+/** Migrates from the first layout to the second, record by record; other records are left unchanged. */
 function takeOutPictures(specimens: IDBObjectStore, pictures: IDBObjectStore): void {
 	const reading = specimens.openCursor();
 	reading.onsuccess = () => {

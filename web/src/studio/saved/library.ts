@@ -27,7 +27,7 @@ export class Library {
 		if (tabs) tabs.onmessage = () => void this.read();
 	}
 
-	/** All there is, kept or not; of what is kept without pictures, which `withPictures` brings. */
+	/** All specimens, stored or not; stored ones are without pictures, which `withPictures` reads. */
 	get all(): readonly Saved[] {
 		return edited(this.#kept, { put: [...this.#unkept.values()] });
 	}
@@ -57,7 +57,7 @@ export class Library {
 		return () => this.#listeners.delete(listener);
 	}
 
-	/** These with their pictures, as far as the shelf can be read. */
+	/** The given specimens with their pictures, if the shelf can be read. */
 	async withPictures(several: readonly Saved[]): Promise<readonly Saved[]> {
 		const missing = several.flatMap(({ id, picture }) => (picture ? [] : [id]));
 		const found = missing.length > 0 ? await this.#shelf.pictures(missing).catch(() => undefined) : undefined;

@@ -3,16 +3,16 @@ import type { Saved } from "./saved";
 
 /** What is to be done on the shelf. */
 export interface Edit {
-	/** Put there, in place of what has the same id; one without a picture keeps the picture that is there. */
+	/** Stored in place of those with the same ids; one without a picture keeps the stored picture. */
 	readonly put?: readonly Saved[];
-	/** Ids of what goes, with the pictures. */
+	/** Ids of specimens to delete, with their pictures. */
 	readonly remove?: readonly string[];
 }
 
 /** A small JPEG for each id that has one. */
 export type Pictures = ReadonlyMap<string, NonNullable<Saved["picture"]>>;
 
-/** Pictures are kept apart from what they are of: they are most of the bytes, and few steps need them. */
+/** Stores specimens, and their pictures apart from them: pictures are most of the bytes, and few steps need them. */
 export interface Shelf {
 	/** Everything that is kept, in no order, without pictures. @throws ShelfError */
 	all(): Promise<readonly Saved[]>;
@@ -38,7 +38,7 @@ export function edited(kept: readonly Saved[], { put = [], remove = [] }: Edit):
 	return [...kept.filter(({ id }) => !gone.has(id)), ...put];
 }
 
-/** One as the shelf lists it. */
+/** A specimen as the shelf lists it. */
 export function withoutPicture({ picture: _, ...saved }: Saved): Saved {
 	return saved;
 }

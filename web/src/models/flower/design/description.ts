@@ -64,7 +64,7 @@ export function readLine(line: string): Description | undefined {
 	return { ...description, ...(margin && { margin }) };
 }
 
-/** `count=5`; what is no letter before the key is passed over. */
+/** Reads `count=5`; characters before the key that are not letters are ignored. */
 function settingIn(word: string): [key: string, value: string][] {
 	const at = word.indexOf("=");
 	let from = at;

@@ -25,7 +25,7 @@ export function designOf(text: string): Design | undefined {
 	return { head, sections: sections as Section[] };
 }
 
-/** The text from each organ's line on to the next one's; first what stands before them, where something does. */
+/** Splits a text at the lines that begin an organ; the first part is the text before the first organ, if there is any. */
 function partsOf(text: string): string[] {
 	const starts = [...text.matchAll(/^@organ \w[^@\n]*@[ \t]*$/gm)].map(({ index }) => index);
 	const cuts = starts[0] === 0 ? starts : [0, ...starts];

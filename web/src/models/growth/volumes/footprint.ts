@@ -6,12 +6,12 @@ const NUMBER = /^[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?°?$/i;
 /** What has a number of its own in brackets. */
 const CALL = /^(\w+)\s*\(([^()]*)\)$/;
 
-/** Where the footprints of a text stand, and what is in the brackets of each volume. Each character is looked at a few times at the most. */
+/** The places of a text's footprints, and the text in the brackets of each volume. Reads each character a few times at most. */
 function footprintsOf(text: string): { from: number; to: number; volumes: string[] }[] {
 	const bare = blankComments(text);
 	const found: { from: number; to: number; volumes: string[] }[] = [];
 	for (const head of bare.matchAll(/\bfootprint\s*(?:-->|->|→)/g)) {
-		// Within the brackets of the last one it is none of its own.
+		// Inside the brackets of the previous footprint it is not a footprint.
 		if (head.index < (found.at(-1)?.to ?? 0)) continue;
 		const volumes: string[] = [];
 		let to = head.index + head[0].length;
@@ -75,7 +75,7 @@ function volumeOf(inside: string, index: number): GrowthVolume | undefined {
 	return volume;
 }
 
-/** What commas part that stand in no brackets. */
+/** Splits at the commas outside brackets. */
 function partsOf(inside: string): string[] {
 	const parts: string[] = [];
 	let [from, depth] = [0, 0];
