@@ -163,6 +163,7 @@ export default [
 				find: "this.#waiting.length >= MOST_WAITING",
 				replace: "false",
 				breaks: "requests for specimens pile up without a limit",
+				hangs: true,
 			},
 		],
 	},

@@ -85,6 +85,7 @@ export default [
 				find: "this.#die(`its request could not be sent",
 				replace: "console.info(`its request could not be sent",
 				breaks: "a request that cannot be copied to a worker is waited for without end",
+				hangs: true,
 			},
 			{
 				id: "seat-heard-after-its-end",
