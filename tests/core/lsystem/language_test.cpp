@@ -1,4 +1,5 @@
 // What cpfg has beside productions and contexts: notations, sections, parts, blocks, curves, questions to the turtle.
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "lsystem/derivation.hpp"
@@ -385,4 +386,66 @@ TEST_CASE("a string reads back as an axiom, whatever stands in it") {
     CHECK(after(cpfg + once, 0) == once);
   }
   CHECK(after(cpfg + "- - > A", 0) == "-- >A");
+}
+
+namespace {
+
+// Every 2 units of time a bud becomes a line and two buds: 2^n - 1 lines after n divisions.
+std::string divisions(const std::string& numbers, const std::string& dt) {
+  return numbers + "#define dt " + dt +
+         "\nderivation length: 800\naxiom: A(0)\nA(t) --> A(t+dt)\ndecomposition\n"
+         "A(t) : t>=2 --> F(1) [ +(30) A(t-2) ] [ -(30) A(t-2) ]\n";
+}
+
+std::size_t lines_in(const std::string& text, const Inputs& inputs = {}) {
+  const BoundPointer bound = compiled(text, inputs);
+  const std::string string = text_of(*bound, sound(lsystem::develop(*bound, 1, {}, Limits{})));
+  return static_cast<std::size_t>(std::count(string.begin(), string.end(), 'F'));
+}
+
+}  // namespace
+
+TEST_CASE("in double precision 100 times 0.02 is 2, and a cell divides when it should") {
+  CHECK(lines_in(divisions("#numbers double\n", "0.02")) == 255);
+  CHECK(lines_in(divisions("#numbers double\n", "1/50")) == 255);
+  // In single precision, which texts of published links have, the sum stays below 2.
+  CHECK(lines_in(divisions("", "0.02")) == 127);
+  CHECK(lines_in(divisions("#numbers single\n", "0.02")) == 127);
+  // A value that comes with the request is the decimal that was meant.
+  CHECK(lines_in(divisions("#numbers double\n", "7"), {{{"dt", 0.02f}}, {}}) == 255);
+}
+
+TEST_CASE("double precision holds through contexts, answers, blocks and draws") {
+  const std::string numbers = "#numbers double\n";
+  // 2^-30 is lost beside 1 in single precision.
+  CHECK(after(numbers + "axiom: A(1+2^-30)\nA(x) : x>1 --> B(x-1)\nA(x) --> C\nB(x) : x=2^-30 --> F", 2) == "F");
+  CHECK(after("axiom: A(1+2^-30)\nA(x) : x>1 --> B(x-1)\nA(x) --> C", 2) == "C");
+  CHECK(after(numbers + "axiom: L(1+2^-30) A(5) R(1-2^-30)\nL(l) < A(x) > R(r) : l>1 && r<1 --> B(x)", 1) ==
+        "L(1)B(5)R(1)");
+  CHECK(after(numbers + "axiom: L(1+2^-30) M A(5)\nL(l) M < A(x) : l>1 --> B(x)", 1) == "L(1)M B(5)");
+  CHECK(after(numbers + "axiom: A(1) A(1)\nA(x) : {y = x+2^-30} y>1 {z = y-1} --> B(z*2^30) : y-1", 1) == "B(1)B(1)");
+  CHECK(after(numbers + "#define k 1+2^-30\n#define m k*1\naxiom: A(m)\nA(x) : x>1 --> F(m-1)\n", 1) ==
+        "F(9.313226e-10)");
+  CHECK(after(numbers + "axiom: A(2.5)\nA(x) --> B(floor(x),nearest(x),min(x,2),pow(x,2),sqrt(x*x),x%2,2^0.5)", 1) ==
+        "B(2,3,2,6.25,2.5,0.5,1.4142135)");
+  // Draws are those of single precision.
+  const std::string draws = "axiom: A(1)\nA(x) --> B(ran(x)) [ A(RND(1,9)) ] C(nran(0,1))";
+  CHECK(after(numbers + draws, 3) == after(draws, 3));
+  CHECK(after(numbers + "axiom: A(1)\nA(x) : x<4 --> A(x+1) : 1\nA(x) : x<4 --> A(x+2) : 1", 3) ==
+        after("axiom: A(1)\nA(x) : x<4 --> A(x+1) : 1\nA(x) : x<4 --> A(x+2) : 1", 3));
+}
+
+TEST_CASE("what the turtle is given and what it writes is in both precisions") {
+  const Recorder exact =
+      drawn("#numbers double\n#turtle cpfg\naxiom: F(0.1) A(0)\nA(x) : x<3 --> +(30) F(0.1+x) A(x+1)", 4);
+  const Recorder single = drawn("#turtle cpfg\naxiom: F(0.1) A(0)\nA(x) : x<3 --> +(30) F(0.1+x) A(x+1)", 4);
+  REQUIRE(exact.lines.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i)
+    CHECK(glm::distance(exact.lines[i].after.position, single.lines[i].after.position) < 1e-5f);
+  const std::string located = "axiom: F(2) A\nA --> ?P(0,0,0) B\nB --> *\n?P(x,y,z) : x*x+y*y+z*z>1 --> G(x,y,z)";
+  CHECK(after("#numbers double\n" + located, 3) == after(located, 3));
+  CHECK(after(located, 3).find("G(") != std::string::npos);
+  CHECK(trouble("#numbers half\naxiom: A") == "syntax 1:10");
+  CHECK(trouble("#numbers double\n#numbers double\naxiom: A") == "syntax 2:10");
+  CHECK(trouble("#numbers double 2\naxiom: A") == "syntax 1:17");
 }

@@ -58,6 +58,42 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/lsystem/neighbourhood.cpp`,
+		suites: [`${TESTS}/lsystem/language_test.cpp`],
+		faults: [
+			{
+				id: "doubles-lost-in-contexts",
+				find: "if (registers.precise != nullptr) {",
+				replace: "if (false) {",
+				breaks: "in double precision a production does not know the parameters of its neighbours",
+			},
+		],
+	},
+	{
+		file: `${SRC}/lsystem/bound.cpp`,
+		suites: [`${TESTS}/lsystem/language_test.cpp`],
+		faults: [
+			{
+				id: "doubles-of-given-floats",
+				find: "if (!program_.code.doubles) return value;",
+				replace: "return value;",
+				breaks: "a step of 0.02 that a slider gives is no 0.02 in double precision",
+			},
+		],
+	},
+	{
+		file: `${SRC}/lsystem/words.hpp`,
+		suites: [`${TESTS}/lsystem/language_test.cpp`],
+		faults: [
+			{
+				id: "doubles-not-written-by-the-turtle",
+				find: "if (!has_doubles(*module)) return;",
+				replace: "return;",
+				breaks: "in double precision productions do not see what ?P was given",
+			},
+		],
+	},
+	{
 		file: `${SRC}/lsystem/refusals.cpp`,
 		suites: [`${TESTS}/lsystem/chronicle_test.cpp`],
 		faults: [

@@ -46,6 +46,7 @@ class Binder {
         bound_(std::make_shared<Bound>()) {
     bound_->program = std::move(program);
     bound_->registers = program_.code.registers;
+    bound_->precise = program_.code.precise;
     bound_->lists.resize(program_.code.arrays.size());
     bound_->words = program_.words;
   }
@@ -72,21 +73,41 @@ class Binder {
   }
 
   bool execute(std::uint32_t begin, std::uint32_t end, Diagnostic& trouble) {
-    return lsystem::execute(program_.code, begin, end, bound_->registers.data(), {bound_->lists, 0, 0}, trouble);
+    const Sources sources{bound_->lists, 0, 0};
+    if (program_.code.doubles)
+      return lsystem::execute(program_.code, begin, end, bound_->precise.data(), sources, trouble);
+    return lsystem::execute(program_.code, begin, end, bound_->registers.data(), sources, trouble);
+  }
+
+  double value_at(std::uint32_t reg) const {
+    return program_.code.doubles ? bound_->precise[reg] : bound_->registers[reg];
+  }
+  void set(std::uint32_t reg, double value) {
+    bound_->registers[reg] = static_cast<float>(value);
+    if (program_.code.doubles) bound_->precise[reg] = value;
+  }
+
+  // A value comes as a float, and what was meant is the shortest decimal that gives it.
+  double meant_by(float value) const {
+    if (!program_.code.doubles) return value;
+    const double size = double_from(number_text(value < 0 ? -value : value));
+    return value < 0 ? -size : size;
   }
 
   bool scalar(const Declaration& declaration) {
-    float& value = bound_->registers[declaration.to];
+    float value = 0;
     if (const Inputs::Scalar* const given = scalars_.find(declaration.name)) {
       value = given->value;
       if (!is_finite(value))
         return fail(Reason::bad_input, declaration.place, "'%' was given %; give it a finite number.",
                     {declaration.name, number_text(value)});
+      set(declaration.to, meant_by(value));
     } else if (declaration.kind == Definition::Kind::input) {
       return fail(Reason::bad_input, declaration.place, "The input '%' has no value; give it one with the request.",
                   {declaration.name});
     } else {
       if (!work_out(declaration.name, declaration.values[0], value)) return false;
+      set(declaration.to, value_at(declaration.values[0].source));
     }
     bound_->definitions.push_back({declaration.name, declaration.kind, {value}});
     return true;
@@ -94,7 +115,7 @@ class Binder {
 
   bool work_out(std::string_view name, const Value& of, float& value) {
     if (!execute(of.code.begin, of.code.end, trouble_)) return false;
-    value = bound_->registers[of.source];
+    value = static_cast<float>(value_at(of.source));
     return is_finite(value) || fail(Reason::evaluation, of.place, "'%' comes to %; it must be a finite number.",
                                     {name, number_text(value)});
   }
@@ -139,7 +160,7 @@ class Binder {
 
   bool steps() {
     if (!execute(program_.steps.code.begin, program_.steps.code.end, trouble_)) return false;
-    const float value = bound_->registers[program_.steps.source];
+    const auto value = static_cast<float>(value_at(program_.steps.source));
     if (!(value >= 0 && std::floor(value) == value))
       return fail(Reason::evaluation, program_.steps.place,
                   "The derivation length comes to %; it must be a whole number of 0 or more.", {number_text(value)});
@@ -163,12 +184,14 @@ class Binder {
 
   bool fill_in() {
     for (const Patch& patch : program_.bound_patches) {
-      const float value = bound_->registers[patch.source];
+      const double precise = value_at(patch.source);
+      const auto value = static_cast<float>(precise);
       if (!Machine::meets(patch.demand, value)) {
         trouble_ = Machine::refusal(program_, patch, value);
         return false;
       }
       std::memcpy(bound_->words.data() + patch.offset, &value, sizeof value);
+      if (program_.code.doubles) std::memcpy(bound_->words.data() + patch.precise, &precise, sizeof precise);
     }
     return true;
   }

@@ -15,6 +15,7 @@ class Bound {
  public:
   std::shared_ptr<const Program> program;
   std::vector<float> registers;           // as Code::registers, with what the inputs decide
+  std::vector<double> precise;            // likewise as Code::precise
   std::vector<std::vector<float>> lists;  // by the place of their names in Code::arrays
   std::vector<std::uint32_t> words;       // as Program::words, with what the inputs decide
   std::vector<Definition> definitions;

@@ -88,33 +88,72 @@ void read_element(const std::string& name, const std::vector<float>& array, floa
 }
 
 // What can go wrong, apart from the rest: that would make room for what went wrong as well.
-[[gnu::noinline]] bool execute_fallible(const Code& code, std::uint32_t at, float* registers, const Sources& sources,
-                                        Diagnostic& fault) {
+[[gnu::noinline]] bool execute_fallible(const Code& code, std::uint32_t at, float a, float b, float& out,
+                                        const Sources& sources, Diagnostic& fault) {
   const Instruction& step = code.instructions[at];
-  const float a = registers[step.a];
-  float& out = registers[step.out];
   std::string wrong;
   if (step.op == Op::element) {
     read_element(code.arrays[step.c], sources.arrays[step.c], a, out, wrong);
   } else {
-    draw_whole(a, registers[step.b], sources, code.streams[step.c], out, wrong);
+    draw_whole(a, b, sources, code.streams[step.c], out, wrong);
   }
   if (wrong.empty()) return true;
   fault = error_at(Reason::evaluation, code.places[at], "%", {wrong});
   return false;
 }
 
-}  // namespace
+// A whole power in double precision; any other as in single.
+double precise_power(double base, double exponent) {
+  constexpr double most = 64;
+  if (!(std::fabs(exponent) <= most && std::floor(exponent) == exponent))
+    return power(static_cast<float>(base), static_cast<float>(exponent));
+  double product = 1;
+  for (int i = 0; i < std::fabs(exponent); ++i) product *= base;
+  return exponent < 0 ? 1 / product : product;
+}
 
-bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sources& sources, Diagnostic& fault) {
+float pure(Op op, float a, float b) { return pure_functions[static_cast<std::size_t>(op) - first_pure](a, b); }
+double pure(Op op, double a, double b) {
+  switch (op) {
+    case Op::remainder:
+      return std::fmod(a, b);
+    case Op::power:
+      return precise_power(a, b);
+    case Op::minimum:
+      return b < a ? b : a;
+    case Op::maximum:
+      return b > a ? b : a;
+    case Op::invert:
+      return a == 0 ? 1 : 0;
+    case Op::floor:
+      return std::floor(a);
+    case Op::ceiling:
+      return std::ceil(a);
+    case Op::nearest:
+      return std::floor(a + 0.5);
+    case Op::absolute:
+      return std::fabs(a);
+    case Op::square_root:
+      return std::sqrt(a);
+    default:
+      return pure(op, static_cast<float>(a), static_cast<float>(b));
+  }
+}
+
+template <class Number>
+bool execute_rare(const Code& code, std::uint32_t at, Number* registers, const Sources& sources, Diagnostic& fault) {
   const Instruction& step = code.instructions[at];
-  const float a = registers[step.a];
-  const float b = registers[step.b];
-  float& out = registers[step.out];
+  const auto a = static_cast<float>(registers[step.a]);
+  const auto b = static_cast<float>(registers[step.b]);
+  Number& out = registers[step.out];
   switch (step.op) {
     case Op::element:
-    case Op::random_whole:
-      return execute_fallible(code, at, registers, sources, fault);
+    case Op::random_whole: {
+      float result = 0;
+      if (!execute_fallible(code, at, a, b, result, sources, fault)) return false;
+      out = result;
+      return true;
+    }
     case Op::curve:
       out = code.curves[step.c].at(a);
       return true;
@@ -132,9 +171,19 @@ bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sou
       out = draw_normal(a, b, sources, code.streams[step.c]);
       return true;
     default:
-      out = pure_functions[static_cast<std::size_t>(step.op) - first_pure](a, b);
+      out = pure(step.op, registers[step.a], registers[step.b]);
       return true;
   }
+}
+
+}  // namespace
+
+bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sources& sources, Diagnostic& fault) {
+  return execute_rare(code, at, registers, sources, fault);
+}
+
+bool execute_one(const Code& code, std::uint32_t at, double* registers, const Sources& sources, Diagnostic& fault) {
+  return execute_rare(code, at, registers, sources, fault);
 }
 
 }  // namespace panicle::lsystem

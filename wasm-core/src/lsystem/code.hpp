@@ -47,6 +47,8 @@ struct Code {
   std::vector<Instruction> instructions;
   std::vector<Place> places;        // of each instruction
   std::vector<float> registers;     // what they hold at first: the numbers of the text
+  bool doubles = false;             // whether expressions are worked out in double precision
+  std::vector<double> precise;      // then: what the registers hold at first
   std::vector<std::string> arrays;  // names
   std::vector<std::uint64_t> streams;
   std::vector<Curve> curves;
@@ -65,17 +67,20 @@ struct Sources {
 
 // One of the rarer instructions, from Op::remainder on. False when it went wrong; `fault` says how.
 bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sources& sources, Diagnostic& fault);
+// The same in double precision, but for sines, logarithms and the like, lists, curves and what is drawn or asked.
+bool execute_one(const Code& code, std::uint32_t at, double* registers, const Sources& sources, Diagnostic& fault);
 
 // Runs instructions from `begin` to before `end`; what most rules consist of without a call. False when one went wrong;
-// `fault` says how.
-inline bool execute(const Code& code, std::uint32_t begin, std::uint32_t end, float* registers, const Sources& sources,
+// `fault` says how. Number is float or double.
+template <class Number>
+inline bool execute(const Code& code, std::uint32_t begin, std::uint32_t end, Number* registers, const Sources& sources,
                     Diagnostic& fault) {
   const Instruction* const instructions = code.instructions.data();
   for (std::uint32_t at = begin; at < end; ++at) {
     const Instruction& step = instructions[at];
-    const float a = registers[step.a];
-    const float b = registers[step.b];
-    float& out = registers[step.out];
+    const Number a = registers[step.a];
+    const Number b = registers[step.b];
+    Number& out = registers[step.out];
     switch (step.op) {
       case Op::add:
         out = a + b;

@@ -53,7 +53,7 @@ class Compiler {
   Compiler(const Grammar& grammar, Lineages lineages)
       : grammar_(grammar),
         program_(std::make_shared<Program>()),
-        lowering_(program_->code),
+        lowering_(code_of(*program_, grammar)),
         symbols_(grammar, *program_) {
     program_->notation = grammar.notation;
     for (const CurveTree& curve : grammar.curves) program_->code.curves.emplace_back(curve.points);
@@ -70,6 +70,11 @@ class Compiler {
   }
 
  private:
+  static Code& code_of(Program& program, const Grammar& grammar) {
+    program.code.doubles = grammar.doubles;
+    return program.code;
+  }
+
   bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {}) {
     trouble_ = error_at(reason, place, pattern, pieces);
     return false;
@@ -304,7 +309,7 @@ class Compiler {
     production.looks_on = left.size() > 1 || right.size() > 1;
     const auto kind = [&](const Neighbour& wanted) {
       production.looks_on |= wanted.arity > 0;
-      return header_of(wanted.symbol, wanted.arity, 0);
+      return header_of(wanted.symbol, wanted.arity, 0, program_->code.doubles);
     };
     if (left.size() > 0) production.nearest_left = kind(neighbours[left.end - 1]);
     if (right.size() > 0 && neighbours[right.begin].symbol != push_symbol)
@@ -395,15 +400,25 @@ class Compiler {
     const std::size_t at = program.words.size();
     const bool active = symbol == cut_symbol || symbols_.is_derived(symbol, count);
     const bool lineage = program.lineages && symbols_.remembers(symbol);
-    const std::size_t words = 1 + count + (lineage ? lineage_words : 0);
-    program.words.push_back(header_of(symbol, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(words)));
-    for (const Expression& argument : tree.arguments)
-      if (!parameter(argument, symbol)) return false;
+    const bool doubles = program.code.doubles;
+    const std::size_t single_words = 1 + count + (lineage ? lineage_words : 0);
+    const std::size_t words = single_words + (doubles ? 2 * count : 0);
+    program.words.push_back(
+        header_of(symbol, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(words), doubles));
+    std::vector<double> known;
+    for (const Expression& argument : tree.arguments) {
+      const std::size_t precise = at + single_words + 2 * known.size() - first_;
+      if (!parameter(argument, symbol, static_cast<std::uint32_t>(precise), known.emplace_back())) return false;
+    }
     if (lineage) {
       const std::uint32_t ordinal = ordinals_[symbol]++;
       program.births.push_back(
           {static_cast<std::uint32_t>(program.words.size()) - first_, hash_combine(hash_text(tree.name), ordinal)});
       program.words.resize(program.words.size() + lineage_words);
+    }
+    if (doubles) {
+      program.words.resize(at + words);
+      if (count > 0) std::memcpy(program.words.data() + at + single_words, known.data(), count * sizeof(double));
     }
     if (active) program.active.push_back(static_cast<std::uint32_t>(at) - first_);
     return true;
@@ -429,14 +444,16 @@ class Compiler {
                 {name});
   }
 
-  bool parameter(const Expression& expression, std::uint32_t symbol) {
+  // `precise`: the place of its double in the template. `known`: what it is, where the text alone decides.
+  bool parameter(const Expression& expression, std::uint32_t symbol, std::uint32_t precise, double& known) {
     Program& program = *program_;
     std::uint32_t source = 0;
     if (!take(lowering_.lower(expression), source)) return false;
     Demand demand = Demand::none;
     if (symbols_.is_turtles(symbol))
       demand = program.turtle(symbol)->non_negative ? Demand::not_negative : Demand::finite;
-    Patch patch{static_cast<std::uint32_t>(program.words.size()) - first_, source, demand, symbol, expression.place};
+    Patch patch{
+        static_cast<std::uint32_t>(program.words.size()) - first_, precise, source, demand, symbol, expression.place};
     std::uint32_t word = 0;
     switch (lowering_.known(source)) {
       case Lowering::Known::now: {
@@ -446,10 +463,12 @@ class Compiler {
           return false;
         }
         std::memcpy(&word, &value, sizeof word);
+        known = program.code.doubles ? program.code.precise[source] : value;
         break;
       }
       case Lowering::Known::once_bound:
         patch.offset += first_;
+        patch.precise += first_;
         program.bound_patches.push_back(patch);
         break;
       case Lowering::Known::on_the_run:

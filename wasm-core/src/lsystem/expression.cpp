@@ -115,7 +115,7 @@ class Parser {
   bool operand() {
     const Token& first = token();
     if (first.kind == TokenKind::number) {
-      put({Node::Kind::number, Op::add, 0, first.number, {}, first.place});
+      put({Node::Kind::number, Op::add, 0, first.number, {}, first.place, 0, first.precise});
     } else if (first.kind == TokenKind::name) {
       if (next_is('(')) return begin_call();
       if (next_is('[')) {

@@ -40,6 +40,7 @@ struct Node {
   std::string_view name;  // of a value, an array or a function
   Place place;
   std::uint32_t curve = 0;  // that Op::curve reads
+  double precise = 0;       // the number in double precision
 };
 
 struct Expression {
@@ -123,6 +124,7 @@ struct SightTree {
 
 struct Grammar {
   Notation notation = Notation::huang;
+  bool doubles = false;  // `#numbers double`
   std::vector<DefinitionTree> definitions;
   std::vector<CurveTree> curves;
   std::array<Expression, settings_count> settings;  // by Said

@@ -325,7 +325,8 @@ class Interpreter {
                           : action == Action::ask_left    ? turtle_.left
                                                           : turtle_.up;
     const std::uint32_t count = std::min<std::uint32_t>(3, parameters_of(*module));
-    std::memcpy(answered_->words.data() + (module - answered_->begin()) + 1, &at, count * sizeof(float));
+    std::uint32_t* const written = answered_->words.data() + (module - answered_->begin());
+    for (std::uint32_t i = 0; i < count; ++i) set_parameter(written, i, at[static_cast<int>(i)]);
   }
 
   Lineage lineage_of(const std::uint32_t* module) const {
@@ -379,18 +380,27 @@ class Interpreter {
     const std::uint32_t count = parameters_of(*module);
     float parameters[most_parameters];
     std::memcpy(parameters, module + 1, count * sizeof(float));
+    float before[most_parameters];
+    std::copy_n(parameters, count, before);
     listener_.ask(turtle_, {parameters, count}, lineage_of(module));
-    if (questions_ == Questions::drawn) return draw_answer(module, parameters, count);
+    const auto write = [&](std::uint32_t* to) {  // what has been answered; the rest stays as precise as it is
+      for (std::uint32_t i = 0; i < count; ++i)
+        if (std::memcmp(&parameters[i], &before[i], sizeof(float)) != 0) set_parameter(to, i, parameters[i]);
+    };
+    if (questions_ == Questions::drawn) {
+      std::uint32_t answered[1 + most_parameters + lineage_words + 2 * most_parameters + block] = {};
+      std::memcpy(answered, module, words_of(*module) * sizeof *module);
+      write(answered);
+      return draw_answer(module, answered);
+    }
     if (module >= answered_->begin() && module < answered_->end())
-      std::memcpy(answered_->words.data() + (module - answered_->begin()) + 1, parameters, count * sizeof(float));
+      write(answered_->words.data() + (module - answered_->begin()));
     return false;
   }
 
-  // Applies the production that matches the answer and draws its successor in place.
-  bool draw_answer(const std::uint32_t* module, const float* parameters, std::uint32_t count) {
-    std::uint32_t answered[1 + most_parameters + lineage_words + block] = {};
-    std::memcpy(answered, module, words_of(*module) * sizeof *module);
-    std::memcpy(answered + 1, parameters, count * sizeof(float));
+  // Applies the production that matches the answer and draws its successor in place. `answered` is the module with what
+  // it was answered, and has a block of words behind it.
+  bool draw_answer(const std::uint32_t* module, const std::uint32_t* answered) {
     const Production* const production = machine_.choose(answered);
     if (production == nullptr) return false;
     const Template& successor = production->successor;

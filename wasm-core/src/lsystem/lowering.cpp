@@ -28,6 +28,7 @@ bool same_as_one_of(const std::vector<Instruction>& earlier, Instruction& instru
 
 Lowering::Lowering(Code& code) : code_(code) {
   code_.registers.assign(most_parameters, 0);
+  if (code_.doubles) code_.precise.assign(most_parameters, 0);
   known_.assign(most_parameters, static_cast<std::uint8_t>(Known::on_the_run));
 }
 
@@ -81,7 +82,7 @@ bool Lowering::fail(Reason reason, const Place& place, const char* pattern, Piec
 bool Lowering::lower_node(const Node& node) {
   switch (node.kind) {
     case Node::Kind::number:
-      put(number_register(node.number));
+      put(number_register(node.number, node.precise));
       return true;
     case Node::Kind::name:
       return name(node);
@@ -212,17 +213,20 @@ void Lowering::end_branch(const Node& node) {
   put(branch.out);
 }
 
-std::uint32_t Lowering::new_register(float value, Known known) {
-  code_.registers.push_back(value);
+std::uint32_t Lowering::new_register(double value, Known known) {
+  code_.registers.push_back(static_cast<float>(value));
+  if (code_.doubles) code_.precise.push_back(value);
   known_.push_back(static_cast<std::uint8_t>(known));
   return static_cast<std::uint32_t>(code_.registers.size() - 1);
 }
 
-std::uint32_t Lowering::number_register(float value) {
-  char bytes[sizeof value];
-  std::memcpy(bytes, &value, sizeof value);
-  const std::uint32_t number = numbers_.add({bytes, sizeof value});
-  if (number == number_registers_.size()) number_registers_.push_back(new_register(value, Known::now));
+std::uint32_t Lowering::number_register(float value, double precise) {
+  char bytes[sizeof precise];
+  const std::size_t size = code_.doubles ? sizeof precise : sizeof value;
+  std::memcpy(bytes, code_.doubles ? static_cast<const void*>(&precise) : &value, size);
+  const std::uint32_t number = numbers_.add({bytes, size});
+  if (number == number_registers_.size())
+    number_registers_.push_back(new_register(code_.doubles ? precise : value, Known::now));
   return number_registers_[number];
 }
 
@@ -250,12 +254,17 @@ std::uint32_t Lowering::fold(Instruction instruction) {
   instruction.out = new_register(0, Known::now);
   code_.instructions.push_back(instruction);
   Diagnostic none;  // arithmetic alone cannot go wrong
-  execute(code_, at, at + 1, code_.registers.data(), {}, none);
-  const float value = code_.registers[instruction.out];
+  if (code_.doubles) {
+    execute(code_, at, at + 1, code_.precise.data(), {}, none);
+  } else {
+    execute(code_, at, at + 1, code_.registers.data(), {}, none);
+  }
+  const double precise = code_.doubles ? code_.precise.back() : code_.registers.back();
   code_.instructions.pop_back();
   code_.registers.pop_back();
+  if (code_.doubles) code_.precise.pop_back();
   known_.pop_back();
-  return number_register(value);
+  return number_register(static_cast<float>(precise), precise);
 }
 
 std::uint32_t Lowering::pop() {

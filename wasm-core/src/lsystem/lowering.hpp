@@ -32,7 +32,7 @@ class Lowering {
   std::size_t locals() const { return locals_.size(); }
   void forget_locals(std::size_t down_to) { locals_.resize(down_to); }
   // The register of a number of the text.
-  std::uint32_t number_register(float value);
+  std::uint32_t number_register(float value) { return number_register(value, value); }
 
   // The next expressions belong to a production. Names that they may use: the predecessor's parameters, which hide
   // defines of the same name, and random draws, whose streams are hashes of `key`, the function and how many of it came
@@ -70,7 +70,9 @@ class Lowering {
   void begin_branch(const Node& node);
   void end_branch(const Node& node);
   std::uint64_t stream_of(const Node& node);
-  std::uint32_t new_register(float value, Known known);
+  // In double precision the second value counts.
+  std::uint32_t number_register(float value, double precise);
+  std::uint32_t new_register(double value, Known known);
   std::uint32_t emit(Instruction instruction, const Place& place);
   std::uint32_t emit_once_bound(Instruction instruction, const Place& place);
   std::uint32_t fold(Instruction instruction);
@@ -94,7 +96,7 @@ class Lowering {
   };
   std::vector<Local> locals_;
   std::array<std::uint32_t, 3> drawn_{};         // how many calls of each random function
-  Names numbers_;                                // of the text, by their four bytes
+  Names numbers_;                                // of the text, by their bytes
   std::vector<std::uint32_t> number_registers_;  // of each
   std::vector<std::uint8_t> known_;              // of each register
   std::vector<std::uint32_t> stack_;

@@ -115,7 +115,7 @@ struct Surroundings {
 };
 
 // A derived string: modules as 32-bit words (header, then parameters as float), with the lineage of each module
-// where the program needs it.
+// where the program needs it, and the parameters as doubles too where the text calculates in double precision.
 class String;
 struct Derived {
   std::shared_ptr<const String> string;

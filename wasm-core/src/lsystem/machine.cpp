@@ -17,6 +17,8 @@ Machine::Machine(const Bound& bound, std::uint64_t seed, const Limits& limits, c
       words_(bound.words.data()),
       register_file_(bound.registers),
       registers_(register_file_.data()),
+      precise_file_(bound.precise),
+      precise_(program_.code.doubles ? precise_file_.data() : nullptr),
       choice_stream_(hash_text("production")),
       sources_{bound.lists, seed, 0, space, {}} {}
 
@@ -39,9 +41,9 @@ Machine::Obstacle Machine::obstacle_of(const Production& production, const std::
   if (!production.condition.given) return Obstacle::none;
   const std::uint64_t address = sources_.address;
   if (stepping_ && rules_[symbol_of(*module)].by_chance) sources_.address = hash_combine(address, step_);
-  const bool holds = evaluate(production.condition.code) && registers_[production.condition.source] != 0;
+  const bool met = evaluate(production.condition.code) && holds(production.condition.source);
   sources_.address = address;
-  return holds ? Obstacle::none : Obstacle::condition;
+  return met ? Obstacle::none : Obstacle::condition;
 }
 
 bool Machine::waits_for_chance(std::uint32_t header) const {
@@ -89,13 +91,13 @@ const Production* Machine::draw_production(const Rules& rules, std::uint32_t cou
 
 bool Machine::sees(const Production& production) {
   std::uint64_t looked = 0;
-  const bool fits = neighbourhood_->fits(production, registers_, looked);
+  const bool fits = neighbourhood_->fits(production, {registers_, precise_}, looked);
   return spend(looked / 32) && fits;
 }
 
 bool Machine::weigh(const Production& production, float& weight) {
   if (!evaluate(production.weight.code)) return false;
-  weight = registers_[production.weight.source];
+  weight = value_of(production.weight.source);
   if (meets(Demand::not_negative, weight)) return true;
   return fail(error_at(Reason::evaluation, production.weight.place,
                        "A weight must be a number of 0 or more; here it is %.", {number_text(weight)}));

@@ -41,9 +41,10 @@ class Machine {
     copy_words(to, words_ + successor.first, successor.words);
     for (std::uint32_t i = successor.patches.begin; i < successor.patches.end; ++i) {
       const Patch& patch = patches_[i];
-      const float value = registers_[patch.source];
+      const float value = value_of(patch.source);
       if (!meets(patch.demand, value)) return refuse(patch, value);
       std::memcpy(to + patch.offset, &value, sizeof value);
+      if (precise_ != nullptr) std::memcpy(to + patch.precise, precise_ + patch.source, sizeof *precise_);
     }
     if (successor.births.size() > 0) write_lineages(successor, to, parent, symbol);
     return true;
@@ -63,7 +64,9 @@ class Machine {
   void look_around(Neighbourhood& neighbourhood) { neighbourhood_ = &neighbourhood; }
 
   // What a register holds: of the production that was applied last, what it was used with.
-  float value_of(std::uint32_t source) const { return registers_[source]; }
+  float value_of(std::uint32_t source) const {
+    return precise_ != nullptr ? static_cast<float>(precise_[source]) : registers_[source];
+  }
   // How one with a weight was drawn last: the sum of the weights of all that matched, its own, and where in the sum the
   // draw fell.
   const std::array<float, 3>& chance() const { return chance_; }
@@ -102,20 +105,31 @@ class Machine {
  private:
   void load(const std::uint32_t* module) {
     const std::uint32_t count = parameters_of(*module);
-    for (std::uint32_t i = 0; i < count; i += block) std::memcpy(registers_ + i, module + 1 + i, block * sizeof(float));
+    if (precise_ != nullptr) {
+      std::memcpy(precise_, doubles_of(module), count * sizeof(double));
+    } else {
+      for (std::uint32_t i = 0; i < count; i += block)
+        std::memcpy(registers_ + i, module + 1 + i, block * sizeof(float));
+    }
     if (has_lineage(*module)) sources_.address = origin_of(module).address;
   }
   bool matches(const Production& production, std::uint32_t count) {
     if (production.arity != count || (production.in_context && !may_fit(production))) return false;
     if (!spend(production.cost) || (production.looks_on && !sees(production))) return false;
     if (!production.condition.given) return true;
-    return evaluate(production.condition.code) && registers_[production.condition.source] != 0;
+    return evaluate(production.condition.code) && holds(production.condition.source);
   }
   bool may_fit(const Production& production) const {
     return neighbourhood_ != nullptr && neighbourhood_->may_fit(production);
   }
   [[gnu::noinline]] bool sees(const Production& production);
-  bool evaluate(Range code) { return execute(program_.code, code.begin, code.end, registers_, sources_, trouble_); }
+  bool evaluate(Range code) {
+    if (precise_ != nullptr) return execute(program_.code, code.begin, code.end, precise_, sources_, trouble_);
+    return execute(program_.code, code.begin, code.end, registers_, sources_, trouble_);
+  }
+  bool holds(std::uint32_t source) const {
+    return precise_ != nullptr ? precise_[source] != 0 : registers_[source] != 0;
+  }
   [[gnu::noinline]] const Production* choose_by_chance(const Rules& rules, std::uint32_t count);
   const Production* first_that_matches(const Rules& rules, std::uint32_t count) {
     for (std::uint32_t i = rules.productions.begin; i < rules.productions.end; ++i) {
@@ -143,6 +157,8 @@ class Machine {
   const std::uint32_t* words_;
   std::vector<float> register_file_;
   float* registers_;
+  std::vector<double> precise_file_;
+  double* precise_;  // in place of `registers_` where the text calculates in double precision; else null
   std::uint64_t choice_stream_;
   std::uint64_t spent_ = 0;
   std::vector<float> weights_;  // of the productions that compete

@@ -88,7 +88,7 @@ void Neighbourhood::go_to(std::uint64_t at, std::uint64_t& looked) {
   right_ = kind_at(behind_it_);
 }
 
-bool Neighbourhood::fits(const Production& production, float* registers, std::uint64_t& looked) {
+bool Neighbourhood::fits(const Production& production, Registers registers, std::uint64_t& looked) {
   if (!fits_left(production.left, registers)) return false;
   const Range right = production.right;
   if (right.size() == 0) return true;
@@ -98,7 +98,7 @@ bool Neighbourhood::fits(const Production& production, float* registers, std::ui
   return follow(right.begin, right.end, module + words_of(*module), registers, looked) != nullptr;
 }
 
-bool Neighbourhood::fits_left(Range wanted, float* registers) const {
+bool Neighbourhood::fits_left(Range wanted, Registers registers) const {
   std::uint32_t place = before_it_;
   for (std::uint32_t i = wanted.end; i-- > wanted.begin;) {
     if (place == none || !is(program_.neighbours[i], string_->begin() + place, registers)) return false;
@@ -110,7 +110,7 @@ bool Neighbourhood::fits_left(Range wanted, float* registers) const {
 // Follows neighbours along one axis from `at` on: where that ends, or null where it cannot be followed. A branch that
 // is wanted has to begin as the one in the text does; branches that are not are passed over.
 const std::uint32_t* Neighbourhood::follow(std::uint32_t begin, std::uint32_t end, const std::uint32_t* at,
-                                           float* registers, std::uint64_t& looked) const {
+                                           Registers registers, std::uint64_t& looked) const {
   for (std::uint32_t i = begin; i < end; ++i) {
     const Neighbour& wanted = program_.neighbours[i];
     const bool branch = wanted.symbol == push_symbol;
@@ -152,9 +152,13 @@ const std::uint32_t* Neighbourhood::next_seen(const std::uint32_t* at, bool into
   return nullptr;
 }
 
-bool Neighbourhood::is(const Neighbour& wanted, const std::uint32_t* module, float* registers) const {
+bool Neighbourhood::is(const Neighbour& wanted, const std::uint32_t* module, Registers registers) const {
   if (symbol_of(*module) != wanted.symbol || parameters_of(*module) != wanted.arity) return false;
-  std::memcpy(registers + wanted.to, module + 1, wanted.arity * sizeof(float));
+  if (registers.precise != nullptr) {
+    std::memcpy(registers.precise + wanted.to, doubles_of(module), wanted.arity * sizeof(double));
+  } else {
+    std::memcpy(registers.single + wanted.to, module + 1, wanted.arity * sizeof(float));
+  }
   return true;
 }
 

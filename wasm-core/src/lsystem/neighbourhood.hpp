@@ -35,9 +35,15 @@ class Neighbourhood {
            (production.nearest_right == Neighbour::any || production.nearest_right == right_);
   }
 
+  // Where parameters go: to the second, where it is not null, in double precision.
+  struct Registers {
+    float* single;
+    double* precise;
+  };
+
   // Whether the module has beside it what a production in context wants. Their parameters are then in the registers
   // behind the module's own. `looked` grows by the words that were looked at.
-  bool fits(const Production& production, float* registers, std::uint64_t& looked);
+  bool fits(const Production& production, Registers registers, std::uint64_t& looked);
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
@@ -55,11 +61,11 @@ class Neighbourhood {
   const std::uint32_t* end_of_branch(const std::uint32_t* at) const {
     return string_->begin() + ends_.data()[at - string_->begin()];
   }
-  bool fits_left(Range wanted, float* registers) const;
-  const std::uint32_t* follow(std::uint32_t begin, std::uint32_t end, const std::uint32_t* at, float* registers,
+  bool fits_left(Range wanted, Registers registers) const;
+  const std::uint32_t* follow(std::uint32_t begin, std::uint32_t end, const std::uint32_t* at, Registers registers,
                               std::uint64_t& looked) const;
   const std::uint32_t* next_seen(const std::uint32_t* at, bool into_branches, std::uint64_t& looked) const;
-  bool is(const Neighbour& wanted, const std::uint32_t* module, float* registers) const;
+  bool is(const Neighbour& wanted, const std::uint32_t* module, Registers registers) const;
 
   const Program& program_;
   std::vector<std::uint8_t> sorts_;  // by symbol

@@ -31,7 +31,7 @@ std::string with_point(std::string digits, int whole) {
 
 }  // namespace
 
-float number_from(std::string_view decimal) {
+double double_from(std::string_view decimal) {
   constexpr std::uint64_t most = 100'000'000'000'000'000;  // digits beyond 18 cannot change a float
   std::uint64_t digits = 0;
   int exponent = 0;
@@ -55,8 +55,10 @@ float number_from(std::string_view decimal) {
     exponent += negative ? -written : written;
   }
   if (digits == 0) return 0;
-  return static_cast<float>(times_power_of_ten(static_cast<double>(digits), std::clamp(exponent, -400, 400)));
+  return times_power_of_ten(static_cast<double>(digits), std::clamp(exponent, -400, 400));
 }
+
+float number_from(std::string_view decimal) { return static_cast<float>(double_from(decimal)); }
 
 std::string number_text(float value) {
   if (std::isnan(value)) return "not a number";

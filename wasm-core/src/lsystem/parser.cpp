@@ -310,10 +310,12 @@ class GrammarParser : public ProductionReader {
     if (keyword.text == "role") return role();
     if (keyword.text == "curve") return curve();
     if (keyword.text == "turtle") return notation();
+    if (keyword.text == "numbers") return numbers();
     const bool input = keyword.text == "input";
     if (!input && keyword.text != "define") {
       if (!foreign_directive(keyword.text).empty()) return wrong(keyword.place, "%", {foreign_directive(keyword.text)});
-      return wrong(keyword.place, "There is no #%; write #define, #input, #role, #curve or #turtle.", {keyword.text});
+      return wrong(keyword.place, "There is no #%; write #define, #input, #role, #curve, #turtle or #numbers.",
+                   {keyword.text});
     }
     return definition(input);
   }
@@ -324,6 +326,20 @@ class GrammarParser : public ProductionReader {
       return wrong(here(), "Which turtle? #turtle cpfg turns left by +, #turtle huang right; here is '%'.", {found()});
     if (std::exchange(notation_said_, true)) return wrong(here(), "There is a second #turtle; keep one of them.");
     grammar_.notation = huang ? Notation::huang : Notation::cpfg;
+    ++at_;
+    return at_ == end_ || wrong(here(), "'%' cannot stand here; take it out.", {found()});
+  }
+
+  // `#numbers double`, or `single`.
+  bool numbers() {
+    const bool doubles = at_ < end_ && tokens_[at_].is("double");
+    if (!doubles && !(at_ < end_ && tokens_[at_].is("single")))
+      return wrong(here(),
+                   "In which precision? #numbers double, or #numbers single, which is what a text without this line "
+                   "has; here is '%'.",
+                   {found()});
+    if (std::exchange(precision_said_, true)) return wrong(here(), "There is a second #numbers; keep one of them.");
+    grammar_.doubles = doubles;
     ++at_;
     return at_ == end_ || wrong(here(), "'%' cannot stand here; take it out.", {found()});
   }
@@ -550,6 +566,7 @@ class GrammarParser : public ProductionReader {
   Purpose purpose_ = Purpose::derivation;
   std::size_t first_system_ = static_cast<std::size_t>(-1);
   bool notation_said_ = false;
+  bool precision_said_ = false;
 };
 
 }  // namespace

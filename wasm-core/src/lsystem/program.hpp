@@ -46,8 +46,9 @@ struct Template {
 };
 
 struct Patch {
-  std::uint32_t offset = 0;  // in its template; in Program::words where the inputs decide
-  std::uint32_t source = 0;  // register
+  std::uint32_t offset = 0;   // in its template; in Program::words where the inputs decide
+  std::uint32_t precise = 0;  // likewise of the parameter as a double, where modules have some
+  std::uint32_t source = 0;   // register
   Demand demand = Demand::none;
   std::uint32_t symbol = 0;
   Place place;
@@ -69,7 +70,7 @@ struct Value {
 // A module that a production wants beside the one that it rewrites, or a bracket of a branch that it wants there.
 struct Neighbour {
   static constexpr std::uint32_t any = 0xffffffff;
-  // Of a header: the symbol and how many parameters.
+  // Of a header: the symbol and how many parameters, in which precision.
   static constexpr std::uint32_t kind(std::uint32_t header) { return header & 0xffffff; }
 
   std::uint32_t symbol = 0;

@@ -72,7 +72,7 @@ std::string Refusals::why_not_beside(const Production& production, const std::ui
     const std::string_view name = program_.symbols[wanted.symbol];
     const std::string_view where = left ? "before" : "behind";
     const auto at = static_cast<std::uint64_t>(module - string_.begin());
-    if (there == Neighbour::kind(header_of(wanted.symbol, wanted.arity, 0))) return {};
+    if (there == Neighbour::kind(header_of(wanted.symbol, wanted.arity, 0, program_.code.doubles))) return {};
     if (there != Neighbour::any && symbol_of(there) == wanted.symbol)
       return sentence("the % % it has %, not %",
                       {name, where, parameters(parameters_of(there)), parameters(wanted.arity)});

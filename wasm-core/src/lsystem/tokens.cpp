@@ -211,9 +211,11 @@ class Tokenizer {
       if (has_sign) advance(1);
       digits();
     }
-    const float value = number_from(text_.substr(start, at_ - start));
+    const double precise = double_from(text_.substr(start, at_ - start));
+    const auto value = static_cast<float>(precise);
     if (std::isinf(value)) return fail(place, "This number is too large; the largest is 3.4e38.");
     add(TokenKind::number, start, place, value);
+    tokens_.back().precise = precise;
     if (of_rules_ && text_.substr(at_, 2) == "°") advance(2);
     return true;
   }

@@ -20,6 +20,7 @@ struct Token {
   Place place;
   std::string_view text;  // part of the grammar's text
   float number = 0;
+  double precise = 0;  // the same in double precision
 
   bool is(char sign) const { return kind == TokenKind::sign && text[0] == sign; }
   bool is(std::string_view name) const { return kind == TokenKind::name && text == name; }

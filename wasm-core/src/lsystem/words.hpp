@@ -1,5 +1,6 @@
-// Derived strings in memory: 32-bit words, one header per module, then its parameters, then (where the program keeps
-// lineages) three words of lineage: the address in two, and the symbols of parent and grandparent in one.
+// Derived strings in memory: 32-bit words, one header per module, then its parameters in single precision, then (where
+// the program keeps lineages) three words of lineage: the address in two, and the symbols of parent and grandparent in
+// one; then, where the text calculates in double precision, the parameters once more as doubles, two words each.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +10,19 @@
 
 namespace panicle::lsystem {
 
-// Header: symbol in bits 0–15, number of parameters in 16–23, words of the whole module in 24–31.
-constexpr std::uint32_t header_of(std::uint32_t symbol, std::uint32_t parameters, std::uint32_t words) {
-  return symbol | parameters << 16 | words << 24;
+// Header: symbol in bits 0–15, number of parameters in 16–22, whether they are doubles as well in 23, words of the
+// whole module in 24–31.
+constexpr std::uint32_t header_of(std::uint32_t symbol, std::uint32_t parameters, std::uint32_t words, bool doubles) {
+  return symbol | parameters << 16 | (doubles ? 1u << 23 : 0u) | words << 24;
 }
 constexpr std::uint32_t symbol_of(std::uint32_t header) { return header & 0xffff; }
-constexpr std::uint32_t parameters_of(std::uint32_t header) { return header >> 16 & 0xff; }
+constexpr std::uint32_t parameters_of(std::uint32_t header) { return header >> 16 & 0x7f; }
+constexpr bool has_doubles(std::uint32_t header) { return (header >> 23 & 1) != 0; }
+// Words of the doubles at a module's end.
+constexpr std::uint32_t double_words(std::uint32_t header) {
+  return has_doubles(header) ? 2 * parameters_of(header) : 0;
+}
+
 constexpr std::uint32_t words_of(std::uint32_t header) { return header >> 24; }
 
 inline constexpr std::uint32_t lineage_words = 3;
@@ -26,7 +34,22 @@ struct Origin {
   std::uint32_t ancestors = no_symbol << 16 | no_symbol;  // parent | grandparent << 16
 };
 
-inline bool has_lineage(std::uint32_t header) { return words_of(header) > 1 + parameters_of(header); }
+inline bool has_lineage(std::uint32_t header) {
+  return words_of(header) > 1 + parameters_of(header) + double_words(header);
+}
+
+// Where the doubles of a module begin that has some.
+inline const std::uint32_t* doubles_of(const std::uint32_t* module) {
+  return module + words_of(*module) - double_words(*module);
+}
+
+// Writes a parameter, in both precisions where the module has both.
+inline void set_parameter(std::uint32_t* module, std::uint32_t index, float value) {
+  std::memcpy(module + 1 + index, &value, sizeof value);
+  if (!has_doubles(*module)) return;
+  const double precise = value;
+  std::memcpy(module + words_of(*module) - double_words(*module) + 2 * index, &precise, sizeof precise);
+}
 
 inline Origin origin_of(const std::uint32_t* module) {
   Origin origin;
