@@ -23,9 +23,21 @@ export default [
 			},
 			{
 				id: "divisors-old-leaves-fall",
-				find: "if (memory.leaves_step + 1 != step) return true;",
+				find: "if (range.step + 1 != step) continue;",
 				replace: "",
 				breaks: "leaves of long ago are about to fall, some of them twice",
+			},
+			{
+				id: "divisors-own-leaves-stay",
+				find: "{memory.counted, memory.of_branches}",
+				replace: "{memory.of_branches}",
+				breaks: "no leaf ever falls: a shoot whose count is negative has given none to branches",
+			},
+			{
+				id: "divisors-foliage-stays",
+				find: "i < outcome.falling ? step : Leaf::never",
+				replace: "Leaf::never",
+				breaks: "no leaf of a species is about to fall in autumn",
 			},
 			{
 				id: "divisors-branches-make-trunks",
@@ -156,9 +168,27 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/standard.hpp`,
+		suites: [`${TESTS}/counts_test.cpp`],
+		faults: [
+			{
+				id: "divisors-factor-of-trunks-alone",
+				find: "ndv = D(B * k) - D(B * (k - 1))",
+				replace: "ndv = D(k) - D(k - 1)",
+				breaks: "B of equation 5 does nothing to branches",
+			},
+		],
+	},
+	{
 		file: `${SRC}/foliage.cpp`,
 		suites: [`${TESTS}/form_test.cpp`],
 		faults: [
+			{
+				id: "growth-foliage-falls-in-summer",
+				find: "return !population_.has_foliage || (!habit_.evergreen && habit_.season >= autumn);",
+				replace: "return true;",
+				breaks: "an oak has red leaves in June, and a spruce at all times",
+			},
 			{
 				id: "growth-leaves-fall-together",
 				find: "first_fall + fall_spread * falls_.unit(address)",

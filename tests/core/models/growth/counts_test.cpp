@@ -68,4 +68,7 @@ TEST_CASE("the standard lines are those of the table's texts") {
   const Population short_form = grown("tree -> DivFunc(\"hat1\"){branches}", 9);
   CHECK(spelled.branches == short_form.branches);
   CHECK(spelled.leaves.size() == short_form.leaves.size());
+  // B is in the argument for trunk and branches alike (equation 5).
+  CHECK(grown(text_named("table-1-power"), 9).branches ==
+        grown("tree -> DivFunc(\"star\", 1){branches} DivFunc(\"exp\", 2, 1){branch}", 9).branches);
 }

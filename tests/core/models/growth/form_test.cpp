@@ -291,21 +291,61 @@ TEST_CASE(
     return counts;
   };
   for (float time = 4; time <= 8; ++time) {
+    CAPTURE(time);
     const auto still = leaves(time, 0), shaken = leaves(time, 1), half = leaves(time, 0.5f);
+    // Of σ1 cohorts of the steps 4 and 6 have a negative count of leaves.
+    CHECK((still[falling_tag] > 0) == (time == 5 || time == 7));
     CHECK(still[fallen_tag] == 0);
     CHECK(shaken[falling_tag] == 0);
     CHECK(shaken[fallen_tag] == still[falling_tag]);
     CHECK(half[falling_tag] + half[fallen_tag] == still[falling_tag]);
+    if (still[falling_tag] > 50) {
+      CHECK(half[fallen_tag] > still[falling_tag] / 4);
+      CHECK(half[falling_tag] > still[falling_tag] / 4);
+    }
     CHECK(shaken[leaf_tag] == still[leaf_tag]);
   }
   const Population population = grown(text, 8);
   std::size_t falling = 0, hanging = 0;
   for (const Leaf& leaf : population.leaves) {
-    if (leaf.born <= 8 && leaf.falls == 8) ++falling;
-    if (leaf.born <= 8 && leaf.falls > 8) ++hanging;
+    if (leaf.born <= 7 && leaf.falls == 7) ++falling;
+    if (leaf.born <= 7 && leaf.falls > 7) ++hanging;
   }
-  CHECK(leaves(8, 0)[falling_tag] == falling);
-  CHECK(leaves(8, 0)[leaf_tag] == hanging);
+  CHECK(leaves(7, 0)[falling_tag] == falling);
+  CHECK(leaves(7, 0)[leaf_tag] == hanging);
+  // Half a step later they are half as large, and a step later gone.
+  CHECK(leaves(7.5f, 0)[falling_tag] == falling);
+  CHECK(leaves(8, 0)[falling_tag] == 0);
+}
+
+TEST_CASE("foliage that the text makes fall is about to fall in autumn, and comes again with the next summer") {
+  const Tree tree = tree_of(
+      "tree -> DivFunc(\"sigma1\"){branches}\nk >= 1 -> foliage(4, 3)\n"
+      "k < N - 1 -> nlf = E(N - k) - E(N - k - 1)\nnlf < 0 -> fallingLeaf(-nlf)\n",
+      8);
+  const auto counts = [&](float season, float fallen, bool evergreen, float time = 8) {
+    LeafHabit habit;
+    habit.season = season;
+    habit.fallen = fallen;
+    habit.evergreen = evergreen;
+    Plant plant;
+    const Moment moment = at(tree, time);
+    CHECK(add_leaves(plant, tree.population, tree.form, moment, time, habit, Limits{}).reason == Reason::none);
+    std::array<std::size_t, organ_tags> many{};
+    for (const Organ& organ : plant.organs) ++many[organ.tag];
+    return many;
+  };
+  const auto summer = counts(0.4f, 1, false), autumn = counts(0.65f, 0, false), shaken = counts(0.65f, 1, false),
+             evergreen = counts(0.65f, 1, true);
+  CHECK(summer[falling_tag] + summer[fallen_tag] == 0);
+  CHECK(evergreen[falling_tag] + evergreen[fallen_tag] == 0);
+  CHECK(autumn[falling_tag] > autumn[leaf_tag] / 20);
+  CHECK(autumn[falling_tag] < autumn[leaf_tag]);
+  CHECK(autumn[falling_tag] + autumn[leaf_tag] == summer[leaf_tag]);
+  CHECK(shaken[fallen_tag] == autumn[falling_tag]);
+  CHECK(shaken[leaf_tag] == autumn[leaf_tag]);
+  // At the end of the year all of them have fallen by themselves.
+  CHECK(counts(1, 0, false)[shed_tag] == summer[leaf_tag]);
 }
 
 TEST_CASE("the year: leaves unfold where they stand, fall once, and lie where they fell; evergreens keep theirs") {

@@ -196,7 +196,7 @@ TEST_CASE("meshes are sound: runs cover them, normals are unit and look out, eac
 }
 
 TEST_CASE("what is deep in the crown sees less of the sky than what is at its outside") {
-  const Tree tree = tree_of(text_named("table-1-sigma1"), 9, 3);
+  const Tree tree = tree_of(text_named("table-1-sigma1"), 10, 3);
   const PlantMesh& level = tree.levels.meshes[0];
   const auto [low, high] = box_of(level.mesh);
   const glm::vec3 middle = 0.5f * (low + high), half = 0.5f * (high - low);

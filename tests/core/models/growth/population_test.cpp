@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "models/growth/texts.hpp"
@@ -149,6 +150,41 @@ TEST_CASE("negative leaf counts mark leaves of the step before") {
   const Population later =
       grown(std::string(plain) + "k == 2 -> nbr = 1\nk == 2 -> leaf(4)\nk == 4 -> fallingLeaf(3)\nbud(9) -> branch", 5);
   for (const Leaf& leaf : later.leaves) CHECK(leaf.falls == Leaf::never);
+}
+
+TEST_CASE("a shoot whose count of leaves is negative sheds its own leaves of the step before") {
+  // While a shoot ages N − k stays what it is, so the count is that of the step at which it came, b: σ(b + 1) − σ(b).
+  const std::array<int, 13> sums = {0, 1, 3, 4, 7, 6, 12, 8, 15, 13, 18, 12, 28};
+  const Population plant = grown(text_named("figure-5"), 11);
+  std::vector<std::uint32_t> had(plant.shoots.size(), 0), fell(plant.shoots.size(), 0);
+  std::array<std::size_t, 12> falling{};
+  for (const Leaf& leaf : plant.leaves) {
+    ++had[leaf.shoot];
+    if (leaf.falls == Leaf::never) continue;
+    ++fell[leaf.shoot];
+    ++falling[leaf.falls];
+    CHECK(leaf.falls == leaf.born + 1);
+  }
+  for (std::size_t q = 0; q < plant.shoots.size(); ++q) {
+    const std::uint16_t born = plant.shoots[q].born;
+    const int count = sums[born + 1u] - sums[born];
+    const bool sheds = !plant.shoots[q].trunk && count < 0 && born < 11;
+    REQUIRE(fell[q] == (sheds ? std::min(had[q], static_cast<std::uint32_t>(-count)) : 0));
+  }
+  for (std::size_t step = 1; step <= 11; ++step)
+    CHECK((falling[step] > 0) == (step == 5 || step == 7 || step == 9 || step == 11));
+}
+
+TEST_CASE("of foliage as many leaves of an internode fall as the text says, in the step that laid it") {
+  const Population plant = grown(std::string(plain) + "nbr = 0\nk >= 1 -> foliage(3)\nk == 3 -> fallingLeaf(2)\n", 4);
+  std::size_t falling = 0;
+  for (const Leaf& leaf : plant.leaves) {
+    if (leaf.falls == Leaf::never) continue;
+    ++falling;
+    CHECK(leaf.born == 3);
+    CHECK(leaf.falls == 3);
+  }
+  CHECK(falling == 2);
 }
 
 TEST_CASE("child trunks come where nothing else does, and are from 1 to half as large") {

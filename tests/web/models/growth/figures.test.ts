@@ -12,7 +12,7 @@ const VOLUME = "footprint -> GrowVol(1, 1, 8, 9, 8, 0)";
 let core: Core;
 beforeAll(async () => {
 	core = await loadCoreFromBytes(readFileSync(new URL("../../../../build/core/growth.wasm", import.meta.url)));
-	await model.prepare(fromPreset(model, "table-1-older"));
+	for (const name of ["table-1-older", "figure-5", "figure-6"]) await model.prepare(fromPreset(model, name));
 });
 
 const older = () => readFileSync("wasm-core/grammars/growth/table-1-older.growth", "utf8");
@@ -30,6 +30,35 @@ function meansOf(rules: string, steps: number): { branches: number; bark: number
 	}
 	return { branches: sum.branches / SEEDS.length, bark: sum.bark / SEEDS.length };
 }
+
+it("figure 5: its tree has leaves that are about to fall, and shaken loses some of them", () => {
+	const grown = (parameters: Record<string, number>) => {
+		const preset = fromPreset(model, "figure-5");
+		const specimen = { ...preset, parameters: { ...preset.parameters, ...parameters } };
+		return model.read(core.grow(model.encode(specimen, { meshes: false })), specimen);
+	};
+	const { counts } = grown({});
+	expect(counts.falling).toBeGreaterThan(0.03 * counts.leaves);
+	for (const steps of [5, 7, 9, 11]) expect(grown({ steps }).counts.falling, `step ${steps}`).toBeGreaterThan(0);
+	const { organs } = grown({ fallen: 50 });
+	const many = (tag: string) => organs.tag.filter((each) => each === organs.tags.indexOf(tag)).length;
+	expect(many("fallen") / (many("fallen") + many("falling"))).toBeGreaterThan(0.3);
+	expect(many("fallen") / (many("fallen") + many("falling"))).toBeLessThan(0.7);
+});
+
+it("figure 6: its tree has a child trunk as it stands in the gallery, from 1 m to half as high as its parent", () => {
+	const specimen = fromPreset(model, "figure-6");
+	const { columns } = core.grow(model.encode(specimen, { meshes: false }));
+	const child = columns.octets("volumes.child");
+	const shape = columns.floats("volumes.shape");
+	const height = (volume: number) => shape[5 * volume + 1];
+	expect(child[0]).toBe(0);
+	expect(child.slice(1).some((each) => each === 1)).toBe(true);
+	for (let volume = 1; volume < child.length; volume++) {
+		expect(height(volume)).toBeGreaterThanOrEqual(1);
+		expect(height(volume)).toBeLessThanOrEqual(0.5 * height(0));
+	}
+});
 
 it("figure 3: the larger m, the fewer branches, and all fewer than by powers", () => {
 	const branches = [2, 3, 4, 5].map((m) => meansOf(`tree -> DivFunc("sigma1b", 1, ${m}){branches}`, 9).branches);

@@ -101,11 +101,26 @@ describe.each(speciesInRun)("%s", (name) => {
 			expect(within(lying, shed)).toBe(true);
 			lying = shed;
 			if (evergreen)
-				expect([plant.counts.leaves, plant.counts.shed, plant.fingerprint]).toEqual([most, 0, summer.fingerprint]);
+				expect([plant.counts.leaves, plant.counts.shed, plant.counts.falling, plant.fingerprint]).toEqual([
+					most,
+					0,
+					0,
+					summer.fingerprint,
+				]);
 		}
 		if (evergreen) return;
 		expect(grown(name, { season: 0 }).counts).toMatchObject({ leaves: 0, shed: 0 });
 		expect(grown(name, { season: 1 }).counts).toMatchObject({ leaves: 0, shed: most });
+		// Leaves that the text makes fall are about to in autumn alone, and shaken off as figure 5 has it.
+		expect(summer.counts.falling).toBe(0);
+		const autumn = grown(name, { season: 0.65 }).counts;
+		expect(autumn.falling).toBeGreaterThan(0.1 * autumn.leaves);
+		expect(autumn.falling).toBeLessThan(0.5 * autumn.leaves);
+		const shaken = grown(name, { season: 0.65, fallen: 50 });
+		const fallen =
+			placesOf(shaken, "fallen").size / (placesOf(shaken, "fallen").size + placesOf(shaken, "falling").size);
+		expect(Math.abs(fallen - 0.5)).toBeLessThan(0.2);
+		expect(within(placesOf(shaken, "falling"), all)).toBe(true);
 		const falling = grown(name, { season: 0.8 }).counts;
 		expect(Math.min(falling.leaves, falling.shed)).toBeGreaterThan(most / 5);
 	});

@@ -32,6 +32,7 @@ constexpr float near_tip = 0.35f;  // from where on along an internode they stan
 // falls, and over how long; and the same of blossoms, which come before the leaves and wither while these unfold.
 constexpr float budburst = 0.12f, burst_spread = 0.08f, unfolding = 0.16f;
 constexpr float unfolded_by = budburst + burst_spread + unfolding + 1e-3f;  // whatever is rounded
+constexpr float autumn = 0.6f;  // from here on foliage that the text makes fall is about to
 constexpr float first_fall = 0.7f, fall_spread = 0.22f;
 constexpr float flowering = 0.1f, flower_spread = 0.06f, opening = 0.06f, withering = 0.26f, withered = 0.08f;
 
@@ -162,11 +163,15 @@ class Crown {
   bool place_of(std::size_t l, Place& place) const {
     const Leaf& counted = population_.leaves[l];
     const Way& way = form_.ways[counted.shoot];
-    place.falls = counted.falls != Leaf::never && time_ >= static_cast<float>(counted.falls);
-    // Those about to fall hang for a step, and shrivel all the while; an earlier year's give way to this one's.
-    const float left = place.falls ? 1 - std::clamp(time_ - static_cast<float>(counted.falls), 0.0f, 1.0f) : 1;
-    place.share = come(counted.born, time_) * left;
-    if (counted.gone != Leaf::never) place.share *= 1 - come(counted.gone, time_);
+    const bool marked = counted.falls != Leaf::never && time_ >= static_cast<float>(counted.falls);
+    place.falls = marked && sheds_now();
+    place.share = come(counted.born, time_);
+    // Counted leaves about to fall hang for a step, and shrivel all the while; foliage is renewed every year, and an
+    // earlier year's gives way to this one's.
+    if (counted.gone != Leaf::never)
+      place.share *= 1 - come(counted.gone, time_);
+    else if (marked)
+      place.share *= 1 - std::clamp(time_ - static_cast<float>(counted.falls), 0.0f, 1.0f);
     if (!(place.share > 0) || way.count == 0) return false;
     const std::uint32_t node =
         std::min<std::uint32_t>(counted.born > way.from ? counted.born - way.from : 0u, way.count - 1) + 1;
@@ -183,6 +188,10 @@ class Crown {
     place.other = glm::cross(place.along, place.one);
     return true;
   }
+
+  // Whether leaves that the text makes fall are about to: at any time in a tree of the paper, whose leaves stay on old
+  // wood, and in autumn where foliage is renewed every year.
+  bool sheds_now() const { return !population_.has_foliage || (!habit_.evergreen && habit_.season >= autumn); }
 
   Organ on(const Place& place, float back) const {
     Organ organ;

@@ -24,12 +24,18 @@ struct Outcome {
   float gravitropism = 0, length = 1;
 };
 
-// What a shoot remembers.
+// Leaves of one step that are neighbours in Population::leaves.
+struct LeafRange {
+  std::uint32_t first = 0, count = 0;
+  std::uint16_t step = 0;  // at which they came
+};
+
+// The state of a shoot between steps.
 struct Memory {
   std::uint64_t address = 0;
   std::uint32_t buds_used = 0;
-  std::uint32_t first_leaf = 0, leaves = 0;  // that came of it last
-  std::uint16_t leaves_step = 0;
+  // The latest leaves: counted leaves on the shoot, and those on the branches that it made.
+  LeafRange counted, of_branches;
   float gravitropism = 0, length = 1;
 };
 
@@ -196,12 +202,20 @@ class Growth {
     return true;
   }
 
-  // "Leaves that are generated in the previous step are assigned as falling leaves" (section 3.3).
+  // "Leaves that are generated in the previous step are assigned as falling leaves" (section 3.3). A leaf may sit on the
+  // current branch or on one related to it (figure 1), so the shoot's own leaves fall first, then those of its branches.
+  // Under the paper's rule N − k is constant while a shoot ages: a shoot with a negative count has never given leaves to
+  // branches, and sheds those that it got when it came.
   bool shed(std::uint32_t number, std::uint16_t step, std::uint32_t falling) {
     const Memory& memory = memories_[number];
-    if (memory.leaves_step + 1 != step) return true;
-    for (std::uint32_t i = 0; i < std::min(falling, memory.leaves); ++i)
-      plant_.leaves[memory.first_leaf + i].falls = step;
+    for (const LeafRange& range : {memory.counted, memory.of_branches}) {
+      if (range.step + 1 != step) continue;
+      for (std::uint32_t i = range.first; i < range.first + range.count && falling > 0; ++i) {
+        if (plant_.leaves[i].falls != Leaf::never) continue;
+        plant_.leaves[i].falls = step;
+        --falling;
+      }
+    }
     return true;
   }
 
@@ -226,22 +240,25 @@ class Growth {
       if (!add_shoot({static_cast<std::int32_t>(number), shoot.volume, step, node, order, false}, address))
         return false;
       if (!add_leaves(step, outcome.leaves)) return false;
+      memories_.back().counted = {static_cast<std::uint32_t>(plant_.leaves.size()) - outcome.leaves, outcome.leaves,
+                                  step};
     }
     if (outcome.buds != nullptr) memories_[number].buds_used += grown;
-    memories_[number].first_leaf = first_leaf;
-    memories_[number].leaves = static_cast<std::uint32_t>(plant_.leaves.size()) - first_leaf;
-    memories_[number].leaves_step = step;
+    memories_[number].of_branches = {first_leaf, static_cast<std::uint32_t>(plant_.leaves.size()) - first_leaf, step};
     for (std::uint32_t each = first_branch; each < plant_.shoots.size(); ++each)
       if (!add_foliage(each, step, outcome)) return false;
     return true;
   }
 
-  // On the internode that a shoot lays at this step.
+  // On the internode that a shoot lays at this step. Foliage is renewed every year, so that what the text makes fall of
+  // it falls in the autumn of its own step.
   bool add_foliage(std::uint32_t shoot, std::uint16_t step, const Outcome& outcome) {
     if (plant_.leaves.size() + outcome.foliage > limits_.copies) return too_many("leaves", limits_.copies);
     const auto gone =
         static_cast<std::uint16_t>(std::min<std::uint32_t>(step + outcome.foliage_steps, Leaf::never - 1));
-    for (std::uint32_t i = 0; i < outcome.foliage; ++i) plant_.leaves.push_back({shoot, step, Leaf::never, gone});
+    for (std::uint32_t i = 0; i < outcome.foliage; ++i)
+      plant_.leaves.push_back({shoot, step, i < outcome.falling ? step : Leaf::never, gone});
+    plant_.has_foliage |= outcome.foliage > 0;
     return true;
   }
 

@@ -35,7 +35,7 @@ struct Leaf {
 
   std::uint32_t shoot = 0;
   std::uint16_t born = 0;
-  std::uint16_t falls = never;  // step at which it becomes a falling leaf
+  std::uint16_t falls = never;  // step at which it becomes a falling leaf; of foliage in that step's autumn
   std::uint16_t gone = never;   // step in the course of which it goes, as the foliage of an earlier year
 
   bool operator==(const Leaf&) const = default;
@@ -64,6 +64,7 @@ struct Population {
   std::vector<Environment> environments;  // one a volume
   std::uint16_t steps = 0;
   std::uint32_t branches = 0;  // without trunks, as Table 1 counts them
+  bool has_foliage = false;    // some leaves are renewed with the year, so that leaves fall in autumn alone
 };
 
 // The counts of a text after `steps` steps. Pure: the same text, seed and steps give the same. A later step only adds

@@ -9,7 +9,7 @@ namespace panicle::growth {
 // Section 3.3: the trunk is the branch whose k is N − 1.
 inline constexpr std::string_view standard_counts = R"(
 k == N - 1 -> ndv = D(B * k), nbr = abs(ndv)
-k < N - 1 -> ndv = D(k) - D(k - 1), nbr = ndv
+k < N - 1 -> ndv = D(B * k) - D(B * (k - 1)), nbr = ndv
 )";
 
 inline constexpr std::string_view standard_buds = "bud(k - 1) : k < N - 1 -> branch : 0.9\n";
