@@ -36,4 +36,46 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/controls/gestures/lean.ts",
+		suites: ["tests/web/controls/gestures/lean.test.ts"],
+		faults: [
+			{
+				id: "gestures-bend-in-space",
+				find: "right < 0 ? 1 - share : share",
+				replace: "share",
+				breaks: "a flower seen from behind bends away from the circle",
+			},
+		],
+	},
+	{
+		file: "web/src/scene/turntable.ts",
+		suites: ["tests/web/scene/turntable.test.ts"],
+		faults: [
+			{
+				id: "gestures-out-of-the-picture",
+				find: "if (this.#spindle && !showsWhole(shown, this.#spindle, lens))",
+				replace: "if (now.distance > 1.12 * shown.distance)",
+				breaks: "a flower that bends aside leaves the picture",
+			},
+			{
+				id: "gestures-view-comes-nearer",
+				find: "distance: Math.max(now.distance, shown.distance)",
+				replace: "distance: now.distance",
+				breaks: "the view comes nearer to a flower that bends aside, under the hand",
+			},
+		],
+	},
+	{
+		file: "wasm-core/grammars/flower/bluebell.gl3",
+		suites: ["tests/web/models/flower/lean.test.ts"],
+		faults: [
+			{
+				id: "flower-bends-elsewhere",
+				find: "bend*sin(-85)",
+				replace: "bend*sin(85)",
+				breaks: "a bluebell bends away from the circle, for its stem is rolled",
+			},
+		],
+	},
 ];

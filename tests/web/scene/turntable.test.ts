@@ -130,6 +130,45 @@ describe("Turntable", () => {
 		expect(table.distance).toBeLessThan(0.7 * distance);
 	});
 
+	it("keeps all of a plant in the picture that bends aside and grows while pointers do not turn it, and never comes nearer", () => {
+		// A stem of balls that bends to the right by an angle, as long as said.
+		const stem = (length: number, degrees: number) => {
+			const spheres: number[] = [];
+			let [x, y] = [0, 0];
+			for (let i = 0; i < 16; i++) {
+				const angle = (degrees * i * Math.PI) / (180 * 16);
+				x += (length / 16) * Math.sin(angle);
+				y += (length / 16) * Math.cos(angle);
+				spheres.push(x, y, 0, 0.002);
+			}
+			return { spindle: spindleOf({ spheres: Float32Array.from(spheres), points: new Float32Array(0) }), head: [x, y] };
+		};
+		table.setAspect(0.7);
+		table.keepsWhole = true;
+		table.controls.enabled = false;
+		let { distance } = table;
+		for (const [length, degrees] of [
+			[0.2, 0],
+			[0.2, 85],
+			[0.5, -85],
+			[0.1, 20],
+			[0.4, 85],
+		]) {
+			const { spindle: bent, head } = stem(length, degrees);
+			table.follow(bent, true);
+			table.advance(1000);
+			table.advance(2000);
+			const seen = new Vector3(head[0], head[1], 0).project(table.camera);
+			expect(Math.max(Math.abs(seen.x), Math.abs(seen.y)), `${length} m, ${degrees}°`).toBeLessThan(1);
+			expect(table.distance).toBeGreaterThan(0.999 * distance);
+			distance = table.distance;
+		}
+		table.keepsWhole = false;
+		table.follow(stem(0.1, 0).spindle, false);
+		table.advance(3000);
+		expect(table.distance).toBeLessThan(0.7 * distance);
+	});
+
 	it("follows a bunch that has outgrown the view, but not while a handle in the scene is held", () => {
 		const before = table.distance;
 		table.controls.enabled = false;

@@ -69,6 +69,8 @@ export interface ToolView {
 	readonly camera: Camera;
 	/** Whether pointers turn the plant. A tool that takes hold of something switches this off meanwhile. */
 	orbiting: boolean;
+	/** Whether from now on the view follows a plant only to keep all of it in the picture, orbiting or not, and never comes nearer. */
+	keepWhole(on: boolean): void;
 	/** Adds something to the scene, in the plant's metres. */
 	addOverlay(object: Object3D): void;
 	removeOverlay(object: Object3D): void;

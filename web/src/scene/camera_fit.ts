@@ -100,6 +100,13 @@ function outermost(rings: Float32Array, height: number): Float32Array {
 	return few;
 }
 
+/** How a camera sees: vertical angle of view in radians, width over height, elevation over the target's horizon in radians. */
+export interface Lens {
+	readonly fov: number;
+	readonly aspect: number;
+	readonly elevation: number;
+}
+
 /**
  * The nearest distance from which the whole plant is seen, whichever way it is turned.
  * @param fov vertical angle of view, radians
@@ -107,33 +114,45 @@ function outermost(rings: Float32Array, height: number): Float32Array {
  * @param margin share of the view's height and width kept free on each side
  * @param elevation of the camera over the target's horizon, radians
  */
-export function fitView(
-	{ centre, rings }: Spindle,
-	fov: number,
-	aspect: number,
-	margin: number,
-	elevation: number,
-): Fit {
-	const tall = Math.tan(fov / 2) * (1 - 2 * margin);
-	const wide = Math.tan(fov / 2) * aspect * (1 - 2 * margin);
-	const sine = Math.sin(elevation);
-	const cosine = Math.cos(elevation);
-	let distance = 1e-3;
+export function fitView(spindle: Spindle, fov: number, aspect: number, margin: number, elevation: number): Fit {
+	const { centre, rings } = spindle;
 	let radius = 0;
 	let breadth = 0;
 	for (let i = 0; i < rings.length; i += 3) {
 		const [out, height, thick] = [rings[i], rings[i + 1], rings[i + 2]];
 		radius = Math.max(radius, Math.hypot(out, height) + thick);
 		breadth = Math.max(breadth, out + thick);
+	}
+	const distance = wholeFrom(spindle, centre, { fov, aspect, elevation }, margin);
+	return { target: centre, distance, radius, breadth };
+}
+
+/** Whether a view that was fitted to another plant shows all of this one, whichever way both are turned about the view's target. */
+export function showsWhole(view: Fit, spindle: Spindle, lens: Lens): boolean {
+	return wholeFrom(spindle, view.target, lens, 0) <= view.distance;
+}
+
+/** The nearest distance to a target from which a plant that is turned about it is seen whole; `margin` as in `fitView`. */
+function wholeFrom({ centre, rings }: Spindle, target: Fit["target"], lens: Lens, margin: number): number {
+	const { fov, aspect, elevation } = lens;
+	const tall = Math.tan(fov / 2) * (1 - 2 * margin);
+	const wide = Math.tan(fov / 2) * aspect * (1 - 2 * margin);
+	const sine = Math.sin(elevation);
+	const cosine = Math.cos(elevation);
+	const aside = Math.hypot(centre[0] - target[0], centre[2] - target[2]);
+	const above = centre[1] - target[1];
+	let distance = 1e-3;
+	for (let i = 0; i < rings.length; i += 3) {
+		const [out, height, thick] = [rings[i] + aside, rings[i + 1] + above, rings[i + 2]];
 		for (const [turnCosine, turnSine] of AROUND) {
 			const forth = out * turnCosine;
 			const near = forth * cosine + height * sine;
 			const up = Math.abs(height * cosine - forth * sine) + thick;
-			const aside = Math.abs(out * turnSine) + thick;
-			distance = Math.max(distance, near + up / tall, near + aside / wide);
+			const across = Math.abs(out * turnSine) + thick;
+			distance = Math.max(distance, near + up / tall, near + across / wide);
 		}
 	}
-	return { target: centre, distance, radius, breadth };
+	return distance;
 }
 
 /** Whether a plant has outgrown, shrunk from or left the view that once fitted it, so that the view should follow. */

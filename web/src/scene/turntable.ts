@@ -1,6 +1,6 @@
 import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { type Fit, fitView, hasOutgrown, needsRefit, type Spindle } from "./camera_fit";
+import { type Fit, fitView, hasOutgrown, needsRefit, type Spindle, showsWhole } from "./camera_fit";
 
 /** A long lens, as for a portrait: round things stay round at the view's edge. */
 const FOV = 24;
@@ -40,6 +40,11 @@ export class Turntable {
 	#fitElevation = MathUtils.degToRad(ELEVATION);
 	/** Of the view that a plant is first seen in, degrees. */
 	#firstElevation = ELEVATION;
+	/**
+	 * Whether the view follows a plant only to keep all of it in the picture: it goes back or aside from one that would leave the picture,
+	 * even while pointers do not turn the plant, and never comes nearer.
+	 */
+	keepsWhole = false;
 	/** Whether the eye stands where it was put, and not before the table. */
 	#walking = false;
 	#glide: { from: Vector3; to: Vector3; fromDistance: number; toDistance: number; start: number } | undefined;
@@ -109,6 +114,7 @@ export class Turntable {
 		}
 		const now = this.#fitOf(spindle);
 		if (this.#fit === undefined) this.fit();
+		else if (this.keepsWhole) this.#keepWhole(this.#fit, now);
 		else if (held ? this.controls.enabled && hasOutgrown(this.#fit, now) : needsRefit(this.#fit, now))
 			this.#glideTo(now);
 	}
@@ -225,6 +231,12 @@ export class Turntable {
 
 	#fitOf(spindle: Spindle): Fit {
 		return fitView(spindle, MathUtils.degToRad(FOV), this.camera.aspect, MARGIN, this.#fitElevation);
+	}
+
+	#keepWhole(shown: Fit, now: Fit): void {
+		const lens = { fov: MathUtils.degToRad(FOV), aspect: this.camera.aspect, elevation: this.#fitElevation };
+		if (this.#spindle && !showsWhole(shown, this.#spindle, lens))
+			this.#glideTo({ ...now, distance: Math.max(now.distance, shown.distance) });
 	}
 
 	#glideTo(fit: Fit): void {

@@ -151,6 +151,11 @@ export class Viewer<S, G> {
 		this.#turntable.controls.enabled = enabled;
 	}
 
+	/** Whether the view follows a plant only to keep all of it in the picture, and never comes nearer. */
+	set keepsWhole(on: boolean) {
+		this.#turntable.keepsWhole = on;
+	}
+
 	/** Adds something to the scene, in the plant's metres. */
 	addOverlay(object: Object3D): void {
 		this.#stage.scene.add(object);

@@ -188,6 +188,10 @@ export class SolidView implements ToolView {
 		this.#view.orbiting = on;
 	}
 
+	keepWhole(on: boolean): void {
+		this.#view.keepsWhole = on;
+	}
+
 	addOverlay(object: Object3D): void {
 		this.#view.addOverlay(object);
 	}

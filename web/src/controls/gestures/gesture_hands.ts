@@ -8,6 +8,7 @@ import { CameraDriver } from "./camera_driver";
 import type { Driver, DriverEvents } from "./driver";
 import { GamepadDriver } from "./gamepad_driver";
 import type { Place } from "./hand";
+import { acrossScreen, toTheRight } from "./lean";
 import { nextPair, pairOf } from "./pair";
 import { PointerDriver } from "./pointer_driver";
 
@@ -37,6 +38,9 @@ export class GestureHands implements ToolHands {
 	#to: Place | undefined;
 	#frame = 0;
 	#place: Place = { x: 0.5, y: 0.5 };
+	/** How far the plant's right was to the right of the screen when the circle was placed. */
+	#laidFor = 1;
+	readonly #endDrawn: () => void;
 
 	constructor(view: ToolView, gestures: Gestures) {
 		this.#view = view;
@@ -51,17 +55,24 @@ export class GestureHands implements ToolHands {
 		this.#layer.append(this.#video, this.#hand, this.#circle, this.#words, this.#said);
 		this.#layer.hidden = true;
 		view.canvas.after(this.#layer);
+		// A plant that is turned leans elsewhere on the screen.
+		this.#endDrawn = view.onDrawn(() => {
+			if (this.#state.open && this.#right < 0 !== this.#laidFor < 0) this.#lay();
+		});
 	}
 
 	update(): void {
 		const { open, by } = this.#state;
 		this.#layer.hidden = !open;
+		this.#view.keepWhole(open);
 		this.#drive(open ? by : undefined);
 		if (open) this.#lay();
 	}
 
 	dispose(): void {
 		this.#drive(undefined);
+		this.#view.keepWhole(false);
+		this.#endDrawn();
 		this.#layer.remove();
 	}
 
@@ -73,11 +84,23 @@ export class GestureHands implements ToolHands {
 		return pairOf(this.#axes.all, this.#state);
 	}
 
+	/** How far the plant's right is to the right of the screen, −1 … 1. */
+	get #right(): number {
+		return toTheRight(this.#view.camera.matrixWorld);
+	}
+
+	/** Of a number across, where its share has the circle from left to right, and of a circle there the share. */
+	#mirrored(across: Axis, share: number): number {
+		const { leans } = this.#gestures.source ?? {};
+		return across.id === `constant ${leans}` ? acrossScreen(share, this.#right) : share;
+	}
+
 	/** The circle where the two numbers stand. */
 	#lay(): void {
 		const { across, up } = this.#pair;
 		const { offsetLeft, offsetTop, clientWidth, clientHeight } = this.#view.canvas;
-		this.#place = { x: across ? shareOf(across) : 0.5, y: up ? 1 - shareOf(up) : 0.5 };
+		this.#laidFor = this.#right;
+		this.#place = { x: across ? this.#mirrored(across, shareOf(across)) : 0.5, y: up ? 1 - shareOf(up) : 0.5 };
 		const { style } = this.#layer;
 		style.translate = `${offsetLeft}px ${offsetTop}px`;
 		style.width = `${clientWidth}px`;
@@ -138,7 +161,7 @@ export class GestureHands implements ToolHands {
 	#go({ x, y }: Place): void {
 		const { across, up } = this.#pair;
 		const values = new Map<string, number>();
-		if (across) values.set(across.id, atShare(across, x));
+		if (across) values.set(across.id, atShare(across, this.#mirrored(across, x)));
 		if (up) values.set(up.id, atShare(up, 1 - y));
 		this.#moved = true;
 		this.#gestures.desk.edit(this.#axes.to(values), GESTURE);
@@ -175,7 +198,8 @@ export class GestureHands implements ToolHands {
 			const axis = arrow.x === 0 ? up : across;
 			if (!axis) return;
 			const by = (arrow.x + arrow.y) * axis.step * (shiftKey ? 10 : 1);
-			const change = this.#axes.to(new Map([[axis.id, axis.value + by]]));
+			const mirrored = axis === across && this.#mirrored(axis, 0) === 1;
+			const change = this.#axes.to(new Map([[axis.id, axis.value + (mirrored ? -by : by)]]));
 			this.#gestures.desk.edit({ ...change, run: this.#runs.press(axis.id) }, GESTURE);
 			this.#gestures.desk.settle(GESTURE);
 			this.#say();

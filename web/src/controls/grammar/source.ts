@@ -26,6 +26,8 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
 	readonly constants?: false;
 	/** Whether constants have their sliders before the text is the plant's own. */
 	readonly always?: boolean;
+	/** The constant that bends a stem: to the right of a plant seen from in front where it is above the middle of its range. */
+	readonly leans?: string;
 	/** Constants that parameters of the table stand for: they have their sliders already. */
 	readonly governed?: ReadonlySet<string>;
 	/** What a plant lacks of what its text asks for, a line each: said below the text. */

@@ -54,6 +54,7 @@ function fakeView() {
 		canvas: canvas as unknown as HTMLCanvasElement,
 		camera: {} as never,
 		orbiting: true,
+		keepWhole: vi.fn(),
 		addOverlay: vi.fn(),
 		removeOverlay: vi.fn(),
 		requestRender: vi.fn(),

@@ -20,6 +20,9 @@ function stemText({ values }: Description): string {
 	});
 }
 
+/** The piece of stem above a node: it bends on as pieces without a node do (templates/stem.gl3). */
+const BENT_STEM = "STEM(,,<bend*step/6>,,,,,)";
+
 /** Nodes of the stem, each of which bears so many leaves; they still belong to the stem's grammar. */
 function leafText(description: Description): string {
 	const { values } = description;
@@ -32,7 +35,7 @@ function leafText(description: Description): string {
 	const apart = Math.min(4, Math.floor(MOST_STEPS / nodes));
 	const lines = Array.from({ length: nodes }, (_, i) => {
 		const node = `NODE${i + 1}`;
-		const above = basal && i < nodes - 1 ? `NODE${i + 2}` : "STEM";
+		const above = basal && i < nodes - 1 ? `NODE${i + 2}` : BENT_STEM;
 		const faces = Array.from({ length: Math.min(each, count - i * each) }, (_, k) => nodeFace(each, i, k));
 		return [
 			`#define ${node}(sides,0,0,0,${basal ? "1+0.3*thick" : "piece"},thick,thick,1)`,

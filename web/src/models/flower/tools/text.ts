@@ -12,6 +12,7 @@ export const source: GrammarSource<FlowerSpecimen> = {
 	always: true,
 	// It is no variable: the parameter of the steps stands for it.
 	governed: new Set(["finalStep"]),
+	leans: "bend",
 	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),
 	presetConstants: (preset) => fromPreset(FLOWER, preset).constants,
 };
