@@ -26,7 +26,7 @@ beforeAll(async () => {
 		TABLE_2.map(async ([count]) => {
 			const specimen = fromPreset(model, `ecosystem-${count}`);
 			await model.prepare?.(specimen);
-			return model.read(await run(model.wasm, model.encode(specimen, { meshes: false })), specimen);
+			return model.read(await run(model.wasm, model.encode(specimen, { meshes: false })));
 		}),
 	);
 });
