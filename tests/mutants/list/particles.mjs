@@ -154,4 +154,28 @@ export default [
 			},
 		],
 	},
+	{
+		file: "wasm-core/src/models/particles/boundary.cpp",
+		suites: ["tests/core/models/particles/boundary_test.cpp", "tests/core/models/particles/tree_test.cpp"],
+		faults: [
+			{
+				id: "particles-own-inner-boundary-ignored",
+				find: "if (own.triangles.empty()) return scaled(outer, about, size);",
+				replace: "return scaled(outer, about, size);",
+				breaks: "the inner boundary is the outer one made smaller, whatever mesh was chosen for it",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/models/particles/tree/model.cpp",
+		suites: ["tests/core/models/particles/tree_test.cpp"],
+		faults: [
+			{
+				id: "particles-light-all-alike",
+				find: "255 * std::clamp(share, 0.0f, 1.0f) + 0.5f",
+				replace: "255.0f",
+				breaks: "the light shown in a crown is the same everywhere",
+			},
+		],
+	},
 ];

@@ -56,6 +56,11 @@ VoxelLight::VoxelLight(const glm::vec3& low, float edge, std::uint32_t x, std::u
   for (const Lamp& lamp : lamps) shine(lamp, matter, planes);
 }
 
+std::array<std::uint32_t, 3> VoxelLight::counts() const {
+  return {static_cast<std::uint32_t>(count_[0]), static_cast<std::uint32_t>(count_[1]),
+          static_cast<std::uint32_t>(count_[2])};
+}
+
 std::size_t VoxelLight::index(std::int32_t x, std::int32_t y, std::int32_t z) const {
   return static_cast<std::size_t>((z * count_[1] + y) * count_[0] + x);
 }

@@ -1,6 +1,7 @@
 // Light in a box of semi-transparent cells, which shade each other (Rodkaew et al. 2003, section 4.2).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -37,6 +38,10 @@ class VoxelLight {
   // The way in which that grows, per length: 0 where it is the same all about, and across the box's edges.
   glm::vec3 ascent(const glm::vec3& p) const;
   float edge() const { return edge_; }  // of a cell
+  const glm::vec3& low() const { return low_; }
+  // How many cells there are along x, y and z, and the share of all light in the middle of each, x fastest.
+  std::array<std::uint32_t, 3> counts() const;
+  std::span<const float> cells() const { return light_; }
 
  private:
   // The eight middles of cells about a place, and how far it is from the first to the next along each axis.

@@ -34,6 +34,24 @@ TEST_CASE("each form fills its box from end to end, and no further") {
   CHECK_FALSE(holds(Form::bowl, 1.7f, 1.2f));
 }
 
+TEST_CASE("the inner boundary is the outer one made smaller, or a mesh of its own in that box") {
+  const glm::vec3 low(-2, 1, -1), high(2, 4, 1), about(0, 4, 0);
+  const Surface outer = form_between(Form::ellipsoid, {}, {}, low, high);
+  for (const Surface& own : {Surface{}, corner()}) {
+    const Solid inner(inner_boundary(outer, own, low, high, about, 0.5f));
+    CHECK(inner.low().x == doctest::Approx(-1).epsilon(0.01));
+    CHECK(inner.high().y == doctest::Approx(4).epsilon(0.01));
+    CHECK(inner.low().y == doctest::Approx(2.5).epsilon(0.01));
+    CHECK(inner_boundary(outer, own, low, high, about, 0).triangles.empty());
+  }
+  // What the corner leaves out is no part of it.
+  const glm::vec3 cut(0.7f, 3.6f, 0);
+  const bool round = Solid(inner_boundary(outer, {}, low, high, {0, 2.5f, 0}, 0.9f)).contains(cut);
+  const bool cornered = Solid(inner_boundary(outer, corner(), low, high, {0, 2.5f, 0}, 0.9f)).contains(cut);
+  CHECK(round);
+  CHECK_FALSE(cornered);
+}
+
 TEST_CASE("a spline passes its points, and never below 0") {
   const std::vector<glm::vec2> points{{0, 0}, {1, 1}, {0, 2}, {0, 3}, {1, 4}};
   const std::vector<glm::vec2> line = spline_through(points);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "environment/surface.hpp"
 #include "models/particles/root/parameters.generated.hpp"
 #include "models/particles/tree/parameters.generated.hpp"
 #include "plant/flat_leaf.hpp"
@@ -32,6 +33,7 @@ struct Asked {
   std::string outputs = {};
   std::vector<float> profile = {}, targets = {}, obstacles = {}, points = {}, rounds = {};
   std::vector<std::uint32_t> triangles = {};
+  Surface hollow = {};
   Limits limits = {};
   bool leaf = true;  // whether a tree's request brings one
 };
@@ -71,6 +73,10 @@ Result<Plant> ask(const Model& model, const Table& table, const Asked& asked) {
   add("obstacles.round", Element::float32, asked.rounds.size(), asked.rounds.data());
   add("volume.points", Element::float32, asked.points.size(), asked.points.data());
   add("volume.triangles", Element::uint32, asked.triangles.size(), asked.triangles.data());
+  std::vector<float> hollow;
+  for (const glm::vec3& p : asked.hollow.points) hollow.insert(hollow.end(), {p.x, p.y, p.z});
+  add("hollow.points", Element::float32, hollow.size(), hollow.data());
+  add("hollow.triangles", Element::uint32, asked.hollow.triangles.size(), asked.hollow.triangles.data());
   if (asked.leaf && model.name == "tree") {
     const FlatLeaf leaf = flat_leaf();
     add("leaf.points", Element::float32, leaf.points.size(), leaf.points.data());

@@ -89,6 +89,62 @@ TEST_CASE("odd numbers end too") {
   }
 }
 
+TEST_CASE("nothing starts inside an inner boundary that is a mesh of one's own, and something where that leaves room") {
+  // A box in a box, of which the mesh is the lower half.
+  const std::vector<std::pair<std::string_view, float>> parameters{
+      {"shape", 2},      {"width", 4},  {"height", 4}, {"depth", 4},    {"trunk", 1},
+      {"particles", 900}, {"inner", 0.8f}, {"pattern", 2}, {"life", 0}, {"age", 100}};
+  Surface half = box({0, 0, 0}, {1, 1, 1});
+  // Two boxes: the upper one is a splinter, so that the mesh is as high as its box.
+  append(half, box({0, 1, 0}, {0.01f, 2, 0.01f}));
+  const auto above = [](const Plant& plant) {
+    std::size_t count = 0;
+    for (const std::size_t tip : tips_of(plant)) {
+      const glm::vec3& end = plant.segments[tip].end;
+      if (std::fabs(end.x) < 1.55f && std::fabs(end.z) < 1.55f && end.y > 3.05f && end.y < 4.5f) ++count;
+      if (std::fabs(end.x) < 1.59f && std::fabs(end.z) < 1.59f) CHECK_FALSE((end.y > 1.41f && end.y < 2.99f));
+    }
+    return count;
+  };
+  CHECK(above(grow_tree({.parameters = parameters})) == 0);
+  CHECK(above(grow_tree({.parameters = parameters, .hollow = half})) > 100);
+  // A triangle that has a corner which is no point is refused.
+  Surface broken = half;
+  broken.triangles.back() = 99;
+  CHECK(ask_tree({.parameters = parameters, .hollow = broken}).error().message.find("inner boundary") !=
+        std::string::npos);
+  // An open one is told.
+  Surface open = half;
+  open.triangles.resize(open.triangles.size() - 3);
+  CHECK(grow_tree({.parameters = parameters, .hollow = open}).notes.back().find("The inner boundary is open") == 0);
+}
+
+TEST_CASE("the light of a crown is told cell by cell: darker within and below, and all of it outside") {
+  const Plant plant = grow_tree({.parameters = {{"particles", 300}, {"shape", 2}, {"width", 4}, {"height", 4},
+                                                {"depth", 4}, {"trunk", 1}, {"sky", 1}, {"absorption", 4}},
+                                 .outputs = "light"});
+  const auto counts = column_in<std::uint32_t>(plant.columns, "light.counts");
+  const auto where = column_in<float>(plant.columns, "light.box");
+  const auto cells = column_in<std::uint8_t>(plant.columns, "light.cells");
+  REQUIRE(counts.size() == 3);
+  REQUIRE(where.size() == 4);
+  REQUIRE(cells.size() == std::size_t{counts[0]} * counts[1] * counts[2]);
+  CHECK(where[1] < 1.01f);
+  CHECK(where[1] + where[3] * static_cast<float>(counts[1]) >= 5);
+  const auto at = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    return int{cells[(std::size_t{z} * counts[1] + y) * counts[0] + x]};
+  };
+  const std::uint32_t x = counts[0] / 2, z = counts[2] / 2, top = counts[1] - 2;
+  CHECK(at(x, top, z) > 200);
+  // The shadow on the floor is darker in the centre than at the edge (section 4.2).
+  CHECK(at(x, 1, z) < at(1, 1, z) - 10);
+  for (std::uint32_t y = 2; y < top; ++y) CHECK(at(x, y, z) <= at(x, y + 1, z) + 1);
+  // Only where it is asked for.
+  const Plant without = grow_tree({.parameters = {{"particles", 100}}});
+  for (std::size_t i = 0; i < without.columns.size(); ++i) CHECK(without.columns[i].name.find("light") != 0);
+  CHECK(without.fingerprint == grow_tree({.parameters = {{"particles", 100}}, .outputs = "light"}).fingerprint);
+}
+
 TEST_CASE("nothing starts outside the outer or inside the inner boundary, and trails leave the outer downwards alone") {
   for (const Case& one : cases())
     for (const float pattern : {0.0f, 1.0f, 2.0f, 3.0f}) {

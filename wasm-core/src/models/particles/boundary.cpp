@@ -76,13 +76,25 @@ void note_on(const Surface& mesh, Form& form, std::vector<std::string>& notes) {
     notes.push_back("There is no mesh, so the boundary is an ellipsoid; drop a closed mesh.");
     return;
   }
+  note_seams(mesh, "The mesh", notes);
+}
+
+void note_seams(const Surface& mesh, const std::string& what, std::vector<std::string>& notes) {
   const Seams seams = seams_of(mesh);
   if (seams.open > 0)
-    notes.push_back("The mesh is open at " + std::to_string(seams.open) +
+    notes.push_back(what + " is open at " + std::to_string(seams.open) +
                     " edges; what lies behind a gap may be taken for inside or outside.");
   if (seams.turned > 0)
-    notes.push_back("Triangles of the mesh are turned against each other at " + std::to_string(seams.turned) +
+    notes.push_back("Triangles of " + std::string(1, static_cast<char>(what[0] + ('a' - 'A'))) + what.substr(1) +
+                    " are turned against each other at " + std::to_string(seams.turned) +
                     " edges; parts of it may count as holes.");
+}
+
+Surface inner_boundary(const Surface& outer, const Surface& own, const glm::vec3& low, const glm::vec3& high,
+                       const glm::vec3& about, float size) {
+  if (!(size > 0)) return {};
+  if (own.triangles.empty()) return scaled(outer, about, size);
+  return stretched(own, about + size * (low - about), about + size * (high - about));
 }
 
 }  // namespace panicle::particles

@@ -15,16 +15,16 @@ namespace panicle::particles {
 
 // Blocks: `profile` (float32, pairs of radius and height: 1 is half the width and the whole height of the boundary),
 // `volume.points` (float32, triples) and `volume.triangles` (uint32, triples) of a dropped mesh, `targets` (float32,
-// triples in metres), `obstacles` and `obstacles.round` (float32, six each in metres: the low and the high corner of a
+// triples in metres), `hollow.points` and `hollow.triangles` likewise of a mesh that is the inner boundary, `obstacles` and `obstacles.round` (float32, six each in metres: the low and the high corner of a
 // box, and of one that an ellipsoid fills: another tree's crown, which shades as one); and what every request has.
 struct SpaceRequest {
   static constexpr std::size_t most_targets = 256;
 
   std::uint64_t seed = 1;
-  bool meshes = false, measures = false, sky = false, mesh_fingerprint = false;
+  bool meshes = false, measures = false, sky = false, light = false, mesh_fingerprint = false;
   std::span<const float> parameters;
   std::vector<glm::vec2> profile;
-  Surface volume;
+  Surface volume, hollow;
   std::vector<glm::vec3> targets;
   std::vector<Box> obstacles, rounds;
 };

@@ -55,6 +55,18 @@ describe("what a boundary has besides numbers", () => {
 		expect(restore(TREE, JSON.parse(JSON.stringify(writtenSpecimen(TREE, meshed)))).notes).toEqual([]);
 	});
 
+	it("keeps the mesh of the inner boundary in files, and says of a link that it is too short for it", () => {
+		const hollow = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
+		const hollowed = { ...oak, hollow };
+		const keep = TREE.details.flatMap(({ unlinked }) => unlinked?.keep(hollowed, fromPreset(TREE, "oak")) ?? []);
+		expect(keep).toEqual([expect.stringContaining("the outer one made smaller")]);
+		const written = JSON.parse(JSON.stringify(writtenSpecimen(TREE, hollowed)));
+		expect(restore(TREE, written)).toEqual({ specimen: hollowed, notes: [] });
+		const { specimen, notes } = restore(TREE, { ...written, hollow: { points: [0, 0], triangles: [0] } });
+		expect(specimen).not.toHaveProperty("hollow");
+		expect(notes).toEqual([expect.stringContaining("hollow")]);
+	});
+
 	it("brings a preset's own mesh by the preset's name", async () => {
 		const bonsai = fromPreset(TREE, "bonsai");
 		const said = (specimen: typeof bonsai) =>

@@ -78,6 +78,21 @@ describe("a boundary in 3-D", () => {
 		}
 	});
 
+	it("has within it the mesh of an inner boundary, in the box made smaller", () => {
+		const box = tree("box");
+		const hollow = { points: [5, 0, 5, 7, 0, 5, 5, 0, 9, 5, 3, 5], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
+		const specimen = { ...box, hollow, parameters: { ...box.parameters, inner: 0.5 } };
+		const { width, depth, trunk, height } = specimen.parameters;
+		const [, inner, ...more] = shellsOf(treeLay, specimen);
+		expect(more).toEqual([]);
+		expect([0, 1, 2].map((k) => extent(inner.points, k))).toEqual([
+			[-width / 4, width / 4],
+			[trunk + height / 4, trunk + 0.75 * height],
+			[-depth / 4, depth / 4],
+		]);
+		expect(shellsOf(treeLay, { ...specimen, parameters: { ...specimen.parameters, inner: 0 } })).toHaveLength(1);
+	});
+
 	it("is a mesh's own, stretched to the box", () => {
 		const box = tree("box");
 		const shape = TREE.table.entry("shape");

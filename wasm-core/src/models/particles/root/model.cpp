@@ -87,7 +87,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const Surface whole = form_between(form, profile_of(read->profile, carrot), read->volume, low, high);
   const Solid outer(whole);
   // Bare is what lies about the collar.
-  const Solid inner(values[Parameter::inner] > 0 ? scaled(whole, {0, ground, 0}, values[Parameter::inner]) : Surface{});
+  if (!read->hollow.triangles.empty()) note_seams(read->hollow, "The inner boundary", plant.notes);
+  const Solid inner(inner_boundary(whole, read->hollow, low, high, {0, ground, 0}, values[Parameter::inner]));
   std::vector<glm::vec3> targets = read->targets;
   const float plants = values[stems];
   for (float k = 0; read->targets.empty() && k < plants; ++k)

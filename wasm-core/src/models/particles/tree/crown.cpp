@@ -15,7 +15,8 @@ constexpr float billow = 0.24f, spray = 0.09f;
 
 }  // namespace
 
-Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, const Surface& mesh) {
+Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, const Surface& mesh,
+                   const Surface& hollow) {
   const auto crowns = static_cast<float>(habit.crowns), stems = static_cast<float>(habit.stems);
   const glm::vec3 half = 0.5f * habit.growth * habit.size;
   const float lowest = habit.growth * habit.trunk;
@@ -29,7 +30,7 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
     made.middles.push_back(middle);
     const Surface whole = form_between(habit.form, profile, mesh, middle - half, middle + half);
     append(outer, scaled(whole, middle, shoots));
-    if (habit.inner > 0) append(inner, scaled(whole, middle, habit.inner));
+    append(inner, inner_boundary(whole, hollow, middle - half, middle + half, middle, habit.inner));
     for (float k = 0; k < stems; ++k) made.feet.emplace_back(x + 2 * half.x * ((k + 0.5f) / stems - 0.5f), 0, 0);
   }
   made.outer = Solid(std::move(outer));

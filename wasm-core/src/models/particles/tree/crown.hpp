@@ -42,8 +42,10 @@ struct Crowns {
   glm::vec3 middle_of(const glm::vec3& p) const;
 };
 
-// Crowns stand side by side along x about the origin; `profile` and `mesh` as in `form_between`.
-Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, const Surface& mesh);
+// Crowns stand side by side along x about the origin; `profile` and `mesh` as in `form_between`, `hollow` as in
+// `inner_boundary`.
+Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, const Surface& mesh,
+                   const Surface& hollow = {});
 
 // What is between the boundaries, as dense as light and the top's hormone let it be.
 class Foliage final : public Region {

@@ -1,9 +1,12 @@
 // The tree (Rodkaew et al. 2003, section 4; docs/models/tree/tree.md): particles in a crown, dense where it is light,
 // whose trails to the ground are its branches. Blocks: those of space_request.hpp, and of plant/flat_leaf.hpp the leaf
-// that it bears, but needles. Columns: those of trail_plant.hpp, and `organs.sky`. Organs: `leaf`, `particle`. Meshes:
+// that it bears, but needles. Columns: those of trail_plant.hpp, `organs.sky`, and where `outputs` names `light` the array
+// of figure 8: `light.cells` (uint8 a cell, x fastest: 255 is all light), `light.counts` (uint32: along x, y and z) and
+// `light.box` (float32: the lowest corner and the edge of a cell, metres). Organs: `leaf`, `particle`. Meshes:
 // `stems`, `leaves`, `balls`.
 #include "plant/model.hpp"
 
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -127,6 +130,17 @@ void add_meshes(Plant& plant, const Grown& grown, const Blade& blade, std::size_
   if (first_leaf > 0) plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
 }
 
+void add_light(Plant& plant, const VoxelLight& light) {
+  std::vector<std::uint8_t> cells;
+  cells.reserve(light.cells().size());
+  for (const float share : light.cells())
+    cells.push_back(static_cast<std::uint8_t>(255 * std::clamp(share, 0.0f, 1.0f) + 0.5f));
+  const std::array<std::uint32_t, 3> counts = light.counts();
+  plant.columns.add("light.cells", std::move(cells));
+  plant.columns.add("light.counts", std::vector<std::uint32_t>(counts.begin(), counts.end()));
+  plant.columns.add("light.box", std::vector<float>{light.low().x, light.low().y, light.low().z, light.edge()});
+}
+
 Result<Plant> grow(Request& request, const Limits& limits) {
   const FlatLeaf leaf = request.flat_leaf();
   const Result<SpaceRequest> read = read_space(request);
@@ -140,14 +154,15 @@ Result<Plant> grow(Request& request, const Limits& limits) {
     return trouble;
   CrownHabit habit = crown_of(values, read->seed);
   if (habit.form == Form::mesh) note_on(read->volume, habit.form, plant.notes);
-  Crowns crowns_made = make_crowns(habit, profile_of(read->profile, egg), read->volume);
+  if (!read->hollow.triangles.empty()) note_seams(read->hollow, "The inner boundary", plant.notes);
+  Crowns crowns_made = make_crowns(habit, profile_of(read->profile, egg), read->volume, read->hollow);
   if (!read->targets.empty()) crowns_made.feet = read->targets;
 
   const LightHabit light_habit{towards_sun(values[sun], values[sun_height]), values[sky],
                                values[absorption] / crowns_made.across};
   const bool by_light_too = values.whole(pattern) == 3 && values[by_light] > 0;
   std::optional<VoxelLight> light;
-  if (by_light_too || read->measures) {
+  if (by_light_too || read->measures || read->light) {
     const float edge = crowns_made.longest / light_cells;
     light.emplace(light_in(crowns_made.outer, {read->rounds, read->obstacles}, light_habit, edge));
     if (light->edge() > coarse * edge)
@@ -199,6 +214,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   }
   if (read->meshes)
     add_meshes(plant, grown, blade, first_leaf, read->sky, {.flare = values[flare], .seed = read->seed});
+  if (read->light) add_light(plant, *light);
   plant.fingerprint = fingerprint_of(plant);
   if (read->meshes && read->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   return plant;

@@ -7,9 +7,11 @@ import { boundaryButtons } from "./boundary_buttons";
 import type { BoundedSpecimen } from "./bounded";
 import { boundaryPose } from "./editor/boundary_pose";
 import type { BoundaryScene } from "./editor/boundary_view";
+import { FROM_FRONT } from "./editor/facing";
 import { feetOf } from "./editor/feet";
 import type { GripEvent } from "./editor/grip";
 import { type Lay, layingOut, loopsIn } from "./editor/lay";
+import { contourOf } from "./editor/mesh_outline";
 import { wallsOf } from "./editor/walls";
 import { MEANT } from "./meant";
 import type { WoodenPlant } from "./wooden_plant";
@@ -45,6 +47,7 @@ function sceneOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): BoundaryS
 		axes: lay.axes(specimen),
 		loops: loopsIn(lay, specimen),
 		inner: specimen.parameters.inner,
+		...(specimen.hollow ? { innerLoops: contourOf(specimen.hollow, FROM_FRONT.up) } : {}),
 		bareAbout: lay.bareAbout(lay.box(specimen)),
 		walls: wallsOf(specimen),
 		rounds: wallsOf(specimen, "rounds"),

@@ -16,6 +16,8 @@ export interface Bounded {
 	rounds?: number[];
 	/** Of the shape `mesh`. No link carries it. */
 	volume?: ClosedMesh;
+	/** The inner boundary, in place of the outer one made smaller; stretched to that one's box made as much smaller. No link carries it. */
+	hollow?: ClosedMesh;
 }
 
 export type BoundedSpecimen = Specimen & Bounded;

@@ -1,10 +1,10 @@
-/** A closed mesh of one's own as the boundary: chosen in the panel or dropped on the page. */
+/** Closed meshes of one's own as the boundaries: the outer one chosen in the panel or dropped on the page, the inner one chosen. */
 import { html, nothing } from "lit";
-import type { Desk } from "../../../controls/desk";
+import type { Change, Desk } from "../../../controls/desk";
 import { ACCEPT } from "../../../controls/mesh_file/accept";
 import { sameDocument } from "../../../controls/same_document";
 import { FILE_TOPIC, type Tool } from "../../../controls/tool";
-import { sameMesh } from "../../../specimen/closed_mesh";
+import { type ClosedMesh, sameMesh } from "../../../specimen/closed_mesh";
 import { fromPreset } from "../../../specimen/from_preset";
 import type { BoundedSpecimen } from "./bounded";
 import { meshParameters } from "./mesh_boundary";
@@ -19,7 +19,7 @@ export function meshTool<S extends BoundedSpecimen>(group: string, height: strin
 		name: "mesh",
 		initial: undefined,
 		applies: () => true,
-		panel: { group, place: "below", draw: (desk) => draw(desk, height) },
+		panel: { group, place: "below", draw: (desk) => html`${drawOuter(desk, height)}${drawInner(desk)}` },
 		drop: {
 			words: "a closed mesh (OBJ, GLB, STL) becomes the boundary",
 			takes: ({ name }) => MESHES.test(name),
@@ -28,7 +28,37 @@ export function meshTool<S extends BoundedSpecimen>(group: string, height: strin
 	};
 }
 
-function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: string): unknown {
+/** What a mesh from a file becomes. */
+interface Taken {
+	/** As a sentence says it: "The mesh is the boundary now". */
+	readonly words: string;
+	change(mesh: ClosedMesh): Change;
+}
+
+function outer<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: string): Taken {
+	return {
+		words: "The mesh is the boundary now",
+		change: (volume) => {
+			const { model, specimen } = desk.state;
+			return { parameters: meshParameters(model.table, volume, specimen.parameters[height]), details: { volume } };
+		},
+	};
+}
+
+/** The inner boundary; where nothing was bare, it is as large as the table's. */
+function inner<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>): Taken {
+	return {
+		words: "The mesh is the inner boundary now",
+		change: (hollow) => {
+			const { model, specimen } = desk.state;
+			const entry = model.table.entry("inner");
+			const bare = specimen.parameters.inner > 0 || entry?.kind !== "number" ? {} : { inner: entry.default || 0.75 };
+			return { parameters: bare, details: { hollow } };
+		},
+	};
+}
+
+function drawOuter<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: string): unknown {
 	const { specimen, model } = desk.state;
 	if (model.table.option(specimen, "shape") !== "mesh") return nothing;
 	const { volume } = specimen;
@@ -42,25 +72,49 @@ function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: str
 		: "No mesh yet: choose a closed one, or drop it on the page. Until then an ellipsoid is grown.";
 	return html`<div class="override">
 		<p>${words}</p>
-		<label class="button">${volume ? "Another mesh (OBJ, GLB, STL)…" : "Choose a mesh (OBJ, GLB, STL)…"}
-			<input class="unseen" type="file" accept=${ACCEPT} @change=${(event: Event) => choose(event, desk, height)}>
-		</label>
+		${chooser(desk, volume ? "Another mesh (OBJ, GLB, STL)…" : "Choose a mesh (OBJ, GLB, STL)…", outer(desk, height))}
 	</div>`;
 }
 
-function choose<S extends BoundedSpecimen>(event: Event, desk: Desk<S, WoodenPlant>, height: string): void {
+function drawInner<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>): unknown {
+	const { specimen, model } = desk.state;
+	const { hollow } = specimen;
+	const { hollow: own } = fromPreset(model, specimen.preset);
+	const count = hollow ? (hollow.triangles.length / 3).toLocaleString("en") : "";
+	const words = hollow
+		? `The inner boundary is a mesh of ${count} triangles, as large as “Bare inside” says. Files (JSON, GLB) carry it; it is too long for a link.`
+		: "The inner boundary is the outer one made smaller.";
+	const back = html`<button class="button" type="button" @click=${() => desk.set({ details: { hollow: own } })}>
+		Remove the inner mesh</button>`;
+	return html`<div class="override">
+		<p>${words}</p>
+		${chooser(desk, hollow ? "Another inner mesh (OBJ, GLB, STL)…" : "Inner boundary from a mesh (OBJ, GLB, STL)…", inner(desk))}
+		${hollow && !sameMesh(hollow, own) ? back : nothing}
+	</div>`;
+}
+
+function chooser<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, label: string, taken: Taken): unknown {
+	return html`<label class="button">${label}
+		<input class="unseen" type="file" accept=${ACCEPT} @change=${(event: Event) => choose(event, desk, taken)}>
+	</label>`;
+}
+
+function choose<S extends BoundedSpecimen>(event: Event, desk: Desk<S, WoodenPlant>, taken: Taken): void {
 	const input = event.target as HTMLInputElement;
 	const file = input.files?.[0];
-	if (file) void takeMesh(desk, file, height);
+	if (file) void take(desk, file, taken);
 	// The same file may be chosen again.
 	input.value = "";
 }
 
-/** Makes a file's mesh the boundary, as one step; whatever is wrong with it is said. */
-export async function takeMesh<S extends BoundedSpecimen>(
+/** Makes a file's mesh the outer boundary, as one step; whatever is wrong with it is said. */
+export const takeMesh = <S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, file: File, height: string) =>
+	take(desk, file, outer(desk, height));
+
+async function take<S extends BoundedSpecimen>(
 	desk: Desk<S, WoodenPlant>,
 	file: File,
-	height: string,
+	{ words, change }: Taken,
 ): Promise<void> {
 	const isStill = sameDocument(desk);
 	const reader = await import("../../../controls/mesh_file/read").catch(() => undefined);
@@ -73,15 +127,14 @@ export async function takeMesh<S extends BoundedSpecimen>(
 		return;
 	}
 	try {
-		const volume = await reader.readMeshFile(file);
+		const mesh = await reader.readMeshFile(file);
 		if (!isStill()) {
 			desk.notify("The mesh was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
 			return;
 		}
-		const { model, specimen } = desk.state;
-		desk.set({ parameters: meshParameters(model.table, volume, specimen.parameters[height]), details: { volume } });
+		desk.set(change(mesh));
 		desk.notify(
-			"The mesh is the boundary now",
+			words,
 			["Links are too short for it: download JSON or GLB to keep this plant, and drop the file to bring it back."],
 			{ topic: FILE_TOPIC },
 		);

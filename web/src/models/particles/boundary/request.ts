@@ -10,14 +10,22 @@ export interface RequestOptions extends GrowthOptions {
 	sky?: boolean;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
 	meshFingerprint?: boolean;
+	/** Whether a tree's light is wanted, cell by cell; the default is no. */
+	light?: boolean;
 }
 
 /** @throws CoreError where a parameter is no number: the specimen has not come through specimen/restore.ts */
 export function encodeBounded(table: Table, specimen: BoundedSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false } = options;
+	const { meshes = true, passing = false, meshFingerprint = false, light = false } = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
-	const outputs = [meshes && "meshes", measures && "measures", sky && "sky", meshFingerprint && "mesh_fingerprint"];
-	const { model, seed, parameters, profile, targets, obstacles, rounds, volume } = specimen;
+	const outputs = [
+		meshes && "meshes",
+		measures && "measures",
+		sky && "sky",
+		light && "light",
+		meshFingerprint && "mesh_fingerprint",
+	];
+	const { model, seed, parameters, profile, targets, obstacles, rounds, volume, hollow } = specimen;
 	const shape = table.option(specimen, "shape");
 	const blocks: Block[] = [
 		{ name: "model", data: model },
@@ -29,6 +37,10 @@ export function encodeBounded(table: Table, specimen: BoundedSpecimen, options: 
 	if (shape === "mesh" && volume) {
 		blocks.push({ name: "volume.points", data: Float32Array.from(volume.points) });
 		blocks.push({ name: "volume.triangles", data: Uint32Array.from(volume.triangles) });
+	}
+	if (hollow) {
+		blocks.push({ name: "hollow.points", data: Float32Array.from(hollow.points) });
+		blocks.push({ name: "hollow.triangles", data: Uint32Array.from(hollow.triangles) });
 	}
 	if (targets) blocks.push({ name: "targets", data: Float32Array.from(targets) });
 	if (obstacles) blocks.push({ name: "obstacles", data: Float32Array.from(obstacles) });

@@ -3,7 +3,7 @@ import { Presets } from "../../../specimen/presets";
 import type { Species } from "../../../specimen/species";
 import { obstaclesOf, roundsOf, targetsOf } from "../boundary/details/places";
 import { profileOf } from "../boundary/details/profile";
-import { volumeOf } from "../boundary/details/volume";
+import { hollowOf, volumeOf } from "../boundary/details/volume";
 import { DEFAULT_PRESET, PRESET_KINDS, PRESETS } from "./presets/presets";
 import type { RootSpecimen } from "./specimen";
 import { ROOT_TABLE } from "./table";
@@ -12,5 +12,5 @@ export const ROOT: Species<RootSpecimen> = {
 	name: "root",
 	table: ROOT_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [profileOf(), targetsOf(), obstaclesOf(), roundsOf(), volumeOf(ROOT_TABLE)],
+	details: [profileOf(), targetsOf(), obstaclesOf(), roundsOf(), volumeOf(ROOT_TABLE), hollowOf()],
 };

@@ -22,7 +22,10 @@ export const model = {
 	bounded: (specimen, file) => boundedBy(TREE, specimen, file, "height"),
 	encode: (specimen, options) => {
 		const leaf = leafOf(specimen);
-		return [...encodeBounded(TREE.table, specimen, options), ...(leaf ? leafBlocks(leaf) : [])];
+		return [
+			...encodeBounded(TREE.table, specimen, { light: !options?.passing, ...options }),
+			...(leaf ? leafBlocks(leaf) : []),
+		];
 	},
 	read: readTree,
 	parts: treeParts,

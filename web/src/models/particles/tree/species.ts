@@ -3,7 +3,7 @@ import { Presets } from "../../../specimen/presets";
 import type { Species } from "../../../specimen/species";
 import { obstaclesOf, roundsOf, targetsOf } from "../boundary/details/places";
 import { profileOf } from "../boundary/details/profile";
-import { volumeOf } from "../boundary/details/volume";
+import { hollowOf, volumeOf } from "../boundary/details/volume";
 import { DEFAULT_PRESET, PRESET_KINDS, PRESETS } from "./presets/presets";
 import type { TreeSpecimen } from "./specimen";
 import { TREE_TABLE } from "./table";
@@ -12,5 +12,5 @@ export const TREE: Species<TreeSpecimen> = {
 	name: "tree",
 	table: TREE_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [profileOf(), targetsOf(), obstaclesOf(), roundsOf(), volumeOf(TREE_TABLE)],
+	details: [profileOf(), targetsOf(), obstaclesOf(), roundsOf(), volumeOf(TREE_TABLE), hollowOf()],
 };

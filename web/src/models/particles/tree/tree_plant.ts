@@ -3,12 +3,15 @@ import type { Answer } from "../../../core/core";
 import type { BorneLeaf, Veins } from "../../../plant/leaf";
 import { fetchBakedLeaf, fetchedLeaf } from "../../../plant/leaves";
 import { readWoodenPlant, type WoodenPlant } from "../boundary/wooden_plant";
+import { type LightGrid, readLight } from "./light/light_grid";
 import type { TreeSpecimen } from "./specimen";
 import { TREE_TABLE } from "./table";
 
 export interface TreePlant extends WoodenPlant {
 	/** Of every leaf, over its texture coordinates; absent where it has none. */
 	veins?: Veins;
+	/** The light in its crown; absent where it was not asked for. */
+	light?: LightGrid;
 }
 
 const kindOf = (specimen: TreeSpecimen): string => TREE_TABLE.option(specimen, "leaf_kind") ?? "";
@@ -23,5 +26,6 @@ export const leafOf = (specimen: TreeSpecimen): BorneLeaf | undefined => fetched
 
 export function readTree(answer: Answer, specimen: TreeSpecimen): TreePlant {
 	const { veins } = leafOf(specimen) ?? {};
-	return { ...readWoodenPlant(answer), ...(veins ? { veins } : {}) };
+	const light = readLight(answer);
+	return { ...readWoodenPlant(answer), ...(veins ? { veins } : {}), ...(light ? { light } : {}) };
 }

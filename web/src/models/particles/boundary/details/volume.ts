@@ -1,4 +1,4 @@
-/** A closed mesh of one's own as the boundary. Files carry it; it is too long for a link. */
+/** Closed meshes of one's own as the outer and the inner boundary. Files carry them; they are too long for a link. */
 import { readClosedMesh, sameMesh } from "../../../../specimen/closed_mesh";
 import type { Detail } from "../../../../specimen/species";
 import type { Table } from "../../../../specimen/table";
@@ -26,6 +26,27 @@ export function volumeOf<S extends BoundedSpecimen>(table: Table): Detail<S> {
 			missing: (specimen, notes) => {
 				if (shows(specimen) && !specimen.volume) notes.add("mesh", "none came along", MISSING);
 			},
+		},
+	};
+}
+
+const keepHollow = (instead: string) =>
+	`It is too short for the inner boundary's mesh, in whose place it brings ${instead}: download JSON or GLB to keep the mesh.`;
+
+/** The mesh of the inner boundary. */
+export function hollowOf<S extends BoundedSpecimen>(): Detail<S> {
+	return {
+		keys: ["hollow"],
+		read: (specimen, key, value, notes) => {
+			const read = readClosedMesh(key, value, notes);
+			if (read) specimen.hollow = read;
+		},
+		unlinked: {
+			keep: (specimen, preset) =>
+				specimen.hollow && !sameMesh(specimen.hollow, preset.hollow)
+					? keepHollow(preset.hollow ? "the preset's" : "the outer one made smaller")
+					: undefined,
+			missing: () => {},
 		},
 	};
 }

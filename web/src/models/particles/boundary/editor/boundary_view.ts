@@ -13,6 +13,8 @@ export interface BoundaryScene extends FlatScene {
 	readonly box: Box;
 	/** Of the inner boundary, over the outer. */
 	readonly inner: number;
+	/** Of the inner boundary where it is of another form than the outer: loops as `loops` has them. */
+	readonly innerLoops?: readonly (readonly Point[])[];
 	/** The height about which that is smaller. */
 	readonly bareAbout: number;
 }
@@ -34,12 +36,12 @@ export class BoundaryView extends GripView {
 	protected drawing(frame: Frame): TemplateResult {
 		const { scene } = this;
 		if (!scene) return svg``;
-		const { box, axes, loops, inner, bareAbout, walls, rounds } = scene;
+		const { box, axes, loops, inner, innerLoops = loops, bareAbout, walls, rounds } = scene;
 		const ground = toScreen(frame, { x: 0, y: 0 }).y;
 		return svg`${axes.map(
 			(axis) => svg`
 				<path class="outer" d=${loopPath(frame, loops, placedIn(box, axis, 1, 0))}></path>
-				${inner > 0 ? svg`<path class="inner" d=${loopPath(frame, loops, placedIn(box, axis, inner, bareAbout))}></path>` : ""}
+				${inner > 0 ? svg`<path class="inner" d=${loopPath(frame, innerLoops, placedIn(box, axis, inner, bareAbout))}></path>` : ""}
 				${axisLine(frame, box, axis)}`,
 		)}
 			${walls.map(([ax, ay, , bx, by]) => rectangle(frame, { x: ax, y: ay }, { x: bx, y: by }))}

@@ -7,15 +7,32 @@ import { inBox } from "./mesh_outline";
 /** Corners of what is round, seen from above. */
 const SIDES = 48;
 
-/** One surface an axis. */
+/** One surface an axis, and where the inner boundary is a mesh of one's own, that as well. */
 export function shellsOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): ClosedMesh[] {
-	const { halfWidth, low, high } = lay.box(specimen);
+	const { inner } = specimen.parameters;
 	const shell = lay.form(specimen) === "mesh" && specimen.volume ? inBox(specimen.volume) : turned(lay, specimen);
-	const scale = [halfWidth, high - low, lay.halfDepth(specimen)];
-	return lay.axes(specimen).map((axis) => {
-		const from = [axis, low, 0];
-		return { points: shell.points.map((share, i) => from[i % 3] + share * scale[i % 3]), triangles: shell.triangles };
-	});
+	const hollow = specimen.hollow && inner > 0 ? inBox(specimen.hollow) : undefined;
+	return lay
+		.axes(specimen)
+		.flatMap((axis) => [
+			placed(lay, specimen, shell, axis, 1),
+			...(hollow ? [placed(lay, specimen, hollow, axis, inner)] : []),
+		]);
+}
+
+/** A surface in shares of the boundary's box, about an axis, in metres; of the inner boundary `size` as large. */
+function placed<S extends BoundedSpecimen>(
+	lay: Lay<S>,
+	specimen: S,
+	{ points, triangles }: ClosedMesh,
+	axis: number,
+	size: number,
+): ClosedMesh {
+	const box = lay.box(specimen);
+	const about = lay.bareAbout(box);
+	const from = [axis, about + size * (box.low - about), 0];
+	const scale = [box.halfWidth, box.high - box.low, lay.halfDepth(specimen)];
+	return { points: points.map((share, i) => from[i % 3] + size * share * scale[i % 3]), triangles };
 }
 
 /** The outline turned about its axis; a box has four sides, as wide as their corners are far. */

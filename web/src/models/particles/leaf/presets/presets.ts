@@ -11,6 +11,7 @@ import lilyOfTheValley from "./lily-of-the-valley.json";
 import lime from "./lime.json";
 import maple from "./maple.json";
 import oak from "./oak.json";
+import printed from "./printed.json";
 import strawberry from "./strawberry.json";
 import tulipTree from "./tulip-tree.json";
 import willow from "./willow.json";
@@ -45,6 +46,7 @@ const FILES: readonly PresetFile[] = [
 	tulipTree,
 	ginkgo,
 	lilyOfTheValley,
+	printed,
 ];
 
 export const PRESETS: readonly Preset[] = FILES.map(({ half, ...file }) => ({

@@ -7,6 +7,7 @@ import box from "./box.json";
 import cypress from "./cypress.json";
 import hedge from "./hedge.json";
 import oak from "./oak.json";
+import printed from "./printed.json";
 import sphere from "./sphere.json";
 import twin from "./twin.json";
 
@@ -23,7 +24,7 @@ interface PresetFile extends Omit<Preset, "kind" | "parameters"> {
 /** The boundaries are those of the paper's section 4.1 and 4.2. */
 export const PRESETS: readonly Preset[] = [
 	...ofKind("tree", [oak, birch, cypress, bonsai, hedge]),
-	...ofKind("boundary", [sphere, box, twin]),
+	...ofKind("boundary", [sphere, box, twin, printed]),
 ];
 
 function ofKind(kind: (typeof PRESET_KINDS)[number]["key"], files: readonly PresetFile[]): Preset[] {

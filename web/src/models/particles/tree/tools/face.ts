@@ -6,21 +6,23 @@ import { meshTool } from "../../boundary/mesh_tool";
 import { planTool } from "../../boundary/plan_tool";
 import { readout } from "../../boundary/readout";
 import { shellTool } from "../../boundary/shell_tool";
-import type { WoodenPlant } from "../../boundary/wooden_plant";
 import { watchingEither } from "../../watch";
 import { treeLay } from "../lay";
+import { lightTool } from "../light/light_tool";
 import type { TreeSpecimen } from "../specimen";
 import { TREE_TABLE } from "../table";
+import type { TreePlant } from "../tree_plant";
 import { sun } from "./sun";
 
-export const face: Face<TreeSpecimen, WoodenPlant> = {
+export const face: Face<TreeSpecimen, TreePlant> = {
 	tools: [
 		boundaryTool(treeLay, "crown"),
 		planTool(treeLay),
 		shellTool(treeLay),
 		sun,
+		lightTool,
 		meshTool("crown", "height"),
-		...watchingEither<TreeSpecimen, WoodenPlant>(TREE_TABLE),
+		...watchingEither<TreeSpecimen, TreePlant>(TREE_TABLE),
 	],
 	readout,
 	about: html`<p>
