@@ -155,4 +155,22 @@ export default [
 			},
 		],
 	},
+	{
+		file: "wasm-core/src/models/grammar/areas.cpp",
+		suites: ["tests/web/models/grammar/areas/topiary.test.ts"],
+		faults: [
+			{
+				id: "topiary-one-fork-lost",
+				find: "fork[last[before] - 1] = place;",
+				replace: "fork[next[before] - 1] = place;",
+				breaks: "of three branches of a fork the second is lost",
+			},
+			{
+				id: "topiary-forks-share-areas",
+				find: "if (volumes_[area - 1].contains(path_[i])) own[i] = area;",
+				replace: "own[i] = area;",
+				breaks: "all branches of a fork go to the first area, and the others stay bare",
+			},
+		],
+	},
 ];

@@ -83,6 +83,7 @@ Surface surface_in_box(Volume::Kind kind, const Surface& mesh) {
 Result<Areas> Areas::read(Request& request) {
   const auto kinds = request.words("areas.kinds"), meshes = request.words("areas.meshes");
   const auto places = request.floats("areas.places"), path = request.floats("path");
+  const auto from = request.words("path.from");
   Stock stock{request.floats("areas.points"), request.words("areas.triangles")};
   Areas areas;
   if (kinds.size() > most_areas || path.size() > 3 * most_places) return refused("There are too many areas or places.");
@@ -111,13 +112,24 @@ Result<Areas> Areas::read(Request& request) {
     if (path.empty()) areas.path_.push_back(centre);
   }
   if (!path.empty()) areas.path_ = triples(path);
+  if (!from.empty() && from.size() != path.size() / 3)
+    return Diagnostic{Reason::bad_request, "Places and where the main branch comes from are not as many.", 0, 0};
+  for (std::size_t i = 0; i < from.size(); ++i)
+    if (from[i] > i || (from[i] == 0 && i > 0))
+      return refused("Place " + std::to_string(i + 1) + " of the main branch must come from an earlier place.");
+  for (std::size_t i = 0; i < areas.path_.size(); ++i)
+    areas.from_.push_back(from.empty() ? static_cast<std::uint32_t>(i) : from[i]);
   return areas;
 }
 
 void Areas::tell(lsystem::Inputs& inputs, float metres) {
   metres_ = metres;
   // Without areas a text has somewhere to go all the same.
-  if (path_.empty()) path_.emplace_back(0, 1, 0);
+  if (path_.empty()) {
+    path_.emplace_back(0, 1, 0);
+    from_.push_back(0);
+  }
+  tell_forks(inputs);
   inputs.scalars.push_back({"areas", static_cast<float>(volumes_.size())});
   inputs.scalars.push_back({"places", static_cast<float>(path_.size())});
   lsystem::Inputs::Array path{"path", {}};
@@ -131,6 +143,38 @@ void Areas::tell(lsystem::Inputs& inputs, float metres) {
   }
   if (size.values.empty()) size.values.push_back(1 / metres);
   inputs.arrays.push_back(std::move(size));
+}
+
+void Areas::tell_forks(lsystem::Inputs& inputs) const {
+  const std::size_t count = path_.size();
+  std::vector<std::uint32_t> next(count, static_cast<std::uint32_t>(count + 1)), fork(count, 0), last(count, 0);
+  std::vector<std::uint32_t> own(count, 0);
+  std::uint32_t forks = 0;
+  for (std::uint32_t i = 1; i < count; ++i) {
+    const std::uint32_t place = i + 1, before = from_[i] - 1;
+    if (last[before] == 0) {
+      next[before] = place;
+    } else {
+      fork[last[before] - 1] = place;
+      ++forks;
+    }
+    last[before] = place;
+  }
+  // From the ends to the foot: the way goes by the first of those that come after a place.
+  for (std::size_t i = count; i-- > 0;) {
+    for (std::uint32_t area = 1; own[i] == 0 && area <= volumes_.size(); ++area)
+      if (volumes_[area - 1].contains(path_[i])) own[i] = area;
+    if (own[i] == 0 && next[i] <= count) own[i] = own[next[i] - 1];
+  }
+  inputs.scalars.push_back({"forks", static_cast<float>(forks)});
+  const auto tell = [&inputs](const char* name, const std::vector<std::uint32_t>& values, std::uint32_t least) {
+    lsystem::Inputs::Array array{name, {}};
+    for (const std::uint32_t value : values) array.values.push_back(static_cast<float>(std::max(value, least)));
+    inputs.arrays.push_back(std::move(array));
+  };
+  tell("next", next, 0);
+  tell("fork", fork, 0);
+  tell("own", own, 1);
 }
 
 const Volume* Areas::find(float area) const {

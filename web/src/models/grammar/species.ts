@@ -3,7 +3,7 @@ import { constantValues } from "../../specimen/constants";
 import { grammarText } from "../../specimen/grammar_text";
 import { Presets } from "../../specimen/presets";
 import type { Species } from "../../specimen/species";
-import { areas, path } from "./details/areas";
+import { areas, from, path } from "./details/areas";
 import { steps } from "./details/steps";
 import { PRESET_KINDS, PRESETS } from "./presets.generated";
 import type { GrammarSpecimen } from "./specimen";
@@ -17,5 +17,5 @@ export const GRAMMAR: Species<GrammarSpecimen> = {
 	name: "grammar",
 	table: GRAMMAR_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [steps, constantValues<GrammarSpecimen>(definedNames), areas, path, grammarText("any")],
+	details: [steps, constantValues<GrammarSpecimen>(definedNames), areas, path, from, grammarText("any")],
 };

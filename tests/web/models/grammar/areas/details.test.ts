@@ -42,6 +42,9 @@ describe("growth areas and path of a document", () => {
 	it("are noted and left out where they cannot be read, and brought within reach", () => {
 		expect(notesOf("areas=box:0,1:1,1,1;blob:0,0,0:1,1,1")).toHaveLength(2);
 		expect(notesOf("path=1,2")).toEqual([expect.stringContaining("is not places")]);
+		for (const wrong of ["0,2", "0,0", "1,1", "0", "a"])
+			expect(notesOf(`path=0,1,0,0,2,0&from=${wrong}`), wrong).toEqual([expect.stringContaining("an earlier one")]);
+		expect(notesOf("path=0,1,0,0,2,0,1,2,0&from=0,1,1")).toEqual([]);
 		expect(
 			notesOf(
 				`areas=${Array(MOST_AREAS + 1)

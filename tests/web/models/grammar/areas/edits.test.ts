@@ -107,6 +107,39 @@ describe("what hands do to growth areas", () => {
 		expect(made(edits.withPath(undefined), more).path).toBeUndefined();
 	});
 
+	it("draws one more branch from the nearest place, and keeps who comes after whom while places come and go", () => {
+		const led = made(edits.withPath([0, 0.5, 0, 0, 1, 0, 0, 2, 0]));
+		const forked = made(
+			edits.strokeFork(led, [
+				[0.05, 1.02, 0],
+				[0.4, 1.5, 0],
+				[0.8, 2, 0],
+			]),
+			led,
+		);
+		expect(forked.path).toEqual([0, 0.5, 0, 0, 1, 0, 0, 2, 0, 0.8, 2, 0]);
+		expect(forked.from).toEqual([0, 1, 2, 2]);
+		expect(edits.branchesOf(forked).map((line) => line.length)).toEqual([4, 2]);
+		expect(edits.branchesOf(forked)[1]).toEqual([
+			[0, 1, 0],
+			[0.8, 2, 0],
+		]);
+		// A place after the fork goes on with the first branch.
+		const more = made(edits.addedPlace(forked, 1), forked);
+		expect(more.from).toEqual([0, 1, 2, 3, 2]);
+		expect(more.path?.slice(6, 9)).toEqual([0, 1.5, 0]);
+		const moved = made(edits.movedPlace(more, 4, [1, 2, 0]), more);
+		expect(moved.from).toEqual(more.from);
+		// Without the place that they part at, both come after the one before it.
+		expect(made(edits.removedPlace(forked, 1), forked).from).toEqual([0, 1, 1]);
+		expect(made(edits.removedPlace(forked, 3), forked).from).toBeUndefined();
+		// Without the first, all come after what is the first then.
+		expect(
+			made(edits.removedPlace(made(edits.withPath([0, 1, 0, 0, 2, 0, 1, 2, 0], [0, 1, 1])), 0)).from,
+		).toBeUndefined();
+		expect(made(edits.withPath(led.path, [0, 1, 2]), led).from).toBeUndefined();
+	});
+
 	it("makes a path of a stroke, of as few places as keep its shape", () => {
 		const stroke = Array.from({ length: 60 }, (_, i): Triple => [Math.sin(i / 12), i / 30, 0]);
 		const path = made(edits.strokePath(stroke)).path as number[];

@@ -129,6 +129,36 @@ describe("the main branch", () => {
 		}
 	});
 
+	it("forks: each branch passes its own areas, and all of them are clothed", () => {
+		const areas = [
+			{ kind: "sphere", centre: [0, 0.75, 0] },
+			{ kind: "sphere", centre: [-0.75, 1.75, 0] },
+			{ kind: "sphere", centre: [0.75, 1.75, 0] },
+			{ kind: "sphere", centre: [0, 2.3, 0] },
+		].map((area) => ({ ...area, size: [0.8, 0.8, 0.8], rotation: [0, 0, 0, 1] })) as unknown as Area[];
+		const path = [0, 0.75, 0, 0, 1.2, 0, -0.75, 1.75, 0, 0.75, 1.75, 0, 0, 2.3, 0];
+		const from = [0, 1, 2, 2, 2];
+		const specimen = own("topiary-three-spheres", { areas, path, from });
+		const plant = grow(specimen);
+		const { segments, belongs } = plant;
+		const main = Array.from({ length: segments.count }, (_, i) => i).filter((i) => belongs?.main[i] === 1);
+		const children = new Map<number, number>();
+		for (const i of main) children.set(segments.parent[i], (children.get(segments.parent[i]) ?? 0) + 1);
+		// One line but at the fork, where three go on.
+		expect([...children.values()].filter((many) => many > 1)).toEqual([3]);
+		expect(new Set(main.map((i) => belongs?.area[i]))).toEqual(new Set([0, 1, 2, 3, 4]));
+		for (const [i, area] of areas.entries())
+			expect(
+				clothed(surfacePlaces(area, 500), leafBases(plant), 0.8 / specimen.constants.part),
+				`area ${i + 1}`,
+			).toBeGreaterThan(0.85);
+		expect(lateralTips(plant).filter(({ at, area }) => area < 1 || !holds(areas[area - 1], at))).toEqual([]);
+		// Without the forks the same places are one line.
+		const { segments: line, belongs: of } = grow({ ...specimen, from: undefined });
+		const single = Array.from({ length: line.count }, (_, i) => i).filter((i) => of?.main[i] === 1);
+		for (const [k, i] of single.slice(1).entries()) expect(line.parent[i]).toBe(single[k]);
+	});
+
 	it("moves with its areas: a moved area bears where it stands now", () => {
 		const before = own("topiary-two-cubes");
 		const areas = before.areas?.map((area, i) =>

@@ -28,6 +28,8 @@ export interface WithAreas {
 	areas?: readonly Area[];
 	/** Where a hand has led the main branch, metres: x, y, z of place after place; absent where it leads from centre to centre. */
 	path?: readonly number[];
+	/** Of each place of the path the place that the branch comes from there, counted from 1, 0 for the foot; absent where it does not fork. */
+	from?: readonly number[];
 }
 
 /** As many as a link can hold with ease, and a hand with patience. */

@@ -8,9 +8,16 @@ export const withAreas = (areas: readonly Area[]): Change => ({
 	details: { areas: areas.length > 0 ? areas.map(fittedArea) : undefined },
 });
 
-export const withPath = (path: readonly number[] | undefined): Change => ({
-	details: { path: path && path.length > 0 ? fittedPath(path) : undefined },
-});
+/** @param from of each place the one that it comes after; absent of a branch that does not fork */
+export function withPath(path: readonly number[] | undefined, from?: readonly number[]): Change {
+	const forks = from?.some((before, i) => before !== i) ?? false;
+	return {
+		details: {
+			path: path && path.length > 0 ? fittedPath(path) : undefined,
+			from: path && forks ? from : undefined,
+		},
+	};
+}
 
 /** One of them another. */
 export function changed({ areas = [] }: WithAreas, index: number, change: Partial<Area>): Change {
@@ -44,9 +51,33 @@ export const placesOf = ({ areas = [], path }: WithAreas): readonly Triple[] =>
 		? Array.from({ length: path.length / 3 }, (_, i): Triple => [path[3 * i], path[3 * i + 1], path[3 * i + 2]])
 		: areas.map(({ centre }) => centre);
 
+/** Of each place the one that the branch comes from there, counted from 1; 0 is the foot. */
+export const fromOf = (specimen: WithAreas): readonly number[] => specimen.from ?? placesOf(specimen).map((_, i) => i);
+
+/** The branches as lines, each from where it begins. */
+export function branchesOf(specimen: WithAreas): readonly (readonly Triple[])[] {
+	const places = placesOf(specimen);
+	const from = fromOf(specimen);
+	const at = (number: number): Triple => (number === 0 ? [0, 0, 0] : places[number - 1]);
+	const lines: Triple[][] = [];
+	const lineOf: Triple[][] = [];
+	places.forEach((place, i) => {
+		// The first that comes after a place goes on with its line.
+		const first = from.indexOf(from[i]) === i;
+		const line = first && from[i] > 0 ? lineOf[from[i] - 1] : [at(from[i])];
+		if (line.length === 1) lines.push(line);
+		line.push(place);
+		lineOf.push(line);
+	});
+	return lines;
+}
+
 /** A place elsewhere. The first time a hand takes one, the path is its own from then on. */
 export function movedPlace(specimen: WithAreas, index: number, to: Triple): Change {
-	return withPath(placesOf(specimen).flatMap((place, i) => (i === index ? to : place)));
+	return withPath(
+		placesOf(specimen).flatMap((place, i) => (i === index ? to : place)),
+		fromOf(specimen),
+	);
 }
 
 /** One more after a place, half way to the next; after the last as far on as the one before. */
@@ -54,16 +85,34 @@ export function addedPlace(specimen: WithAreas, index: number): Change | undefin
 	const places = placesOf(specimen);
 	const at = places[index];
 	if (!at || places.length >= MOST_PATH) return undefined;
-	const next = places[index + 1];
-	const before = places[index - 1] ?? [0, 0, 0];
+	const next = places[fromOf(specimen).indexOf(index + 1)];
+	const before = places[fromOf(specimen)[index] - 1] ?? [0, 0, 0];
 	const between = (k: number) => (next ? (at[k] + next[k]) / 2 : at[k] + (at[k] - before[k]) / 2);
 	const more = [between(0), between(1), between(2)];
-	return withPath(places.flatMap((place, i) => (i === index ? [...place, ...more] : place)));
+	const from = fromOf(specimen);
+	const first = from.indexOf(index + 1);
+	const moved = from.map((before, i) => (i === first ? index + 2 : before > index + 1 ? before + 1 : before));
+	return withPath(
+		places.flatMap((place, i) => (i === index ? [...place, ...more] : place)),
+		moved.toSpliced(index + 1, 0, index + 1),
+	);
 }
 
 /** One less; without any the branch leads from centre to centre again. */
-export const removedPlace = (specimen: WithAreas, index: number): Change =>
-	withPath(placesOf(specimen).flatMap((place, i) => (i === index ? [] : place)));
+export function removedPlace(specimen: WithAreas, index: number): Change {
+	const from = fromOf(specimen);
+	// What came after it comes after the one before it; where that was the foot, after the first of those.
+	const first = from.indexOf(index + 1);
+	const instead = from[index] > 0 ? from[index] : first + 1;
+	const again = from.map((before, i) =>
+		before !== index + 1 ? before : from[index] === 0 && i === first ? 0 : instead,
+	);
+	const counted = again.map((before) => (before > index + 1 ? before - 1 : before));
+	return withPath(
+		placesOf(specimen).flatMap((place, i) => (i === index ? [] : place)),
+		counted.toSpliced(index, 1),
+	);
+}
 
 /** How far from the line a stroke's places may be left out, of its length. */
 const SLACK = 0.012;
@@ -75,6 +124,18 @@ export function strokePath(stroke: readonly Triple[]): Change | undefined {
 	if (!(long > 0)) return undefined;
 	const kept = simplified(stroke, SLACK * long);
 	return withPath(kept.flat());
+}
+
+/** A drawn stroke as one more branch: it begins at the place that is nearest to where the pen was put down. */
+export function strokeFork(specimen: WithAreas, stroke: readonly Triple[]): Change | undefined {
+	const places = placesOf(specimen);
+	const drawn = strokePath(stroke)?.details?.path as readonly number[] | undefined;
+	const count = (drawn?.length ?? 0) / 3 - 1;
+	if (!drawn || places.length === 0 || places.length + count > MOST_PATH) return undefined;
+	const far = places.map((place) => distance(place, stroke[0]));
+	const nearest = far.indexOf(Math.min(...far)) + 1;
+	const added = Array.from({ length: count }, (_, i) => (i === 0 ? nearest : places.length + i));
+	return withPath([...places.flat(), ...drawn.slice(3)], [...fromOf(specimen), ...added]);
 }
 
 function simplified(line: readonly Triple[], slack: number): readonly Triple[] {

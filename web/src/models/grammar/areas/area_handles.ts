@@ -12,7 +12,7 @@ import {
 	UNTURNED,
 	type WithAreas,
 } from "./area";
-import { changed, movedPlace, placesOf, removed, removedPlace } from "./area_edits";
+import { branchesOf, changed, movedPlace, placesOf, removed, removedPlace } from "./area_edits";
 
 const AXES: readonly Vector[] = [
 	[1, 0, 0],
@@ -69,10 +69,7 @@ export function areaHandles(specimen: WithAreas, choice: Choice = {}): PlantHand
 				...(places.length > 1 ? gone(() => removedPlace(specimen, i)) : {}),
 			})),
 		],
-		lines: [
-			...(choice.path && places.length > 0 ? [[[0, 0, 0] as Vector, ...places]] : []),
-			...arms.map(({ arc }) => arc),
-		],
+		lines: [...(choice.path ? branchesOf(specimen) : []), ...arms.map(({ arc }) => arc)],
 	};
 }
 

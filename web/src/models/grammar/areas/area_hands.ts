@@ -1,5 +1,5 @@
 /** The handles of growth areas over the 3-D view, and the stroke that draws the main branch. */
-import type { DeskState } from "../../../controls/desk";
+import type { Change, DeskState } from "../../../controls/desk";
 import { placeUnder } from "../../../controls/handles/handle_ways";
 import type { Vector } from "../../../controls/handles/plant_handle";
 import { PlantHands } from "../../../controls/handles/plant_hands";
@@ -8,9 +8,9 @@ import type { ToolHands, ToolView } from "../../../controls/tool";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
 import type { Triple } from "./area";
-import { placesOf, strokePath, withPath } from "./area_edits";
+import { placesOf, strokeFork, strokePath, withPath } from "./area_edits";
 import { areaHandles } from "./area_handles";
-import { type AreaDesk, areaTool, choose, hasAreas } from "./area_tool";
+import { type AreaDesk, type AreaState, areaTool, choose, hasAreas } from "./area_tool";
 
 /** CSS pixels between two places of a stroke. */
 const FINE = 6;
@@ -21,17 +21,17 @@ export class AreaHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
 	readonly #view: ToolView;
 	readonly #desk: AreaDesk;
 	readonly #handles: PlantHands<GrammarSpecimen, GrammarPlant>;
-	/** The path as it was before a stroke. */
-	#before: GrammarSpecimen["path"];
+	/** The document as it was before a stroke. */
+	#before: GrammarSpecimen | undefined;
 	#stroke: Triple[] | undefined;
 	#last: Point = { x: 0, y: 0 };
-	#drawing = false;
+	#drawing: AreaState["drawing"];
 
 	constructor(view: ToolView, desk: AreaDesk) {
 		this.#view = view;
 		this.#desk = desk;
 		this.#handles = new PlantHands<GrammarSpecimen, GrammarPlant>(view, desk, {
-			kept: ({ areas, path }) => ({ areas, path }),
+			kept: ({ areas, path, from }) => ({ areas, path, from }),
 			focused: (id) => this.#focused(id),
 		});
 		// In the capturing phase, so that the view does not turn under a stroke.
@@ -42,9 +42,9 @@ export class AreaHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
 	}
 
 	update({ specimen }: State): void {
-		const { handles: wanted, chosen, path = false, drawing = false } = this.#desk.toolState(areaTool);
+		const { handles: wanted, chosen, path = false, drawing } = this.#desk.toolState(areaTool);
 		const handles = wanted && hasAreas(specimen);
-		this.#drawing = handles && drawing;
+		this.#drawing = handles ? drawing : undefined;
 		this.#view.canvas.style.cursor = this.#drawing ? "crosshair" : "";
 		const shown = handles && !drawing ? areaHandles(specimen, { area: chosen, path, removable: true }) : undefined;
 		this.#handles.lay(shown, handles);
@@ -91,7 +91,7 @@ export class AreaHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
 		if (!at) return;
 		this.#stroke = [at];
 		this.#last = { x: event.clientX, y: event.clientY };
-		this.#before = this.#desk.state.specimen.path;
+		this.#before = this.#desk.state.specimen;
 		this.#view.orbiting = false;
 		this.#view.canvas.setPointerCapture(event.pointerId);
 	};
@@ -104,18 +104,22 @@ export class AreaHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
 		if (!at) return;
 		this.#last = { x, y };
 		this.#stroke.push(at);
-		const change = strokePath(this.#stroke);
+		const change = this.#drawn(this.#stroke);
 		if (change) this.#desk.edit(change);
 	};
 
+	#drawn(stroke: readonly Triple[]): Change | undefined {
+		return this.#drawing === "fork" && this.#before ? strokeFork(this.#before, stroke) : strokePath(stroke);
+	}
+
 	readonly #end = (): void => {
 		if (!this.#stroke) return;
-		const drawn = strokePath(this.#stroke);
+		const drawn = this.#drawn(this.#stroke);
 		this.#stroke = undefined;
 		this.#view.orbiting = true;
 		if (drawn) this.#desk.edit(drawn);
-		else this.#desk.edit(withPath(this.#before));
+		else this.#desk.edit(withPath(this.#before?.path, this.#before?.from));
 		this.#desk.settle();
-		this.#desk.setToolState(areaTool, { ...this.#desk.toolState(areaTool), drawing: false, path: true });
+		this.#desk.setToolState(areaTool, { ...this.#desk.toolState(areaTool), drawing: undefined, path: true });
 	};
 }

@@ -8,6 +8,7 @@ import { AREA_KINDS, type Area, type AreaKind, degreesOf, type Triple, turnOf } 
 import {
 	added,
 	addedPlace,
+	branchesOf,
 	changed,
 	movedPlace,
 	placesOf,
@@ -17,7 +18,7 @@ import {
 	withPath,
 } from "./area_edits";
 import { nameOf } from "./area_handles";
-import { type AreaDesk, areaTool, choose, takeAreaMesh } from "./area_tool";
+import { type AreaDesk, type AreaState, areaTool, choose, takeAreaMesh } from "./area_tool";
 
 /** What the buttons are called; a mesh comes by its own. */
 const WORDS: Readonly<Record<Exclude<AreaKind, "mesh">, string>> = {
@@ -127,25 +128,34 @@ function triple(
 	)}</fieldset>`;
 }
 
+const DRAWING = {
+	path: "Draw in the picture, from the foot upwards through the areas.",
+	fork: "Draw in the picture, from a place of the main branch to the areas that the new branch passes.",
+} as const;
+
 function drawPath(desk: AreaDesk): unknown {
 	const { specimen } = desk.state;
 	const state = desk.toolState(areaTool);
 	const places = placesOf(specimen);
-	const toggle = (words: string, key: "path" | "drawing") => html`<button
-		class="button" type="button" aria-pressed=${state[key] === true}
-		@click=${() => desk.setToolState(areaTool, { ...state, handles: true, [key]: !state[key] })}
+	const forks = branchesOf(specimen).length - 1;
+	const toggle = (words: string, on: boolean, change: Partial<AreaState>) => html`<button
+		class="button" type="button" aria-pressed=${on}
+		@click=${() => desk.setToolState(areaTool, { ...state, handles: true, ...change })}
 	>${words}</button>`;
+	const draw = (words: string, drawing: "path" | "fork") =>
+		toggle(words, state.drawing === drawing, { drawing: state.drawing === drawing ? undefined : drawing });
 	return html`<h3>Main branch</h3>
 		<p class="note">${
 			specimen.path
-				? `It is led by hand through ${places.length} place${places.length === 1 ? "" : "s"}.`
+				? `It is led by hand through ${places.length} place${places.length === 1 ? "" : "s"}${forks > 0 ? ` and forks ${forks === 1 ? "once" : `${forks} times`}` : ""}.`
 				: "It leads from area to area, middle to middle."
 		}</p>
 		<div class="actions">
-			${toggle("Draw it in the picture", "drawing")} ${toggle("Show its places", "path")}
+			${draw("Draw it in the picture", "path")} ${draw("Draw a fork in the picture", "fork")}
+			${toggle("Show its places", state.path === true, { path: !state.path })}
 			${button("From middle to middle", specimen.path ? withPath(undefined) : undefined, (change) => desk.set(change))}
 		</div>
-		<p class="note" role="status">${state.drawing ? "Draw in the picture, from the foot upwards through the areas." : nothing}</p>
+		<p class="note" role="status">${state.drawing ? DRAWING[state.drawing] : nothing}</p>
 		${
 			state.path
 				? places.map(

@@ -25,8 +25,8 @@ export interface AreaState {
 	readonly chosen?: number | undefined;
 	/** Whether the main branch's places are shown. */
 	readonly path?: boolean;
-	/** Whether the next stroke over the picture is the main branch's path. */
-	readonly drawing?: boolean;
+	/** What the next stroke over the picture is: the main branch's path, or one more branch of it. */
+	readonly drawing?: "path" | "fork" | undefined;
 }
 
 const GLASS = svg`<path d="M10 3l6 3.2v7.600L10 17l-6-3.200V6.200zM4 6.200l6 3.200 6-3.200M10 9.400V17" stroke-dasharray="2 1.500"/>`;
@@ -54,7 +54,7 @@ export const areaTool: Tool<GrammarSpecimen, GrammarPlant, AreaState> = {
 	applies: hasAreas,
 	press: (desk) => {
 		const state = desk.toolState(areaTool);
-		desk.setToolState(areaTool, { ...state, handles: !state.handles, drawing: false });
+		desk.setToolState(areaTool, { ...state, handles: !state.handles, drawing: undefined });
 	},
 	button: { icon: HANDLES, label: "Handles of growth areas", pressed: (desk) => desk.toolState(areaTool).handles },
 	key: { letter: "a", does: "Handles of growth areas, and back" },

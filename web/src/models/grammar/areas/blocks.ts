@@ -2,7 +2,7 @@
 import type { Block } from "../../../core/container";
 import { AREA_KINDS, type WithAreas } from "./area";
 
-export function areaBlocks({ areas = [], path = [] }: WithAreas): Block[] {
+export function areaBlocks({ areas = [], path = [], from = [] }: WithAreas): Block[] {
 	const blocks: Block[] = [];
 	if (areas.length > 0) {
 		blocks.push({ name: "areas.kinds", data: Uint32Array.from(areas, ({ kind }) => AREA_KINDS.indexOf(kind)) });
@@ -21,5 +21,7 @@ export function areaBlocks({ areas = [], path = [] }: WithAreas): Block[] {
 		});
 	}
 	if (path.length > 0) blocks.push({ name: "path", data: Float32Array.from(path), width: 3 });
+	if (path.length > 0 && from.length === path.length / 3)
+		blocks.push({ name: "path.from", data: Uint32Array.from(from) });
 	return blocks;
 }

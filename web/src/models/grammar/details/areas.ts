@@ -54,12 +54,31 @@ export const path: Detail<GrammarSpecimen> = {
 	settings: ["path=X,Y,Z,…"],
 	read: (specimen, key, value, notes) => {
 		const read = readPath(key, value, notes);
+		if (read) delete specimen.from;
 		if (read?.length) specimen.path = read;
 		else if (read) delete specimen.path;
 	},
 	query: (specimen, preset) => {
 		const [written, before] = [specimen, preset].map((each) => each.path?.join(",") ?? "");
 		return written === before ? [] : [["path", written]];
+	},
+};
+
+/** `from=0,1,2,1`: of each place of the path the one that the main branch comes from there, counted from 1, where it forks. */
+export const from: Detail<GrammarSpecimen> = {
+	keys: ["from"],
+	settings: ["from=0,1,…"],
+	read: (specimen, key, value, notes) => {
+		const read = value === "" ? [] : readNumbers(value);
+		const places = (specimen.path?.length ?? 0) / 3;
+		const sound = read?.every((before, i) => Number.isInteger(before) && before <= i && before >= Math.min(i, 1));
+		if (read?.length === 0) delete specimen.from;
+		else if (read && sound && read.length === places) specimen.from = read;
+		else notes.add(key, `${quote(value)} does not say of each place an earlier one`, "the main branch does not fork");
+	},
+	query: (specimen, preset) => {
+		const [written, before] = [specimen, preset].map((each) => each.from?.join(",") ?? "");
+		return written === before ? [] : [["from", written]];
 	},
 };
 

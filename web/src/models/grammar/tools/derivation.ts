@@ -8,7 +8,7 @@ import type { GrammarSpecimen } from "../specimen";
 export const derivation: DerivationSource<GrammarSpecimen, GrammarPlant> = {
 	drawn: (grown) => drawnOf(grown, { blades: grown.bladeOrgans ?? bladesInTurn(grown) }),
 	figure: async () => new (await import("../../../scene/lit_figure")).LitFigure(),
-	taken: (desk) => desk.toolState(areaTool).drawing === true,
+	taken: (desk) => desk.toolState(areaTool).drawing !== undefined,
 };
 
 /** Where each polygon shows they follow each other as their runs do. */
