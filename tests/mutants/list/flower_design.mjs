@@ -163,4 +163,16 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/models/flower/design/templates/stamen.gl3",
+		suites: ["tests/web/models/flower/design/presets.test.ts"],
+		faults: [
+			{
+				id: "design-stamens-unsewn",
+				find: "#define FILAMENT(4,",
+				replace: "#define FILAMENT(6,",
+				breaks: "stamens of flowers by choices are sewn to nothing",
+			},
+		],
+	},
 ];

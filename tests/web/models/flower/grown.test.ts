@@ -56,6 +56,33 @@ describe("a flower", () => {
 		expect(refused).toEqual([]);
 	});
 
+	it("is one map where its organs have as many sides as what bears them: all of a tulip by choices but its blades", () => {
+		const { volumes } = grow(fromPreset(model, "designed-tulip"), { meshes: false });
+		const name = (volume: number) => volumes.labels[volumes.label[volume]];
+		const apart = [...volumes.attached.keys()].filter((volume) => volumes.attached[volume] === 1);
+		// Six petals and two leaves.
+		expect(apart.map(name)).toEqual(Array.from({ length: 8 }, () => "VEIN"));
+		for (const sewn of ["RING1", "RING2", "FILAMENT", "ANTHER", "OVARY", "STIGMA"])
+			expect(volumes.labels, sewn).toContain(sewn);
+	});
+
+	it("is a module of the meadow of figure 24, whose seeds are volumes of its ground", () => {
+		const { volumes, notes } = grow(fromPreset(model, "meadow-of-tulips"), { meshes: false });
+		const name = (volume: number) => volumes.labels[volumes.label[volume]];
+		const all = [...volumes.label.keys()];
+		const cups = all.filter((volume) => name(volume) === "CUP");
+		expect(cups.length).toBeGreaterThan(15);
+		const rootOf = (volume: number): number => (volumes.parent[volume] < 0 ? volume : rootOf(volumes.parent[volume]));
+		for (const cup of cups) expect(name(rootOf(cup))).toBe("SPINE");
+		// Six tepals to each, and the ground glued from 13 steps of the grammar.
+		const tepals = all.filter(
+			(volume) => name(volume) === "VEIN" && ["CUP", "TOP"].includes(name(volumes.parent[volume])),
+		);
+		expect(tepals).toHaveLength(6 * cups.length);
+		expect(all.filter((volume) => name(volume) === "SEED").length).toBeGreaterThan(1.5 * cups.length);
+		expect(notes.join(" ")).not.toContain("never came about");
+	});
+
 	it("has the same measures, counts and notes where no meshes are asked for", () => {
 		const specimen = {
 			...fromPreset(model, "figure-16"),

@@ -11,6 +11,9 @@ const HALF: Readonly<Record<Whorled, number>> = { sepal: 1, petal: 0, stamen: 1,
 /** Of a ring, at the least: it is round. */
 const FEWEST_SIDES = 10;
 
+/** Of a ring wherever its organs are evenly apart on it: rings of one order are sewn to each other, and to a stem of as many sides. */
+const USUAL_SIDES = 12;
+
 /** So many sides, and on which of them organs stand. */
 export interface Ring {
 	readonly sides: number;
@@ -20,8 +23,9 @@ export interface Ring {
 
 /** A ring for so many organs, the first on its first face or, `half` on, in the middle between the first two. */
 export function ringFor(count: number, half: number): Ring {
-	if (count === 0) return { sides: FEWEST_SIDES, faces: [] };
-	const gap = 2 * Math.max(1, Math.ceil(FEWEST_SIDES / count / 2));
+	if (count === 0) return { sides: USUAL_SIDES, faces: [] };
+	const gap =
+		USUAL_SIDES % (2 * count) === 0 ? USUAL_SIDES / count : 2 * Math.max(1, Math.ceil(FEWEST_SIDES / count / 2));
 	const first = (half % 2) * (gap / 2);
 	return { sides: gap * count, faces: Array.from({ length: count }, (_, i) => 1 + first + i * gap) };
 }
@@ -40,7 +44,7 @@ export interface WhorlPlan {
 	readonly call: Call;
 }
 
-/** Of a ring, millimetres, and how deep it is sunk into what bears it: rounded ends draw back, and would leave a gap. */
+/** Of a ring, millimetres, and how deep one that is not sewn on is sunk into what bears it: rounded ends draw back, and would leave a gap. */
 const RISE = 1.2;
 const SUNK = 1;
 
@@ -48,13 +52,17 @@ const SUNK = 1;
 export function whorlText({ organ, count, whorls, radius, material, call }: WhorlPlan): string {
 	const rings = Array.from({ length: count === 0 ? 1 : whorls }, (_, i) => ringFor(count, HALF[organ] + i));
 	const next = ORDER[ORDER.indexOf(organ) + 1];
-	const lines = [`#module ${WHORLS[organ]}`, `#define FOOT(5,180,0,0,${SUNK},1,1,${material})`];
+	const sewn = rings.every(({ sides }) => sides === USUAL_SIDES);
+	const lines = [`#module ${WHORLS[organ]}`];
+	if (!sewn) lines.push(`#define FOOT(5,180,0,0,${SUNK},1,1,${material})`);
 	rings.forEach(({ sides }, i) => {
 		const across = Math.round(20 * radius * 0.9 ** i) / 10;
-		lines.push(`#define RING${i + 1}(${sides},0,0,0,${i === 0 ? RISE + SUNK : RISE},${across},${across},${material})`);
+		const rise = i === 0 && !sewn ? RISE + SUNK : RISE;
+		lines.push(`#define RING${i + 1}(${sides},0,0,0,${rise},${across},${across},${material})`);
 	});
+	if (sewn) lines.push(`#define finalStep=${rings.length}`, "#axiom: RING1");
 	// Down into what bears it, and up again.
-	lines.push(`#define finalStep=${rings.length + 1}`, "#axiom: FOOT", "FOOT -> FOOT[RING1(,180,,,,,,)]_{E}");
+	else lines.push(`#define finalStep=${rings.length + 1}`, "#axiom: FOOT", "FOOT -> FOOT[RING1(,180,,,,,,)]_{E}");
 	rings.forEach(({ sides, faces }, i) => {
 		const ring = `RING${i + 1}`;
 		const above = rings[i + 1] ? `RING${i + 2}` : next && `&${WHORLS[next]}`;
