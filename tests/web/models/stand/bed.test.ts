@@ -7,7 +7,7 @@ import { growPlant } from "../../../../web/src/files/growth";
 import { modelNamed } from "../../../../web/src/models/index";
 import { KeptMembers } from "../../../../web/src/models/members";
 import { model } from "../../../../web/src/models/stand/index";
-import { sortsOf } from "../../../../web/src/models/stand/members";
+import { sortsOf, valuesOf } from "../../../../web/src/models/stand/members";
 import { type PlantRecord, placementsCsv } from "../../../../web/src/models/stand/record";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
@@ -48,6 +48,42 @@ describe("a flowerbed", () => {
 		expect(sorts[1].count).toBe(of("poppy"));
 		expect(sorts.reduce((sum, { count }) => sum + count, 0)).toBe(bed.places.count);
 	}, 300_000);
+});
+
+describe("the beds of the thesis (Petrenko 2014, figures 45 and 48)", () => {
+	it.each([
+		["bluebells-and-daisies", ["flower/bluebell", "flower/daisy", "flower/grass"], 280],
+		["sunflowers", ["flower/sunflower", "flower/grass"], 56],
+	])("%s: interspersed, each flower with a length and a bend of its own", async (preset, names, flowers) => {
+		const specimen = fromPreset(model, preset);
+		await model.prepare?.(specimen);
+		const plan = model.read(await run(model.wasm, model.encode(specimen, { meshes: false })));
+		const nameOf = (plant: number) => plan.kinds[plan.places.kind[plant]].name;
+		const plants = Array.from({ length: plan.places.count }, (_, plant) => plant);
+		expect(new Set(plants.map(nameOf))).toEqual(new Set(names));
+		const some = plants.filter((plant) => nameOf(plant) !== "flower/grass");
+		expect(some).toHaveLength(flowers);
+		const bends = some.map((plant) => Number(valuesOf(plan, plant).bend));
+		expect(Math.min(...bends)).toBeLessThan(-1.5);
+		expect(Math.max(...bends)).toBeGreaterThan(1.5);
+		expect(new Set(some.map((plant) => valuesOf(plan, plant).length)).size).toBeGreaterThan(0.95 * flowers);
+		// Sampled by strata: every quarter of the ground has about a quarter of them.
+		const quarter = (plant: number) =>
+			2 * Number(plan.places.at[3 * plant] > 0) + Number(plan.places.at[3 * plant + 2] > 0);
+		for (const each of [0, 1, 2, 3])
+			expect(some.filter((plant) => quarter(plant) === each).length / flowers).toBeGreaterThan(0.19);
+	});
+
+	it("grow from bud to wilted without a note, in a small part", async () => {
+		for (const preset of ["bluebells-and-daisies", "sunflowers"]) {
+			const specimen = fromPreset(model, preset);
+			await model.prepare?.(specimen);
+			const few = { ...specimen, parameters: { ...specimen.parameters, many: 6 } };
+			const bed = await grownStand(few);
+			expect(bed.notes, preset).toEqual([]);
+			expect(bed.members.every((member) => (member?.levels ?? member) !== undefined)).toBe(true);
+		}
+	}, 120_000);
 });
 
 describe("a small bed", () => {
