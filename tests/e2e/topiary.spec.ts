@@ -97,6 +97,18 @@ test("the main branch is drawn over the picture, and led back from middle to mid
 	await expect.poll(() => (new URL(page.url()).searchParams.get("path") ?? "").split(",").length).toBeGreaterThan(8);
 	await expect(studio.fingerprint).not.toHaveText(before ?? "");
 	await expect(page.getByRole("button", { name: /^Place 1 of the main branch: / })).toBeAttached();
+	// One more stroke is a branch that begins at the nearest place.
+	await studio.button("Draw a fork in the picture").click();
+	await page.mouse.move(x + 60, y);
+	await page.mouse.down();
+	for (const [right, up] of [
+		[120, -30],
+		[150, -90],
+	])
+		await page.mouse.move(x + right, y + up, { steps: 5 });
+	await page.mouse.up();
+	await expect(page).toHaveURL(/[?&]from=0,1[,\d]+/);
+	await expect(page.getByText("and forks once")).toBeVisible();
 	await studio.button("From middle to middle").click();
 	await expect(studio.fingerprint).toHaveText(before ?? "");
 });

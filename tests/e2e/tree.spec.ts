@@ -177,12 +177,22 @@ test("a closed mesh dropped on the boundary becomes it, and the page says where 
 		);
 	await studio.regrown(() => drop("octahedron.obj", [...octahedron, ...faces].join("\n")));
 	await expect(studio.notices).toContainText("The mesh is the boundary now");
-	await expect(page.locator(".override")).toContainText("A mesh of 8 triangles.");
+	await expect(page.locator(".override").filter({ hasText: "A mesh of 8 triangles." })).toHaveCount(1);
 	await expect(page.locator("panicle-boundary path.outer")).toHaveAttribute("d", /^M[^L]+(L[^L]+){3}Z$/);
 	await expect(studio.notices).not.toContainText("The file was not opened");
 	const inSpace = studio.button("Boundary in 3-D");
 	await inSpace.click();
 	await expect(inSpace).toHaveAttribute("aria-pressed", "true");
+	// A mesh of one's own is the inner boundary, too.
+	const mesh = { name: "inner.obj", mimeType: "model/obj", buffer: Buffer.from([...octahedron, ...faces].join("\n")) };
+	await page.getByLabel(/^Inner boundary from a mesh/).setInputFiles(mesh);
+	await expect(studio.notices).toContainText("The mesh is the inner boundary now");
+	await expect(page.locator("panicle-boundary path.inner")).toHaveAttribute("d", /^M[^L]+(L[^L]+){3}Z$/);
+	await studio.button("Remove the inner mesh").click();
+	await expect(studio.button("Remove the inner mesh")).toHaveCount(0);
+	const light = studio.button("Light in the crown");
+	await light.click();
+	await expect(light).toHaveAttribute("aria-pressed", "true");
 	await drop("broken.obj", "v 0 0 0\nf 1 2 3\n");
 	await expect(studio.notices).toContainText("Line 2 of the OBJ has a corner, “2”");
 });

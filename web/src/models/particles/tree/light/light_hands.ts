@@ -16,7 +16,12 @@ export class LightHands implements ToolHands<TreeSpecimen, TreePlant> {
 	readonly #view: ToolView;
 	readonly #desk: Desk<TreeSpecimen, TreePlant>;
 	readonly #tool: LightTool;
-	readonly #material = new PointsMaterial({ vertexColors: true, transparent: true, depthWrite: false });
+	readonly #material = new PointsMaterial({
+		vertexColors: true,
+		transparent: true,
+		depthWrite: false,
+		toneMapped: false,
+	});
 	readonly #points = new Points(new BufferGeometry(), this.#material);
 	#shown: LightGrid | undefined;
 
