@@ -78,7 +78,7 @@ describe("the beds of the thesis (Petrenko 2014, figures 45 and 48)", () => {
 		for (const preset of ["bluebells-and-daisies", "sunflowers"]) {
 			const specimen = fromPreset(model, preset);
 			await model.prepare?.(specimen);
-			const few = { ...specimen, parameters: { ...specimen.parameters, many: 6 } };
+			const few = { ...specimen, parameters: { ...specimen.parameters, many: 60 } };
 			const bed = await grownStand(few);
 			expect(bed.notes, preset).toEqual([]);
 			expect(bed.members.every((member) => (member?.levels ?? member) !== undefined)).toBe(true);
