@@ -10,7 +10,7 @@ import { drawPresets } from "./preset_pictures.mjs";
 /** Twice the size they are shown at, for dense screens. */
 const PICTURE = { size: { width: 120, height: 150 }, oversampling: 4, quality: 0.86, views: ["three-quarter"] };
 /** A ground is wide where pictures are tall: of a stand or a meadow its middle is shown. */
-const ZOOM = { stand: 2.2, meadow: 2, "meadow-of-tulips": 1.6 };
+const ZOOM = { stand: 2.2, meadow: 2 };
 
 /** Folders that hold an index.ts, in a family or by themselves. */
 function everyModel() {
