@@ -9,6 +9,7 @@ it("writes control characters of a quoted text as escapes, and keeps lines and l
 });
 
 it("cuts long lines", () => {
+	expect(printable("grow: g.lsys:2:9: no\n  \tA\n  \t^")).toBe("grow: g.lsys:2:9: no\n  \tA\n  \t^");
 	expect(printable(`${"x".repeat(200_000)}\nend`)).toBe(`${"x".repeat(1000)}…\nend`);
 });
 
