@@ -3,7 +3,7 @@ import { fileURLToPath } from "node:url";
 
 /** Programs of three's materials that nothing here wears. */
 const PROGRAMS =
-	"background backgroundCube cube distance equirect linedashed meshlambert meshmatcap meshnormal meshphong meshtoon points shadow sprite vsm";
+	"background backgroundCube cube distance equirect linedashed meshlambert meshmatcap meshnormal meshphong meshtoon shadow sprite vsm";
 
 /**
  * Pieces of its other programs for what nothing here has: each is empty unless a switch is on. What three puts in for light
@@ -46,7 +46,7 @@ const PARTS = {
 
 /** Classes that would draw wrongly without what is left out. */
 const NEEDS_MORE =
-	/\/(Mesh(Lambert|Matcap|Normal|Phong|Toon)Material|LineDashedMaterial|(Points|Sprite|Shadow)Material|SkinnedMesh|FogExp2|Fog|PointLight|PMREMGenerator)\.js$/;
+	/\/(Mesh(Lambert|Matcap|Normal|Phong|Toon)Material|LineDashedMaterial|(Sprite|Shadow)Material|SkinnedMesh|FogExp2|Fog|PointLight|PMREMGenerator)\.js$/;
 
 const unused = new Set([...`${PROGRAMS} ${PIECES}`.split(" ").map((name) => `${name}.glsl.js`)]);
 const GLSL = /\/\* glsl \*\/`([^`]*)`/g;

@@ -27,6 +27,7 @@ it("builds three's renderer without the programs and parts that nothing uses, an
 	expect(code).toMatch(/USE_SHEEN/);
 	expect(code).not.toMatch(/define (PHONG|LAMBERT|TOON)/);
 	expect(code).not.toMatch(/requestReferenceSpace/);
+	expect(code).toMatch(/gl_PointSize/);
 	// Programs come as three's own build has them: without comments and margins.
 	expect(code).not.toMatch(/glTF-Sampler-Viewer|\\n\\t/);
 });
