@@ -172,7 +172,11 @@ describe("the arrow between the rooms", () => {
 	});
 
 	it("lets workers come without Lit and three", () => {
-		for (const worker of ["web/src/core/worker", "web/src/files/file_worker"]) {
+		for (const worker of [
+			"web/src/core/worker",
+			"web/src/files/file_worker",
+			"web/src/controls/mesh_file/mesh_worker",
+		]) {
 			expect(packagesOf(worker).filter((name) => /^(lit|three)\b/.test(name))).toEqual([]);
 		}
 	});

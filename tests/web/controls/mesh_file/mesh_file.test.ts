@@ -1,4 +1,4 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { closedMesh } from "../../../../web/src/controls/mesh_file/closed";
 import { readGlb } from "../../../../web/src/controls/mesh_file/glb";
 import { readObj } from "../../../../web/src/controls/mesh_file/obj";
@@ -241,6 +241,89 @@ describe("a closed mesh from a file", () => {
 		bytes.set(new Uint8Array(corners.buffer), 76 + text.length);
 		return bytes.buffer;
 	}
+
+	/** A GLB of one tetrahedron whose accessors, or views of the buffer, are changed. */
+	const changed = (accessor: object, view: object = {}) =>
+		glbOf([{ mesh: 0 }], {
+			accessors: [
+				{ bufferView: 0, componentType: 5126, count: 4, type: "VEC3", ...accessor },
+				{ bufferView: 1, componentType: 5125, count: 12, type: "SCALAR" },
+			],
+			bufferViews: [
+				{ buffer: 0, byteOffset: 0, byteLength: 48, ...view },
+				{ buffer: 0, byteOffset: 48, byteLength: 48 },
+			],
+		});
+
+	it.each([
+		["a stride of 0 and very many points", { count: 1e8 }, { byteStride: 0 }],
+		["a stride of 0", {}, { byteStride: 0 }],
+		["a stride that is less than a point", {}, { byteStride: 8 }],
+		["a stride beyond the view's end", {}, { byteStride: 16 }],
+		["points beyond the view's end", { count: 5 }, {}],
+		["an offset beyond the view's end", { byteOffset: 4 }, {}],
+		["a negative offset", { byteOffset: -4 }, {}],
+		["a count that is no whole number", { count: 3.5 }, {}],
+		["a count that is no number", { count: "4" }, {}],
+		["a view beyond the buffer's end", {}, { byteLength: 97 }],
+		["a view that begins beyond the buffer's end", {}, { byteOffset: 96 }],
+	])("is refused where a GLB has %s, and nothing of it is read", (_, accessor, view) => {
+		const read = vi.spyOn(DataView.prototype, "getFloat32");
+		expect(() => readGlb(changed(accessor, view))).toThrow("The GLB is damaged or unfinished: export it again.");
+		expect(read).not.toHaveBeenCalled();
+	});
+
+	it("is read where a GLB's points lie apart in the buffer", () => {
+		const accessors = [
+			{ bufferView: 0, byteOffset: 4, componentType: 5126, count: 3, type: "VEC3" },
+			{ bufferView: 1, componentType: 5125, count: 3, type: "SCALAR" },
+		];
+		const bufferViews = [
+			{ buffer: 0, byteLength: 48, byteStride: 16 },
+			{ buffer: 0, byteOffset: 48, byteLength: 12 },
+		];
+		expect(readGlb(glbOf([{ mesh: 0 }], { accessors, bufferViews })).points).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]);
+	});
+
+	it("has of a GLB's points those that its triangles use, however many parts share them", () => {
+		const primitive = { attributes: { POSITION: 0 }, indices: 1 };
+		const shared = glbOf([{ mesh: 0 }], { meshes: [{ primitives: Array(300).fill(primitive) }] });
+		const { points, triangles } = readGlb(shared);
+		expect([points.length, triangles.length]).toEqual([300 * 12, 300 * 12]);
+		const one = { bufferView: 1, componentType: 5125, type: "SCALAR", count: 3 };
+		const accessors = [{ bufferView: 0, componentType: 5126, count: 4, type: "VEC3" }, one];
+		expect(readGlb(glbOf([{ mesh: 0 }], { accessors })).points).toHaveLength(9);
+	});
+
+	it("is refused where a GLB has very many parts, and where nodes are nested very deep it is read", () => {
+		const nodes = Array.from({ length: 1001 }, () => ({ mesh: 0 }));
+		const meshes = [{ primitives: Array(100).fill({ attributes: {}, mode: 1 }) }];
+		expect(() => readGlb(glbOf(nodes, { meshes }))).toThrow("The GLB has more than 100,000 parts: join them first.");
+		const chain = Array.from({ length: 50_000 }, (_, i) => (i < 49_999 ? { children: [i + 1] } : { mesh: 0 }));
+		expect(readGlb(glbOf(chain)).triangles).toHaveLength(12);
+	});
+
+	it("is refused where a GLB's node puts points nowhere, and where points are too far away to be added up", () => {
+		for (const placing of [{ matrix: [1] }, { scale: [1e308, 1e308, 1e308] }])
+			expect(() => readGlb(glbOf([{ mesh: 0, ...placing }]))).toThrow("The GLB has a point that is no place.");
+		const far = readObj(BOX.replace("v 1 2 3", "v -1e300 2 3"));
+		expect(() => closedMesh(far)).toThrow("The mesh reaches beyond 10³⁰ units: scale it down.");
+	});
+
+	it("comes from text whose lines end with CR, with LF or with both", () => {
+		const plain = readObj(BOX);
+		for (const end of ["\r", "\r\n"]) expect(readObj(BOX.replaceAll("\n", end))).toEqual(plain);
+		expect(() => readObj("v 0 0 0\r\nv 0 0 0\rv 0\n")).toThrow("Line 3 of the OBJ has a point of fewer");
+		const stl = (end: string) => readStl(textStl(plain, /\n/g, end).buffer);
+		expect(stl("\r")).toEqual(stl("\n"));
+	});
+
+	it("is refused where an OBJ has more points than its triangles can use, or a face of more corners than are read", () => {
+		expect(() => readObj("v 0 0 0\n".repeat(1_500_001))).toThrow("The mesh has more than 1,500,000 points: simplify");
+		const face = `v 0 0 0\nf ${"1 ".repeat(500_002)}`;
+		expect(readObj(face).triangles).toHaveLength(1_500_000);
+		expect(() => readObj(`${face} 1 9`)).toThrow("The mesh has more than 500,000 triangles: simplify it first.");
+	});
 
 	it("has a GLB's every node once: one without scenes begins with nodes that are nobody's child", () => {
 		const nodes = [{ mesh: 0, translation: [5, 0, 0] }, { children: [0] }];

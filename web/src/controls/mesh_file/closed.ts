@@ -2,10 +2,16 @@
 import { type ClosedMesh, MOST_TRIANGLES } from "../../specimen/closed_mesh";
 import { MeshFileError, type Soup } from "./soup";
 
+/** More than there are points; its square is a number without rounding. */
+const EDGE = 2 ** 26;
+/** More than there are cells along a side (1 / WELDS[0]); its cube is a number without rounding. */
+const ALONG = 2 ** 17;
 /** Points nearer than this share of the mesh's size are one: the first of these with which no edge is open. */
 const WELDS = [1e-5, 1e-4, 1e-3];
 /** Cells along the longest side at which simplifying begins; each attempt has a quarter fewer. */
 const FINEST = 64;
+/** Beyond this, sums and cubes of places are not finite. */
+const FARTHEST = 1e30;
 /** Of its height, to which places are kept. */
 const DECIMALS = 1e4;
 /** Of its height's cube: less than a needle that is as thin as its places are kept. */
@@ -16,6 +22,7 @@ export function closedMesh(soup: Soup): ClosedMesh {
 	if (soup.triangles.length === 0) throw new MeshFileError("The file holds no triangles.");
 	const size = sizeOf(soup);
 	if (!(size > 0)) throw new MeshFileError("The mesh has no size.");
+	if (!(farthestOf(soup) < FARTHEST)) throw new MeshFileError("The mesh reaches beyond 10³⁰ units: scale it down.");
 	heightOf(soup);
 	const mesh = framed(simplified(weldedShut(soup, size), size));
 	const volume = volumeOf(mesh);
@@ -37,10 +44,10 @@ function weldedShut(soup: Soup, size: number): Soup {
 
 /** Edges at which an odd number of triangles meet: without any, inside and outside are told apart everywhere. */
 function openEdges({ triangles }: Soup): number {
-	const odd = new Set<string>();
+	const odd = new Set<number>();
 	triangles.forEach((a, i) => {
 		const b = triangles[i % 3 === 2 ? i - 2 : i + 1];
-		const edge = a < b ? `${a} ${b}` : `${b} ${a}`;
+		const edge = Math.min(a, b) * EDGE + Math.max(a, b);
 		if (!odd.delete(edge)) odd.add(edge);
 	});
 	return odd.size;
@@ -61,16 +68,24 @@ function sizeOf(soup: Soup): number {
 	return Math.max(...high.map((value, k) => value - low[k]));
 }
 
+/** The largest coordinate, of either sign. */
+function farthestOf(soup: Soup): number {
+	const { low, high } = boxOf(soup);
+	return Math.max(...low.map(Math.abs), ...high.map(Math.abs));
+}
+
 /**
  * One point for each cell of a grid, at the mean of those in it; triangles that shrink to lines go. What is closed stays
  * closed: every edge keeps as many triangles on one side as on the other.
  */
 function merged({ points, triangles }: Soup, cell: number): Soup {
-	const cells = new Map<string, number>();
+	const first = boxOf({ points, triangles }).low.map((value) => Math.round(value / cell));
+	const along = (i: number, k: number) => Math.round(points[3 * i + k] / cell) - first[k];
+	const cells = new Map<number, number>();
 	const sums: number[] = [];
 	const counts: number[] = [];
 	const into = Array.from({ length: points.length / 3 }, (_, i) => {
-		const key = [0, 1, 2].map((k) => Math.round(points[3 * i + k] / cell)).join();
+		const key = (along(i, 0) * ALONG + along(i, 1)) * ALONG + along(i, 2);
 		const index = cells.get(key) ?? counts.length;
 		if (index === counts.length) {
 			cells.set(key, index);

@@ -41,7 +41,14 @@ interface Gltf {
 	extensionsRequired?: string[];
 }
 
-/** @throws MeshFileError where it is damaged or packed in a way that is not read here */
+/** Parts of meshes that are placed by nodes at the most: more would hold whoever reads for long. */
+const MOST_PARTS = 100_000;
+
+/**
+ * Counts, strides and offsets are compared with the buffer before anything is read; only points that triangles use are
+ * read.
+ * @throws MeshFileError where it is damaged or packed in a way that is not read here
+ */
 export function readGlb(bytes: ArrayBuffer): Soup {
 	try {
 		const { gltf, binary } = chunksOf(bytes);
@@ -49,16 +56,14 @@ export function readGlb(bytes: ArrayBuffer): Soup {
 		if (packed.length > 0) {
 			throw new MeshFileError(`The GLB is packed by ${packed.join(", ")}: export it again without compression.`);
 		}
-		const soup: Soup = { points: [], triangles: [] };
-		const roots = gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? nobodysChildren(gltf);
-		const seen = new Set<number>();
-		for (const root of roots) gather(gltf, binary, root, Matrix.identity, soup, seen);
-		return soup;
+		return gather(gltf, binary);
 	} catch (error) {
 		if (error instanceof MeshFileError) throw error;
-		throw new MeshFileError("The GLB is damaged or unfinished: export it again.");
+		throw damaged();
 	}
 }
+
+const damaged = () => new MeshFileError("The GLB is damaged or unfinished: export it again.");
 
 function chunksOf(bytes: ArrayBuffer): { gltf: Gltf; binary: DataView } {
 	const view = new DataView(bytes);
@@ -80,32 +85,52 @@ function nobodysChildren({ nodes = [] }: Gltf): number[] {
 	return [...nodes.keys()].filter((index) => !children.has(index));
 }
 
-/** @param seen nodes that were met before: the same one twice may be met without end */
-function gather(gltf: Gltf, binary: DataView, index: number, above: Mat4, soup: Soup, seen: Set<number>): void {
-	const node = gltf.nodes?.[index];
-	if (!node || seen.has(index)) throw new MeshFileError("The GLB's nodes do not form a tree.");
-	seen.add(index);
-	const place = Matrix.times(above, node.matrix ?? Matrix.of(node));
-	for (const primitive of node.mesh === undefined ? [] : (gltf.meshes?.[node.mesh].primitives ?? [])) {
-		if ((primitive.mode ?? TRIANGLES) === TRIANGLES) add(gltf, binary, primitive, place, soup);
+/** The triangles of all nodes below the scene's, in the order of a walk that visits children first to last. */
+function gather(gltf: Gltf, binary: DataView): Soup {
+	const soup: Soup = { points: [], triangles: [] };
+	const roots = gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? nobodysChildren(gltf);
+	const open = roots.map((index) => ({ index, above: Matrix.identity })).reverse();
+	const seen = new Set<number>();
+	let parts = 0;
+	for (let next = open.pop(); next; next = open.pop()) {
+		const node = gltf.nodes?.[next.index];
+		// The same one twice may be met without end.
+		if (!node || seen.has(next.index)) throw new MeshFileError("The GLB's nodes do not form a tree.");
+		seen.add(next.index);
+		const place = Matrix.times(next.above, node.matrix ?? Matrix.of(node));
+		const primitives = node.mesh === undefined ? [] : (gltf.meshes?.[node.mesh].primitives ?? []);
+		parts += primitives.length;
+		if (parts > MOST_PARTS) throw new MeshFileError("The GLB has more than 100,000 parts: join them first.");
+		for (const primitive of primitives) {
+			if ((primitive.mode ?? TRIANGLES) === TRIANGLES) add(gltf, binary, primitive, place, soup);
+		}
+		for (const index of (node.children ?? []).toReversed()) open.push({ index, above: place });
 	}
-	for (const child of node.children ?? []) gather(gltf, binary, child, place, soup, seen);
+	return soup;
 }
 
 function add(gltf: Gltf, binary: DataView, { attributes, indices }: Primitive, place: Mat4, soup: Soup): void {
-	bounded((soup.triangles.length + (gltf.accessors?.[indices ?? attributes.POSITION].count ?? 0)) / 3);
-	const positions = numbersOf(gltf, binary, attributes.POSITION);
-	const first = soup.points.length / 3;
-	const count = positions.length / 3;
-	for (let i = 0; i < positions.length; i += 3) {
-		soup.points.push(...Matrix.point(place, positions[i], positions[i + 1], positions[i + 2]));
-	}
-	const order = indices === undefined ? Array.from({ length: count }, (_, i) => i) : numbersOf(gltf, binary, indices);
-	if (order.some((corner) => corner >= count)) throw new MeshFileError("The GLB has triangles without points.");
+	const corners = gltf.accessors?.[indices ?? attributes.POSITION].count ?? 0;
+	bounded((soup.triangles.length + corners) / 3);
+	const positions = numbersOf(gltf, binary, attributes.POSITION, "VEC3");
+	const order = indices === undefined ? undefined : numbersOf(gltf, binary, indices, "SCALAR");
+	const numbers = new Map<number, number>();
+	const number = (corner: number): number => {
+		if (corner >= positions.count) throw new MeshFileError("The GLB has triangles without points.");
+		const known = numbers.get(corner);
+		if (known !== undefined) return known;
+		const added = soup.points.length / 3;
+		const [x, y, z] = [0, 1, 2].map((k) => positions.at(corner, k));
+		const point = Matrix.point(place, x, y, z);
+		if (!point.every(Number.isFinite)) throw new MeshFileError("The GLB has a point that is no place.");
+		soup.points.push(...point);
+		numbers.set(corner, added);
+		return added;
+	};
 	// A mirrored node turns its triangles inside out.
 	const turned = Matrix.mirrors(place);
-	for (let i = 0; i + 3 <= order.length; i += 3) {
-		const [a, b, c] = [order[i], order[i + 1], order[i + 2]].map((corner) => first + corner);
+	for (let i = 0; i + 3 <= corners; i += 3) {
+		const [a, b, c] = [i, i + 1, i + 2].map((k) => number(order ? order.at(k, 0) : k));
 		soup.triangles.push(a, turned ? c : b, turned ? b : c);
 	}
 }
@@ -118,18 +143,31 @@ const READ: Readonly<Record<number, readonly [bytes: number, read: (view: DataVi
 	[FLOAT]: [4, (view, at) => view.getFloat32(at, true)],
 };
 
-function numbersOf({ accessors = [], bufferViews }: Gltf, binary: DataView, index: number): number[] {
+/** An accessor's values, read one at a time. */
+interface Numbers {
+	readonly count: number;
+	at(row: number, column: number): number;
+}
+
+const isCount = (value: unknown): value is number => Number.isSafeInteger(value) && (value as number) >= 0;
+
+/** @throws MeshFileError where not all of its values lie in its part of the buffer */
+function numbersOf(
+	{ accessors = [], bufferViews = [] }: Gltf,
+	binary: DataView,
+	index: number,
+	wanted: "VEC3" | "SCALAR",
+): Numbers {
 	const { bufferView, byteOffset = 0, componentType, count, type, sparse } = accessors[index];
-	const width = type === "VEC3" ? 3 : 1;
-	if (sparse || bufferView === undefined || (width === 3 && componentType !== FLOAT)) {
+	const isPlain = sparse === undefined && bufferView !== undefined && (componentType === FLOAT) === (wanted === "VEC3");
+	if (!isPlain || type !== wanted)
 		throw new MeshFileError("The GLB's points are not plain numbers: export it again without compression.");
-	}
-	const { byteOffset: start = 0, byteStride } = (bufferViews ?? [])[bufferView];
+	const { byteOffset: start = 0, byteLength, byteStride } = bufferViews[bufferView];
 	const [bytes, read] = READ[componentType];
-	const stride = byteStride ?? width * bytes;
-	const numbers = new Array<number>(width * count);
-	for (let i = 0; i < count; i++) {
-		for (let k = 0; k < width; k++) numbers[width * i + k] = read(binary, start + byteOffset + i * stride + k * bytes);
-	}
-	return numbers;
+	const width = (wanted === "VEC3" ? 3 : 1) * bytes;
+	const stride = byteStride ?? width;
+	if (![byteOffset, count, start, byteLength, stride].every(isCount) || stride < width) throw damaged();
+	const end = count === 0 ? 0 : byteOffset + (count - 1) * stride + width;
+	if (end > byteLength || start + byteLength > binary.byteLength) throw damaged();
+	return { count, at: (row, column) => read(binary, start + byteOffset + row * stride + column * bytes) };
 }

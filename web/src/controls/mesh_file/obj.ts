@@ -1,33 +1,50 @@
 /** Wavefront OBJ: positions and faces; the rest of the format says nothing of a boundary. */
-import { bounded, MeshFileError, type Soup } from "./soup";
+import { bounded, boundedPoints, MeshFileError, type Soup } from "./soup";
+import { linesOf, wordsOf } from "./text_lines";
 
 /** Polygons become fans. @throws MeshFileError with the line that cannot be read */
 export function readObj(text: string): Soup {
-	const points: number[] = [];
-	const triangles: number[] = [];
-	for (const [number, line] of text.split("\n").entries()) {
-		const [kind, ...words] = line.trim().split(/\s+/);
-		if (kind === "v")
-			points.push(...words.slice(0, 3).map((word) => coordinate(word, number)), ...missing(words, number));
-		if (kind === "f") {
-			const corners = words.map((word) => corner(word, points.length / 3, number));
-			if (corners.length < 3) throw wrong(number, "a face of fewer than three corners");
-			bounded(triangles.length / 3 + corners.length - 2);
-			for (let i = 2; i < corners.length; i++) triangles.push(corners[0], corners[i - 1], corners[i]);
-		}
+	const soup: Soup = { points: [], triangles: [] };
+	let number = 0;
+	for (const line of linesOf(text)) {
+		const words = wordsOf(line);
+		const kind = words.next().value;
+		if (kind === "v") addPoint(soup, words, number);
+		if (kind === "f") addFace(soup, words, number);
+		number++;
 	}
-	return { points, triangles };
+	return soup;
+}
+
+/** Numbers after the third are a weight or a colour. */
+function addPoint({ points }: Soup, words: Iterator<string>, line: number): void {
+	boundedPoints(points.length / 3 + 1);
+	for (let k = 0; k < 3; k++) {
+		const { done, value } = words.next();
+		if (done) throw wrong(line, "a point of fewer than three numbers");
+		points.push(coordinate(value, line));
+	}
+}
+
+function addFace({ points, triangles }: Soup, words: Iterable<string>, line: number): void {
+	let [first, last, corners] = [0, 0, 0];
+	for (const word of words) {
+		const next = corner(word, points.length / 3, line);
+		if (corners === 0) first = next;
+		if (corners > 1) {
+			bounded(triangles.length / 3 + 1);
+			triangles.push(first, last, next);
+		}
+		last = next;
+		corners++;
+	}
+	if (corners < 3) throw wrong(line, "a face of fewer than three corners");
 }
 
 function coordinate(word: string, line: number): number {
 	const value = Number(word);
 	if (Number.isFinite(value)) return value;
 	throw wrong(line, `“${word.slice(0, 32)}”, which is no number`);
-}
-
-function missing(words: readonly string[], line: number): [] {
-	if (words.length >= 3) return [];
-	throw wrong(line, "a point of fewer than three numbers");
 }
 
 /** Counted from 1, or back from the last point so far; what follows a slash are textures and normals. */

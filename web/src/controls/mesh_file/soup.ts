@@ -6,8 +6,9 @@ export interface Soup {
 	triangles: number[];
 }
 
-/** Triangles that are welded and simplified at most: more would hold the page for long. */
+/** Triangles that are welded and simplified at most, and points: as many as those triangles can have. */
 const MOST_READ = 500_000;
+const MOST_POINTS = 3 * MOST_READ;
 
 /** A file that holds no mesh that can be a boundary; the message says why, and what to do. */
 export class MeshFileError extends Error {
@@ -16,6 +17,14 @@ export class MeshFileError extends Error {
 
 /** For readers, before they take in so many triangles. @throws MeshFileError where that is more than is read */
 export function bounded(triangles: number): void {
-	if (triangles <= MOST_READ) return;
-	throw new MeshFileError(`The mesh has more than ${MOST_READ.toLocaleString("en")} triangles: simplify it first.`);
+	if (triangles > MOST_READ) throw tooMany(MOST_READ, "triangles");
+}
+
+/** For readers, before they take in so many points. @throws MeshFileError where that is more than is read */
+export function boundedPoints(points: number): void {
+	if (points > MOST_POINTS) throw tooMany(MOST_POINTS, "points");
+}
+
+function tooMany(most: number, what: string): MeshFileError {
+	return new MeshFileError(`The mesh has more than ${most.toLocaleString("en")} ${what}: simplify it first.`);
 }

@@ -3,6 +3,7 @@
  * to +Y. Normals and colours are passed over.
  */
 import { bounded, MeshFileError, type Soup } from "./soup";
+import { linesOf, wordsOf } from "./text_lines";
 
 const HEADER = 80;
 const TRIANGLE = 50;
@@ -35,19 +36,27 @@ function readBinary(view: DataView, count: number): Soup {
 
 function readText(text: string): Soup {
 	const points: number[] = [];
-	for (const [number, line] of text.split("\n").entries()) {
-		const [kind, ...words] = line.trim().toLowerCase().split(/\s+/);
+	let number = 0;
+	for (const line of linesOf(text)) {
+		const words = wordsOf(line);
+		const kind = words.next().value?.toLowerCase();
 		const corners = points.length / 3;
 		if (kind === "endfacet" && corners % 3 !== 0) throw wrong(number, "the end of a facet that has not three corners");
-		if (kind !== "vertex") continue;
-		const [x, y, z] = words.map(Number);
-		if (words.length !== 3 || !Number.isFinite(x + y + z)) throw wrong(number, "a corner that is not three numbers");
-		stand(points, x, y, z);
-		bounded(points.length / 9);
+		if (kind === "vertex") {
+			bounded((corners + 1) / 3);
+			addCorner(points, words, number);
+		}
+		number++;
 	}
 	if (points.length === 0 || points.length % 9 !== 0)
 		throw new MeshFileError("The STL is damaged or unfinished: export it again.");
 	return asItStands(points);
+}
+
+function addCorner(points: number[], words: Iterator<string>, line: number): void {
+	const [x, y, z] = [words.next(), words.next(), words.next()].map(({ done, value }) => (done ? NaN : Number(value)));
+	if (!Number.isFinite(x + y + z) || !words.next().done) throw wrong(line, "a corner that is not three numbers");
+	stand(points, x, y, z);
 }
 
 /** +Z up to +Y up. */

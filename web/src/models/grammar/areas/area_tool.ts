@@ -97,13 +97,13 @@ export const areaTools: readonly Tool<GrammarSpecimen, GrammarPlant>[] = [
 export async function takeAreaMesh(desk: AreaDesk, file: File): Promise<void> {
 	const isStill = sameDocument(desk);
 	const say = (title: string, words: string) => desk.notify(title, [words], { topic: FILE_TOPIC });
-	const reader = await import("../../../controls/mesh_file/read").catch(() => undefined);
+	const reader = await import("../../../controls/mesh_file/read_in_worker").catch(() => undefined);
 	if (!reader) {
 		say("The mesh was not read", "Part of the page could not be fetched; check the connection and try again.");
 		return;
 	}
 	try {
-		const mesh = await reader.readMeshFile(file);
+		const mesh = await reader.readMeshInWorker(file);
 		if (!isStill()) {
 			say("The mesh was not taken", "Another plant has come meanwhile.");
 			return;

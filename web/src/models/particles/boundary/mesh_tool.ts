@@ -117,7 +117,7 @@ async function take<S extends BoundedSpecimen>(
 	{ words, change }: Taken,
 ): Promise<void> {
 	const isStill = sameDocument(desk);
-	const reader = await import("../../../controls/mesh_file/read").catch(() => undefined);
+	const reader = await import("../../../controls/mesh_file/read_in_worker").catch(() => undefined);
 	if (!reader) {
 		desk.notify(
 			"The mesh was not read",
@@ -127,7 +127,7 @@ async function take<S extends BoundedSpecimen>(
 		return;
 	}
 	try {
-		const mesh = await reader.readMeshFile(file);
+		const mesh = await reader.readMeshInWorker(file);
 		if (!isStill()) {
 			desk.notify("The mesh was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
 			return;

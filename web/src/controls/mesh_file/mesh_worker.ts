@@ -1,0 +1,19 @@
+/** The worker that reads a mesh's file: reading, welding and simplifying half a million triangles takes seconds. */
+import type { FromMeshReader } from "./messages";
+import { readMeshFile } from "./read";
+
+/** What this file needs of a worker's global scope, which the page's types do not describe. */
+interface Scope {
+	postMessage(message: FromMeshReader): void;
+	onmessage: ((event: MessageEvent<File>) => void) | null;
+}
+
+const scope = globalThis as unknown as Scope;
+scope.onmessage = async ({ data }) => {
+	scope.postMessage(
+		await readMeshFile(data).then(
+			(mesh): FromMeshReader => ({ type: "read", mesh }),
+			(error: unknown) => ({ type: "failed", message: error instanceof Error ? error.message : String(error) }),
+		),
+	);
+};
