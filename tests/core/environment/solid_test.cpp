@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <memory>
 
 #include "environment/surfaces.hpp"
 #include "foundation/random.hpp"
@@ -108,6 +109,68 @@ TEST_CASE("of solids far apart what is certain is known as well as of one") {
     const float length = glm::length(p);
     if (length < 0.95f || length > 1) CHECK(solid.contains(p + glm::vec3(100, 0, 0)) == (length < 1));
   }
+}
+
+// By the turns of all triangles, one by one: the solid angle that each takes up (van Oosterom and Strackee 1983).
+bool winds_about(const Surface& surface, const glm::dvec3& p) {
+  double sum = 0;
+  for (std::size_t t = 0; t + 2 < surface.triangles.size(); t += 3) {
+    const auto to = [&](std::size_t k) { return glm::dvec3(surface.points[surface.triangles[t + k]]) - p; };
+    const glm::dvec3 a = to(0), b = to(1), c = to(2);
+    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+    sum += 2 * std::atan2(glm::dot(a, glm::cross(b, c)),
+                          la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+  }
+  return std::fabs(sum) > 6;
+}
+
+TEST_CASE("large triangles have an index of bounded size, by larger cells, and the same inside") {
+  const Surface surface = spanning_tetrahedra(400);
+  const auto budget = std::make_shared<LookBudget>(LookBudget::usual, 1000);
+  const Solid coarse(surface, budget), fine(surface);
+  CHECK(budget->members_each() < 5000);
+  CHECK(coarse.members() <= budget->members_each());
+  CHECK(fine.members() > 20 * coarse.members());
+  CHECK(fine.members() <= LookBudget().members_each());
+  int inside = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const glm::vec3 p = 0.5f + dart(i, 0.5f);
+    const bool is_inside = winds_about(surface, p);
+    CHECK(fine.contains(p) == is_inside);
+    CHECK(coarse.contains(p) == is_inside);
+    inside += is_inside;
+  }
+  CHECK(inside > 300);
+}
+
+TEST_CASE("the index of very many large triangles keeps to its size") {
+  const Surface surface = spanning_tetrahedra(8000);
+  CHECK(Solid(surface).members() <= LookBudget().members_each());
+}
+
+TEST_CASE("what is looked at is counted, and a solid whose budget is used up contains nothing and says so") {
+  const Surface surface = spanning_tetrahedra(400);
+  const auto budget = std::make_shared<LookBudget>(), small = std::make_shared<LookBudget>(1'000'000);
+  const Solid solid(surface, budget), refused(surface, small);
+  const std::uint64_t before = budget->left();
+  int inside = 0, looked = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i) inside += solid.contains(0.5f + dart(i, 0.5f));
+  CHECK(before - budget->left() > 1000 * 100);
+  CHECK(inside > 300);
+  CHECK_FALSE(solid.is_exhausted());
+  for (std::uint64_t i = 0; i < 1'000'000 && !refused.is_exhausted(); ++i, ++looked)
+    refused.contains(0.5f + dart(i, 0.5f));
+  CHECK(refused.is_exhausted());
+  CHECK(looked < 10'000);
+  for (std::uint64_t i = 0; i < 1000; ++i) CHECK_FALSE(refused.contains(0.5f + dart(i, 0.5f)));
+  CHECK(refused.leaving({0.5f, 0.5f, 0.5f}, {1, 0, 0}, 1) == 0);
+  // Another solid of the same plant has the same budget.
+  CHECK(Solid(box({0, 0, 0}, {1, 1, 1}), small).is_exhausted());
+  CHECK(LookBudget::error().reason == Reason::limit);
+  // A ray that meets triangles is counted, too.
+  const std::uint64_t then = budget->left();
+  for (std::uint64_t i = 0; i < 100; ++i) solid.leaving(0.5f + dart(i, 0.5f), {1, 0, 0}, 1);
+  CHECK(then - budget->left() > 100 * 400);
 }
 
 TEST_CASE("nothing is in nothing, and nowhere is nowhere") {

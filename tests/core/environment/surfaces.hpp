@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "environment/surface.hpp"
+#include "foundation/random.hpp"
 
 namespace panicle {
 
@@ -23,6 +24,20 @@ inline Surface corner() {
   for (const auto& [a, b, c] : {std::array<std::uint32_t, 3>{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}) {
     made.triangles.insert(made.triangles.end(), {a, c, b});
     made.triangles.insert(made.triangles.end(), {a + 6, b + 6, c + 6});
+  }
+  return made;
+}
+
+// Closed tetrahedra of random corners in a cube of edge 1, so large that most span it: meshes in which every place has
+// very many triangles about it.
+inline Surface spanning_tetrahedra(std::uint32_t count) {
+  Surface made;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const std::uint64_t at = 4 * i + k;
+      made.points.emplace_back(random_unit(8, 1, at), random_unit(8, 2, at), random_unit(8, 3, at));
+    }
+    for (const std::uint32_t corner : {0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0}) made.triangles.push_back(4 * i + corner);
   }
   return made;
 }

@@ -1,6 +1,7 @@
 #include "environment/solid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -22,10 +23,19 @@ constexpr std::uint32_t lanes = 4;
 constexpr float piece = 4;       // of a way that is looked at in one go, in edges
 constexpr float beside = 1e-4f;  // of a triangle, that still meets it: the way between two must meet one of them
 constexpr int halvings = 24;
+// Rows that triangles' boxes meet, for each entry of the index that there may be: so many are looked at.
+constexpr std::size_t boxes_a_member = 4;
+constexpr float wider = 1.25f;  // that cells become where there would be too many, or too many entries
+// What looking at a triangle costs, in looks: at whether four meet a slice, at what one adds to its turns, and at where
+// one meets a way.
+constexpr std::uint64_t looks_four = 1, looks_turn = 8, looks_meeting = 4;
+// Of a coordinate: more than what is lost where a distance to a plane is computed.
+constexpr float rounding = 4e-6f;
 
 }  // namespace
 
-Solid::Solid(Surface surface) : surface_(std::move(surface)) {
+Solid::Solid(Surface surface, std::shared_ptr<LookBudget> budget)
+    : surface_(std::move(surface)), budget_(std::move(budget)) {
   const std::vector<glm::vec3>& points = surface_.points;
   if (points.empty()) return;
   low_ = high_ = points[0];
@@ -33,34 +43,89 @@ Solid::Solid(Surface surface) : surface_(std::move(surface)) {
     low_ = glm::min(low_, p);
     high_ = glm::max(high_, p);
   }
-  const glm::vec3 size = high_ - low_;
-  const float longest = std::max({size.x, size.y, size.z});
-  edge_ = std::max({cube_root(size.x * size.y * size.z) / cells_along, longest / most_along, least_edge});
-  const auto cells = [&] { return (size.x / edge_ + 1) * (size.y / edge_ + 1) * (size.z / edge_ + 1); };
-  while (cells() > most_cells) edge_ *= 1.25f;
-  per_edge_ = 1 / edge_;
-  count_ = glm::ivec3(size * per_edge_) + 1;
+  choose_edge();
   sort();
   classify();
 }
 
-void Solid::sort() {
-  const std::size_t triangles = surface_.triangles.size() / 3;
-  first_.assign(static_cast<std::size_t>(count_.y * count_.z) + 1, 0);
-  const auto rows = [&](const auto& see) {
-    for (std::uint32_t t = 0; t < triangles; ++t) {
-      const auto corner = [&](std::size_t k) { return place_of(surface_.points[surface_.triangles[3 * t + k]]); };
-      const glm::ivec3 a = corner(0), b = corner(1), c = corner(2);
-      const glm::ivec3 from = glm::min(a, glm::min(b, c)), to = glm::max(a, glm::max(b, c));
+void Solid::choose_edge() {
+  const glm::vec3 size = high_ - low_;
+  const float longest = std::max({size.x, size.y, size.z});
+  edge_ = std::max({cube_root(size.x * size.y * size.z) / cells_along, longest / most_along, least_edge});
+  const auto cells = [&] { return (size.x / edge_ + 1) * (size.y / edge_ + 1) * (size.z / edge_ + 1); };
+  while (cells() > most_cells) edge_ *= wider;
+  const auto divide = [&] {
+    per_edge_ = 1 / edge_;
+    count_ = glm::ivec3(size * per_edge_) + 1;
+  };
+  for (divide(); count_.y * count_.z > 1 && count_members(budget_->members_each()) > budget_->members_each(); divide())
+    edge_ *= wider;
+}
+
+std::size_t Solid::count_members(std::size_t most) const {
+  std::size_t members = 0, boxes = 0;
+  for (std::size_t t = 0; t + 2 < surface_.triangles.size(); t += 3) {
+    const auto [low, high] = rows_of(&surface_.triangles[t]);
+    boxes += static_cast<std::size_t>(high.y - low.y + 1) * static_cast<std::size_t>(high.z - low.z + 1);
+  }
+  if (boxes > most * boxes_a_member) return boxes;
+  for_each_member([&](std::size_t, std::uint32_t) { ++members; });
+  return members;
+}
+
+Solid::Rows Solid::rows_of(const std::uint32_t* corners) const {
+  const auto corner = [&](std::size_t k) { return place_of(surface_.points[corners[k]]); };
+  const glm::ivec3 a = corner(0), b = corner(1), c = corner(2);
+  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+}
+
+template <class See>
+void Solid::for_each_member(const See& see) const {
+  const glm::vec3 extent = glm::max(glm::abs(low_), glm::abs(high_));
+  const float lost = rounding * (extent.x + extent.y + extent.z);
+  for (std::uint32_t t = 0; t < surface_.triangles.size() / 3; ++t) {
+    const std::uint32_t* const corners = &surface_.triangles[3 * t];
+    const auto [from, to] = rows_of(corners);
+    if (from.y == to.y || from.z == to.z) {
       for (int z = from.z; z <= to.z; ++z)
         for (int y = from.y; y <= to.y; ++y) see(static_cast<std::size_t>(z * count_.y + y), t);
+      continue;
     }
-  };
-  rows([&](std::size_t row, std::uint32_t) { ++first_[row + 1]; });
+    // Seen along x, rows are squares. Those that lie beyond one of the triangle's sides do not meet it: by more than
+    // what lies beside a triangle and still counts.
+    std::array<Side, 3> sides;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3& a = surface_.points[corners[k]];
+      const glm::vec3& b = surface_.points[corners[(k + 1) % 3]];
+      const glm::vec3& c = surface_.points[corners[(k + 2) % 3]];
+      Side& side = sides[k];
+      side = {b.z - a.z, a.y - b.y, 0, 0};
+      side.at = side.y * a.y + side.z * a.z;
+      const float inside = side.y * c.y + side.z * c.z - side.at;
+      if (inside < 0) side = {-side.y, -side.z, -side.at, 0};
+      const float size = std::fabs(side.y) + std::fabs(side.z);
+      side.near = size * ((0.5f + slack) * edge_ + 4 * lost) + 2 * beside * std::fabs(inside);
+    }
+    for (int z = from.z; z <= to.z; ++z)
+      for (int y = from.y; y <= to.y; ++y) {
+        const float middle_y = low_.y + edge_ * (static_cast<float>(y) + 0.5f),
+                    middle_z = low_.z + edge_ * (static_cast<float>(z) + 0.5f);
+        const auto beyond = [&](const Side& side) {
+          return side.y * middle_y + side.z * middle_z - side.at < -side.near;
+        };
+        if (!beyond(sides[0]) && !beyond(sides[1]) && !beyond(sides[2]))
+          see(static_cast<std::size_t>(z * count_.y + y), t);
+      }
+  }
+}
+
+void Solid::sort() {
+  first_.assign(static_cast<std::size_t>(count_.y * count_.z) + 1, 0);
+  for_each_member([&](std::size_t row, std::uint32_t) { ++first_[row + 1]; });
   for (std::size_t row = 1; row < first_.size(); ++row) first_[row] += first_[row - 1];
   members_.resize(first_.back());
   std::vector<std::uint32_t> free(first_.begin(), first_.end() - 1);
-  rows([&](std::size_t row, std::uint32_t t) { members_[free[row]++] = t; });
+  for_each_member([&](std::size_t row, std::uint32_t t) { members_[free[row]++] = t; });
   for (auto* values : {&lowest_, &highest_, &farthest_}) values->assign(members_.size() + lanes - 1, 0);
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const auto corner = [&](std::size_t k) { return surface_.points[surface_.triangles[3 * members_[m] + k]]; };
@@ -71,28 +136,55 @@ void Solid::sort() {
   }
 }
 
-// Marks the cells that triangles come near to, and asks of one in each run of the others.
+void Solid::mark(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::vector<std::int32_t>& unmarked) {
+  const float little = slack * edge_, reach = half_diagonal * edge_ + little;
+  const glm::vec3 across = glm::cross(b - a, c - a);
+  const float length = glm::length(across);
+  const glm::vec3 normal = length > 0 ? across / length : glm::vec3(0);
+  const glm::ivec3 from = place_of(glm::max(glm::min(a, glm::min(b, c)) - little, low_)),
+                   to = place_of(glm::max(a, glm::max(b, c)) + little);
+  const glm::vec3 extent = glm::max(glm::abs(low_), glm::abs(high_));
+  const float lost = rounding * (extent.x + extent.y + extent.z), along = edge_ * normal.x;
+  for (int z = from.z; z <= to.z; ++z)
+    for (int y = from.y; y <= to.y; ++y) {
+      std::int32_t& left = unmarked[static_cast<std::size_t>(z * count_.y + y)];
+      if (left == 0) continue;
+      // Along a row the distance to the plane changes evenly: only cells between two places can be near enough, which
+      // are looked at one by one.
+      const glm::vec3 first = low_ + edge_ * (glm::vec3(from.x, y, z) + 0.5f);
+      const float distance = glm::dot(first - a, normal), near = reach + lost;
+      int begin = from.x, end = to.x;
+      if (std::fabs(along) * static_cast<float>(end - begin) <= lost) {
+        if (std::fabs(distance) > near + lost) continue;
+      } else {
+        const float one = (-near - distance) / along, other = (near - distance) / along;
+        const auto cells = static_cast<float>(end - begin);
+        const float least = std::min(one, other) - 1, most = std::max(one, other) + 1;
+        if (!(least <= cells && most >= 0)) continue;
+        end = begin + static_cast<int>(std::min(most, cells));
+        begin += static_cast<int>(std::max(least, 0.0f));
+      }
+      for (int x = begin; x <= end; ++x) {
+        Cell& cell = cells_[cell_at({x, y, z})];
+        if (cell == Cell::mixed) continue;
+        const glm::vec3 middle = low_ + edge_ * (glm::vec3(x, y, z) + 0.5f);
+        if (!(std::fabs(glm::dot(middle - a, normal)) <= reach)) continue;
+        cell = Cell::mixed;
+        --left;
+      }
+    }
+}
+
+// Marks the cells that triangles come near to, and looks at one in each run of the others.
 void Solid::classify() {
   cells_.assign(cell_at({0, 0, count_.z}), Cell::unknown);
-  const float little = slack * edge_, reach = half_diagonal * edge_ + little;
+  std::vector<std::int32_t> unmarked(static_cast<std::size_t>(count_.y * count_.z), count_.x);
   for (std::size_t t = 0; t + 2 < surface_.triangles.size(); t += 3) {
-    const glm::vec3& a = surface_.points[surface_.triangles[t]];
-    const glm::vec3& b = surface_.points[surface_.triangles[t + 1]];
-    const glm::vec3& c = surface_.points[surface_.triangles[t + 2]];
-    const glm::vec3 across = glm::cross(b - a, c - a);
-    const float length = glm::length(across);
-    const glm::vec3 normal = length > 0 ? across / length : glm::vec3(0);
-    const glm::ivec3 from = place_of(glm::max(glm::min(a, glm::min(b, c)) - little, low_)),
-                     to = place_of(glm::max(a, glm::max(b, c)) + little);
-    for (int z = from.z; z <= to.z; ++z)
-      for (int y = from.y; y <= to.y; ++y)
-        for (int x = from.x; x <= to.x; ++x) {
-          const glm::vec3 middle = low_ + edge_ * (glm::vec3(x, y, z) + 0.5f);
-          if (std::fabs(glm::dot(middle - a, normal)) <= reach) cells_[cell_at({x, y, z})] = Cell::mixed;
-        }
+    const auto corner = [&](std::size_t k) { return surface_.points[surface_.triangles[t + k]]; };
+    mark(corner(0), corner(1), corner(2), unmarked);
   }
   for (int z = 0; z < count_.z; ++z)
-    for (int y = 0; y < count_.y; ++y) {
+    for (int y = 0; y < count_.y && !is_exhausted(); ++y) {
       Cell last = Cell::mixed;
       for (int x = 0; x < count_.x; ++x) {
         Cell& cell = cells_[cell_at({x, y, z})];
@@ -109,7 +201,7 @@ void Solid::classify() {
 bool Solid::contains(const glm::vec3& p) const {
   for (int k = 0; k < 3; ++k)
     if (!(p[k] >= low_[k] && p[k] <= high_[k])) return false;
-  if (cells_.empty()) return false;
+  if (cells_.empty() || is_exhausted()) return false;
   const Cell cell = cells_[cell_at(place_of(p))];
   return cell == Cell::mixed ? slice_contains(p) : cell == Cell::inside;
 }
@@ -137,13 +229,18 @@ bool Solid::slice_contains(const glm::vec3& p) const {
   int turns = 0;
   const glm::ivec3 place = place_of(p);
   const auto row = static_cast<std::size_t>(place.z * count_.y + place.y);
-  const std::uint32_t end = first_[row + 1];
-  for (std::uint32_t m = first_[row]; m < end; m += lanes) {
+  const std::uint32_t begin = first_[row], end = first_[row + 1];
+  std::uint64_t turned = 0;
+  for (std::uint32_t m = begin; m < end; m += lanes) {
     const auto met = (load(&lowest_[m]) <= p.y) & (load(&highest_[m]) > p.y) & (load(&farthest_[m]) >= p.x);
     if (all(~met)) continue;
     for (std::uint32_t lane = 0; lane < std::min(end - m, lanes); ++lane)
-      if (met[lane]) turns += turns_about(p, &surface_.triangles[3 * members_[m + lane]]);
+      if (met[lane]) {
+        turns += turns_about(p, &surface_.triangles[3 * members_[m + lane]]);
+        ++turned;
+      }
   }
+  budget_->spend(looks_four * (end - begin) / lanes + looks_turn * turned);
   return turns != 0;
 }
 
@@ -180,6 +277,7 @@ void Solid::meetings(const glm::vec3& from, const glm::vec3& way, float begin, f
   for (int z = first.z; z <= last.z; ++z)
     for (int y = first.y; y <= last.y; ++y) {
       const auto row = static_cast<std::size_t>(z * count_.y + y);
+      budget_->spend(looks_meeting * (first_[row + 1] - first_[row]));
       for (std::uint32_t m = first_[row]; m < first_[row + 1]; ++m) {
         if (lowest_[m] > high.y || highest_[m] < low.y || farthest_[m] < low.x) continue;
         const std::uint32_t* corners = &surface_.triangles[3 * members_[m]];

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <glm/common.hpp>
-#include <map>
 #include <utility>
 
 #include "foundation/bits.hpp"
@@ -90,30 +89,43 @@ void append(Surface& surface, const Surface& other) {
 }
 
 Seams seams_of(const Surface& surface) {
-  // Points at the same place are one.
+  // Points at the same place are one: each has the number of the first of them in an order of places.
   using Place = std::array<std::uint32_t, 3>;
-  std::map<Place, std::uint32_t> numbers;
-  std::vector<std::uint32_t> number;
-  for (const glm::vec3& p : surface.points) {
-    const Place place{bit_cast<std::uint32_t>(p.x + 0.0f), bit_cast<std::uint32_t>(p.y + 0.0f),
-                      bit_cast<std::uint32_t>(p.z + 0.0f)};
-    number.push_back(numbers.emplace(place, static_cast<std::uint32_t>(numbers.size())).first->second);
-  }
-  // How often each edge is run through upwards less downwards, and at all.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> edges;
+  std::vector<std::pair<Place, std::uint32_t>> places;
+  places.reserve(surface.points.size());
+  for (const glm::vec3& p : surface.points)
+    places.push_back({{bit_cast<std::uint32_t>(p.x + 0.0f), bit_cast<std::uint32_t>(p.y + 0.0f),
+                       bit_cast<std::uint32_t>(p.z + 0.0f)},
+                      static_cast<std::uint32_t>(places.size())});
+  std::sort(places.begin(), places.end());
+  std::vector<std::uint32_t> number(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    number[places[i].second] =
+        i > 0 && places[i].first == places[i - 1].first ? number[places[i - 1].second] : places[i].second;
+  // The ends of each edge, the lower number first, and whether it is run through upwards.
+  struct Run {
+    std::uint32_t low, high;
+    int up;
+    bool same_edge(const Run& other) const { return low == other.low && high == other.high; }
+  };
+  std::vector<Run> runs;
+  runs.reserve(surface.triangles.size());
   for (std::size_t t = 0; t + 2 < surface.triangles.size(); t += 3)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = number[surface.triangles[t + k]], b = number[surface.triangles[t + (k + 1) % 3]];
-      if (a == b) continue;
-      auto& [sum, all] = edges[{std::min(a, b), std::max(a, b)}];
-      sum += a < b ? 1 : -1;
-      ++all;
+      if (a != b) runs.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
     }
+  std::sort(runs.begin(), runs.end(), [](const Run& one, const Run& other) {
+    return one.low != other.low ? one.low < other.low : one.high < other.high;
+  });
   Seams seams;
-  for (const auto& [edge, runs] : edges) {
-    if (runs.second % 2 != 0)
+  for (std::size_t i = 0; i < runs.size();) {
+    const std::size_t first = i;
+    int sum = 0;
+    for (; i < runs.size() && runs[i].same_edge(runs[first]); ++i) sum += runs[i].up;
+    if ((i - first) % 2 != 0)
       ++seams.open;
-    else if (runs.first != 0)
+    else if (sum != 0)
       ++seams.turned;
   }
   return seams;

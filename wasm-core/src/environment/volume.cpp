@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 namespace panicle {
 namespace {
@@ -35,13 +36,13 @@ glm::quat sound(const glm::quat& q) {
 }  // namespace
 
 Volume::Volume(Kind kind, const glm::vec3& centre, const glm::vec3& size, const glm::quat& rotation,
-               const Surface& mesh)
+               const Surface& mesh, std::shared_ptr<LookBudget> budget)
     : kind_(kind),
       centre_(centre),
       half_(glm::max(0.5f * (kind == Kind::sphere ? glm::vec3(size.x) : size), least)),
       back_(glm::conjugate(sound(rotation))),
       margin_(rounding * (std::max({half_.x, half_.y, half_.z}) + glm::length(centre))) {
-  if (kind == Kind::mesh) solid_ = std::make_shared<const Solid>(stretched(mesh, -half_, half_));
+  if (kind == Kind::mesh) solid_ = std::make_shared<const Solid>(stretched(mesh, -half_, half_), std::move(budget));
 }
 
 bool Volume::contains(const glm::vec3& p) const { return holds(own(p - centre_)); }

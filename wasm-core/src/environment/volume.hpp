@@ -17,9 +17,10 @@ class Volume {
 
   // `size` is that of the box which it fills before it is turned about its centre, above 0 each way; a sphere's is the
   // first alone. Cylinder and cone stand upright in it, the cone on its base. A mesh is stretched to the box, in
-  // whatever unit it is; what it winds about is inside (Solid). `rotation` is brought to unit length.
-  Volume(Kind kind, const glm::vec3& centre, const glm::vec3& size, const glm::quat& rotation,
-         const Surface& mesh = {});
+  // whatever unit it is; what it winds about is inside (Solid, which has the budget). `rotation` is brought to unit
+  // length.
+  Volume(Kind kind, const glm::vec3& centre, const glm::vec3& size, const glm::quat& rotation, const Surface& mesh = {},
+         std::shared_ptr<LookBudget> budget = std::make_shared<LookBudget>());
 
   bool contains(const glm::vec3& p) const;
   // How far one comes from a place inside, on a way of unit length, and is still inside: 0 from outside, at most

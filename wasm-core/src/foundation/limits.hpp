@@ -18,6 +18,8 @@ struct Limits {
   std::uint32_t moves = 6'000'000;         // of all that runs, each at each step
   std::uint32_t pieces = 500'000;          // of the ways that were run, in one result
   std::uint32_t copies = 300'000;          // of one mesh, on them
+  std::uint32_t triangles = 100'000;       // of the meshes that a request brings
+  std::uint32_t looks = 300'000'000;       // at triangles of meshes, to find out what is inside: less than a second
   std::uint32_t darts = 4'000'000;         // of one generalized map
 };
 

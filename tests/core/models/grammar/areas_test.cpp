@@ -208,6 +208,22 @@ TEST_CASE("an area within one before it has no turn, and that is told") {
   CHECK(plant.notes[0].find("Nothing grows in area 2: its middle lies within area 1") == 0);
 }
 
+TEST_CASE("areas whose triangles are looked at too often are an error, as are too many triangles") {
+  const Blocks blocks({{Kind::mesh, {0, 1, 0}, {1, 2, 1}, {1, 0, 0, 0}, spanning_tetrahedra(100)},
+                       {Kind::mesh, {0, 3, 0}, {1, 2, 1}, {1, 0, 0, 0}, spanning_tetrahedra(100)}});
+  Asked asked = in(blocks, topiary());
+  CHECK(ask(asked));
+  asked.limits.looks = 10'000;
+  const auto stopped = ask(asked);
+  REQUIRE_FALSE(stopped);
+  CHECK(stopped.error().reason == Reason::limit);
+  CHECK(stopped.error().message.find("simplify the mesh") != std::string::npos);
+  asked.limits.triangles = 799;
+  const auto refused = ask(asked);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message == "The meshes have 800 triangles, more than 799; simplify them.");
+}
+
 TEST_CASE("areas of another form are refused, with the reason") {
   const auto refused = [](auto change) {
     Blocks blocks({{Kind::mesh, {0, 1, 0}, {1, 1, 1}, {1, 0, 0, 0}, corner()}});

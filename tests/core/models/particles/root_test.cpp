@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "environment/surfaces.hpp"
 #include "models/particles/root/measures/measures.generated.hpp"
 #include "plant/branching.hpp"
 #include "space_growing.hpp"
@@ -144,6 +145,23 @@ TEST_CASE("what is measured is what there is") {
   CHECK(measure(plant, Measure::tips) == static_cast<float>(count_of(plant, "particles")));
   CHECK(measure(plant, Measure::density) ==
         doctest::Approx(0.001f * measure(plant, Measure::wood_length) / measure(plant, Measure::root_volume)));
+}
+
+TEST_CASE("a mesh whose triangles lie behind each other too often is an error, as is one of too many triangles") {
+  const Surface mesh = spanning_tetrahedra(100);
+  Asked asked{.parameters = {{"particles", 200}, {"shape", 5}}, .triangles = mesh.triangles};
+  for (const glm::vec3& p : mesh.points) asked.points.insert(asked.points.end(), {p.x, p.y, p.z});
+  CHECK(ask_root(asked));
+  asked.limits.looks = 1'000'000;
+  const Result<Plant> stopped = ask_root(asked);
+  REQUIRE_FALSE(stopped);
+  CHECK(stopped.error().reason == Reason::limit);
+  CHECK(stopped.error().message.find("simplify the mesh") != std::string::npos);
+  asked.limits.triangles = 399;
+  const Result<Plant> refused = ask_root(asked);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().reason == Reason::limit);
+  CHECK(refused.error().message == "The meshes have 400 triangles, more than 399; simplify them.");
 }
 
 }  // namespace

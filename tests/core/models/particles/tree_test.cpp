@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "environment/surfaces.hpp"
 #include "models/particles/crown_light.hpp"
 #include "models/particles/obstacles.hpp"
 #include "models/particles/tree/crown.hpp"
@@ -440,6 +441,23 @@ TEST_CASE("what cannot be used is refused in words, what is out of range is brou
       grow_tree({.parameters = {{"particles", 100}, {"pattern", 1}}, .obstacles = {-50, -1, -50, 50, 50, 50}});
   CHECK(notes_say(nowhere, "Obstacles leave no room"));
   CHECK(nowhere.segments.empty());
+}
+
+TEST_CASE("a mesh whose triangles lie behind each other too often is an error, as is one of too many triangles") {
+  const Surface mesh = spanning_tetrahedra(100);
+  Asked asked{.parameters = {{"particles", 200}, {"shape", 5}}, .triangles = mesh.triangles};
+  for (const glm::vec3& p : mesh.points) asked.points.insert(asked.points.end(), {p.x, p.y, p.z});
+  CHECK(ask_tree(asked));
+  asked.limits.looks = 1'000'000;
+  const Result<Plant> stopped = ask_tree(asked);
+  REQUIRE_FALSE(stopped);
+  CHECK(stopped.error().reason == Reason::limit);
+  CHECK(stopped.error().message.find("simplify the mesh") != std::string::npos);
+  asked.limits.triangles = 399;
+  const Result<Plant> refused = ask_tree(asked);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().reason == Reason::limit);
+  CHECK(refused.error().message == "The meshes have 400 triangles, more than 399; simplify them.");
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ Surface surface_in_box(Volume::Kind kind, const Surface& mesh) {
 
 }  // namespace
 
-Result<Areas> Areas::read(Request& request) {
+Result<Areas> Areas::read(Request& request, const Limits& limits) {
   const auto kinds = request.words("areas.kinds"), meshes = request.words("areas.meshes");
   const auto places = request.floats("areas.places"), path = request.floats("path");
   const auto from = request.words("path.from");
@@ -90,8 +90,10 @@ Result<Areas> Areas::read(Request& request) {
   if (places.size() != place_width * kinds.size() || (!meshes.empty() && meshes.size() != 2 * kinds.size()) ||
       path.size() % 3 != 0)
     return Diagnostic{Reason::bad_request, "Areas and their places are not as many.", 0, 0};
+  if (const auto refusal = too_many_triangles(stock.triangles.size() / 3, limits)) return *refusal;
   if (!sound(places) || !sound(path) || !sound(stock.points))
     return refused("A number of an area is not finite or beyond 10 km.");
+  areas.budget_ = std::make_shared<LookBudget>(limits.looks, kinds.size());
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (kinds[i] > static_cast<std::uint32_t>(Volume::Kind::mesh)) return refused("An area is of an unknown kind.");
     const auto kind = static_cast<Volume::Kind>(kinds[i]);
@@ -107,7 +109,7 @@ Result<Areas> Areas::read(Request& request) {
     const glm::vec3 centre(at[0], at[1], at[2]);
     const glm::vec3 size(at[3], at[4], at[5]);
     const glm::quat rotation(at[9], at[6], at[7], at[8]);
-    areas.volumes_.emplace_back(kind, centre, size, rotation, mesh);
+    areas.volumes_.emplace_back(kind, centre, size, rotation, mesh, areas.budget_);
     areas.forms_.push_back({kind, centre, size, rotation, std::move(mesh)});
     if (path.empty()) areas.path_.push_back(centre);
   }

@@ -13,11 +13,13 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "environment/volume.hpp"
+#include "foundation/limits.hpp"
 #include "foundation/result.hpp"
 #include "lsystem/lsystem.hpp"
 #include "lsystem/space.hpp"
@@ -31,8 +33,9 @@ class Areas final : public lsystem::Space {
   static constexpr std::size_t most_areas = 64, most_places = 1000;
 
   // Errors: bad_request, for what is of another form; bad_input, for numbers that are not finite or beyond 10 km, or a
-  // corner that is none of the mesh's points. What there is to say of the meshes is said when there is a unit.
-  static Result<Areas> read(Request& request);
+  // corner that is none of the mesh's points; limit, for too many triangles. What there is to say of the meshes is said
+  // when there is a unit.
+  static Result<Areas> read(Request& request, const Limits& limits);
 
   // What a text may declare: `#input areas` (how many), `#input size[]` (the largest extent of each), `#input places`
   // and `#input path[]` (x, y, z of each place), in its own unit, of which `metres` are one. It is asked in that unit
@@ -45,6 +48,8 @@ class Areas final : public lsystem::Space {
   float reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const override;
 
   std::size_t size() const { return volumes_.size(); }
+  // Whether more of the meshes' triangles were looked at than the budget allows: then nothing lies in them any more.
+  bool is_exhausted() const { return budget_->is_exhausted(); }
   // The first area before this one that its middle lies in; 0 for none.
   std::size_t around(std::size_t area) const;
   // What area number i, counted from 0, encloses (m³; of a mesh what its triangles do, by their turn), and its surface.
@@ -65,6 +70,7 @@ class Areas final : public lsystem::Space {
   const Volume* find(float area) const;
   void tell_forks(lsystem::Inputs& inputs) const;
 
+  std::shared_ptr<LookBudget> budget_;  // of all meshes
   std::vector<Form> forms_;
   std::vector<Volume> volumes_;
   std::vector<glm::vec3> path_;

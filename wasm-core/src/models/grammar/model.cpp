@@ -125,7 +125,7 @@ Result<std::optional<lsystem::Chronicle>> tell(const lsystem::Bound& bound, cons
 Result<Plant> grow(Request& request, const Limits& given) {
   const Limits limits = roomy(given);
   const Result<Asked> asked = read(request);
-  Result<Areas> areas = Areas::read(request);
+  Result<Areas> areas = Areas::read(request, limits);
   const auto program = request.program(limits);
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
   if (!asked) return asked.error();
@@ -149,6 +149,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
   Sketch sketch(limits);
   sketch.begin();
   const auto drawn = lsystem::trace(*bound.value(), string, standing(), sketch, asked->seed, limits, around.space);
+  if (areas->is_exhausted()) return LookBudget::error();
   if (!drawn) return drawn.error();
   for (const Diagnostic& stopped : {derived->stopped, sketch.trouble()})
     if (stopped.reason != Reason::none) plant.notes.push_back("What grew so far is shown. " + stopped.message);

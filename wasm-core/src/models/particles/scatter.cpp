@@ -122,7 +122,7 @@ std::vector<glm::vec3> uniform(const Region& region, std::uint32_t count, std::u
   std::vector<glm::vec3> points;
   points.reserve(count);
   const glm::vec3 low = region.low(), size = region.high() - low;
-  for (std::uint64_t dart = 0; points.size() < count && dart < most_darts * count; ++dart) {
+  for (std::uint64_t dart = 0; points.size() < count && dart < most_darts * count && !region.is_exhausted(); ++dart) {
     const glm::vec3 p = low + size * glm::vec3(random_unit(seed, stream_x, dart), random_unit(seed, stream_y, dart),
                                                random_unit(seed, stream_z, dart));
     if (region.contains(p) && random_unit(seed, stream_keep, dart) < region.density(p)) points.push_back(p);
@@ -155,7 +155,7 @@ Lot jittered(const Region& region, float spacing, std::uint64_t seed) {
   }
   const Lattice lattice(region, spacing);
   // By runs of cells: where crowns stand far apart, most of their box is air.
-  for (std::uint64_t i = 0; i < lattice.cells(); i += lattice.run(i)) {
+  for (std::uint64_t i = 0; i < lattice.cells() && !region.is_exhausted(); i += lattice.run(i)) {
     const glm::ivec3 cell = lattice.cell(i);
     const auto length = static_cast<std::int32_t>(lattice.run(i));
     if (lattice.share_of(cell, length, region) == Share::none) continue;
@@ -197,14 +197,14 @@ Lot blue(const Region& region, float apart, std::uint64_t seed) {
   };
   std::vector<std::uint64_t> open, still_open;
   std::vector<std::uint8_t> whole(lattice.cells(), 0);  // inside, all of it
-  for (std::uint64_t i = 0; i < lattice.cells(); ++i) {
+  for (std::uint64_t i = 0; i < lattice.cells() && !region.is_exhausted(); ++i) {
     if (!lattice.inner(i)) continue;
     const Share share = lattice.share_of(lattice.cell(i), region);
     if (share == Share::none) continue;
     whole[i] = share == Share::all;
     open.push_back(i);
   }
-  for (std::uint64_t round = 1; round <= blue_rounds && !open.empty(); ++round) {
+  for (std::uint64_t round = 1; round <= blue_rounds && !open.empty() && !region.is_exhausted(); ++round) {
     still_open.clear();
     for (const std::uint64_t i : open) {
       const glm::ivec3 cell = lattice.cell(i);
@@ -285,7 +285,7 @@ Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count
   }
   Lot best;
   float of_best = spacing;
-  for (int k = 0; k < tries; ++k) {
+  for (int k = 0; k < tries && !region.is_exhausted(); ++k) {
     Lot lot = lay(region, pattern, spacing, seed);
     const std::size_t found = lot.points.size(), before = best.points.size();
     const bool coarse = lot.coarse;

@@ -54,7 +54,7 @@ std::vector<Box> boxes_of(std::span<const float> values) {
 
 }  // namespace
 
-Result<SpaceRequest> read_space(Request& request) {
+Result<SpaceRequest> read_space(Request& request, const Limits& limits) {
   SpaceRequest read;
   request.text("model");
   read.seed = request.word("seed", 1);
@@ -78,6 +78,7 @@ Result<SpaceRequest> read_space(Request& request) {
       !sound(targets, 3, "Targets", trouble) || !sound(obstacles, 6, "Obstacles", trouble) ||
       !sound(rounds, 6, "Round obstacles", trouble))
     return trouble;
+  if (const auto refusal = too_many_triangles((triangles.size() + hollow_triangles.size()) / 3, limits)) return *refusal;
   if (!sound_corners(triangles, points.size() / 3, "the mesh", trouble) ||
       !sound_corners(hollow_triangles, hollow_points.size() / 3, "the inner boundary's mesh", trouble))
     return trouble;

@@ -30,7 +30,7 @@ struct SpaceRequest {
 };
 
 // Errors: bad_request, for what is of another form; bad_input, for numbers that are not finite or beyond 10 km, corners
-// that are none of the mesh's points, more targets or obstacles than there may be.
-Result<SpaceRequest> read_space(Request& request);
+// that are none of the mesh's points, more targets or obstacles than there may be; limit, for too many triangles.
+Result<SpaceRequest> read_space(Request& request, const Limits& limits);
 
 }  // namespace panicle::particles

@@ -48,6 +48,7 @@ class Soil final : public Region {
   Share share_of(const glm::vec3& from, const glm::vec3& to) const override {
     return share_between(outer_->share_of(from, to), inner_->share_of(from, to));
   }
+  bool is_exhausted() const override { return outer_->is_exhausted(); }
   float density(const glm::vec3& p) const override {
     return (topsoil_ > 0 ? exponential((p.y - high().y) / topsoil_) : 1) * hormone_->left(p);
   }
@@ -73,7 +74,7 @@ std::vector<float> measures_of(const Plant& plant, float room) {
 }
 
 Result<Plant> grow(Request& request, const Limits& limits) {
-  const Result<SpaceRequest> read = read_space(request);
+  const Result<SpaceRequest> read = read_space(request, limits);
   if (!read) return read.error();
   Plant plant;
   const RootValues values(read->parameters, plant.notes);
@@ -85,10 +86,11 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const glm::vec3 extent = size * glm::vec3(values[width], values[reach], values[depth]);
   const glm::vec3 high(0.5f * extent.x, ground, 0.5f * extent.z), low(-high.x, ground - extent.y, -high.z);
   const Surface whole = form_between(form, profile_of(read->profile, carrot), read->volume, low, high);
-  const Solid outer(whole);
+  const auto budget = std::make_shared<LookBudget>(limits.looks);
+  const Solid outer(whole, budget);
   // Bare is what lies about the collar.
   if (!read->hollow.triangles.empty()) note_seams(read->hollow, "The inner boundary", plant.notes);
-  const Solid inner(inner_boundary(whole, read->hollow, low, high, {0, ground, 0}, values[Parameter::inner]));
+  const Solid inner(inner_boundary(whole, read->hollow, low, high, {0, ground, 0}, values[Parameter::inner]), budget);
   std::vector<glm::vec3> targets = read->targets;
   const float plants = values[stems];
   for (float k = 0; read->targets.empty() && k < plants; ++k)

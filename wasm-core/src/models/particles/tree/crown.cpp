@@ -16,7 +16,7 @@ constexpr float billow = 0.24f, spray = 0.09f;
 }  // namespace
 
 Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, const Surface& mesh,
-                   const Surface& hollow) {
+                   const Surface& hollow, const std::shared_ptr<LookBudget>& budget) {
   const auto crowns = static_cast<float>(habit.crowns), stems = static_cast<float>(habit.stems);
   const glm::vec3 half = 0.5f * habit.growth * habit.size;
   const float lowest = habit.growth * habit.trunk;
@@ -33,8 +33,8 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
     append(inner, inner_boundary(whole, hollow, middle - half, middle + half, middle, habit.inner));
     for (float k = 0; k < stems; ++k) made.feet.emplace_back(x + 2 * half.x * ((k + 0.5f) / stems - 0.5f), 0, 0);
   }
-  made.outer = Solid(std::move(outer));
-  made.inner = Solid(std::move(inner));
+  made.outer = Solid(std::move(outer), budget);
+  made.inner = Solid(std::move(inner), budget);
   const glm::vec3 row = made.outer.high() - made.outer.low();
   made.longest = std::max({row.x - (crowns - 1) * habit.distance, row.y, row.z});
   if (habit.ragged > 0) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -43,9 +44,10 @@ struct Crowns {
 };
 
 // Crowns stand side by side along x about the origin; `profile` and `mesh` as in `form_between`, `hollow` as in
-// `inner_boundary`.
+// `inner_boundary`. `budget`: of both boundaries.
 Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, const Surface& mesh,
-                   const Surface& hollow = {});
+                   const Surface& hollow = {},
+                   const std::shared_ptr<LookBudget>& budget = std::make_shared<LookBudget>());
 
 // What is between the boundaries, as dense as light and the top's hormone let it be.
 class Foliage final : public Region {
@@ -58,6 +60,7 @@ class Foliage final : public Region {
   bool contains(const glm::vec3& p) const override { return has_room(p) && leafy(p); }
   bool has_room(const glm::vec3& p) const override { return crowns_->outer.contains(p) && !crowns_->inner.contains(p); }
   Share share_of(const glm::vec3& from, const glm::vec3& to) const override;
+  bool is_exhausted() const override { return crowns_->outer.is_exhausted(); }
   float density(const glm::vec3& p) const override;
 
  private:

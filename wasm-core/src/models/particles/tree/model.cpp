@@ -143,7 +143,7 @@ void add_light(Plant& plant, const VoxelLight& light) {
 
 Result<Plant> grow(Request& request, const Limits& limits) {
   const FlatLeaf leaf = request.flat_leaf();
-  const Result<SpaceRequest> read = read_space(request);
+  const Result<SpaceRequest> read = read_space(request, limits);
   if (!read) return read.error();
   if (Diagnostic trouble = check(leaf); trouble.reason != Reason::none) return trouble;
   Plant plant;
@@ -155,7 +155,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   CrownHabit habit = crown_of(values, read->seed);
   if (habit.form == Form::mesh) note_on(read->volume, habit.form, plant.notes);
   if (!read->hollow.triangles.empty()) note_seams(read->hollow, "The inner boundary", plant.notes);
-  Crowns crowns_made = make_crowns(habit, profile_of(read->profile, egg), read->volume, read->hollow);
+  Crowns crowns_made = make_crowns(habit, profile_of(read->profile, egg), read->volume, read->hollow,
+                                   std::make_shared<LookBudget>(limits.looks));
   if (!read->targets.empty()) crowns_made.feet = read->targets;
 
   const LightHabit light_habit{towards_sun(values[sun], values[sun_height]), values[sky],

@@ -1,0 +1,23 @@
+#include "environment/look_budget.hpp"
+
+#include <string>
+
+namespace panicle {
+
+Diagnostic LookBudget::error() {
+  return {
+      Reason::limit,
+      "So many triangles of the mesh lie behind each other that finding out what is inside takes too long; simplify "
+      "the mesh, or let fewer things grow in it.",
+      0, 0};
+}
+
+std::optional<Diagnostic> too_many_triangles(std::size_t triangles, const Limits& limits) {
+  if (triangles <= limits.triangles) return {};
+  return Diagnostic{Reason::limit,
+                    "The meshes have " + std::to_string(triangles) + " triangles, more than " +
+                        std::to_string(limits.triangles) + "; simplify them.",
+                    0, 0};
+}
+
+}  // namespace panicle
