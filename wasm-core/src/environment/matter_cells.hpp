@@ -1,6 +1,7 @@
 // Many small things that shade each other, laid into a lattice of cells for light to go through.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -12,12 +13,16 @@ namespace panicle {
 
 class MatterCells {
  public:
-  // Empty cells of `edge` from the corner `low`, as many as hold `high`.
+  // Empty cells of `edge` from the corner `low`, as many as hold `high`; one along an axis where that is not a number,
+  // or beyond 4,096.
   MatterCells(const glm::vec3& low, const glm::vec3& high, float edge);
 
   // Something at a place (what is beside the lattice: in the cell next to it) that hides so much area, taken over all
   // directions: half of a sheet's area, a quarter of a rod's surface.
   void put(const glm::vec3& place, float area);
+
+  // How many there are.
+  std::size_t cells() const { return matter_.size(); }
 
   VoxelLight light(std::span<const Lamp> lamps) const;
 
