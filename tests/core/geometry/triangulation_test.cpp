@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -102,6 +103,23 @@ TEST_CASE("away from the polygon's edges no corner lies in another triangle's ci
       CHECK(x * x + y * y >= square * (1 - 1e-9));
     }
   }
+}
+
+TEST_CASE("flips and steps of walks are counted: nothing comes of what takes more than there may be") {
+  // A comb of 400 narrow teeth: each side of a tooth crosses the edges between those before it.
+  std::vector<glm::vec2> comb;
+  for (int k = 0; k < 400; ++k) {
+    const float x = static_cast<float>(k) / 128;
+    comb.push_back(lattice(x, 0));
+    comb.push_back(lattice(x + 0.004f, k % 2 ? 4.0f : 0.5f));
+  }
+  comb.push_back(lattice(3.2f, -1));
+  comb.push_back(lattice(-0.1f, -1));
+  std::reverse(comb.begin(), comb.end());
+  const std::size_t ring = comb.size();
+  check_fills(comb, ring, triangulate(comb, ring));
+  CHECK(triangulate(comb, ring, 1000).empty());
+  CHECK_FALSE(triangulate(comb, ring, 1'000'000).empty());
 }
 
 TEST_CASE("nothing comes of fewer than three points or of a polygon that crosses itself") {

@@ -26,7 +26,8 @@ struct Triangle {
 
 class Triangulation {
  public:
-  Triangulation(std::span<const glm::vec2> points, std::size_t ring) : ring_(static_cast<std::int32_t>(ring)) {
+  Triangulation(std::span<const glm::vec2> points, std::size_t ring, std::uint64_t most_steps)
+      : steps_left_(most_steps), ring_(static_cast<std::int32_t>(ring)) {
     const auto whole = [](float v) { return static_cast<std::int64_t>(std::floor(v * triangulation_lattice + 0.5f)); };
     places_.reserve(points.size() + corners);
     for (const glm::vec2& p : points) places_.push_back({whole(p.x), whole(p.y)});
@@ -46,7 +47,7 @@ class Triangulation {
       if (!enforce(i, (i + 1) % ring_)) return false;
     mark_outside();
     for (std::int32_t i = ring_; i < around_; ++i) insert(i);
-    return true;
+    return steps_left_ > 0;
   }
 
   std::vector<std::uint32_t> inside() const {
@@ -58,6 +59,11 @@ class Triangulation {
   }
 
  private:
+  // False where there are no steps left.
+  bool step() {
+    if (steps_left_ > 0) --steps_left_;
+    return steps_left_ > 0;
+  }
   static std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
   static std::size_t before(std::size_t k) { return k == 0 ? 2 : k - 1; }
   Triangle& tri(std::int32_t t) { return triangles_[static_cast<std::size_t>(t)]; }
@@ -96,7 +102,7 @@ class Triangulation {
   // The triangle that holds a place, and the corner opposite the edge that it lies on, or none. A triangle that has it
   // as a corner: {t, -2}. Walks there from the last one; from the first, one after the other, where walking goes in
   // circles.
-  std::pair<std::int32_t, std::int32_t> locate(std::int32_t i) const {
+  std::pair<std::int32_t, std::int32_t> locate(std::int32_t i) {
     const auto look = [&](std::int32_t t, std::int32_t& out, std::int32_t& on) {
       const Triangle& here = tri(t);
       out = on = none;
@@ -115,12 +121,12 @@ class Triangulation {
       if (zeros == 2) on = -2;
     };
     std::int32_t t = last_, out = none, on = none;
-    for (std::size_t k = 0; k < triangles_.size() && t != none; ++k) {
+    for (std::size_t k = 0; k < triangles_.size() && t != none && step(); ++k) {
       look(t, out, on);
       if (out == none) return {t, on};
       t = tri(t).beside[static_cast<std::size_t>(out)];
     }
-    for (t = 0; t < static_cast<std::int32_t>(triangles_.size()); ++t) {
+    for (t = 0; t < static_cast<std::int32_t>(triangles_.size()) && step(); ++t) {
       look(t, out, on);
       if (out == none) return {t, on};
     }
@@ -207,6 +213,7 @@ class Triangulation {
   // Flips what is not Delaunay around a new place; of each open triangle the edge opposite that.
   void settle(std::int32_t i) {
     while (!open_.empty()) {
+      if (!step()) return open_.clear();
       const std::int32_t t = open_.back();
       open_.pop_back();
       std::size_t k = 0;
@@ -295,7 +302,7 @@ class Triangulation {
     }
     // Quadrilaterals that are not convex wait until others are flipped.
     for (std::size_t turns = 0, most = 64 + 16 * crossed.size() * crossed.size(); !crossed.empty(); ++turns) {
-      if (turns > most) return false;
+      if (turns > most || !step()) return false;
       const auto [right, left] = crossed.front();
       crossed.pop_front();
       const auto [u, j] = edge(right, left);
@@ -350,6 +357,7 @@ class Triangulation {
     }
   }
 
+  std::uint64_t steps_left_;
   std::int32_t ring_, around_ = 0;
   bool enforced_ = false;
   std::int32_t last_ = 0;
@@ -362,9 +370,9 @@ class Triangulation {
 
 }  // namespace
 
-std::vector<std::uint32_t> triangulate(std::span<const glm::vec2> points, std::size_t ring) {
+std::vector<std::uint32_t> triangulate(std::span<const glm::vec2> points, std::size_t ring, std::uint64_t most_steps) {
   if (ring < 3 || ring > points.size()) return {};
-  Triangulation triangulation(points, ring);
+  Triangulation triangulation(points, ring, most_steps);
   return triangulation.fill() ? triangulation.inside() : std::vector<std::uint32_t>{};
 }
 
