@@ -97,7 +97,7 @@ export const tools = {
 		title: "GLM",
 		find: (env) => findHeader("glm/glm.hpp", env, [...(env.GLM_ROOT ? [env.GLM_ROOT] : []), ...includeFolders]),
 		packages: { "apt-get": ["libglm-dev"], dnf: ["glm-devel"], pacman: ["glm"], brew: ["glm"] },
-		elsewhere: ["git clone https://github.com/g-truc/glm", "export GLM_ROOT=$PWD/glm"],
+		elsewhere: ["git clone --branch 1.0.1 https://github.com/g-truc/glm", "export GLM_ROOT=$PWD/glm"],
 	},
 	cmake: {
 		title: "CMake",

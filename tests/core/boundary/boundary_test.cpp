@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "boundary/answer.hpp"
 #include "boundary/panicle.h"
 #include "foundation/container.hpp"
 #include "foundation/random.hpp"
@@ -187,6 +188,44 @@ TEST_CASE("segments begin where their parents end, and have a length and two rad
     tapers |= radii[2 * i] != radii[2 * i + 1];
   }
   CHECK(tapers);
+}
+
+TEST_CASE("every segment and organ has its own tag, however many there are") {
+  Plant plant;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    plant.tags.push_back("V" + std::to_string(i));
+    plant.organ_tags.push_back("leaf" + std::to_string(i));
+    plant.segments.push_back({});
+    plant.segments.back().tag = i;
+    plant.organs.push_back({});
+    plant.organs.back().tag = 299 - i;
+  }
+  const Answer answer(boundary::write_plant(plant));
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    CHECK(answer.word("segments.tag", i) == i);
+    CHECK(answer.word("organs.tag", i) == 299 - i);
+  }
+  CHECK(answer.column("segments.tags").text().ends_with("V299"));
+  CHECK(answer.column("organs.tags").text().ends_with("leaf299"));
+}
+
+TEST_CASE("a plant whose geometry is not finite is an error that names what it is of") {
+  // Every model's own way: nothing before the boundary refuses a stem so thick.
+  const auto grown = [](std::string_view model, std::string_view text) {
+    Asked asked("meshes", model);
+    asked.writer.add("grammar", text);
+    return Answer(asked);
+  };
+  for (const std::string_view text :
+       {"axiom: F(1e37)F(1e37)F(1e37)", "axiom: @Di(1e38)@Di(1e38)@O(1)", "axiom: @Di(1e38)@Di(1e38)~leaf",
+        "axiom: !(1e38)F(1e30)S(1e38)", "axiom: !(1e38)F(1)"}) {
+    const Answer answer = grown("grammar", text);
+    CAPTURE(text);
+    CHECK(answer.reason() == Reason::evaluation);
+    CHECK(answer.message().find("Module ") == 0);
+  }
+  CHECK(grown("bunch", "axiom: F(1e37)S(1e38)").reason() == Reason::evaluation);
+  CHECK(grown("grammar", "axiom: F(1)@O(1)").reason() == Reason::none);
 }
 
 TEST_CASE("a request gets its memory up to 16 MiB") {

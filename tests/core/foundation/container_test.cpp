@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <vector>
@@ -79,6 +80,35 @@ TEST_CASE("whatever the bytes are, a container is read within them or refused") 
   }
   CHECK(good > 100);
   CHECK(refused > 100);
+}
+
+TEST_CASE("copies are written into the block, however large they are, and may be gone before it is") {
+  ContainerWriter writer;
+  const std::vector<float> viewed(5000, 2.0f);
+  writer.add("viewed", viewed);
+  {
+    const std::vector<std::uint32_t> words(5000, 7);
+    writer.copy("words", words, 2);
+    writer.copy("text", std::string(20'000, 'x'));
+    writer.copy("none", std::string_view());
+  }
+  const std::vector<std::uint8_t> later(200'000, 0xff);  // which may take the memory of what is gone
+  std::uint8_t* const block = writer.write(1);
+  REQUIRE(block != nullptr);
+  CHECK(container_bytes(block) > 40'000);
+  CHECK(container_bytes(block) < 41'000);
+  // Where the second, third and fourth begin, all of them in the block.
+  const auto* const directory = reinterpret_cast<const std::uint32_t*>(block) + 4;
+  const std::uint8_t* const words = block + directory[6 + 5];
+  REQUIRE(directory[6 + 5] < container_bytes(block));
+  REQUIRE(directory[12 + 5] < container_bytes(block));
+  CHECK(directory[6 + 3] == 2);
+  CHECK(directory[6 + 4] == 2500);
+  CHECK(std::all_of(words, words + 20'000, [](std::uint8_t byte) { return byte == 7 || byte == 0; }));
+  const std::uint8_t* const text = block + directory[12 + 5];
+  CHECK(std::all_of(text, text + 20'000, [](std::uint8_t byte) { return byte == 'x'; }));
+  CHECK(directory[18 + 4] == 0);
+  std::free(block);
 }
 
 TEST_CASE("what fills up to the next word is zero, whatever was in the memory") {

@@ -117,6 +117,51 @@ TEST_CASE("limits of interpretation") {
   CHECK(answers.reason == Reason::limit);
 }
 
+TEST_CASE("what would lie too far away, or be too large or too small to be drawn, is an error with its module") {
+  const auto refused = [](std::string_view text, const char* module, const char* why) {
+    const Diagnostic error = failure(std::string("axiom: ") + std::string(text), Limits{});
+    CAPTURE(text);
+    CAPTURE(error.message);
+    CHECK(error.reason == Reason::evaluation);
+    CHECK(error.message.find(module) == 0);
+    CHECK(error.message.find(why) != std::string::npos);
+  };
+  refused("F(1e37)", "Module 1 of the string, F(1e37), is larger", "10^9");
+  refused("F(1) S(1e38)", "Module 2 of the string, S(1e38), is larger", "10^9");
+  refused("F(9e8) F(9e8)", "Module 2 of the string, F(900000000), leads farther", "10^9");
+  refused("f(9e8) f(9e8) F", "Module 2 of the string, f(900000000), leads farther", "10^9");
+  refused("!(1e38) F", "Module 2 of the string, F, is drawn wider", "by !");
+  refused("F(1e-30)", "Module 1 of the string, F(1e-30), is smaller", "10^-18");
+  refused("S(1e-30)", "Module 1 of the string, S(1e-30), is smaller", "10^-18");
+  const auto refused_in_cpfg = [](std::string_view text, const char* module) {
+    const auto program = lsystem::compile(std::string("axiom: ") + std::string(text), Limits{},
+                                          lsystem::Lineages::where_needed, lsystem::Notation::cpfg);
+    REQUIRE_MESSAGE(program, program.error().message);
+    const BoundPointer bound = sound(lsystem::bind(program.value(), {}, Limits{}));
+    Recorder recorder;
+    const auto result = lsystem::interpret(*bound, *derived(*bound, 1).string, {}, recorder, 1, Limits{});
+    CAPTURE(text);
+    REQUIRE_FALSE(result);
+    CAPTURE(result.error().message);
+    CHECK(result.error().reason == Reason::evaluation);
+    CHECK(result.error().message.find(module) == 0);
+  };
+  refused_in_cpfg("@Di(1e38)@Di(1e38)@O(1)", "Module 3 of the string, @O(1), is larger");
+  refused_in_cpfg("@Di(1e38)@Di(1e38)~leaf", "Module 3 of the string, ~leaf, is larger");
+  refused_in_cpfg("@Di(1e-30)@Di(1e-30)@O(1)", "Module 2 of the string, @Di(1e-30), makes what is drawn too small");
+  refused_in_cpfg("@Di(1e-10)@O(1e-10)", "Module 2 of the string, @O(1e-10), is smaller");
+  refused_in_cpfg("@Di(1e38)@o(1)", "Module 2 of the string, @o(1), is larger");
+  refused_in_cpfg("@M(1e12,0,0) F", "Module 1 of the string, @M(1e12,0,0), leads farther");
+  refused_in_cpfg("@Di(1e38) {(1) F(1e-38) }", "Module 2 of the string, {(1), is thicker");
+  refused_in_cpfg("@R(1e38,1e38,0) F", "Module 2 of the string, F, has no direction");
+  // What is drawn in a module's place is named by what it draws.
+  refused("A\nhomomorphism:\nA --> F(1e20)", "Module 1 of the string, F(1e20)", "larger");
+  // Up to the bounds all is drawn, and what has no size is passed over.
+  const Recorder recorder = drawn("axiom: F(9e8) F(-9e8) S(1e-17) F(0) S(0) !(9e8) F(2)", 0);
+  CHECK(recorder.lines.size() == 3);
+  CHECK(recorder.spheres.size() == 1);
+}
+
 TEST_CASE("a hundred thousand open brackets are fine, one more is not") {
   std::string deep = "axiom: ";
   deep.append(100'001, '[').append(100'001, ']');

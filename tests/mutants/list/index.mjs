@@ -1,6 +1,7 @@
 /** All faults, in the order of the house. @type {import("../mutants.mjs").Group[]} */
 import baked from "./baked.mjs";
 import boundary from "./boundary.mjs";
+import bounds from "./bounds.mjs";
 import browsers from "./browsers.mjs";
 import bunchCore from "./bunch_core.mjs";
 import bunchCrop from "./bunch_crop.mjs";
@@ -67,6 +68,7 @@ export const groups = [
 	...leaf,
 	...leafPictures,
 	...boundary,
+	...bounds,
 	...bunchCore,
 	...bunchCrop,
 	...bunchNatural,

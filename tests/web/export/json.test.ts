@@ -67,7 +67,7 @@ describe("the JSON document", () => {
 			expect(writtenJson(each, specimen)).toBe(JSON.stringify(exportJson(each, specimen)));
 		const organs = {
 			count: 2,
-			tag: Uint8Array.of(0, 0),
+			tag: Uint32Array.of(0, 0),
 			tags: ["nœud"],
 			segment: Int32Array.of(0, -1),
 			mesh: Int32Array.of(0, 0),

@@ -98,14 +98,14 @@ it("is none of what has no extent", () => {
 	const none = {
 		count: 0,
 		parent: new Int32Array(0),
-		tag: new Uint8Array(0),
+		tag: new Uint32Array(0),
 		tags: [],
 		ends: new Float32Array(0),
 		radii: new Float32Array(0),
 	};
 	const organs = {
 		count: 0,
-		tag: new Uint8Array(0),
+		tag: new Uint32Array(0),
 		tags: [],
 		segment: new Int32Array(0),
 		mesh: new Int32Array(0),

@@ -6,14 +6,14 @@ export function toyPlant(): Plant {
 		segments: {
 			count: 2,
 			parent: Int32Array.from([-1, 0]),
-			tag: new Uint8Array(2),
+			tag: new Uint32Array(2),
 			tags: ["shoot"],
 			ends: Float32Array.from([0, 0, 0, 0, 0.1, 0, 0, 0.1, 0, 0.03, 0.18, 0]),
 			radii: Float32Array.from([0.004, 0.003, 0.003, 0.002]),
 		},
 		organs: {
 			count: 4,
-			tag: Uint8Array.from([0, 0, 1, 0]),
+			tag: Uint32Array.from([0, 0, 1, 0]),
 			tags: ["leaf", "scar"],
 			segment: Int32Array.from([0, 1, -1, 1]),
 			mesh: Int32Array.from([2, 2, -1, 2]),

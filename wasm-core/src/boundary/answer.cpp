@@ -31,9 +31,8 @@ void add_segments(Columns& columns, const std::vector<Segment>& segments) {
   columns.add("segments.parent", column_of<std::int32_t>(segments, 1, [](const Segment& segment, std::int32_t* at) {
                 *at = segment.parent;
               }));
-  columns.add("segments.tag", column_of<std::uint8_t>(segments, 1, [](const Segment& segment, std::uint8_t* at) {
-                *at = static_cast<std::uint8_t>(segment.tag);
-              }));
+  columns.add("segments.tag", column_of<std::uint32_t>(
+                                  segments, 1, [](const Segment& segment, std::uint32_t* at) { *at = segment.tag; }));
   columns.add("segments.ends",
               column_of<float>(segments, 6,
                                [](const Segment& segment, float* at) {
@@ -51,9 +50,8 @@ void add_segments(Columns& columns, const std::vector<Segment>& segments) {
 }
 
 void add_organs(Columns& columns, const std::vector<Organ>& organs) {
-  columns.add("organs.tag", column_of<std::uint8_t>(organs, 1, [](const Organ& organ, std::uint8_t* at) {
-                *at = static_cast<std::uint8_t>(organ.tag);
-              }));
+  columns.add("organs.tag",
+              column_of<std::uint32_t>(organs, 1, [](const Organ& organ, std::uint32_t* at) { *at = organ.tag; }));
   columns.add("organs.segment",
               column_of<std::int32_t>(organs, 1, [](const Organ& organ, std::int32_t* at) { *at = organ.segment; }));
   columns.add("organs.mesh",
@@ -103,13 +101,12 @@ void add_mesh(ContainerWriter& out, const PlantMesh& mesh) {
 std::uint8_t* write_plant(Plant& plant) {
   ContainerWriter out;
   const std::array<std::uint32_t, 3> status{};
-  out.add("status", std::span<const std::uint32_t>(status));
-  const std::string notes = lines(plant.notes), tags = lines(plant.tags), organ_tags = lines(plant.organ_tags);
-  // They may be long, and what is long is read where it stands once this has returned: the plant keeps them.
-  plant.columns.add("notes", std::string_view(notes));
-  const auto print = halves(plant.fingerprint), mesh_print = halves(plant.mesh_fingerprint);
-  out.add("fingerprint", std::span<const std::uint32_t>(print));
-  if (plant.mesh_fingerprint != 0) out.add("mesh_fingerprint", std::span<const std::uint32_t>(mesh_print));
+  // What is large stays where it is after this has returned, in arrays of the plant; what is made here is copied.
+  out.copy("status", std::span<const std::uint32_t>(status));
+  out.copy("notes", lines(plant.notes));
+  out.copy("fingerprint", std::span<const std::uint32_t>(halves(plant.fingerprint)));
+  if (plant.mesh_fingerprint != 0)
+    out.copy("mesh_fingerprint", std::span<const std::uint32_t>(halves(plant.mesh_fingerprint)));
 
   std::string count_names;
   Words counts;
@@ -117,15 +114,15 @@ std::uint8_t* write_plant(Plant& plant) {
     count_names.append(count_names.empty() ? "" : "\n").append(count.name);
     counts.push_back(count.value);
   }
-  out.add("counts", counts);
-  out.add("counts.names", std::string_view(count_names));
+  out.copy("counts", counts);
+  out.copy("counts.names", count_names);
   if (!plant.measures.empty()) out.add("measures", plant.measures);
 
   add_segments(plant.columns, plant.segments);
-  plant.columns.add("segments.tags", std::string_view(tags));
+  out.copy("segments.tags", lines(plant.tags));
   if (!plant.organs.empty()) {
     add_organs(plant.columns, plant.organs);
-    plant.columns.add("organs.tags", std::string_view(organ_tags));
+    out.copy("organs.tags", lines(plant.organ_tags));
   }
   std::string mesh_names;
   for (PlantMesh& mesh : plant.meshes) {
@@ -133,7 +130,7 @@ std::uint8_t* write_plant(Plant& plant) {
     if (!mesh.runs.empty()) add_runs(mesh.columns, mesh.runs);
     add_mesh(out, mesh);
   }
-  out.add("meshes", std::string_view(mesh_names));
+  out.copy("meshes", mesh_names);
   add_columns(out, "", plant.columns);
   return sizeof(void*) == 4 ? out.write(large) : out.write();
 }

@@ -9,6 +9,7 @@
 #include "boundary/models.hpp"
 #include "foundation/container.hpp"
 #include "plant/request.hpp"
+#include "plant/soundness.hpp"
 
 namespace {
 
@@ -64,14 +65,17 @@ Result<Plant> grow(std::span<const std::uint8_t> bytes) {
   if (model == nullptr) return Diagnostic{Reason::bad_request, "The request asks for a model that is not here.", 0, 0};
   Request request(blocks.value(), &programs(), &kept_of(*model));
   request.read_grammars_as(model->notation, model->lineages);
-  return model->grow(request, Limits{});
+  auto plant = model->grow(request, Limits{});
+  if (!plant) return plant;
+  if (Diagnostic trouble = unsound(plant.value()); trouble.reason != Reason::none) return trouble;
+  return plant;
 }
 
 }  // namespace
 
 extern "C" {
 
-std::uint32_t panicle_abi(void) { return 3; }
+std::uint32_t panicle_abi(void) { return 4; }
 
 void* panicle_allocate(std::uint32_t bytes) {
   return bytes <= most_request_bytes ? std::malloc(bytes ? bytes : 1) : nullptr;

@@ -18,11 +18,11 @@
 //   counts                uint32 each;  counts.names: text, one a line
 //   measures              float32 each, in the order of the model's table; NaN: does not apply; where asked for
 //   segments.parent       int32 each: index of an earlier segment, -1 at a root
-//   segments.tag          uint8 each: which line of segments.tags (text)
+//   segments.tag          uint32 each: which line of segments.tags (text)
 //   segments.ends         float32 x 6 each: start, end; metres
 //   segments.radii        float32 x 2 each: at the start, at the end; metres
 // where there are organs
-//   organs.tag            uint8 each: which line of organs.tags (text)
+//   organs.tag            uint32 each: which line of organs.tags (text)
 //   organs.segment        int32 each: the segment that bears it, -1 for none
 //   organs.mesh           int32 each: which of `meshes`, -1 for none
 //   organs.transforms     float32 x 8 each: position; rotation as a unit quaternion x y z w; scale

@@ -59,16 +59,16 @@ Result<std::vector<ColumnView>> read_container(std::span<const std::uint8_t> byt
 
 void ContainerWriter::add(Raw, std::string name, Element element, std::uint32_t width, std::size_t rows,
                           const std::uint8_t* data) {
-  entries_.push_back({std::move(name), element, width, static_cast<std::uint32_t>(rows), data});
+  entries_.push_back({std::move(name), element, width, static_cast<std::uint32_t>(rows), data, {}});
 }
 
 std::uint8_t* ContainerWriter::write(std::uint64_t large) const {
   const auto size = [](const Entry& entry) {
     return std::uint64_t{entry.rows} * entry.width * bytes_of(entry.element);
   };
+  const auto inside = [&](const Entry& entry) { return entry.own || size(entry) < large; };
   std::uint64_t whole = (header_words + entry_words * entries_.size()) * 4;
-  for (const Entry& entry : entries_)
-    whole += padded(entry.name.size()) + (size(entry) < large ? padded(size(entry)) : 0);
+  for (const Entry& entry : entries_) whole += padded(entry.name.size()) + (inside(entry) ? padded(size(entry)) : 0);
   if (whole > most_bytes) return nullptr;
   auto* const block = static_cast<std::uint8_t*>(std::malloc(static_cast<std::size_t>(whole)));
   if (block == nullptr) return nullptr;
@@ -88,10 +88,9 @@ std::uint8_t* ContainerWriter::write(std::uint64_t large) const {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const Entry& entry = entries_[i];
     const std::uint32_t name = place(entry.name.data(), entry.name.size());
-    const std::uint32_t data = size(entry) < large
-                                   ? place(entry.data, size(entry))
-                                   : static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(entry.data) -
-                                                                reinterpret_cast<std::uintptr_t>(block));
+    const std::uint32_t data = inside(entry) ? place(entry.own ? entry.own->data() : entry.data, size(entry))
+                                             : static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(entry.data) -
+                                                                          reinterpret_cast<std::uintptr_t>(block));
     const std::uint32_t row[entry_words] = {name,
                                             static_cast<std::uint32_t>(entry.name.size()),
                                             static_cast<std::uint32_t>(entry.element),

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -61,7 +62,8 @@ struct ColumnView {
 // is looked at. Errors: bad_request.
 Result<std::vector<ColumnView>> read_container(std::span<const std::uint8_t> bytes);
 
-// Collects columns and lays them out. What is added is viewed, not copied, until `write`; only names are kept.
+// Collects columns and writes them into one block. What is added by `add` is viewed, not copied, until `write`; names,
+// and what is added by `copy`, belong to the writer.
 class ContainerWriter {
  public:
   template <class Value>
@@ -80,10 +82,25 @@ class ContainerWriter {
     add({}, std::move(name), column.element, column.width, column.rows, column.data);
   }
 
+  // A column of which the writer has a copy, which is always written into the block.
+  template <class Value>
+  void copy(std::string name, std::span<const Value> values, std::uint32_t width = 1) {
+    add(std::move(name), values, width);
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(values.data());
+    entries_.back().own.emplace(bytes, bytes + values.size_bytes());
+  }
+  template <class Value>
+  void copy(std::string name, const std::vector<Value>& values, std::uint32_t width = 1) {
+    copy(std::move(name), std::span<const Value>(values), width);
+  }
+  void copy(std::string name, std::string_view text) {
+    copy(std::move(name), std::span<const char>(text.data(), text.size()));
+  }
+
   // The block, from malloc: free it with std::free. Null when memory is out or the block would pass 2 GiB.
   std::uint8_t* write() const { return write(no_limit); }
 
-  // The same, but that columns of `large` bytes or more stay where they are: the directory says where they begin,
+  // The same, but that added columns of `large` bytes or more stay where they are: the directory says where they begin,
   // counted from the block's first byte and modulo 2^32, which is all of a 32-bit memory. They must outlive the block.
   std::uint8_t* write(std::uint64_t large) const;
 
@@ -95,6 +112,7 @@ class ContainerWriter {
     Element element;
     std::uint32_t width, rows;
     const std::uint8_t* data;
+    std::optional<std::vector<std::uint8_t>> own;  // of a copy: its bytes
   };
   void add(Raw, std::string name, Element element, std::uint32_t width, std::size_t rows, const std::uint8_t* data);
 

@@ -1,6 +1,7 @@
 #include "lsystem/interpretation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
 
@@ -8,14 +9,20 @@
 #include "lsystem/machine.hpp"
 #include "lsystem/parser.hpp"
 #include "lsystem/silence.hpp"
+#include "lsystem/string_text.hpp"
 #include "lsystem/watcher.hpp"
 
 namespace panicle::lsystem {
 namespace {
 
 constexpr float most_colours = 255;
+// Places and sizes that can be drawn, in the text's unit: squares of areas are finite up to here, and what is smaller
+// than the least size is none when it is squared.
+constexpr float farthest = 1e9f, least_size = 1e-18f;
 
-bool is_finite(const glm::vec3& p) { return p.x - p.x == 0 && p.y - p.y == 0 && p.z - p.z == 0; }
+bool is_near(float value) { return std::fabs(value) <= farthest; }
+bool is_near(const glm::vec3& p) { return is_near(p.x) && is_near(p.y) && is_near(p.z); }
+bool is_unit(const glm::vec3& v) { return std::fabs(glm::dot(v, v) - 1) < 0.01f; }
 
 // What becomes of ?E, ?P and the like.
 enum class Questions : std::uint8_t {
@@ -151,24 +158,24 @@ class Interpreter {
     switch (symbol.action) {
       case Action::line:
         if (polygons_.empty()) {
-          line(value, bearer);
+          line(value, module, bearer);
         } else {
-          move(value);
+          move(value, module);
           corner();
         }
         break;
       case Action::move:
-        move(value);
+        move(value, module);
         if (!polygons_.empty()) corner();
         break;
       case Action::line_apart:
-        line(value, bearer);
+        line(value, module, bearer);
         break;
       case Action::move_apart:
-        move(value);
+        move(value, module);
         break;
       case Action::sphere:
-        sphere(value, bearer);
+        sphere(value, module, bearer);
         break;
       case Action::turn:
         turn(turtle_,
@@ -211,6 +218,7 @@ class Interpreter {
         break;
       case Action::go_to:
         turtle_.position = vector_of(module, 0);
+        check_place(module);
         break;
       case Action::head_for:
         head_for(turtle_, vector_of(module, 0), vector_of(module, 3));
@@ -222,10 +230,10 @@ class Interpreter {
         turtle_.size = value;
         break;
       case Action::enlarge:
-        turtle_.size *= value;
+        enlarge(turtle_.size * value, value, module);
         break;
       case Action::reduce:
-        if (value > 0) turtle_.size /= value;
+        if (value > 0) enlarge(turtle_.size / value, value, module);
         break;
       case Action::next_colour:
         set_colour(given ? value : static_cast<float>(turtle_.colour + 1));
@@ -234,7 +242,7 @@ class Interpreter {
         set_colour(given ? value : static_cast<float>(turtle_.colour - 1));
         break;
       case Action::begin_polygon:
-        begin_polygon(value);
+        begin_polygon(value, module);
         break;
       case Action::corner:
         if (!polygons_.empty())
@@ -249,7 +257,8 @@ class Interpreter {
       case Action::ball:
       case Action::disc:
       case Action::circle:
-        if (questions_ != Questions::located && value * turtle_.size != 0)
+        if (questions_ != Questions::located && value != 0 && turtle_.size != 0 &&
+            can_draw(value * turtle_.size, module))
           draw_whole(action, module, bearer, value * turtle_.size);
         break;
       case Action::ask_position:
@@ -287,7 +296,8 @@ class Interpreter {
 
   void set_colour(float value) { turtle_.colour = static_cast<std::int32_t>(std::clamp(value, 1.0f, most_colours)); }
 
-  void begin_polygon(float thickness) {
+  void begin_polygon(float thickness, const std::uint32_t* module) {
+    if (!is_near(thickness * turtle_.size)) return refuse(module, "is thicker than 10^9 units; make it thinner.");
     if (polygons_.size() < limits_.depth) {
       polygons_.push_back({turtle_, thickness * turtle_.size, {}});
       return;
@@ -340,26 +350,55 @@ class Interpreter {
     return symbol == no_symbol ? std::string_view() : std::string_view(program_.symbols[symbol]);
   }
 
-  void move(float distance) {
-    turtle_.position = ahead(turtle_, distance * turtle_.size);
-    if (!is_finite(turtle_.position))
-      machine_.fail(error_at(Reason::evaluation, {},
-                             "The turtle has gone too far for its position to be a number; shorten its lines."));
+  void refuse(const std::uint32_t* module, const char* why) {
+    machine_.fail(error_at(Reason::evaluation, {}, "Module % of the string, %, %",
+                           {std::to_string(module_ + 1), module_text(program_, module), why}));
   }
 
-  void line(float distance, const std::uint32_t* bearer) {
+  void check_place(const std::uint32_t* module) {
+    if (!is_near(turtle_.position))
+      refuse(module, "leads farther than 10^9 units from the origin; shorten lines, or draw less enlarged.");
+  }
+
+  void move(float distance, const std::uint32_t* module) {
+    turtle_.position = ahead(turtle_, distance * turtle_.size);
+    check_place(module);
+  }
+
+  // Sets the size of what is drawn, `by` times as large or as small as before.
+  void enlarge(float size, float by, const std::uint32_t* module) {
+    if (size == 0 && by != 0 && turtle_.size != 0)
+      return refuse(module, "makes what is drawn too small for its size to be a number; draw less reduced.");
+    turtle_.size = size;
+  }
+
+  // Whether something of this size can be drawn where the turtle is: if not, the walk has failed.
+  bool can_draw(float size, const std::uint32_t* module) {
+    if (!is_near(size))
+      refuse(module, "is larger than 10^9 units; make it smaller, or draw less enlarged.");
+    else if (std::fabs(size) < least_size)
+      refuse(module, "is smaller than 10^-18 units: nothing would be seen of it. Make it larger, or leave it out.");
+    else if (!is_near(turtle_.width))
+      refuse(module, "is drawn wider than 10^9 units; set a smaller width by !.");
+    else if (!is_unit(turtle_.heading) || !is_unit(turtle_.left))
+      refuse(module, "has no direction: a turn, a tropism or @R before it has too large numbers. Make them smaller.");
+    return !machine_.failed();
+  }
+
+  void line(float distance, const std::uint32_t* module, const std::uint32_t* bearer) {
     if (distance == 0 || turtle_.size == 0) return;
+    if (!can_draw(distance * turtle_.size, module)) return;
     const Turtle before = turtle_;
-    move(distance);
+    move(distance, module);
     if (machine_.failed()) return;
     turtle_.line = lines_++;
     if (questions_ != Questions::located) listener_.line(turtle_.line, before, turtle_, lineage_of(bearer));
     if (turtle_.elasticity != 0) bend(turtle_);
   }
 
-  void sphere(float radius, const std::uint32_t* bearer) {
-    if (radius == 0 || turtle_.size == 0) return;
-    move(radius);
+  void sphere(float radius, const std::uint32_t* module, const std::uint32_t* bearer) {
+    if (radius == 0 || turtle_.size == 0 || !can_draw(radius * turtle_.size, module)) return;
+    move(radius, module);
     if (!machine_.failed() && questions_ != Questions::located)
       listener_.sphere(turtle_, radius * turtle_.size, lineage_of(bearer));
   }

@@ -21,7 +21,7 @@ export interface Segments {
 	/** Index of the segment it grows from, −1 at a root. */
 	parent: Int32Array;
 	/** Index into `tags`: what it is. */
-	tag: Uint8Array;
+	tag: Uint32Array;
 	/** The model's names for what segments are. */
 	tags: readonly string[];
 	/** 6 × count: start x y z, end x y z. */
@@ -35,7 +35,7 @@ export interface Organs {
 	/** How many there are. */
 	count: number;
 	/** Index into `tags`: what it is. */
-	tag: Uint8Array;
+	tag: Uint32Array;
 	/** The model's names for what organs are. */
 	tags: readonly string[];
 	/** Index of the segment that bears it, −1 for none. */
@@ -106,14 +106,14 @@ export const EMPTY_PLANT: Plant = {
 	segments: {
 		count: 0,
 		parent: new Int32Array(0),
-		tag: new Uint8Array(0),
+		tag: new Uint32Array(0),
 		tags: [],
 		ends: new Float32Array(0),
 		radii: new Float32Array(0),
 	},
 	organs: {
 		count: 0,
-		tag: new Uint8Array(0),
+		tag: new Uint32Array(0),
 		tags: [],
 		segment: new Int32Array(0),
 		mesh: new Int32Array(0),

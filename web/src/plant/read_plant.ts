@@ -29,7 +29,7 @@ function readSegments(columns: Columns): Segments {
 	return {
 		count: parent.length,
 		parent,
-		tag: columns.octets("segments.tag"),
+		tag: columns.words("segments.tag"),
 		tags: columns.lines("segments.tags"),
 		ends: columns.floats("segments.ends"),
 		radii: columns.floats("segments.radii"),
@@ -38,7 +38,7 @@ function readSegments(columns: Columns): Segments {
 
 function readOrgans(columns: Columns): Organs {
 	if (!columns.has("organs.tag")) return EMPTY_PLANT.organs;
-	const tag = columns.octets("organs.tag");
+	const tag = columns.words("organs.tag");
 	return {
 		count: tag.length,
 		tag,

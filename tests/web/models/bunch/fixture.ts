@@ -146,7 +146,7 @@ function packInternodes(nodes: Node[]): Internodes {
 	return {
 		count: nodes.length,
 		parent: Int32Array.from(nodes, ({ parent }) => parent),
-		kind: Uint8Array.from(nodes, ({ kind }) => kind),
+		kind: Uint32Array.from(nodes, ({ kind }) => kind),
 		axis: Int32Array.from(nodes, ({ axis }) => axis),
 		state: Uint8Array.from(nodes, ({ state }) => state),
 		ends: Float32Array.from(nodes.flatMap(({ start, end }) => [...start, ...end])),

@@ -67,7 +67,7 @@ export function sampleBunch(count = 90, seed = 1, length = 0.16): Grown {
 	const internodes: Internodes = {
 		count: n,
 		parent: Int32Array.from(skeleton, (s) => s.parent),
-		kind: Uint8Array.from(skeleton, (s) => s.kind),
+		kind: Uint32Array.from(skeleton, (s) => s.kind),
 		axis: new Int32Array(n).fill(-1),
 		state: Uint8Array.from(skeleton, (s) => s.state),
 		ends: Float32Array.from(skeleton.flatMap((s) => [...s.start.toArray(), ...s.end.toArray()])),

@@ -9,7 +9,7 @@ const plant: TrailPlant = {
 	segments: {
 		count: 2,
 		parent: Int32Array.of(-1, 0),
-		tag: Uint8Array.of(0, 0),
+		tag: Uint32Array.of(0, 0),
 		tags: ["vein"],
 		ends: Float32Array.of(0, 0, 0, 0, 0.1, 0, 0, 0.1, 0, 0.2, 0.3, 0),
 		radii: Float32Array.of(0.01, 0.01, 0.005, 0),

@@ -13,7 +13,7 @@
 //
 // Columns of a plant besides everyone's (boundary/panicle.h); metres:
 //   procedure       text: paper or natural
-//   form            float32 × 2: taper, blunt;  fruit: uint32 (Fruit)
+//   form            float32 × 3: taper, blunt, curve;  fruit: uint32 (Fruit)
 //   profile         float32: l, then w, r of each side, px: what the bunch fills, of its own seed; natural alone
 //   plan.sides      float32 × 2 for each of four sides: w, r;  plan.counts: int32 × 2: n, rd;
 //   plan.axes       int32: m, then n of m − 1 axes;  the same as second.… where there is a second bunch

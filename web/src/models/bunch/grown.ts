@@ -75,7 +75,7 @@ export interface Internodes {
 	count: number;
 	/** Index of the parent internode, −1 at the root. */
 	parent: Int32Array;
-	kind: Uint8Array;
+	kind: Uint32Array;
 	/** First-order axis s (0 at the top; a second bunch's go on after the first's), −1 for the rachis. */
 	axis: Int32Array;
 	state: Uint8Array;

@@ -97,7 +97,7 @@ function organsAt(organs: Plant["organs"], places: readonly number[]): Plant["or
 	return {
 		...organs,
 		count: places.length,
-		tag: Uint8Array.from(places, (i) => organs.tag[i]),
+		tag: Uint32Array.from(places, (i) => organs.tag[i]),
 		segment: Int32Array.from(places, (i) => organs.segment[i]),
 		mesh: Int32Array.from(places, (i) => organs.mesh[i]),
 		transforms,

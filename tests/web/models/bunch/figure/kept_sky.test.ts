@@ -18,7 +18,7 @@ interface Bunch {
 function bunch({ ids, skies, kinds, stems }: Bunch): Grown {
 	return {
 		berries: { count: ids.length, ids: Uint32Array.from(ids) },
-		internodes: { count: kinds.length, kind: Uint8Array.from(kinds) },
+		internodes: { count: kinds.length, kind: Uint32Array.from(kinds) },
 		surfaces: { uvs: new Float32Array(4), ...(skies && { sky: Uint8Array.from(skies) }) },
 		stem: { internode: Uint32Array.from(kinds.keys()), ...(stems && { sky: Uint8Array.from(stems) }) },
 	} as unknown as Grown;

@@ -21,7 +21,7 @@ const bunch = {
 	internodes: {
 		count: 1,
 		parent: Int32Array.of(-1),
-		kind: new Uint8Array(1),
+		kind: new Uint32Array(1),
 		axis: Int32Array.of(-1),
 		state: new Uint8Array(1),
 		ends: inPixels(0, 0, 0, 3, -29, 5),

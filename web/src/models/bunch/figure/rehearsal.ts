@@ -22,7 +22,7 @@ export const REHEARSAL: Grown = {
 	internodes: {
 		count: 1,
 		parent: new Int32Array([-1]),
-		kind: new Uint8Array(1),
+		kind: new Uint32Array(1),
 		axis: new Int32Array([-1]),
 		state: new Uint8Array(1),
 		ends: new Float32Array(6),

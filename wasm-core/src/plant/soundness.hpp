@@ -1,0 +1,15 @@
+// Whether all of a plant's geometry can be drawn: the one place that every plant of every model goes through before it
+// leaves the core (boundary/panicle.cpp).
+#pragma once
+
+#include "foundation/result.hpp"
+#include "plant/plant.hpp"
+
+namespace panicle {
+
+// The first number that is not finite, of segments, organs and meshes and of the columns that hold places ("spheres",
+// "places", "positions", "normals"): an error of reason evaluation, which names the segment, the organ, the mesh and
+// its part, or the column. Reason::none where there is none.
+Diagnostic unsound(const Plant& plant);
+
+}  // namespace panicle
