@@ -10,8 +10,8 @@ export default [
 		faults: [
 			{
 				id: "solid-index-without-bound",
-				find: "count_members(budget_->members_each()) > budget_->members_each()",
-				replace: "false",
+				find: "fits = list_members(most, members);",
+				replace: "fits = list_members(most * 1000, members);",
 				breaks: "a dropped mesh of large triangles takes hundreds of megabytes",
 			},
 			{

@@ -43,34 +43,26 @@ Solid::Solid(Surface surface, std::shared_ptr<LookBudget> budget)
     low_ = glm::min(low_, p);
     high_ = glm::max(high_, p);
   }
-  choose_edge();
-  sort();
+  choose_cells();
   classify();
 }
 
-void Solid::choose_edge() {
+void Solid::choose_cells() {
   const glm::vec3 size = high_ - low_;
   const float longest = std::max({size.x, size.y, size.z});
   edge_ = std::max({cube_root(size.x * size.y * size.z) / cells_along, longest / most_along, least_edge});
   const auto cells = [&] { return (size.x / edge_ + 1) * (size.y / edge_ + 1) * (size.z / edge_ + 1); };
   while (cells() > most_cells) edge_ *= wider;
-  const auto divide = [&] {
+  // One row has an entry for each triangle.
+  const std::size_t most = std::max(budget_->members_each(), surface_.triangles.size() / 3);
+  std::vector<Member> members;
+  for (bool fits = false; !fits;) {
     per_edge_ = 1 / edge_;
     count_ = glm::ivec3(size * per_edge_) + 1;
-  };
-  for (divide(); count_.y * count_.z > 1 && count_members(budget_->members_each()) > budget_->members_each(); divide())
-    edge_ *= wider;
-}
-
-std::size_t Solid::count_members(std::size_t most) const {
-  std::size_t members = 0, boxes = 0;
-  for (std::size_t t = 0; t + 2 < surface_.triangles.size(); t += 3) {
-    const auto [low, high] = rows_of(&surface_.triangles[t]);
-    boxes += static_cast<std::size_t>(high.y - low.y + 1) * static_cast<std::size_t>(high.z - low.z + 1);
+    fits = list_members(most, members);
+    if (!fits) edge_ *= wider;
   }
-  if (boxes > most * boxes_a_member) return boxes;
-  for_each_member([&](std::size_t, std::uint32_t) { ++members; });
-  return members;
+  sort(members);
 }
 
 Solid::Rows Solid::rows_of(const std::uint32_t* corners) const {
@@ -79,8 +71,14 @@ Solid::Rows Solid::rows_of(const std::uint32_t* corners) const {
   return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
-template <class See>
-void Solid::for_each_member(const See& see) const {
+bool Solid::list_members(std::size_t most, std::vector<Member>& members) const {
+  members.clear();
+  std::size_t boxes = 0;
+  for (std::size_t t = 0; t + 2 < surface_.triangles.size(); t += 3) {
+    const auto [low, high] = rows_of(&surface_.triangles[t]);
+    boxes += static_cast<std::size_t>(high.y - low.y + 1) * static_cast<std::size_t>(high.z - low.z + 1);
+  }
+  if (boxes > most * boxes_a_member) return false;
   const glm::vec3 extent = glm::max(glm::abs(low_), glm::abs(high_));
   const float lost = rounding * (extent.x + extent.y + extent.z);
   for (std::uint32_t t = 0; t < surface_.triangles.size() / 3; ++t) {
@@ -88,7 +86,7 @@ void Solid::for_each_member(const See& see) const {
     const auto [from, to] = rows_of(corners);
     if (from.y == to.y || from.z == to.z) {
       for (int z = from.z; z <= to.z; ++z)
-        for (int y = from.y; y <= to.y; ++y) see(static_cast<std::size_t>(z * count_.y + y), t);
+        for (int y = from.y; y <= to.y; ++y) members.push_back({row_at(y, z), t});
       continue;
     }
     // Seen along x, rows are squares. Those that lie beyond one of the triangle's sides do not meet it: by more than
@@ -114,18 +112,20 @@ void Solid::for_each_member(const See& see) const {
           return side.y * middle_y + side.z * middle_z - side.at < -side.near;
         };
         if (!beyond(sides[0]) && !beyond(sides[1]) && !beyond(sides[2]))
-          see(static_cast<std::size_t>(z * count_.y + y), t);
+          members.push_back({row_at(y, z), t});
       }
+    if (members.size() > most) return false;
   }
+  return members.size() <= most;
 }
 
-void Solid::sort() {
+void Solid::sort(const std::vector<Member>& members) {
   first_.assign(static_cast<std::size_t>(count_.y * count_.z) + 1, 0);
-  for_each_member([&](std::size_t row, std::uint32_t) { ++first_[row + 1]; });
+  for (const Member& each : members) ++first_[each.row + 1];
   for (std::size_t row = 1; row < first_.size(); ++row) first_[row] += first_[row - 1];
   members_.resize(first_.back());
   std::vector<std::uint32_t> free(first_.begin(), first_.end() - 1);
-  for_each_member([&](std::size_t row, std::uint32_t t) { members_[free[row]++] = t; });
+  for (const Member& each : members) members_[free[each.row]++] = each.triangle;
   for (auto* values : {&lowest_, &highest_, &farthest_}) values->assign(members_.size() + lanes - 1, 0);
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const auto corner = [&](std::size_t k) { return surface_.points[surface_.triangles[3 * members_[m] + k]]; };

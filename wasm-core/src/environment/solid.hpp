@@ -54,8 +54,6 @@ class Solid final : public Region {
   int turns_about(const glm::vec3& p, const std::uint32_t* corners) const;
   // Appends how far along the way the surface is met between `begin` and `end`; where two triangles meet, twice.
   void meetings(const glm::vec3& from, const glm::vec3& way, float begin, float end, std::vector<float>& at) const;
-  // The edge of cells, from the finest that is wanted on, by which the index has no more entries than it may.
-  void choose_edge();
   // A triangle's side as it is seen along x: y · y + z · z − at is 0 on it and above 0 inside, and at what lies near
   // enough to it at least −near.
   struct Side {
@@ -65,13 +63,19 @@ class Solid final : public Region {
   struct Rows {
     glm::ivec3 from, to;
   };
-  // How many entries the index has with the present cells; only that it is more than `most`, where it is far more.
-  std::size_t count_members(std::size_t most) const;
+  // An entry of the index: a row of cells along x, and a triangle that meets it.
+  struct Member {
+    std::uint32_t row, triangle;
+  };
+  std::uint32_t row_at(int y, int z) const { return static_cast<std::uint32_t>(z * count_.y + y); }
   Rows rows_of(const std::uint32_t* corners) const;
-  // Calls see(row, triangle) for each row of cells along x that a triangle meets, the triangles in their order.
-  template <class See>
-  void for_each_member(const See& see) const;
-  void sort();
+  // Cells of the finest edge that is wanted, or larger ones, by which the index has no more entries than it may; and
+  // the index.
+  void choose_cells();
+  // The entries of the index with the present cells, the triangles in their order; false where they are more than
+  // `most`.
+  bool list_members(std::size_t most, std::vector<Member>& members) const;
+  void sort(const std::vector<Member>& members);
   void classify();
   // Marks the cells that a triangle comes near to. `unmarked`: how many cells of each row are not marked yet.
   void mark(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::vector<std::int32_t>& unmarked);
