@@ -150,23 +150,23 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/plant/soundness.cpp",
-		suites: ["tests/core/plant/soundness_test.cpp"],
+		file: "wasm-core/src/plant/geometry_check.cpp",
+		suites: ["tests/core/plant/geometry_check_test.cpp"],
 		faults: [
 			{
-				id: "soundness-without-normals",
+				id: "geometry-check-without-normals",
 				find: "Rows{all.normals, 3}, ",
 				replace: "",
 				breaks: "normals that are no numbers reach the page",
 			},
 			{
-				id: "soundness-of-first-thousand",
+				id: "geometry-check-of-first-thousand",
 				find: "i < values.size(); i += chunk",
 				replace: "i < 1; i += chunk",
 				breaks: "of a mesh the first thousand numbers are looked at",
 			},
 			{
-				id: "soundness-names-the-first-part",
+				id: "geometry-check-names-the-first-part",
 				find: "vertex - run.first_vertex < run.vertex_count",
 				replace: "true",
 				breaks: "an error names the first part of a mesh, whichever is broken",

@@ -8,8 +8,8 @@
 #include "boundary/answer.hpp"
 #include "boundary/models.hpp"
 #include "foundation/container.hpp"
+#include "plant/geometry_check.hpp"
 #include "plant/request.hpp"
-#include "plant/soundness.hpp"
 
 namespace {
 
@@ -67,7 +67,7 @@ Result<Plant> grow(std::span<const std::uint8_t> bytes) {
   request.read_grammars_as(model->notation, model->lineages);
   auto plant = model->grow(request, Limits{});
   if (!plant) return plant;
-  if (Diagnostic trouble = unsound(plant.value()); trouble.reason != Reason::none) return trouble;
+  if (Diagnostic trouble = check_geometry(plant.value()); trouble.reason != Reason::none) return trouble;
   return plant;
 }
 

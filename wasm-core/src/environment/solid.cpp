@@ -111,8 +111,7 @@ bool Solid::list_members(std::size_t most, std::vector<Member>& members) const {
         const auto beyond = [&](const Side& side) {
           return side.y * middle_y + side.z * middle_z - side.at < -side.near;
         };
-        if (!beyond(sides[0]) && !beyond(sides[1]) && !beyond(sides[2]))
-          members.push_back({row_at(y, z), t});
+        if (!beyond(sides[0]) && !beyond(sides[1]) && !beyond(sides[2])) members.push_back({row_at(y, z), t});
       }
     if (members.size() > most) return false;
   }

@@ -1,4 +1,4 @@
-#include "plant/soundness.hpp"
+#include "plant/geometry_check.hpp"
 
 #include <doctest/doctest.h>
 
@@ -29,7 +29,7 @@ Plant one_of_each() {
 }
 
 void check_refused(const Plant& plant, const char* what) {
-  const Diagnostic error = unsound(plant);
+  const Diagnostic error = check_geometry(plant);
   CAPTURE(error.message);
   CHECK(error.reason == Reason::evaluation);
   CHECK(error.message.find(what) == 0);
@@ -41,8 +41,8 @@ TEST_CASE("a plant of finite numbers is sound, whatever else its columns say") {
   Plant plant = one_of_each();
   plant.columns.add("constants", std::vector<float>{nan, infinity});
   plant.columns.add("berries.spheres", std::vector<float>(4, 1e30f), 4);
-  CHECK(unsound(plant).reason == Reason::none);
-  CHECK(unsound(Plant{}).reason == Reason::none);
+  CHECK(check_geometry(plant).reason == Reason::none);
+  CHECK(check_geometry(Plant{}).reason == Reason::none);
 }
 
 TEST_CASE("what is not finite is named: the segment, the organ, the mesh's part, the column") {

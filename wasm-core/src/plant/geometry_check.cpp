@@ -1,4 +1,4 @@
-#include "plant/soundness.hpp"
+#include "plant/geometry_check.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,7 +18,7 @@ bool is_finite(float value) { return (bit_cast<std::uint32_t>(value) & exponent)
 bool is_finite(const glm::vec3& p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
 
 // The index of the first that is not finite; the number of all where there is none.
-std::size_t first_unsound(std::span<const float> values) {
+std::size_t first_not_finite(std::span<const float> values) {
   constexpr std::size_t chunk = 1024;
   for (std::size_t i = 0; i < values.size(); i += chunk) {
     const auto part = values.subspan(i, std::min(chunk, values.size() - i));
@@ -62,7 +62,7 @@ bool holds_places(std::string_view column) {
 
 }  // namespace
 
-Diagnostic unsound(const Plant& plant) {
+Diagnostic check_geometry(const Plant& plant) {
   for (std::size_t i = 0; i < plant.segments.size(); ++i) {
     const Segment& segment = plant.segments[i];
     if (!is_finite(segment.start) || !is_finite(segment.end) || !is_finite(segment.radius) ||
@@ -78,12 +78,13 @@ Diagnostic unsound(const Plant& plant) {
   for (const PlantMesh& mesh : plant.meshes) {
     const Mesh& all = mesh.mesh;
     for (const auto& [values, width] : {Rows{all.positions, 3}, Rows{all.normals, 3}, Rows{all.uvs, 2}})
-      if (const std::size_t at = first_unsound(values); at < values.size()) return refused(part_of(mesh, at / width));
+      if (const std::size_t at = first_not_finite(values); at < values.size())
+        return refused(part_of(mesh, at / width));
   }
   for (std::size_t i = 0; i < plant.columns.size(); ++i) {
     const ColumnView column = plant.columns[i];
     const std::span<const float> values = column.as<float>();
-    if (holds_places(column.name) && first_unsound(values) < values.size())
+    if (holds_places(column.name) && first_not_finite(values) < values.size())
       return refused("The column “" + std::string(column.name) + "”");
   }
   return {};
