@@ -9,6 +9,10 @@ vi.mock("../../../../web/src/controls/tracing/read_picture", () => ({ readPictur
 vi.mock("../../../../web/src/models/particles/leaf/trace/trace", () => ({
 	traceLeaf: () => ({ outline: [{ x: 0, y: 0 }] }),
 }));
+// There are no workers here.
+vi.mock("../../../../web/src/controls/mesh_file/read_in_worker", async () => ({
+	readMeshInWorker: (await import("../../../../web/src/controls/mesh_file/read")).readMeshFile,
+}));
 
 const OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
