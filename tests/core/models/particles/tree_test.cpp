@@ -93,8 +93,8 @@ TEST_CASE("odd numbers end too") {
 TEST_CASE("nothing starts inside an inner boundary that is a mesh of one's own, and something where that leaves room") {
   // A box in a box, of which the mesh is the lower half.
   const std::vector<std::pair<std::string_view, float>> parameters{
-      {"shape", 2},      {"width", 4},  {"height", 4}, {"depth", 4},    {"trunk", 1},
-      {"particles", 900}, {"inner", 0.8f}, {"pattern", 2}, {"life", 0}, {"age", 100}};
+      {"shape", 2},       {"width", 4},    {"height", 4},  {"depth", 4}, {"trunk", 1},
+      {"particles", 900}, {"inner", 0.8f}, {"pattern", 2}, {"life", 0},  {"age", 100}};
   Surface half = box({0, 0, 0}, {1, 1, 1});
   // Two boxes: the upper one is a splinter, so that the mesh is as high as its box.
   append(half, box({0, 1, 0}, {0.01f, 2, 0.01f}));
@@ -121,8 +121,14 @@ TEST_CASE("nothing starts inside an inner boundary that is a mesh of one's own, 
 }
 
 TEST_CASE("the light of a crown is told cell by cell: darker within and below, and all of it outside") {
-  const Plant plant = grow_tree({.parameters = {{"particles", 300}, {"shape", 2}, {"width", 4}, {"height", 4},
-                                                {"depth", 4}, {"trunk", 1}, {"sky", 1}, {"absorption", 4}},
+  const Plant plant = grow_tree({.parameters = {{"particles", 300},
+                                                {"shape", 2},
+                                                {"width", 4},
+                                                {"height", 4},
+                                                {"depth", 4},
+                                                {"trunk", 1},
+                                                {"sky", 1},
+                                                {"absorption", 4}},
                                  .outputs = "light"});
   const auto counts = column_in<std::uint32_t>(plant.columns, "light.counts");
   const auto where = column_in<float>(plant.columns, "light.box");

@@ -8,7 +8,8 @@
 //   areas.points     float32, 3 each
 //   areas.triangles  uint32, 3 each: corners, counted from the first of the area's own points
 //   path             float32, 3 each: places that the main branch is led by; where absent, the centres
-//   path.from        uint32, one a place: the place, counted from 1, that the branch comes from there, an earlier one; 0
+//   path.from        uint32, one a place: the place, counted from 1, that the branch comes from there, an earlier one;
+//   0
 //                    the foot, of the first alone. Where absent, the place before it: the branch does not fork
 #pragma once
 
@@ -39,7 +40,8 @@ class Areas final : public lsystem::Space {
 
   // What a text may declare: `#input areas` (how many), `#input size[]` (the largest extent of each), `#input places`
   // and `#input path[]` (x, y, z of each place), in its own unit, of which `metres` are one. It is asked in that unit
-  // from now on. Of a main branch that forks: `#input forks` (how many branches begin beside another), and of each place
+  // from now on. Of a main branch that forks: `#input forks` (how many branches begin beside another), and of each
+  // place
   // `#input next[]` (the place after it, `places` + 1 at an end), `#input fork[]` (the next one of those that come from
   // the same place, 0 for none) and `#input own[]` (the area that the way from there comes to first, 1 where to none).
   void tell(lsystem::Inputs& inputs, float metres);

@@ -25,8 +25,8 @@ std::vector<glm::vec2> spline_through(std::span<const glm::vec2> points);
 // That of the points given, or of `otherwise` where there are fewer than two.
 std::vector<glm::vec2> profile_of(std::span<const glm::vec2> points, std::span<const glm::vec2> otherwise);
 
-// The inner boundary: the outer one made `size` times as large about a place, or a mesh of its own (in any unit) that is
-// stretched to the outer one's box made so. `low` and `high`: that box. Nothing where `size` is 0.
+// The inner boundary: the outer one made `size` times as large about a place, or a mesh of its own (in any unit) that
+// is stretched to the outer one's box made so. `low` and `high`: that box. Nothing where `size` is 0.
 Surface inner_boundary(const Surface& outer, const Surface& own, const glm::vec3& low, const glm::vec3& high,
                        const glm::vec3& about, float size);
 

@@ -32,8 +32,8 @@ bool sound_corners(std::span<const std::uint32_t> triangles, std::size_t points,
   if (triangles.size() % 3 != 0) trouble = refused("Triangles of " + what + " must have 3 corners each.");
   for (const std::uint32_t corner : triangles)
     if (trouble.reason == Reason::none && corner >= points)
-      trouble = refused("A triangle of " + what + " has the corner " + std::to_string(corner) + ", but there are only " +
-                        std::to_string(points) + " points.");
+      trouble = refused("A triangle of " + what + " has the corner " + std::to_string(corner) +
+                        ", but there are only " + std::to_string(points) + " points.");
   return trouble.reason == Reason::none;
 }
 
@@ -78,7 +78,8 @@ Result<SpaceRequest> read_space(Request& request, const Limits& limits) {
       !sound(targets, 3, "Targets", trouble) || !sound(obstacles, 6, "Obstacles", trouble) ||
       !sound(rounds, 6, "Round obstacles", trouble))
     return trouble;
-  if (const auto refusal = too_many_triangles((triangles.size() + hollow_triangles.size()) / 3, limits)) return *refusal;
+  if (const auto refusal = too_many_triangles((triangles.size() + hollow_triangles.size()) / 3, limits))
+    return *refusal;
   if (!sound_corners(triangles, points.size() / 3, "the mesh", trouble) ||
       !sound_corners(hollow_triangles, hollow_points.size() / 3, "the inner boundary's mesh", trouble))
     return trouble;

@@ -15,8 +15,9 @@ namespace panicle::particles {
 
 // Blocks: `profile` (float32, pairs of radius and height: 1 is half the width and the whole height of the boundary),
 // `volume.points` (float32, triples) and `volume.triangles` (uint32, triples) of a dropped mesh, `targets` (float32,
-// triples in metres), `hollow.points` and `hollow.triangles` likewise of a mesh that is the inner boundary, `obstacles` and `obstacles.round` (float32, six each in metres: the low and the high corner of a
-// box, and of one that an ellipsoid fills: another tree's crown, which shades as one); and what every request has.
+// triples in metres), `hollow.points` and `hollow.triangles` likewise of a mesh that is the inner boundary, `obstacles`
+// and `obstacles.round` (float32, six each in metres: the low and the high corner of a box, and of one that an
+// ellipsoid fills: another tree's crown, which shades as one); and what every request has.
 struct SpaceRequest {
   static constexpr std::size_t most_targets = 256;
 

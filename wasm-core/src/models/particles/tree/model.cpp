@@ -1,8 +1,8 @@
 // The tree (Rodkaew et al. 2003, section 4; docs/models/tree/tree.md): particles in a crown, dense where it is light,
 // whose trails to the ground are its branches. Blocks: those of space_request.hpp, and of plant/flat_leaf.hpp the leaf
-// that it bears, but needles. Columns: those of trail_plant.hpp, `organs.sky`, and where `outputs` names `light` the array
-// of figure 8: `light.cells` (uint8 a cell, x fastest: 255 is all light), `light.counts` (uint32: along x, y and z) and
-// `light.box` (float32: the lowest corner and the edge of a cell, metres). Organs: `leaf`, `particle`. Meshes:
+// that it bears, but needles. Columns: those of trail_plant.hpp, `organs.sky`, and where `outputs` names `light` the
+// array of figure 8: `light.cells` (uint8 a cell, x fastest: 255 is all light), `light.counts` (uint32: along x, y and
+// z) and `light.box` (float32: the lowest corner and the edge of a cell, metres). Organs: `leaf`, `particle`. Meshes:
 // `stems`, `leaves`, `balls`.
 #include "plant/model.hpp"
 
