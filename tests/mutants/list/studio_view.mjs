@@ -37,6 +37,7 @@ export default [
 				find: "this.#missing = undefined;\n\t\tconst instead",
 				replace: "const instead",
 				breaks: "a model whose script did not come once is never drawn, though the network is back",
+				hangs: true,
 			},
 			{
 				id: "solid-view-pictures-overlap",
