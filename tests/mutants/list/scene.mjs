@@ -57,7 +57,7 @@ export default [
 		faults: [
 			{
 				id: "camera-fit-by-height-alone",
-				find: "near + up / tall, near + aside / wide)",
+				find: "near + up / tall, near + across / wide)",
 				replace: "near + up / tall)",
 				breaks: "wide plants are cut off on a phone",
 			},

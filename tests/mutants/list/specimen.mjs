@@ -70,7 +70,7 @@ export default [
 			},
 			{
 				id: "link-given-twice-unsaid",
-				find: 'if (values.has(key)) notes.add(key, "given more than once", "the last is read");',
+				find: "if (values.has(key)) notes.add(key, ...REPEATED);",
 				replace: "",
 				breaks: "of two values in a link one is dropped without a word",
 			},
