@@ -314,7 +314,7 @@ TEST_CASE("looking about counts as work: a text cannot hide any in it") {
   for (int i = 0; i < 2000; ++i) text += "a ";
   Limits limits;
   CHECK(trouble(text, {}, limits) == "none");
-  limits.evaluations = 50000;
+  limits.work = 50000;
   CHECK(trouble(text, {}, limits) == "limit 0:0");
   // Each looks past all others for a branch.
   CHECK(trouble("ignore: a\na > [z] --> b\naxiom: " + text.substr(text.find("a a")) + "[x]", {}, limits) ==

@@ -39,7 +39,7 @@ inline Limits small_limits() {
   Limits limits;
   limits.steps = 30;
   limits.words = 20'000;
-  limits.evaluations = 20'000;
+  limits.work = 20'000;
   limits.depth = 50;
   return limits;
 }

@@ -112,7 +112,7 @@ TEST_CASE("limits of interpretation") {
   CHECK(far.reason == Reason::evaluation);
   CHECK(failure("axiom: f(3e38) S(3e38)", Limits{}).reason == Reason::evaluation);
 
-  limits.evaluations = 3;
+  limits.work = 3;
   const Diagnostic answers = failure("axiom: ?E(1) ?E(1) ?E(1) ?E(1)\n?E(x) --> F", limits);
   CHECK(answers.reason == Reason::limit);
 }

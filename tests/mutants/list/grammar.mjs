@@ -5,6 +5,72 @@ const TESTS = "tests/core";
 
 export default [
 	{
+		file: `${CORE}/foundation/work_budget.hpp`,
+		suites: [`${TESTS}/foundation/work_budget_test.cpp`],
+		faults: [
+			{
+				id: "budget-share-for-ever",
+				find: "      budget_.work_ = whole_;",
+				replace: "",
+				breaks: "nothing is left to draw what a derivation that reached its limit gave",
+			},
+			{
+				id: "budget-holds-too-much",
+				find: "if (bytes > bytes_ - held_) return false;",
+				replace: "if (held_ > bytes_) return false;",
+				breaks: "a plant takes more memory than its limit",
+			},
+		],
+	},
+	{
+		file: `${CORE}/models/grammar/neighbours.cpp`,
+		suites: [`${TESTS}/models/grammar/limits_test.cpp`],
+		faults: [
+			{
+				id: "neighbours-looks-uncounted",
+				find: "budget_.spend(looked / 8);",
+				replace: "",
+				breaks: "?E with a large radius takes minutes without an end",
+			},
+			{
+				id: "neighbours-light-uncounted",
+				find: "budget_.spend(ends_.size() + static_cast<std::uint64_t>(cells.x * cells.y * cells.z) * lamps / 8);",
+				replace: "",
+				breaks: "?E with a radius of its own each takes minutes without an end",
+			},
+		],
+	},
+	{
+		file: `${CORE}/models/grammar/sketch.cpp`,
+		suites: [`${TESTS}/models/grammar/limits_test.cpp`],
+		faults: [
+			{
+				id: "sketch-bytes-uncounted",
+				find: "if (budget == nullptr || budget->hold(bytes)) return true;",
+				replace: "return true;",
+				breaks: "surfaces and balls make a file of gigabytes",
+			},
+			{
+				id: "sketch-unknown-surfaces-all-named",
+				find: "if (unknown_.size() == most_unknown || unknown_.contains(name)) return;",
+				replace: "if (unknown_.contains(name)) return;",
+				breaks: "a text of unknown surfaces gives a note for each",
+			},
+		],
+	},
+	{
+		file: `${CORE}/models/grammar/model.cpp`,
+		suites: [`${TESTS}/models/grammar/limits_test.cpp`],
+		faults: [
+			{
+				id: "grammar-limit-in-drawing-shows-nothing",
+				find: "if (undrawn.reason != Reason::none && undrawn.reason != Reason::limit) return undrawn;",
+				replace: "if (undrawn.reason != Reason::none) return undrawn;",
+				breaks: "a homomorphism that reaches a limit is an error that shows nothing",
+			},
+		],
+	},
+	{
 		file: `${CORE}/models/grammar/outlines.cpp`,
 		suites: [`${TESTS}/models/grammar/outlines_test.cpp`],
 		faults: [
@@ -63,9 +129,16 @@ export default [
 				breaks: "a corner on a line between its neighbours is a triangle",
 			},
 			{
+				id: "polygon-looks-uncounted",
+				find: "if (budget != nullptr) budget->spend(1 + (clipper.looks() + corners.size()) / looks_a_unit);",
+				replace: "",
+				suites: [`${TESTS}/models/grammar/limits_test.cpp`],
+				breaks: "many polygons that cross themselves take a minute",
+			},
+			{
 				id: "polygon-every-corner-an-ear",
-				find: "looks_ > most_looks || is_ear(at)",
-				replace: "true || is_ear(at)",
+				find: "if (turn >= 0 && is_ear(at)) return at;",
+				replace: "if (turn >= 0) return at;",
 				breaks: "triangles lie outside of what they fill",
 			},
 		],

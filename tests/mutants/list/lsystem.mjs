@@ -4,6 +4,18 @@ const TESTS = "tests/core";
 
 export default [
 	{
+		file: `${SRC}/lsystem/compiler.cpp`,
+		suites: [`${TESTS}/models/grammar/limits_test.cpp`],
+		faults: [
+			{
+				id: "successor-functions-cost-as-sums",
+				find: "result.cost = (cost_of(program.code, result.code) + result.words) / 32;",
+				replace: "result.cost = (result.code.size() + result.words) / 32;",
+				breaks: "a text of sines and draws takes seven seconds within its budget",
+			},
+		],
+	},
+	{
 		file: `${SRC}/lsystem/production_reader.cpp`,
 		suites: [`${TESTS}/lsystem/limits_test.cpp`],
 		faults: [

@@ -65,7 +65,10 @@ Result<Plant> grow(std::span<const std::uint8_t> bytes) {
   if (model == nullptr) return Diagnostic{Reason::bad_request, "The request asks for a model that is not here.", 0, 0};
   Request request(blocks.value(), &programs(), &kept_of(*model));
   request.read_grammars_as(model->notation, model->lineages);
-  auto plant = model->grow(request, Limits{});
+  Limits limits;
+  WorkBudget budget(limits.work, limits.bytes);
+  limits.budget = &budget;
+  auto plant = model->grow(request, limits);
   if (!plant) return plant;
   if (Diagnostic trouble = check_geometry(plant.value()); trouble.reason != Reason::none) return trouble;
   return plant;

@@ -3,13 +3,16 @@
 
 #include <cstdint>
 
+#include "foundation/work_budget.hpp"
+
 namespace panicle {
 
 struct Limits {
   std::uint32_t text_bytes = 256 * 1024;   // grammar text
   std::uint32_t steps = 4096;              // derivation steps
-  std::uint32_t words = 64 * 1024 * 1024;  // 32-bit words of one derived string (256 MiB)
-  std::uint32_t evaluations = 50'000'000;  // productions applied in one derivation
+  std::uint32_t words = 16 * 1024 * 1024;  // 32-bit words of one derived string (64 MiB)
+  std::uint32_t work = 50'000'000;         // units of work (work_budget.hpp) of one request
+  std::uint32_t bytes = 200'000'000;       // of a file of what one request draws; making it takes four times as much
   std::uint32_t depth = 100'000;           // open brackets while interpreting
   std::uint32_t spheres = 100'000;         // spheres in one environment
   std::uint32_t segments = 100'000;        // stems in one result
@@ -21,6 +24,12 @@ struct Limits {
   std::uint32_t triangles = 100'000;       // of the meshes that a request brings
   std::uint32_t looks = 300'000'000;       // at triangles of meshes, to find out what is inside: less than a second
   std::uint32_t darts = 4'000'000;         // of one generalized map
+
+  // Of the work, what deriving a string may take: the rest is for drawing it.
+  std::uint32_t work_of_derivation() const { return work - work / 4; }
+
+  // What all parts of one request share. Where there is none each derivation, interpretation … has `work` for itself.
+  WorkBudget* budget = nullptr;
 };
 
 }  // namespace panicle

@@ -17,6 +17,8 @@ class Splitting {
       rim_.push_back(d);
       d = a(1, a(0, d));
     } while (d != first);
+    sorted_rim_ = rim_;
+    std::sort(sorted_rim_.begin(), sorted_rim_.end());
   }
 
   std::uint32_t order() const { return static_cast<std::uint32_t>(rim_.size()); }
@@ -83,10 +85,8 @@ class Splitting {
       map_.sew(2, beyond, stump + own);
       map_.sew(2, beyond_end, stump + own + 1);
     }
-    for (std::uint32_t k = 0; k < m; ++k) {
-      name_polygon(rim_[k], part, at_base ? base_face : end_face);
-      name_polygon(ring_[k], part, side(k + 1));
-    }
+    name_polygon(rim_[0], part, at_base ? base_face : end_face);
+    for (std::uint32_t k = 0; k < m; ++k) name_polygon(ring_[k], part, side(k + 1));
     for (const bool of_base : {true, false})
       for (std::uint32_t k = 0; k < m; ++k) map_.corners_.push_back(of_base == at_base ? rim_[k] : lid + 2 * k);
 
@@ -106,7 +106,7 @@ class Splitting {
   // Of a rim's dart: the dart at its corner, of the face across its edge, that looks away from F.
   std::uint32_t leaving(std::uint32_t d) const { return a(1, a(2, d)); }
 
-  bool is_of_rim(std::uint32_t d) const { return std::find(rim_.begin(), rim_.end(), d) != rim_.end(); }
+  bool is_of_rim(std::uint32_t d) const { return std::binary_search(sorted_rim_.begin(), sorted_rim_.end(), d); }
 
   // Is a dart at a vertex that this step has put on its edge, so that the edge goes on beyond?
   bool is_of_step(std::uint32_t dart, std::uint32_t step) const {
@@ -292,6 +292,7 @@ class Splitting {
   Face face_;
   std::uint32_t first_new_;  // of the darts that this split makes
   std::vector<std::uint32_t> rim_, near_, ring_;
+  std::vector<std::uint32_t> sorted_rim_;  // the same in ascending order
   std::vector<std::uint32_t> fan_, scratch_;
 };
 

@@ -14,7 +14,7 @@ constexpr float same_place = 1e-6f;
 // Of a triangle's longest edge, squared: what has less area is a line.
 constexpr float flat = 1e-6f;
 // Looks for corners in an ear; then ears are taken as they come, so that no polygon takes long.
-constexpr std::uint64_t most_looks = 20'000'000;
+constexpr std::uint64_t most_looks = 20'000'000, looks_a_unit = 8;
 
 bool is_finite(const glm::vec3& p) { return p.x - p.x == 0 && p.y - p.y == 0 && p.z - p.z == 0; }
 
@@ -24,7 +24,7 @@ float doubled(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
 
 class Clipper {
  public:
-  explicit Clipper(std::span<const glm::vec3> corners) {
+  Clipper(std::span<const glm::vec3> corners, std::uint64_t most) : most_(most) {
     measure(corners);
     if (!(size_ > 0)) return;
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -37,6 +37,7 @@ class Clipper {
     clip();
     return std::move(triangles_);
   }
+  std::uint64_t looks() const { return looks_; }
 
  private:
   // About the middle of the box and as a share of it, so that nothing is too large or too small to be squared.
@@ -112,8 +113,9 @@ class Clipper {
     std::uint32_t sharpest = from;
     float least = 3e38f;
     for (std::uint32_t at = from; left-- > 0; at = after_[at]) {
+      if (++looks_ > most_) return from;
       const float turn = doubled(flat_[before_[at]], flat_[at], flat_[after_[at]]);
-      if (turn >= 0 && (looks_ > most_looks || is_ear(at))) return at;
+      if (turn >= 0 && is_ear(at)) return at;
       if (turn >= 0 && turn < least) {
         least = turn;
         sharpest = at;
@@ -152,11 +154,16 @@ class Clipper {
   std::vector<glm::vec3> places_;
   std::vector<glm::vec2> flat_;
   std::vector<std::uint32_t> numbers_, before_, after_, triangles_;
-  std::uint64_t looks_ = 0;
+  std::uint64_t looks_ = 0, most_;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> fill_polygon(std::span<const glm::vec3> corners) { return Clipper(corners).fill(); }
+std::vector<std::uint32_t> fill_polygon(std::span<const glm::vec3> corners, WorkBudget* budget) {
+  Clipper clipper(corners, budget == nullptr ? most_looks : std::min(most_looks, looks_a_unit * budget->left()));
+  std::vector<std::uint32_t> triangles = clipper.fill();
+  if (budget != nullptr) budget->spend(1 + (clipper.looks() + corners.size()) / looks_a_unit);
+  return triangles;
+}
 
 }  // namespace panicle

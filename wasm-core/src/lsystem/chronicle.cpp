@@ -236,7 +236,11 @@ Result<Chronicle> chronicle(const Bound& bound, std::uint64_t seed, std::optiona
     Chronicle told(bound, seed, limits, around.space, by_steps, asked);
     Surroundings watched = around;
     watched.watcher = &told;
-    const auto derived = develop_so_far(bound, seed, steps, limits, watched);
+    // With a budget of its own, so that it comes as far as the derivation that is traced.
+    WorkBudget budget(limits.work, limits.bytes);
+    Limits own = limits;
+    own.budget = &budget;
+    const auto derived = develop_so_far(bound, seed, steps, own, watched);
     if (!derived) return derived.error();
     // Steps that rewrote nothing change nothing but what is answered.
     told.finish(around.answers == nullptr ? derived->steps : told.steps(), derived->stopped, *derived->string);

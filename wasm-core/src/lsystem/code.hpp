@@ -54,6 +54,13 @@ struct Code {
   std::vector<Curve> curves;
 };
 
+// What running a range takes, in 32nds of a unit of work.
+inline std::uint32_t cost_of(const Code& code, Range range) {
+  std::uint32_t cost = 0;
+  for (std::uint32_t at = range.begin; at < range.end; ++at) cost += cost_of(code.instructions[at].op);
+  return cost;
+}
+
 // What instructions read beside registers: the lists that the inputs gave, and for whom random values are drawn.
 struct Sources {
   std::span<const std::vector<float>> arrays;

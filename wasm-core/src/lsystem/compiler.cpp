@@ -246,7 +246,9 @@ class Compiler {
     if (tree.weight.given() && !value(tree.weight, production.weight)) return false;
     production.by_chance = draws(tree.before) || draws(tree.condition) || draws(tree.weight);
     const std::uint32_t neighbours = production.left.size() + production.right.size();
-    production.cost = 1 + (production.condition.code.size() + production.weight.code.size()) / 32 + neighbours / 8;
+    const std::uint32_t code =
+        cost_of(program_->code, production.condition.code) + cost_of(program_->code, production.weight.code);
+    production.cost = 1 + code / 32 + neighbours / 8;
     program_->longest_successor = std::max(program_->longest_successor, production.successor.words);
     return true;
   }
@@ -383,7 +385,7 @@ class Compiler {
     result.patches.end = static_cast<std::uint32_t>(program.patches.size());
     result.births.end = static_cast<std::uint32_t>(program.births.size());
     result.active.end = static_cast<std::uint32_t>(program.active.size());
-    result.cost = (result.code.size() + result.words) / 32;
+    result.cost = (cost_of(program.code, result.code) + result.words) / 32;
     return true;
   }
 

@@ -189,7 +189,9 @@ inline bool Derivation::rewrite_module(std::uint64_t at) {
 // One step from `now_` to `next_`, which then change places.
 bool Derivation::rewrite() {
   if (chance_ == Chance::each_step) machine_.decide_at(steps_);
-  if (program_.in_context && !neighbourhood_.begin(now_.string)) return out_of_sight();
+  if (program_.in_context && !(machine_.spend(now_.string.used / 32) && neighbourhood_.begin(now_.string)))
+    return machine_.failed() ? false : out_of_sight();
+  if (!machine_.spend(now_.active_count / 16)) return false;
   next_.string.used = next_.active_count = copied_ = 0;
   next_.string.modules = now_.string.modules;
   make_ready();
@@ -251,7 +253,7 @@ bool Derivation::cut(std::uint64_t at) {
 void Derivation::make_ready() {
   const std::uint64_t most = now_.string.used + now_.active_count * program_.longest_successor;
   const std::uint64_t likely = std::min(most, 2 * now_.string.used + program_.longest_successor);
-  next_.string.words.empty_for(std::min<std::uint64_t>(likely, limits_.words));
+  next_.string.words.empty_for(std::min<std::uint64_t>(likely, limits_.words), limits_.words);
 }
 
 namespace {
@@ -292,6 +294,23 @@ Result<Derived> whole(Result<Derived> derived) {
   return derived;
 }
 
+// What unfolding gives or, where a limit ends that, what steps lead to. Each has half of the work that is left: so
+// steps lead to the same string whether someone watches them or not.
+Result<Derived> unfold_or_derive(const Bound& bound, std::uint64_t seed, const Limits& limits,
+                                 const Surroundings& around) {
+  WorkBudget own(limits.work, limits.bytes);
+  Limits shared = limits;
+  if (shared.budget == nullptr) shared.budget = &own;
+  const std::uint64_t half = shared.budget->left() / 2;
+  if (around.watcher == nullptr) {
+    const WorkBudget::Share share(*shared.budget, half);
+    Result<Derived> unfolded = unfold(bound, seed, shared, around);
+    if (unfolded || unfolded.error().reason != Reason::limit) return unfolded;
+  }
+  const WorkBudget::Share share(*shared.budget, half);
+  return derive(bound, seed, {}, shared, around);
+}
+
 std::optional<std::uint32_t> steps_of(const Bound& bound, std::optional<std::uint32_t> asked) {
   return asked ? asked : derivation_length(bound);
 }
@@ -320,11 +339,8 @@ Result<Derived> develop_so_far(const Bound& bound, std::uint64_t seed, std::opti
                                const Limits& limits, const Surroundings& around) {
   const std::optional<std::uint32_t> steps = steps_of(bound, asked);
   if (steps && *steps > limits.steps) return too_many_asked(*steps, limits);
-  if (!steps && around.watcher == nullptr) {
-    Result<Derived> unfolded = unfold(bound, seed, limits, around);
-    if (unfolded || unfolded.error().reason != Reason::limit) return unfolded;
-  }
-  Result<Derived> derived = derive(bound, seed, steps, limits, around);
+  Result<Derived> derived =
+      steps ? derive(bound, seed, steps, limits, around) : unfold_or_derive(bound, seed, limits, around);
   if (derived && derived->stopped.reason != Reason::none && derived->stopped.reason != Reason::limit)
     return derived->stopped;
   return derived;

@@ -63,7 +63,10 @@ class Interpreter {
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
     string_ = at;
+    // What every walk does to every module; what its symbols draw is counted with what writes them.
+    if (!machine_.spend(program_.symbols.size() / 16)) return machine_.trouble();
     for (; at < end; ++module_) {
+      if (module_ % 64 == 0 && !machine_.spend(16)) return machine_.trouble();
       if (unheard) at = silence.behind_branches(string, at);
       const std::uint32_t* const module = at;
       if (at == end) break;
@@ -103,7 +106,7 @@ class Interpreter {
 
   bool draw_image(const Template& successor, const std::uint32_t* module, const std::uint32_t* bearer,
                   std::uint32_t depth) {
-    if (!machine_.spend(1)) return false;
+    if (!machine_.spend(1 + successor.modules / 2)) return false;
     if (image_words_.size() <= depth) image_words_.resize(depth + 1);
     const Origin origin = has_lineage(*module) ? origin_of(module) : Origin{};
     if (!image_words_[depth].reserve(successor.words, limits_.words)) return !no_memory();
@@ -422,6 +425,7 @@ class Interpreter {
     float before[most_parameters];
     std::copy_n(parameters, count, before);
     listener_.ask(turtle_, {parameters, count}, lineage_of(module));
+    if (!machine_.spend(1)) return false;  // also where the answer has taken what was left
     const auto write = [&](std::uint32_t* to) {  // what has been answered; the rest stays as precise as it is
       for (std::uint32_t i = 0; i < count; ++i)
         if (std::memcmp(&parameters[i], &before[i], sizeof(float)) != 0) set_parameter(to, i, parameters[i]);

@@ -11,6 +11,8 @@ namespace panicle::lsystem {
 Machine::Machine(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space)
     : program_(*bound.program),
       limits_(limits),
+      own_budget_(limits.work, limits.bytes),
+      budget_(limits.budget != nullptr ? *limits.budget : own_budget_),
       rules_(program_.rules.data()),
       productions_(program_.productions.data()),
       patches_(program_.patches.data()),
@@ -20,7 +22,9 @@ Machine::Machine(const Bound& bound, std::uint64_t seed, const Limits& limits, c
       precise_file_(bound.precise),
       precise_(program_.code.doubles ? precise_file_.data() : nullptr),
       choice_stream_(hash_text("production")),
-      sources_{bound.lists, seed, 0, space, {}} {}
+      sources_{bound.lists, seed, 0, space, {}} {
+  budget_.spend(bound.registers.size() / 32);  // copied for every walk of the turtle
+}
 
 // Conditions and weights decide whether a module is rewritten: in a step they are drawn for the module and the step.
 // Which of several applies, and what is written, is drawn for the module alone, since that happens but once.
@@ -58,6 +62,7 @@ bool Machine::waits_for_chance(std::uint32_t header) const {
 const Production* Machine::draw_production(const Rules& rules, std::uint32_t count, std::uint64_t address) {
   const Range range = rules.productions;
   if (weights_.size() < range.size()) weights_.resize(range.size());
+  if (!spend(range.size() / 16)) return nullptr;
   const Production* tried = nullptr;
   double total = 0;
   for (std::uint32_t i = range.begin; i < range.end; ++i) {
@@ -123,9 +128,9 @@ bool Machine::refuse(const Patch& patch, float value) { return fail(refusal(prog
 
 bool Machine::give_up() {
   return fail(error_at(Reason::limit, {},
-                       "The grammar takes more than % evaluations, which is the limit; let it take fewer steps or "
-                       "write shorter strings.",
-                       {std::to_string(limits_.evaluations)}));
+                       "The grammar takes more work than %, which is the limit; let it take fewer steps or write "
+                       "shorter strings.",
+                       {std::to_string(limits_.work)}));
 }
 
 bool Machine::grow(Words& string, std::uint64_t words) {

@@ -76,11 +76,8 @@ class Machine {
     return stepping_ && rules_[symbol_of(header)].by_chance && waits_for_chance(header);
   }
 
-  // Takes units of Limits::evaluations. False: they are used up.
-  bool spend(std::uint64_t units) {
-    spent_ += units;
-    return spent_ <= limits_.evaluations || give_up();
-  }
+  // Takes units of work. False: they are used up.
+  bool spend(std::uint64_t units) { return budget_.spend(units) || give_up(); }
 
   // Room for `words` of a string, what is there kept. False: beyond Limits::words, or no memory.
   bool make_room(Words& string, std::uint64_t words) {
@@ -137,6 +134,7 @@ class Machine {
       if (matches(production, count)) return &production;
       if (failed()) return nullptr;
     }
+    spend(rules.productions.size() / 16);  // also those of other numbers of parameters have been looked at
     return nullptr;
   }
   const Production* draw_production(const Rules& rules, std::uint32_t count, std::uint64_t address);
@@ -150,6 +148,8 @@ class Machine {
 
   const Program& program_;
   const Limits& limits_;
+  WorkBudget own_budget_;  // where the request has none
+  WorkBudget& budget_;
   // Where the program's tables begin, at hand for the innermost loop.
   const Rules* rules_;
   const Production* productions_;
@@ -160,7 +160,6 @@ class Machine {
   std::vector<double> precise_file_;
   double* precise_;  // in place of `registers_` where the text calculates in double precision; else null
   std::uint64_t choice_stream_;
-  std::uint64_t spent_ = 0;
   std::vector<float> weights_;  // of the productions that compete
   Neighbourhood* neighbourhood_ = nullptr;
   std::uint32_t step_ = 0;

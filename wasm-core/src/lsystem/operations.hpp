@@ -63,6 +63,16 @@ constexpr bool is_random(Op op) { return op >= Op::random_whole; }
 constexpr bool is_asked(Op op) { return op >= Op::hand_over && op < Op::random_whole; }
 inline constexpr std::uint32_t most_handed_over = 8;
 
+// What an operation takes, in 32nds of a unit of work.
+constexpr std::uint32_t cost_of(Op op) {
+  if (op < Op::remainder || op == Op::hand_over) return 1;
+  if (op == Op::reach) return 512;
+  if (op == Op::random_normal) return 72;
+  if (op == Op::bound || op == Op::tangent) return 48;
+  if (op == Op::sine || op == Op::cosine || op == Op::remainder) return 24;
+  return op >= Op::minimum && op <= Op::square_root ? 4 : 16;
+}
+
 struct Function {
   std::string_view name;
   Op op;

@@ -38,7 +38,7 @@ struct Template {
   std::uint32_t first = 0;  // in Bound::words; room for a copy in whole blocks follows
   std::uint32_t words = 0;
   std::uint32_t modules = 0;
-  std::uint32_t cost = 0;  // units of Limits::evaluations that writing it takes
+  std::uint32_t cost = 0;  // units of work that writing it takes
   Range code;
   Range patches;  // parameters that the module which is rewritten decides
   Range births;   // lineages
@@ -92,7 +92,7 @@ struct Production {
   std::uint32_t nearest_left = Neighbour::any, nearest_right = Neighbour::any;
   Range left;  // neighbours, from the root on
   Range right;
-  std::uint32_t cost = 0;  // units of Limits::evaluations that trying it takes
+  std::uint32_t cost = 0;  // units of work that trying it takes
   Template successor;
 };
 

@@ -99,13 +99,16 @@ class Words {
     return true;
   }
 
-  // Room for `words` if memory allows, what was there forgotten: cheaper than `reserve`, which may have to move it.
-  void empty_for(std::uint64_t words) {
+  // Room for `words`, and half as many more but not beyond `most`, if memory allows; what was there is forgotten:
+  // cheaper than `reserve`, which may have to move it. A string that grows a little each step does not take new memory
+  // in each.
+  void empty_for(std::uint64_t words, std::uint64_t most) {
     if (words <= capacity_) return;
     std::free(data_);
     data_ = nullptr;
     capacity_ = 0;
-    reserve(words, words);
+    const std::uint64_t ample = words + words / 2 < most ? words + words / 2 : most;
+    reserve(ample > words ? ample : words, words);
   }
 
   std::uint32_t* data() { return data_; }

@@ -18,10 +18,11 @@ void Drawing::sphere(const lsystem::Turtle& turtle, float radius, const lsystem:
 
 bool Drawing::within(std::size_t count, std::uint32_t limit, std::string_view what) {
   if (count < limit) return true;
-  fail({Reason::limit,
-        "The plant has reached the limit of " + std::to_string(limit) + " " + std::string(what) +
-            "; make what the grammar draws smaller.",
-        0, 0});
+  if (trouble_.reason == Reason::none)
+    fail({Reason::limit,
+          "The plant has reached the limit of " + std::to_string(limit) + " " + std::string(what) +
+              "; make what the grammar draws smaller.",
+          0, 0});
   return false;
 }
 

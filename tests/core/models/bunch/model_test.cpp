@@ -249,7 +249,7 @@ TEST_CASE("a bunch whose telling a limit cuts is whole, and its own modules are 
     Grown plain = grown(request);
     request.chronicle = lsystem::ChronicleAsked{.step = 9999};
     Limits limits;
-    limits.evaluations = 8000;
+    limits.work = 8000;
     auto cut = bunch::grow(request, limits);
     REQUIRE(cut);
     REQUIRE(cut->chronicle);

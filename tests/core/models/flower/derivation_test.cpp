@@ -467,12 +467,12 @@ TEST_CASE("growth ends where a limit is reached, and what has grown stays") {
       "Growth ended in step 99, line 5: The map has reached its limit of darts. Let it grow on fewer faces"));
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
   limits = {};
-  limits.evaluations = 50;
+  limits.work = 50;
   CHECK(grown(volume + "A -> A[A]_{E,C1}", steps(500), limits).noted("which is the limit"));
   // By productions that were tried, not by volumes, and with what modules' variables take.
   std::string many = volume;
   for (int i = 0; i < 200; ++i) many += "A{}{step<0}{} -> B\n";
-  limits.evaluations = 20000;
+  limits.work = 20000;
   CHECK(grown(many + "A -> A[A]_{E}", steps(400), limits).noted("which is the limit"));
   std::string drawing = volume + "A -> A[A]_{E}[&M]_{C1}\n#module M\n#define v0=ran(1)\n";
   for (int i = 1; i < 100; ++i) drawing += "#define v" + std::to_string(i) + "=v" + std::to_string(i - 1) + "*1.001\n";

@@ -76,7 +76,7 @@ const std::vector<std::string> pool = {"#define",
 void try_out(const std::string& text) {
   Limits limits;
   limits.darts = 20000;
-  limits.evaluations = 20000;
+  limits.work = 20000;
   limits.steps = 60;
   const auto program = read_program(text, limits);
   const auto derived = program ? derive(program.value(), steps(6), limits) : Result<Derived>(program.error());

@@ -43,7 +43,7 @@ TEST_CASE("what calls depend on is kept once, however often the text says it") {
 
 TEST_CASE("what calls give counts as work") {
   Limits limits;
-  limits.evaluations = 50'000;
+  limits.work = 50'000;
   const auto calling = [](const std::string& order, const std::string& faces, const std::string& value) {
     return "#define A(" + order + ")\n#axiom: A\nA -> A[A]_{E}[&M{v500=" + value + ";" + settings(500, "step") +
            "}]_{" + faces + "}\n#module M\n" + defines(501) + "#define B(4)\n#axiom: B\n";
@@ -55,7 +55,7 @@ TEST_CASE("what calls give counts as work") {
     const Flower flower = grown(text, steps(300), limits);
     CHECK(flower.noted("which is the limit"));
     CHECK(flower.derived.instances.size() > 10);
-    CHECK(500 * flower.derived.instances.size() <= limits.evaluations);
+    CHECK(500 * flower.derived.instances.size() <= limits.work);
   }
   // And so does what it takes to work them out, or what a variable draws.
   std::string sum = "step";
@@ -74,7 +74,7 @@ TEST_CASE("what calls give counts as work") {
 
 TEST_CASE("conditions, blocks and numbers count as work by their length") {
   Limits limits;
-  limits.evaluations = 100'000;
+  limits.work = 100'000;
   std::string sum = "0*step";
   for (int i = 0; i < 1000; ++i) sum += "+step*0";
   const auto volumes = [&](const std::string& production) {
@@ -94,7 +94,7 @@ TEST_CASE("conditions, blocks and numbers count as work by their length") {
 
 TEST_CASE("what an instance takes does not grow with what other modules have") {
   Limits limits;
-  limits.evaluations = 20'000;
+  limits.work = 20'000;
   const auto instances = [&](std::size_t modules) {
     std::string text =
         "#define A(4)\n#axiom: A\nA -> A[A]_{E}[&M{v=step}]_{C1}\n#module M\n#define v=1\n#define w=v*v+1\n"
@@ -150,7 +150,7 @@ TEST_CASE("a flower that is placed anew takes no more work than one that grows")
                               steps(30));
   CHECK(sound(reworked(flower.program, steps(30), flower.derived)) == flower.derived.values);
   Limits limits;
-  limits.evaluations = 5000;
+  limits.work = 5000;
   const auto stopped = reworked(flower.program, steps(30), flower.derived, limits);
   REQUIRE_FALSE(stopped);
   CHECK(stopped.error().reason == Reason::limit);

@@ -169,7 +169,7 @@ TEST_CASE("where a limit cuts the telling, nothing is marked by modules of the s
   const std::vector<ColumnView> asked{
       {"chronicle_step", Element::uint32, 1, 1, reinterpret_cast<const std::uint8_t*>(&step)}};
   Limits limits;
-  limits.evaluations = 5000;
+  limits.work = 5000;
   for (const bool cut : {false, true}) {
     CAPTURE(cut);
     const Plant plant = grow({.text = text, .outputs = "chronicle", .limits = cut ? limits : Limits{}, .more = asked});

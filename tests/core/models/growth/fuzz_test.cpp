@@ -105,7 +105,7 @@ const std::vector<std::string> pool = {"footprint",
 
 Limits small_limits() {
   Limits limits;
-  limits.evaluations = 20'000;
+  limits.work = 20'000;
   limits.segments = 500;
   limits.copies = 2000;
   limits.pieces = 2000;

@@ -342,7 +342,7 @@ TEST_CASE("limits end a growth with a sentence") {
   CHECK(trouble("footprint -> GrowVol(cnt(64), h(3))\nfootprint -> GrowVol(cnt(1))\nnbr = 1", 3).reason ==
         Reason::limit);
   limits = {};
-  limits.evaluations = 10;
+  limits.work = 10;
   CHECK(trouble(sigma, 8, limits).reason == Reason::limit);
   // Before anything grows.
   const Diagnostic inexact = trouble("\n tree -> DivFunc(\"sigma60\"){branches}", 6);

@@ -47,6 +47,8 @@ class Deriver {
     for (std::uint32_t instance = 0; instance < derived_.instances.size() && !stopped_; ++instance)
       if (!run(instance)) return evaluation_.trouble();
     tell();
+    if (limits_.budget != nullptr)
+      limits_.budget->spend(std::min<std::uint64_t>(work_ + evaluation_.work(), limits_.work));
     derived_.whole = !stopped_;
     return std::move(derived_);
   }
@@ -159,7 +161,7 @@ class Deriver {
   // Work is counted by what is looked at, and by the instructions of all that is worked out.
   bool is_spent(std::uint64_t more) {
     work_ += more;
-    return work_ + evaluation_.work() > limits_.evaluations;
+    return work_ + evaluation_.work() > limits_.work;
   }
 
   // Notes a production that fits and does nothing, since a later one does the like.
@@ -250,6 +252,8 @@ class Deriver {
   }
 
   bool part(std::uint32_t volume, std::uint32_t before, const Production& production) {
+    // Every corner of the face is looked at, also where the split is refused then.
+    if (is_spent(derived_.map.volume(volume).order / 4)) return stop_for_work();
     const auto parted = derived_.map.split(volume, production.face, production.rest, production.part, stamp_);
     if (parted.refusal == Refusal::full) return stop(parted.refusal, step_, production.place), true;
     if (parted.refusal != Refusal::nothing) {
@@ -299,7 +303,7 @@ class Deriver {
         continue;
       }
       if (!derived_.map.has(volume, production.face) || !derived_.map.is_free(volume, production.face)) continue;
-      if (is_spent(1)) return stop_for_work();
+      if (is_spent(1 + derived_.map.volume(volume).order / 16)) return stop_for_work();
       const auto hinge = derived_.map.adjacent(volume, production.face, production.other, production.other_face,
                                                [&](std::uint32_t other) { return instance_of(other) == instance_; });
       const Refusal refusal = hinge.volume == none
@@ -330,9 +334,9 @@ class Deriver {
   bool stop_for_work() {
     stopped_ = true;
     first_note(sentence(
-        "Growth ended in step %: trying productions took more than % evaluations, which is the limit; let fewer things "
+        "Growth ended in step %: trying productions took more work than %, which is the limit; let fewer things "
         "wait for their turn, or let them work out less.",
-        {std::to_string(step_), std::to_string(limits_.evaluations)}));
+        {std::to_string(step_), std::to_string(limits_.work)}));
     return true;
   }
 
@@ -467,9 +471,9 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
     const Record& record = derived.records[i];
     const auto order = static_cast<float>(derived.map.volume(record.volume).order);
     if (!numbers.work_out(record, derived.records, derived.instances, all, order, all[i])) return evaluation.trouble();
-    if (evaluation.work() > limits.evaluations)
+    if (evaluation.work() > limits.work)
       return error_at(Reason::limit, {}, "Numbers take more work than %, which is the limit.",
-                      {std::to_string(limits.evaluations)});
+                      {std::to_string(limits.work)});
   }
   return all;
 }

@@ -66,7 +66,7 @@ void add_sheet(Mesh& mesh, std::span<const glm::vec3> corners, const std::vector
 
 }  // namespace
 
-PlantMesh blades_of(const Polygons& polygons, float scale, std::uint32_t& empty) {
+PlantMesh blades_of(const Polygons& polygons, float scale, std::uint32_t& empty, WorkBudget* budget) {
   PlantMesh blades{"blades", "blade", {}, {}, {}};
   Mesh& mesh = blades.mesh;
   std::vector<std::uint8_t> colour;
@@ -74,7 +74,7 @@ PlantMesh blades_of(const Polygons& polygons, float scale, std::uint32_t& empty)
   empty = 0;
   for (const Polygon& polygon : polygons.all) {
     const auto corners = std::span(polygons.corners).subspan(polygon.first, polygon.count);
-    const std::vector<std::uint32_t> triangles = fill_polygon(corners);
+    const std::vector<std::uint32_t> triangles = fill_polygon(corners, budget);
     if (triangles.empty()) {
       ++empty;
       continue;

@@ -22,7 +22,6 @@
 namespace panicle::grammar {
 namespace {
 
-constexpr std::uint32_t ball_segments = 16;
 // What is thinner than this share of the plant's largest extent is a pixel wide.
 constexpr float thin = 0.002f;
 constexpr std::uint32_t thin_sides = 5, thinnest_sides = 3;
@@ -168,7 +167,8 @@ void add_shared(Plant& plant) {
     if (mesh < 0) {
       mesh = static_cast<std::int32_t>(plant.meshes.size());
       if (organ.tag == ball_tag) {
-        plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
+        plant.meshes.push_back(
+            {"balls", "skin", make_ball(borne[ball_tag] > many_surfaces ? many_ball_segments : ball_segments), {}, {}});
       } else {
         const std::uint32_t which = organ.tag - first_surface_tag;
         const Surface& surface = surfaces[which];
@@ -197,7 +197,7 @@ void add_meshes(Plant& plant, const Sketch& sketch, const Dress& habit) {
   if (habit.sky) open.emplace(plant.segments, screens_of(plant, sketch, habit.metres));
   PlantMesh stems = stems_of(plant.segments, sketch.lines, habit, open ? &*open : nullptr);
   std::uint32_t empty = 0;
-  PlantMesh blades = blades_of(sketch.polygons, habit.metres, empty);
+  PlantMesh blades = blades_of(sketch.polygons, habit.metres, empty, habit.budget);
   note_empty(plant, empty);
   if (open) {
     if (!blades.runs.empty()) blades.columns.add("sky", open->of(blades.mesh));

@@ -15,6 +15,7 @@ struct Dress {
   bool sky = false;     // of the meshes
   bool marked = true;   // by the modules that drew things
   bool coarse = false;  // what will do while a hand still moves: of a plant of many lines fewer rings and sides
+  WorkBudget* budget = nullptr;  // that filling polygons is counted against
 };
 
 // Segments, organs, their columns, and the meshes that model.hpp lists; a note on polygons that show nothing.

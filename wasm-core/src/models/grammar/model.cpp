@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "lsystem/words.hpp"
 #include "models/grammar/areas.hpp"
 #include "models/grammar/belonging.hpp"
 #include "models/grammar/dressing.hpp"
@@ -24,6 +25,8 @@ using GrammarValues = Values<Parameter, parameter_table>;
 using enum Parameter;
 
 constexpr float metres_a_millimetre = 0.001f;
+// Of a string that is written as text: a number takes up to half a microsecond.
+constexpr std::uint64_t most_words_as_text = 4 * 1024 * 1024;
 
 // What is asked for.
 struct Asked {
@@ -117,13 +120,17 @@ void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belong
 Result<std::optional<lsystem::Chronicle>> tell(const lsystem::Bound& bound, const Asked& asked, const Limits& limits,
                                                const lsystem::Surroundings& around) {
   if (!asked.chronicle) return std::optional<lsystem::Chronicle>();
-  auto told = lsystem::chronicle(bound, asked.seed, asked.steps, limits, around, *asked.chronicle);
+  Limits of_derivation = limits;
+  of_derivation.work = limits.work_of_derivation();
+  auto told = lsystem::chronicle(bound, asked.seed, asked.steps, of_derivation, around, *asked.chronicle);
   if (!told) return told.error();
   return std::optional(std::move(told.value()));
 }
 
 Result<Plant> grow(Request& request, const Limits& given) {
-  const Limits limits = roomy(given);
+  WorkBudget own(given.work, given.bytes);
+  Limits limits = roomy(given);
+  if (limits.budget == nullptr) limits.budget = &own;
   const Result<Asked> asked = read(request);
   Result<Areas> areas = Areas::read(request, limits);
   const auto program = request.program(limits);
@@ -140,18 +147,22 @@ Result<Plant> grow(Request& request, const Limits& given) {
   areas->tell(inputs, metres);
   const auto bound = lsystem::bind(program.value(), inputs, limits);
   if (!bound) return bound.error();
-  Neighbours neighbours;
+  Neighbours neighbours(*limits.budget);
   const bool asks = lsystem::asks(*program.value());
   const lsystem::Surroundings around{standing(), &areas.value(), asks ? &neighbours : nullptr};
-  const auto derived = lsystem::develop_so_far(*bound.value(), asked->seed, asked->steps, limits, around);
+  const auto derived = [&] {
+    const WorkBudget::Share share(*limits.budget, limits.work_of_derivation());
+    return lsystem::develop_so_far(*bound.value(), asked->seed, asked->steps, limits, around);
+  }();
   if (!derived) return derived.error();
   const lsystem::String& string = *derived->string;
   Sketch sketch(limits);
   sketch.begin();
   const auto drawn = lsystem::trace(*bound.value(), string, standing(), sketch, asked->seed, limits, around.space);
   if (areas->is_exhausted()) return LookBudget::error();
-  if (!drawn) return drawn.error();
-  for (const Diagnostic& stopped : {derived->stopped, sketch.trouble()})
+  const Diagnostic undrawn = drawn ? Diagnostic{} : drawn.error();
+  if (undrawn.reason != Reason::none && undrawn.reason != Reason::limit) return undrawn;
+  for (const Diagnostic& stopped : {derived->stopped, undrawn, sketch.trouble()})
     if (stopped.reason != Reason::none) plant.notes.push_back("What grew so far is shown. " + stopped.message);
   plant.notes.insert(plant.notes.end(), sketch.notes.begin(), sketch.notes.end());
   thicken(sketch.segments, {0.01f * values[thickness], values[thickening], 0.01f * values[widths]});
@@ -166,18 +177,25 @@ Result<Plant> grow(Request& request, const Limits& given) {
          .meshes = asked->meshes,
          .sky = asked->sky,
          .marked = whole,
-         .coarse = asked->coarse});
+         .coarse = asked->coarse,
+         .budget = limits.budget});
   const auto count = [](std::uint64_t number) { return static_cast<std::uint32_t>(number); };
   plant.counts = {{"modules", count(lsystem::length(string))},
                   {"steps", derived->steps},
                   {"segments", count(plant.segments.size())},
                   {"organs", count(plant.organs.size())},
                   {"polygons", count(sketch.polygons.all.size())}};
-  if (asked->measures) measure(plant, {sketch, string, areas.value(), metres});
+  if (asked->measures) measure(plant, {sketch, string, areas.value(), metres, limits.budget});
   add_belongings(plant, sketch, belongings(*program.value(), string), areas.value());
   if (!whole) plant.notes.push_back(cut_short(*chronicle));
   if (chronicle) add_chronicle(plant, *chronicle);
-  if (asked->string) plant.columns.add("string", lsystem::to_text(*program.value(), string));
+  if (asked->string) {
+    const bool too_long = string.used > most_words_as_text;
+    plant.columns.add("string", too_long ? std::string() : lsystem::to_text(*program.value(), string));
+    if (too_long)
+      plant.notes.push_back("The string has " + std::to_string(string.modules) +
+                            " modules, too many to be written as text; let the grammar take fewer steps.");
+  }
   if (plant.segments.empty() && plant.organs.empty()) plant.notes.push_back("The grammar draws nothing.");
   for (const lsystem::Remark& remark : lsystem::remarks(*program.value(), asked->inputs.scalars, asked->steps))
     plant.notes.push_back(lsystem::to_text(remark));

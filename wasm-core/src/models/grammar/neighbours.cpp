@@ -34,13 +34,16 @@ void Neighbours::line(std::int32_t, const lsystem::Turtle&, const lsystem::Turtl
 
 void Neighbours::ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage&) {
   if (!answering_ || parameters.size() < 2 || !(parameters[0] > 0) || !std::isfinite(parameters[0])) return;
+  if (!budget_.spend(1)) return;
   const float radius = parameters[0];
   Cells& near = cells(radius);
-  std::uint32_t count = 0;
+  std::uint32_t count = 0, looked = 0;
   near.grid.visit(turtle.position, [&](std::uint32_t index) {
+    ++looked;
     const float distance = glm::distance(ends_[index], turtle.position);
     if (distance <= radius && distance > own * radius) ++count;
   });
+  budget_.spend(looked / 8);
   parameters[1] = static_cast<float>(count);
   if (parameters.size() < 3) return;
   if (near.light == nullptr) near.light = light(radius);
@@ -51,6 +54,7 @@ Neighbours::Cells& Neighbours::cells(float edge) {
   for (Cells& kept : cells_)
     if (kept.edge == edge) return kept;
   if (cells_.size() == most_radii) cells_.erase(cells_.begin());
+  budget_.spend(4 + 2 * ends_.size());
   cells_.push_back({edge, PointGrid(ends_, edge), nullptr});
   return cells_.back();
 }
@@ -66,6 +70,8 @@ std::unique_ptr<VoxelLight> Neighbours::light(float edge) const {
   high += edge;
   const glm::vec3 size = high - low;
   const float cell = std::max(edge, std::max({size.x, size.y, size.z}) / most_cells);
+  const glm::vec3 cells = size / cell + 1.0f;
+  budget_.spend(ends_.size() + static_cast<std::uint64_t>(cells.x * cells.y * cells.z) * lamps / 8);
   MatterCells matter(low, high, cell);
   for (const glm::vec3& end : ends_) matter.put(end, matter_of_an_end * cell * cell);
   return std::make_unique<VoxelLight>(matter.light(overcast(lamps)));

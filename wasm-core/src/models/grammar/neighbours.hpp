@@ -19,6 +19,9 @@ namespace panicle::grammar {
 
 class Neighbours : public lsystem::Listener {
  public:
+  // Answering takes work of the budget, which must outlive it.
+  explicit Neighbours(WorkBudget& budget) : budget_(budget) {}
+
   bool hears_first() const override { return true; }
   void hear() override;
   void answers_begin() override;
@@ -37,6 +40,7 @@ class Neighbours : public lsystem::Listener {
   Cells& cells(float edge);
   std::unique_ptr<VoxelLight> light(float edge) const;
 
+  WorkBudget& budget_;
   std::vector<glm::vec3> ends_;
   bool answering_ = false;
   std::vector<Cells> cells_;  // by the radii asked for in this step

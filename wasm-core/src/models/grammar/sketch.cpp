@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/ball.hpp"
 #include "models/grammar/surfaces.hpp"
 
 namespace panicle::grammar {
@@ -10,6 +11,13 @@ namespace {
 // What things are by nature, as the table of parameters names them.
 constexpr std::uint8_t of_lines = 1, of_blades = 3, of_balls = 7;
 constexpr std::uint32_t disc_surface = 4;
+// In a file: of a line's tube, and of each corner of a polygon. Making and writing take about four times as much.
+constexpr std::uint64_t line_bytes = 800, corner_bytes = 100;
+constexpr std::size_t most_unknown = 12;  // surfaces that notes name
+
+std::uint64_t bytes_of(const Mesh& mesh) {
+  return 4 * (mesh.positions.size() + mesh.normals.size() + mesh.uvs.size() + mesh.indices.size());
+}
 
 // Colour 1 is each thing's own.
 Mark mark_of(const lsystem::Turtle& turtle, const lsystem::Lineage& lineage, std::uint8_t natural) {
@@ -19,9 +27,29 @@ Mark mark_of(const lsystem::Turtle& turtle, const lsystem::Lineage& lineage, std
 
 }  // namespace
 
+Sketch::Sketch(const Limits& limits) : Drawing(limits) {
+  bytes_ = {bytes_of(make_ball(many_ball_segments)), corner_bytes};
+  for (std::uint32_t which = 0; which < surfaces.size(); ++which) bytes_.push_back(bytes_of(make_surface(which, true)));
+}
+
+bool Sketch::has_room(std::uint64_t bytes) {
+  WorkBudget* const budget = limits().budget;
+  if (budget == nullptr || budget->hold(bytes)) return true;
+  if (trouble().reason == Reason::none)
+    fail({Reason::limit,
+          "The plant has reached the limit of " + std::to_string(budget->bytes() / 1'000'000) +
+              " MB that it may take in a file; make what the grammar draws smaller.",
+          0, 0});
+  return false;
+}
+
+bool Sketch::may_bear(std::uint32_t tag) {
+  return within(borne.size(), limits().spheres, "spheres, polygons and surfaces") && has_room(bytes_[tag]);
+}
+
 void Sketch::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
                   const lsystem::Lineage& lineage) {
-  Drawing::line(id, before, after, lineage);
+  if (has_room(line_bytes)) Drawing::line(id, before, after, lineage);
   if (lines.size() < segments.size()) lines.push_back(mark_of(after, lineage, of_lines));
 }
 
@@ -34,8 +62,7 @@ void Sketch::bear(std::uint32_t tag, const lsystem::Turtle& turtle, float size, 
 }
 
 void Sketch::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {
-  if (within(borne.size(), limits().spheres, "spheres, polygons and surfaces"))
-    bear(ball_tag, turtle, radius, of_balls, lineage);
+  if (may_bear(ball_tag)) bear(ball_tag, turtle, radius, of_balls, lineage);
 }
 
 void Sketch::polygon(const lsystem::Turtle& turtle, std::span<const glm::vec3> corners,
@@ -45,7 +72,7 @@ void Sketch::polygon(const lsystem::Turtle& turtle, std::span<const glm::vec3> c
 
 void Sketch::plate(const lsystem::Turtle& turtle, std::span<const glm::vec3> corners, float thickness,
                    const lsystem::Lineage& lineage) {
-  if (!within(borne.size(), limits().spheres, "spheres, polygons and surfaces")) return;
+  if (!may_bear(polygon_tag) || !has_room(corner_bytes * corners.size())) return;
   if (!within(polygons.corners.size() + corners.size(), limits().moves, "corners of polygons")) return;
   bear(polygon_tag, turtle, 1, of_blades, lineage);
   polygons.all.push_back({static_cast<std::uint32_t>(polygons.corners.size()),
@@ -58,18 +85,20 @@ void Sketch::surface(const lsystem::Turtle& turtle, std::string_view name, float
                      const lsystem::Lineage& lineage) {
   const auto which = surface_named(name);
   if (!which) {
+    if (unknown_.size() == most_unknown || unknown_.contains(name)) return;
+    unknown_.emplace(name);
     std::string known;
     for (const Surface& one : surfaces) known += " ~" + std::string(one.name);
-    const std::string said = "There is no surface ~" + std::string(name) + "; there are" + known + ".";
-    if (std::find(notes.begin(), notes.end(), said) == notes.end()) notes.push_back(said);
+    notes.push_back("There is no surface ~" + std::string(name) + "; there are" + known + ".");
+    if (unknown_.size() == most_unknown) notes.push_back("Further names of surfaces may be unknown.");
     return;
   }
-  if (size != 0 && within(borne.size(), limits().spheres, "spheres, polygons and surfaces"))
+  if (size != 0 && may_bear(first_surface_tag + *which))
     bear(first_surface_tag + *which, turtle, size, surfaces[*which].colour, lineage);
 }
 
 void Sketch::disc(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {
-  if (radius != 0 && within(borne.size(), limits().spheres, "spheres, polygons and surfaces"))
+  if (radius != 0 && may_bear(first_surface_tag + disc_surface))
     bear(first_surface_tag + disc_surface, turtle, 2 * radius, surfaces[disc_surface].colour, lineage);
 }
 

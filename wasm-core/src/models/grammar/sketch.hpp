@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/mat3x3.hpp>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ inline constexpr float no_width = 1e-30f;
 inline constexpr std::uint8_t colours = 8;
 // Tags of what is borne: a ball, a polygon, then the surfaces in their order (surfaces.hpp).
 inline constexpr std::uint32_t ball_tag = 0, polygon_tag = 1, first_surface_tag = 2;
+
+// Sides of a ball, and of each where there are very many.
+inline constexpr std::uint32_t ball_segments = 16, many_ball_segments = 8;
 
 // What of a thing is not its shape.
 struct Mark {
@@ -50,7 +54,7 @@ struct Polygons {
 // A limit that is reached ends what is drawn and not the plant: `trouble` says which.
 class Sketch final : public Drawing {
  public:
-  explicit Sketch(const Limits& limits) : Drawing(limits) {}
+  explicit Sketch(const Limits& limits);
 
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;
@@ -70,6 +74,11 @@ class Sketch final : public Drawing {
   std::vector<std::string> notes;
 
  private:
+  std::vector<std::uint64_t> bytes_;            // of one in a file, by tag
+  std::set<std::string, std::less<>> unknown_;  // surfaces that there are none of
+  // Whether there is room for something with so many bytes in a file; if not, `trouble` says so.
+  bool has_room(std::uint64_t bytes);
+  bool may_bear(std::uint32_t tag);
   void bear(std::uint32_t tag, const lsystem::Turtle& turtle, float size, std::uint8_t natural,
             const lsystem::Lineage& lineage);
 };

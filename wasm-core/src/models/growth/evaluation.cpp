@@ -28,6 +28,7 @@ bool Evaluation::holds(const Number& condition) {
 bool Evaluation::work_out(const Number& number, float& value) {
   const lsystem::Value& of = number.value;
   Diagnostic fault;
+  work_ += of.code.size() / 8;
   if (!lsystem::execute(code_, of.code.begin, of.code.end, registers_.data(), sources_, fault)) {
     const bool of_function = fault.message.rfind("There is no ", 0) == 0 && fault.message[13] == '[';
     if (of_function)

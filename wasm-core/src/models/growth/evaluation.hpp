@@ -31,6 +31,9 @@ class Evaluation {
   // From 0 to 1; 1 where it is not given.
   bool probability(const Number& number, float& value);
 
+  // What all that was worked out has taken so far, in units of work.
+  std::uint64_t work() const { return work_; }
+
   bool fail(Diagnostic trouble) {
     trouble_ = std::move(trouble);
     return false;
@@ -43,6 +46,7 @@ class Evaluation {
   std::vector<float> registers_;
   std::array<std::vector<float>, 2> functions_;
   lsystem::Sources sources_;
+  std::uint64_t work_ = 0;
   Diagnostic trouble_;
 };
 

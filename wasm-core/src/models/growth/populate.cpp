@@ -54,6 +54,7 @@ class Growth {
     for (std::uint16_t step = 1; step <= steps; ++step)
       if (!grow(step)) return evaluation_.trouble();
     plant_.steps = steps;
+    if (limits_.budget != nullptr) limits_.budget->spend(spent_ + evaluation_.work());
     return std::move(plant_);
   }
 
@@ -337,7 +338,7 @@ class Growth {
 
   bool spend(std::uint64_t units) {
     spent_ += units;
-    return spent_ <= limits_.evaluations || too_many("decisions", limits_.evaluations);
+    return spent_ + evaluation_.work() <= limits_.work || too_many("units of work", limits_.work);
   }
 
   bool too_many(std::string_view what, std::uint32_t most) {

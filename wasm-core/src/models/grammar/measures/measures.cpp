@@ -73,12 +73,12 @@ double area_of_surface(std::uint32_t which) {
 }
 
 // Square metres.
-double leaf_area(const Plant& plant, const Polygons& polygons, double metres) {
+double leaf_area(const Plant& plant, const Polygons& polygons, double metres, WorkBudget* budget) {
   double filled = 0, borne = 0;
   std::array<double, surfaces.size()> squares{};
   for (const Polygon& polygon : polygons.all) {
     const auto corners = std::span(polygons.corners).subspan(polygon.first, polygon.count);
-    const std::vector<std::uint32_t> triangles = fill_polygon(corners);
+    const std::vector<std::uint32_t> triangles = fill_polygon(corners, budget);
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
       filled += area_of(corners[triangles[i]], corners[triangles[i + 1]], corners[triangles[i + 2]]);
   }
@@ -136,7 +136,7 @@ void measure(Plant& plant, const Measured& measured) {
   }
   values.set(Measure::organs, static_cast<double>(plant.organs.size()));
   values.set(Measure::polygons, static_cast<double>(sketch.polygons.all.size()));
-  values.set(Measure::leaf_area, 1e4 * leaf_area(plant, sketch.polygons, measured.metres));
+  values.set(Measure::leaf_area, 1e4 * leaf_area(plant, sketch.polygons, measured.metres, measured.budget));
   measure_areas(plant, measured.areas, values);
   plant.measures = std::move(values.all);
 }

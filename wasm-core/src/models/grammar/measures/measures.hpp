@@ -12,7 +12,8 @@ struct Measured {
   const Sketch& sketch;
   const lsystem::String& string;
   const Areas& areas;
-  float metres = 0.01f;  // of one unit of the sketch
+  float metres = 0.01f;          // of one unit of the sketch
+  WorkBudget* budget = nullptr;  // that filling polygons is counted against
 };
 
 // Puts them into a plant that has been dressed; and where there are growth areas, of each the columns `areas.volume`

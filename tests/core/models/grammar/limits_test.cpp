@@ -1,0 +1,129 @@
+// Texts that ask for more than the limits allow: each ends with what grew so far and a note, whatever it asks for, and
+// all that it did is counted in one budget.
+#include <algorithm>
+
+#include "models/grammar/growing.hpp"
+
+namespace panicle::grammar {
+namespace {
+
+struct Limited {
+  Plant plant;
+  std::uint64_t spent = 0, held = 0;
+
+  bool notes(std::string_view part) const {
+    return std::any_of(plant.notes.begin(), plant.notes.end(),
+                       [&](const std::string& note) { return note.find(part) != std::string::npos; });
+  }
+};
+
+Limited limited(Asked asked) {
+  asked.outputs = "meshes sky measures";
+  WorkBudget budget(asked.limits.work, asked.limits.bytes);
+  asked.limits.budget = &budget;
+  Limited grown{grow(asked)};
+  grown.spent = budget.spent();
+  grown.held = budget.held();
+  return grown;
+}
+
+Limits small(std::uint32_t work, std::uint32_t bytes = Limits{}.bytes) {
+  Limits limits;
+  limits.work = work;
+  limits.bytes = bytes;
+  return limits;
+}
+
+constexpr std::string_view so_far = "What grew so far is shown. The grammar takes more work than ";
+
+TEST_CASE("answers to ?E are counted: those of one radius and those of one each") {
+  for (const char* const radius : {"1000", "i/100"}) {
+    CAPTURE(radius);
+    const std::string text =
+        std::string("derivation length: 4096\naxiom: A(1)\nA(i) --> F(0.1) ?E(") + radius + ",0,0) A(i+1)\n";
+    const Limited grown = limited({.text = text, .limits = small(1'000'000)});
+    CHECK(grown.notes(so_far));
+    CHECK(grown.plant.segments.size() > 20);
+    CHECK(grown.plant.segments.size() < 600);
+  }
+}
+
+TEST_CASE("a homomorphism without an end shows what it drew until then") {
+  const std::string text =
+      "#turtle cpfg\nderivation length: 1\naxiom: A\nA --> B\nhomomorphism\nmaximum depth: 256\nB --> F B F B\n";
+  const Limited grown = limited({.text = text, .limits = small(200'000)});
+  CHECK(grown.notes(so_far));
+  CHECK(grown.plant.segments.size() > 10'000);
+}
+
+TEST_CASE("walks that find where modules are count as work, with what a homomorphism draws in them") {
+  const std::string text =
+      "derivation length: 4096\n#turtle cpfg\naxiom: A ?P(0,0,0)\nA --> A\n?P(x,y,z) --> F ?P(0,0,0)\nhomomorphism\n"
+      "maximum depth: 12\nA --> F A + A\n";
+  const Limited grown = limited({.text = text, .limits = small(1'000'000)});
+  CHECK(grown.notes(so_far));
+  CHECK(count_of(grown.plant, "steps") < 300);
+}
+
+TEST_CASE("functions cost more than sums, so that no expression takes longer than its work says") {
+  const auto steps = [](std::string_view term) {
+    std::string text = "derivation length: 4096\naxiom: A(1)\nA(x) --> A(0*(1";
+    for (int i = 1; i < 200; ++i) text += "+" + std::string(term) + std::to_string(i) + ")";
+    const Limited grown = limited({.text = text + "))\n", .limits = small(30'000)});
+    return count_of(grown.plant, "steps");
+  };
+  CHECK(steps("(x+") > 10 * steps("sin(x+"));
+  CHECK(steps("sin(x+") > 2 * steps("nran(x,"));
+}
+
+TEST_CASE("filling polygons is work, and polygons are filled where none is left") {
+  std::string star = "{ ";
+  for (int i = 0; i < 300; ++i) star += ". F(9) . +(177) ";
+  const std::string text = "axiom: A\nderivation length: 6\nA --> A A\nhomomorphism\nA --> " + star + "}\n";
+  const Limited whole = limited({.text = text}), grown = limited({.text = text, .limits = small(200'000)});
+  CHECK(count_of(whole.plant, "polygons") == 64);
+  CHECK(count_of(grown.plant, "polygons") == 64);
+  CHECK(whole.spent > 300'000);
+  CHECK(grown.spent < 300'000);
+  CHECK(grown.plant.meshes.size() == whole.plant.meshes.size());
+}
+
+TEST_CASE("lines, balls, surfaces and polygons end where a file of them would be too large") {
+  for (const char* const drawn : {"F + F & F", "@O(1) f", "~fivelobed ~toothed f", "{ . f . + f . + f . }"}) {
+    CAPTURE(drawn);
+    const std::string text =
+        std::string("#turtle cpfg\naxiom: A\nderivation length: 13\nA --> A A\nhomomorphism\nA --> ") + drawn + "\n";
+    const Limited grown = limited({.text = text, .limits = small(50'000'000, 2'000'000)});
+    CHECK(grown.notes("the limit of 2 MB that it may take in a file"));
+    CHECK(grown.held <= 2'000'000);
+    CHECK(grown.held > 1'900'000);
+    std::uint64_t bytes = 0;
+    for (const Organ& organ : grown.plant.organs)
+      if (organ.mesh >= 0) {
+        const Mesh& mesh = grown.plant.meshes[static_cast<std::size_t>(organ.mesh)].mesh;
+        bytes += 4 * (mesh.positions.size() + mesh.normals.size() + mesh.uvs.size() + mesh.indices.size());
+      }
+    CHECK(bytes < 8'000'000);
+  }
+}
+
+TEST_CASE("a string that is too long to be written as text is left out, with a note") {
+  const std::string text = "axiom: A(1)\nA(x) --> A(x) A(x)\n";
+  const Plant plant = grow({.text = text, .steps = 22, .outputs = "string"});
+  CHECK(column_in<char>(plant.columns, "string").empty());
+  CHECK(std::any_of(plant.notes.begin(), plant.notes.end(), [](const std::string& note) {
+    return note.find("too many to be written as text") != std::string::npos;
+  }));
+  CHECK(column_in<char>(grow({.text = text, .steps = 10, .outputs = "string"}).columns, "string").size() > 4000);
+}
+
+TEST_CASE("surfaces that are unknown are named a few times, however many there are") {
+  std::string text = "axiom: ";
+  for (int i = 0; i < 20'000; ++i) text += "~x" + std::to_string(i) + " ";
+  const Plant plant = grow({.text = text});
+  CHECK(std::count_if(plant.notes.begin(), plant.notes.end(),
+                      [](const std::string& note) { return note.starts_with("There is no surface"); }) == 12);
+}
+
+}  // namespace
+}  // namespace panicle::grammar
