@@ -34,12 +34,7 @@ struct Grown {
   Chronicle tell(const ChronicleAsked& asked) const {
     return sound(lsystem::chronicle(*bound, 1, steps, limits, around, asked));
   }
-  Derived derive() const {
-    WorkBudget budget(limits.work, limits.bytes);
-    Limits counted = limits;
-    counted.budget = &budget;
-    return sound(lsystem::develop_so_far(*bound, 1, steps, counted, around));
-  }
+  Derived derive() const { return sound(lsystem::develop_so_far(*bound, 1, steps, limits, around)); }
 };
 
 // What stands at a place of a text; columns count code points.

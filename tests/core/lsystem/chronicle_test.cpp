@@ -256,7 +256,7 @@ TEST_CASE("wherever a limit ends a derivation, its trace ends with the string th
   std::uint32_t most_steps = 0;
   for (std::uint64_t evaluations = 1; evaluations < 1500; ++evaluations) {
     Limits limits;
-    limits.evaluations = evaluations;
+    limits.work = evaluations;
     CAPTURE(evaluations);
     const auto derived = lsystem::develop_so_far(*bound, 1, 12, limits, {});
     const auto traced = lsystem::chronicle(*bound, 1, 12, limits, {}, {.step = 0});

@@ -30,6 +30,12 @@ struct Limits {
 
   // What all parts of one request share. Where there is none each derivation, interpretation … has `work` for itself.
   WorkBudget* budget = nullptr;
+  // The same limits with a budget: with `own`, which must outlive them, where the request has none.
+  Limits counted_by(WorkBudget& own) const {
+    Limits counted = *this;
+    if (counted.budget == nullptr) counted.budget = &own;
+    return counted;
+  }
 };
 
 }  // namespace panicle

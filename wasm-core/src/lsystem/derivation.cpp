@@ -280,7 +280,9 @@ Derived with_string(Derived derived, Derivation&& derivation) {
 Result<Derived> derive(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps, const Limits& limits,
                        const Surroundings& around) {
   const bool to_rest = !steps;
-  Derivation derivation(bound, seed, limits, to_rest ? Derivation::Chance::once : Derivation::Chance::each_step,
+  WorkBudget own(limits.work, limits.bytes);
+  const Limits counted = limits.counted_by(own);
+  Derivation derivation(bound, seed, counted, to_rest ? Derivation::Chance::once : Derivation::Chance::each_step,
                         around);
   Derived derived;
   derive(derivation, steps.value_or(limits.steps), around, derived);
@@ -299,8 +301,7 @@ Result<Derived> whole(Result<Derived> derived) {
 Result<Derived> unfold_or_derive(const Bound& bound, std::uint64_t seed, const Limits& limits,
                                  const Surroundings& around) {
   WorkBudget own(limits.work, limits.bytes);
-  Limits shared = limits;
-  if (shared.budget == nullptr) shared.budget = &own;
+  const Limits shared = limits.counted_by(own);
   const std::uint64_t half = shared.budget->left() / 2;
   if (around.watcher == nullptr) {
     const WorkBudget::Share share(*shared.budget, half);

@@ -129,8 +129,7 @@ Result<std::optional<lsystem::Chronicle>> tell(const lsystem::Bound& bound, cons
 
 Result<Plant> grow(Request& request, const Limits& given) {
   WorkBudget own(given.work, given.bytes);
-  Limits limits = roomy(given);
-  if (limits.budget == nullptr) limits.budget = &own;
+  const Limits limits = roomy(given).counted_by(own);
   const Result<Asked> asked = read(request);
   Result<Areas> areas = Areas::read(request, limits);
   const auto program = request.program(limits);
