@@ -148,6 +148,24 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/growth_glb.ts`,
+		suites: [`${TESTS}/growth_glb.test.ts`],
+		faults: [
+			{
+				id: "growth-names-repeat",
+				find: 'count > 1 ? ` ${count}` : ""}, age ${ages[i]}`',
+				replace: 'count > 1 ? ` ${count}` : ""}`',
+				breaks: "parts of all ages have the same names",
+			},
+			{
+				id: "growth-material-an-age",
+				find: "material: oldest.get(material.name) ?? material",
+				replace: "material",
+				breaks: "each age has materials of its own, with the same names",
+			},
+		],
+	},
+	{
 		file: `${SRC}/animation.ts`,
 		suites: [`${TESTS}/growth_glb.test.ts`],
 		faults: [
@@ -258,6 +276,36 @@ export default [
 				find: "const larger = 1 / Math.sqrt(keep);",
 				replace: "const larger = 1;",
 				breaks: "the low form of a tree is bare",
+			},
+		],
+	},
+	{
+		file: `${SRC}/solid.ts`,
+		suites: [`${TESTS}/solid.test.ts`],
+		faults: [
+			{
+				id: "print-hollow",
+				find: "	fillHollows(voxels);",
+				replace: "",
+				breaks: "what has hollows is printed with them",
+			},
+			{
+				id: "print-in-pieces",
+				find: "joinPieces(voxels, THICK, Math.ceil(FARTHEST / pitch))",
+				replace: "0",
+				breaks: "what is loose is printed loose",
+			},
+			{
+				id: "print-empty",
+				find: "if (!meshes.some(({ indices }) => indices.length > 0)) throw new EmptyPlantError();",
+				replace: "",
+				breaks: "an empty plant is not refused as such",
+			},
+			{
+				id: "print-thicker-unsaid",
+				find: "thickness > 1.01 * least",
+				replace: "thickness > 1000 * least",
+				breaks: "nobody learns that a body is thicker than was asked for",
 			},
 		],
 	},

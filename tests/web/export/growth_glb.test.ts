@@ -23,6 +23,23 @@ describe("the growth of a plant as a GLB", () => {
 		expect(nodes.filter(({ name }) => name.startsWith("Age"))).toHaveLength(2);
 	});
 
+	it("has unique names of nodes, and one material of a kind for all ages", async () => {
+		const fruit = (age: number): Part => {
+			const material = { ...PULP, colour: [age / 100, 0.2, 0.1] as [number, number, number] };
+			return { name: "Fruit", shape: { mesh: tetrahedron([0, 0, 0], age / 100), material } };
+		};
+		const glb = await growthGlb({ ages: [20, 50, 100], at: async (age) => [fruit(age)] }, ABOUT);
+		expect(await complaints(glb)).toEqual([]);
+		const { nodes, materials = [] } = documentOf(glb);
+		const names = nodes.map(({ name }) => name);
+		expect(new Set(names).size).toBe(names.length);
+		expect(materials.map(({ name }) => name)).toEqual([PULP.name]);
+		// Each age keeps its colour: that of its place in the one picture.
+		const { scene } = await load(glb);
+		const places = meshesOf(scene).map(({ geometry }) => geometry.getAttribute("uv").getX(0));
+		expect(new Set(places.map((u) => u.toFixed(3))).size).toBe(3);
+	});
+
 	it("shows one age at a time, in three.js, and the oldest where nothing is played", async () => {
 		const { scene, animations } = await load(await growthGlb(AGED, ABOUT));
 		expect(animations.map(({ name, duration }) => [name, duration])).toEqual([["Growth", 12]]);

@@ -1,7 +1,8 @@
 import { strFromU8, unzipSync } from "fflate";
 import { describe, expect, it } from "vitest";
+import { EmptyPlantError } from "../../../web/src/export/file_error";
 import { ply } from "../../../web/src/export/ply";
-import { solidOf, tornAt } from "../../../web/src/export/solid";
+import { solidNotes, solidOf, tornAt } from "../../../web/src/export/solid";
 import { stl } from "../../../web/src/export/stl";
 import { threeMf } from "../../../web/src/export/three_mf";
 import { emptyVoxels, fillInside, thicken, withoutPinches } from "../../../web/src/export/voxels";
@@ -26,6 +27,23 @@ function volumeOf(positions: Float32Array, indices: Uint32Array): number {
 		sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 	}
 	return sum / 6;
+}
+
+/** Into how many parts, without a vertex in common, the triangles fall. */
+function shellsOf(indices: Uint32Array): number {
+	const parents = new Map<number, number>();
+	const root = (vertex: number): number => {
+		const parent = parents.get(vertex) ?? vertex;
+		if (parent === vertex) return vertex;
+		const found = root(parent);
+		parents.set(vertex, found);
+		return found;
+	};
+	for (let i = 0; i < indices.length; i += 3) {
+		for (const k of [1, 2]) parents.set(root(indices[i]), root(indices[i + k]));
+		parents.set(root(indices[i]), root(indices[i]));
+	}
+	return [...parents].filter(([vertex, parent]) => vertex === parent).length;
 }
 
 function extentOf(positions: Float32Array, axis: number): number {
@@ -69,7 +87,48 @@ describe("a body for printers", () => {
 		const tree = await solidOf([part(tetrahedron([0, 3, 0], 3))], 0.002);
 		expect(tree.scale).toBe(50);
 		expect(extentOf(tree.positions, 1)).toBeCloseTo(6 / 50, 2);
-		expect((await solidOf([], 0.001)).indices).toHaveLength(0);
+	});
+
+	it("has no hollows, where closed meshes leave some between them", async () => {
+		// A box of six sheets that meet: closed, but by no mesh.
+		const face = (axis: number, at: number): Part => {
+			const corners = [0, 0, 1, 0, 1, 1, 0, 1].map((value) => value * 0.02);
+			const positions = new Float32Array(12);
+			for (let k = 0; k < 4; k++) {
+				positions[3 * k + axis] = at;
+				positions[3 * k + ((axis + 1) % 3)] = corners[2 * k];
+				positions[3 * k + ((axis + 2) % 3)] = corners[2 * k + 1];
+			}
+			return part({ ...sheet(1), positions });
+		};
+		const box = [0, 1, 2].flatMap((axis) => [face(axis, 0), face(axis, 0.02)]);
+		const { positions, indices, loose } = await solidOf(box, 0.001);
+		expect([shellsOf(indices), loose]).toEqual([1, 0]);
+		expect(volumeOf(positions, indices)).toBeGreaterThan(0.98 * 0.02 ** 3);
+	});
+
+	it("joins pieces that are near each other, and leaves out those that are not", async () => {
+		const apart = (distance: number) => solidOf([ball, part(tetrahedron([distance, 0, 0], 0.004))], 0.0005);
+		const joined = await apart(0.012);
+		expect([shellsOf(joined.indices), joined.loose, tornAt(joined.indices).size]).toEqual([1, 0, 0]);
+		expect(extentOf(joined.positions, 0)).toBeGreaterThan(0.0205);
+		const far = await apart(0.03);
+		expect([shellsOf(far.indices), far.loose]).toEqual([1, 1]);
+		expect(extentOf(far.positions, 0)).toBeLessThan(0.0105);
+		expect(solidNotes(far, 0.0005)).toEqual([expect.stringMatching(/^Pieces left out: 1\./)]);
+	});
+
+	it("says where it is thicker than was asked for", async () => {
+		expect(solidNotes({ thickness: 0.0012, loose: 0 }, 0.0002)).toEqual([
+			expect.stringMatching(/^Nothing is thinner than 1\.2 mm, not 0\.2 mm:/),
+		]);
+		expect(solidNotes(await solidOf([ball], 0.001), 0.001)).toEqual([]);
+	});
+
+	it("cannot be made of an empty plant, which is an error of its own", async () => {
+		await expect(solidOf([], 0.001)).rejects.toThrow(EmptyPlantError);
+		await expect(threeMf([{ name: "Nothing" }], ABOUT, 1)).rejects.toThrow(EmptyPlantError);
+		await expect(stl([], ABOUT, 1)).rejects.toThrow(EmptyPlantError);
 	});
 
 	it("is the same in STL and in 3MF, in millimetres with +Z up", async () => {

@@ -4,6 +4,7 @@ import { literalDraws } from "../batch/draws";
 import { aimsOf } from "../batch/goals";
 import { Cores } from "../core/cores";
 import { CoreError } from "../core/errors";
+import { EmptyPlantError } from "../export/file_error";
 import { FORMS, plantFile } from "../export/plant_files";
 import { agedOf, hasAges } from "../files/aged";
 import { growPlant } from "../files/growth";
@@ -26,7 +27,7 @@ import { readTargets } from "./targets";
 import { MISSED, UsageError, usage } from "./usage";
 import { writing } from "./writing";
 
-/** @returns the exit status: 0 grown, 1 the core broke or is missing, a file could not be written or some of a series did not grow, 2 something in the call cannot be used, 3 grown but a target is missed */
+/** @returns the exit status: 0 grown, 1 the core broke or is missing, a file could not be written or some of a series did not grow, 2 something in the call cannot be used, 3 grown but a target is missed, 4 the plant is empty and the file cannot be */
 export async function run(words: readonly string[], surroundings: Surroundings): Promise<number> {
 	const world = { ...surroundings, say: (line: string) => surroundings.say(printable(line)) };
 	try {
@@ -39,6 +40,7 @@ export async function run(words: readonly string[], surroundings: Surroundings):
 	} catch (error) {
 		const message = error instanceof Error ? error.message.replaceAll("\n", " ") : error;
 		world.say(`grow: ${message}${error instanceof UsageError ? error.below : ""}`);
+		if (error instanceof EmptyPlantError) return 4;
 		return error instanceof UsageError ? 2 : 1;
 	}
 }
@@ -104,12 +106,17 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<number> {
 		return status;
 	}
 	const again = (other: Specimen, wanted?: GrowthOptions) => grow(other, { measures: false, ...wanted });
-	const further = { aged: agedOf(model, specimen, again), levels: levelledOf(model, specimen, again) };
+	const ofFile: string[] = [];
+	const further = {
+		aged: agedOf(model, specimen, again),
+		levels: levelledOf(model, specimen, again),
+		note: (text: string) => void ofFile.push(text),
+	};
 	const options = { ...call.files, form: call.form };
 	for (const [file, data] of await filesOf(out, ending, model, all, specimen, options, further)) {
 		await writing(file, () => world.writeFile(file, data));
 	}
-	for (const note of all.notes) world.say(`note: ${note}`);
+	for (const note of [...all.notes, ...ofFile]) world.say(`note: ${note}`);
 	return status;
 }
 

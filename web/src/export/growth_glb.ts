@@ -3,12 +3,13 @@
  * plant by itself; nodes' scales, which step from 0 to 1 and back, show one at a time. So colours, flowers and all that comes and
  * goes are those of that age. Morphing one mesh could not say them: stems and berries come and go, and few readers morph colours.
  */
-import type { Part } from "../plant/part";
+import type { Material } from "../plant/material";
+import type { Part, Shape } from "../plant/part";
 import type { About } from "./about";
 import type { Moment } from "./animation";
 import { exportGlb } from "./glb";
 import { lightParts } from "./light";
-import { paletted } from "./palette";
+import { palettedByMaterial } from "./palette";
 
 /** A plant at other ages. */
 export interface Aged {
@@ -28,8 +29,11 @@ const PIXELS = 128;
 export async function growthGlb({ ages, at }: Aged, about: About): Promise<Uint8Array<ArrayBuffer>> {
 	const parts: Part[] = [];
 	const moments = new Map<string, Moment>();
+	const grown: Part[][] = [];
+	for (const age of ages) grown.push(await lightParts(await at(age), { triangles: AGE_TRIANGLES, pixels: PIXELS }));
+	const alike = withOneMaterialAKind(grown, ages);
 	for (const [i, age] of ages.entries()) {
-		const children = paletted(await lightParts(await at(age), { triangles: AGE_TRIANGLES, pixels: PIXELS }));
+		const children = alike[i];
 		if (children.length === 0) continue;
 		const name = `Age ${age}`;
 		const time = (k: number) => (SECONDS * k) / (ages.length - 1);
@@ -37,4 +41,41 @@ export async function growthGlb({ ages, at }: Aged, about: About): Promise<Uint8
 		moments.set(name, { from: time(i), ...(i < ages.length - 1 ? { until: time(i + 1) } : { rest: SECONDS + REST }) });
 	}
 	return exportGlb(parts, about, { moments });
+}
+
+/**
+ * The parts of all ages with unique names and one material for each name: that of the oldest age, whose picture has the colours of
+ * all ages. A material that has a picture already has another one at every age: it stays, and its name says the age.
+ */
+function withOneMaterialAKind(grown: readonly Part[][], ages: readonly number[]): Part[][] {
+	const oldest = new Map<string, Material>();
+	for (const { shape } of grown.flat())
+		if (shape && !shape.material.textures?.colour) oldest.set(shape.material.name, shape.material);
+	const shapes = grown.map((parts, i) =>
+		parts.map(({ shape }) => {
+			if (!shape) return undefined;
+			const { material } = shape;
+			if (material.textures?.colour)
+				return { ...shape, material: { ...material, name: `${material.name}, age ${ages[i]}` } };
+			return { ...coloured(shape), material: oldest.get(material.name) ?? material };
+		}),
+	);
+	const painted = palettedByMaterial(shapes.flat().filter((shape) => shape !== undefined));
+	return grown.map((parts, i) => {
+		const counts = new Map<string, number>();
+		return parts.map((part, k) => {
+			const count = (counts.get(part.name) ?? 0) + 1;
+			counts.set(part.name, count);
+			const shape = shapes[i][k];
+			const name = `${part.name}${count > 1 ? ` ${count}` : ""}, age ${ages[i]}`;
+			return { ...part, name, ...(shape && { shape: painted.get(shape) ?? shape }) };
+		});
+	});
+}
+
+/** A shape whose vertices have colours: its material's where they had none. */
+function coloured(shape: Shape): Shape {
+	const { mesh, material } = shape;
+	if (mesh.colours) return shape;
+	return { ...shape, mesh: { ...mesh, colours: mesh.positions.map((_, i) => material.colour[i % 3]) } };
 }

@@ -34,6 +34,8 @@ export interface Further {
 	readonly sway?: Sway | undefined;
 	/** The plant for several distances; absent of models that make none. */
 	readonly levels?: Levels | undefined;
+	/** Receives a sentence for each way in which the file differs from what was asked for. */
+	readonly note?: ((text: string) => void) | undefined;
 }
 
 export interface PlantFile {
@@ -193,8 +195,8 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		suffix: ".3mf",
 		uses: ["thickness"],
 		slow: true,
-		make: async (parts, about, { thickness = THICKNESS }) =>
-			(await import("./three_mf")).threeMf(parts, about, thickness),
+		make: async (parts, about, { thickness = THICKNESS }, { note } = {}) =>
+			(await import("./three_mf")).threeMf(parts, about, thickness, note),
 	},
 	{
 		key: "stl",
@@ -205,7 +207,8 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		suffix: ".stl",
 		uses: ["thickness"],
 		slow: true,
-		make: async (parts, about, { thickness = THICKNESS }) => (await import("./stl")).stl(parts, about, thickness),
+		make: async (parts, about, { thickness = THICKNESS }, { note } = {}) =>
+			(await import("./stl")).stl(parts, about, thickness, note),
 	},
 ];
 

@@ -1,7 +1,9 @@
 /** A plant as one closed body for printers: nothing of it thinner than asked for. */
 import { MeshoptSimplifier } from "meshoptimizer/simplifier";
 import type { Part } from "../plant/part";
+import { EmptyPlantError } from "./file_error";
 import { isClosed } from "./hidden";
+import { fillHollows, joinPieces } from "./one_body";
 import { boundsOf, piecesOf } from "./piece";
 import { type Surface, surfaceOf } from "./surface_nets";
 import { emptyVoxels, fillInside, fillThin, thicken, withoutPinches } from "./voxels";
@@ -16,6 +18,8 @@ const LONGEST = 0.25;
 const SCALES = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 /** So often places are left alone where fewer triangles would tear the surface. */
 const ATTEMPTS = 2;
+/** Pieces that are farther apart than this are not joined, metres of the print: rods as long would be seen. */
+const FARTHEST = 0.005;
 /** How far a surface may move for fewer triangles, in cells. */
 const SLACK = 0.15;
 
@@ -24,14 +28,19 @@ export interface Solid extends Surface {
 	scale: number;
 	/** That nothing is thinner than, metres of the print: what was asked for, or more where the body is too large for so fine a grid. */
 	thickness: number;
+	/** How many pieces were left out, which nothing holds. */
+	loose: number;
 }
 
-/** @param least metres of the print */
+/**
+ * The plant as one body without hollows.
+ * @param least metres of the print
+ * @throws EmptyPlantError where the plant has no mesh
+ */
 export async function solidOf(parts: Iterable<Part>, least: number): Promise<Solid> {
 	await MeshoptSimplifier.ready;
 	const meshes = [...piecesOf(parts)].map(({ mesh }) => mesh);
-	if (meshes.length === 0)
-		return { positions: new Float32Array(0), indices: new Uint32Array(0), scale: 1, thickness: least };
+	if (!meshes.some(({ indices }) => indices.length > 0)) throw new EmptyPlantError();
 	const life = boundsOf(meshes.map(({ positions }) => positions));
 	const extents = life.high.map((value, k) => value - life.low[k]);
 	const scale = SCALES.find((each) => Math.max(...extents) / each <= LONGEST) ?? SCALES[SCALES.length - 1];
@@ -46,8 +55,28 @@ export async function solidOf(parts: Iterable<Part>, least: number): Promise<Sol
 	fillThin(voxels, printed);
 	thicken(voxels, THICK);
 	withoutPinches(voxels);
+	const loose = joinPieces(voxels, THICK, Math.ceil(FARTHEST / pitch));
+	withoutPinches(voxels);
+	fillHollows(voxels);
 	const surface = fewer(surfaceOf(voxels), SLACK * pitch);
-	return { ...surface, scale, thickness: KEPT * pitch };
+	return { ...surface, scale, thickness: KEPT * pitch, loose };
+}
+
+/** What differs from what was asked for, in sentences. @param least as in `solidOf` */
+export function solidNotes({ thickness, loose }: Pick<Solid, "thickness" | "loose">, least: number): string[] {
+	const notes: string[] = [];
+	const millimetres = (metres: number) => Number((1000 * metres).toPrecision(2));
+	if (thickness > 1.01 * least) {
+		notes.push(
+			`Nothing is thinner than ${millimetres(thickness)} mm, not ${millimetres(least)} mm: a plant of this size needs too many cells for that.`,
+		);
+	}
+	if (loose > 0) {
+		notes.push(
+			`Pieces left out: ${loose}. They are more than ${millimetres(FARTHEST)} mm from the body, and nothing holds them.`,
+		);
+	}
+	return notes;
 }
 
 /** The edge of a cell: `wanted`, or as large as keeps the grid within bounds. */

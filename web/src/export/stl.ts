@@ -3,14 +3,24 @@
 import type { Part } from "../plant/part";
 import type { About } from "./about";
 import { GENERATOR } from "./generator";
-import { type Solid, solidOf } from "./solid";
+import { type Solid, solidNotes, solidOf } from "./solid";
 
 const HEADER = 80;
 const TRIANGLE = 50;
 
-/** @param thickness that nothing is thinner than, millimetres */
-export async function stl(parts: Iterable<Part>, about: About, thickness: number): Promise<Uint8Array<ArrayBuffer>> {
+/**
+ * @param thickness that nothing is thinner than, millimetres
+ * @param note receives a sentence for each way in which the body differs from what was asked for
+ * @throws EmptyPlantError where the plant has no mesh
+ */
+export async function stl(
+	parts: Iterable<Part>,
+	about: About,
+	thickness: number,
+	note: (text: string) => void = () => {},
+): Promise<Uint8Array<ArrayBuffer>> {
 	const solid = await solidOf(parts, thickness / 1000);
+	solidNotes(solid, thickness / 1000).forEach(note);
 	const { indices } = solid;
 	const corners = printed(solid);
 	const file = new Uint8Array(HEADER + 4 + (TRIANGLE * indices.length) / 3);

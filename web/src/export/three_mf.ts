@@ -3,7 +3,7 @@ import { type Zippable, zipSync } from "fflate";
 import type { Part } from "../plant/part";
 import type { About } from "./about";
 import { GENERATOR } from "./generator";
-import { solidOf } from "./solid";
+import { solidNotes, solidOf } from "./solid";
 import { printed } from "./stl";
 import { TextBuffer } from "./text_buffer";
 import { ZIP_DATE } from "./zip_date";
@@ -19,13 +19,19 @@ const TYPES = `<?xml version="1.0" encoding="UTF-8"?>
 const RELATIONS = `<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>`;
 
-/** @param thickness that nothing is thinner than, millimetres */
+/**
+ * @param thickness that nothing is thinner than, millimetres
+ * @param note receives a sentence for each way in which the body differs from what was asked for
+ * @throws EmptyPlantError where the plant has no mesh
+ */
 export async function threeMf(
 	parts: Iterable<Part>,
 	about: About,
 	thickness: number,
+	note: (text: string) => void = () => {},
 ): Promise<Uint8Array<ArrayBuffer>> {
 	const solid = await solidOf(parts, thickness / 1000);
+	solidNotes(solid, thickness / 1000).forEach(note);
 	const out = new TextBuffer(30 * solid.indices.length);
 	out.text(`<?xml version="1.0" encoding="UTF-8"?>
 <model unit="millimeter" xml:lang="en" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><metadata name="Title">${escaped(`${about.name}, 1:${solid.scale}`)}</metadata><metadata name="Application">${GENERATOR}</metadata><metadata name="Description">${escaped(about.link)}</metadata><resources><object id="1" type="model"><mesh><vertices>`);

@@ -7,6 +7,7 @@ import type { Core } from "../core/core";
 import { Cores } from "../core/cores";
 import { CoreError, CoreTrap } from "../core/errors";
 import { aboutPlant } from "../export/about_plant";
+import { EmptyPlantError } from "../export/file_error";
 import { writeJson } from "../export/json";
 import { exportObj } from "../export/obj";
 import { PLANT_FILES } from "../export/plant_files";
@@ -91,7 +92,9 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 		if (matches(request, tag)) return unchanged(tag);
 		const file = await fileOf(asked, format, plant, (other, wanted) =>
 			growPlant(asked.model, other, { measures: false, ...wanted }, run),
-		);
+		).catch((error: unknown) => {
+			throw error instanceof EmptyPlantError ? new Refused(422, error.message) : error;
+		});
 		const headers = {
 			...FOR_ALL,
 			etag: tag,
