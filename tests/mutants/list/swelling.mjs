@@ -15,9 +15,16 @@ export default [
 			},
 			{
 				id: "swelling-no-thinning-on-the-way",
-				find: "index % refresh == refresh - 1) thin();",
+				find: "index % refresh == refresh - 1) thin(1);",
 				replace: "index % refresh == refresh - 1) return;",
 				breaks: "who finds no room is lost at the end only, so that drying bunches lose others",
+			},
+			{
+				id: "swelling-thinning-measures-each-round",
+				find: "const std::vector<std::uint32_t> lost = crowded_out(pressing, sizes_);",
+				replace: "const std::vector<std::uint32_t> lost = crowded_out(pressing = presses(), sizes_);",
+				suites: [`${NATURAL}/natural_cost_test.cpp`],
+				breaks: "each round of thinning measures anew how deep all berries press",
 			},
 			{
 				id: "swelling-gravity-upwards",

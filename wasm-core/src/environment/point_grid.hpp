@@ -29,10 +29,16 @@ class PointGrid {
   // Calls `see(index)` for every point in the 27 cells about `p`: all within an edge's length, and others.
   template <class See>
   void visit(const glm::vec3& p, const See& see) const {
-    const Cell at = cell_of(p);
-    runs({at.x - 1, at.y - 1, at.z - 1}, {at.x + 1, at.y + 1, at.z + 1}, [&](std::uint32_t first, std::uint32_t end) {
+    visit_runs(p, [&](std::uint32_t first, std::uint32_t end) {
       for (std::uint32_t slot = first; slot < end; ++slot) see(ids_[slot]);
     });
+  }
+
+  // Calls `run(first, end)` for the slots of every row of these cells, in the same order.
+  template <class Run>
+  void visit_runs(const glm::vec3& p, const Run& run) const {
+    const Cell at = cell_of(p);
+    runs({at.x - 1, at.y - 1, at.z - 1}, {at.x + 1, at.y + 1, at.z + 1}, run);
   }
 
   // Calls `run(first, end)` for the slots of every row of cells that the box from `low` to `high` meets: of all points

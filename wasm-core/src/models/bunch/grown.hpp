@@ -71,6 +71,14 @@ struct SkyBytes {
   std::vector<std::uint8_t> berries;         // one a vertex of each berry: pattern vertices × berries
 };
 
+// The work of swelling a bunch, counted for tests of its cost.
+struct SwellingWork {
+  std::uint64_t steps = 0;           // of growth
+  std::uint64_t looks = 0;           // at pairs of berries, and of a berry and a stem, that might touch
+  std::uint64_t contacts = 0;        // looks at pairs that did, and were moved
+  std::uint64_t thinning_looks = 0;  // at pairs, to find the berries that have no room
+};
+
 struct Grown {
   bool natural = false;  // by which procedure
   BerryForm form;
@@ -78,6 +86,7 @@ struct Grown {
   Plan plan;        // of the handles
   std::optional<Plan> second;
   Counts counts;
+  SwellingWork swelling;  // of the natural procedure
   std::vector<Internode> internodes;  // parents first
   std::int32_t second_root = -1;      // with which a second bunch begins that shares the first one's root
   std::vector<Berry> berries;

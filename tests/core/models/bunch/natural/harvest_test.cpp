@@ -25,7 +25,7 @@ struct Late {
     crop.fruitlets = {{0, 10, 15, false}};
     crop.berries.resize(1);
     crop.berries[0].branch = 1;
-    crop.swollen = {{{0, -50, 0}, {20, -50, 0}, {20, -45, 0}}, {{40, -50, 0}}, {{1, 0, 0}}, {lost}};
+    crop.swollen = {{{0, -50, 0}, {20, -50, 0}, {20, -45, 0}}, {{40, -50, 0}}, {{1, 0, 0}}, {lost}, {}};
   }
   Harvest at(float age, float size) const {
     const std::vector<Outcome> outcomes = outcomes_of(crop, sprout.flowers, 1, age, size);

@@ -232,6 +232,7 @@ Diagnostic grow_natural(const Request& request, const Values& values, const Limi
     tell_fates(*bunch.chronicle, flowers, crop, hung);
     grown.chronicle = std::move(bunch.chronicle);
   }
+  grown.swelling = crop.swollen.work;
   grown.profile = bunch.profile;
   grown.plan = make_plan(values.profile());
   if (bunch.plans.size() > 1) grown.second = make_plan(scaled(values.profile(), values[wing]));

@@ -254,7 +254,7 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   const float fill = asked ? middling_fill : fill_of(values[density]);
   float closer =
       std::clamp(base_closer * std::sqrt(width / middling_size * middling_fill / fill), least_closer, most_closer);
-  closer *= std::sqrt(std::max(1.0f, filling / most_berries));
+  closer *= std::sqrt(std::max(1.0f, filling / most_berries)) * text.wider;
   const float end = plan.twig + plan.stalk + berry_beyond * width * std::max(1.0f, values[elongation]);
   for (int tries = 0; tries < most_tries; ++tries) {
     plan.step = closer * step_of_axis * width;

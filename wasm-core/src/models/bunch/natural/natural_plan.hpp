@@ -19,10 +19,11 @@ struct TextConstants {
   float yaw = 60;             // `alpha_y`: of axes, twigs and pedicels; degrees, whichever way
   float lateral = 0.6f;       // `lateral`: an axis of second order and a stride, over what is left of its bearer
   float flowers_per_end = 3;  // that an end structure bears; counted where it is drawn
+  float wider = 1;            // nodes' distances over the usual ones; above 1 where those draw too many flowers
   bool operator==(const TextConstants&) const = default;
 };
 
-// What `text` has; `flowers_per_end` as in `before`.
+// What `text` has; `flowers_per_end` and `wider` as in `before`.
 TextConstants constants_of(const lsystem::Bound& text, const TextConstants& before);
 
 // Millimetres and degrees. Everything but the number of axes changes smoothly with the profile; an axis more begins

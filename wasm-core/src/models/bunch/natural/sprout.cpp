@@ -17,6 +17,7 @@
 namespace panicle::bunch {
 namespace {
 
+constexpr float wider_by = 1.15f, most_wider = 2;  // nodes' distances over the plan's, where it has too many flowers
 constexpr float farthest = 1e5f;  // millimetres from p1 that anything may be
 constexpr Parameter heeded_by_plan[] = {Parameter::wi};
 
@@ -87,6 +88,14 @@ class Sower {
     const float found = flowers_per_end(sprout.internodes, sprout.flowers);
     if (!counts || found == 0 || found == constants_.flowers_per_end) return false;
     constants_.flowers_per_end = found;
+    return true;
+  }
+
+  // Puts nodes farther apart, for plans that drew more flowers than there may be; returns whether it has, which it does a
+  // few times only: a text need not heed the plan.
+  bool spaces_out() {
+    if (constants_.wider >= most_wider) return false;
+    constants_.wider *= wider_by;
     return true;
   }
 
@@ -193,12 +202,13 @@ Result<Sprout> sprout(const Request& request, const Values& values, const Limits
   auto program = program_for(request, grammars::grape_bunch_4, limits);
   if (!program) return program.error();
   Sower sower(request, values, limits, std::move(program.value()));
-  for (bool again = true;; again = false) {
+  for (bool corrected = false;;) {
     Inflorescence drawing(limits);
     std::vector<std::string> said;
     auto drawn = sower.draw(drawing, said);
+    if (!drawn && drawing.balls.size() >= limits.organs && sower.spaces_out()) continue;
     if (!drawn) return drawn.error();
-    if (again && sower.corrects(drawn.value())) continue;
+    if (!std::exchange(corrected, true) && sower.corrects(drawn.value())) continue;
     remark_drawn({drawn->internodes.size(), drawn->flowers.size(), sower.loose_balls(), false}, said);
     notes.insert(notes.end(), said.begin(), said.end());
     const Diagnostic astray = to_millimetres(drawn->internodes, values[Parameter::unit]);

@@ -36,6 +36,7 @@ constexpr int most_joinings = 5;        // lots of them
 constexpr float over_missing = 2.0f;    // as many join as are missing, and more, for some of them will be lost too
 constexpr float near_enough = 0.98f;    // of the number that is wanted
 constexpr float youngest = 0.08f;       // size of one that joins
+constexpr float rounding = 1.0001f;     // times a squared distance: two that are farther apart cannot touch
 
 // A berry and a stem that it may lean on.
 struct Leaning {
@@ -47,6 +48,17 @@ glm::vec3 leaning(const glm::vec3& heading, const glm::vec3& lean) {
   const glm::vec3 way = heading + lean;
   const float far = glm::length(way);
   return far > 1e-3f ? way / far : heading;
+}
+
+// Where a stem is: the point halfway, and the vector from its start to its end.
+struct StemPlace {
+  glm::vec3 middle, along;
+  float length;
+};
+
+StemPlace place_of_stem(const glm::vec3& start, const glm::vec3& end) {
+  const glm::vec3 along = end - start;
+  return {start + along * 0.5f, along, glm::length(along)};
 }
 
 class Solver {
@@ -66,6 +78,7 @@ class Solver {
   }
 
   void step(float scale, int index) {
+    ++work_.steps;
     for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = swollen_size(berries_[i], scale);
     for (const std::uint32_t i : young_)
       sizes_[i] = swollen_size(berries_[i], youngest + (scale - youngest) * young_share_);
@@ -81,12 +94,12 @@ class Solver {
       part_stems();
       keep_within();
     }
-    if (scale >= thinning_from && young_.empty() && !settled_ && index % refresh == refresh - 1) thin();
+    if (scale >= thinning_from && young_.empty() && !settled_ && index % refresh == refresh - 1) thin(1);
   }
 
   // Until nobody is pressed harder than berries can be.
   void thin_out() {
-    for (int round = 0; round < most_rounds && thin(); ++round) continue;
+    thin(most_rounds);
   }
 
   // Where fewer than `wanted` have found room, others grow up among them, in their order.
@@ -125,7 +138,7 @@ class Solver {
 
   Swollen take() {
     aim();
-    return {std::move(ends_), std::move(centres_), std::move(headings_), std::move(lost_)};
+    return {std::move(ends_), std::move(centres_), std::move(headings_), std::move(lost_), work_};
   }
 
  private:
@@ -232,11 +245,12 @@ class Solver {
   bool apart(std::uint32_t i, std::uint32_t j, float reach) const {
     const glm::vec3 between = centres_[j] - centres_[i];
     const float most = reach + sizes_[i].core + sizes_[j].core;
-    return glm::dot(between, between) > 1.0001f * most * most;
+    return glm::dot(between, between) > rounding * most * most;
   }
 
   void part_berries(bool backwards) {
     const std::size_t count = pairs_.size();
+    work_.looks += count;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t at = backwards ? count - 1 - k : k;
       const auto [i, j] = pairs_[at];
@@ -245,6 +259,7 @@ class Solver {
       const glm::vec3 between = between_cores(i, j);
       const float square = glm::dot(between, between);
       if (square >= reach * reach && pushes_[at] == 0) continue;
+      ++work_.contacts;
       const float far = std::sqrt(square);
       const float gap = far - reach;
       const float push = std::max((-gap - contact_give * pushes_[at]) / (2 + contact_give), -pushes_[at]);
@@ -255,25 +270,37 @@ class Solver {
     }
   }
 
+  // `leaning_` lists the berries of one stem after another: what is known of a stem serves all its berries, until one of
+  // them pushes its end.
   void part_stems() {
-    for (const auto [i, k] : leaning_) {
-      if (gone(i)) continue;
-      const glm::vec3 start = start_of(k), along = ends_[k] - start;
-      const float length = glm::length(along);
-      if (!(length > 1e-4f)) continue;
-      const glm::vec3 between = start + along * 0.5f - centres_[i];
-      const auto [s, t] =
-          closest_points(between, {headings_[i], sizes_[i].core}, {along / length, length / 2}, parallel_cores);
-      const glm::vec3 way = between + along * (t / length) - headings_[i] * s;
-      const float reach = sizes_[i].ball + branches_[k].radius;
-      const float square = glm::dot(way, way);
-      if (square >= reach * reach || !(square > 1e-8f)) continue;
-      const float far = std::sqrt(square);
-      const float give = 0.5f * branches_[k].give;
-      const glm::vec3 push = way * ((reach - far) / far);
-      centres_[i] -= push * (1 - give);
-      ends_[k] += push * give;
+    work_.looks += leaning_.size();
+    for (std::size_t at = 0; at < leaning_.size();) {
+      const std::uint32_t k = leaning_[at].stem;
+      const glm::vec3 start = start_of(k);
+      StemPlace stem = place_of_stem(start, ends_[k]);
+      for (; at < leaning_.size() && leaning_[at].stem == k; ++at)
+        if (part_from_stem(leaning_[at].berry, k, stem)) stem = place_of_stem(start, ends_[k]);
     }
+  }
+
+  // Moves a berry and a stem apart; returns whether they touched.
+  bool part_from_stem(std::uint32_t i, std::uint32_t k, const StemPlace& stem) {
+    const SwollenSize& size = sizes_[i];
+    const float reach = size.ball + branches_[k].radius, most = reach + size.core + stem.length / 2;
+    const glm::vec3 between = stem.middle - centres_[i];
+    if (glm::dot(between, between) > rounding * most * most || gone(i) || !(stem.length > 1e-4f)) return false;
+    const auto [s, t] =
+        closest_points(between, {headings_[i], size.core}, {stem.along / stem.length, stem.length / 2}, parallel_cores);
+    const glm::vec3 way = between + stem.along * (t / stem.length) - headings_[i] * s;
+    const float square = glm::dot(way, way);
+    if (square >= reach * reach || !(square > 1e-8f)) return false;
+    ++work_.contacts;
+    const float far = std::sqrt(square);
+    const float give = 0.5f * branches_[k].give;
+    const glm::vec3 push = way * ((reach - far) / far);
+    centres_[i] -= push * (1 - give);
+    ends_[k] += push * give;
+    return true;
   }
 
   void keep_within() {
@@ -309,17 +336,29 @@ class Solver {
     }
   }
 
-  bool thin() {
-    presses_.clear();
+  // Berries that press on each other, and how deep: the same until something moves.
+  std::vector<Press> presses() {
+    std::vector<Press> presses;
+    presses.reserve(pairs_.size());
+    work_.thinning_looks += pairs_.size();
     for (const auto [i, j] : pairs_) {
       if (gone(i) || gone(j)) continue;
       const float deep = (sizes_[i].ball + sizes_[j].ball - glm::length(between_cores(i, j))) / 2;
-      presses_.push_back({i, j, deep});
+      presses.push_back({i, j, deep});
     }
-    const std::vector<std::uint32_t> lost = crowded_out(presses_, sizes_);
-    for (const std::uint32_t i : lost) lost_[i] = Why::no_room;
-    if (!lost.empty()) drop_pairs();
-    return !lost.empty();
+    return presses;
+  }
+
+  // Up to so many rounds, in each of which the most pressed are lost.
+  void thin(int rounds) {
+    std::vector<Press> pressing = presses();
+    for (int round = 0; round < rounds; ++round) {
+      const std::vector<std::uint32_t> lost = crowded_out(pressing, sizes_);
+      if (lost.empty()) break;
+      for (const std::uint32_t i : lost) lost_[i] = Why::no_room;
+      std::erase_if(pressing, [&](const Press& press) { return gone(press.a) || gone(press.b); });
+    }
+    drop_pairs();
   }
 
   void drop_pairs() {
@@ -345,7 +384,7 @@ class Solver {
   std::vector<SpherePair> pairs_;  // berries that may touch
   std::vector<Leaning> leaning_;   // by stem
   std::vector<float> pushes_, bound_pushes_;
-  std::vector<Press> presses_;
+  SwellingWork work_;
 };
 
 }  // namespace

@@ -46,6 +46,7 @@ struct Swollen {
   std::vector<glm::vec3> centres;     // of the berries
   std::vector<glm::vec3> directions;  // unit, from the pedicel's foot to the berry's tip
   std::vector<Why> lost;              // of the berries; 0 for those that are there, not_set for who never joined
+  SwellingWork work;
 };
 
 // A pedicel's length over its ripe one, when berries are of a size.
