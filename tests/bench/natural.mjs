@@ -8,7 +8,7 @@ import { microseconds, printTable } from "./statistics.mjs";
 
 const RUNS = 7;
 const ROUNDS = 2;
-const COUNTS = [125, 250, 500, 1000, 2000];
+const COUNTS = [125, 250, 500, 1000, 1500, 2000, 3000];
 
 const PARTS = {
 	skeleton: { meshes: false, measures: false },

@@ -153,8 +153,8 @@ export default [
 		faults: [
 			{
 				id: "growth-names-repeat",
-				find: 'count > 1 ? ` ${count}` : ""}, age ${ages[i]}`',
-				replace: 'count > 1 ? ` ${count}` : ""}`',
+				find: "const name = atAge(numbered, ages[i]);",
+				replace: "const name = numbered;",
 				breaks: "parts of all ages have the same names",
 			},
 			{

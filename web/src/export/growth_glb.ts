@@ -56,7 +56,7 @@ function withOneMaterialAKind(grown: readonly Part[][], ages: readonly number[])
 			if (!shape) return undefined;
 			const { material } = shape;
 			if (material.textures?.colour)
-				return { ...shape, material: { ...material, name: `${material.name}, age ${ages[i]}` } };
+				return { ...shape, material: { ...material, name: atAge(material.name, ages[i]) } };
 			return { ...coloured(shape), material: oldest.get(material.name) ?? material };
 		}),
 	);
@@ -67,11 +67,14 @@ function withOneMaterialAKind(grown: readonly Part[][], ages: readonly number[])
 			const count = (counts.get(part.name) ?? 0) + 1;
 			counts.set(part.name, count);
 			const shape = shapes[i][k];
-			const name = `${part.name}${count > 1 ? ` ${count}` : ""}, age ${ages[i]}`;
+			const numbered = count > 1 ? `${part.name} ${count}` : part.name;
+			const name = atAge(numbered, ages[i]);
 			return { ...part, name, ...(shape && { shape: painted.get(shape) ?? shape }) };
 		});
 	});
 }
+
+const atAge = (name: string, age: number) => `${name}, age ${age}`;
 
 /** A shape whose vertices have colours: its material's where they had none. */
 function coloured(shape: Shape): Shape {
