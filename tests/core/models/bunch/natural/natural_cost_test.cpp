@@ -43,7 +43,7 @@ TEST_CASE("the work of swelling rises with the contacts of berries and stems, fr
     CHECK(steps <= 64);
     CHECK(looks <= 10 * contacts);
     // However many rounds it takes, thinning measures once how deep berries press.
-    CHECK(thinning <= looks / 6);
+    CHECK(thinning <= looks / 20);
   }
   const auto power = [&](std::uint64_t SwellingWork::*part) {
     return exponent(works.front().*part, works.back().*part, counts[0], 3000);
