@@ -51,6 +51,22 @@ test("a mistake is shown where it stands, and the last bunch stays until it is m
 	await expect(studio.fingerprint).toHaveText(first);
 });
 
+test("typing over a selection of coloured words replaces it, without an error of the page's policy", async ({
+	page,
+}) => {
+	const studio = await new EditorPage(page).edit(PAPER);
+	await studio.endOf("#define r_p 1.5");
+	await page.keyboard.press("Shift+Home");
+	await page.keyboard.type("#");
+	await page.keyboard.type("define r_p 1.7");
+	await expect(studio.line("#define r_p 1.7")).toBeVisible();
+	await expect(studio.line("#define r_p 1.7").locator("[style]")).toHaveCount(0);
+	// A selection is put between brackets, as where the browser types.
+	await page.keyboard.press("Shift+Control+ArrowLeft");
+	await page.keyboard.type("(");
+	await expect(studio.text).toContainText(/\(1?\.?7\)/);
+});
+
 test("closing the editor over a mistake shows a message that leads back to it", { tag: "@long" }, async ({ page }) => {
 	const studio = await new EditorPage(page).edit(PAPER);
 	await studio.endOf("axiom:");

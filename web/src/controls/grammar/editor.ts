@@ -25,6 +25,7 @@ import type { NumberAt } from "./outline";
 import { placeOf, showProblems, tell } from "./problems";
 import { type MarkedProductions, markProductions, productionMarks } from "./production_marks";
 import { type Problem, sameProblems } from "./told";
+import { typingOver } from "./typing_over";
 
 /** What an editor tells of itself. */
 export interface EditorEvents {
@@ -100,6 +101,7 @@ export class Editor {
 					showProblems,
 					productionMarks,
 					finding,
+					typingOver,
 					scrubbing({ begin: () => events.settle(), end: () => events.settle() }),
 					EditorView.lineWrapping,
 					EditorView.contentAttributes.of({

@@ -1,0 +1,17 @@
+/**
+ * Typing over a selection, done by the editor. The browser would keep the style of the text that is replaced as an inline style, which
+ * the page's content security policy refuses with an error in the console.
+ */
+import { EditorView } from "@codemirror/view";
+
+export const typingOver = EditorView.domEventHandlers({
+	beforeinput({ inputType, data, isComposing }, view) {
+		const { main, ranges } = view.state.selection;
+		if (inputType !== "insertText" || data === null || isComposing || main.empty || ranges.length > 1) return false;
+		const replace = () =>
+			view.state.update(view.state.replaceSelection(data), { userEvent: "input.type", scrollIntoView: true });
+		const handlers = view.state.facet(EditorView.inputHandler);
+		if (!handlers.some((handle) => handle(view, main.from, main.to, data, replace))) view.dispatch(replace());
+		return true;
+	},
+});
