@@ -129,8 +129,8 @@ Limits limits_over(std::uint32_t divisor) {
 
 }  // namespace
 
-// 2,000 texts, 500 of each language: with a tenth of the limits, and where PANICLE_FUZZ is set, as in the long run, with
-// all of them. Memory is all that the program has held, so that nothing can be left out of the count.
+// 2,000 texts, 500 of each language: with a tenth of the limits, and where PANICLE_FUZZ is set, as in the long run,
+// with all of them. Memory is all that the program has held, so that nothing can be left out of the count.
 TEST_CASE("texts with changes take no more work and memory than the limits say") {
   constexpr std::uint64_t runs = 2000;
   const std::uint32_t divisor = fuzz_runs(runs) == runs ? 10 : 1;

@@ -149,12 +149,9 @@ const Slabs slabs;
 
 Grown published_grown(const std::string& name) {
   Grown grown{published(name), nullptr, {upright, &slabs, nullptr}, {}, {}};
-  const Inputs inputs{{{"areas", 1}, {"places", 2}, {"forks", 0}},
-                      {{"path", {0, 1, 0, 0, 2, 0}},
-                       {"size", {1, 1, 1}},
-                       {"next", {2, 3}},
-                       {"fork", {0, 0}},
-                       {"own", {1, 1}}}};
+  const Inputs inputs{
+      {{"areas", 1}, {"places", 2}, {"forks", 0}},
+      {{"path", {0, 1, 0, 0, 2, 0}}, {"size", {1, 1, 1}}, {"next", {2, 3}}, {"fork", {0, 0}}, {"own", {1, 1}}}};
   grown.bound = compiled_published(grown.text, inputs);
   if (lsystem::asks(lsystem::program_of(*grown.bound))) grown.around.answers = &steady;
   return grown;

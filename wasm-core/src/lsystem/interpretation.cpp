@@ -425,7 +425,7 @@ class Interpreter {
     float before[most_parameters];
     std::copy_n(parameters, count, before);
     listener_.ask(turtle_, {parameters, count}, lineage_of(module));
-    if (!machine_.spend(1)) return false;  // also where the answer has taken what was left
+    if (!machine_.spend(1)) return false;        // also where the answer has taken what was left
     const auto write = [&](std::uint32_t* to) {  // what has been answered; the rest stays as precise as it is
       for (std::uint32_t i = 0; i < count; ++i)
         if (std::memcmp(&parameters[i], &before[i], sizeof(float)) != 0) set_parameter(to, i, parameters[i]);

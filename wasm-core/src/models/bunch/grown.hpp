@@ -86,7 +86,7 @@ struct Grown {
   Plan plan;        // of the handles
   std::optional<Plan> second;
   Counts counts;
-  SwellingWork swelling;  // of the natural procedure
+  SwellingWork swelling;              // of the natural procedure
   std::vector<Internode> internodes;  // parents first
   std::int32_t second_root = -1;      // with which a second bunch begins that shares the first one's root
   std::vector<Berry> berries;

@@ -203,10 +203,10 @@ class Growth {
     return true;
   }
 
-  // "Leaves that are generated in the previous step are assigned as falling leaves" (section 3.3). A leaf may sit on the
-  // current branch or on one related to it (figure 1), so the shoot's own leaves fall first, then those of its branches.
-  // Under the paper's rule N − k is constant while a shoot ages: a shoot with a negative count has never given leaves to
-  // branches, and sheds those that it got when it came.
+  // "Leaves that are generated in the previous step are assigned as falling leaves" (section 3.3). A leaf may sit on
+  // the current branch or on one related to it (figure 1), so the shoot's own leaves fall first, then those of its
+  // branches. Under the paper's rule N − k is constant while a shoot ages: a shoot with a negative count has never
+  // given leaves to branches, and sheds those that it got when it came.
   bool shed(std::uint32_t number, std::uint16_t step, std::uint32_t falling) {
     const Memory& memory = memories_[number];
     for (const LeafRange& range : {memory.counted, memory.of_branches}) {

@@ -45,13 +45,12 @@ TEST_CASE("the work of swelling rises with the contacts of berries and stems, fr
     // However many rounds it takes, thinning measures once how deep berries press.
     CHECK(thinning <= looks / 20);
   }
-  const auto power = [&](std::uint64_t SwellingWork::*part) {
+  const auto power = [&](std::uint64_t SwellingWork::* part) {
     return exponent(works.front().*part, works.back().*part, counts[0], 3000);
   };
-  MESSAGE("exponents from 250 to 3,000 berries: steps " << power(&SwellingWork::steps) << ", looks "
-                                                        << power(&SwellingWork::looks) << ", contacts "
-                                                        << power(&SwellingWork::contacts) << ", thinning "
-                                                        << power(&SwellingWork::thinning_looks));
+  MESSAGE("exponents from 250 to 3,000 berries: steps "
+          << power(&SwellingWork::steps) << ", looks " << power(&SwellingWork::looks) << ", contacts "
+          << power(&SwellingWork::contacts) << ", thinning " << power(&SwellingWork::thinning_looks));
   CHECK(power(&SwellingWork::steps) <= 0.1);
 }
 

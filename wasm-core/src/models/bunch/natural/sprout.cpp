@@ -18,7 +18,7 @@ namespace panicle::bunch {
 namespace {
 
 constexpr float wider_by = 1.15f, most_wider = 2;  // nodes' distances over the plan's, where it has too many flowers
-constexpr float farthest = 1e5f;  // millimetres from p1 that anything may be
+constexpr float farthest = 1e5f;                   // millimetres from p1 that anything may be
 constexpr Parameter heeded_by_plan[] = {Parameter::wi};
 
 // As many flowers as may be, and no more.
@@ -91,8 +91,8 @@ class Sower {
     return true;
   }
 
-  // Puts nodes farther apart, for plans that drew more flowers than there may be; returns whether it has, which it does a
-  // few times only: a text need not heed the plan.
+  // Puts nodes farther apart, for plans that drew more flowers than there may be; returns whether it has, which it does
+  // a few times only: a text need not heed the plan.
   bool spaces_out() {
     if (constants_.wider >= most_wider) return false;
     constants_.wider *= wider_by;

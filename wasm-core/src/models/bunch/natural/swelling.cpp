@@ -98,9 +98,7 @@ class Solver {
   }
 
   // Until nobody is pressed harder than berries can be.
-  void thin_out() {
-    thin(most_rounds);
-  }
+  void thin_out() { thin(most_rounds); }
 
   // Where fewer than `wanted` have found room, others grow up among them, in their order.
   void join(std::size_t wanted, float scale, int& index) {
@@ -270,8 +268,8 @@ class Solver {
     }
   }
 
-  // `leaning_` lists the berries of one stem after another: what is known of a stem serves all its berries, until one of
-  // them pushes its end.
+  // `leaning_` lists the berries of one stem after another: what is known of a stem serves all its berries, until one
+  // of them pushes its end.
   void part_stems() {
     work_.looks += leaning_.size();
     for (std::size_t at = 0; at < leaning_.size();) {
