@@ -159,6 +159,12 @@ export default [
 				breaks: "a specimen that never ends keeps all others waiting",
 			},
 			{
+				id: "offline-ended-worker-answers",
+				find: "if (isCurrent()) this.#answer(data);",
+				replace: "this.#answer(data);",
+				breaks: "a specimen is answered with the file of another whose worker was ended",
+			},
+			{
 				id: "offline-queue-unlimited",
 				find: "this.#waiting.length >= MOST_WAITING",
 				replace: "false",

@@ -67,6 +67,12 @@ export default [
 				breaks: "answers that clients have yet to read take any memory",
 			},
 			{
+				id: "service-counts-answers-of-clients-that-left",
+				find: "if (left.aborted) return;",
+				replace: "",
+				breaks: "after many requests whose clients left early the service refuses all others",
+			},
+			{
 				id: "service-keeps-silent-connections",
 				find: "server.timeout = limits.request;",
 				replace: "server.timeout = 0;",

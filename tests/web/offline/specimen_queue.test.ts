@@ -77,6 +77,17 @@ describe("specimens that a page grows", () => {
 		expect(textOf(await next)).toBe("small grown");
 	});
 
+	it("ignores what a worker that has been ended still sends", async () => {
+		const late = queue.ask(asked("huge"));
+		const next = queue.ask(asked("small"));
+		vi.advanceTimersByTime(30_000);
+		threads[0].finish();
+		threads[0].onerror?.call(threads[0] as never, new Event("error") as ErrorEvent);
+		expect(await late).toMatchObject({ status: 503 });
+		threads[1].finish();
+		expect(textOf(await next)).toBe("small grown");
+	});
+
 	it("are refused where too many wait", async () => {
 		const answers = Array.from({ length: MOST_WAITING + 3 }, (_, i) => queue.ask(asked(`${i}`)));
 		const refused = await Promise.all(answers.slice(-2));

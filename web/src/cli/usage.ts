@@ -22,7 +22,7 @@ export class UsageError extends Error {
 	}
 }
 
-/** Exit status where all is grown and something does not measure what it is to. */
+/** Exit status where everything is grown and a target is missed. */
 export const MISSED = 3;
 
 /** The text of --help: of one model, with the names of the others. */
@@ -53,13 +53,13 @@ export function usage(model: Model, models: readonly string[]): string {
                    ${wrapped([...keys, ...details.flatMap(({ settings = [] }) => settings)])}
 ${
 	asked.length > 0
-		? `  --target M=VALUE searches for parameters with which M measures so, as near as they can; FROM..TO draws a
-                   value from the range; as often as needed; M is one of
+		? `  --target M=VALUE searches for the parameters with which the measure M comes nearest to the value;
+                   FROM..TO draws the value from a range; may be repeated; M is one of
                    ${wrapped(asked)}
 `
 		: ""
-}  --grammar FILE   grammar text in place of the preset's; without a preset, the text decides
-                   which model grows, and where it has no sign of any, the file's ending
+}  --grammar FILE   grammar text in place of the preset's; without a preset, the text decides which
+                   model grows, and the ending of the file's name where the text fits none
   --string         the JSON has the derived string, of plants that any text grows
   --chronicle STEP the JSON tells of that step of the derivation: which production fired
                    where and with what values; STEP,FIRST,COUNT of so many modules from one on
@@ -84,8 +84,9 @@ ${
   --list           all models with their presets, as JSON
   --help           ${wrapped(others.length > 0 ? ["this;", "of", "other", "models:", ...others] : ["this"])}
 
-Exit status: 0 grown; 1 the core broke or is missing, a file could not be written, or some of a
-series did not grow; 2 something in the call cannot be used; 3 grown, but a --target is missed.
+Exit status: 0 grown; 1 the core failed or is missing, a file could not be written, or plants of a
+series did not grow; 2 a mistake in the call; 3 grown, but a --target is missed; 4 the plant is empty
+and the file cannot be.
 What the keys mean: docs/models/*/parameters.md, docs/links.md. Fields of the JSON: docs/command-line.md.
 `;
 }

@@ -30,12 +30,12 @@ export type SpecimenAnswer =
 			readonly headers: Readonly<Record<string, string>>;
 			readonly body: Uint8Array<ArrayBuffer>;
 	  }
-	/** The page's worker could not be started. */
+	/** The page's worker could not be started, or failed. */
 	| { readonly type: "unable" };
 
 /** The maximum number of waiting requests in a page, and in the service worker. */
 export const MOST_WAITING = 16;
-export const TOO_MANY = "too many ask at once; try again in a moment";
+export const TOO_MANY = "too many requests; try again in a moment";
 
 /** An answer of status 503 with its reason. */
 export function refusal(message: string): Extract<SpecimenAnswer, { type: "answer" }> {

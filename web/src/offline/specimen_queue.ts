@@ -51,7 +51,7 @@ export class SpecimenQueue {
 			return;
 		}
 		this.#running = job;
-		const late = `it took more than ${LONGEST_GROWTH / 1000} s; ask for a smaller plant or a smaller file`;
+		const late = `it took more than ${LONGEST_GROWTH / 1000} s; request a smaller plant or a smaller file`;
 		this.#timer = setTimeout(() => this.#break(refusal(late)), LONGEST_GROWTH);
 		try {
 			this.#workerFor(job.request.script).postMessage(job.request);
@@ -64,10 +64,14 @@ export class SpecimenQueue {
 		if (this.#thread?.script === script) return this.#thread.worker;
 		this.#end();
 		const worker = this.#start(script);
-		worker.onmessage = ({ data }: MessageEvent<SpecimenAnswer>) => this.#answer(data);
+		// Events of a worker that has been ended may still be on their way.
+		const isCurrent = () => this.#thread?.worker === worker;
+		worker.onmessage = ({ data }: MessageEvent<SpecimenAnswer>) => {
+			if (isCurrent()) this.#answer(data);
+		};
 		worker.onerror = (event) => {
 			event.preventDefault(); // The service worker grows the specimen itself.
-			this.#break({ type: "unable" });
+			if (isCurrent()) this.#break({ type: "unable" });
 		};
 		this.#thread = { script, worker };
 		return worker;

@@ -27,15 +27,19 @@ if (scope.DedicatedWorkerGlobalScope) answerThePage();
 function answerThePage(): void {
 	let service: Service | undefined;
 	scope.onmessage = async ({ data: { url, method, headers, cores, release } }) => {
-		service ??= makeSpecimens((wasm) => fetched(cores[wasm]), release);
-		const answer = await service(new Request(url, { method, headers }));
-		const body = new Uint8Array(await answer.arrayBuffer());
-		const { status } = answer;
-		scope.postMessage({ type: "answer", status, headers: Object.fromEntries(answer.headers), body }, [body.buffer]);
+		try {
+			service ??= makeSpecimens((wasm) => fetchCore(cores[wasm]), release);
+			const answer = await service(new Request(url, { method, headers }));
+			const body = new Uint8Array(await answer.arrayBuffer());
+			const { status } = answer;
+			scope.postMessage({ type: "answer", status, headers: Object.fromEntries(answer.headers), body }, [body.buffer]);
+		} catch {
+			scope.postMessage({ type: "unable" }, []);
+		}
 	};
 }
 
-async function fetched(address: string): Promise<ArrayBuffer> {
+async function fetchCore(address: string): Promise<ArrayBuffer> {
 	const response = await fetch(address);
 	if (!response.ok) throw new Error(`${address} could not be fetched: ${response.status}`);
 	return response.arrayBuffer();

@@ -95,6 +95,22 @@ it("drops an answer that is not read, and meanwhile refuses further requests", a
 	await vi.waitFor(async () => expect(await connections()).toBe(0), { timeout: 5000 });
 });
 
+it("forgets the answer to a client that left before it was ready", async () => {
+	const run = vi.fn<ThreadPool["run"]>(async () => answer(2));
+	let socket: Socket | undefined;
+	run.mockImplementationOnce(async (_, signal) => {
+		const left = signal && once(signal, "abort");
+		socket?.destroy();
+		await left;
+		return answer(2 * LIMITS.unread);
+	});
+	await serve(run);
+	socket = send(request("/specimens/riesling.glb"));
+	await closed(socket);
+	await vi.waitFor(async () => expect(await connections()).toBe(0));
+	expect(await answerOf(send(request("/specimens/other.glb")))).toMatch(/^HTTP\/1\.1 200 /);
+});
+
 it("drops an answer that is read too slowly over all", async () => {
 	await serve(async () => answer(LARGE), { ...LIMITS, stalled: 500, slowest: 4 * LARGE });
 	const slow = send(request("/specimens/riesling.glb"));

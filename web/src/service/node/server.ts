@@ -53,10 +53,9 @@ export function makeServer(threads: Pick<ThreadPool, "run">, limits = SERVER_LIM
 				throw new Refused(405, `method ${method} is not allowed`, { allow: METHODS.join(", ") });
 			if (unread > limits.unread)
 				throw new Refused(503, "too many answers are still to be read; try again in a moment", { "retry-after": "5" });
-			const answer = await threads.run(
-				{ url: addressOf(url), method, headers: usedHeaders(request) },
-				leaving(response),
-			);
+			const left = leaving(response);
+			const answer = await threads.run({ url: addressOf(url), method, headers: usedHeaders(request) }, left);
+			if (left.aborted) return; // No “close” follows that would count the answer as read.
 			unread += answer.body.byteLength;
 			response.once("close", () => {
 				unread -= answer.body.byteLength;
