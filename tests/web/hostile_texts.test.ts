@@ -4,7 +4,7 @@
  * run ends by its time limit.
  */
 import { expect, it } from "vitest";
-import { cellsOf, splitRows } from "../../web/src/batch/csv_rows";
+import { splitCells, splitRows } from "../../web/src/batch/csv_rows";
 import { readVary } from "../../web/src/batch/vary";
 import { numberAt, outlineOf, withConstants } from "../../web/src/controls/grammar/outline";
 import { findRange } from "../../web/src/controls/grammar/range_words";
@@ -107,14 +107,14 @@ it("numbers, ranges, names and rows", () => {
 	expect(() => readVary(BUNCH, long(".", "age=", "\n"), fromPreset(BUNCH))).toThrow();
 	for (const row of [long('"'), long('""', '"'), long('"a'), long("a,"), long('",')]) {
 		expect(splitRows(row)).toEqual([]);
-		cellsOf(`${row}\r\n`);
+		splitCells(`${row}\r\n`);
 	}
 });
 
-it("rows that broke off, and cells with what parts rows and cells in them", () => {
+it("rows of an unfinished table are left out, and quoted cells may contain separators", () => {
 	const rows = ['a,"b ""c"", d",\r\n', '"x\r\ny",,z\r\n'];
 	expect(splitRows(`${rows.join("")}broken,"off`)).toEqual(rows);
-	expect(rows.map(cellsOf)).toEqual([
+	expect(rows.map(splitCells)).toEqual([
 		["a", 'b "c", d', ""],
 		["x\r\ny", "", "z"],
 	]);

@@ -15,19 +15,19 @@ export default [
 			},
 			{
 				id: "draws-alike-in-every-series",
-				find: "const draw = hashed(specificationOf(species, from));",
-				replace: 'const draw = hashed("");',
+				find: "const draw = hashFunction(specificationOf(species, from));",
+				replace: 'const draw = hashFunction("");',
 				breaks: "plants of one number have the same values in every variety and setting",
 			},
 			{
 				id: "draws-one-quantity-for-all",
-				find: "keyOf([specification, quantity].join",
-				replace: "keyOf([specification].join",
+				find: "hashText([specification, quantity].join",
+				replace: "hashText([specification].join",
 				breaks: "two parameters that are varied rise and fall together",
 			},
 			{
 				id: "draws-not-mixed-twice",
-				find: "return mixed(mixed(number ^ key[0]) ^ key[1]);",
+				find: "return mixBits(mixBits(number ^ key[0]) ^ key[1]);",
 				replace: "return (number * 0x9e3779b9 + key[0]) >>> 0;",
 				breaks: "values of a series are spread evenly, not at random",
 			},
@@ -39,7 +39,7 @@ export default [
 		faults: [
 			{
 				id: "manifest-forgets-the-numbers",
-				find: "plants: rangesOf(numbers),",
+				find: "plants: formatRanges(numbers),",
 				replace: 'plants: "",',
 				breaks: "a series of fewer plants cuts the table of a longer one",
 			},
@@ -63,7 +63,7 @@ export default [
 			},
 			{
 				id: "series-writes-without-its-lock",
-				find: "const made = await grower.grow(member);\n\t\t\tawait lock.keep();",
+				find: "const made = await grower.grow(member);\n\t\t\tawait lock.renew();",
 				replace: "const made = await grower.grow(member);",
 				breaks: "two processes write one table after one of them was silent for long",
 			},
@@ -88,7 +88,7 @@ export default [
 			},
 			{
 				id: "lock-for-ever",
-				find: "if (!(Math.abs(world.now() - at) < SILENCE)) return false;",
+				find: "if (!(Math.abs(world.now() - at) < EXPIRY)) return false;",
 				replace: "",
 				breaks: "a lock of a machine that has crashed blocks its table until someone deletes it",
 			},

@@ -68,6 +68,6 @@ describe("a series as one archive", () => {
 
 	it("is refused where it would hold too many", async () => {
 		const numbers = Array.from({ length: 1001 }, (_, number) => number);
-		await expect(zipOf(series, numbers, means, watching())).rejects.toThrow(/an archive holds 1000/);
+		await expect(zipOf(series, numbers, means, watching())).rejects.toThrow(/an archive holds at most 1000/);
 	});
 });

@@ -215,7 +215,7 @@ it("what does not grow leaves a line that says why, and is tried again", async (
 	};
 	const words = [...SMALL, "--seeds", "1-2"];
 	expect(await run(words, { ...memory.world, loadCore })).toBe(1);
-	expect(memory.said.at(-1)).toBe("grow: 1 could not be grown; their lines have no file and say why");
+	expect(memory.said.at(-1)).toBe("grow: 1 could not be grown; the column “notes” of the table has the reasons");
 	const rows = rowsOf(memory.written.get(TABLE));
 	expect(rows.map(({ file, notes }) => [file, notes])).toEqual([
 		["", "the core broke"],
@@ -238,12 +238,12 @@ describe("what of a series cannot be used", () => {
 	const refused = (words: string[], environment = {}) => complaint([...SMALL, ...words], {}, environment);
 
 	it.each([
-		[["--seeds", "x"], "--seeds x: “x” is no number and no range of them; write 1-100 or 1,5,9"],
+		[["--seeds", "x"], "--seeds x: “x” is not a number or a range of numbers; write 1-100 or 1,5,9"],
 		[["--seeds", "9-1"], "--seeds 9-1: 9-1 runs backwards; write 1-9"],
 		[["--seeds", "1-4294967296"], "--seeds 1-4294967296: 4294967296 is above the greatest number, 4294967295"],
 		[["--seeds", "0-200000"], /^--seeds 0-200000: more than 100000 plants; write several series/],
 		[["--seeds", "1", "--seed", "2"], "--seed and --seeds: write one of them"],
-		[["--vary", "age=1..2"], "--vary is of a series: say which plants, as in --seeds 1-100"],
+		[["--vary", "age=1..2"], "--vary needs a series; add --seeds, as in --seeds 1-100"],
 		[["--seeds", "1", "--vary", "age"], /“age”: write KEY=FROM..TO or KEY=ONE\|ANOTHER/],
 		[["--seeds", "1", "--vary", "plum=1..2"], /plum: no parameter has that key/],
 		[["--seeds", "1", "--vary", "age=60..20"], /age=60\.\.20 runs backwards; write age=20\.\.60/],

@@ -44,7 +44,7 @@ describe("two that are started together into one new folder", () => {
 		expect(both.map(({ status }) => status).sort()).toEqual([0, 2]);
 		expect(both.flatMap(({ said }) => said)).toContainEqual(
 			expect.stringMatching(
-				/^grow: --out d\/plants\.csv: process \d+ on here writes it \(0 s ago\); wait until it has ended$/,
+				/^grow: --out d\/plants\.csv: process \d+ on here is writing it \(last sign of life 0 s ago\); wait until it has ended$/,
 			),
 		);
 		expect(rowsIn(written)).toHaveLength(3);
@@ -119,7 +119,7 @@ describe("a folder without a manifest", () => {
 			const { status, said } = await series(["--seeds", "1-3"], written);
 			expect([status, [...written]]).toEqual([2, [[`d/${name}`, "mine"]]]);
 			expect(said).toEqual([
-				`grow: --out d: ${name} is there, and no series.json says of which series; choose another folder`,
+				`grow: --out d: ${name} exists, but no series.json that describes its series; choose another folder`,
 			]);
 		},
 	);
@@ -160,7 +160,9 @@ describe("the lock of a table", () => {
 		const written: Written = new Map([[LOCK, JSON.stringify(lock)]]);
 		const { status, said } = await series(words, written);
 		expect(status).toBe(2);
-		expect(said[0]).toMatch(/process 7 on t?here writes it \(\d+ s ago\); wait until it has ended$/);
+		expect(said[0]).toMatch(
+			/process 7 on t?here is writing it \(last sign of life \d+ s ago\); wait until it has ended$/,
+		);
 		expect(JSON.parse(textOf(written, LOCK))).toEqual(lock);
 		expect(written.has(`${TABLE}.part`)).toBe(false);
 	});

@@ -50,15 +50,17 @@ describe("a target", () => {
 	it("that cannot be used is refused", async () => {
 		const refused = (...texts: string[]) => complaint(["riesling", ...target(...texts)]);
 		expect(await refused("160")).toBe("--target 160: write MEASURE=VALUE, as in --target bunch_length=160");
-		expect(await refused("wings=2")).toMatch(/^--target wings: no measure of this bunch that can be asked for/);
-		expect(await refused("density=high")).toBe("--target density: “high” is no number from 0 on");
-		expect(await refused("density=-1")).toMatch(/no number from 0 on$/);
-		expect(await refused("bunch_length=9..x")).toBe("--target bunch_length: “x” is no number from 0 on");
+		expect(await refused("wings=2")).toMatch(/^--target wings: not a measure of this bunch that can be a target/);
+		expect(await refused("density=high")).toBe("--target density: “high” is not a number of 0 or more");
+		expect(await refused("density=-1")).toMatch(/“-1” is not a number of 0 or more$/);
+		expect(await refused("bunch_length=9..x")).toBe("--target bunch_length: “x” is not a number of 0 or more");
 		expect(await refused("bunch_length=9..3")).toBe("--target bunch_length: 9..3 runs backwards; write 3..9");
 		expect(await refused("density=3", "density=4")).toBe("--target density: given twice");
-		expect(await complaint(["root", ...target("depth=3")])).toMatch(/of a root no measure can be asked for/);
+		expect(await complaint(["root", ...target("depth=3")])).toMatch(
+			/the model root has no measures that can be targets/,
+		);
 		const paper = ["riesling", "--set", "procedure=paper", ...target("density=3")];
-		expect(await complaint(paper)).toMatch(/no measure of this bunch that can be asked for/);
+		expect(await complaint(paper)).toMatch(/not a measure of this bunch that can be a target/);
 	});
 
 	it("is in the help of models that have some", async () => {
@@ -132,7 +134,7 @@ describe("a series with a target", () => {
 		expect(status).toBe(3);
 		expect(said).toEqual([
 			"2 plants: 2 grown, 0 there before; d/plants.csv",
-			"target: 2 of 2 plants miss theirs; the column “missed” says which",
+			"target: 2 of 2 plants miss a target; the column “missed” of the table has the measures",
 		]);
 		const rows = cells(written.get("d/plants.csv"));
 		expect(rows.map(({ missed }) => missed)).toEqual(["pedicel_length", "pedicel_length"]);

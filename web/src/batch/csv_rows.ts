@@ -1,4 +1,4 @@
-/** Rows and cells of a table as csv.ts writes it (RFC 4180), read in one pass each: a table that broke off may end anywhere. */
+/** Rows and cells of a table as csv.ts writes it (RFC 4180), read in one pass each. A table of an interrupted series may end anywhere. */
 
 /** Whole rows with their CRLF; a CRLF within quotation marks ends no row. An unfinished last row is left out. */
 export function splitRows(text: string): string[] {
@@ -16,7 +16,7 @@ export function splitRows(text: string): string[] {
 }
 
 /** The values of a row's cells. @param row with its CRLF */
-export function cellsOf(row: string): string[] {
+export function splitCells(row: string): string[] {
 	const cells: string[] = [];
 	const end = row.length - "\r\n".length;
 	let from = 0;
@@ -24,11 +24,11 @@ export function cellsOf(row: string): string[] {
 	for (let at = 0; at <= end; at++) {
 		if (at < end && row[at] === '"') isQuoted = !isQuoted;
 		if (at < end && (isQuoted || row[at] !== ",")) continue;
-		cells.push(unquoted(row.slice(from, at)));
+		cells.push(unquote(row.slice(from, at)));
 		from = at + 1;
 	}
 	return cells;
 }
 
-/** Two quotation marks within a cell's own are one. */
-const unquoted = (cell: string): string => (cell.startsWith('"') ? cell.slice(1, -1).replaceAll('""', '"') : cell);
+/** A cell without its quotation marks; two within them stand for one. */
+const unquote = (cell: string): string => (cell.startsWith('"') ? cell.slice(1, -1).replaceAll('""', '"') : cell);

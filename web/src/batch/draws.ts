@@ -26,7 +26,7 @@ export function specificationOf<S extends Specimen>(species: Species<S>, from: S
 
 /** Draws that are independent between plants, quantities, varieties and settings: a hash of all four. */
 export function independentDraws<S extends Specimen>(species: Species<S>, from: S): Draws {
-	const draw = hashed(specificationOf(species, from));
+	const draw = hashFunction(specificationOf(species, from));
 	return {
 		literal: false,
 		seed: (number) => draw("seed", number),
@@ -39,7 +39,7 @@ export function independentDraws<S extends Specimen>(species: Species<S>, from: 
  * variety and settings.
  */
 export function literalDraws(): Draws {
-	const draw = hashed("");
+	const draw = hashFunction("");
 	return {
 		literal: true,
 		seed: (number) => number,
@@ -48,27 +48,27 @@ export function literalDraws(): Draws {
 }
 
 /** A function from a quantity and a number to 32 bits, one to one in the number. */
-function hashed(specification: string): (quantity: string, number: number) => number {
+function hashFunction(specification: string): (quantity: string, number: number) => number {
 	const keys = new Map<string, readonly [number, number]>();
 	return (quantity, number) => {
 		let key = keys.get(quantity);
 		if (!key) {
-			key = keyOf([specification, quantity].join("\0"));
+			key = hashText([specification, quantity].join("\0"));
 			keys.set(quantity, key);
 		}
-		return mixed(mixed(number ^ key[0]) ^ key[1]);
+		return mixBits(mixBits(number ^ key[0]) ^ key[1]);
 	};
 }
 
 /** 64 bits of a text: FNV-1a (Fowler, Noll, Vo 1991) over its UTF-8, as two words. */
-function keyOf(text: string): readonly [number, number] {
+function hashText(text: string): readonly [number, number] {
 	let hash = 0xcbf29ce484222325n;
 	for (const byte of new TextEncoder().encode(text)) hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);
-	return [mixed(Number(hash >> 32n)), mixed(Number(hash & 0xffffffffn))];
+	return [mixBits(Number(hash >> 32n)), mixBits(Number(hash & 0xffffffffn))];
 }
 
 /** Makes every bit depend on every other, one to one (Appleby 2011, the finalizer of MurmurHash3). */
-function mixed(bits: number): number {
+function mixBits(bits: number): number {
 	let h = bits;
 	h = Math.imul(h ^ (h >>> 16), 0x85ebca6b);
 	h = Math.imul(h ^ (h >>> 13), 0xc2b2ae35);

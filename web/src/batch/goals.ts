@@ -14,7 +14,7 @@ export interface Goal {
 }
 
 /** As `--target` has it: `160`, `120..160`. */
-export const writtenGoal = ({ from, to }: Goal): string => (from === to ? String(from) : `${from}..${to}`);
+export const formatGoal = ({ from, to }: Goal): string => (from === to ? String(from) : `${from}..${to}`);
 
 /** What a plant aims at, by its number: of a range each value is as likely as any other. */
 export function aimsOf(

@@ -1,12 +1,12 @@
 /**
- * The manifest of a series, `series.json` beside its table: all that decides what its files hold. Two calls with equal manifests make the
- * same files, so that one can go on where another ended; what differs must not share a folder.
+ * The manifest of a series, `series.json` beside its table: everything that determines its files. Two calls with equal manifests make the same
+ * files, so that one can continue another; series with different manifests must not share a folder.
  */
 import { GENERATOR } from "../export/generator";
 import type { FileOptions } from "../export/plant_files";
 import { DEFAULT_SEED } from "../specimen/from_preset";
 import { encodeQuery, textsOf } from "../specimen/link";
-import { writtenGoal } from "./goals";
+import { formatGoal } from "./goals";
 import type { Series } from "./series";
 import type { Varied } from "./vary";
 
@@ -17,22 +17,22 @@ export interface Manifest {
 	readonly program: string;
 	/** `bunch/riesling`. */
 	readonly preset: string;
-	/** What all plants have besides the preset, by the keys of links. */
+	/** Settings of all plants besides the preset, by the keys of links. */
 	readonly settings: Readonly<Record<string, string>>;
 	/** Texts of the plants' own, by the keys of links. */
 	readonly texts: Readonly<Record<string, string>>;
 	readonly draws: "independent" | "literal";
 	/** Numbers of all plants, as `--seeds` has them. */
 	readonly plants: string;
-	/** In how many parts the series is grown, each with a table of its own. */
+	/** The number of parts of the series, each with its own table. */
 	readonly parts: number;
 	/** By parameter: `60..110` or `lychee|duku`. */
 	readonly vary: Readonly<Record<string, string>>;
-	/** Measures aimed at, by key. */
+	/** Target values by the keys of measures. */
 	readonly targets: Readonly<Record<string, string>>;
 	/** Kinds of files. */
 	readonly files: readonly string[];
-	/** Of the files: `points`, `triangles` and the like. */
+	/** Options of the files: `points`, `triangles` and others. */
 	readonly options: FileOptions;
 }
 
@@ -48,27 +48,27 @@ export function manifestOf(series: Series, numbers: readonly number[], parts = 1
 		settings: { v, ...others },
 		texts: Object.fromEntries(textsOf(model, common)),
 		draws: draws.literal ? "literal" : "independent",
-		plants: rangesOf(numbers),
+		plants: formatRanges(numbers),
 		parts,
-		vary: Object.fromEntries(varied.map((each) => [each.entry.key, writtenVaried(each)])),
-		targets: Object.fromEntries(goals.map((goal) => [goal.measure, writtenGoal(goal)])),
+		vary: Object.fromEntries(varied.map((each) => [each.entry.key, formatVaried(each)])),
+		targets: Object.fromEntries(goals.map((goal) => [goal.measure, formatGoal(goal)])),
 		...{ files: formats, options },
 	};
 }
 
-export const writtenManifest = (manifest: Manifest): string => `${JSON.stringify(manifest, null, "\t")}\n`;
+export const formatManifest = (manifest: Manifest): string => `${JSON.stringify(manifest, null, "\t")}\n`;
 
 /**
- * How a manifest that was read differs from one's own, in the words of the command line: `--seeds: 1-12 there, 5-8 here`.
- * @param there any text; one that is no manifest differs as a whole
+ * The differences between a manifest that was read and another, in the terms of the command line: `--seeds: 1-12 there, 5-8 here`.
+ * @param there any text; a text that is not a manifest is one difference
  */
 export function differencesFrom(there: string, here: Manifest): string[] {
-	const before = labelled(parsed(there));
+	const before = labelValues(parseObject(there));
 	if (before.size === 0) return [`${MANIFEST} there cannot be read`];
-	const now = labelled(here);
+	const now = labelValues(here);
 	return [...new Set([...before.keys(), ...now.keys()])].flatMap((label) => {
 		const [one, other] = [before.get(label), now.get(label)];
-		return one === other ? [] : [`${label}: ${shown(one)} there, ${shown(other)} here`];
+		return one === other ? [] : [`${label}: ${quoteValue(one)} there, ${quoteValue(other)} here`];
 	});
 }
 
@@ -86,8 +86,8 @@ const LABELS: Readonly<Record<keyof Manifest, string>> = {
 	options: "option",
 };
 
-/** Every value by the words that name it. */
-function labelled(manifest: object): Map<string, string> {
+/** Every value of a manifest by its label. */
+function labelValues(manifest: object): Map<string, string> {
 	const values = new Map<string, string>();
 	for (const [key, value] of Object.entries(manifest)) {
 		const label = LABELS[key as keyof Manifest] ?? key;
@@ -97,7 +97,7 @@ function labelled(manifest: object): Map<string, string> {
 	return values;
 }
 
-function parsed(text: string): object {
+function parseObject(text: string): object {
 	try {
 		const value: unknown = JSON.parse(text);
 		return typeof value === "object" && value !== null ? value : {};
@@ -109,13 +109,13 @@ function parsed(text: string): object {
 /** Characters of a value that a message shows. */
 const SHOWN = 40;
 
-function shown(value: string | undefined): string {
+function quoteValue(value: string | undefined): string {
 	if (value === undefined) return "not given";
 	return value.length > SHOWN || value.includes("\n") ? "another text" : value;
 }
 
 /** Numbers as `--seeds` takes them, neighbours as ranges: `1-12,20`. */
-function rangesOf(numbers: readonly number[]): string {
+function formatRanges(numbers: readonly number[]): string {
 	const ranges: [first: number, last: number][] = [];
 	for (const number of numbers) {
 		const run = ranges.at(-1);
@@ -125,5 +125,5 @@ function rangesOf(numbers: readonly number[]): string {
 	return ranges.map(([first, last]) => (first === last ? `${first}` : `${first}-${last}`)).join(",");
 }
 
-const writtenVaried = (varied: Varied): string =>
+const formatVaried = (varied: Varied): string =>
 	"values" in varied ? varied.values.join("|") : `${varied.from}..${varied.to}`;

@@ -14,7 +14,7 @@ export function readPlantNumbers(text: string): number[] {
 	for (const part of text.split(",")) {
 		const [, first, last = first] = /^\s*(\d+)\s*(?:-\s*(\d+)\s*)?$/.exec(part) ?? [];
 		if (first === undefined)
-			throw new Unusable(`“${part.trim()}” is no number and no range of them; write 1-100 or 1,5,9`);
+			throw new Unusable(`“${part.trim()}” is not a number or a range of numbers; write 1-100 or 1,5,9`);
 		addRange(numbers, Number(first), Number(last));
 	}
 	return [...numbers];

@@ -1,6 +1,6 @@
 /** A series as one archive: what the command line puts into a folder, byte for byte. */
 import { ZipStream } from "../files/zip";
-import { MANIFEST, manifestOf, writtenManifest } from "./manifest";
+import { formatManifest, MANIFEST, manifestOf } from "./manifest";
 import { growMember, type Means, memberOf, type Series } from "./series";
 import { columnsOf, failedRow, rowOf, written } from "./table";
 import { Unusable } from "./unusable";
@@ -24,7 +24,9 @@ export interface Watch {
 export async function zipOf(series: Series, numbers: readonly number[], means: Means, watch: Watch): Promise<Blob> {
 	const { signal, progress } = watch;
 	if (numbers.length > MOST_IN_ARCHIVE) {
-		throw new Unusable(`${numbers.length} plants; an archive holds ${MOST_IN_ARCHIVE}, the command line grows more`);
+		throw new Unusable(
+			`${numbers.length} plants; an archive holds at most ${MOST_IN_ARCHIVE}; the command line grows more`,
+		);
 	}
 	const archive = new ZipStream();
 	const lines = [written(columnsOf(series))];
@@ -51,6 +53,6 @@ export async function zipOf(series: Series, numbers: readonly number[], means: M
 	if (whole === 0) throw new Unusable(`none of the ${numbers.length} plants could be grown: ${why.replace(/\.$/, "")}`);
 	const encoder = new TextEncoder();
 	archive.add({ name: "plants.csv", bytes: encoder.encode(lines.join("")) });
-	archive.add({ name: MANIFEST, bytes: encoder.encode(writtenManifest(manifestOf(series, numbers))) });
+	archive.add({ name: MANIFEST, bytes: encoder.encode(formatManifest(manifestOf(series, numbers))) });
 	return archive.end();
 }

@@ -2,7 +2,7 @@
 import { classesOf, descriptorsOf } from "../export/classes";
 import { type Cell, writeCsv } from "../export/csv";
 import { measureValues } from "../export/measures";
-import { cellsOf, splitRows } from "./csv_rows";
+import { splitCells, splitRows } from "./csv_rows";
 import type { Grown, Member, Series } from "./series";
 
 /** Columns of a plant's files: of the first kind `file`, `bytes`, `crc32`, of each further one `file_json` and so on. */
@@ -84,7 +84,7 @@ export function readLines(series: Series, text: string): Map<number, Line> | und
 	if (header !== undefined && header !== written(columns)) return undefined;
 	const lines = new Map<number, Line>();
 	for (const row of rows) {
-		const cells = new Map(cellsOf(row).map((cell, at) => [columns[at], cell]));
+		const cells = new Map(splitCells(row).map((cell, at) => [columns[at], cell]));
 		const cell = (column: string) => cells.get(column) ?? "";
 		const files = fileColumns(series).map(([name, bytes, sum]) => ({
 			...{ name: cell(name), bytes: Number(cell(bytes)), sum: cell(sum) },

@@ -39,7 +39,8 @@ export function readArguments(words: readonly string[]): Call {
 	}
 	const batch = readBatch(values);
 	const alone = (["form", "string", "chronicle"] as const).find((key) => values[key]);
-	if (batch && alone) throw new UsageError(`--${alone} is for one plant’s file; of a series, --as says the kind`);
+	if (batch && alone)
+		throw new UsageError(`--${alone} is for a single plant; for a series, choose the kinds of files with --as`);
 	// Each line of a series' table brings its plant back by its link alone, and links hold no meshes.
 	if (batch && values.boundary)
 		throw new UsageError("--boundary is for one plant: links do not hold meshes, and a series is known by its links");

@@ -35,7 +35,7 @@ export function readBatch(values: Values): BatchCall | undefined {
 	const { seeds, vary, shard, as = ["glb"], seed, out } = values;
 	if (!seeds) {
 		const alone = (["vary", "shard", "as", "literal-seeds"] as const).find((option) => values[option]);
-		if (alone) throw new UsageError(`--${alone} is of a series: say which plants, as in --seeds 1-100`);
+		if (alone) throw new UsageError(`--${alone} needs a series; add --seeds, as in --seeds 1-100`);
 		return undefined;
 	}
 	if (seed) throw new UsageError("--seed and --seeds: write one of them");

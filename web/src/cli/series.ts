@@ -5,7 +5,7 @@
 import { join } from "node:path";
 import { crc32 } from "../batch/crc32";
 import { independentDraws, literalDraws } from "../batch/draws";
-import { differencesFrom, MANIFEST, manifestOf, writtenManifest } from "../batch/manifest";
+import { differencesFrom, formatManifest, MANIFEST, manifestOf } from "../batch/manifest";
 import { readPlantNumbers } from "../batch/plant_numbers";
 import { checkFormat, filesOf, growMember, type MadeFile, type Member, memberOf, type Series } from "../batch/series";
 import { partOf, readShard, type Shard } from "../batch/shard";
@@ -25,8 +25,8 @@ import { readTargets } from "./targets";
 import { MISSED, UsageError } from "./usage";
 import { writing } from "./writing";
 
-/** How often it says how far it is, in milliseconds. */
-const PATIENCE = 5000;
+/** Milliseconds between two reports of progress. */
+const REPORT_INTERVAL = 5000;
 /** Differences between two series that a message names. */
 const NAMED = 3;
 
@@ -47,25 +47,25 @@ interface Asked {
 export async function growSeries(call: Call, batch: BatchCall, world: Surroundings): Promise<number> {
 	const asked = await readSeries(call, batch, world);
 	await claimFolder(asked, world);
-	const lock = await TableLock.take(asked.table, world);
-	const forget = world.whenTerminated(() => lock.release());
+	const lock = await TableLock.acquire(asked.table, world);
+	const stopListening = world.whenTerminated(() => lock.release());
 	try {
 		return await growInto(asked, lock, world);
 	} finally {
-		forget();
+		stopListening();
 		await lock.release();
 	}
 }
 
 /**
- * Leaves the folder's manifest, or compares it with the one that is there.
+ * Writes the manifest of the folder, or compares it with the one that exists.
  * @throws UsageError where the folder holds another series, or files that this one would overwrite
  */
 async function claimFolder({ series, all, parts, folder }: Asked, world: Surroundings): Promise<void> {
 	await writing(folder, () => world.makeFolder(folder));
 	const path = join(folder, MANIFEST);
 	const manifest = manifestOf(series, all, parts);
-	// Names first: files are there only after their manifest.
+	// The names are read before the manifest: a series writes its manifest before its files.
 	const names = new Set(await world.listFolder(folder).catch(() => []));
 	const read = () => world.readFile(path).catch(() => undefined);
 	let there = await read();
@@ -74,10 +74,10 @@ async function claimFolder({ series, all, parts, folder }: Asked, world: Surroun
 		const taken = own ?? [...names].find((name) => /^plants(-\d+-of-\d+)?\.csv(\.part)?$/.test(name));
 		if (taken !== undefined) {
 			throw new UsageError(
-				`--out ${folder}: ${taken} is there, and no ${MANIFEST} says of which series; choose another folder`,
+				`--out ${folder}: ${taken} exists, but no ${MANIFEST} that describes its series; choose another folder`,
 			);
 		}
-		if (await writing(path, () => world.createFile(path, writtenManifest(manifest)))) return;
+		if (await writing(path, () => world.createFile(path, formatManifest(manifest)))) return;
 		there = await read();
 	}
 	const differences = differencesFrom(there ? new TextDecoder().decode(there) : "", manifest);
@@ -106,7 +106,7 @@ async function growInto(asked: Asked, lock: TableLock, world: Surroundings): Pro
 		if (line !== undefined) there++;
 		else {
 			const made = await grower.grow(member);
-			await lock.keep();
+			await lock.renew();
 			line = made.line;
 			if (made.missed) missed++;
 			if (!made.files) failed++;
@@ -118,13 +118,15 @@ async function growInto(asked: Asked, lock: TableLock, world: Surroundings): Pro
 		lines.push(line);
 		say(lines.length);
 	}
-	await lock.keep();
+	await lock.renew();
 	await writeTo(table, [written(columnsOf(series)), ...lines].join(""), world);
 	await world.removeFile(journal);
 	world.say(`${numbers.length} plants: ${numbers.length - there - failed} grown, ${there} there before; ${table}`);
-	if (failed > 0) world.say(`grow: ${failed} could not be grown; their lines have no file and say why`);
+	if (failed > 0) world.say(`grow: ${failed} could not be grown; the column “notes” of the table has the reasons`);
 	if (missed > 0)
-		world.say(`target: ${missed} of ${numbers.length} plants miss theirs; the column “missed” says which`);
+		world.say(
+			`target: ${missed} of ${numbers.length} plants miss a target; the column “missed” of the table has the measures`,
+		);
 	return failed > 0 ? 1 : missed > 0 ? MISSED : 0;
 }
 
@@ -238,7 +240,7 @@ function typed<Value>(option: string, text: string, read: (text: string) => Valu
 function sayer(total: number, world: Surroundings): (done: number) => void {
 	let last = performance.now();
 	return (done) => {
-		if (performance.now() - last < PATIENCE) return;
+		if (performance.now() - last < REPORT_INTERVAL) return;
 		last = performance.now();
 		world.say(`${done} of ${total} plants`);
 	};

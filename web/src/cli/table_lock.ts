@@ -1,27 +1,27 @@
 /**
- * The lock of a series' table, a file beside it: one process at a time writes a table. A lock whose process has ended, or has given no sign of
- * life for five minutes, holds nobody up.
+ * The lock of a series' table, a file beside it: one process at a time writes a table. A lock expires when its process has ended or has not
+ * renewed it for five minutes.
  */
 import { randomUUID } from "node:crypto";
 import type { Surroundings } from "./surroundings";
 import { UsageError } from "./usage";
 import { writing } from "./writing";
 
-/** Whose lock it is, as its file says. */
+/** The content of the lock file: the process that holds the lock. */
 interface Owner {
 	readonly host: string;
 	readonly process: number;
-	/** Tells this lock from every other. */
+	/** A random id of this lock. */
 	readonly token: string;
-	/** The last sign of life, in milliseconds since 1970. */
+	/** When it was last renewed, in milliseconds since 1970. */
 	readonly at: number;
 }
 
-/** Milliseconds without a sign of life after which a process counts as ended, wherever it runs. */
-const SILENCE = 5 * 60_000;
-/** Milliseconds between signs of life, at the least. */
-const SIGN = 20_000;
-/** A lock that has just been given up may be taken by another at once. */
+/** Milliseconds without a renewal after which a lock expires, on whatever machine its process runs. */
+const EXPIRY = 5 * 60_000;
+/** Fewest milliseconds between two renewals. */
+const RENEWAL_INTERVAL = 20_000;
+/** Attempts to take the lock: another process may take it just after it was released. */
 const TRIES = 3;
 
 type World = Pick<
@@ -42,48 +42,48 @@ export class TableLock {
 
 	/**
 	 * @param table the path of the table
-	 * @throws UsageError where another process writes it
+	 * @throws UsageError where another process is writing it
 	 */
-	static async take(table: string, world: World): Promise<TableLock> {
+	static async acquire(table: string, world: World): Promise<TableLock> {
 		const path = `${table}.lock`;
 		const owner = { host: world.host, process: world.process, token: randomUUID(), at: world.now() };
 		for (let tries = 0; tries < TRIES; tries++) {
 			if (await writing(path, () => world.createFile(path, JSON.stringify(owner))))
 				return new TableLock(path, owner, world);
-			const other = await read(path, world);
-			if (other && holds(other, world)) {
+			const other = await readOwner(path, world);
+			if (other && isValid(other, world)) {
 				const seconds = Math.max(0, Math.round((world.now() - other.at) / 1000));
 				throw new UsageError(
-					`--out ${table}: process ${other.process} on ${other.host} writes it (${seconds} s ago); wait until it has ended`,
+					`--out ${table}: process ${other.process} on ${other.host} is writing it (last sign of life ${seconds} s ago); wait until it has ended`,
 				);
 			}
 			await world.removeFile(path);
 		}
-		throw new UsageError(`--out ${table}: another process writes it; wait until it has ended`);
+		throw new UsageError(`--out ${table}: another process is writing it; wait until it has ended`);
 	}
 
 	/**
-	 * Gives a sign of life. To be called before every write.
-	 * @throws Error where another process has taken the lock, since this one was silent for too long
+	 * Renews the lock. To be called before every write.
+	 * @throws Error where another process has taken the lock after it expired
 	 */
-	async keep(): Promise<void> {
-		const there = await read(this.#path, this.#world);
+	async renew(): Promise<void> {
+		const there = await readOwner(this.#path, this.#world);
 		if (there?.token !== this.#owner.token)
 			throw new Error(`${this.#path} was taken by another process; this one stops`);
-		if (this.#world.now() - this.#owner.at < SIGN) return;
+		if (this.#world.now() - this.#owner.at < RENEWAL_INTERVAL) return;
 		this.#owner = { ...this.#owner, at: this.#world.now() };
 		await writing(this.#path, () => this.#world.replaceFile(this.#path, JSON.stringify(this.#owner)));
 	}
 
-	/** Leaves the table to others; a lock that another process has taken stays. */
+	/** Removes the lock, unless another process has taken it. */
 	async release(): Promise<void> {
-		const there = await read(this.#path, this.#world);
+		const there = await readOwner(this.#path, this.#world);
 		if (there?.token === this.#owner.token) await this.#world.removeFile(this.#path);
 	}
 }
 
-/** Undefined where there is none, or none that can be read: whoever wrote half of it has ended. */
-async function read(path: string, world: World): Promise<Owner | undefined> {
+/** The owner of the lock; undefined where there is no lock, or only part of one by a process that ended while writing. */
+async function readOwner(path: string, world: World): Promise<Owner | undefined> {
 	const bytes = await world.readFile(path).catch(() => undefined);
 	if (!bytes) return undefined;
 	try {
@@ -93,8 +93,9 @@ async function read(path: string, world: World): Promise<Owner | undefined> {
 	}
 }
 
-function holds({ host, process, at }: Owner, world: World): boolean {
-	if (!(Math.abs(world.now() - at) < SILENCE)) return false;
-	// In a container every run may have the same number.
+/** Whether a lock has not expired. */
+function isValid({ host, process, at }: Owner, world: World): boolean {
+	if (!(Math.abs(world.now() - at) < EXPIRY)) return false;
+	// Every run in a container may have the same process number: one’s own number is another run’s.
 	return host !== world.host || (process !== world.process && world.isRunning(process));
 }

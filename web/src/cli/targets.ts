@@ -20,13 +20,15 @@ function readOne(text: string, known: readonly string[], noun: string): Goal {
 	if (key === undefined || written === undefined) {
 		throw new UsageError(`--target ${text}: write MEASURE=VALUE, as in --target ${known[0] ?? "height"}=160`);
 	}
-	if (known.length === 0) throw new UsageError(`--target ${key}: of a ${noun} no measure can be asked for`);
+	if (known.length === 0)
+		throw new UsageError(`--target ${key}: the model ${noun} has no measures that can be targets`);
 	if (!known.includes(key)) {
-		throw new UsageError(`--target ${key}: no measure of this ${noun} that can be asked for; see --help`);
+		throw new UsageError(`--target ${key}: not a measure of this ${noun} that can be a target; see --help`);
 	}
 	const [from, to] = (halvesOf(written, "..") ?? [written, written]).map((value) => {
 		const number = readNumber(value);
-		if (number === undefined || number < 0) throw new UsageError(`--target ${key}: “${value}” is no number from 0 on`);
+		if (number === undefined || number < 0)
+			throw new UsageError(`--target ${key}: “${value}” is not a number of 0 or more`);
 		return number;
 	});
 	if (from > to) throw new UsageError(`--target ${key}: ${written} runs backwards; write ${to}..${from}`);

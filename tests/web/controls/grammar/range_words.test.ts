@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { insideComment } from "../../../../web/src/controls/grammar/comments";
-import { findRange, trimmed } from "../../../../web/src/controls/grammar/range_words";
+import { findRange, trimSeparators } from "../../../../web/src/controls/grammar/range_words";
 
 it.each([
 	["0 … 90", "0", "90", undefined, ""],
@@ -22,8 +22,8 @@ it.each(["", "90", "0 tons", "0to9", "from to 9", "0 .. x", "a..b", ". .. ."])("
 );
 
 it("trims what parts words from a range, and the signs of a comment", () => {
-	expect(trimmed(" ,; turning, of:; ")).toBe("turning, of");
-	expect(trimmed(" ;,")).toBe("");
+	expect(trimSeparators(" ,; turning, of:; ")).toBe("turning, of");
+	expect(trimSeparators(" ;,")).toBe("");
 	expect(["/* a */", "/** a **/", "/* a", "/**/", "/*/", "/***/"].map(insideComment)).toEqual([
 		" a ",
 		" a ",

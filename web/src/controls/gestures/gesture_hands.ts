@@ -39,7 +39,7 @@ export class GestureHands implements ToolHands {
 	#frame = 0;
 	#place: Place = { x: 0.5, y: 0.5 };
 	/** How far the plant's right was to the right of the screen when the circle was placed. */
-	#laidFor = 1;
+	#placedFor = 1;
 	readonly #endDrawn: () => void;
 
 	constructor(view: ToolView, gestures: Gestures) {
@@ -55,9 +55,9 @@ export class GestureHands implements ToolHands {
 		this.#layer.append(this.#video, this.#hand, this.#circle, this.#words, this.#said);
 		this.#layer.hidden = true;
 		view.canvas.after(this.#layer);
-		// A plant that is turned leans elsewhere on the screen.
+		// Seen from behind, a plant bends the other way on the screen.
 		this.#endDrawn = view.onDrawn(() => {
-			if (this.#state.open && this.#right < 0 !== this.#laidFor < 0) this.#lay();
+			if (this.#state.open && this.#right < 0 !== this.#placedFor < 0) this.#placeCircle();
 		});
 	}
 
@@ -66,7 +66,7 @@ export class GestureHands implements ToolHands {
 		this.#layer.hidden = !open;
 		this.#view.keepWhole(open);
 		this.#drive(open ? by : undefined);
-		if (open) this.#lay();
+		if (open) this.#placeCircle();
 	}
 
 	dispose(): void {
@@ -89,17 +89,17 @@ export class GestureHands implements ToolHands {
 		return toTheRight(this.#view.camera.matrixWorld);
 	}
 
-	/** Of a number across, where its share has the circle from left to right, and of a circle there the share. */
+	/** Converts between the share of the number across and the place of the circle from left to right, both ways. */
 	#mirrored(across: Axis, share: number): number {
 		const { leans } = this.#gestures.source ?? {};
 		return across.id === `constant ${leans}` ? acrossScreen(share, this.#right) : share;
 	}
 
-	/** The circle where the two numbers stand. */
-	#lay(): void {
+	/** Moves the circle to the place of the two numbers. */
+	#placeCircle(): void {
 		const { across, up } = this.#pair;
 		const { offsetLeft, offsetTop, clientWidth, clientHeight } = this.#view.canvas;
-		this.#laidFor = this.#right;
+		this.#placedFor = this.#right;
 		this.#place = { x: across ? this.#mirrored(across, shareOf(across)) : 0.5, y: up ? 1 - shareOf(up) : 0.5 };
 		const { style } = this.#layer;
 		style.translate = `${offsetLeft}px ${offsetTop}px`;

@@ -1,6 +1,6 @@
 /** What a text of a grammar has that controls are made of: its constants, its curves, its numbers. */
 import { insideComment } from "./comments";
-import { findRange, type RangeWords, trimmed } from "./range_words";
+import { findRange, type RangeWords, trimSeparators } from "./range_words";
 import { type Piece, scan } from "./scan";
 
 /** A number as it stands in a text, with the sign that is its own. */
@@ -159,7 +159,7 @@ function constantIn(line: readonly Piece[]): Constant[] {
 	const comment = insideComment(rest.findLast(({ kind }) => kind === "comment")?.text ?? "");
 	const found = findRange(comment);
 	const range = found ? rangeIn(found, number) : guessed(name.text, number);
-	const words = trimmed(found?.words ?? comment);
+	const words = trimSeparators(found?.words ?? comment);
 	return [{ name: name.text, line: head.line, number, words, ...range }];
 }
 

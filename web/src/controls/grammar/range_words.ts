@@ -1,7 +1,7 @@
 /** A range in a comment's words: `0 … 90`, `0...90`, `0..90 step 5`, `0 to 90`, `−1 – 1`. */
 
 export interface RangeWords {
-	/** As they are written. */
+	/** The numbers as they are written. */
 	readonly low: string;
 	readonly high: string;
 	readonly step: string | undefined;
@@ -9,7 +9,7 @@ export interface RangeWords {
 	readonly words: string;
 }
 
-/** The first range in some words; undefined where there is none. Looks at each character at most a few times. */
+/** The first range in some words; undefined where there is none. Linear in the length of the text. */
 export function findRange(text: string): RangeWords | undefined {
 	for (let at = 0; at < text.length; ) {
 		const low = numberEnd(text, at);
@@ -17,8 +17,8 @@ export function findRange(text: string): RangeWords | undefined {
 			at++;
 			continue;
 		}
-		const separated = separatorEnd(text, skipped(text, low));
-		const start = separated === undefined ? low : skipped(text, separated);
+		const separated = separatorEnd(text, skipBlanks(text, low));
+		const start = separated === undefined ? low : skipBlanks(text, separated);
 		const high = separated === undefined ? start : numberEnd(text, start);
 		if (high === start) {
 			at = separated ?? low;
@@ -36,17 +36,17 @@ export function findRange(text: string): RangeWords | undefined {
 }
 
 /** Words without the blanks, commas, semicolons and colons at their ends. */
-export function trimmed(words: string): string {
-	const isLoose = (at: number) => /[\s,;:]/.test(words[at]);
+export function trimSeparators(words: string): string {
+	const isSeparator = (at: number) => /[\s,;:]/.test(words[at]);
 	let [from, to] = [0, words.length];
-	while (from < to && isLoose(from)) from++;
-	while (from < to && isLoose(to - 1)) to--;
+	while (from < to && isSeparator(from)) from++;
+	while (from < to && isSeparator(to - 1)) to--;
 	return words.slice(from, to);
 }
 
 const isDigit = (char: string | undefined): boolean => char !== undefined && char >= "0" && char <= "9";
 
-function skipped(text: string, from: number): number {
+function skipBlanks(text: string, from: number): number {
 	let at = from;
 	while (at < text.length && /\s/.test(text[at])) at++;
 	return at;
@@ -58,7 +58,7 @@ function digitsEnd(text: string, from: number): number {
 	return at;
 }
 
-/** The end of the number that begins at a place; the place itself where none does. Of two dots none is the number's. */
+/** The end of the number that begins at a place; the place itself where none does. A number does not include a dot that another dot follows. */
 function numberEnd(text: string, from: number): number {
 	const start = from + Number(text[from] === "-" || text[from] === "−");
 	const whole = digitsEnd(text, start);
@@ -78,10 +78,10 @@ function separatorEnd(text: string, from: number): number | undefined {
 
 /** The start and end of the number behind `step`; the same place twice if there is none. */
 function stepAt(text: string, from: number): readonly [from: number, end: number] {
-	let at = skipped(text, from);
-	if (text[at] === ",") at = skipped(text, at + 1);
+	let at = skipBlanks(text, from);
+	if (text[at] === ",") at = skipBlanks(text, at + 1);
 	if (!text.startsWith("step", at)) return [from, from];
-	const start = skipped(text, at + "step".length);
+	const start = skipBlanks(text, at + "step".length);
 	const end = numberEnd(text, start);
 	return end > start ? [start, end] : [from, from];
 }

@@ -28,7 +28,7 @@ export class ManyDialog extends StudioPart {
 			<form @submit=${this.#submit}>
 				<label>Plants <input name="numbers" required autocomplete="off" value="1-${FEW}"></label>
 				<label>Vary <input name="vary" autocomplete="off" placeholder=${exampleFor(studio)} aria-describedby=${this.idOf("vary")}></label>
-				<small id=${this.idOf("vary")}>Parameters by their keys in links: from one value to another, or one of a few (a|b); commas between several. Nothing: the seed alone.</small>
+				<small id=${this.idOf("vary")}>Parameters by their keys in links: from one value to another, or one of a few (a|b); commas between several. Leave it empty to vary the seed only.</small>
 				<label>Files <select name="format">${formatsOfMany(shown).map(({ key, title }) => html`<option value=${key}>${title}</option>`)}</select></label>
 				<p role="alert">${this.#problem}</p>
 				${this.#making ? progress(this.#making) : nothing}

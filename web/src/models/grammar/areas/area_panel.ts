@@ -147,8 +147,8 @@ function drawPath(desk: AreaDesk): unknown {
 	return html`<h3>Main branch</h3>
 		<p class="note">${
 			specimen.path
-				? `It is led by hand through ${places.length} place${places.length === 1 ? "" : "s"}${forks > 0 ? ` and forks ${forks === 1 ? "once" : `${forks} times`}` : ""}.`
-				: "It leads from area to area, middle to middle."
+				? `The main branch is drawn by hand. Places: ${places.length}. Forks: ${forks}.`
+				: "The main branch leads from the middle of each area to the middle of the next."
 		}</p>
 		<div class="actions">
 			${draw("Draw it in the picture", "path")} ${draw("Draw a fork in the picture", "fork")}
