@@ -15,8 +15,8 @@ export default [
 			},
 			{
 				id: "fruit-set-other-bunch-crowds",
-				find: "if (buds[j].bunch != buds[i].bunch) return;",
-				replace: "",
+				find: "if (bunch_[slot + lane] == bud.bunch) crowd",
+				replace: "crowd",
 				breaks: "a wing and its bunch take each other's room where they have none in common",
 			},
 			{
@@ -27,8 +27,8 @@ export default [
 			},
 			{
 				id: "fruit-set-crowd-counts-heads",
-				find: "crowd += within * within * buds[j].strength;",
-				replace: "crowd += within * within;",
+				find: "within[lane] * within[lane] * strength_[slot + lane]",
+				replace: "within[lane] * within[lane]",
 				breaks: "weak flowers crowd out strong ones",
 			},
 		],

@@ -13,9 +13,9 @@ let folder: string;
 let server: ChildProcess;
 let base: string;
 
-/** Starts the program on a free port, with one thread that has four seconds for a plant. */
-async function start() {
-	const program = ["service.mjs", "--port", "0", "--threads", "1", "--seconds", "4"];
+/** Starts the program on a free port, with one thread. @param seconds that it has for a plant */
+async function start(seconds = 60) {
+	const program = ["service.mjs", "--port", "0", "--threads", "1", "--seconds", `${seconds}`];
 	const service = spawn(process.execPath, program, { cwd: folder });
 	const ended = new Promise<number | null>((resolve) => service.on("close", resolve));
 	const address = new Promise<string>((resolve, reject) => {
@@ -70,9 +70,11 @@ it("answers tags, HEAD and refusals over HTTP", async () => {
 });
 
 it.runIf(isLongRun)("gives up a plant that takes too long, and grows the next", async () => {
-	const slow = await fetch(`${base}specimens/tree/oak.stl?file-thickness=0.2`);
+	const { base: own, process: service } = await start(4);
+	const slow = await fetch(`${own}specimens/tree/oak.stl?file-thickness=0.2`);
 	expect([slow.status, await slow.text()]).toEqual([503, expect.stringContaining("more than 4 s")]);
-	expect((await fetch(`${base}specimens/redcurrant.json?count=5`)).status).toBe(200);
+	expect((await fetch(`${own}specimens/redcurrant.json?count=5`)).status).toBe(200);
+	service.kill();
 });
 
 /** The answer to one line of HTTP, sent over a raw connection. */
@@ -104,13 +106,14 @@ it("answers a small request soon after fifteen clients with large ones have left
 	await fetch(`${base}health`);
 	for (const client of clients) client.abort();
 	await Promise.all(left);
-	// One thread gives up a plant after four seconds: fifteen would take a minute, and this request would be refused.
+	// Fifteen such plants, one after the other, would take longer than a request may wait.
 	expect((await fetch(`${base}specimens/redcurrant.json?count=5`)).status).toBe(200);
 });
 
 it.runIf(isLongRun)("answers or refuses each of 100 large requests at once", async () => {
-	const answers = Array.from({ length: 100 }, (_, n) => fetch(`${base}specimens/tree/oak.glb?seed=${n}`));
-	const health = await fetch(`${base}health`);
+	const { base: own, process: service } = await start(4);
+	const answers = Array.from({ length: 100 }, (_, n) => fetch(`${own}specimens/tree/oak.glb?seed=${n}`));
+	const health = await fetch(`${own}health`);
 	expect(health.status).toBe(200);
 	const statuses = await Promise.all(
 		answers.map(async (answering) => {
@@ -121,6 +124,7 @@ it.runIf(isLongRun)("answers or refuses each of 100 large requests at once", asy
 		}),
 	);
 	expect(new Set(statuses)).toEqual(new Set([200, 503]));
+	service.kill();
 });
 
 it("answers what it has begun when it is ended by SIGTERM, and refuses the rest", async () => {
