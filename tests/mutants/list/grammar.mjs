@@ -34,7 +34,7 @@ export default [
 			},
 			{
 				id: "neighbours-light-uncounted",
-				find: "budget_.spend(ends_.size() + static_cast<std::uint64_t>(cells.x * cells.y * cells.z) * lamps / 8);",
+				find: "budget_.spend(ends_.size() + matter.cells() * lamps / 8);",
 				replace: "",
 				breaks: "?E with a radius of its own each takes minutes without an end",
 			},

@@ -34,7 +34,7 @@ Limits small(std::uint32_t work, std::uint32_t bytes = Limits{}.bytes) {
   return limits;
 }
 
-constexpr std::string_view so_far = "What grew so far is shown. The grammar takes more work than ";
+constexpr std::string_view so_far = "What grew so far is shown. The grammar takes more than ";
 
 TEST_CASE("answers to ?E are counted: those of one radius and those of one each") {
   for (const char* const radius : {"1000", "i/100"}) {
@@ -46,6 +46,13 @@ TEST_CASE("answers to ?E are counted: those of one radius and those of one each"
     CHECK(grown.plant.segments.size() > 20);
     CHECK(grown.plant.segments.size() < 600);
   }
+}
+
+TEST_CASE("an answer to ?E with a radius near the largest number takes the work of one cell, not all that is left") {
+  const Limited grown = limited({.text = "derivation length: 2\naxiom: F(1) ?E(3e38,0,0)\n?E(r,n,l) --> F(1)\n"});
+  CHECK_FALSE(grown.notes(so_far));
+  CHECK(grown.plant.segments.size() == 2);
+  CHECK(grown.spent < 1000);
 }
 
 TEST_CASE("a homomorphism without an end shows what it drew until then") {
@@ -65,7 +72,7 @@ TEST_CASE("walks that find where modules are count as work, with what a homomorp
   CHECK(count_of(grown.plant, "steps") < 300);
 }
 
-TEST_CASE("functions cost more than sums, so that no expression takes longer than its work says") {
+TEST_CASE("functions take more work than sums do") {
   const auto steps = [](std::string_view term) {
     std::string text = "derivation length: 4096\naxiom: A(1)\nA(x) --> A(0*(1";
     for (int i = 1; i < 200; ++i) text += "+" + std::string(term) + std::to_string(i) + ")";

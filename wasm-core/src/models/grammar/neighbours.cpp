@@ -70,9 +70,8 @@ std::unique_ptr<VoxelLight> Neighbours::light(float edge) const {
   high += edge;
   const glm::vec3 size = high - low;
   const float cell = std::max(edge, std::max({size.x, size.y, size.z}) / most_cells);
-  const glm::vec3 cells = size / cell + 1.0f;
-  budget_.spend(ends_.size() + static_cast<std::uint64_t>(cells.x * cells.y * cells.z) * lamps / 8);
   MatterCells matter(low, high, cell);
+  budget_.spend(ends_.size() + matter.cells() * lamps / 8);
   for (const glm::vec3& end : ends_) matter.put(end, matter_of_an_end * cell * cell);
   return std::make_unique<VoxelLight>(matter.light(overcast(lamps)));
 }
