@@ -114,7 +114,7 @@ test("a module lists the productions that do not rewrite it, and why; each leads
 	const others = studio.told.getByRole("list", { name: "Productions that do not apply" });
 	await expect(others.getByRole("listitem")).toHaveText([
 		"Not line 2: its condition is false with x = 3.",
-		"Not line 3: the B behind it stands in a branch; to look into it write > [ B ].",
+		"Not line 3: the B behind it is in a branch; to match it there, write > [ B ].",
 	]);
 	await expect(studio.told).toContainText("Rewritten next by line 4 with x = 3");
 	await others.getByRole("button", { name: "line 3" }).click();

@@ -124,7 +124,7 @@ bool winds_about(const Surface& surface, const glm::dvec3& p) {
   return std::fabs(sum) > 6;
 }
 
-TEST_CASE("large triangles have an index of bounded size, by larger cells, and the same inside") {
+TEST_CASE("the index of large triangles has larger cells and a bounded size, and finds the same places inside") {
   const Surface surface = spanning_tetrahedra(400);
   const auto budget = std::make_shared<LookBudget>(LookBudget::usual, 1000);
   const Solid coarse(surface, budget), fine(surface);
@@ -143,12 +143,12 @@ TEST_CASE("large triangles have an index of bounded size, by larger cells, and t
   CHECK(inside > 300);
 }
 
-TEST_CASE("the index of very many large triangles keeps to its size") {
+TEST_CASE("the index of very many large triangles has a bounded size") {
   const Surface surface = spanning_tetrahedra(8000);
   CHECK(Solid(surface).members() <= LookBudget().members_each());
 }
 
-TEST_CASE("what is looked at is counted, and a solid whose budget is used up contains nothing and says so") {
+TEST_CASE("looks at triangles are counted, and a solid whose budget is used up contains no place and is exhausted") {
   const Surface surface = spanning_tetrahedra(400);
   const auto budget = std::make_shared<LookBudget>(), small = std::make_shared<LookBudget>(1'000'000);
   const Solid solid(surface, budget), refused(surface, small);

@@ -28,8 +28,8 @@ inline Surface corner() {
   return made;
 }
 
-// Closed tetrahedra of random corners in a cube of edge 1, so large that most span it: meshes in which every place has
-// very many triangles about it.
+// Closed tetrahedra of random corners in a cube of edge 1, so large that most span it: meshes in which very many
+// triangles are around every place.
 inline Surface spanning_tetrahedra(std::uint32_t count) {
   Surface made;
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -274,7 +274,7 @@ TEST_CASE("wherever a limit ends a derivation, its trace ends with the string th
 
 namespace {
 
-// "line: why" of each production that does not rewrite the modules of a step, modules with | between them.
+// "line: reason" of each production that does not rewrite the modules of a step, modules with | between them.
 std::string refused(std::string_view text, std::uint32_t step, std::optional<std::uint32_t> steps = 3,
                     const lsystem::Surroundings& around = {}) {
   std::string all;
@@ -284,38 +284,40 @@ std::string refused(std::string_view text, std::uint32_t step, std::optional<std
     if (!all.empty()) all += " | ";
     all += module.text;
     for (const lsystem::Refusal& refusal : module.refusals)
-      all += " " + std::to_string(refusal.production.line) + ": " + refusal.why + ";";
+      all += " " + std::to_string(refusal.production.line) + ": " + refusal.reason + ";";
   }
   return all;
 }
 
 }  // namespace
 
-TEST_CASE("of each module it is told why the other productions of its symbol do not rewrite it") {
+TEST_CASE("the trace of a module lists the reasons why other productions of its symbol do not rewrite it") {
   CHECK(refused("axiom: A(3) F\nA --> F\nA(x) : x>4 && x<9 --> F\nA(x) : x>2 --> F\nA(x) --> F", 0) ==
         "A(3) 2: it is for no parameters, and the module has 1 parameter; 3: its condition is false with x = 3; "
         "5: the production in line 4 comes first; | F");
-  // In the last string it is told as well, and what would rewrite it is not.
+  // The last string has reasons too, but none for the production that would rewrite it.
   CHECK(refused("axiom: A(3)\nA(x) --> A(x+1)\nA(x) : x>9 --> B", 2, 2) ==
         "A(5) 3: its condition is false with x = 5;");
   CHECK(refused("axiom: A(1)\nA(x) : x<3 --> A(x+1)", 2, {}) == "A(3) 2: its condition is false with x = 3;");
-  // Of what was answered.
+  // Conditions are those of the module with its answer.
   Adding adding;
   const lsystem::Surroundings around{{}, nullptr, &adding};
   CHECK(refused("#turtle cpfg\naxiom: ?E(2,1)\n?E(r,n) : n>4 --> F\n?E(r,n) : n=3 --> ?E(r,n)", 0, 2, around) ==
         "?E(2,1) 3: its condition is false with r = 2, n = 3;");
 }
 
-TEST_CASE("of contexts that are not met it is told what stands there, and a bracket between") {
+TEST_CASE("the reason for a context that does not match names the neighbours, and a bracket between them") {
   CHECK(refused("axiom: B A C\nF < A --> F\nA > F --> F\nB < A > F --> F\nB < A > C F --> F", 0)
-            .find("A 2: B stands before it, not F; 3: C stands behind it, not F; 4: C stands behind it, not F; "
-                  "5: what stands around it is another context;") != std::string::npos);
-  CHECK(refused("axiom: A\nF < A --> F\nA > F --> F", 0) ==
-        "A 2: nothing stands before it where F should; 3: nothing stands behind it where F should;");
+            .find("A 2: B is before it, not F; 3: C is behind it, not F; 4: C is behind it, not F; "
+                  "5: its context does not match;") != std::string::npos);
+  CHECK(
+      refused("axiom: A\nF < A --> F\nA > F --> F", 0) ==
+      "A 2: there is no module before it, where F is required; 3: there is no module behind it, where F is required;");
   CHECK(
       refused("axiom: [ B ] A [ + C ] [ C ]\nB < A --> F\nA > C --> F", 0)
-          .find("A 2: the B before it stands in a branch that is closed, where a left context does not look; 3: the C "
-                "behind it stands in a branch; to look into it write > [ C ];") != std::string::npos);
+          .find(
+              "A 2: the B before it is in a closed branch, where a left context does not match; 3: the C behind it is "
+              "in a branch; to match it there, write > [ C ];") != std::string::npos);
   CHECK(refused("axiom: B(1) A C(1)\nB(x,y) < A --> F\nA > C --> F", 0)
             .find("A 2: the B before it has 1 parameter, not 2 parameters; 3: the C behind it has 1 parameter, not no "
                   "parameters;") != std::string::npos);
@@ -323,7 +325,7 @@ TEST_CASE("of contexts that are not met it is told what stands there, and a brac
         "B(7) | A(2) 2: its condition is false with x = 2, y = 7;");
 }
 
-TEST_CASE("of draws it is told what chance drew, as the derivation drew it") {
+TEST_CASE("the reason for a production that was not drawn names the one that the derivation drew") {
   const std::string text = "axiom: A A A A A A\nA --> B : 1\nA --> C : 1\nA : ran(1)<0.5 --> F : 1";
   const BoundPointer bound = compiled(text);
   std::size_t drawn = 0, false_ones = 0;
@@ -332,8 +334,8 @@ TEST_CASE("of draws it is told what chance drew, as the derivation drew it") {
     REQUIRE(module.refusals.size() == 2);
     for (const lsystem::Refusal& refusal : module.refusals) {
       CHECK(refusal.production.line != module.fires.line);
-      drawn += refusal.why == "chance drew the production in line " + std::to_string(module.fires.line);
-      false_ones += refusal.why == "its condition is false";
+      drawn += refusal.reason == "the production in line " + std::to_string(module.fires.line) + " was drawn at random";
+      false_ones += refusal.reason == "its condition is false";
     }
   }
   CHECK(drawn + false_ones == 12);

@@ -47,16 +47,16 @@ TEST_CASE("derivation that never ends stops at the steps it may take") {
 TEST_CASE("productions applied, tried and copied over count as work") {
   Limits limits;
   limits.work = 1000;
-  stops("axiom: A\nA --> A A", limits, "more work than 1000");
+  stops("axiom: A\nA --> A A", limits, "more than 1000 units of work");
   std::string many = "axiom: A(1)\n";
   for (int i = 0; i < 2000; ++i) many += "A(x) : x>2 --> B\n";
-  stops(many, limits, "more work than 1000");
+  stops(many, limits, "more than 1000 units of work");
   std::string long_string = "axiom: A ";
   for (int i = 0; i < 3200; ++i) long_string += "F ";
-  stops(long_string + "\nA --> A", limits, "more work than 1000");
+  stops(long_string + "\nA --> A", limits, "more than 1000 units of work");
   std::string long_expression = "axiom: A(1)\nA(x) --> A(x";
   for (int i = 0; i < 3200; ++i) long_expression += "+x*" + std::to_string(i);
-  stops(long_expression + ")", limits, "more work than 1000");
+  stops(long_expression + ")", limits, "more than 1000 units of work");
 }
 
 TEST_CASE("texts, nesting and parameters have limits too") {

@@ -33,6 +33,8 @@ TEST_CASE("there is nothing to remark on where everything is heeded") {
            "axiom: A(1) A(1,2)\nA(x) --> A(x,x)\nA(x,y) --> F(x)",
            "axiom: A\nA --> B(1)\nhomomorphism\nB(x) --> F(x)",
            "axiom: F F(1)\nF(x) --> F",  // the turtle draws the other
+           // Conditions that differ in double precision alone.
+           "#numbers double\naxiom: A(1)\nA(x) : x<1 --> F\nA(x) : x<1.00000001 --> A(0)",
            // What is drawn by weights, or narrower first.
            "axiom: A\nA --> B : 0.5\nA --> C : 0.5",
            "axiom: A(1)\nA(x) : x>1 --> B\nA(x) : x>0 --> C\nA(x) --> F",
@@ -125,22 +127,23 @@ TEST_CASE("remarks stand in the order of the text") {
         "3:7 F3 is one symbol of its own and draws nothing; write F(3).");
 }
 
-TEST_CASE("a module with another number of parameters than its production has is told once for each number") {
+TEST_CASE("a module with another number of parameters than its production has gets one remark for each number") {
   CHECK(remarked("axiom: A(1,2) A(3,4)\nA(x) --> B A\nB --> F") ==
-        "1:8 A has 2 parameters here, but its production in line 2 has 1 parameter, so this one is not rewritten; give "
-        "it as many, or a production of its own.|"
-        "2:12 A has no parameters here, but its production in line 2 has 1 parameter, so this one is not rewritten; "
-        "give it as many, or a production of its own.");
-  CHECK(remarked("axiom: A\nA --> A\nA(x) --> F") ==
-        "3:1 No A of this text has 1 parameter, so this production is never used; write as many as the text has.");
+        "1:8 A has 2 parameters here, but its production in line 2 has 1 parameter, so this module is not rewritten; "
+        "give it as many, or add a production for it.|"
+        "2:12 A has no parameters here, but its production in line 2 has 1 parameter, so this module is not rewritten; "
+        "give it as many, or add a production for it.");
+  CHECK(
+      remarked("axiom: A\nA --> A\nA(x) --> F") ==
+      "3:1 No A in this text has 1 parameter, so this production is never used; give it as many as the modules have.");
   // A part's symbols are its own.
   CHECK(remarked("axiom: A [ ?leaf(1) A(2) ]\nA --> F\nLsystem: leaf\nA(x) --> F") == "");
 }
 
-TEST_CASE("a production that an earlier one always precedes is told") {
+TEST_CASE("a production that an earlier one always precedes gets a remark") {
   const auto behind = [](const std::string& place, const std::string& line) {
     return place + " This production is never used, since the one in line " + line +
-           " applies before it wherever it could; move it up, or give both a weight, A --> B : 0.5.";
+           " always applies first; move it up, or give both a weight, A --> B : 0.5.";
   };
   CHECK(remarked("axiom: A\nA --> B\nA --> C") == behind("3:1", "2"));
   CHECK(remarked("axiom: A(1)\nA(x) --> B\nA(x) : x>1 --> C") == behind("3:1", "2"));
@@ -157,21 +160,21 @@ TEST_CASE("a production that an earlier one always precedes is told") {
   CHECK(remarked("axiom: A\nhomomorphism\nA --> B\nA --> C") == behind("4:1", "3"));
 }
 
-TEST_CASE("a context that a bracket keeps from being met is told") {
+TEST_CASE("a context that a bracket prevents from matching gets a remark") {
   CHECK(remarked("axiom: A [ B ]\nA > B --> C") ==
-        "2:5 B stands behind A only in a branch, in line 1, and a right context passes branches over; to look into it "
+        "2:5 B is behind A only in a branch, in line 1, and a right context skips branches; to match it there, "
         "write A > [ B ].");
   CHECK(remarked("axiom: A F\nA > B --> A\nA --> F A [ B ]") ==
-        "2:5 B stands behind A only in a branch, in line 3, and a right context passes branches over; to look into it "
+        "2:5 B is behind A only in a branch, in line 3, and a right context skips branches; to match it there, "
         "write A > [ B ].");
   CHECK(remarked("axiom: [ B ] A\nB < A --> C") ==
-        "2:1 B stands before A only in a branch that is closed between them, in line 1, and a left context does not "
-        "look into it; write B before that bracket.");
+        "2:1 B is before A only in a branch that is closed between them, in line 1, and a left context does not "
+        "match modules in it; write B before that bracket.");
   // What is between may vanish.
   CHECK(remarked("axiom: A [ B ] X B\nX --> *\nA > B --> C") == "");
 }
 
-TEST_CASE("remarks on productions cost in proportion to the text") {
+TEST_CASE("remarks on productions take work in proportion to the text") {
   // Each symbol becomes the next: as many rounds as there are symbols, were they not counted.
   std::string text = "axiom: A0 [ B ]\nA0 > B --> F";
   for (int i = 9000; i-- > 0;) text += "\nA" + std::to_string(i) + " --> A" + std::to_string(i + 1) + " F";

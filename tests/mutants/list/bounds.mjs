@@ -10,8 +10,8 @@ export default [
 		faults: [
 			{
 				id: "solid-index-without-bound",
-				find: "fits = list_members(most, members);",
-				replace: "fits = list_members(most * 1000, members);",
+				find: "fits = list_entries(most, entries);",
+				replace: "fits = list_entries(most * 1000, entries);",
 				breaks: "a dropped mesh of large triangles takes hundreds of megabytes",
 			},
 			{

@@ -117,9 +117,9 @@ export default [
 			},
 			{
 				id: "refusals-brackets-unsaid",
-				find: "if (!left && heads_a_branch(module, wanted.symbol))",
+				find: "if (!left && begins_branch(module, wanted.symbol))",
 				replace: "if (false)",
-				breaks: "nothing says that the neighbour which is wanted stands in a branch",
+				breaks: "the reason does not name the branch that the required neighbour is in",
 			},
 			{
 				id: "refusals-bracket-of-any-branch",

@@ -5,11 +5,10 @@
 namespace panicle {
 
 Diagnostic LookBudget::error() {
-  return {
-      Reason::limit,
-      "So many triangles of the mesh lie behind each other that finding out what is inside takes too long; simplify "
-      "the mesh, or let fewer things grow in it.",
-      0, 0};
+  return {Reason::limit,
+          "The mesh has too many triangles behind each other to find out what is inside it; simplify the mesh, or let "
+          "fewer things grow in it.",
+          0, 0};
 }
 
 std::optional<Diagnostic> too_many_triangles(std::size_t triangles, const Limits& limits) {

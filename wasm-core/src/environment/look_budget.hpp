@@ -1,4 +1,4 @@
-// How much work the meshes of one plant may be: bounds that are counted, not timed.
+// The work that queries of the meshes of one plant may take: bounds that are counted, not timed.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 
 namespace panicle {
 
-// How often triangles are looked at to find out what is inside.
+// Counts looks at triangles, to find out which places are inside meshes. Shared by all meshes of one plant.
 class LookBudget {
  public:
   static constexpr std::uint64_t usual = Limits{}.looks;
 
-  // What the indices of all meshes of one plant have room for: 64 MiB.
+  // Entries of the indices of all meshes together: 64 MiB.
   static constexpr std::size_t usual_members = 1 << 22;
 
-  // `meshes`: among which the room for indices is divided.
+  // The entries are divided evenly among `meshes`, at least four.
   explicit LookBudget(std::uint64_t looks = usual, std::size_t meshes = 4)
       : left_(looks), members_each_(usual_members / std::max<std::size_t>(meshes, 4)) {}
 
@@ -29,7 +29,7 @@ class LookBudget {
   void spend(std::uint64_t looks) { left_ = looks < left_ ? left_ - looks : 0; }
   bool is_exhausted() const { return left_ == 0; }
   std::uint64_t left() const { return left_; }
-  // The error of a plant whose budget is used up: limit.
+  // The error of a plant whose budget is used up. Reason: limit.
   static Diagnostic error();
 
  private:
@@ -37,7 +37,7 @@ class LookBudget {
   std::size_t members_each_;
 };
 
-// The error of a request whose meshes have more triangles than there may be (limit); none where they have not.
+// The error of a request whose meshes have more triangles than `limits` allow. Reason: limit. None where they have not.
 std::optional<Diagnostic> too_many_triangles(std::size_t triangles, const Limits& limits);
 
 }  // namespace panicle

@@ -5,13 +5,13 @@ namespace {
 
 constexpr float most_along = 4096;
 
-// How many cells there are along a length: one where it is not a number, or more than there may be.
+// The number of cells along a length; 1 where that is not finite or at least `most_along`.
 std::int32_t cells_along(float length, float edge) {
   const float cells = length / edge;
   return cells >= 0 && cells < most_along ? static_cast<std::int32_t>(cells) + 1 : 1;
 }
 
-// The cell of a place so many cells from the first: the nearest of those there are, the first where it is not a number.
+// The cell at `place`, in cells from the first: the nearest of the `count` cells, the first where it is not a number.
 std::int32_t cell_of(float place, std::int32_t count) {
   if (!(place > 0)) return 0;
   return place < static_cast<float>(count) ? static_cast<std::int32_t>(place) : count - 1;

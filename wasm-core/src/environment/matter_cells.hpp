@@ -13,15 +13,15 @@ namespace panicle {
 
 class MatterCells {
  public:
-  // Empty cells of `edge` from the corner `low`, as many as hold `high`; one along an axis where that is not a number,
-  // or beyond 4,096.
+  // Empty cells of `edge` from the corner `low`, as many as hold `high`; a single one along an axis where their
+  // number would not be finite, or at least 4,096.
   MatterCells(const glm::vec3& low, const glm::vec3& high, float edge);
 
   // Something at a place (what is beside the lattice: in the cell next to it) that hides so much area, taken over all
   // directions: half of a sheet's area, a quarter of a rod's surface.
   void put(const glm::vec3& place, float area);
 
-  // How many there are.
+  // The number of cells.
   std::size_t cells() const { return matter_.size(); }
 
   VoxelLight light(std::span<const Lamp> lamps) const;

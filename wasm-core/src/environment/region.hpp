@@ -30,8 +30,7 @@ class Region {
     return outer == Share::all && inner == Share::none ? Share::all : Share::some;
   }
 
-  // Whether looking inside has used up its budget: then nothing is inside any more, and whoever grows there returns an
-  // error.
+  // Whether queries have used up their budget: then no place is inside any more, and the model returns an error.
   virtual bool is_exhausted() const { return false; }
 
   bool flat() const { return low().z == high().z; }

@@ -23,13 +23,14 @@ constexpr std::uint32_t lanes = 4;
 constexpr float piece = 4;       // of a way that is looked at in one go, in edges
 constexpr float beside = 1e-4f;  // of a triangle, that still meets it: the way between two must meet one of them
 constexpr int halvings = 24;
-// Rows that triangles' boxes meet, for each entry of the index that there may be: so many are looked at.
-constexpr std::size_t boxes_a_member = 4;
-constexpr float wider = 1.25f;  // that cells become where there would be too many, or too many entries
-// What looking at a triangle costs, in looks: at whether four meet a slice, at what one adds to its turns, and at where
-// one meets a way.
+// The rows that the boxes of all triangles may meet, over the number of entries that the index may have: each is tested
+// for an entry.
+constexpr std::size_t rows_per_entry = 4;
+constexpr float wider = 1.25f;  // factor of the cells' edge while there are too many cells or entries
+// Looks that are counted: for a test whether four triangles meet a slice, for the turns that one adds, and for the
+// place where one meets a ray.
 constexpr std::uint64_t looks_four = 1, looks_turn = 8, looks_meeting = 4;
-// Of a coordinate: more than what is lost where a distance to a plane is computed.
+// A bound of the rounding error of a distance to a plane, as a share of the coordinates.
 constexpr float rounding = 4e-6f;
 
 }  // namespace
@@ -53,44 +54,44 @@ void Solid::choose_cells() {
   edge_ = std::max({cube_root(size.x * size.y * size.z) / cells_along, longest / most_along, least_edge});
   const auto cells = [&] { return (size.x / edge_ + 1) * (size.y / edge_ + 1) * (size.z / edge_ + 1); };
   while (cells() > most_cells) edge_ *= wider;
-  // One row has an entry for each triangle.
+  // A single row has an entry for each triangle, so the loop ends.
   const std::size_t most = std::max(budget_->members_each(), surface_.triangles.size() / 3);
-  std::vector<Member> members;
+  std::vector<Entry> entries;
   for (bool fits = false; !fits;) {
     per_edge_ = 1 / edge_;
     count_ = glm::ivec3(size * per_edge_) + 1;
-    fits = list_members(most, members);
+    fits = list_entries(most, entries);
     if (!fits) edge_ *= wider;
   }
-  sort(members);
+  build_row_index(entries);
 }
 
-Solid::Rows Solid::rows_of(const std::uint32_t* corners) const {
+Solid::CellBox Solid::cells_around(const std::uint32_t* corners) const {
   const auto corner = [&](std::size_t k) { return place_of(surface_.points[corners[k]]); };
   const glm::ivec3 a = corner(0), b = corner(1), c = corner(2);
   return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
-bool Solid::list_members(std::size_t most, std::vector<Member>& members) const {
-  members.clear();
-  std::size_t boxes = 0;
+bool Solid::list_entries(std::size_t most, std::vector<Entry>& entries) const {
+  entries.clear();
+  std::size_t rows = 0;  // that the boxes of all triangles meet
   for (std::size_t t = 0; t + 2 < surface_.triangles.size(); t += 3) {
-    const auto [low, high] = rows_of(&surface_.triangles[t]);
-    boxes += static_cast<std::size_t>(high.y - low.y + 1) * static_cast<std::size_t>(high.z - low.z + 1);
+    const auto [low, high] = cells_around(&surface_.triangles[t]);
+    rows += static_cast<std::size_t>(high.y - low.y + 1) * static_cast<std::size_t>(high.z - low.z + 1);
   }
-  if (boxes > most * boxes_a_member) return false;
+  if (rows > most * rows_per_entry) return false;
   const glm::vec3 extent = glm::max(glm::abs(low_), glm::abs(high_));
   const float lost = rounding * (extent.x + extent.y + extent.z);
   for (std::uint32_t t = 0; t < surface_.triangles.size() / 3; ++t) {
     const std::uint32_t* const corners = &surface_.triangles[3 * t];
-    const auto [from, to] = rows_of(corners);
+    const auto [from, to] = cells_around(corners);
     if (from.y == to.y || from.z == to.z) {
       for (int z = from.z; z <= to.z; ++z)
-        for (int y = from.y; y <= to.y; ++y) members.push_back({row_at(y, z), t});
+        for (int y = from.y; y <= to.y; ++y) entries.push_back({row_at(y, z), t});
       continue;
     }
-    // Seen along x, rows are squares. Those that lie beyond one of the triangle's sides do not meet it: by more than
-    // what lies beside a triangle and still counts.
+    // Seen along x, rows are squares. A row does not meet the triangle if it lies beyond one of its sides by more than
+    // the tolerance with which a place beside the triangle still counts.
     std::array<Side, 3> sides;
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::vec3& a = surface_.points[corners[k]];
@@ -111,20 +112,20 @@ bool Solid::list_members(std::size_t most, std::vector<Member>& members) const {
         const auto beyond = [&](const Side& side) {
           return side.y * middle_y + side.z * middle_z - side.at < -side.near;
         };
-        if (!beyond(sides[0]) && !beyond(sides[1]) && !beyond(sides[2])) members.push_back({row_at(y, z), t});
+        if (!beyond(sides[0]) && !beyond(sides[1]) && !beyond(sides[2])) entries.push_back({row_at(y, z), t});
       }
-    if (members.size() > most) return false;
+    if (entries.size() > most) return false;
   }
-  return members.size() <= most;
+  return true;
 }
 
-void Solid::sort(const std::vector<Member>& members) {
+void Solid::build_row_index(const std::vector<Entry>& entries) {
   first_.assign(static_cast<std::size_t>(count_.y * count_.z) + 1, 0);
-  for (const Member& each : members) ++first_[each.row + 1];
+  for (const Entry& each : entries) ++first_[each.row + 1];
   for (std::size_t row = 1; row < first_.size(); ++row) first_[row] += first_[row - 1];
   members_.resize(first_.back());
   std::vector<std::uint32_t> free(first_.begin(), first_.end() - 1);
-  for (const Member& each : members) members_[free[each.row]++] = each.triangle;
+  for (const Entry& each : entries) members_[free[each.row]++] = each.triangle;
   for (auto* values : {&lowest_, &highest_, &farthest_}) values->assign(members_.size() + lanes - 1, 0);
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const auto corner = [&](std::size_t k) { return surface_.points[surface_.triangles[3 * members_[m] + k]]; };

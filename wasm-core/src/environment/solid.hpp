@@ -19,9 +19,9 @@ namespace panicle {
 // ones as holes. Of a surface with gaps, what lies behind a gap in the direction +X may be wrong.
 //
 // Time and memory are bounded for every surface. The index has at most as many entries as the budget allows: where
-// large triangles would have more, its cells are larger. What a query then looks at is counted against the budget, too;
-// once that is used up, the solid contains nothing, queries cost nothing, and is_exhausted() is true: whoever grows in
-// it returns an error (LookBudget::error).
+// large triangles would have more, its cells are larger. The triangles that a query looks at are counted against the
+// budget. Once that is used up, the solid contains no place, queries take no time, and is_exhausted() is true: the
+// model then returns LookBudget::error().
 class Solid final : public Region {
  public:
   // `budget`: shared by the solids of one plant.
@@ -54,28 +54,28 @@ class Solid final : public Region {
   int turns_about(const glm::vec3& p, const std::uint32_t* corners) const;
   // Appends how far along the way the surface is met between `begin` and `end`; where two triangles meet, twice.
   void meetings(const glm::vec3& from, const glm::vec3& way, float begin, float end, std::vector<float>& at) const;
-  // A triangle's side as it is seen along x: y · y + z · z − at is 0 on it and above 0 inside, and at what lies near
-  // enough to it at least −near.
+  // A side of a triangle as it is seen along x: for a point p, y · p.y + z · p.z − at is 0 on the side, positive
+  // inside, and at least −near in every row that may meet the triangle.
   struct Side {
     float y = 0, z = 0, at = 0, near = 0;
   };
   // The first and the last cell of a box.
-  struct Rows {
+  struct CellBox {
     glm::ivec3 from, to;
   };
   // An entry of the index: a row of cells along x, and a triangle that meets it.
-  struct Member {
+  struct Entry {
     std::uint32_t row, triangle;
   };
   std::uint32_t row_at(int y, int z) const { return static_cast<std::uint32_t>(z * count_.y + y); }
-  Rows rows_of(const std::uint32_t* corners) const;
-  // Cells of the finest edge that is wanted, or larger ones, by which the index has no more entries than it may; and
-  // the index.
+  // The cells of a triangle's bounding box.
+  CellBox cells_around(const std::uint32_t* corners) const;
+  // Chooses the edge of the cells, larger than the default where the index would have too many entries, and builds the
+  // index.
   void choose_cells();
-  // The entries of the index with the present cells, the triangles in their order; false where they are more than
-  // `most`.
-  bool list_members(std::size_t most, std::vector<Member>& members) const;
-  void sort(const std::vector<Member>& members);
+  // Lists the entries of the index with the present cells, in the order of the triangles. False: more than `most`.
+  bool list_entries(std::size_t most, std::vector<Entry>& entries) const;
+  void build_row_index(const std::vector<Entry>& entries);
   void classify();
   // Marks the cells that a triangle comes near to. `unmarked`: how many cells of each row are not marked yet.
   void mark(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std::vector<std::int32_t>& unmarked);

@@ -199,8 +199,7 @@ class Parser {
       }
       if (macros_.nodes > Macros::most_nodes)
         return fail(Reason::limit, call.node.place,
-                    "The calls of #define functions come to more than 100,000 operations; call fewer within each "
-                    "other.");
+                    "The calls of #define functions come to more than 100,000 operations; nest fewer calls.");
     }
     return true;
   }

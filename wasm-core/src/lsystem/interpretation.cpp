@@ -16,8 +16,8 @@ namespace panicle::lsystem {
 namespace {
 
 constexpr float most_colours = 255;
-// Places and sizes that can be drawn, in the text's unit: squares of areas are finite up to here, and what is smaller
-// than the least size is none when it is squared.
+// The largest coordinate and the range of sizes that can be drawn, in the text's unit: the square of an area is finite
+// up to `farthest`, and the square of a size below `least_size` would be 0.
 constexpr float farthest = 1e9f, least_size = 1e-18f;
 
 bool is_near(float value) { return std::fabs(value) <= farthest; }
@@ -63,7 +63,7 @@ class Interpreter {
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
     string_ = at;
-    // What every walk does to every module; what its symbols draw is counted with what writes them.
+    // The cost of a walk itself. Drawing the image of a module is counted where its successor is written.
     if (!machine_.spend(program_.symbols.size() / 16)) return machine_.trouble();
     for (; at < end; ++module_) {
       if (module_ % 64 == 0 && !machine_.spend(16)) return machine_.trouble();
@@ -426,7 +426,7 @@ class Interpreter {
     std::copy_n(parameters, count, before);
     listener_.ask(turtle_, {parameters, count}, lineage_of(module));
     if (!machine_.spend(1)) return false;        // also where the answer has taken what was left
-    const auto write = [&](std::uint32_t* to) {  // what has been answered; the rest stays as precise as it is
+    const auto write = [&](std::uint32_t* to) {  // changed parameters only: the others keep their double precision
       for (std::uint32_t i = 0; i < count; ++i)
         if (std::memcmp(&parameters[i], &before[i], sizeof(float)) != 0) set_parameter(to, i, parameters[i]);
     };
@@ -441,8 +441,8 @@ class Interpreter {
     return false;
   }
 
-  // Applies the production that matches the answer and draws its successor in place. `answered` is the module with what
-  // it was answered, and has a block of words behind it.
+  // Applies the production that matches the answer and draws its successor in place. `answered`: a copy of the module
+  // with the answer in its parameters, followed by a block of unused words.
   bool draw_answer(const std::uint32_t* module, const std::uint32_t* answered) {
     const Production* const production = machine_.choose(answered);
     if (production == nullptr) return false;

@@ -128,8 +128,8 @@ bool Machine::refuse(const Patch& patch, float value) { return fail(refusal(prog
 
 bool Machine::give_up() {
   return fail(error_at(Reason::limit, {},
-                       "The grammar takes more work than %, which is the limit; let it take fewer steps or write "
-                       "shorter strings.",
+                       "The grammar takes more than % units of work, which is the limit; let it take fewer steps or "
+                       "write shorter strings.",
                        {std::to_string(limits_.work)}));
 }
 

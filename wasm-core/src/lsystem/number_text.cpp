@@ -58,6 +58,11 @@ double double_from(std::string_view decimal) {
   return times_power_of_ten(static_cast<double>(digits), std::clamp(exponent, -400, 400));
 }
 
+std::string parameters_text(std::size_t count) {
+  if (count == 0) return "no parameters";
+  return std::to_string(count) + (count == 1 ? " parameter" : " parameters");
+}
+
 float number_from(std::string_view decimal) { return static_cast<float>(double_from(decimal)); }
 
 std::string number_text(float value) {

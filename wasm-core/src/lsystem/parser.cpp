@@ -334,11 +334,11 @@ class GrammarParser : public ProductionReader {
   bool numbers() {
     const bool doubles = at_ < end_ && tokens_[at_].is("double");
     if (!doubles && !(at_ < end_ && tokens_[at_].is("single")))
-      return wrong(here(),
-                   "In which precision? #numbers double, or #numbers single, which is what a text without this line "
-                   "has; here is '%'.",
-                   {found()});
-    if (std::exchange(precision_said_, true)) return wrong(here(), "There is a second #numbers; keep one of them.");
+      return wrong(
+          here(),
+          "#numbers needs a precision, not '%': write #numbers double, or #numbers single, which is the default.",
+          {found()});
+    if (std::exchange(has_precision_, true)) return wrong(here(), "There is a second #numbers; keep one of them.");
     grammar_.doubles = doubles;
     ++at_;
     return at_ == end_ || wrong(here(), "'%' cannot stand here; take it out.", {found()});
@@ -402,12 +402,7 @@ class GrammarParser : public ProductionReader {
     for (const Function& function : functions)
       if (function.name == name)
         return wrong(place, "There is a function % already; give this one another name.", {name});
-    if (!formals(macro.formals)) return false;
-    for (std::size_t i = 1; i < macro.formals.size(); ++i)
-      for (std::size_t k = 0; k < i; ++k)
-        if (macro.formals[k].name == macro.formals[i].name)
-          return wrong(macro.formals[i].place, "The parameter '%' stands here twice.", {macro.formals[i].name});
-    if (!expression_to(end_, macro.body)) return false;
+    if (!formals(macro.formals) || !are_valid(macro.formals) || !expression_to(end_, macro.body)) return false;
     macros_.names.add(name);
     macros_.all.push_back(std::move(macro));
     return true;
@@ -566,7 +561,7 @@ class GrammarParser : public ProductionReader {
   Purpose purpose_ = Purpose::derivation;
   std::size_t first_system_ = static_cast<std::size_t>(-1);
   bool notation_said_ = false;
-  bool precision_said_ = false;
+  bool has_precision_ = false;
 };
 
 }  // namespace

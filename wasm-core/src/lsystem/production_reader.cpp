@@ -102,7 +102,7 @@ bool ProductionReader::predecessor(ProductionTree& production) {
     return wrong(here(), "A condition begins with a colon, but here is '%'.", {found()});
   }
   end_ = after;
-  return different(production.formals);
+  return are_valid(production.formals);
 }
 
 // The modules of a context: the left one up to its `<`, the right one up to `end`. A lone `*` is none.
@@ -133,7 +133,7 @@ bool ProductionReader::neighbours(std::size_t end, char side, std::vector<Neighb
   return true;
 }
 
-bool ProductionReader::different(const std::vector<Named>& formals) {
+bool ProductionReader::are_valid(const std::vector<Named>& formals) {
   if (formals.size() > most_parameters)
     return fail(Reason::limit, formals[most_parameters].place,
                 "A predecessor and its context have at most 32 parameters together; leave some modules out.");

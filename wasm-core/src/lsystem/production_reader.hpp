@@ -12,6 +12,8 @@ class ProductionReader : public TokenReader {
  protected:
   // The one from `at_` up to `end_`, whose arrow stands at `arrow_`. Its errors are said of what it is for.
   bool production(Purpose purpose);
+  // Whether formal parameters are at most as many as a module may have, and have different names.
+  bool are_valid(const std::vector<Named>& formals);
 
  private:
   bool is_label();
@@ -20,7 +22,6 @@ class ProductionReader : public TokenReader {
   void index_words();
   bool predecessor(ProductionTree& production);
   bool neighbours(std::size_t end, char side, std::vector<NeighbourTree>& neighbours, std::vector<Named>& beside);
-  bool different(const std::vector<Named>& formals);
   bool condition(ProductionTree& production);
   bool block(std::vector<AssignmentTree>& assignments);
 

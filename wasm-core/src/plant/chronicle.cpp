@@ -19,7 +19,7 @@ std::string lines_of(const std::vector<ToldModule>& modules, std::string ToldMod
   return all;
 }
 
-// `3:1 its condition is false`, with tabs between several.
+// One line for each module: its refusals as `3:1 its condition is false`, separated by tabs.
 std::string refusals_of(const std::vector<ToldModule>& modules) {
   std::string all;
   for (const ToldModule& told : modules) {
@@ -27,7 +27,7 @@ std::string refusals_of(const std::vector<ToldModule>& modules) {
     for (const lsystem::Refusal& refusal : told.refusals) {
       if (&refusal != told.refusals.data()) all += '\t';
       all += std::to_string(refusal.production.line) + ':' + std::to_string(refusal.production.column) + ' ';
-      all += refusal.why;
+      all += refusal.reason;
     }
   }
   return all;

@@ -12,9 +12,8 @@
 //   chronicle.parent       uint32: the module of the step before that it came from; 0xffffffff in the axiom
 //   chronicle.production   uint32 x 2: line and column of the production that wrote it in this step; 0 for none
 //   chronicle.fires        uint32 x 2: of the one that rewrites it next, or draws it where it answers in place
-//   chronicle.refusals     text, one a line: why the other productions of its symbol do not rewrite it, with tabs
-//   between
-//                          them: `3:1 its condition is false with x = 3`
+//   chronicle.refusals     text, one a line: the reasons why the other productions of its symbol do not rewrite it,
+//                          separated by tabs: `3:1 its condition is false with x = 3`
 //   chronicle.values       text, one a line: what that one is used with, `n=3 t=0.5`
 //   chronicle.chance       float32 x 3: where it was drawn by weight: the sum of all weights, its own, where it fell
 //   chronicle.children     uint32 x 2: first and count of what it becomes in the next step

@@ -334,8 +334,8 @@ class Deriver {
   bool stop_for_work() {
     stopped_ = true;
     first_note(sentence(
-        "Growth ended in step %: trying productions took more work than %, which is the limit; let fewer things "
-        "wait for their turn, or let them work out less.",
+        "Growth ended in step %: trying productions took more than % units of work, which is the limit; let fewer "
+        "things wait for their turn, or let them work out less.",
         {std::to_string(step_), std::to_string(limits_.work)}));
     return true;
   }
@@ -472,7 +472,7 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
     const auto order = static_cast<float>(derived.map.volume(record.volume).order);
     if (!numbers.work_out(record, derived.records, derived.instances, all, order, all[i])) return evaluation.trouble();
     if (evaluation.work() > limits.work)
-      return error_at(Reason::limit, {}, "Numbers take more work than %, which is the limit.",
+      return error_at(Reason::limit, {}, "Numbers take more than % units of work, which is the limit.",
                       {std::to_string(limits.work)});
   }
   return all;

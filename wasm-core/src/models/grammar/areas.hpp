@@ -8,9 +8,8 @@
 //   areas.points     float32, 3 each
 //   areas.triangles  uint32, 3 each: corners, counted from the first of the area's own points
 //   path             float32, 3 each: places that the main branch is led by; where absent, the centres
-//   path.from        uint32, one a place: the place, counted from 1, that the branch comes from there, an earlier one;
-//   0
-//                    the foot, of the first alone. Where absent, the place before it: the branch does not fork
+//   path.from        uint32, one a place: the earlier place, counted from 1, that the branch comes from; 0, the
+//                    foot, for the first place alone. Where absent, the place before it: the branch does not fork
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -34,23 +33,23 @@ class Areas final : public lsystem::Space {
   static constexpr std::size_t most_areas = 64, most_places = 1000;
 
   // Errors: bad_request, for what is of another form; bad_input, for numbers that are not finite or beyond 10 km, or a
-  // corner that is none of the mesh's points; limit, for too many triangles. What there is to say of the meshes is said
-  // when there is a unit.
+  // corner that is none of the mesh's points; limit, for too many triangles. Notes on the meshes follow with
+  // `tell`.
   static Result<Areas> read(Request& request, const Limits& limits);
 
   // What a text may declare: `#input areas` (how many), `#input size[]` (the largest extent of each), `#input places`
   // and `#input path[]` (x, y, z of each place), in its own unit, of which `metres` are one. It is asked in that unit
   // from now on. Of a main branch that forks: `#input forks` (how many branches begin beside another), and of each
-  // place
-  // `#input next[]` (the place after it, `places` + 1 at an end), `#input fork[]` (the next one of those that come from
-  // the same place, 0 for none) and `#input own[]` (the area that the way from there comes to first, 1 where to none).
+  // place `#input next[]` (the place after it, `places` + 1 at an end), `#input fork[]` (the next one of those that
+  // come from the same place, 0 for none) and `#input own[]` (the area that the way from there comes to first, 1 where
+  // to none).
   void tell(lsystem::Inputs& inputs, float metres);
 
   bool bound(const glm::vec3& place, float area) const override;
   float reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const override;
 
   std::size_t size() const { return volumes_.size(); }
-  // Whether more of the meshes' triangles were looked at than the budget allows: then nothing lies in them any more.
+  // Whether the meshes have used up their budget: then no place lies in an area that is a mesh.
   bool is_exhausted() const { return budget_->is_exhausted(); }
   // The first area before this one that its middle lies in; 0 for none.
   std::size_t around(std::size_t area) const;

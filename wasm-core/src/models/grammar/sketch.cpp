@@ -11,9 +11,10 @@ namespace {
 // What things are by nature, as the table of parameters names them.
 constexpr std::uint8_t of_lines = 1, of_blades = 3, of_balls = 7;
 constexpr std::uint32_t disc_surface = 4;
-// In a file: of a line's tube, and of each corner of a polygon. Making and writing take about four times as much.
+// Bytes in a file: of a line's tube, and of each corner of a polygon. Building and writing take about four times as
+// much.
 constexpr std::uint64_t line_bytes = 800, corner_bytes = 100;
-constexpr std::size_t most_unknown = 12;  // surfaces that notes name
+constexpr std::size_t most_unknown = 12;  // unknown surfaces that notes name
 
 std::uint64_t bytes_of(const Mesh& mesh) {
   return 4 * (mesh.positions.size() + mesh.normals.size() + mesh.uvs.size() + mesh.indices.size());
@@ -90,7 +91,7 @@ void Sketch::surface(const lsystem::Turtle& turtle, std::string_view name, float
     std::string known;
     for (const Surface& one : surfaces) known += " ~" + std::string(one.name);
     notes.push_back("There is no surface ~" + std::string(name) + "; there are" + known + ".");
-    if (unknown_.size() == most_unknown) notes.push_back("Further names of surfaces may be unknown.");
+    if (unknown_.size() == most_unknown) notes.push_back("Further unknown surfaces are not listed.");
     return;
   }
   if (size != 0 && may_bear(first_surface_tag + *which))

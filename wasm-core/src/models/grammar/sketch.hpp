@@ -74,10 +74,11 @@ class Sketch final : public Drawing {
   std::vector<std::string> notes;
 
  private:
-  std::vector<std::uint64_t> bytes_;            // of one in a file, by tag
-  std::set<std::string, std::less<>> unknown_;  // surfaces that there are none of
-  // Whether there is room for something with so many bytes in a file; if not, `trouble` says so.
+  std::vector<std::uint64_t> bytes_;            // in a file, of one organ of each tag
+  std::set<std::string, std::less<>> unknown_;  // names of surfaces
+  // Takes `bytes` of the file's limit. False, and `trouble` is set: there are not as many left.
   bool has_room(std::uint64_t bytes);
+  // Whether another organ of a tag is within the limits; if not, `trouble` is set.
   bool may_bear(std::uint32_t tag);
   void bear(std::uint32_t tag, const lsystem::Turtle& turtle, float size, std::uint8_t natural,
             const lsystem::Lineage& lineage);

@@ -76,17 +76,16 @@ void note_on(const Surface& mesh, Form& form, std::vector<std::string>& notes) {
     notes.push_back("There is no mesh, so the boundary is an ellipsoid; drop a closed mesh.");
     return;
   }
-  note_seams(mesh, "The mesh", notes);
+  note_seams(mesh, "mesh", notes);
 }
 
-void note_seams(const Surface& mesh, const std::string& what, std::vector<std::string>& notes) {
+void note_seams(const Surface& mesh, const std::string& name, std::vector<std::string>& notes) {
   const Seams seams = seams_of(mesh);
   if (seams.open > 0)
-    notes.push_back(what + " is open at " + std::to_string(seams.open) +
+    notes.push_back("The " + name + " is open at " + std::to_string(seams.open) +
                     " edges; what lies behind a gap may be taken for inside or outside.");
   if (seams.turned > 0)
-    notes.push_back("Triangles of " + std::string(1, static_cast<char>(what[0] + ('a' - 'A'))) + what.substr(1) +
-                    " are turned against each other at " + std::to_string(seams.turned) +
+    notes.push_back("Triangles of the " + name + " are turned against each other at " + std::to_string(seams.turned) +
                     " edges; parts of it may count as holes.");
 }
 

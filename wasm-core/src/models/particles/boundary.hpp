@@ -25,14 +25,15 @@ std::vector<glm::vec2> spline_through(std::span<const glm::vec2> points);
 // That of the points given, or of `otherwise` where there are fewer than two.
 std::vector<glm::vec2> profile_of(std::span<const glm::vec2> points, std::span<const glm::vec2> otherwise);
 
-// The inner boundary: the outer one made `size` times as large about a place, or a mesh of its own (in any unit) that
-// is stretched to the outer one's box made so. `low` and `high`: that box. Nothing where `size` is 0.
+// The inner boundary: the outer boundary scaled by `size` about the place `about`; or, where `own` has triangles, that
+// mesh (in any unit) stretched to the scaled box of the outer boundary. `low` and `high`: the unscaled box. Empty where
+// `size` is 0.
 Surface inner_boundary(const Surface& outer, const Surface& own, const glm::vec3& low, const glm::vec3& high,
                        const glm::vec3& about, float size);
 
-// Notes what there is to say of a mesh, one sentence each: gaps, sides turned against each other. `what` is it, as a
-// sentence begins: "The mesh".
-void note_seams(const Surface& mesh, const std::string& what, std::vector<std::string>& notes);
+// Adds a note for the gaps of a mesh, and one for triangles turned against each other. `name` is the mesh in these
+// notes: "mesh", "inner boundary".
+void note_seams(const Surface& mesh, const std::string& name, std::vector<std::string>& notes);
 
 // Notes what there is to say of a dropped mesh, one sentence each: gaps, sides turned against each other. Where there
 // is none, the form becomes an ellipsoid.

@@ -89,7 +89,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const auto budget = std::make_shared<LookBudget>(limits.looks);
   const Solid outer(whole, budget);
   // Bare is what lies about the collar.
-  if (!read->hollow.triangles.empty()) note_seams(read->hollow, "The inner boundary", plant.notes);
+  if (!read->hollow.triangles.empty()) note_seams(read->hollow, "inner boundary", plant.notes);
   const Solid inner(inner_boundary(whole, read->hollow, low, high, {0, ground, 0}, values[Parameter::inner]), budget);
   std::vector<glm::vec3> targets = read->targets;
   const float plants = values[stems];

@@ -154,7 +154,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
     return trouble;
   CrownHabit habit = crown_of(values, read->seed);
   if (habit.form == Form::mesh) note_on(read->volume, habit.form, plant.notes);
-  if (!read->hollow.triangles.empty()) note_seams(read->hollow, "The inner boundary", plant.notes);
+  if (!read->hollow.triangles.empty()) note_seams(read->hollow, "inner boundary", plant.notes);
   Crowns crowns_made = make_crowns(habit, profile_of(read->profile, egg), read->volume, read->hollow,
                                    std::make_shared<LookBudget>(limits.looks));
   if (!read->targets.empty()) crowns_made.feet = read->targets;
