@@ -82,7 +82,7 @@ TEST_CASE("whatever the bytes are, a container is read within them or refused") 
   CHECK(refused > 100);
 }
 
-TEST_CASE("copies are written into the block, however large they are, and may be gone before it is") {
+TEST_CASE("copied columns are written into the block at any size, and their source may be freed before") {
   ContainerWriter writer;
   const std::vector<float> viewed(5000, 2.0f);
   writer.add("viewed", viewed);
@@ -92,7 +92,7 @@ TEST_CASE("copies are written into the block, however large they are, and may be
     writer.copy("text", std::string(20'000, 'x'));
     writer.copy("none", std::string_view());
   }
-  const std::vector<std::uint8_t> later(200'000, 0xff);  // which may take the memory of what is gone
+  const std::vector<std::uint8_t> later(200'000, 0xff);  // which may reuse the freed memory
   std::uint8_t* const block = writer.write(1);
   REQUIRE(block != nullptr);
   CHECK(container_bytes(block) > 40'000);

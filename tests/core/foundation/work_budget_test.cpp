@@ -15,7 +15,7 @@ TEST_CASE("work can be spent up to the last unit, and no further") {
   CHECK(budget.left() == 0);
 }
 
-TEST_CASE("bytes are held up to the last one; what does not fit takes none") {
+TEST_CASE("bytes can be held up to the last one, and a request beyond that takes none") {
   WorkBudget budget(0, 100);
   CHECK(budget.hold(60));
   CHECK_FALSE(budget.hold(41));
@@ -26,7 +26,7 @@ TEST_CASE("bytes are held up to the last one; what does not fit takes none") {
   CHECK_FALSE(budget.hold(~std::uint64_t{0}));
 }
 
-TEST_CASE("a share keeps the rest of the work for what follows") {
+TEST_CASE("a share reserves the rest of the work until it ends") {
   WorkBudget budget(100, 0);
   CHECK(budget.spend(20));
   {

@@ -1,5 +1,5 @@
-// Texts that ask for more than the limits allow: each ends with what grew so far and a note, whatever it asks for, and
-// all that it did is counted in one budget.
+// Texts that need more than the limits allow: each ends with a note and the plant that grew until then, and all its
+// work is counted in one budget.
 #include <algorithm>
 
 #include "models/grammar/growing.hpp"
@@ -36,7 +36,7 @@ Limits small(std::uint32_t work, std::uint32_t bytes = Limits{}.bytes) {
 
 constexpr std::string_view so_far = "What grew so far is shown. The grammar takes more than ";
 
-TEST_CASE("answers to ?E are counted: those of one radius and those of one each") {
+TEST_CASE("answers to ?E are counted, with one radius for all and with a radius of each") {
   for (const char* const radius : {"1000", "i/100"}) {
     CAPTURE(radius);
     const std::string text =
@@ -63,7 +63,7 @@ TEST_CASE("a homomorphism without an end shows what it drew until then") {
   CHECK(grown.plant.segments.size() > 10'000);
 }
 
-TEST_CASE("walks that find where modules are count as work, with what a homomorphism draws in them") {
+TEST_CASE("turtle walks that locate modules count as work, with what a homomorphism draws in them") {
   const std::string text =
       "derivation length: 4096\n#turtle cpfg\naxiom: A ?P(0,0,0)\nA --> A\n?P(x,y,z) --> F ?P(0,0,0)\nhomomorphism\n"
       "maximum depth: 12\nA --> F A + A\n";

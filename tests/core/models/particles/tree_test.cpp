@@ -90,7 +90,7 @@ TEST_CASE("odd numbers end too") {
   }
 }
 
-TEST_CASE("nothing starts inside an inner boundary that is a mesh of one's own, and something where that leaves room") {
+TEST_CASE("no particle starts inside an inner boundary that is a mesh, and some start where it leaves room") {
   // A box in a box, of which the mesh is the lower half.
   const std::vector<std::pair<std::string_view, float>> parameters{
       {"shape", 2},       {"width", 4},    {"height", 4},  {"depth", 4}, {"trunk", 1},
@@ -120,7 +120,7 @@ TEST_CASE("nothing starts inside an inner boundary that is a mesh of one's own, 
   CHECK(grow_tree({.parameters = parameters, .hollow = open}).notes.back().find("The inner boundary is open") == 0);
 }
 
-TEST_CASE("the light of a crown is told cell by cell: darker within and below, and all of it outside") {
+TEST_CASE("the light of a crown is listed cell by cell: darker within and below, and full outside") {
   const Plant plant = grow_tree({.parameters = {{"particles", 300},
                                                 {"shape", 2},
                                                 {"width", 4},
