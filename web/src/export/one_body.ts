@@ -31,7 +31,12 @@ export function joinPieces({ size, cells }: Voxels, thick: number, farthest: num
 		});
 	const fillRod = (cell: number) => {
 		for (let z = 0; z < thick; z++) {
-			for (let y = 0; y < thick; y++) cells.fill(1, cell + (z * ny + y) * nx, cell + (z * ny + y) * nx + thick);
+			for (let y = 0; y < thick; y++) {
+				for (let x = 0; x < thick; x++) {
+					const each = cell + (z * ny + y) * nx + x;
+					if (each < cells.length && !isOutermost(size, each)) cells[each] = 1;
+				}
+			}
 		}
 	};
 	join(largest);

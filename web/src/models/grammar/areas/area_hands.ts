@@ -24,6 +24,8 @@ export class AreaHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
 	/** The document as it was before a stroke. */
 	#before: GrammarSpecimen | undefined;
 	#stroke: Triple[] | undefined;
+	/** Whether the stroke draws a fork, as the tool said when it began. */
+	#strokeIsFork = false;
 	#last: Point = { x: 0, y: 0 };
 	#drawing: AreaState["drawing"];
 
@@ -90,6 +92,7 @@ export class AreaHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
 		const at = this.#under(event);
 		if (!at) return;
 		this.#stroke = [at];
+		this.#strokeIsFork = this.#drawing === "fork";
 		this.#last = { x: event.clientX, y: event.clientY };
 		this.#before = this.#desk.state.specimen;
 		this.#view.orbiting = false;
@@ -109,7 +112,7 @@ export class AreaHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
 	};
 
 	#drawn(stroke: readonly Triple[]): Change | undefined {
-		return this.#drawing === "fork" && this.#before ? strokeFork(this.#before, stroke) : strokePath(stroke);
+		return this.#strokeIsFork && this.#before ? strokeFork(this.#before, stroke) : strokePath(stroke);
 	}
 
 	readonly #end = (): void => {
