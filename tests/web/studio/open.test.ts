@@ -10,6 +10,11 @@ import { dropsOf } from "../../../web/src/studio/files/drops";
 import { openFile } from "../../../web/src/studio/files/open";
 import { studioWith } from "./desk";
 
+// There are no workers here: files are read on this thread, by the same reader.
+vi.mock("../../../web/src/controls/mesh_file/read_in_worker", async () => ({
+	readMeshInWorker: (await import("../../../web/src/controls/mesh_file/read")).readMeshFile,
+}));
+
 const [leafModel, treeModel] = [leaf, tree] as unknown as Model[];
 const BALL = ["1 0 0", "-1 0 0", "0 1 0", "0 -1 0", "0 0 1", "0 0 -1"].map((point) => `v ${point}`);
 const FACES = ["1 3 5", "3 2 5", "2 4 5", "4 1 5", "3 1 6", "2 3 6", "4 2 6", "1 4 6"].map((face) => `f ${face}`);
@@ -58,7 +63,7 @@ describe("a file brought to the page", () => {
 		);
 		const notes = await (await brought(leafModel)).bring(new File(["?"], "notes.txt"));
 		expect(notes[0]).toMatch(
-			/exported by Panicle\. A grammar as text \(\.lsys, \.gl3, \.xml\) grows, whatever is shown\. Leaf: a picture of a leaf is traced\.$/,
+			/exported by Panicle\. A grammar as text \(\.lsys, \.gl3, \.growth, \.stand, \.xml\) grows, whatever is shown\. Leaf: a picture of a leaf is traced\.$/,
 		);
 	});
 

@@ -101,7 +101,8 @@ TEST_CASE("a flower at four distances has few triangles, and is as large, as wid
   for (const auto& file : files()) {
     const std::string name = file.stem().string();
     // A meadow is a whole bed of plants.
-    if (name.starts_with("meadow") || name == "petal" || name == "grass" || name == "table-3" || name == "figure-16") continue;
+    if (name.starts_with("meadow") || name == "petal" || name == "grass" || name == "table-3" || name == "figure-16")
+      continue;
     CAPTURE(name);
     const auto [plant, whole] = levelled(content(file));
     REQUIRE(plant.meshes.size() == level_count);
