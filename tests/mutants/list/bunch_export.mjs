@@ -285,4 +285,46 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/export/light.ts",
+		suites: ["tests/web/export/light_glb.test.ts"],
+		faults: [
+			{
+				id: "low-berries-never-merged",
+				find: "if (most >= SAME_OUTLINE) break;",
+				replace: "break;",
+				breaks: "a bunch of 500 triangles is shards of its berries",
+			},
+		],
+	},
+	{
+		file: "web/src/export/merged_bodies.ts",
+		suites: ["tests/web/export/light_glb.test.ts"],
+		faults: [
+			{
+				id: "merged-open-meshes",
+				find: "radiusOf(mesh) >= leastRadius && isClosed(mesh)",
+				replace: "radiusOf(mesh) >= leastRadius",
+				breaks: "a sheet beside berries is merged with them, though it holds nothing",
+			},
+			{
+				id: "merged-colours-of-one",
+				find: "colours[at + k] = known[3 * nearest + k]",
+				replace: "colours[at + k] = known[k]",
+				breaks: "all berries of a merged body have the colour of the first",
+			},
+		],
+	},
+	{
+		file: "web/src/export/point_tree.ts",
+		suites: ["tests/web/export/point_tree.test.ts"],
+		faults: [
+			{
+				id: "point-tree-one-side",
+				find: "if (beyond ** 2 >= this.#least) return;",
+				replace: "return;",
+				breaks: "a merged body takes colours from vertices that are not the nearest",
+			},
+		],
+	},
 ];

@@ -5,13 +5,16 @@ import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { beforeAll, describe, expect, it } from "vitest";
 import { exportGlb } from "../../../web/src/export/glb";
 import { lowGlb } from "../../../web/src/export/low_glb";
+import { mergedBodies, solidGroups } from "../../../web/src/export/merged_bodies";
 import { LOW_TRIANGLES } from "../../../web/src/export/plant_files";
+import { tornAt } from "../../../web/src/export/solid";
 import { webGlb } from "../../../web/src/export/web_glb";
 import { inRun } from "../../long_run.mjs";
 import { grownParts } from "./grown_parts";
+import { outlineOverlap } from "./outline_overlap";
 import { complaints, documentOf, meshesOf, unpictured } from "./reading";
 import { silhouette, unlike } from "./silhouette";
-import { ABOUT, fruits, plain } from "./toy_parts";
+import { ABOUT, fruits, PULP, plain, tetrahedron } from "./toy_parts";
 
 beforeAll(() => MeshoptDecoder.ready);
 
@@ -94,6 +97,48 @@ describe.each(PLANTS.slice(0, inRun(3, 4)))("the light forms of %s", (source, mo
 			for (const axis of [0, 2]) {
 				expect(unlike(silhouette(detailed, axis), silhouette(meshes, axis))).toBeLessThan(mostDifferent);
 			}
+		}
+	});
+});
+
+describe("the low form of a bunch", () => {
+	it.each([
+		[20_000, 0.97],
+		[2000, 0.95],
+		[500, 0.9],
+	])("of at most %i triangles has %f of the outline of the detailed form", async (triangles, least) => {
+		const { parts, about } = await grownParts("bunch/merlot");
+		const glb = await lowGlb(parts(), about, triangles);
+		expect(await complaints(glb)).toEqual([]);
+		const meshes = await meshesIn(glb);
+		expect(trianglesOf(meshes)).toBeLessThanOrEqual(triangles);
+		expect(outlineOverlap(await meshesIn(exportGlb(parts(), about)), meshes)).toBeGreaterThanOrEqual(least);
+	});
+});
+
+describe("merged bodies", () => {
+	const solid = (centre: [number, number, number], shade?: number[]) => ({
+		material: PULP,
+		mesh: tetrahedron(centre, 1, shade && [...shade, ...shade, ...shade, ...shade]),
+	});
+	const sheet = { material: PULP, mesh: { ...tetrahedron([0, 3, 0], 1), indices: Uint32Array.of(0, 1, 2) } };
+
+	it("are the solid pieces of one material; a single one and an open one keep their triangles", () => {
+		expect(solidGroups([solid([0, 0, 0]), sheet]).size).toBe(0);
+		const pieces = [solid([0, 0, 0]), sheet, solid([0.5, 0, 0])];
+		const groups = solidGroups(pieces);
+		expect([...groups]).toEqual([[PULP, [pieces[0], pieces[2]]]]);
+		const [body, rest, ...more] = mergedBodies(pieces, groups, 3);
+		expect([rest, more]).toEqual([sheet, []]);
+		expect(tornAt(body.mesh.indices).size).toBe(0);
+	});
+
+	it("have the colours of the nearest of them", () => {
+		const pieces = [solid([0, 0, 0], [1, 0, 0]), solid([4, 0, 0], [0, 0, 1])];
+		const [{ mesh }] = mergedBodies(pieces, solidGroups(pieces), 3);
+		const near = (vertex: number) => (mesh.positions[3 * vertex] < 2 ? [1, 0, 0] : [0, 0, 1]);
+		for (let vertex = 0; vertex < mesh.positions.length / 3; vertex++) {
+			expect([...(mesh.colours ?? []).slice(3 * vertex, 3 * vertex + 3)]).toEqual(near(vertex));
 		}
 	});
 });

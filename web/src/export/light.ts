@@ -6,6 +6,8 @@ import type { Material, Picture, Textures } from "../plant/material";
 import type { Part, Vector } from "../plant/part";
 import { drawCalls } from "./draw_calls";
 import { Cover } from "./hidden";
+import { mergedBodies, solidGroups } from "./merged_bodies";
+import { agreement, outlinesBeside } from "./outline";
 import { extentOf, type Piece, piecesOf } from "./piece";
 import { simplified } from "./simplified";
 import { sparse } from "./sparse";
@@ -14,6 +16,11 @@ import { sparse } from "./sparse";
 const MOST_DRAWN = 5;
 /** A quarter of a pixel where the plant fills a view a thousand pixels high, as a share of its extent. */
 const UNSEEN = 1 / 4000;
+
+/** Overlap of outlines (outline.ts) above which bodies stay separate. */
+const SAME_OUTLINE = 0.975;
+/** Reaches tried for merged bodies (merged_bodies.ts): the fewer the triangles, the smoother the best body. */
+const REACHES = [4, 5, 7];
 
 export interface Light {
 	/** Triangles at the most; without it as few as look the same. */
@@ -27,13 +34,39 @@ export interface Light {
 /** One part for each thing that is drawn at once; at most 5. */
 export async function lightParts(parts: Iterable<Part>, { triangles, pixels, still }: Light): Promise<Part[]> {
 	const all = triangles === undefined ? parts : sparse([...parts], triangles);
-	const calls = drawCalls(visible([...piecesOf(all, still)]), MOST_DRAWN);
-	const light = await simplified(calls, triangles === undefined ? { error: UNSEEN } : { triangles });
+	const pieces = [...piecesOf(all, still)];
+	const light =
+		triangles === undefined
+			? await simplified(drawCallsOf(pieces), { error: UNSEEN })
+			: await within(pieces, triangles);
 	const small = new Map<Picture, Picture>();
 	return light.map(({ material, mesh }) => {
 		const shape = { mesh, material: withPictures(material, (picture) => known(small, picture, pixels)) };
 		return { name: material.name, shape };
 	});
+}
+
+/** One piece for each draw call, without the triangles that cannot be seen. */
+const drawCallsOf = (pieces: readonly Piece[]) => drawCalls(visible(pieces), MOST_DRAWN);
+
+/**
+ * Simplifies pieces to at most so many triangles. Where separate bodies lose the outline, solid ones are merged first, if more of the
+ * outline is kept so.
+ */
+async function within(pieces: readonly Piece[], triangles: number): Promise<Piece[]> {
+	let best = await simplified(drawCallsOf(pieces), { triangles });
+	const groups = solidGroups(pieces);
+	if (groups.size === 0) return best;
+	const outline = outlinesBeside(pieces);
+	const whole = outline(pieces);
+	let most = agreement(whole, outline(best));
+	for (const reach of REACHES) {
+		if (most >= SAME_OUTLINE) break;
+		const light = await simplified(drawCallsOf(mergedBodies(pieces, groups, reach)), { triangles, moves: true });
+		const share = agreement(whole, outline(light));
+		if (share > most) [best, most] = [light, share];
+	}
+	return best;
 }
 
 /** What can be seen of pieces from outside. */

@@ -1,5 +1,6 @@
 /** Fewer triangles for the same look, by meshoptimizer: edges collapse where that changes shape, light and colour least. */
-import { MeshoptSimplifier } from "meshoptimizer/simplifier";
+import { type Flags, MeshoptSimplifier } from "meshoptimizer/simplifier";
+import { clamp } from "../plant/colour";
 import type { PartMesh } from "../plant/part";
 import type { Piece } from "./piece";
 import { welded } from "./weld";
@@ -23,27 +24,54 @@ export interface Wanted {
 	triangles?: number;
 	/** How far a surface may come to lie from where it was, as a share of the plant's extent; without it as far as need be. */
 	error?: number;
+	/**
+	 * Whether vertices may move to where the surface differs least, with their normals and colours. Triangles between fixed vertices lie
+	 * inside convex surfaces. Has no effect where a piece has texture coordinates or `feet`.
+	 */
+	moves?: boolean;
 }
 
 /** The pieces with fewer vertices and triangles, judged together; those of which nothing is left are left out. */
-export async function simplified(pieces: readonly Piece[], { triangles = 0, error = 1 }: Wanted): Promise<Piece[]> {
+export async function simplified(
+	pieces: readonly Piece[],
+	{ triangles = 0, error = 1, moves = false }: Wanted,
+): Promise<Piece[]> {
 	await MeshoptSimplifier.ready;
 	const one = concatenated(pieces.map(({ mesh }) => lean(mesh)));
 	const target = 3 * triangles;
 	let indices = one.indices;
 	if (indices.length > target && indices.length > 0) {
-		[indices] = MeshoptSimplifier.simplifyWithAttributes(
-			indices,
-			one.positions,
-			3,
-			one.attributes,
-			ATTRIBUTES,
-			WEIGHTS,
-			null,
-			target,
-			error,
-			["Prune"],
-		);
+		const { positions, attributes } = one;
+		const flags: Flags[] = ["Prune"];
+		if (moves && pieces.every(({ mesh }) => mesh.uvs.length === 0 && !mesh.feet)) {
+			const [corners] = MeshoptSimplifier.simplifyWithUpdate(
+				indices,
+				positions,
+				3,
+				attributes,
+				ATTRIBUTES,
+				WEIGHTS,
+				null,
+				target,
+				error,
+				flags,
+			);
+			indices = indices.slice(0, corners);
+			one.meshes = one.meshes.map((mesh, i) => moved(mesh, one, one.firsts[i]));
+		} else {
+			[indices] = MeshoptSimplifier.simplifyWithAttributes(
+				indices,
+				positions,
+				3,
+				attributes,
+				ATTRIBUTES,
+				WEIGHTS,
+				null,
+				target,
+				error,
+				flags,
+			);
+		}
 		// What holds together in too many places yields to a grid.
 		if (triangles > 0 && indices.length > target)
 			[indices] = MeshoptSimplifier.simplifySloppy(indices, one.positions, 3, null, target, 1);
@@ -66,7 +94,7 @@ function lean(mesh: PartMesh): PartMesh {
 }
 
 interface Whole {
-	meshes: readonly PartMesh[];
+	meshes: PartMesh[];
 	/** The first vertex of each mesh, and the end of the last. */
 	firsts: number[];
 	positions: Float32Array;
@@ -74,7 +102,7 @@ interface Whole {
 	indices: Uint32Array;
 }
 
-function concatenated(meshes: readonly PartMesh[]): Whole {
+function concatenated(meshes: PartMesh[]): Whole {
 	const firsts = [0];
 	for (const { positions } of meshes) firsts.push(firsts[firsts.length - 1] + positions.length / 3);
 	const vertices = firsts[meshes.length];
@@ -92,6 +120,20 @@ function concatenated(meshes: readonly PartMesh[]): Whole {
 		for (const index of mesh.indices) indices[corner++] = index + firsts[i];
 	}
 	return { meshes, firsts, positions, attributes, indices };
+}
+
+/** A mesh with the positions, normals and colours that its vertices have in the whole, from the vertex `first` on. */
+function moved(mesh: PartMesh, { positions, attributes }: Whole, first: number): PartMesh {
+	const [normals, colours] = [new Float32Array(mesh.positions.length), new Float32Array(mesh.positions.length)];
+	for (let to = 0, at = ATTRIBUTES * first; to < normals.length; to += 3, at += ATTRIBUTES) {
+		const length = Math.hypot(attributes[at], attributes[at + 1], attributes[at + 2]);
+		for (let k = 0; k < 3; k++) {
+			normals[to + k] = length > 0 ? attributes[at + k] / length : mesh.normals[to + k];
+			colours[to + k] = clamp(attributes[at + 3 + k]);
+		}
+	}
+	const own = { ...mesh, positions: positions.slice(3 * first, 3 * first + normals.length), normals };
+	return mesh.colours ? { ...own, colours } : own;
 }
 
 /** The triangles of each mesh, by its own vertices. */

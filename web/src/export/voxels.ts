@@ -13,10 +13,11 @@ export interface Voxels {
 /** Empty layers about what is asked for: as far as bodies may grow, and one. */
 const MARGIN = 4;
 
-export function emptyVoxels(low: readonly number[], high: readonly number[], pitch: number): Voxels {
-	const count = (axis: number) => Math.ceil((high[axis] - low[axis]) / pitch) + 2 * MARGIN;
+/** @param margin empty layers on every side of the box from `low` to `high` */
+export function emptyVoxels(low: readonly number[], high: readonly number[], pitch: number, margin = MARGIN): Voxels {
+	const count = (axis: number) => Math.ceil((high[axis] - low[axis]) / pitch) + 2 * margin;
 	const size = [count(0), count(1), count(2)] as const;
-	const origin = low.map((value) => value - MARGIN * pitch);
+	const origin = low.map((value) => value - margin * pitch);
 	return { size, origin, pitch, cells: new Uint8Array(size[0] * size[1] * size[2]) };
 }
 
@@ -112,6 +113,15 @@ export function thicken({ size, cells }: Voxels, thick: number): void {
 	for (let i = 0; i < cells.length; i++) cells[i] = cells[i] & ~opened[i];
 	widen(cells, size, before, after);
 	for (let i = 0; i < cells.length; i++) cells[i] |= opened[i];
+}
+
+/**
+ * Fills gaps into which no cube of `2 * reach + 1` cells fits (a closing).
+ * @param voxels with at least `reach + 1` empty layers on every side
+ */
+export function closeGaps({ size, cells }: Voxels, reach: number): void {
+	widen(cells, size, -reach, reach);
+	narrow(cells, size, -reach, reach);
 }
 
 /** Cells from whose place less `from` … `to` along each axis a filled one is seen (a dilation by a box). */

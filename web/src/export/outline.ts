@@ -1,0 +1,69 @@
+/** Outlines of pieces in orthographic views along the axes, and how much of two is the same: a measure of how well shape is kept. */
+import { boundsOf, type Piece } from "./piece";
+
+/** Along the longest edge of the box about the plant. */
+const PIXELS = 192;
+/** The two axes of each picture. */
+const VIEWS = [
+	[0, 1],
+	[1, 2],
+	[2, 0],
+] as const;
+
+/** One picture a view, 1 where the plant covers the middle of a pixel. */
+export type Outline = readonly Uint8Array[];
+
+/** @returns a function that draws outlines at the scale and place of these pieces, so that they can be compared */
+export function outlinesBeside(pieces: readonly Piece[]): (pieces: readonly Piece[]) => Outline {
+	const { low, high } = boundsOf(pieces.map(({ mesh }) => mesh.positions));
+	const pixel = Math.max(...high.map((value, axis) => value - low[axis])) / PIXELS || 1;
+	return (drawn) =>
+		VIEWS.map((axes) => {
+			const covered = new Uint8Array(PIXELS * PIXELS);
+			for (const { mesh } of drawn) cover(covered, mesh, axes, low, pixel);
+			return covered;
+		});
+}
+
+/** Intersection over union of the pixels covered, in the view where it is least: 1 where outlines are equal. */
+export function agreement(one: Outline, other: Outline): number {
+	const shares = one.map((covered, view) => {
+		let [both, either] = [0, 0];
+		for (const [i, value] of covered.entries()) {
+			both += value & other[view][i];
+			either += value | other[view][i];
+		}
+		return either > 0 ? both / either : 1;
+	});
+	return Math.min(...shares);
+}
+
+function cover(
+	covered: Uint8Array,
+	{ positions, indices }: Piece["mesh"],
+	[across, up]: (typeof VIEWS)[number],
+	low: readonly number[],
+	pixel: number,
+): void {
+	const u = (vertex: number) => (positions[3 * vertex + across] - low[across]) / pixel - 0.5;
+	const v = (vertex: number) => (positions[3 * vertex + up] - low[up]) / pixel - 0.5;
+	for (let at = 0; at < indices.length; at += 3) {
+		const [a, b, c] = [indices[at], indices[at + 1], indices[at + 2]];
+		const [au, av, bu, bv, cu, cv] = [u(a), v(a), u(b), v(b), u(c), v(c)];
+		const last = Math.min(PIXELS - 1, Math.floor(Math.max(av, bv, cv)));
+		for (let row = Math.max(0, Math.ceil(Math.min(av, bv, cv))); row <= last; row++) {
+			let [from, to] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+			const meet = (pu: number, pv: number, qu: number, qv: number) => {
+				if (row < Math.min(pv, qv) || row > Math.max(pv, qv)) return;
+				const place = pv === qv ? pu : pu + ((row - pv) / (qv - pv)) * (qu - pu);
+				from = Math.min(from, place);
+				to = Math.max(to, place);
+			};
+			meet(au, av, bu, bv);
+			meet(bu, bv, cu, cv);
+			meet(cu, cv, au, av);
+			const [first, end] = [Math.max(0, Math.ceil(from)), Math.min(PIXELS - 1, Math.floor(to))];
+			if (end >= first) covered.fill(1, row * PIXELS + first, row * PIXELS + end + 1);
+		}
+	}
+}
