@@ -8,7 +8,7 @@ test("a stand grows, shows its plants on the map, is walked through, changed and
 	tag: "@long",
 }, async ({ page }) => {
 	const studio = await new StudioPage(page).open(WOOD);
-	const caption = page.getByText("12 plants of 4 kinds on 90 × 90 m").first();
+	const caption = page.getByText("12 plants of 5 kinds on 90 × 90 m").first();
 	await expect(caption).toBeVisible();
 	const before = await studio.fingerprint.textContent();
 
@@ -68,7 +68,7 @@ test("a plan is edited; what it asks for and there is not is told at its place, 
 	page,
 }) => {
 	const studio = await new StudioPage(page).open(WOOD);
-	await expect(page.getByText("12 plants of 4 kinds").first()).toBeVisible();
+	await expect(page.getByText("12 plants of 5 kinds").first()).toBeVisible();
 	const before = await studio.fingerprint.textContent();
 	await studio.button("Grammar").click();
 	const text = page.getByRole("region", { name: "Grammar" }).locator(".cm-content");
