@@ -185,7 +185,7 @@ test("a closed mesh dropped on the boundary becomes it, and the page says where 
 	await expect(inSpace).toHaveAttribute("aria-pressed", "true");
 	// A mesh of one's own is the inner boundary, too.
 	const mesh = { name: "inner.obj", mimeType: "model/obj", buffer: Buffer.from([...octahedron, ...faces].join("\n")) };
-	await page.getByLabel(/^Inner boundary from a mesh/).setInputFiles(mesh);
+	await page.getByLabel(/^Inner mesh/).setInputFiles(mesh);
 	await expect(studio.notices).toContainText("The mesh is the inner boundary now");
 	await expect(page.locator("panicle-boundary path.inner")).toHaveAttribute("d", /^M[^L]+(L[^L]+){3}Z$/);
 	await studio.button("Remove the inner mesh").click();

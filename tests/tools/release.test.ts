@@ -124,6 +124,6 @@ it("the changelog has a section for what is to come and for the version that the
 	expect(sections[1][0]).toBe(version);
 	expect(sections.slice(1).filter(([, date]) => !date)).toEqual([]);
 	const headings = new Set([...changelog.matchAll(/^### (.*)$/gm)].map(([, heading]) => heading));
-	const allowed = ["Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"];
+	const allowed = ["Added", "Sizes", "Changed", "Deprecated", "Removed", "Fixed", "Security"];
 	expect([...headings].filter((heading) => !allowed.includes(heading))).toEqual([]);
 });

@@ -88,7 +88,7 @@ function drawInner<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>): unkno
 		Remove the inner mesh</button>`;
 	return html`<div class="override">
 		<p>${words}</p>
-		${chooser(desk, hollow ? "Another inner mesh (OBJ, GLB, STL)…" : "Inner boundary from a mesh (OBJ, GLB, STL)…", inner(desk))}
+		${chooser(desk, hollow ? "Another inner mesh (OBJ, GLB, STL)…" : "Inner mesh (OBJ, GLB, STL)…", inner(desk))}
 		${hollow && !sameMesh(hollow, own) ? back : nothing}
 	</div>`;
 }
