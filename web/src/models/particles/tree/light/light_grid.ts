@@ -30,8 +30,8 @@ export interface LightPoints {
 const DARK = [0.1, 0.16, 0.36];
 const BRIGHT = [1, 0.86, 0.35];
 /** How opaque each of them is: what is bright is seen through, so that the shadow within is. */
-const DARK_OPACITY = 0.7;
-const BRIGHT_OPACITY = 0.06;
+const DARK_OPACITY = 0.16;
+const BRIGHT_OPACITY = 0.015;
 
 export function lightPoints({ cells, counts: [x, y], low, edge }: LightGrid): LightPoints {
 	const positions = new Float32Array(3 * cells.length);

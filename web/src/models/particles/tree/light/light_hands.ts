@@ -7,8 +7,8 @@ import type { TreePlant } from "../tree_plant";
 import { type LightGrid, lightPoints } from "./light_grid";
 import type { LightTool } from "./light_tool";
 
-/** Size of a point, of a cell's edge. */
-const SIZE = 0.45;
+/** Width of a point, of a cell's edge. */
+const WIDTH = 1;
 /** Drawn after the plant. */
 const ORDER = 10;
 
@@ -19,6 +19,7 @@ export class LightHands implements ToolHands<TreeSpecimen, TreePlant> {
 	readonly #material = new PointsMaterial({
 		vertexColors: true,
 		transparent: true,
+		depthTest: false, // Leaves would hide the cells between them.
 		depthWrite: false,
 		toneMapped: false,
 	});
@@ -57,7 +58,8 @@ export class LightHands implements ToolHands<TreeSpecimen, TreePlant> {
 		this.#points.geometry = new BufferGeometry()
 			.setAttribute("position", new BufferAttribute(positions, 3))
 			.setAttribute("color", new BufferAttribute(colours, 4));
-		this.#material.size = SIZE * grid.edge;
+		// Sizes of points leave out the angle of view: cot(angle / 2), an element of the camera's projection, puts it in.
+		this.#material.size = WIDTH * grid.edge * this.#view.camera.projectionMatrix.elements[5];
 		this.#shown = grid;
 	}
 }
