@@ -54,6 +54,10 @@ const RUNS = {
 		about: "flowers",
 		run: async () => (await import("./flower.mjs")).benchFlowers(await onCore()),
 	},
+	proportion: {
+		about: "time and memory of every model from its usual size to the largest",
+		run: async () => (await import("./proportion.mjs")).benchProportion(),
+	},
 	service: {
 		about: "bunches per second that the model service answers as JSON",
 		run: async () => (await import("./service.mjs")).benchService(),
