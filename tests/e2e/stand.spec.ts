@@ -74,7 +74,7 @@ test("a plan is edited; what it asks for and there is not is told at its place, 
 	const text = page.getByRole("region", { name: "Grammar" }).locator(".cm-content");
 	await text.click();
 	await page.keyboard.press("ControlOrMeta+End");
-	await page.keyboard.insertText("\nlilac/blue, share 2");
+	await page.keyboard.insertText("\nlilac/blue, share 900");
 	await expect(page.getByText(/There is no model lilac; there are bunch/).first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(before);
 	// The faulty line is whole in sight above what is said of it.
