@@ -71,6 +71,16 @@ for (const [width, height] of [
 	});
 }
 
+test("focus on a button that opens a file keeps the page in its place", async ({ page }) => {
+	await page.setViewportSize({ width: 390, height: 844 });
+	await new StudioPage(page).open("?v=2&model=tree&preset=sphere");
+	const file = page.getByLabel(/^Inner mesh/);
+	await file.focus();
+	await expect(file).toBeFocused();
+	await expect(page.getByText(/^Inner mesh/)).toBeInViewport();
+	expect(await page.locator(".studio").evaluate((studio) => studio.scrollTop)).toBe(0);
+});
+
 test("the strip keeps its height whatever is found, in windows of any size", { tag: "@long" }, async ({ page }) => {
 	await new StudioPage(page).open();
 	const search = page.getByRole("searchbox", { name: "Search presets" });
