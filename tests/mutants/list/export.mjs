@@ -305,7 +305,7 @@ export default [
 				id: "print-thicker-unsaid",
 				find: "thickness > 1.01 * least",
 				replace: "thickness > 1000 * least",
-				breaks: "nobody learns that a body is thicker than was asked for",
+				breaks: "no note says that a body is thicker than requested",
 			},
 		],
 	},

@@ -143,13 +143,13 @@ describe("the lock of a table", () => {
 		["of a machine that was last heard of six minutes ago", { ...owner, host: "there", at: 1_000_000 - 360_000 }, {}],
 		["of a number that another process has now", { ...owner, at: 1_000_000 - 360_000 }, {}],
 		["of one's own number, as in a container", owner, { process: 7 }],
-	])("%s holds nobody up", async (_, lock, differs) => {
+	])("%s blocks no other process", async (_, lock, differs) => {
 		const written: Written = new Map([[LOCK, JSON.stringify(lock)]]);
 		expect((await series(words, written, differs)).status).toBe(0);
 		expect(written.has(LOCK)).toBe(false);
 	});
 
-	it("that was half written holds nobody up", async () => {
+	it("that was half written blocks no other process", async () => {
 		expect((await series(words, new Map([[LOCK, '{"host":']]))).status).toBe(0);
 	});
 
@@ -195,22 +195,22 @@ describe("the lock of a table", () => {
 		expect(written.get(LOCK)).toBe(theirs);
 	});
 
-	it("is given up where the process is told to end", async () => {
+	it("is released when the process receives a signal to end", async () => {
 		const written: Written = new Map();
-		let told: (() => Promise<void>) | undefined;
+		let onSignal: (() => Promise<void>) | undefined;
 		const { world } = memoryWorld({}, {}, written);
 		const loadCore: Surroundings["loadCore"] = async (wasm) => {
 			expect(written.has(LOCK)).toBe(true);
-			await told?.();
+			await onSignal?.();
 			expect(written.has(LOCK)).toBe(false);
 			return world.loadCore(wasm);
 		};
 		const whenTerminated: Surroundings["whenTerminated"] = (work) => {
-			told = work;
+			onSignal = work;
 			return () => {};
 		};
 		await run([...SMALL, ...words], { ...world, loadCore, whenTerminated });
-		expect(told).toBeDefined();
+		expect(onSignal).toBeDefined();
 	});
 });
 

@@ -23,6 +23,6 @@ it("does without where there are no locks, or a frame may request none", async (
 	vi.stubGlobal("navigator", { locks: { request } });
 	holdScripts(script);
 	expect(request).toHaveBeenCalledOnce();
-	// A rejection that nobody hears would fail the run.
+	// An unhandled rejection would fail the run.
 	await new Promise((resolve) => setTimeout(resolve));
 });

@@ -38,7 +38,7 @@ it("a worker dies but once, and it is told whether it ever lived", async () => {
 	expect(other.events.died.mock.calls).toEqual([["its answer could not be read", true]]);
 });
 
-it("ends a worker that a request cannot be sent to, so that nobody waits for its answer", async () => {
+it("ends a worker that a request cannot be sent to, so that its request is refused and waits no longer", async () => {
 	const { worker, events, seat } = seated();
 	vi.spyOn(worker, "postMessage").mockImplementation((message) => {
 		if (message.type === "grow") structuredClone({ message, uncloneable: () => {} });

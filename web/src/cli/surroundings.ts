@@ -23,7 +23,7 @@ export interface Surroundings {
 	isRunning(process: number): boolean;
 	/** Milliseconds since 1970. */
 	now(): number;
-	/** Has work done before the process ends because it is told to (SIGTERM). @returns what takes that back */
+	/** Runs work before the process ends by a signal (SIGTERM). @returns a function that cancels it */
 	whenTerminated(work: () => Promise<void>): () => void;
 	/** Variables by name. */
 	readonly environment: Readonly<Record<string, string | undefined>>;

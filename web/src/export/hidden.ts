@@ -44,7 +44,7 @@ export class Cover<Own extends Piece> {
 	}
 }
 
-/** The pieces without triangles that nobody can see (`Cover`). */
+/** The pieces without triangles that cannot be seen (`Cover`). */
 export function withoutHidden<Own extends Piece>(pieces: readonly Own[], within: number): Own[] {
 	return new Cover(pieces, within).visible();
 }

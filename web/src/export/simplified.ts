@@ -43,34 +43,13 @@ export async function simplified(
 	if (indices.length > target && indices.length > 0) {
 		const { positions, attributes } = one;
 		const flags: Flags[] = ["Prune"];
+		const request = [indices, positions, 3, attributes, ATTRIBUTES, WEIGHTS, null, target, error, flags] as const;
 		if (moves && pieces.every(({ mesh }) => mesh.uvs.length === 0 && !mesh.feet)) {
-			const [corners] = MeshoptSimplifier.simplifyWithUpdate(
-				indices,
-				positions,
-				3,
-				attributes,
-				ATTRIBUTES,
-				WEIGHTS,
-				null,
-				target,
-				error,
-				flags,
-			);
+			const [corners] = MeshoptSimplifier.simplifyWithUpdate(...request);
 			indices = indices.slice(0, corners);
 			one.meshes = one.meshes.map((mesh, i) => moved(mesh, one, one.firsts[i]));
 		} else {
-			[indices] = MeshoptSimplifier.simplifyWithAttributes(
-				indices,
-				positions,
-				3,
-				attributes,
-				ATTRIBUTES,
-				WEIGHTS,
-				null,
-				target,
-				error,
-				flags,
-			);
+			[indices] = MeshoptSimplifier.simplifyWithAttributes(...request);
 		}
 		// What holds together in too many places yields to a grid.
 		if (triangles > 0 && indices.length > target)

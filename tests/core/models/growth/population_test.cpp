@@ -175,7 +175,7 @@ TEST_CASE("a shoot whose count of leaves is negative sheds its own leaves of the
     CHECK((falling[step] > 0) == (step == 5 || step == 7 || step == 9 || step == 11));
 }
 
-TEST_CASE("of foliage as many leaves of an internode fall as the text says, in the step that laid it") {
+TEST_CASE("of foliage as many leaves of an internode fall as the text says, in the step that made it") {
   const Population plant = grown(std::string(plain) + "nbr = 0\nk >= 1 -> foliage(3)\nk == 3 -> fallingLeaf(2)\n", 4);
   std::size_t falling = 0;
   for (const Leaf& leaf : plant.leaves) {

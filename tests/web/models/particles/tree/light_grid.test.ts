@@ -18,7 +18,7 @@ const grow = (options: object) => {
 	return model.read(core.grow(model.encode(small, options)), small);
 };
 
-it("comes with every tree but in passing, as wide as the crown", () => {
+it("comes with every tree except in a preview, as wide as the crown", () => {
 	const { light } = grow({ meshes: false });
 	if (!light) throw new Error("no light");
 	const [x, y, z] = light.counts;
