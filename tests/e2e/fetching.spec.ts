@@ -69,6 +69,33 @@ test.describe("to the eye", () => {
 	});
 });
 
+test("Back to a tree whose scripts cannot be fetched fetches each of them once", async ({ page, complaints }) => {
+	complaints.expect(/ERR_FAILED/);
+	// A leaf grows by the module that the tree needs, so that the tree grows, too: only its scripts are missing.
+	const studio = await new StudioPage(page).open("?v=2&model=leaf");
+	await page.evaluate(() => {
+		history.pushState(null, "", "?v=2&model=tree&preset=twin");
+		history.pushState(null, "", "?v=2&model=grammar&seed=83247");
+		dispatchEvent(new PopStateEvent("popstate"));
+	});
+	await expect(page).toHaveTitle(/83247 · Panicle/);
+	await expect(page.getByRole("application", { name: /^Grammar/ })).toBeVisible();
+	const requests: string[] = [];
+	await page.context().route(/assets\//, (route) => {
+		requests.push(route.request().url());
+		return route.abort();
+	});
+	await page.goBack();
+	await expect(studio.notices).toContainText("The tree cannot be drawn");
+	// Without end, they would be hundreds in so many frames.
+	await page.evaluate(async () => {
+		for (let frame = 0; frame < 60; frame++) await new Promise(requestAnimationFrame);
+	});
+	const times = (script: string) => requests.filter((url) => url.includes(`/${script}-`)).length;
+	expect(times("tree_figure")).toBe(1);
+	expect(Math.max(...requests.map((url) => requests.filter((other) => other === url).length))).toBeLessThanOrEqual(2);
+});
+
 test("the tools come when asked again, where their script did not", async ({ page }) => {
 	const tools = await failing(page, /assets\/face-/);
 	const studio = new StudioPage(page);
