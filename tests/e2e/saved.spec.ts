@@ -1,6 +1,6 @@
 import type { Page } from "@playwright/test";
 import { expect, test } from "./fixtures";
-import { cards, dialog, exported, imported, inDialog, names, openSaved, said, save } from "./saved_page";
+import { cards, dialog, exported, imported, inDialog, libraryOf, names, openSaved, said, save } from "./saved_page";
 import { StudioPage } from "./studio_page";
 
 /** As when the person clears the browser's data. */
@@ -65,6 +65,8 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 
 	// By keys alone: one stop of the Tab key, then arrows, F2, Delete, and Ctrl+Z.
 	await dialog(page).getByRole("combobox", { name: "Order" }).press("Tab");
+	await expect(dialog(page).getByRole("checkbox", { name: "Select all" })).toBeFocused();
+	await page.keyboard.press("Tab");
 	await expect(inDialog(page, "Open Riesling")).toBeFocused();
 	await page.keyboard.press("ArrowRight");
 	await page.keyboard.press("F2");
@@ -95,6 +97,90 @@ test("what is saved is there again: searched, opened as one step, renamed, delet
 	await studio.button("Undo").click();
 	await expect(studio.fingerprint).toHaveText(duku);
 	await expect(studio.notices.locator(".notice")).toHaveCount(0);
+});
+
+test("several are selected by hand, by a range or by a search, deleted as one step and brought back; an import is undone", async ({
+	page,
+}) => {
+	await new StudioPage(page).open("?v=2&preset=lychee");
+	await openSaved(page);
+	await imported(page, "many.panicle.json", libraryOf(7));
+	await expect(said(page)).toHaveText("7 imported.");
+	const select = (name: string) => dialog(page).getByRole("checkbox", { name, exact: true });
+	const selected = dialog(page).getByRole("group", { name: "Selection" });
+	await select("Select Vine 6").click();
+	await select("Select Vine 3").click({ modifiers: ["Shift"] });
+	await expect(selected).toContainText("4 selected");
+	await select("Select Vine 5").click();
+	await inDialog(page, "Delete 3").click();
+	await expect(said(page)).toHaveText("3 are deleted.");
+	await expect(names(page)).toHaveText(["Vine 5", "Vine 2", "Vine 1", "Vine 0"]);
+	await inDialog(page, "Bring 3 back").click();
+	await expect(said(page)).toHaveText("3 are back.");
+	await expect(inDialog(page, "Open Vine 6")).toBeFocused();
+	await expect(names(page)).toHaveCount(7);
+
+	// What a search leaves out is not deleted with what it finds.
+	await select("Select all").click();
+	await expect(selected).toContainText("7 selected");
+	await dialog(page).getByRole("searchbox", { name: "Search what is saved" }).fill("vine 1");
+	await expect(selected).toContainText("1 selected");
+	await inDialog(page, "Open Vine 1").focus();
+	await page.keyboard.press("Delete");
+	await expect(said(page)).toHaveText("“Vine 1” is deleted.");
+	await dialog(page).getByRole("searchbox", { name: "Search what is saved" }).fill("");
+	await expect(names(page)).toHaveCount(6);
+
+	// By keys alone: everything, and both steps back.
+	await inDialog(page, "Open Vine 2").focus();
+	await page.keyboard.press("Control+a");
+	await expect(selected).toContainText("6 selected");
+	await page.keyboard.press("Delete");
+	await expect(dialog(page)).toContainText("Nothing is saved yet.");
+	await inDialog(page, "Bring 6 back").click();
+	await inDialog(page, "Bring “Vine 1” back").click();
+	await inDialog(page, "Undo the import of 7").click();
+	await expect(said(page)).toHaveText("The import is undone: 7 removed.");
+	await expect(cards(page)).toHaveCount(0);
+	await expect(dialog(page).getByRole("button", { name: /back$|^Undo/ })).toHaveCount(0);
+});
+
+test("of 10,000 specimens only those in sight are in the page, and keys, search and screen readers reach all of them", async ({
+	page,
+}) => {
+	await new StudioPage(page).open("?v=2&preset=lychee");
+	await openSaved(page);
+	await imported(page, "many.panicle.json", libraryOf(10_000));
+	await expect(said(page)).toHaveText("10000 imported.");
+	const size = () => dialog(page).evaluate((element) => element.querySelectorAll("*").length);
+	expect(await size()).toBeLessThan(1500);
+	const item = (name: string) =>
+		dialog(page)
+			.getByRole("listitem")
+			.filter({ hasText: new RegExp(`^\\s*${name}\\s`) });
+	await expect(item("Vine 9999")).toHaveAttribute("aria-posinset", "1");
+	await expect(item("Vine 9999")).toHaveAttribute("aria-setsize", "10000");
+
+	// The focus goes to cards that were not in the page, and stays where the list is scrolled away from it.
+	await inDialog(page, "Open Vine 9999").focus();
+	await page.keyboard.press("End");
+	await expect(inDialog(page, "Open Vine 0")).toBeFocused();
+	await expect(inDialog(page, "Open Vine 0")).toBeInViewport();
+	await expect(item("Vine 0")).toHaveAttribute("aria-posinset", "10000");
+	await dialog(page).evaluate((element) => element.scrollTo(0, 0));
+	await expect(inDialog(page, "Open Vine 9999")).toBeInViewport();
+	await expect(inDialog(page, "Open Vine 0")).toBeFocused();
+	expect(await size()).toBeLessThan(1500);
+	await page.keyboard.press("ArrowLeft");
+	await expect(inDialog(page, "Open Vine 1")).toBeFocused();
+	await expect(inDialog(page, "Open Vine 1")).toBeInViewport();
+	await page.keyboard.press("Home");
+	await page.keyboard.press("ArrowDown");
+	await expect(dialog(page).locator("[data-saved]:focus-within")).toHaveAttribute("aria-posinset", /^[2-9]$/);
+
+	await dialog(page).getByRole("searchbox", { name: "Search what is saved" }).fill("vine 4321");
+	await expect(names(page)).toHaveText(["Vine 4321"]);
+	await expect(cards(page)).toHaveAttribute("aria-setsize", "1");
 });
 
 test("everything goes into one file and comes back out of it, once; what cannot be used is said with its place", {

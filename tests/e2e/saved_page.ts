@@ -36,3 +36,14 @@ export async function imported(page: Page, name: string, text: string): Promise<
 	await inDialog(page, "Import…").click();
 	await (await choosing).setFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });
 }
+
+/** A file of specimens without pictures: Vine 0 is the oldest. */
+export function libraryOf(count: number): string {
+	const specimens = Array.from({ length: count }, (_, index) => ({
+		name: `Vine ${index}`,
+		link: `?v=2&preset=lychee&seed=${index + 1}`,
+		saved: new Date(Date.UTC(2026, 0, 1) + index * 60_000).toISOString(),
+		app: "1.0.0",
+	}));
+	return JSON.stringify({ format: "panicle-library", version: 1, specimens });
+}

@@ -28,9 +28,82 @@ export default [
 			},
 			{
 				id: "saved-pictures-lost-by-deleting",
-				find: "{ ...before, ...gone }",
-				replace: "gone",
+				find: "picture ? new Blob([picture]) : pictures.get(saved.id)",
+				replace: "undefined",
 				breaks: "what was deleted comes back without its picture",
+			},
+			{
+				id: "saved-import-undone-with-all",
+				find: "this.all.filter(({ id }) => step.ids.has(id))",
+				replace: "this.all",
+				breaks: "the button that undoes an import counts specimens that it does not delete",
+			},
+			{
+				id: "saved-import-undone-once",
+				find: "\t\tthis.#done(step);\n\t\treturn undefined;",
+				replace: "\t\treturn undefined;",
+				breaks: "an import that could not be undone now cannot be undone later",
+			},
+			{
+				id: "saved-others-deletion-undone",
+				find: "gone = edited(kept, { put: this.unkept }).filter",
+				replace: "gone = this.all.filter",
+				breaks: "undo brings back what another tab has deleted",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/parts/saved_list.ts",
+		suites: [`${E2E}: of 10,000 specimens`],
+		faults: [
+			{
+				id: "saved-list-loses-the-focus",
+				find: ", [Math.floor(active / this.#columns)]);",
+				replace: ");",
+				breaks: "the focus vanishes when the list is scrolled, and keys reach no card out of sight",
+			},
+			{
+				id: "saved-list-selects-what-is-hidden",
+				find: "this.#selected = new Set(this.#found().flatMap(({ id }) => (this.#selected.has(id) ? id : [])));",
+				replace: "",
+				suites: [`${E2E}: several are selected`],
+				breaks: "specimens that a search leaves out are deleted with what it finds",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/virtual_rows.ts",
+		suites: [`${E2E}: of 10,000 specimens`],
+		faults: [
+			{
+				id: "virtual-rows-all-drawn",
+				find: "withRows(defaultRangeExtractor(range), kept, count)",
+				replace: "withRows(Array.from({ length: count }, (_, index) => index), kept, count)",
+				breaks: "a library of 10,000 specimens puts 132,000 elements into the page",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/long_list.ts",
+		suites: ["tests/e2e/long_texts.spec.ts: of 15,000 constants"],
+		faults: [
+			{
+				id: "long-list-tab-jumps",
+				find: "[at - 1, at, at + 1]",
+				replace: "[at]",
+				breaks: "the Tab key goes from a constant out of sight to one that is not the next",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/parts/stage.ts",
+		suites: ["tests/e2e/trouble.spec.ts: without WebGL 2 the button of the grammar"],
+		faults: [
+			{
+				id: "stage-no-tools-without-webgl",
+				find: "this.#solid || this.#trouble ?",
+				replace: "this.#solid && !this.#trouble ?",
+				breaks: "without WebGL 2 no button opens the grammar",
 			},
 		],
 	},

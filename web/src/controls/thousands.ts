@@ -7,3 +7,6 @@ export function withThousands(text: string): string {
 		return Number(digits).toLocaleString("en-GB") + run.slice(digits.length);
 	});
 }
+
+/** A count as the page shows it: 10,000. */
+export const formatCount = (count: number): string => count.toLocaleString("en-GB");

@@ -41,7 +41,7 @@ describe("a library", () => {
 			one.add(savedAs("Merlot")),
 			other.add(savedAs("Merlot")),
 			one.rename(first.id, "Renamed"),
-			other.remove(second.id),
+			other.remove([second.id]),
 			one.bring([savedAs("Brought", { link: "?v=1" })]),
 			other.bring([savedAs("Brought", { link: "?v=1" })]),
 		]);
@@ -66,13 +66,55 @@ describe("a library", () => {
 		const { one } = twoTabs();
 		const merlot = await one.add(savedAs("Merlot", { fingerprint: "0123456789abcdef" }));
 		const syrah = await one.add(savedAs("Syrah"));
-		await one.remove(merlot.id);
-		await one.remove(syrah.id);
-		expect([one.all, one.lastDeleted]).toEqual([[], syrah]);
-		await one.undelete();
-		expect(await one.undelete()).toEqual(merlot);
-		expect(await one.undelete()).toBeUndefined();
+		await one.remove([merlot.id]);
+		await one.remove([syrah.id]);
+		expect([one.all, one.lastStep]).toEqual([[], { kind: "deletion", specimens: [syrah] }]);
+		await one.undo();
+		expect(await one.undo()).toEqual({ kind: "deletion", specimens: [merlot] });
+		expect(await one.undo()).toBeUndefined();
 		expect(namesOf(one)).toEqual(["Merlot", "Syrah"]);
+	});
+
+	it("deletes several in one step of the shelf, and undo brings them back with their pictures", async () => {
+		const { shelf, one } = twoTabs();
+		const several = Array.from({ length: 1200 }, (_, index) =>
+			savedAs(`Vine ${index}`, { link: `?v=2&seed=${index}`, picture: Uint8Array.of(index % 256) }),
+		);
+		await one.bring(several);
+		// In another tab, before this one has heard of it: that deletion is not this one's to undo.
+		await shelf.change(() => ({ remove: [several[7].id] }));
+		const change = vi.spyOn(shelf, "change");
+		const ids = several.slice(0, 1000).map(({ id }) => id);
+		expect(await one.remove(ids)).toHaveLength(999);
+		expect([one.all.length, shelf.drawn.size, change.mock.calls.length]).toEqual([200, 200, 1]);
+		expect(one.lastStep).toMatchObject({ kind: "deletion", specimens: { length: 999 } });
+		await one.undo();
+		expect([one.all.length, shelf.drawn.size, change.mock.calls.length]).toEqual([1199, 1199, 2]);
+		expect(shelf.drawn.get(several[300].id)).toEqual(several[300].picture);
+	});
+
+	it("undoes an import: what came is deleted, what was there already and what came after stays", async () => {
+		const { one } = twoTabs();
+		const own = await one.add(savedAs("Own", { link: "?v=2&seed=1" }));
+		await one.bring([savedAs("Own", { link: "?v=2&seed=1" }), savedAs("Brought"), savedAs("Gone")]);
+		const later = await one.add(savedAs("Later"));
+		await one.rename(one.all.find(({ name }) => name === "Brought")?.id ?? "", "Renamed");
+		await one.remove(one.all.flatMap(({ id, name }) => (name === "Gone" ? id : [])));
+		expect(await one.undo()).toMatchObject({ kind: "deletion", specimens: [{ name: "Gone" }] });
+		expect(one.lastStep).toMatchObject({ kind: "import", specimens: { length: 2 } });
+		expect(await one.undo()).toMatchObject({ kind: "import", specimens: { length: 2 } });
+		expect(one.all).toEqual([own, later]);
+		expect(await one.undo()).toBeUndefined();
+	});
+
+	it("undoes an import again later where the shelf does not do it now", async () => {
+		const { shelf, one } = twoTabs();
+		await one.bring([savedAs("Brought")]);
+		vi.spyOn(shelf, "change").mockRejectedValueOnce(new Error("No shelf."));
+		expect(await one.undo()).toBeUndefined();
+		expect([namesOf(one), one.trouble]).toEqual([["Brought"], "No shelf."]);
+		await one.undo();
+		expect([namesOf(one), one.lastStep]).toEqual([[], undefined]);
 	});
 
 	it("brings of a file what is not there yet, by name and link, of twins in it one", async () => {
@@ -117,11 +159,11 @@ describe("a library", () => {
 		shelf.full = "The disk is full.";
 		const unkept = await one.add(savedAs("Unkept"));
 		vi.spyOn(shelf, "change").mockRejectedValue(new Error("No shelf."));
-		await one.remove(unkept.id);
-		await one.remove(kept.id);
+		await one.remove([unkept.id]);
+		await one.remove([kept.id]);
 		expect(namesOf(one)).toEqual(["Kept"]);
 		expect(one.trouble).toBe("No shelf.");
-		expect(one.lastDeleted).toEqual(unkept);
+		expect(one.lastStep).toEqual({ kind: "deletion", specimens: [unkept] });
 	});
 
 	it("reads a picture only where it is shown, exported or deleted, and brings it back with what was deleted", async () => {
@@ -139,9 +181,9 @@ describe("a library", () => {
 			["Malbec", 1],
 			["Shiraz", 2],
 		]);
-		await one.remove(merlot.id);
+		await one.remove([merlot.id]);
 		expect(shelf.drawn.has(merlot.id)).toBe(false);
-		await one.undelete();
+		await one.undo();
 		expect(shelf.drawn.get(merlot.id)).toEqual(picture(1));
 	});
 
@@ -164,7 +206,7 @@ describe("a library", () => {
 		expect(namesOf(other)).toEqual(["Merlot"]);
 		end();
 		heard.mockClear();
-		await other.remove(other.all[0].id);
+		await other.remove([other.all[0].id]);
 		expect(heard).not.toHaveBeenCalled();
 	});
 });

@@ -1,8 +1,10 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { chooseFile } from "../../controls/choose_file";
 import { saveFile } from "../../controls/save_file";
+import { formatCount } from "../../controls/thousands";
 import { encodeLink } from "../../specimen/link";
 import { notInLink } from "../address";
+import type { LibraryStep } from "../saved/library";
 import { type Brought, broughtInWords, readLibrary, writeLibrary } from "../saved/library_file";
 import { openSaved, savedOf } from "../saved/on_screen";
 import { askToLast, ownLibrary } from "../saved/own_library";
@@ -80,7 +82,7 @@ export class SavedDialog extends StudioPart {
 	}
 
 	#body(studio: Studio): TemplateResult {
-		const { all, lastDeleted } = this.#library;
+		const { all, lastStep } = this.#library;
 		const twin = all.find(({ link }) => link === this.#link);
 		return html`${this.#form(studio)}
 			<div class="said">
@@ -89,8 +91,8 @@ export class SavedDialog extends StudioPart {
 					${this.#said.lines.length > 0 ? html`<ul>${this.#said.lines.map((line) => html`<li>${line}</li>`)}</ul>` : nothing}
 				</div>
 				${
-					lastDeleted
-						? html`<button class="button" type="button" title="Ctrl+Z" @click=${this.#undelete}>Bring “${lastDeleted.name}” back</button>`
+					lastStep
+						? html`<button class="button" type="button" title="Ctrl+Z" @click=${this.#undo}>${undoLabel(lastStep)}</button>`
 						: nothing
 				}
 			</div>
@@ -190,14 +192,16 @@ export class SavedDialog extends StudioPart {
 		}
 	}
 
-	readonly #undelete = async (): Promise<void> => {
-		const saved = await this.#library.undelete();
-		if (!saved) return;
-		this.#say({ words: `“${saved.name}” is back.` });
+	readonly #undo = async (): Promise<void> => {
+		const step = await this.#library.undo();
+		if (!step) return;
+		this.#say({ words: undoneInWords(step) });
+		this.#suggest();
 		await this.updateComplete;
 		const list = this.querySelector<SavedList>("panicle-saved-list");
 		await list?.updateComplete;
-		list?.goTo(saved.id);
+		if (step.kind === "deletion") await list?.goTo(step.specimens[0].id);
+		else this.querySelector<HTMLElement>(".choices .button")?.focus();
 	};
 
 	async #export(several: readonly Saved[]): Promise<void> {
@@ -228,12 +232,12 @@ export class SavedDialog extends StudioPart {
 		}
 	}
 
-	/** What was deleted comes back, and the document under the dialog stays as it is; in a field it is the field's. */
+	/** Ctrl+Z undoes the library's last step, and leaves the document under the dialog as it is; in a text field it is the field's. */
 	#key(event: KeyboardEvent): void {
 		if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
-		if (event.target instanceof HTMLInputElement) return;
+		if (event.target instanceof HTMLInputElement && event.target.type !== "checkbox") return;
 		event.preventDefault();
-		void this.#undelete();
+		void this.#undo();
 	}
 
 	#close(): void {
@@ -244,6 +248,18 @@ export class SavedDialog extends StudioPart {
 		this.#isOpen = false;
 		this.requestUpdate();
 	}
+}
+
+/** The label of the button that takes a step back. */
+function undoLabel({ kind, specimens }: LibraryStep): string {
+	if (kind === "import") return `Undo the import of ${formatCount(specimens.length)}`;
+	return specimens.length === 1 ? `Bring “${specimens[0].name}” back` : `Bring ${formatCount(specimens.length)} back`;
+}
+
+function undoneInWords({ kind, specimens }: LibraryStep): string {
+	const count = formatCount(specimens.length);
+	if (kind === "import") return `The import is undone: ${count} removed.`;
+	return specimens.length === 1 ? `“${specimens[0].name}” is back.` : `${count} are back.`;
 }
 
 function emptiness({ state: { model } }: Studio): TemplateResult {

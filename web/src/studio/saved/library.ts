@@ -7,6 +7,26 @@ export interface Tabs {
 	onmessage: ((event: MessageEvent) => void) | null;
 }
 
+/** A change of the library that `undo` takes back. */
+export interface LibraryStep {
+	readonly kind: "deletion" | "import";
+	/** The specimens that it deleted or imported, as they were then; of an import those that are in the library still. */
+	readonly specimens: readonly Saved[];
+}
+
+/** A deleted specimen. Its picture is a Blob, which the browser may keep on the disk: the pictures of a whole library need much memory. */
+interface Deleted {
+	readonly saved: Saved;
+	readonly picture: Blob | undefined;
+}
+
+type Step =
+	| { readonly kind: "deletion"; readonly deleted: readonly Deleted[] }
+	| { readonly kind: "import"; readonly ids: ReadonlySet<string> };
+
+/** Pictures read at once. */
+const MOST_PICTURES = 500;
+
 /**
  * A person's own specimens. They are on the shelf; what that could not take stays here for as long as the page does, marked, so that it
  * can be exported or tried again: nothing is lost unsaid.
@@ -18,7 +38,8 @@ export class Library {
 	#kept: readonly Saved[] = [];
 	/** What the shelf did not take, by id; of those that are on it the newer state. */
 	readonly #unkept = new Map<string, Saved>();
-	#deleted: readonly Saved[] = [];
+	/** What can be undone, the last step last. */
+	#steps: readonly Step[] = [];
 	#trouble: string | undefined;
 
 	constructor(shelf: Shelf, tabs?: Tabs) {
@@ -41,9 +62,11 @@ export class Library {
 		return !this.#unkept.has(id);
 	}
 
-	/** What was deleted last, to be brought back. */
-	get lastDeleted(): Saved | undefined {
-		return this.#deleted.at(-1);
+	/** The step that `undo` takes back; undefined where there is none. */
+	get lastStep(): LibraryStep | undefined {
+		const step = this.#steps.at(-1);
+		if (step?.kind === "deletion") return { kind: step.kind, specimens: step.deleted.map(({ saved }) => saved) };
+		return step && { kind: step.kind, specimens: this.all.filter(({ id }) => step.ids.has(id)) };
 	}
 
 	/** Why the shelf did not do what it was last asked for; a sentence. */
@@ -81,7 +104,7 @@ export class Library {
 		return added;
 	}
 
-	/** Adds those that are not there yet, by name and link; returns how many came. */
+	/** Adds those that are not there yet, by name and link, as one step of `undo`; returns how many came. */
 	async bring(several: readonly Saved[]): Promise<number> {
 		const fresh = await this.#put((all) => {
 			const known = new Set(all.map(sameness));
@@ -91,6 +114,7 @@ export class Library {
 				return come;
 			});
 		});
+		if (fresh.length > 0) this.#done({ kind: "import", ids: new Set(fresh.map(({ id }) => id)) });
 		return fresh.length;
 	}
 
@@ -99,37 +123,73 @@ export class Library {
 		await this.#put((all) => all.filter((each) => each.id === id).map((each) => ({ ...each, name })));
 	}
 
-	/** Takes one away; `undelete` brings it back. */
-	async remove(id: string): Promise<void> {
-		const unkept = this.#unkept.get(id);
-		// One's picture never changes, so that it may be read before.
-		const [before] = await this.withPictures(this.all.filter((each) => each.id === id));
-		let gone = unkept;
-		// What is here alone needs no shelf to go.
-		const here = unkept && !this.#kept.some((each) => each.id === id);
-		const done = await (here ||
-			this.#change((kept) => {
-				gone = unkept ?? kept.find((each) => each.id === id);
-				return { remove: [id] };
-			}));
-		if (!done) return;
-		this.#unkept.delete(id);
-		if (gone) this.#deleted = [...this.#deleted, { ...before, ...gone }];
-		this.#tell();
+	/** Deletes specimens as one step of `undo`; returns those that were deleted. */
+	async remove(ids: readonly string[]): Promise<readonly Saved[]> {
+		const wanted = new Set(ids);
+		// A picture never changes, so that it may be read before.
+		const pictures = await this.#picturesOf(this.all.filter(({ id }) => wanted.has(id)));
+		const gone = await this.#remove(wanted);
+		const deleted = gone.map(({ picture, ...saved }) => ({
+			saved,
+			picture: picture ? new Blob([picture]) : pictures.get(saved.id),
+		}));
+		if (deleted.length > 0) this.#done({ kind: "deletion", deleted });
+		return gone;
 	}
 
-	/** Brings back what was deleted last; returns it. */
-	async undelete(): Promise<Saved | undefined> {
-		const saved = this.lastDeleted;
-		if (!saved) return undefined;
-		this.#deleted = this.#deleted.slice(0, -1);
-		await this.#put(() => [saved]);
-		return saved;
+	/** Takes the last step back: deleted specimens are added, imported ones deleted. Returns the step if it was undone. */
+	async undo(): Promise<LibraryStep | undefined> {
+		const [step, described] = [this.#steps.at(-1), this.lastStep];
+		if (!step) return undefined;
+		this.#steps = this.#steps.slice(0, -1);
+		if (step.kind === "deletion") {
+			const specimens = await Promise.all(step.deleted.map(withItsPicture));
+			await this.#put(() => specimens);
+			return { kind: step.kind, specimens };
+		}
+		const gone = await this.#remove(step.ids);
+		if (gone.length > 0 || described?.specimens.length === 0) return { kind: step.kind, specimens: gone };
+		// The shelf did not do it: it can be tried again.
+		this.#done(step);
+		return undefined;
 	}
 
 	/** Tries again to keep what could not be kept. */
 	async keep(): Promise<void> {
 		await this.#put(() => this.unkept);
+	}
+
+	/** Deletes specimens; returns those that were deleted, which is fewer where the shelf does not do it. */
+	async #remove(ids: ReadonlySet<string>): Promise<readonly Saved[]> {
+		const stored = new Set(this.#kept.map(({ id }) => id));
+		// What was never stored needs no shelf to go.
+		const here = this.unkept.filter(({ id }) => ids.has(id) && !stored.has(id));
+		let gone: readonly Saved[] = here;
+		if (here.length < ids.size) {
+			const done = await this.#change((kept) => {
+				gone = edited(kept, { put: this.unkept }).filter(({ id }) => ids.has(id));
+				return { remove: gone.map(({ id }) => id) };
+			});
+			if (!done) gone = here;
+		}
+		for (const { id } of gone) this.#unkept.delete(id);
+		this.#tell();
+		return gone;
+	}
+
+	async #picturesOf(several: readonly Saved[]): Promise<ReadonlyMap<string, Blob>> {
+		const found = new Map<string, Blob>();
+		for (let from = 0; from < several.length; from += MOST_PICTURES) {
+			for (const { id, picture } of await this.withPictures(several.slice(from, from + MOST_PICTURES))) {
+				if (picture) found.set(id, new Blob([picture]));
+			}
+		}
+		return found;
+	}
+
+	#done(step: Step): void {
+		this.#steps = [...this.#steps, step];
+		this.#tell();
 	}
 
 	/**
@@ -176,4 +236,8 @@ export class Library {
 	#tell(): void {
 		for (const listener of this.#listeners) listener();
 	}
+}
+
+async function withItsPicture({ saved, picture }: Deleted): Promise<Saved> {
+	return picture ? { ...saved, picture: new Uint8Array(await picture.arrayBuffer()) } : saved;
 }
