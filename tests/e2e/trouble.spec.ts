@@ -1,5 +1,6 @@
 import type { Page } from "@playwright/test";
 import { compressText } from "../../web/src/specimen/compressed_text";
+import { EditorPage } from "./editor_page";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
@@ -41,18 +42,33 @@ test("a browser without WebAssembly shows what it lacks", { tag: "@long" }, asyn
 	await expect(alert(page)).toContainText("runs no WebAssembly");
 });
 
-test("without WebGL 2 the page says so and still grows and exports", async ({ page }) => {
-	await page.addInitScript(() => {
+const withoutWebGL = (page: Page) =>
+	page.addInitScript(() => {
 		const { getContext } = HTMLCanvasElement.prototype;
 		HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
 			return kind.startsWith("webgl") ? null : Reflect.apply(getContext, this, [kind, ...rest]);
 		} as typeof getContext;
 	});
+
+test("without WebGL 2 the page says so and still grows and exports", async ({ page }) => {
+	await withoutWebGL(page);
 	const studio = await new StudioPage(page).open("?preset=duku");
 	await expect(alert(page)).toContainText("WebGL 2");
 	await studio.regrown(() => studio.slider("Length").press("PageDown"));
 	const { bytes } = await studio.download("glb");
 	expect(bytes.toString("latin1", 0, 4)).toBe("glTF");
+});
+
+test("without WebGL 2 the button of the grammar opens its text, and what needs the 3-D view has no button", async ({
+	page,
+}) => {
+	await withoutWebGL(page);
+	const studio = await new EditorPage(page).open("?v=2&model=grammar");
+	await expect(alert(page)).toContainText("WebGL 2");
+	await expect(page.getByRole("toolbar", { name: "Tools" }).getByRole("button")).toHaveCount(1);
+	await studio.button("Grammar").click();
+	await expect(studio.text).toContainText("axiom");
+	await expect(studio.button("Grammar")).toHaveAttribute("aria-pressed", "true");
 });
 
 type Mode = "through" | "trap" | "silence";

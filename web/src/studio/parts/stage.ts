@@ -53,7 +53,7 @@ export class Stage extends StudioPart {
 			${warnings(studio)}
 			${this.#trouble && !failure ? message(this.#trouble.title, [this.#trouble.text], this.#trouble.again ? button("Try again", this.#trouble.again) : nothing) : nothing}
 			${failure ? message(failure.title, failure.details, remedies(studio, failure)) : nothing}
-			${this.#solid && !this.#trouble ? this.#tools(studio, this.#solid) : nothing}
+			${this.#solid || this.#trouble ? this.#tools(studio, this.#trouble ? undefined : this.#solid) : nothing}
 			${growing ? progress(studio) : nothing}`;
 	}
 
@@ -123,28 +123,40 @@ export class Stage extends StudioPart {
 		this.requestUpdate();
 	}
 
-	#tools(studio: Studio, solid: SolidView): unknown {
+	/** The buttons of the 3-D view; without one, those of tools that work all the same, such as the grammar. */
+	#tools(studio: Studio, solid: SolidView | undefined): unknown {
 		const { face, specimen, model } = studio.state;
 		const button = (drawn: Parameters<typeof icon>[0], label: string, click: () => void, pressed?: boolean) =>
 			html`<button
 				class="button icon" type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
 			>${icon(drawn)}</button>`;
-		const blow = () => {
-			solid.wind = !solid.wind;
-			this.requestUpdate();
-		};
+		const tools = applying(face?.tools, specimen).flatMap((tool) =>
+			tool.button && (solid || !tool.hands)
+				? button(tool.button.icon, tool.button.label, () => tool.press?.(studio), tool.button.pressed?.(studio))
+				: [],
+		);
+		if (!solid && tools.length === 0) return nothing;
 		return html`<div
-			class="stage-tools" role="toolbar" aria-orientation="vertical" aria-label="3-D view"
+			class="stage-tools" role="toolbar" aria-orientation="vertical" aria-label=${solid ? "3-D view" : "Tools"}
 			@keydown=${(event: KeyboardEvent) => rove(event, this.#buttons())} @focusin=${(event: Event) => stopAt(this.#buttons(), event.target as HTMLElement)}
 		>
-			${button("frame", "Reset view", () => solid.reset())}
-			${model.still === true || !solid.movesByItself ? nothing : button("wind", "Wind", blow, solid.wind)}
-			${applying(face?.tools, specimen).map((tool) =>
-				tool.button
-					? button(tool.button.icon, tool.button.label, () => tool.press?.(studio), tool.button.pressed?.(studio))
-					: nothing,
-			)}
+			${
+				solid
+					? [
+							button("frame", "Reset view", () => solid.reset()),
+							model.still === true || !solid.movesByItself
+								? nothing
+								: button("wind", "Wind", () => this.#blow(solid), solid.wind),
+						]
+					: nothing
+			}
+			${tools}
 		</div>`;
+	}
+
+	#blow(solid: SolidView): void {
+		solid.wind = !solid.wind;
+		this.requestUpdate();
 	}
 
 	#buttons(): HTMLElement[] {
