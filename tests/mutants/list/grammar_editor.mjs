@@ -40,6 +40,42 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/read_outline.ts`,
+		suites: [`${TESTS}/words.test.ts`],
+		faults: [
+			{
+				id: "grammar-editor-scans-each-time",
+				find: "const known = recent.find(",
+				replace: "const known = [].find(",
+				breaks: "each key scans the whole text four times",
+			},
+		],
+	},
+	{
+		file: `${SRC}/highlight.ts`,
+		suites: [`${TESTS}/words.test.ts`],
+		faults: [
+			{
+				id: "grammar-editor-colours-long-lines",
+				find: "line.length > LONGEST_COLOURED",
+				replace: "false",
+				breaks: "a line of 248 KB puts 14,000 elements into the page, laid out anew at each key",
+			},
+		],
+	},
+	{
+		file: `${SRC}/curve_editor.ts`,
+		suites: ["tests/e2e/long_texts.spec.ts: a curve of thousands"],
+		faults: [
+			{
+				id: "grammar-editor-handle-for-each-point",
+				find: "points.length <= MOST_POINTS",
+				replace: "true",
+				breaks: "a curve of 50,000 points puts 50,000 handles into the page",
+			},
+		],
+	},
+	{
 		file: `${SRC}/curve.ts`,
 		suites: [`${TESTS}/hands.test.ts`],
 		faults: [

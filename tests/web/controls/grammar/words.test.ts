@@ -1,9 +1,12 @@
 import { readFileSync } from "node:fs";
-import { describe, expect, it } from "vitest";
+import { Text } from "@codemirror/state";
+import { describe, expect, it, vi } from "vitest";
 import { optionsFor } from "../../../../web/src/controls/grammar/completion";
 import { LSYSTEM } from "../../../../web/src/controls/grammar/dialect";
 import { explain, formalsAt } from "../../../../web/src/controls/grammar/explain";
+import { colouredPieces, LONGEST_COLOURED } from "../../../../web/src/controls/grammar/highlight";
 import { outlineOf } from "../../../../web/src/controls/grammar/outline";
+import { readOutline } from "../../../../web/src/controls/grammar/read_outline";
 import { scan } from "../../../../web/src/controls/grammar/scan";
 import { WORDS } from "../../../../web/src/controls/grammar/words.generated";
 
@@ -33,6 +36,44 @@ describe("the words that the editor knows", () => {
 			expect(new Set(named(kind)).size).toBe(named(kind).length);
 			expect(named(kind).length).toBeGreaterThan(7);
 		}
+	});
+});
+
+describe("one key", () => {
+	it("scans the text once, for the editor, the panel, the document and completion", () => {
+		const scans = vi.fn(scan);
+		const language = { ...LSYSTEM, scan: scans };
+		const text = `${TEXT}\nB --> an`;
+		const outline = readOutline(text, language);
+		expect(readOutline(`${TEXT}\nB --> ${"an"}`, language)).toBe(outline);
+		optionsFor(text, text.length, "an", [], language);
+		expect(scans).toHaveBeenCalledTimes(1);
+		// The text before it and the built-in one are read still.
+		readOutline("axiom: F", language);
+		readOutline("axiom: A", language);
+		expect(readOutline(text, language)).toBe(outline);
+		expect(scans).toHaveBeenCalledTimes(3);
+	});
+
+	it("offers no name that stands only where it is typed", () => {
+		expect(offered("axiom: A¦", "A")).not.toContain("A");
+		expect(offered(`${TEXT} A¦`, "A")).toContain("A");
+		expect(offered("#define one 1\naxiom: F(on¦)", "on")).toEqual(expect.arrayContaining(["one"]));
+		expect(offered("#define one 1\naxiom: F(on¦)", "on")).not.toContain("on");
+	});
+});
+
+describe("colours", () => {
+	const ranges = [{ from: 0, to: 60_000 }];
+	const colouredIn = (text: string) => colouredPieces(scan(text), Text.of(text.split("\n")), ranges);
+
+	it("are those of the pieces in sight, without those of long lines", () => {
+		const long = "F".repeat(LONGEST_COLOURED);
+		const text = `axiom: F\nA --> ${long}\nB --> F G`;
+		expect(colouredIn(text).map((piece) => piece.text)).toEqual(["axiom:", "F", "B", "-->", "F", "G"]);
+		const [first] = colouredPieces(scan(text), Text.of(text.split("\n")), [{ from: 7, to: 8 }]);
+		expect(first).toMatchObject({ text: "F", from: 7 });
+		expect(colouredIn(long)).toHaveLength(1);
 	});
 });
 

@@ -3,7 +3,7 @@ import { scaleOf } from "../../specimen/lengths";
 import { nearestWithin } from "../../specimen/table";
 import type { Change, DeskState } from "../desk";
 import { decimals } from "../grammar/outline";
-import { ReadOutline } from "../grammar/read_outline";
+import { readOutline } from "../grammar/read_outline";
 import { written } from "../grammar/scrub";
 import { type GrammarDesk, type GrammarSource, textOf, withValues } from "../grammar/source";
 
@@ -25,7 +25,6 @@ export class Axes {
 	readonly #desk: GrammarDesk;
 	readonly #source: GrammarSource | undefined;
 	readonly #later: () => void;
-	readonly #read = new ReadOutline();
 
 	/**
 	 * @param source where the text is from whose constants are axes; absent where there is none
@@ -67,8 +66,7 @@ export class Axes {
 		const text = this.#text;
 		if (text === undefined || !this.#source) return [];
 		const { governed } = this.#source;
-		return this.#read
-			.of(text, this.#source)
+		return readOutline(text, this.#source.dialect)
 			.constants.filter(({ name }) => !governed?.has(name))
 			.map(({ name, number, min, max, step }) => {
 				return { id: `constant ${name}`, label: name, read: number.text, min, max, step, value: number.value };

@@ -3,6 +3,7 @@ import type { Completion, CompletionContext, CompletionResult, CompletionSource 
 import { type Dialect, dialect } from "./dialect";
 import { formalsAt } from "./explain";
 import { type Outline, outlineOf } from "./outline";
+import { readOutline } from "./read_outline";
 import type { Word } from "./words.generated";
 
 /** The tokens of a line: words, and characters outside words. */
@@ -36,33 +37,46 @@ export function optionsFor(
 	place: number,
 	word: string,
 	roles: readonly string[],
-	{ scan, words }: Dialect,
+	language: Dialect,
 ): Completion[] {
 	const from = place - word.length;
 	const start = text.lastIndexOf("\n", from - 1) + 1;
 	const before = text.slice(start, from);
 	if (/^\s*#role\s+$/.test(before)) return roles.map((label) => ({ label, type: "keyword" }));
-	// As if a name stood there: so it is told whether modules are meant, or values.
-	const asked = `${text.slice(0, from)}x${text.slice(place)}`;
-	const outline = outlineOf(asked, scan(asked));
+	const { words } = language;
+	const { outline, name } = isName(word)
+		? { outline: readOutline(text, language), name: word }
+		: withName(text, from, place, language);
 	const kind = outline.pieces.find((piece) => piece.from === from)?.kind;
 	if (kind === undefined || kind === "comment") return [];
+	// A name that stands nowhere else is the one that is being typed.
+	const typed = outline.pieces.filter((piece) => piece.text === name).length < 2 ? name : undefined;
 	const statements = /^\s*$/.test(before) ? ofKind(words, "statement") : [];
-	if (kind === "name" || kind === "function") return [...statements, ...values(outline, from, words)];
-	return [...statements, ...modules(outline, words)];
+	if (kind === "name" || kind === "function") return [...statements, ...values(outline, from, typed, words)];
+	return [...statements, ...modules(outline, typed, words)];
 }
 
-function values(outline: Outline, place: number, words: readonly Word[]): Completion[] {
-	const formals = formalsAt(outline.pieces, place).filter((name) => name !== "x");
+const isName = (word: string): boolean => /^[\p{L}_]/u.test(word);
+
+/** The outline with a name in place of a stretch of the text: it shows whether modules are meant there, or values. */
+function withName(text: string, from: number, to: number, { scan }: Dialect): { outline: Outline; name: string } {
+	const name = "x";
+	const asked = `${text.slice(0, from)}${name}${text.slice(to)}`;
+	return { outline: outlineOf(asked, scan(asked)), name };
+}
+
+function values(outline: Outline, place: number, typed: string | undefined, words: readonly Word[]): Completion[] {
+	const formals = formalsAt(outline.pieces, place).filter((name) => name !== typed);
+	const names = [...outline.names].filter(([name]) => name !== typed);
 	return [
 		...formals.map((label) => ({ label, detail: "parameter", boost: 2 })),
-		...[...outline.names].map(([label, info]) => ({ label, detail: info.split(/\s/)[0], info, boost: 1 })),
+		...names.map(([label, info]) => ({ label, detail: info.split(/\s/)[0], info, boost: 1 })),
 		...ofKind(words, "function"),
 	];
 }
 
-function modules({ symbols }: Outline, words: readonly Word[]): Completion[] {
-	const own = [...symbols].filter(([name]) => name !== "x" && !words.some((word) => word.name === name));
+function modules({ symbols }: Outline, typed: string | undefined, words: readonly Word[]): Completion[] {
+	const own = [...symbols].filter(([name]) => name !== typed && !words.some((word) => word.name === name));
 	return [
 		...own.map(([label, written]) => ({ label, detail: written === label ? "" : written, boost: 1 })),
 		...ofKind(words, "symbol"),

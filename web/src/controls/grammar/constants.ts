@@ -4,22 +4,26 @@ import { LARGEST } from "../../specimen/constants";
 import { ControlElement } from "../control_element";
 import { HeldKey } from "../held_key";
 import { sliderRow } from "../slider_row";
+import { formatCount } from "../thousands";
 import { refusal } from "../typed";
 import { type Constant, type Curve, decimals, type NumberAt, type Outline } from "./outline";
-import { ReadOutline } from "./read_outline";
+import { readOutline } from "./read_outline";
 import { written } from "./scrub";
 import { type GrammarDesk, type GrammarSource, isOwn, textOf, withText, withValues } from "./source";
 import "./curve_editor";
+
+/** A longer list has a search, and only the rows in sight are in the page. */
+const MOST_LISTED = 60;
+const NOT_FETCHED = "The list of constants could not be fetched";
 
 /** Sliders of a text’s constants, and its curves: what they change goes into the document’s values, or into a text of its own. */
 export class Constants extends ControlElement<GrammarDesk> {
 	static override properties = { ...ControlElement.properties, source: { attribute: false } };
 	declare source: GrammarSource;
 
+	/** What a long list is searched for. */
+	#query = "";
 	readonly #held = new HeldKey(() => this.desk.settle());
-	/** The outlines of the document's text and of the built-in one, as they were last read. */
-	readonly #read = new ReadOutline();
-	readonly #published = new ReadOutline();
 	/** What became of a value that could not be taken as typed. */
 	#message: { readonly name: string; readonly value: number; readonly text: string | undefined } | undefined;
 
@@ -33,6 +37,7 @@ export class Constants extends ControlElement<GrammarDesk> {
 		const free = constants.filter(({ name }) => !governed?.has(name));
 		if (free.length + curves.length === 0)
 			return html`<p>A line <code>#define angle 35 /* 0 … 90 */</code> of the grammar makes a slider here.</p>`;
+		if (free.length + curves.length > MOST_LISTED) return this.#longList([...free, ...curves]);
 		return html`${repeat(
 			free,
 			({ name }) => name,
@@ -41,9 +46,38 @@ export class Constants extends ControlElement<GrammarDesk> {
 		${repeat(
 			curves,
 			({ name }) => name,
-			(curve) =>
-				html`<panicle-curve .curve=${curve} .write=${this.#writeCurve} .settle=${() => this.desk.settle()}></panicle-curve>`,
+			(curve) => this.#curve(curve),
 		)}`;
+	}
+
+	/** Many constants, with a search: in a list of its own height, because all of them would fill the panel and take seconds to draw. */
+	#longList(all: readonly (Constant | Curve)[]): unknown {
+		void fetchLongList(this.desk);
+		const words = this.#query.toLowerCase().split(/\s+/).filter(Boolean);
+		const found = all.filter((each) => {
+			const text = `${each.name} ${"words" in each ? each.words : ""}`.toLowerCase();
+			return words.every((word) => text.includes(word));
+		});
+		const count = found.length === all.length ? "" : `${formatCount(found.length)} of `;
+		const row = (index: number) => {
+			const each = found[index];
+			return "points" in each ? this.#curve(each) : this.#slider(each);
+		};
+		return html`<div class="find-constant" role="search" aria-label="Constants">
+				<input
+					type="search" aria-label="Search constants" placeholder="Search" autocomplete="off" spellcheck="false" .value=${this.#query}
+					@input=${({ target }: Event) => {
+						this.#query = (target as HTMLInputElement).value;
+						this.requestUpdate();
+					}}
+				>
+				<span role="status">${count}${formatCount(all.length)} constants</span>
+			</div>
+			<panicle-long-list .label=${"Constants"} .count=${found.length} .row=${row}></panicle-long-list>`;
+	}
+
+	#curve(curve: Curve): unknown {
+		return html`<panicle-curve .curve=${curve} .write=${this.#writeCurve} .settle=${() => this.desk.settle()}></panicle-curve>`;
 	}
 
 	#slider(constant: Constant): unknown {
@@ -119,14 +153,23 @@ export class Constants extends ControlElement<GrammarDesk> {
 	}
 
 	get #outline(): Outline {
-		return this.#read.of(this.#text() ?? "", this.source);
+		return readOutline(this.#text() ?? "", this.source.dialect);
 	}
 
 	/** What a constant is in the text that the preset grows by, as it is written there. */
 	#builtIn(name: string): string | undefined {
 		const text = textOf(this.source, this.desk.preset, () => {});
 		if (text === undefined) return undefined;
-		return this.#published.of(text, this.source).constants.find((each) => each.name === name)?.number.text;
+		return readOutline(text, this.source.dialect).constants.find((each) => each.name === name)?.number.text;
+	}
+}
+
+async function fetchLongList(desk: GrammarDesk): Promise<void> {
+	try {
+		await import("../long_list");
+	} catch {
+		const again = () => void fetchLongList(desk);
+		desk.notify(NOT_FETCHED, ["Part of the page could not be fetched."], { topic: NOT_FETCHED, again });
 	}
 }
 

@@ -1,4 +1,5 @@
-import { html, LitElement, svg } from "lit";
+import { html, LitElement, nothing, svg } from "lit";
+import { formatCount } from "../thousands";
 import { added, type Frame, frameOf, inText, moved, type Point, removed, valueAt } from "./curve";
 import type { Curve } from "./outline";
 
@@ -7,6 +8,8 @@ const WIDTH = 260;
 const HEIGHT = 110;
 const EDGE = 12;
 const SAMPLES = 64;
+/** A curve of more points is drawn without them: its text is the place to edit it. */
+const MOST_POINTS = 100;
 const KEYS: Readonly<Record<string, Point>> = {
 	ArrowLeft: [-1, 0],
 	ArrowRight: [1, 0],
@@ -41,6 +44,7 @@ export class CurveEditor extends LitElement {
 		const [dx, dy] = [frame.right - frame.left, frame.high - frame.low];
 		const x = (value: number) => EDGE + ((value - frame.left) / dx) * WIDTH;
 		const y = (value: number) => EDGE + ((frame.high - value) / dy) * HEIGHT;
+		const editable = points.length <= MOST_POINTS;
 		const line = Array.from({ length: SAMPLES + 1 }, (_, index) => {
 			const at = frame.left + (index / SAMPLES) * dx;
 			return `${x(at).toFixed(1)},${y(valueAt(points, at)).toFixed(1)}`;
@@ -48,12 +52,12 @@ export class CurveEditor extends LitElement {
 		return html`<div class="curve" role="group" aria-label=${`Curve ${name}`}>
 			<div class="curve-head">
 				<span>${name}</span>
-				<button class="button quiet" type="button" @click=${this.#halve}>Add a point</button>
+				${editable ? html`<button class="button quiet" type="button" @click=${this.#halve}>Add a point</button>` : nothing}
 			</div>
-			<svg viewBox="0 0 ${WIDTH + 2 * EDGE} ${HEIGHT + 2 * EDGE}" @dblclick=${this.#add}>
+			<svg viewBox="0 0 ${WIDTH + 2 * EDGE} ${HEIGHT + 2 * EDGE}" @dblclick=${editable ? this.#add : nothing}>
 				<rect x=${EDGE} y=${EDGE} width=${WIDTH} height=${HEIGHT} />
 				<polyline points=${line} />
-				${points.map(
+				${(editable ? points : []).map(
 					([px, py], at) => svg`<circle
 						cx=${x(px)} cy=${y(py)} r="6" tabindex="0" role="slider" aria-label=${`Point ${at + 1} of ${points.length}`}
 						aria-valuenow=${py} aria-valuemin=${frame.low} aria-valuemax=${frame.high} aria-valuetext=${`${px}, ${py}`}
@@ -62,7 +66,11 @@ export class CurveEditor extends LitElement {
 					></circle>`,
 				)}
 			</svg>
-			<p class="unseen">Arrow keys move a point, with Shift ten steps; Delete removes it.</p>
+			${
+				editable
+					? html`<p class="unseen">Arrow keys move a point, with Shift ten steps; Delete removes it.</p>`
+					: html`<p>${formatCount(points.length)} points: edit them in the grammar’s text.</p>`
+			}
 		</div>`;
 	}
 

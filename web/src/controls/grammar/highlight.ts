@@ -1,5 +1,5 @@
 /** A text's pieces in their colours, read anew with every change of it; only what is seen is marked. */
-import { type EditorState, type Extension, StateField } from "@codemirror/state";
+import { type EditorState, type Extension, StateField, type Text } from "@codemirror/state";
 import {
 	Decoration,
 	type DecorationSet,
@@ -10,10 +10,11 @@ import {
 } from "@codemirror/view";
 import { dialect } from "./dialect";
 import { explain } from "./explain";
-import { type Outline, outlineOf } from "./outline";
-import type { Kind } from "./scan";
+import type { Outline } from "./outline";
+import { readOutline } from "./read_outline";
+import { firstEndingBehind, type Kind, type Piece } from "./scan";
 
-const read = (text: string, state: EditorState): Outline => outlineOf(text, state.facet(dialect).scan(text));
+const read = (text: string, state: EditorState): Outline => readOutline(text, state.facet(dialect));
 
 /** What the text has, for all that asks. */
 export const outlined = StateField.define<Outline>({
@@ -27,13 +28,30 @@ const MARKS = new Map<Kind, Decoration>(
 	),
 );
 
+/** Longer lines are not coloured, in characters: a browser lays a line out as a whole, and for thousands of pieces that takes long. */
+export const LONGEST_COLOURED = 10_000;
+
+/** The pieces to be coloured: those in the ranges, but for long lines. */
+export function colouredPieces(
+	pieces: readonly Piece[],
+	doc: Text,
+	ranges: readonly { readonly from: number; readonly to: number }[],
+): Piece[] {
+	const found: Piece[] = [];
+	for (const { from, to } of ranges) {
+		let index = firstEndingBehind(pieces, from);
+		while (index < pieces.length && pieces[index].from < to) {
+			const line = doc.lineAt(pieces[index].from);
+			if (line.length > LONGEST_COLOURED) index = firstEndingBehind(pieces, line.to);
+			else found.push(pieces[index++]);
+		}
+	}
+	return found;
+}
+
 function coloured({ state, visibleRanges }: EditorView): DecorationSet {
-	const { pieces } = state.field(outlined);
-	const marks = visibleRanges.flatMap(({ from, to }) =>
-		pieces.flatMap((piece) => {
-			const mark = piece.to > from && piece.from < to ? MARKS.get(piece.kind) : undefined;
-			return mark ? [mark.range(piece.from, piece.to)] : [];
-		}),
+	const marks = colouredPieces(state.field(outlined).pieces, state.doc, visibleRanges).flatMap(
+		(piece) => MARKS.get(piece.kind)?.range(piece.from, piece.to) ?? [],
 	);
 	return Decoration.set(marks, true);
 }

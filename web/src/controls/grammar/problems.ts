@@ -66,11 +66,31 @@ export function placeOf(
 	{ line, column }: Pick<Problem, "line" | "column">,
 ): { from: number; to: number } {
 	const { from, to, text } = state.doc.line(Math.min(Math.max(line, 1), state.doc.lines));
-	// Columns count characters, not the units of JavaScript's strings.
-	const before = [...text].slice(0, Math.max(0, column - 1)).join("").length;
-	const rest = text.slice(before);
-	const word = /^(?:[\p{L}\p{N}_]+|-->|\S)/u.exec(rest)?.[0] ?? "";
+	const before = placeInLine(text, column);
+	WORD.lastIndex = before;
+	const word = WORD.exec(text)?.[0] ?? "";
 	if (word) return { from: from + before, to: from + before + word.length };
 	const end = from + text.trimEnd().length;
 	return { from: Math.max(from, end - 1), to: Math.max(end, Math.min(to, from + 1)) };
 }
+
+const WORD = /[\p{L}\p{N}_]+|-->|\S/uy;
+
+/** Where a column is in a line. Columns count characters, not the units of JavaScript's strings. */
+function placeInLine(text: string, column: number): number {
+	if (!hasPairs(text)) return Math.min(Math.max(0, column - 1), text.length);
+	let place = 0;
+	for (let count = 1; count < column && place < text.length; count++) place += isPairAt(text, place) ? 2 : 1;
+	return place;
+}
+
+/** The line that was looked through last: most problems are of the same few lines. */
+let looked = { text: "", pairs: false };
+
+/** Whether any character of a line is a surrogate pair. */
+function hasPairs(text: string): boolean {
+	if (looked.text !== text) looked = { text, pairs: /[\ud800-\udbff]/.test(text) };
+	return looked.pairs;
+}
+
+const isPairAt = (text: string, place: number): boolean => (text.codePointAt(place) ?? 0) > 0xffff;

@@ -46,6 +46,17 @@ export function scan(text: string): Piece[] {
 	return new Scanner(text).pieces;
 }
 
+/** Index of the first piece that ends behind a place; their number where there is none. */
+export function firstEndingBehind(pieces: readonly Piece[], place: number): number {
+	let [low, high] = [0, pieces.length];
+	while (low < high) {
+		const middle = (low + high) >> 1;
+		if (pieces[middle].to > place) high = middle;
+		else low = middle + 1;
+	}
+	return low;
+}
+
 class Scanner {
 	readonly pieces: Piece[] = [];
 	readonly #text: string;

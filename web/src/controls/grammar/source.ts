@@ -5,7 +5,8 @@ import type { WithGrammar } from "../../specimen/grammar_text";
 import type { Specimen } from "../../specimen/specimen";
 import type { Change, Desk } from "../desk";
 import type { Dialect } from "./dialect";
-import { outlineOf, withConstants } from "./outline";
+import { withConstants } from "./outline";
+import { readOutline } from "./read_outline";
 
 /** What the editor of grammars has to know of a model. */
 export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & WithGrammar> {
@@ -62,7 +63,7 @@ export function withText(source: GrammarSource, specimen: Specimen & WithGrammar
 	if (!presetConstants) return { details: { grammar: text === builtIn ? undefined : text } };
 	const published = presetConstants(specimen.preset);
 	if (text === undefined) return { details: { grammar: text, constants: published } };
-	const { constants, definitions } = outlineOf(text, source.dialect?.scan(text));
+	const { constants, definitions } = readOutline(text, source.dialect);
 	const defined = new Set(definitions.map(({ name }) => name));
 	const strange = Object.entries(constantsOf(specimen)).filter(([name]) => !defined.has(name));
 	if (typeof builtIn === "string") {
@@ -93,19 +94,17 @@ export function withValues(
 	if (text === undefined) return undefined;
 	const { presetConstants } = source;
 	if (!presetConstants || isOwn(specimen))
-		return withText(source, specimen, withConstants(text, values, source.dialect?.scan(text)));
+		return withText(source, specimen, withConstants(text, values, readOutline(text, source.dialect).pieces));
 	const published = presetConstants(specimen.preset);
 	const builtIn = source.builtIn(specimen) as string;
-	const said = new Map(
-		outlineOf(builtIn, source.dialect?.scan(builtIn)).constants.map((each) => [each.name, each.number]),
-	);
+	const said = new Map(readOutline(builtIn, source.dialect).constants.map((each) => [each.name, each.number]));
 	// What the text says itself need not be said.
 	const told = Object.entries({ ...constantsOf(specimen), ...values }).filter(
 		([name, value]) => Object.hasOwn(published, name) || said.get(name)?.value !== value,
 	);
 	const constants = inOrder(told);
 	if (areHeld(constants)) return { details: { constants } };
-	return withText(source, specimen, withConstants(text, values, source.dialect?.scan(text)));
+	return withText(source, specimen, withConstants(text, values, readOutline(text, source.dialect).pieces));
 }
 
 /** Whether links hold them; a text holds any. */
@@ -116,7 +115,7 @@ const areHeld = (constants: Constants): boolean => {
 
 /** What a text gives its names, as it is written there. */
 const definitionsOf = ({ dialect }: GrammarSource, text: string) =>
-	outlineOf(text, dialect?.scan(text)).definitions.map(({ name, from, to }) => [name, text.slice(from, to)] as const);
+	readOutline(text, dialect).definitions.map(({ name, from, to }) => [name, text.slice(from, to)] as const);
 
 const constantsOf = (specimen: Specimen & Partial<WithConstants>): Constants => specimen.constants ?? {};
 
@@ -127,7 +126,8 @@ function valued({ dialect, governed }: GrammarSource, text: string, constants: C
 	const before = written.get(constants);
 	if (before?.text === text) return before.valued;
 	const free = Object.entries(constants).filter(([name]) => !governed?.has(name));
-	const now = free.length === 0 ? text : withConstants(text, Object.fromEntries(free), dialect?.scan(text));
+	const now =
+		free.length === 0 ? text : withConstants(text, Object.fromEntries(free), readOutline(text, dialect).pieces);
 	written.set(constants, { text, valued: now });
 	return now;
 }
