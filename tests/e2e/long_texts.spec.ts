@@ -44,3 +44,16 @@ test("a curve of thousands of points is drawn without a handle for each", async 
 	await expect(curve).toContainText("5,000 points: edit them in the grammar’s text.");
 	expect(await curve.evaluate((element) => element.querySelectorAll("*").length)).toBeLessThan(20);
 });
+
+test("a line of 248 KB puts no more into the page than what is seen of it", async ({ page }) => {
+	const studio = await new EditorPage(page).open("?v=2&model=grammar");
+	await studio.drop("line.lsys", Buffer.from(`axiom: ${"F(1)[+(25)F(3)]".repeat(16_900)}\n`));
+	await studio.button("Grammar").click();
+	await expect(studio.text).toContainText("F(1)[+(25)F(3)]");
+	const size = () => studio.text.evaluate((element) => element.querySelectorAll("*").length);
+	expect(await size()).toBeLessThan(100);
+	await studio.text.press("Control+Home");
+	await page.keyboard.type("/**/");
+	await expect(studio.text).toContainText("/**/axiom");
+	expect(await size()).toBeLessThan(100);
+});

@@ -42,7 +42,8 @@ export function colouredPieces(
 		let index = firstEndingBehind(pieces, from);
 		while (index < pieces.length && pieces[index].from < to) {
 			const line = doc.lineAt(pieces[index].from);
-			if (line.length > LONGEST_COLOURED) index = firstEndingBehind(pieces, line.to);
+			// A comment may end in a later line.
+			if (line.length > LONGEST_COLOURED) index = Math.max(index + 1, firstEndingBehind(pieces, line.to));
 			else found.push(pieces[index++]);
 		}
 	}
