@@ -151,7 +151,7 @@ test("of 10,000 specimens only those in sight are in the page, and keys, search 
 	await new StudioPage(page).open("?v=2&preset=lychee");
 	await openSaved(page);
 	await imported(page, "many.panicle.json", libraryOf(10_000));
-	await expect(said(page)).toHaveText("10000 imported.");
+	await expect(said(page)).toHaveText("10,000 imported.");
 	const size = () => dialog(page).evaluate((element) => element.querySelectorAll("*").length);
 	expect(await size()).toBeLessThan(1500);
 	const item = (name: string) =>

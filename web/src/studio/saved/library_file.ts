@@ -1,4 +1,5 @@
 /** All that is saved as one file, and back (docs/saved.md). A file comes from anywhere: of what is wrong in it the place is told. */
+import { formatCount } from "../../controls/thousands";
 import { LIBRARY_FORMAT } from "../../export/restore";
 import { DEFAULT_MODEL } from "../../models/index";
 import { VERSION } from "../version";
@@ -75,10 +76,13 @@ export function broughtInWords(
 	const there = saved.length - came;
 	const words =
 		came === 0 && there > 0
-			? `Nothing new: ${there === 1 ? "it was" : `all ${there} were`} there already.`
-			: `${came} imported${there > 0 ? `; ${there} there already` : ""}.`;
+			? `Nothing new: ${there === 1 ? "it was" : `all ${formatCount(there)} were`} there already.`
+			: `${formatCount(came)} imported${there > 0 ? `; ${formatCount(there)} there already` : ""}.`;
 	const more = problems.length - MOST_LINES;
-	return { words, lines: [...problems.slice(0, MOST_LINES), ...(more > 0 ? [`So it is with ${more} more.`] : [])] };
+	return {
+		words,
+		lines: [...problems.slice(0, MOST_LINES), ...(more > 0 ? [`So it is with ${formatCount(more)} more.`] : [])],
+	};
 }
 
 function readOne(record: unknown, count: number): { saved?: Saved; problems: string[] } {
