@@ -1,6 +1,6 @@
 /**
  * `npm run bench [-- NAME]`: what the core, the page and the service cost, as medians and as ratios (docs/speed.md). Ratios can
- * be compared between machines, times cannot. Without a name it runs everything but `fit`, `soak` and `stand`. Only `soak` can fail.
+ * be compared between machines, times cannot. Without a name it runs everything but `fit`, `soak`, `stand` and `use`. Only `soak` and `use` can fail.
  */
 import { join } from "node:path";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
@@ -97,10 +97,18 @@ const RUNS = {
 			if (failed > 0) process.exitCode = 1;
 		},
 	},
+	use: {
+		about: "the built page under random use for ten minutes; fails at an error, a blocked thread or growth",
+		words: "[ACTIONS | NUMBER NUMBER …]",
+		run: async (numbers) => {
+			const { failed } = await (await import("../random_use/random_use.mjs")).randomUse(...numbers);
+			if (failed > 0) process.exitCode = 1;
+		},
+	},
 };
 
 /** Runs that are made by name alone: they take long, or have other pages in the documentation. */
-const BY_NAME = ["stand", "fit", "soak"];
+const BY_NAME = ["stand", "fit", "soak", "use"];
 
 const words = process.argv.slice(2);
 if (words[0] !== "--help") {

@@ -17,7 +17,14 @@ const OTHER = ["docs", "fuzz", "golden", "package", "tools", "toy"];
 /** Tests of every model: a model's name chooses them too. */
 const OF_ALL_MODELS = "tests/golden/native_wasm.test.ts";
 /** Stages that need what others build. */
-const NEEDS = { e2e: ["wasm", "app"], sizes: ["wasm", "app"], browsers: ["wasm", "app"], web: ["wasm"], app: ["wasm"] };
+const NEEDS = {
+	e2e: ["wasm", "app"],
+	sizes: ["wasm", "app"],
+	browsers: ["wasm", "app"],
+	web: ["wasm"],
+	app: ["wasm"],
+	soak: ["wasm", "app"],
+};
 /** Words that stand for several stages. */
 const GROUPS = { unit: ["native", "wasm", "web"] };
 /** Stages that take seconds: they run with whatever changed. */

@@ -95,6 +95,13 @@ async function sizes() {
 	if (advice) throw new StageError(advice);
 }
 
+/** Long use: of the model service by many requests, and of the page by random actions. */
+async function longUse() {
+	const service = await (await import("../bench/soak.mjs")).soak();
+	const page = await (await import("../random_use/random_use.mjs")).randomUse();
+	return { passed: service.passed + page.passed, failed: service.failed + page.failed };
+}
+
 /**
  * @type {{ name: string, isLong?: boolean, run: (plan: Plan) => unknown }[]}
  * `isLong`: part of the long run alone.
@@ -113,5 +120,5 @@ export const stages = [
 	{ name: "browsers", run: otherBrowsers },
 	{ name: "sanitizers", isLong: true, run: () => nativeTests("asan", ["core_tests"]) },
 	{ name: "readers", isLong: true, run: async () => (await import("../readers/run.mjs")).readFiles() },
-	{ name: "soak", isLong: true, run: async () => (await import("../bench/soak.mjs")).soak() },
+	{ name: "soak", isLong: true, run: longUse },
 ];

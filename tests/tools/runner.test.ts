@@ -16,7 +16,7 @@ describe("the arguments of a test run", () => {
 	it("choose the gate when there are none, and everything with --long", () => {
 		expect(read()).toEqual({ isLong: false, stages: STAGES, native: ["core_tests"], web: [], endToEnd: [] });
 		expect(read("--long")).toMatchObject({ isLong: true, stages: [...STAGES, "soak"] });
-		expect(read("soak")).toMatchObject({ stages: ["set-up", "soak"] });
+		expect(read("soak")).toMatchObject({ stages: ["set-up", "wasm", "app", "soak"] });
 	});
 
 	it("choose one model's tests: in the core, in the page, and those of all models", () => {

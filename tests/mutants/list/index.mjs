@@ -38,6 +38,7 @@ import lsystem from "./lsystem.mjs";
 import offline from "./offline.mjs";
 import page from "./page.mjs";
 import particles from "./particles.mjs";
+import randomUse from "./random_use.mjs";
 import rooms from "./rooms.mjs";
 import saved from "./saved.mjs";
 import scene from "./scene.mjs";
@@ -59,6 +60,7 @@ import wind from "./wind.mjs";
 import wood from "./wood.mjs";
 
 export const groups = [
+	...randomUse,
 	...rooms,
 	...generalizedMap,
 	...lsystem,
