@@ -35,7 +35,7 @@ function(panicle_wasm name library exported)
   set_target_properties(${name} PROPERTIES SUFFIX .wasm)
   target_link_options(${name} PRIVATE
     -O3 -sBINARYEN_EXTRA_PASSES=--flatten,--rereloop,-O3,-O3,--one-caller-inline-max-function-size=30,--flexible-inline-max-function-size=8,--traps-never-happen --no-entry -sMALLOC=emmalloc -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sINITIAL_MEMORY=4194304 -sMAXIMUM_MEMORY=2147483648 ${stack_option}
-    -sEXPORTED_FUNCTIONS=${exported})
+    -sEXPORTED_FUNCTIONS=${exported} --js-library ${CMAKE_SOURCE_DIR}/tools/host.js)
 endfunction()
 
 file(WRITE ${CMAKE_BINARY_DIR}/empty.cpp "")

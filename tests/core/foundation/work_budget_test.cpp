@@ -2,7 +2,21 @@
 
 #include <doctest/doctest.h>
 
+#include <initializer_list>
+
 using namespace panicle;
+
+namespace {
+
+// The clock of these tests.
+double passed = 0;
+int looks = 0;
+double time_passed() {
+  ++looks;
+  return passed;
+}
+
+}  // namespace
 
 TEST_CASE("work can be spent up to the last unit, and no further") {
   WorkBudget budget(10, 0);
@@ -44,4 +58,53 @@ TEST_CASE("a share reserves the rest of the work until it ends") {
     CHECK(budget.spend(10));
   }
   CHECK(budget.left() == 40);
+}
+
+TEST_CASE("a budget looks at the clock once in many units of work, and ends the work when the time is over") {
+  passed = 0;
+  looks = 0;
+  WorkBudget budget(100 * WorkBudget::look_interval, 0, time_passed);
+  for (std::uint64_t i = 0; i < 10 * WorkBudget::look_interval; ++i) REQUIRE(budget.spend(1));
+  CHECK(looks == 10);
+  passed = 1;
+  CHECK_FALSE(budget.spend(1));
+  CHECK(budget.time_is_over());
+  CHECK_FALSE(budget.spend(0));
+  CHECK(budget.time_has_ended_work());
+}
+
+TEST_CASE("time is divided as the work is: a share of the work has the same share of the time") {
+  passed = 0.7;
+  WorkBudget budget(100, 0, time_passed);
+  {
+    const WorkBudget::Share share(budget, 75);
+    CHECK(budget.spend(10));
+    CHECK_FALSE(budget.look_at_clock());
+    passed = 0.8;
+    CHECK(budget.look_at_clock());
+    CHECK_FALSE(budget.spend(1));
+  }
+  // The rest of the time is for the rest of the work.
+  CHECK(budget.left() == 25);
+  CHECK_FALSE(budget.time_is_over());
+  CHECK(budget.spend(10));
+  passed = 1;
+  CHECK(budget.look_at_clock());
+  CHECK_FALSE(budget.spend(1));
+}
+
+TEST_CASE("a clock changes nothing while there is time, and a budget without a clock has no end of time") {
+  passed = 0.5;
+  WorkBudget timed(100, 0, time_passed), untimed(100, 0);
+  for (WorkBudget* const budget : {&timed, &untimed}) {
+    {
+      const WorkBudget::Share share(*budget, 75);
+      CHECK(budget->spend(70));
+    }
+    CHECK(budget->spend(30));
+    CHECK_FALSE(budget->spend(1));
+    CHECK_FALSE(budget->look_at_clock());
+    CHECK_FALSE(budget->time_has_ended_work());
+  }
+  CHECK(timed.spent() == untimed.spent());
 }

@@ -20,6 +20,24 @@ export default [
 				replace: "if (held_ > bytes_) return false;",
 				breaks: "a plant takes more memory than its limit",
 			},
+			{
+				id: "budget-time-not-shared",
+				find: ">= static_cast<double>(work_);",
+				replace: ">= static_cast<double>(total_);",
+				breaks: "a text that reaches its time limit has no time left to draw what it derived",
+			},
+			{
+				id: "budget-never-looks-again",
+				find: "next_look_ = spent_ + look_interval;",
+				replace: "next_look_ = ~std::uint64_t{0};",
+				breaks: "grow --seconds never ends before the plant is whole",
+			},
+			{
+				id: "budget-time-of-a-share-ends-all",
+				find: "    time_is_over_ = false;\n    next_look_ = time",
+				replace: "    next_look_ = time",
+				breaks: "a text that reaches its time limit shows nothing",
+			},
 		],
 	},
 	{
@@ -62,6 +80,12 @@ export default [
 		file: `${CORE}/models/grammar/model.cpp`,
 		suites: [`${TESTS}/models/grammar/limits_test.cpp`],
 		faults: [
+			{
+				id: "grammar-cut-short-unmarked",
+				find: "plant.cut_short = cut_short_by(*limits.budget);",
+				replace: "",
+				breaks: "scripts cannot tell a plant that a limit cut short from a whole one",
+			},
 			{
 				id: "grammar-limit-in-drawing-shows-nothing",
 				find: "if (undrawn.reason != Reason::none && undrawn.reason != Reason::limit) return undrawn;",

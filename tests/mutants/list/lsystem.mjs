@@ -194,6 +194,13 @@ export default [
 		suites: [`${TESTS}/lsystem/chronicle_test.cpp`, `${TESTS}/lsystem/chronicle_published_test.cpp`],
 		faults: [
 			{
+				id: "chronicle-reasons-take-the-plant's-work",
+				suites: [`${TESTS}/models/grammar/limits_test.cpp`],
+				find: "own.budget = &budget;\n  Refusals",
+				replace: "Refusals",
+				breaks: "tracing a step leaves less work for drawing, so that the plant has fewer leaves",
+			},
+			{
 				id: "chronicle-last-border-stays",
 				find: "for (; border_ < borders_.size(); ++border_) borders_[border_] = new_;",
 				replace: "",

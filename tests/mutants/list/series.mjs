@@ -4,6 +4,30 @@ const LABELS = ["tests/web/export/ply_labels.test.ts"];
 
 export default [
 	{
+		file: "web/src/cli/time_limit.ts",
+		suites: ["tests/web/cli/seconds.test.ts"],
+		faults: [
+			{
+				id: "seconds-part-of-a-plant-in-a-series",
+				find: 'if (plant.cutShort === "time") throw this.#nothing();',
+				replace: "",
+				breaks: "a series with a time limit writes a part of a plant as if it were whole, and never grows it again",
+			},
+		],
+	},
+	{
+		file: "web/src/cli/run.ts",
+		suites: ["tests/web/cli/seconds.test.ts"],
+		faults: [
+			{
+				id: "cut-short-status-of-a-whole-plant",
+				find: "if (cutShort) return cutShort ===",
+				replace: "if (cutShort && missed) return cutShort ===",
+				breaks: "scripts take a plant that was cut short for a whole one",
+			},
+		],
+	},
+	{
 		file: "web/src/batch/draws.ts",
 		suites: ["tests/web/batch/draws.test.ts"],
 		faults: [

@@ -1,7 +1,8 @@
 import { expect } from "vitest";
 import { run } from "../../../web/src/cli/run";
 import type { Surroundings } from "../../../web/src/cli/surroundings";
-import { freshCore } from "../core/wasm";
+import { loadCoreFromBytes } from "../../../web/src/core/loader";
+import { wasmBytes } from "../core/wasm";
 
 /** Numbers of processes: each world is another one, and all run on one machine. */
 let processes = 100;
@@ -47,9 +48,10 @@ export function memoryWorld(
 		process: ++processes,
 		isRunning: () => true,
 		now: () => 1_000_000,
+		elapsed: () => 0,
 		whenTerminated: () => () => {},
 		environment,
-		loadCore: freshCore,
+		loadCore: async (wasm, timePassed) => loadCoreFromBytes(await wasmBytes(wasm), timePassed),
 		print: (text) => printed.push(text),
 		say: (line) => said.push(line),
 	};

@@ -105,6 +105,7 @@ std::uint8_t* write_plant(Plant& plant) {
   out.copy("status", std::span<const std::uint32_t>(status));
   out.copy("notes", lines(plant.notes));
   out.copy("fingerprint", std::span<const std::uint32_t>(halves(plant.fingerprint)));
+  if (plant.cut_short != CutShort::none) out.copy("cut_short", Words{static_cast<std::uint32_t>(plant.cut_short)});
   if (plant.mesh_fingerprint != 0)
     out.copy("mesh_fingerprint", std::span<const std::uint32_t>(halves(plant.mesh_fingerprint)));
 

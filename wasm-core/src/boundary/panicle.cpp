@@ -3,9 +3,12 @@
 #include <cstdlib>
 #include <span>
 #include <string>
+#include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "boundary/answer.hpp"
+#include "boundary/host.hpp"
 #include "boundary/models.hpp"
 #include "foundation/container.hpp"
 #include "plant/geometry_check.hpp"
@@ -58,6 +61,12 @@ Result<std::uint32_t> compile(std::string_view text) {
   return handle;
 }
 
+// Several parts of a model may reach one limit: a note that comes again adds nothing.
+void remove_repeated_notes(std::vector<std::string>& notes) {
+  std::unordered_set<std::string> known;
+  std::erase_if(notes, [&](const std::string& note) { return !known.insert(note).second; });
+}
+
 Result<Plant> grow(std::span<const std::uint8_t> bytes) {
   const auto blocks = read_container(bytes);
   if (!blocks) return blocks.error();
@@ -66,10 +75,11 @@ Result<Plant> grow(std::span<const std::uint8_t> bytes) {
   Request request(blocks.value(), &programs(), &kept_of(*model));
   request.read_grammars_as(model->notation, model->lineages);
   Limits limits;
-  WorkBudget budget(limits.work, limits.bytes);
+  WorkBudget budget(limits.work, limits.bytes, panicle_time_passed);
   limits.budget = &budget;
   auto plant = model->grow(request, limits);
   if (!plant) return plant;
+  remove_repeated_notes(plant->notes);
   if (Diagnostic trouble = check_geometry(plant.value()); trouble.reason != Reason::none) return trouble;
   return plant;
 }
@@ -78,7 +88,7 @@ Result<Plant> grow(std::span<const std::uint8_t> bytes) {
 
 extern "C" {
 
-std::uint32_t panicle_abi(void) { return 4; }
+std::uint32_t panicle_abi(void) { return 5; }
 
 void* panicle_allocate(std::uint32_t bytes) {
   return bytes <= most_request_bytes ? std::malloc(bytes ? bytes : 1) : nullptr;

@@ -37,6 +37,8 @@
 //                         sheet the better of its sides; where asked for, of meshes that stand where they are
 //   mesh.NAME....         what the model knows of its vertices or runs besides
 // and the model's own columns by name, described in the model's folder (models/<model>/model.hpp).
+// where a limit or the end of the time cut the plant short
+//   cut_short             uint32: 1 by a limit of the core (foundation/limits.hpp), 2 by the time limit of the host
 #ifndef PANICLE_H
 #define PANICLE_H
 

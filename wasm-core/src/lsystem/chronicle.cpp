@@ -62,7 +62,11 @@ void Chronicle::find_refusals() {
   if (!tells_this() || std::exchange(refused_, true)) return;
   std::optional<std::uint32_t> step;
   if (by_steps_) step = asked_.step;
-  Refusals refusals(*bound_, seed_, limits_, space_, *string_, step, answered_);
+  // With a budget of their own: neither the derivation nor what follows the trace has less because of them.
+  WorkBudget budget(limits_.work, limits_.bytes, limits_.budget == nullptr ? nullptr : limits_.budget->clock());
+  Limits own = limits_;
+  own.budget = &budget;
+  Refusals refusals(*bound_, seed_, own, space_, *string_, step, answered_);
   for (std::size_t i = 0; i < modules_.size(); ++i) modules_[i].refusals = refusals.of(words_[i]);
 }
 
@@ -231,13 +235,14 @@ void Chronicle::add_answer(std::uint32_t module, std::string_view answer) {
 
 Result<Chronicle> chronicle(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
                             const Limits& limits, const Surroundings& around, ChronicleAsked asked) {
+  const WorkBudget::TimePassed clock = limits.budget == nullptr ? nullptr : limits.budget->clock();
   for (;;) {
     const bool by_steps = steps || derivation_length(bound);
     Chronicle told(bound, seed, limits, around.space, by_steps, asked);
     Surroundings watched = around;
     watched.watcher = &told;
     // With a budget of its own, so that it comes as far as the derivation that is traced.
-    WorkBudget budget(limits.work, limits.bytes);
+    WorkBudget budget(limits.work, limits.bytes, clock);
     Limits own = limits;
     own.budget = &budget;
     const auto derived = develop_so_far(bound, seed, steps, own, watched);

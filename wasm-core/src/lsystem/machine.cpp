@@ -127,6 +127,11 @@ Diagnostic Machine::refusal(const Program& program, const Patch& patch, float va
 bool Machine::refuse(const Patch& patch, float value) { return fail(refusal(program_, patch, value)); }
 
 bool Machine::give_up() {
+  if (budget_.time_is_over())
+    return fail(error_at(Reason::limit, {},
+                         "The time limit is reached; give it more time, or let the grammar take fewer steps or write "
+                         "shorter strings.",
+                         {}));
   return fail(error_at(Reason::limit, {},
                        "The grammar takes more than % units of work, which is the limit; let it take fewer steps or "
                        "write shorter strings.",

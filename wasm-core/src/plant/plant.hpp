@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "foundation/container.hpp"
+#include "foundation/work_budget.hpp"
 #include "geometry/mesh.hpp"
 #include "geometry/segment.hpp"
 
@@ -103,6 +104,18 @@ struct Count {
   std::uint32_t value = 0;
 };
 
+// What ended a plant's growth before it was whole. The numbers cross the boundary (boundary/panicle.h).
+enum class CutShort : std::uint32_t {
+  none = 0,
+  limit = 1,  // a limit of the core
+  time = 2,   // the time limit of the host
+};
+
+// What cut a plant short that has reached a limit.
+inline CutShort cut_short_by(const WorkBudget& budget) {
+  return budget.time_has_ended_work() ? CutShort::time : CutShort::limit;
+}
+
 struct Plant {
   std::vector<Segment> segments;  // one a drawn module, parents first
   std::vector<std::string> tags;  // what segments are
@@ -113,6 +126,7 @@ struct Plant {
   std::vector<Count> counts;
   std::vector<float> measures;         // in the order of the model's table; NaN: does not apply; empty: not asked for
   std::vector<std::string> notes;      // what there is to say about the request, one sentence each
+  CutShort cut_short = CutShort::none;
   std::uint64_t fingerprint = 0;       // over segments and organs (docs/fingerprint.md)
   std::uint64_t mesh_fingerprint = 0;  // over the meshes; 0 where it was not asked for
 };

@@ -25,6 +25,8 @@ export interface Call {
 	/** Which of the files that end like `out`. */
 	form: string | undefined;
 	files: FileOptions;
+	/** The time limit in seconds. */
+	seconds: number | undefined;
 	/** A file; of a series, a folder. */
 	out: string | undefined;
 	/** Undefined where one plant is asked for. */
@@ -55,6 +57,7 @@ export function readArguments(words: readonly string[]): Call {
 		boundaryFile: last(values.boundary),
 		string: values.string ?? false,
 		chronicle: values.chronicle === undefined ? undefined : readChronicle(values.chronicle.at(-1) ?? ""),
+		seconds: numberOf("seconds", last(values.seconds), 0.1, 1_000_000).seconds,
 		out: last(values.out),
 		form: last(values.form),
 		files: {
@@ -78,6 +81,7 @@ const OPTIONS = {
 	boundary: { type: "string", multiple: true },
 	string: { type: "boolean" },
 	chronicle: { type: "string", multiple: true },
+	seconds: { type: "string", multiple: true },
 	out: { type: "string", short: "o", multiple: true },
 	form: { type: "string", multiple: true },
 	triangles: { type: "string", multiple: true },

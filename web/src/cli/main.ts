@@ -24,7 +24,7 @@ process.stdout.on("error", (error: NodeJS.ErrnoException) => {
 process.exitCode = await run(process.argv.slice(2), {
 	...nodeFiles,
 	environment: process.env,
-	loadCore: async (wasm) => loadCoreFromBytes(await coreBytes(wasm)),
+	loadCore: async (wasm, timePassed) => loadCoreFromBytes(await coreBytes(wasm), timePassed),
 	print: (text) => process.stdout.write(text),
 	say: (line) => process.stderr.write(`${line}\n`),
 });

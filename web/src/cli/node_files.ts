@@ -18,6 +18,7 @@ type Files = Pick<
 	| "process"
 	| "isRunning"
 	| "now"
+	| "elapsed"
 	| "whenTerminated"
 >;
 
@@ -55,6 +56,7 @@ export const nodeFiles: Files = {
 	process: process.pid,
 	isRunning,
 	now: Date.now,
+	elapsed: () => performance.now(),
 	whenTerminated: (work) => {
 		const listener = () => void work().finally(() => process.exit(TERMINATED));
 		process.once("SIGTERM", listener);

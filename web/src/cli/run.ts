@@ -24,23 +24,28 @@ import { printable } from "./printable";
 import { growSeries } from "./series";
 import type { Surroundings } from "./surroundings";
 import { readTargets } from "./targets";
-import { MISSED, UsageError, usage } from "./usage";
+import { TimeLimit, TimeOverError } from "./time_limit";
+import { CUT_SHORT, MISSED, TIME_OVER, UsageError, usage } from "./usage";
 import { writing } from "./writing";
 
-/** @returns the exit status: 0 grown, 1 the core broke or is missing, a file could not be written or some of a series did not grow, 2 something in the call cannot be used, 3 grown but a target is missed, 4 the plant is empty and the file cannot be */
+/** @returns the exit status: 0 grown, 1 the core broke or is missing, a file could not be written or some of a series did not grow, 2 something in the call cannot be used, 3 grown but a target is missed, 4 the plant is empty and the file cannot be, 5 the time limit was reached, 6 a limit of the core cut the plant short */
 export async function run(words: readonly string[], surroundings: Surroundings): Promise<number> {
 	const world = { ...surroundings, say: (line: string) => surroundings.say(printable(line)) };
 	try {
 		const call = readArguments(words);
 		if (call.help) world.print(usage(await askedModel(call.source), modelNames()));
 		else if (call.list) world.print(await listed());
-		else if (call.batch) return await growSeries(call, call.batch, world);
-		else return await growAndWrite(call, world);
+		else {
+			const limit = new TimeLimit(call.seconds, world.elapsed);
+			if (call.batch) return await growSeries(call, call.batch, limit, world);
+			return await growAndWrite(call, limit, world);
+		}
 		return 0;
 	} catch (error) {
 		const message = error instanceof Error ? error.message.replaceAll("\n", " ") : error;
 		world.say(`grow: ${message}${error instanceof UsageError ? error.below : ""}`);
 		if (error instanceof EmptyPlantError) return 4;
+		if (error instanceof TimeOverError) return TIME_OVER;
 		return error instanceof UsageError ? 2 : 1;
 	}
 }
@@ -56,8 +61,8 @@ async function listed(): Promise<string> {
 	return `${JSON.stringify(await Promise.all(rows))}\n`;
 }
 
-/** @returns the exit status: 0 grown, 3 grown but a target is missed */
-async function growAndWrite(call: Call, world: Surroundings): Promise<number> {
+/** @returns the exit status: 0 grown, 3 grown but a target is missed, 5 or 6 cut short by the time limit or a limit of the core */
+async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): Promise<number> {
 	const { model, specimen: from, notes, textName } = await askedSpecimen(call, world);
 	const goals = readTargets(model, from, call.targets);
 	const aims = aimsOf(model.table, goals, literalDraws(), from.seed);
@@ -79,7 +84,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<number> {
 				? "--chronicle: what is told of the derivation stands in JSON"
 				: `--chronicle: ${untold("derivation")}`,
 		);
-	const cores = new Cores((wasm) => world.loadCore(wasm));
+	const cores = new Cores((wasm) => world.loadCore(wasm, limit.passed));
 	const run = cores.grow.bind(cores);
 	// What a file does not say is not worked out for it.
 	const json = ending === "json";
@@ -89,10 +94,14 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<number> {
 	];
 	const own = "grammar" in from && typeof from.grammar === "string" ? from.grammar : undefined;
 	const grow = (each: Specimen, wanted: GrowthOptions) =>
-		growing(own === undefined ? undefined : { name: textName, text: own }, growPlant(model, each, wanted, run));
+		growing(
+			own === undefined ? undefined : { name: textName, text: own },
+			limit.orNothing(growPlant(model, each, wanted, run, { timeIsOver: limit.isOver })),
+		);
+	// A part of the plant would mislead a search, and would be a gap in an animation.
+	const growWhole = (each: Specimen, wanted: GrowthOptions) => limit.whole(() => grow(each, wanted));
 	const { specimen, missed } =
-		aims.length > 0 ? await found(model, from, aims, grow, world) : { specimen: from, missed: false };
-	const status = missed ? MISSED : 0;
+		aims.length > 0 ? await found(model, from, aims, growWhole, world) : { specimen: from, missed: false };
 	const { string, chronicle } = call;
 	const grown = await grow(specimen, {
 		meshes,
@@ -100,12 +109,20 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<number> {
 		...(string ? { string } : {}),
 		...(chronicle && { chronicle }),
 	});
-	const all: Plant = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
+	const status = statusOf(grown, missed);
+	const all: Plant = { ...grown, notes: [...new Set([...grown.notes, ...notes.map((note) => note.text)])] };
+	const tellTime = () => {
+		if (grown.cutShort === "time")
+			world.say(
+				`grow: ${limit.option}: the time limit was reached, and what grew so far is written; give it more seconds, or make the plant smaller`,
+			);
+	};
 	if (out === undefined) {
 		world.print(jsonOf(model, all, specimen));
+		tellTime();
 		return status;
 	}
-	const again = (other: Specimen, wanted?: GrowthOptions) => grow(other, { measures: false, ...wanted });
+	const again = (other: Specimen, wanted?: GrowthOptions) => growWhole(other, { measures: false, ...wanted });
 	const ofFile: string[] = [];
 	const further = {
 		aged: agedOf(model, specimen, again),
@@ -116,8 +133,15 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<number> {
 	for (const [file, data] of await filesOf(out, ending, model, all, specimen, options, further)) {
 		await writing(file, () => world.writeFile(file, data));
 	}
-	for (const note of [...all.notes, ...ofFile]) world.say(`note: ${note}`);
+	for (const note of new Set([...all.notes, ...ofFile])) world.say(`note: ${note}`);
+	tellTime();
 	return status;
+}
+
+/** The exit status of a plant that is written: a plant that is not whole is reported before a target that it misses. */
+function statusOf({ cutShort }: Plant, missed: boolean): number {
+	if (cutShort) return cutShort === "time" ? TIME_OVER : CUT_SHORT;
+	return missed ? MISSED : 0;
 }
 
 /** The specimen that comes nearest to its targets, and whether it misses one; reports how near it comes and what changed. */

@@ -22,11 +22,14 @@ import { refuseUnused } from "./file_options";
 import type { Surroundings } from "./surroundings";
 import { TableLock } from "./table_lock";
 import { readTargets } from "./targets";
-import { MISSED, UsageError } from "./usage";
+import { type TimeLimit, TimeOverError } from "./time_limit";
+import { MISSED, TIME_OVER, UsageError } from "./usage";
 import { writing } from "./writing";
 
 /** Milliseconds between two reports of progress. */
 const REPORT_INTERVAL = 5000;
+/** The advice where the time limit ends a series. */
+const CONTINUE = "the same call continues the series; where no plant is added, give it more seconds";
 /** Differences between two series that a message names. */
 const NAMED = 3;
 
@@ -43,14 +46,14 @@ interface Asked {
 	table: string;
 }
 
-/** @returns the exit status: 0 all are there, 1 some could not be grown, 3 some miss their targets */
-export async function growSeries(call: Call, batch: BatchCall, world: Surroundings): Promise<number> {
+/** @returns the exit status: 0 all are there, 1 some could not be grown, 3 some miss their targets, 5 the time limit was reached before all were there */
+export async function growSeries(call: Call, batch: BatchCall, limit: TimeLimit, world: Surroundings): Promise<number> {
 	const asked = await readSeries(call, batch, world);
 	await claimFolder(asked, world);
 	const lock = await TableLock.acquire(asked.table, world);
 	const stopListening = world.whenTerminated(() => lock.release());
 	try {
-		return await growInto(asked, lock, world);
+		return await growInto(asked, lock, limit, world);
 	} finally {
 		stopListening();
 		await lock.release();
@@ -88,14 +91,14 @@ async function claimFolder({ series, all, parts, folder }: Asked, world: Surroun
 	);
 }
 
-async function growInto(asked: Asked, lock: TableLock, world: Surroundings): Promise<number> {
+async function growInto(asked: Asked, lock: TableLock, limit: TimeLimit, world: Surroundings): Promise<number> {
 	const { series, numbers, folder, table } = asked;
 	const kept = await readTable(asked, world);
 	const journal = `${table}.part`;
 	const lines: string[] = [];
 	const say = sayer(numbers.length, world);
-	const grower = new Grower(series, world);
-	let [there, failed, missed] = [0, 0, 0];
+	const grower = new Grower(series, limit, world);
+	let [there, grown, failed, missed] = [0, 0, 0, 0];
 	const before = [...kept.values()].map(({ text }) => text);
 	await writeTo(journal, [written(columnsOf(series)), ...before].join(""), world);
 	for (const number of numbers) {
@@ -106,6 +109,12 @@ async function growInto(asked: Asked, lock: TableLock, world: Surroundings): Pro
 		if (line !== undefined) there++;
 		else {
 			const made = await grower.grow(member);
+			if (!made) {
+				world.say(
+					`grow: ${limit.option}: the time limit was reached: ${kept.size + grown} of ${numbers.length} plants are written; ${CONTINUE}`,
+				);
+				return TIME_OVER;
+			}
 			await lock.renew();
 			line = made.line;
 			if (made.missed) missed++;
@@ -113,6 +122,7 @@ async function growInto(asked: Asked, lock: TableLock, world: Surroundings): Pro
 			else {
 				for (const { name, bytes } of made.files) await writeTo(join(folder, name), bytes, world);
 				await writing(journal, () => world.appendFile(journal, made.line));
+				grown++;
 			}
 		}
 		lines.push(line);
@@ -200,24 +210,32 @@ async function areWhole(folder: string, { files }: Line, world: Surroundings): P
 /** Grows one plant after the other with the same cores, and with others after one that broke. */
 class Grower {
 	readonly #series: Series;
+	readonly #limit: TimeLimit;
 	readonly #cores: Cores;
 
-	constructor(series: Series, world: Surroundings) {
+	constructor(series: Series, limit: TimeLimit, world: Surroundings) {
 		this.#series = series;
-		this.#cores = new Cores((wasm) => world.loadCore(wasm));
+		this.#limit = limit;
+		this.#cores = new Cores((wasm) => world.loadCore(wasm, limit.passed));
 	}
 
-	/** @returns a plant's line of the table, its files where it could be grown, and whether it misses a target */
-	async grow(member: Member): Promise<{ line: string; files?: readonly MadeFile[]; missed: boolean }> {
+	/**
+	 * @returns a plant's line of the table, its files where it could be grown, and whether it misses a target; undefined
+	 * where the time limit was reached before the plant was whole
+	 */
+	async grow(member: Member): Promise<{ line: string; files?: readonly MadeFile[]; missed: boolean } | undefined> {
 		const series = this.#series;
+		const limit = this.#limit;
 		const run = this.#cores.grow.bind(this.#cores);
 		try {
 			const grown = await growMember(series, member, {
 				make: makeFile,
-				grow: (model, specimen, options) => growPlant(model, specimen, options, run),
+				grow: (model, specimen, options) =>
+					limit.whole(() => growPlant(model, specimen, options, run, { timeIsOver: limit.isOver })),
 			});
 			return { line: written(rowOf(series, member, grown)), files: grown.files, missed: grown.missed.length > 0 };
 		} catch (error) {
+			if (error instanceof TimeOverError) return undefined;
 			const why = error instanceof Error ? error.message : String(error);
 			return { line: written(failedRow(series, member, why)), missed: false };
 		}

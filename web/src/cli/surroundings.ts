@@ -1,4 +1,4 @@
-import type { Core } from "../core/core";
+import type { Core, TimePassed } from "../core/core";
 
 /** What the command needs of the world outside; tests give it another. */
 export interface Surroundings {
@@ -23,12 +23,17 @@ export interface Surroundings {
 	isRunning(process: number): boolean;
 	/** Milliseconds since 1970. */
 	now(): number;
+	/** Milliseconds from any moment on, by a clock that is never set. */
+	elapsed(): number;
 	/** Runs work before the process ends by a signal (SIGTERM). @returns a function that cancels it */
 	whenTerminated(work: () => Promise<void>): () => void;
 	/** Variables by name. */
 	readonly environment: Readonly<Record<string, string | undefined>>;
-	/** @param wasm the file of a model's core: `bunch.wasm` */
-	loadCore(wasm: string): Promise<Core>;
+	/**
+	 * @param wasm the file of a model's core: `bunch.wasm`
+	 * @param timePassed as of `Core.instantiate`; no time limit where absent
+	 */
+	loadCore(wasm: string, timePassed?: TimePassed): Promise<Core>;
 	/** Standard output: the JSON and nothing else. */
 	print(text: string): void;
 	/** Standard error, a line. */

@@ -25,6 +25,12 @@ export class UsageError extends Error {
 /** Exit status where everything is grown and a target is missed. */
 export const MISSED = 3;
 
+/** Exit status where the time limit, `--seconds`, was reached. */
+export const TIME_OVER = 5;
+
+/** Exit status where a limit of the core cut the plant short. */
+export const CUT_SHORT = 6;
+
 /** The text of --help: of one model, with the names of the others. */
 export function usage(model: Model, models: readonly string[]): string {
 	const { name, title, noun, table, presets, details, formats, targets } = model;
@@ -41,6 +47,7 @@ export function usage(model: Model, models: readonly string[]): string {
   npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--target MEASURE=VALUE …]
                      [--grammar FILE] [--string] [--chronicle STEP] [--boundary FILE] [--out FILE]
                      [--form FORM] [--triangles N] [--translucent] [--textures] [--thickness MM] [--points N]
+                     [--seconds N]
   npm run -s grow -- … --seeds 1-100 [--vary KEY=FROM..TO,…] [--shard PART/PARTS] [--as KIND,…] --out DIR
   npm run -s grow -- --list
 
@@ -73,6 +80,8 @@ ${
   --translucent    light comes through pale skins in a .glb, which costs readers a pass
   --textures       a detailed .glb has pictures of colour, shade, roughness and relief, not
                    colours of vertices
+  --seconds N      ends within about N seconds with what has grown so far; a series ends with
+                   the plants that are written, and the same call continues it
   --seeds 1-100    a series: a file for each plant and a table, plants.csv, into the folder DIR;
                    what is there and whole is not grown again (docs/batch.md). These are the
                    plants' numbers; each plant's seed is drawn from its number, the preset and
@@ -86,7 +95,8 @@ ${
 
 Exit status: 0 grown; 1 the core failed or is missing, a file could not be written, or plants of a
 series did not grow; 2 a mistake in the call; 3 grown, but a --target is missed; 4 the plant is empty
-and the file cannot be.
+and the file cannot be; 5 the time limit (--seconds) was reached; 6 a limit of the core cut the plant
+short.
 What the keys mean: docs/models/*/parameters.md, docs/links.md. Fields of the JSON: docs/command-line.md.
 `;
 }

@@ -18,6 +18,9 @@ export interface Answer {
 	milliseconds: number;
 }
 
+/** The share of a time limit that has passed, 1 or more when the time is over. */
+export type TimePassed = () => number;
+
 export class Core {
 	readonly #exports: CoreExports;
 	/** Handles of compiled grammars by their texts, those used last at the end. */
@@ -28,9 +31,16 @@ export class Core {
 		this.#exports = exports;
 	}
 
-	/** Brings a compiled core to life. Throws UnsupportedError where the module is no core, or one of another version. */
-	static async instantiate(module: WebAssembly.Module): Promise<Core> {
-		const { exports } = await WebAssembly.instantiate(module, stubs(module));
+	/**
+	 * Brings a compiled core to life.
+	 * @param timePassed the share of the time limit that has passed: a plant ends as far as it has grown when it is 1.
+	 * Called about once a millisecond while a plant grows. The default is no limit
+	 * @throws UnsupportedError where the module is no core, or one of another version
+	 */
+	static async instantiate(module: WebAssembly.Module, timePassed: TimePassed = () => 0): Promise<Core> {
+		const imports = stubs(module);
+		if (imports.env) imports.env.panicle_time_passed = timePassed;
+		const { exports } = await WebAssembly.instantiate(module, imports);
 		if (!areCoreExports(exports)) {
 			throw new UnsupportedError("core", "What was loaded in place of the core is something else; reload the page.");
 		}

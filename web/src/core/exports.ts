@@ -15,7 +15,7 @@ export interface CoreExports {
 }
 
 /** Version of the boundary that this side speaks. */
-export const ABI = 4;
+export const ABI = 5;
 
 const FUNCTIONS = ["abi", "allocate", "release", "grow"];
 

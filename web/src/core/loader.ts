@@ -1,5 +1,5 @@
 /** Fetches and compiles the core; what may fail on the way has its own words. */
-import { Core } from "./core";
+import { Core, type TimePassed } from "./core";
 import { UnsupportedError } from "./errors";
 
 /** Browsers compile while fetching only where the type is exactly this. */
@@ -30,13 +30,13 @@ export async function compileCore(
 	return module;
 }
 
-/** A core from the bytes of a model's wasm, for Node. */
-export async function loadCoreFromBytes(bytes: BufferSource): Promise<Core> {
+/** A core from the bytes of a model's wasm, for Node; `timePassed` as of `Core.instantiate`. */
+export async function loadCoreFromBytes(bytes: BufferSource, timePassed?: TimePassed): Promise<Core> {
 	requireWebAssembly();
 	const view = ArrayBuffer.isView(bytes)
 		? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength)
 		: new Uint8Array(bytes);
-	return Core.instantiate(await compileBytes(view, "bytes"));
+	return Core.instantiate(await compileBytes(view, "bytes"), timePassed);
 }
 
 function requireWebAssembly(): void {

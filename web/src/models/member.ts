@@ -45,6 +45,8 @@ export interface Member {
 	readonly fingerprint: string;
 	/** What its core had to say. */
 	readonly notes: readonly string[];
+	/** As of a plant (plant/plant.ts). */
+	readonly cutShort?: "limit" | "time";
 	/** Meshes for so many distances, from near to far: one at the least, but where none were asked for. */
 	readonly levels: readonly (readonly MemberMesh[])[];
 	/** Where the organs are that were asked for, by their tags: 3 × how many there are, metres. */

@@ -28,6 +28,8 @@ export interface MembersOptions {
 	kept?: KeptMembers;
 	/** Bytes that their meshes may take together; the default is what a page can hold. */
 	most?: number;
+	/** Whether the time limit is over: members that have not begun are left out, and the plant is cut short. */
+	timeIsOver?: () => boolean;
 	/** Told after some have grown, with what there is so far; where it throws, nothing more is grown. */
 	grew?(grown: Plant, done: number, all: number): void;
 }
@@ -69,7 +71,7 @@ export async function grownMembers(
 	model: Model,
 	grown: Plant,
 	run: RunCore,
-	{ meshes = true, abreast = 1, kept, most = MOST, grew }: MembersOptions = {},
+	{ meshes = true, abreast = 1, kept, most = MOST, timeIsOver = () => false, grew }: MembersOptions = {},
 ): Promise<Plant> {
 	const { members } = model;
 	if (!members) return grown;
@@ -90,6 +92,7 @@ export async function grownMembers(
 		while (next < asked.length && !failed) {
 			const at = order[next++];
 			if (done[at]) continue;
+			if (timeIsOver()) return;
 			const member = await memberOf(read[at], run, meshes, looks);
 			bytes += bytesOf(member);
 			if (bytes > most) throw tooMuch(asked[at], most);
@@ -108,7 +111,15 @@ export async function grownMembers(
 		}),
 	);
 	await Promise.all(works);
-	return joined();
+	const cuts = new Set(done.map((member) => member?.cutShort));
+	if (count < asked.length) {
+		notes.add(
+			`What grew so far is shown. The time limit is reached: ${count} of ${asked.length} plants are there; give it more time, or ask for fewer plants.`,
+		);
+		cuts.add("time");
+	}
+	const cutShort = cuts.has("time") ? "time" : cuts.has("limit") ? "limit" : grown.cutShort;
+	return cutShort ? { ...joined(), cutShort } : joined();
 }
 
 /** In which order they are grown: those of one preset one after the other, for cores keep what the next one has of the last. */
@@ -289,11 +300,12 @@ async function grownMember(read: Read, run: RunCore, meshes: boolean, looks: Loo
 		...(levels ? { levels } : {}),
 	};
 	const plant = model.read(await run(model.wasm, model.encode(specimen, options)), specimen);
-	const { fingerprint, notes } = plant;
+	const { fingerprint, notes, cutShort } = plant;
 	const link = await encodeLink(model, specimen);
 	const title = model.presets.named(specimen.preset)?.title ?? model.title;
 	return {
 		...{ specimen, title, link, fingerprint, notes },
+		...(cutShort ? { cutShort } : {}),
 		...spotsOf(plant, asked),
 		...(await levelsOf(model, plant, specimen, meshes, looks)),
 	};

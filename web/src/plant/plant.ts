@@ -91,6 +91,8 @@ export interface Plant {
 	measures?: Float32Array;
 	/** What the core has to say about the request, in plain words. */
 	notes: string[];
+	/** What ended its growth before it was whole: a limit of the core, or the caller's time limit. Absent of a whole plant. */
+	cutShort?: "limit" | "time";
 	/** 16 hexadecimal digits over segments and organs (docs/fingerprint.md). */
 	fingerprint: string;
 	/** The same over the meshes; absent if not asked for. */

@@ -4,6 +4,9 @@ import type { Answer } from "../core/core";
 import { readChronicle } from "./chronicle";
 import { EMPTY_PLANT, type Mesh, type MeshRun, type Organs, type Plant, type PlantMesh, type Segments } from "./plant";
 
+/** Of `cut_short`: the time limit of the host, and not a limit of the core. */
+const CUT_BY_TIME = 2;
+
 /** What every model's plant has; models read what is theirs from the same columns. */
 export function readPlant({ columns, milliseconds }: Answer): Plant {
 	const names = columns.lines("counts.names");
@@ -18,6 +21,7 @@ export function readPlant({ columns, milliseconds }: Answer): Plant {
 		timings: { grow: milliseconds },
 	};
 	if (columns.has("measures")) plant.measures = columns.floats("measures");
+	if (columns.has("cut_short")) plant.cutShort = columns.words("cut_short")[0] === CUT_BY_TIME ? "time" : "limit";
 	const chronicle = readChronicle(columns);
 	if (chronicle) plant.chronicle = chronicle;
 	if (columns.has("mesh_fingerprint")) plant.meshFingerprint = hexadecimal(columns.words("mesh_fingerprint"));

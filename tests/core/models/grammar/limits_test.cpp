@@ -17,8 +17,8 @@ struct Limited {
   }
 };
 
-Limited limited(Asked asked) {
-  asked.outputs = "meshes sky measures";
+Limited limited(Asked asked, const char* outputs = "meshes sky measures") {
+  asked.outputs = outputs;
   WorkBudget budget(asked.limits.work, asked.limits.bytes);
   asked.limits.budget = &budget;
   Limited grown{grow(asked)};
@@ -130,6 +130,60 @@ TEST_CASE("surfaces that are unknown are named a few times, however many there a
   const Plant plant = grow({.text = text});
   CHECK(std::count_if(plant.notes.begin(), plant.notes.end(),
                       [](const std::string& note) { return note.starts_with("There is no surface"); }) == 12);
+}
+
+// A clock that moves on by a hundredth of the time at each look.
+double hundredths = 0;
+double next_hundredth() { return ++hundredths / 100; }
+
+Limited limited_in_time(Asked asked) {
+  hundredths = 0;
+  asked.outputs = "meshes sky measures";
+  WorkBudget budget(asked.limits.work, asked.limits.bytes, next_hundredth);
+  asked.limits.budget = &budget;
+  return {grow(asked), budget.spent(), budget.held()};
+}
+
+TEST_CASE("a text that reaches its time limit shows what it grew in three quarters of the time") {
+  const std::string text = "derivation length: 4096\naxiom: A\nA --> F(1) {[+F(1).][-F(1).]} B A\nB --> B\n";
+  const Limits limits = small(4'000'000'000);
+  const Limited grown = limited_in_time({.text = text, .limits = limits});
+  CHECK(grown.plant.cut_short == CutShort::time);
+  CHECK(grown.notes("What grew so far is shown. The time limit is reached; "));
+  CHECK(hundredths >= 75);
+  CHECK(hundredths < 100);
+  CHECK(count_of(grown.plant, "steps") > 100);
+  CHECK(grown.plant.segments.size() == count_of(grown.plant, "steps"));
+}
+
+TEST_CASE("a text that ends within its time limit grows as without one") {
+  const Asked asked{.text = "derivation length: 40\naxiom: A\nA --> F(1) [+A] F\n"};
+  const Limited timed = limited_in_time(asked), untimed = limited(asked);
+  CHECK(timed.plant.cut_short == CutShort::none);
+  CHECK(timed.plant.fingerprint == untimed.plant.fingerprint);
+  CHECK(timed.plant.notes == untimed.plant.notes);
+  CHECK(timed.spent == untimed.spent);
+}
+
+TEST_CASE("a plant that a limit of work, of segments or of its file ended is marked as cut short") {
+  const std::string text = "derivation length: 4096\naxiom: A\nA --> F(1) A\n";
+  CHECK(limited({.text = text, .limits = small(100'000)}).plant.cut_short == CutShort::limit);
+  CHECK(limited({.text = text, .limits = small(50'000'000, 100'000)}).plant.cut_short == CutShort::limit);
+  CHECK(limited({.text = "derivation length: 3\naxiom: A\nA --> F(1) A\n"}).plant.cut_short == CutShort::none);
+}
+
+TEST_CASE("a trace with its reasons takes nothing of the work that is left for the plant") {
+  const std::string text = "derivation length: 6\naxiom: A(0)\nA(x) : x<0 --> F\nA(x) --> F(1) [+(30) A(x+1)] A(x+1)\n";
+  const std::uint32_t step = 5;
+  Asked asked{.text = text};
+  const Limited plain = limited(asked);
+  asked.more = {{"chronicle_step", Element::uint32, 1, 1, reinterpret_cast<const std::uint8_t*>(&step)}};
+  const Limited traced = limited(asked, "meshes sky measures chronicle");
+  bool has_refusals = false;
+  for (std::size_t i = 0; i < traced.plant.columns.size(); ++i)
+    has_refusals |= traced.plant.columns[i].name == "chronicle.refusals";
+  CHECK(has_refusals);
+  CHECK(traced.spent == plain.spent);
 }
 
 }  // namespace

@@ -161,7 +161,12 @@ class Deriver {
   // Work is counted by what is looked at, and by the instructions of all that is worked out.
   bool is_spent(std::uint64_t more) {
     work_ += more;
-    return work_ + evaluation_.work() > limits_.work;
+    const std::uint64_t work = work_ + evaluation_.work();
+    if (limits_.budget != nullptr && work >= next_look_) {
+      next_look_ = work + WorkBudget::look_interval;
+      out_of_time_ |= limits_.budget->look_at_clock();
+    }
+    return work > limits_.work || out_of_time_;
   }
 
   // Notes a production that fits and does nothing, since a later one does the like.
@@ -333,6 +338,12 @@ class Deriver {
 
   bool stop_for_work() {
     stopped_ = true;
+    if (out_of_time_) {
+      first_note(sentence("Growth ended in step %: the time limit is reached. Give it more time, or let it take fewer "
+                          "steps.",
+                          {std::to_string(step_)}));
+      return true;
+    }
     first_note(sentence(
         "Growth ended in step %: trying productions took more than % units of work, which is the limit; let fewer "
         "things wait for their turn, or let them work out less.",
@@ -432,7 +443,8 @@ class Deriver {
   std::vector<Refusal> refusals_;                // of productions, the last
   std::uint32_t instance_ = 0, step_ = 0;
   std::uint32_t stamp_ = 0;  // one a step of an instance: what is split in it is cut together
-  std::uint64_t work_ = 0;
+  std::uint64_t work_ = 0, next_look_ = 0;
+  bool out_of_time_ = false;
   bool stopped_ = false;
   std::size_t too_deep_ = 0;  // the line of a call that was left out; 0: none was
 };

@@ -161,8 +161,11 @@ Result<Plant> grow(Request& request, const Limits& given) {
   if (areas->is_exhausted()) return LookBudget::error();
   const Diagnostic undrawn = drawn ? Diagnostic{} : drawn.error();
   if (undrawn.reason != Reason::none && undrawn.reason != Reason::limit) return undrawn;
-  for (const Diagnostic& stopped : {derived->stopped, undrawn, sketch.trouble()})
-    if (stopped.reason != Reason::none) plant.notes.push_back("What grew so far is shown. " + stopped.message);
+  for (const Diagnostic& stopped : {derived->stopped, undrawn, sketch.trouble()}) {
+    if (stopped.reason == Reason::none) continue;
+    plant.notes.push_back("What grew so far is shown. " + stopped.message);
+    plant.cut_short = cut_short_by(*limits.budget);
+  }
   plant.notes.insert(plant.notes.end(), sketch.notes.begin(), sketch.notes.end());
   thicken(sketch.segments, {0.01f * values[thickness], values[thickening], 0.01f * values[widths]});
 

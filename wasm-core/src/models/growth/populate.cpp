@@ -338,7 +338,14 @@ class Growth {
 
   bool spend(std::uint64_t units) {
     spent_ += units;
-    return spent_ + evaluation_.work() <= limits_.work || too_many("units of work", limits_.work);
+    const std::uint64_t work = spent_ + evaluation_.work();
+    if (limits_.budget != nullptr && work >= next_look_) {
+      next_look_ = work + WorkBudget::look_interval;
+      if (limits_.budget->look_at_clock())
+        return evaluation_.fail(error_at(
+            Reason::limit, {}, "The time limit is reached; give the tree more time, or let it take fewer steps.", {}));
+    }
+    return work <= limits_.work || too_many("units of work", limits_.work);
   }
 
   bool too_many(std::string_view what, std::uint32_t most) {
@@ -359,7 +366,7 @@ class Growth {
   std::vector<Outcome> outcomes_;          // of this step, by volume and age, where shoots do the same
   std::vector<std::uint32_t> buds_until_;  // by age
   const Rule* laid_by_ = nullptr;
-  std::uint64_t spent_ = 0;
+  std::uint64_t spent_ = 0, next_look_ = 0;
 };
 
 }  // namespace
