@@ -18,7 +18,8 @@ function directivesOf(policy: string): Map<string, readonly string[]> {
 
 /** An example of the page by the name of its file. */
 function example(title: string): string {
-	const [, body = ""] = new RegExp(`\`\`\`\\w+ title="${title.replaceAll(".", "\\.")}"\\n([^\`]*)\`\`\``).exec(docs) ?? [];
+	const [, body = ""] =
+		new RegExp(`\`\`\`\\w+ title="${title.replaceAll(".", "\\.")}"\\n([^\`]*)\`\`\``).exec(docs) ?? [];
 	return body;
 }
 
@@ -28,8 +29,12 @@ function rulesOf(text: string): Map<string, Map<string, string>> {
 	let rule = new Map<string, string>();
 	for (const line of text.trimEnd().split("\n")) {
 		const [, name, value] = /^ {2}([\w-]+): (.+)$/.exec(line) ?? [];
-		if (name) rule.set(name, value);
-		else rules.set(line, (rule = new Map()));
+		if (name) {
+			rule.set(name, value);
+			continue;
+		}
+		rule = new Map();
+		rules.set(line, rule);
 	}
 	return rules;
 }
@@ -73,7 +78,8 @@ describe("the policy that the docs tell hosts to send", () => {
 
 	it("is in no page with a directive that browsers ignore in a `<meta>`", () => {
 		for (const page of ["web/index.html", "web/embed.html"]) {
-			for (const ignored of ["frame-ancestors", "report-uri", "sandbox"]) expect(policyOf(page).has(ignored)).toBe(false);
+			for (const ignored of ["frame-ancestors", "report-uri", "sandbox"])
+				expect(policyOf(page).has(ignored)).toBe(false);
 		}
 	});
 });
@@ -84,7 +90,8 @@ it("sends each file of all three hosts with the same headers", () => {
 	expect(names).toEqual(expect.arrayContaining(sent));
 	for (const title of ["_headers", "panicle.conf", ".htaccess"]) {
 		const crossOrigin = ["Cross-Origin-Resource-Policy", "Cross-Origin-Embedder-Policy"];
-		for (const name of [...sent, ...crossOrigin]) expect([title, name, example(title).includes(name)]).toEqual([title, name, true]);
+		for (const name of [...sent, ...crossOrigin])
+			expect([title, name, example(title).includes(name)]).toEqual([title, name, true]);
 		expect(example(title)).toContain("max-age=31536000, immutable");
 	}
 });

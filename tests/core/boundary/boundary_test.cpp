@@ -291,3 +291,17 @@ TEST_CASE("no bytes of a request can do harm") {
     std::free(block);
   }
 }
+
+TEST_CASE("an answer has each note once, though a derivation and the drawing reach the same limit") {
+  Asked asked("", "grammar");
+  asked.writer.add("grammar", std::string_view("#turtle cpfg\nderivation length: 4096\naxiom: A(13)\n"
+                                               "A(n) : n>0 --> A(n-1) A(n-1)\nA(n) : n==0 --> A(0)\n"
+                                               "homomorphism\nmaximum depth: 256\nA(n) --> f A(n) f A(n)\n"));
+  const Answer answer(asked);
+  REQUIRE(answer.reason() == Reason::none);
+  const std::string notes(answer.column("notes").text());
+  const std::string limit = "What grew so far is shown. The grammar takes more than ";
+  CHECK(notes.starts_with(limit));
+  CHECK(notes.find(limit, 1) == std::string::npos);
+  CHECK(answer.word("cut_short", 0) == 1);
+}

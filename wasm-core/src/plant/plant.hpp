@@ -124,8 +124,8 @@ struct Plant {
   std::vector<PlantMesh> meshes;  // those asked for
   Columns columns;                // the model's own truth
   std::vector<Count> counts;
-  std::vector<float> measures;         // in the order of the model's table; NaN: does not apply; empty: not asked for
-  std::vector<std::string> notes;      // what there is to say about the request, one sentence each
+  std::vector<float> measures;     // in the order of the model's table; NaN: does not apply; empty: not asked for
+  std::vector<std::string> notes;  // what there is to say about the request, one sentence each
   CutShort cut_short = CutShort::none;
   std::uint64_t fingerprint = 0;       // over segments and organs (docs/fingerprint.md)
   std::uint64_t mesh_fingerprint = 0;  // over the meshes; 0 where it was not asked for

@@ -26,7 +26,7 @@ export interface Call {
 	form: string | undefined;
 	files: FileOptions;
 	/** The time limit in seconds. */
-	seconds: number | undefined;
+	seconds?: number;
 	/** A file; of a series, a folder. */
 	out: string | undefined;
 	/** Undefined where one plant is asked for. */
@@ -57,7 +57,7 @@ export function readArguments(words: readonly string[]): Call {
 		boundaryFile: last(values.boundary),
 		string: values.string ?? false,
 		chronicle: values.chronicle === undefined ? undefined : readChronicle(values.chronicle.at(-1) ?? ""),
-		seconds: numberOf("seconds", last(values.seconds), 0.1, 1_000_000).seconds,
+		...(values.seconds ? numberOf("seconds", last(values.seconds), 0.1, 1_000_000) : {}),
 		out: last(values.out),
 		form: last(values.form),
 		files: {

@@ -73,17 +73,7 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
 	await checkForm(call, ending, model, from);
 	refuseUnused(call.files, [plantFile(ending, call.form)?.key ?? ending]);
-	const texted = model.details.some(({ packed }) => packed?.key === "grammar");
-	const untold = (what: string) =>
-		texted ? `of a ${model.noun}’s text there is no ${what} to tell` : `the ${model.noun} is not grown by a text`;
-	if (call.string && !(model.strings && ending === "json"))
-		throw new UsageError(model.strings ? "--string: the string stands in JSON" : `--string: ${untold("string")}`);
-	if (call.chronicle && !(model.chronicles && ending === "json"))
-		throw new UsageError(
-			model.chronicles
-				? "--chronicle: what is told of the derivation stands in JSON"
-				: `--chronicle: ${untold("derivation")}`,
-		);
+	checkTold(call, model, ending);
 	const cores = new Cores((wasm) => world.loadCore(wasm, limit.passed));
 	const run = cores.grow.bind(cores);
 	// What a file does not say is not worked out for it.
@@ -111,15 +101,9 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 	});
 	const status = statusOf(grown, missed);
 	const all: Plant = { ...grown, notes: [...new Set([...grown.notes, ...notes.map((note) => note.text)])] };
-	const tellTime = () => {
-		if (grown.cutShort === "time")
-			world.say(
-				`grow: ${limit.option}: the time limit was reached, and what grew so far is written; give it more seconds, or make the plant smaller`,
-			);
-	};
 	if (out === undefined) {
 		world.print(jsonOf(model, all, specimen));
-		tellTime();
+		reportTime(grown, limit, world);
 		return status;
 	}
 	const again = (other: Specimen, wanted?: GrowthOptions) => growWhole(other, { measures: false, ...wanted });
@@ -134,7 +118,7 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 		await writing(file, () => world.writeFile(file, data));
 	}
 	for (const note of new Set([...all.notes, ...ofFile])) world.say(`note: ${note}`);
-	tellTime();
+	reportTime(grown, limit, world);
 	return status;
 }
 
@@ -142,6 +126,29 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 function statusOf({ cutShort }: Plant, missed: boolean): number {
 	if (cutShort) return cutShort === "time" ? TIME_OVER : CUT_SHORT;
 	return missed ? MISSED : 0;
+}
+
+/** Reports that the time limit cut the plant short. */
+function reportTime({ cutShort }: Plant, { option }: TimeLimit, { say }: Surroundings): void {
+	if (cutShort !== "time") return;
+	say(
+		`grow: ${option}: the time limit was reached, and what grew so far is written; give it more seconds, or make the plant smaller`,
+	);
+}
+
+/** @throws UsageError where the string or a trace is requested of a plant or a file that has none */
+function checkTold(call: Call, model: Model, ending: string): void {
+	const texted = model.details.some(({ packed }) => packed?.key === "grammar");
+	const untold = (what: string) =>
+		texted ? `of a ${model.noun}’s text there is no ${what} to tell` : `the ${model.noun} is not grown by a text`;
+	if (call.string && !(model.strings && ending === "json"))
+		throw new UsageError(model.strings ? "--string: the string stands in JSON" : `--string: ${untold("string")}`);
+	if (call.chronicle && !(model.chronicles && ending === "json"))
+		throw new UsageError(
+			model.chronicles
+				? "--chronicle: what is told of the derivation stands in JSON"
+				: `--chronicle: ${untold("derivation")}`,
+		);
 }
 
 /** The specimen that comes nearest to its targets, and whether it misses one; reports how near it comes and what changed. */

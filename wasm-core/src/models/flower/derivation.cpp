@@ -339,9 +339,10 @@ class Deriver {
   bool stop_for_work() {
     stopped_ = true;
     if (out_of_time_) {
-      first_note(sentence("Growth ended in step %: the time limit is reached. Give it more time, or let it take fewer "
-                          "steps.",
-                          {std::to_string(step_)}));
+      first_note(
+          sentence("Growth ended in step %: the time limit is reached. Give it more time, or let it take fewer "
+                   "steps.",
+                   {std::to_string(step_)}));
       return true;
     }
     first_note(sentence(

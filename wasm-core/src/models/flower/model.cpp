@@ -351,8 +351,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   auto& [own_text, own_program, own_given, derived, embedding, skin, own_levels] = *flower.value();
   const Program& program = *own_program;
   plant.notes.insert(plant.notes.end(), derived.notes.begin(), derived.notes.end());
-  if (!derived.whole)
-    plant.cut_short = limits.budget != nullptr ? cut_short_by(*limits.budget) : CutShort::limit;
+  if (!derived.whole) plant.cut_short = limits.budget != nullptr ? cut_short_by(*limits.budget) : CutShort::limit;
   note_strangers(plant, program, given);
 
   embedding.place(derived.shapes());
