@@ -194,7 +194,7 @@ export default [
 		suites: [`${TESTS}/lsystem/chronicle_test.cpp`, `${TESTS}/lsystem/chronicle_published_test.cpp`],
 		faults: [
 			{
-				id: "chronicle-reasons-take-the-plant's-work",
+				id: "chronicle-reasons-take-work-of-the-plant",
 				suites: [`${TESTS}/models/grammar/limits_test.cpp`],
 				find: "own.budget = &budget;\n  Refusals",
 				replace: "Refusals",

@@ -115,7 +115,6 @@ describe("a plant that a limit of the core cut short", () => {
 			/^What grew so far is shown\. The string grows beyond|^What grew so far is shown\. The grammar takes more/,
 		);
 	});
-
 });
 
 it("names the exit statuses in the help and in the docs", () => {

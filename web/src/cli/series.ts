@@ -109,13 +109,13 @@ async function growInto(asked: Asked, lock: TableLock, limit: TimeLimit, world: 
 		if (line !== undefined) there++;
 		else {
 			const made = await grower.grow(member);
+			await lock.renew();
 			if (!made) {
 				world.say(
 					`grow: ${limit.option}: the time limit was reached: ${kept.size + grown} of ${numbers.length} plants are written; ${CONTINUE}`,
 				);
 				return TIME_OVER;
 			}
-			await lock.renew();
 			line = made.line;
 			if (made.missed) missed++;
 			if (!made.files) failed++;
