@@ -1,4 +1,4 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import type { Restored } from "../../../web/src/specimen/restore";
 import { openLate } from "../../../web/src/studio/late_link";
 import { specimenFromPreset } from "../bunch";
@@ -57,5 +57,16 @@ describe("a link that is unpacked late", () => {
 		fail(new TypeError("Failed to fetch"));
 		await opened;
 		expect(studio.state.notices[0].title).toBe("The link could not be read to its end");
+	});
+
+	it("does not report a fault while opening as a failed fetch", async () => {
+		const { studio, come, opened } = await opening();
+		const fault = new Error("a fault of the page");
+		vi.spyOn(studio, "open").mockImplementation(() => {
+			throw fault;
+		});
+		come(linked);
+		await expect(opened).rejects.toBe(fault);
+		expect(studio.state.notices).toEqual([]);
 	});
 });

@@ -5,21 +5,22 @@ import type { Studio } from "./studio";
 /**
  * Opens a link once it is unpacked. Where the document has been changed meanwhile it stays, and a notice offers the link's in its place.
  * @param whole the document of the link; rejects if the script that unpacks it cannot be fetched
+ * @throws what opening the document throws: such a fault is no matter of the connection
  */
 export async function openLate(studio: Studio, whole: Promise<Restored>): Promise<void> {
 	const { history, model } = studio.state;
-	try {
-		const restored = await whole;
-		if (studio.state.history === history) {
-			studio.open(restored, "link");
-			return;
-		}
-		const open = () => studio.take(model, restored, "link");
-		const details = ["You changed the plant before the link was read to its end; your changes are kept."];
-		studio.notify("The link is not opened yet", details, { act: { words: "Open the link", run: open } });
-	} catch {
+	const restored = await whole.catch(() => undefined);
+	if (!restored) {
 		studio.notify("The link could not be read to its end", [
 			"Part of this page could not be fetched; check the connection and load the page again.",
 		]);
+		return;
 	}
+	if (studio.state.history === history) {
+		studio.open(restored, "link");
+		return;
+	}
+	const open = () => studio.take(model, restored, "link");
+	const details = ["You changed the plant before the link was read to its end; your changes are kept."];
+	studio.notify("The link is not opened yet", details, { act: { words: "Open the link", run: open } });
 }
