@@ -29,7 +29,8 @@ const FAULTS = [
 	{ title: "an error in the console", script: `console.error("wrong")`, found: "console .*: wrong" },
 	{
 		title: "requests without end",
-		script: `const again = (left) => left > 0 && fetch("/missing").finally(() => again(left - 1)); again(40)`,
+		// More than twice as many as one action may cause: the driver may count some of them with the next action.
+		script: `for (let i = 0; i < 100; i++) fetch("/missing")`,
 		found: String.raw`One action requested http://localhost/missing \d+ times`,
 	},
 	{

@@ -126,12 +126,11 @@ async function shortened(newContext, address, seed, log) {
 	return undefined;
 }
 
-/** Prints why a run failed, its last actions, and how to repeat it. */
-function report(seed, { fault, log, actions }, numbers) {
+/** Prints why a run failed, its last actions, and how to repeat it. @param {Run} run */
+function report(seed, { fault, log, actions }) {
 	console.error(`\nRandom use failed after ${actions} actions:\n${fault}\n\nThe last actions:`);
 	for (const line of log.slice(-PRINTED)) console.error(`  ${line}`);
 	console.error(`\nRepeat it: PANICLE_SEED=${seed} npm run bench -- use ${log.length}`);
-	if (numbers) console.error(`Shorter: PANICLE_SEED=${seed} npm run bench -- use ${numbers.join(" ")}`);
 }
 
 /** The numbers that arguments name: `200` the first 200, several those alone. */
@@ -167,9 +166,14 @@ export async function randomUse(...args) {
 			["heap, MB", "nodes", "listeners", "workers"],
 			...run.samples.map(({ heap, nodes, listeners, workers }) => [heap.toFixed(1), nodes, listeners, workers]),
 		]);
-		if (run.fault) report(seed, run, await shortened(newContext, address, seed, run.log));
-		else console.log(`${run.actions} actions, no fault.`);
-		return run.fault ? { passed: 0, failed: 1 } : { passed: 1, failed: 0 };
+		if (run.fault === undefined) {
+			console.log(`${run.actions} actions, no fault.`);
+			return { passed: 1, failed: 0 };
+		}
+		report(seed, run);
+		const numbers = await shortened(newContext, address, seed, run.log);
+		if (numbers) console.error(`Shorter: PANICLE_SEED=${seed} npm run bench -- use ${numbers.join(" ")}`);
+		return { passed: 0, failed: 1 };
 	} finally {
 		await browser.close();
 		await server.close();

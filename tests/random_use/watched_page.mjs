@@ -5,6 +5,8 @@ import { setTimeout as delay } from "node:timers/promises";
 const LONGEST_BLOCK = 5000;
 /** A page that has not answered after this time has hung, in milliseconds. */
 const HUNG = 60_000;
+/** An action with the plant that grows from it may take so long, in milliseconds: a busy machine takes its time. */
+const LONGEST_WORK = 240_000;
 /** How often one action may request the same address; more is a request that is repeated without end. */
 const MOST_REPEATS = 25;
 /** What a browser reports of a request while there is no network; nothing else is expected of it. */
@@ -135,9 +137,9 @@ export class WatchedPage {
 	async during(act) {
 		this.#requests.clear();
 		const { ThreadTime: before } = await this.#metrics();
-		await this.#inTime(act());
+		await this.#watched(act());
 		// Rejects where the page is loaded again meanwhile.
-		const longest = await this.#inTime(this.page.evaluate(takeLongestTask).catch(() => 0));
+		const longest = await this.#watched(this.page.evaluate(takeLongestTask).catch(() => 0));
 		const { ThreadTime: now } = await this.#metrics();
 		// A busy machine delays a task: only the time that the thread has worked is the page's own.
 		const blocked = Math.min(longest, 1000 * (now - before));
@@ -175,33 +177,41 @@ export class WatchedPage {
 
 	/** Waits until the plant on the controls is the one in view. */
 	async settled() {
-		await this.#inTime(this.page.waitForSelector("[data-fingerprint]", { state: "attached", timeout: HUNG }));
-		await this.#inTime(this.page.waitForSelector(".growing", { state: "detached", timeout: HUNG }));
+		await this.#watched(this.page.waitForSelector("[data-fingerprint]", { state: "attached", timeout: LONGEST_WORK }));
+		await this.#watched(this.page.waitForSelector(".growing", { state: "detached", timeout: LONGEST_WORK }));
 	}
 
 	/** @returns {Promise<Record<string, number>>} */
 	async #metrics() {
-		const { metrics } = await this.#inTime(this.devtools.send("Performance.getMetrics"));
+		const { metrics } = await this.#watched(this.devtools.send("Performance.getMetrics"));
 		return Object.fromEntries(metrics.map(({ name, value }) => [name, value]));
 	}
 
 	/**
-	 * Waits for an answer of the page.
+	 * Waits for work on the page while the page answers.
+	 *
 	 * @template T
-	 * @param {Promise<T>} answer
+	 * @param {Promise<T>} work
 	 * @returns {Promise<T>}
+	 * @throws {Fault} where the page has hung or the work takes too long
 	 */
-	async #inTime(answer) {
-		const hung = new AbortController();
-		const late = delay(HUNG, undefined, { signal: hung.signal }).then(() => {
-			throw new Fault(`The page has not answered for ${HUNG / 1000} s.`);
-		});
-		late.catch(() => {});
-		try {
-			return await Promise.race([answer, late]);
-		} finally {
-			answer.catch(() => {});
-			hung.abort();
+	async #watched(work) {
+		const start = Date.now();
+		let isDone = false;
+		const end = () => {
+			isDone = true;
+		};
+		const ended = work.then(end, end);
+		while (!isDone) {
+			// Rejects where the page is loaded again meanwhile, which is an answer, too.
+			const answer = this.page.evaluate("0").catch(() => undefined);
+			const late = delay(HUNG, "late", { ref: false });
+			if ((await Promise.race([ended, answer, late])) === "late")
+				throw new Fault(`The page has not answered for ${HUNG / 1000} s.`);
+			if (Date.now() - start > LONGEST_WORK)
+				throw new Fault(`The page answers, but the action has not ended for ${LONGEST_WORK / 1000} s.`);
+			await Promise.race([ended, delay(500, undefined, { ref: false })]);
 		}
+		return work;
 	}
 }
