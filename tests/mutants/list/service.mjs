@@ -7,6 +7,12 @@ export default [
 		suites: ["tests/web/service/node/thread_pool.test.ts"],
 		faults: [
 			{
+				id: "service-thread-keeps-memory",
+				find: "if (response.heapBytes <= this.#options.mostHeapBytes) ",
+				replace: "",
+				breaks: "a thread that has grown a large plant keeps its memory for as long as the service runs",
+			},
+			{
 				id: "service-client-stays-in-queue",
 				find: "this.#dequeue(job, new Refused(503, why));\n\t\tconst slot",
 				replace: "const slot",

@@ -71,7 +71,15 @@ describe("the client", () => {
 		const outcome = expect(growing).rejects.toMatchObject({ reason: "syntax", message: "No.", line: 3, column: 9 });
 		await settled();
 		const [worker] = FakeWorker.all;
-		worker.say({ type: "failed", id: worker.requests[0].id, reason: "syntax", message: "No.", line: 3, column: 9 });
+		worker.say({
+			type: "failed",
+			id: worker.requests[0].id,
+			reason: "syntax",
+			message: "No.",
+			line: 3,
+			column: 9,
+			memoryBytes: 0,
+		});
 		await outcome;
 		await expect(growing).rejects.toBeInstanceOf(CoreError);
 		const next = client.grow(withSeed(2));

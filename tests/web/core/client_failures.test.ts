@@ -72,7 +72,7 @@ describe("a worker that breaks", () => {
 		trap(worker);
 		await settled();
 		worker.finish();
-		FakeWorker.all[1].say({ type: "grown", id: -1, container: writeContainer([]), milliseconds: 1 });
+		FakeWorker.all[1].say({ type: "grown", id: -1, container: writeContainer([]), milliseconds: 1, memoryBytes: 0 });
 		FakeWorker.all[1].finish();
 		expect(seedOf(await growing)).toBe(1);
 	});

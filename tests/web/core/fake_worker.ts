@@ -44,10 +44,11 @@ export class FakeWorker {
 		return this.heard.filter((message) => message.type === "grow");
 	}
 
-	finish(): void {
+	/** @param memoryBytes that its cores hold then */
+	finish(memoryBytes = 0): void {
 		const { id, blocks } = this.requests.at(-1) as { id: number; blocks: readonly Block[] };
 		const container = writeContainer([{ name: "seed", data: Uint32Array.of(seedIn(blocks)) }]);
-		this.say({ type: "grown", id, container, milliseconds: 1 });
+		this.say({ type: "grown", id, container, milliseconds: 1, memoryBytes });
 	}
 }
 

@@ -56,6 +56,27 @@ describe("a pool of seats", () => {
 		expect(await grow([5, 6, 7])).toEqual([5, 6, 7]);
 	});
 
+	it("ends a seat whose cores hold much memory after a rest, even the last one", async () => {
+		start({ seats: 2 });
+		const large = 300 * 1024 * 1024;
+		const grow = async (...sizes: number[]) => {
+			const all = sizes.map((size) => pool.run(withSeed(size)));
+			await settled();
+			for (const worker of FakeWorker.all.filter(({ terminated }) => !terminated))
+				if (worker.seeds.length > 0) worker.finish(worker.seeds.at(-1));
+			await Promise.all(all);
+		};
+		await grow(large, 5);
+		await vi.advanceTimersByTimeAsync(4100);
+		const ended = () => FakeWorker.all.filter(({ terminated }) => terminated).flatMap(({ seeds }) => seeds);
+		expect(ended()).toEqual([large]);
+		await grow(large);
+		await vi.advanceTimersByTimeAsync(4100);
+		expect(ended()).toEqual([large, 5, large]);
+		// The spare takes its place: of all workers it is the only one.
+		expect(FakeWorker.all.filter(({ terminated }) => !terminated).map(({ seeds }) => seeds)).toEqual([[]]);
+	});
+
 	it("gives each seat a module once, whatever models take turns on it", async () => {
 		const compiled: string[] = [];
 		start({

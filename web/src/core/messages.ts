@@ -12,9 +12,17 @@ export type FromWorker =
 	| { type: "ready" }
 	/** The core could not be brought to life. */
 	| { type: "broken"; message: string }
-	/** A container (core/container.ts), and the milliseconds that growing it took. */
-	| { type: "grown"; id: number; container: Uint8Array<ArrayBuffer>; milliseconds: number }
+	/** A container (core/container.ts), the milliseconds that growing it took, and the memory of all cores of the worker. */
+	| { type: "grown"; id: number; container: Uint8Array<ArrayBuffer>; milliseconds: number; memoryBytes: number }
 	/** The request cannot be grown; the worker goes on. */
-	| { type: "failed"; id: number; reason: CoreReason; message: string; line: number; column: number }
+	| {
+			type: "failed";
+			id: number;
+			reason: CoreReason;
+			message: string;
+			line: number;
+			column: number;
+			memoryBytes: number;
+	  }
 	/** The core trapped; the worker is to be replaced. */
 	| { type: "trapped"; id: number; message: string };

@@ -44,14 +44,18 @@ interface Job extends Order {
 const MOST_ATTEMPTS = 2;
 /** The spare starts this long after a growth, in milliseconds: not before the first picture. */
 const SPARE_DELAY = 400;
-/** All seats but one end when nothing has been asked for so long, ms: a core keeps the memory that its largest plant took. */
+/** All seats but one end when nothing has been requested for so long, ms: a core keeps the memory that its largest plant took. */
 const REST = 4000;
+/** A seat whose cores hold more memory than this ends at rest as well, bytes: an instance of WebAssembly never shrinks. */
+const MOST_MEMORY = 256 * 1024 * 1024;
 
 export class Pool {
 	readonly #options: Required<PoolOptions>;
 	readonly #modules = new Map<string, Promise<WebAssembly.Module>>();
 	/** The seats, each with what it is at; the spare is none of them. */
 	readonly #seats = new Map<Seat, Job | undefined>();
+	/** Memory that the cores of seats held after their last growth, bytes. */
+	readonly #memory = new WeakMap<Seat, number>();
 	readonly #waiting: Job[] = [];
 	#spare: Seat | undefined;
 	#spareTimer: ReturnType<typeof setTimeout> | undefined;
@@ -174,6 +178,7 @@ export class Pool {
 			return;
 		}
 		this.#seats.set(seat, undefined);
+		this.#memory.set(seat, message.memoryBytes);
 		if (message.type === "failed") {
 			job.reject(new CoreError(message.reason, message.message, message.line, message.column));
 		} else {
@@ -242,7 +247,9 @@ export class Pool {
 	/** Those at work may be asked again soon. */
 	#rest(): void {
 		if ([...this.#seats.values()].some((job) => job)) return;
-		for (const seat of [...this.#seats.keys()].slice(1)) this.#leave(seat);
+		const seats = [...this.#seats.keys()];
+		const small = seats.find((seat) => (this.#memory.get(seat) ?? 0) <= MOST_MEMORY);
+		for (const seat of seats) if (seat !== small) this.#leave(seat);
 	}
 
 	#scheduleSpare(): void {

@@ -9,12 +9,14 @@ export function serve(
 ): (message: ToWorker) => Promise<void> {
 	/** By the names of their modules. */
 	const cores = new Map<string, Promise<Core>>();
+	const started: Core[] = [];
+	const memoryBytes = () => started.reduce((sum, core) => sum + core.memoryBytes, 0);
 
 	async function start({ wasm, module }: Extract<ToWorker, { type: "start" }>): Promise<void> {
 		const core = Core.instantiate(module);
 		cores.set(wasm, core);
 		try {
-			await core;
+			started.push(await core);
 			post({ type: "ready" }, []);
 		} catch (error) {
 			post({ type: "broken", message: textOf(error) }, []);
@@ -27,11 +29,11 @@ export function serve(
 			if (!core) throw new Error("The core has not been started.");
 			const { columns, milliseconds } = core.grow(blocks);
 			const container = columns.bytes;
-			post({ type: "grown", id, container, milliseconds }, [container.buffer]);
+			post({ type: "grown", id, container, milliseconds, memoryBytes: memoryBytes() }, [container.buffer]);
 		} catch (error) {
 			if (error instanceof CoreError) {
 				const { reason, message, line, column } = error;
-				post({ type: "failed", id, reason, message, line, column }, []);
+				post({ type: "failed", id, reason, message, line, column, memoryBytes: memoryBytes() }, []);
 			} else {
 				post({ type: "trapped", id, message: textOf(error) }, []);
 			}

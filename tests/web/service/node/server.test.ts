@@ -46,7 +46,13 @@ async function answerOf(socket: Socket): Promise<string> {
 	return text;
 }
 
-const answer = (bytes: number): ThreadResponse => ({ id: 1, status: 200, headers: {}, body: new Uint8Array(bytes) });
+const answer = (bytes: number): ThreadResponse => ({
+	id: 1,
+	status: 200,
+	headers: {},
+	body: new Uint8Array(bytes),
+	heapBytes: 0,
+});
 
 it("passes on addresses of every form without a user and password, and refuses methods that it does not answer", async () => {
 	const run = vi.fn<ThreadPool["run"]>(async () => answer(2));

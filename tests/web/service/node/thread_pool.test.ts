@@ -10,9 +10,9 @@ class Slow extends EventEmitter {
 	postMessage(request: ThreadRequest) {
 		this.requests.push(request);
 	}
-	answer() {
+	answer(heapBytes = 0) {
 		const { id } = this.requests[this.requests.length - 1];
-		this.emit("message", { id, status: 200, headers: {}, body: new Uint8Array() } satisfies ThreadResponse);
+		this.emit("message", { id, status: 200, headers: {}, body: new Uint8Array(), heapBytes } satisfies ThreadResponse);
 	}
 	async terminate() {
 		this.ended = true;
@@ -38,7 +38,7 @@ function poolOf(queueLength: number): ThreadPool {
 		started.push(thread);
 		return thread as unknown as Thread;
 	};
-	return new ThreadPool({ start, threads: 2, timeout: 1000, queueLength });
+	return new ThreadPool({ start, threads: 2, timeout: 1000, queueLength, mostHeapBytes: 100 });
 }
 const run = (url: string, signal?: AbortSignal) => threads.run({ url, method: "GET", headers: {} }, signal);
 const urls = () => started.map(({ requests }) => requests.map(({ url }) => url));
@@ -52,6 +52,22 @@ it("runs one request a thread, and queues the rest", async () => {
 	started[1].answer();
 	expect((await Promise.all(answers)).map(({ status }) => status)).toEqual([200, 200, 200]);
 	expect(started).toHaveLength(2);
+});
+
+it("ends a thread that holds too much memory after its answer, and gives the next request a new one", async () => {
+	const answers = [run("large"), run("b"), run("c")];
+	started[0].answer(101);
+	expect((await answers[0]).status).toBe(200);
+	expect(urls()).toEqual([["large"], ["b"], ["c"]]);
+	started[1].answer(100);
+	started[2].answer();
+	await Promise.all(answers);
+	expect(started.map(({ ended }) => ended)).toEqual([true, false, false]);
+	// An idle thread that has ended is replaced only when a request needs it.
+	const last = run("d");
+	started[2].answer(101);
+	await last;
+	expect(started.map(({ ended }) => ended)).toEqual([true, false, true]);
 });
 
 it("refuses a request at once where the queue is full", async () => {

@@ -9,6 +9,8 @@ import { ThreadPool } from "./thread_pool";
 
 /** Most memory for the JavaScript objects of one thread, MiB; one that needs more ends, and another takes its place. */
 const HEAP = 1024;
+/** A thread that holds more than this after a request gives it back by ending, bytes. An instance of WebAssembly never shrinks. */
+const MOST_HEAP_BYTES = 256 * 1024 * 1024;
 const USAGE = `npm run service -- [--port 8765] [--host 127.0.0.1] [--threads N] [--seconds 20]
 Serves /specimens/PRESET.ENDING?…, the plant's file, with N threads and at most the given seconds for one plant.
 --host 0.0.0.0 accepts requests from other machines.
@@ -29,6 +31,7 @@ async function serve(): Promise<void> {
 		threads: number("threads", threads, availableParallelism(), 1, 256),
 		timeout: 1000 * number("seconds", seconds, 20, 0.1, 3600),
 		queueLength: 256,
+		mostHeapBytes: MOST_HEAP_BYTES,
 	});
 	const server = makeServer(pool);
 	server.on("error", ({ message }) => {

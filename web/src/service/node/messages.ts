@@ -13,4 +13,6 @@ export interface ThreadResponse {
 	readonly headers: Readonly<Record<string, string>>;
 	/** Transferred, not copied. */
 	readonly body: Uint8Array<ArrayBuffer>;
+	/** Memory that the thread holds after the request: its objects, buffers and cores, bytes. */
+	readonly heapBytes: number;
 }

@@ -1,30 +1,39 @@
 /** A thread that grows plants for the server, with its own cores. */
+import { getHeapStatistics } from "node:v8";
 import { parentPort } from "node:worker_threads";
 import { loadCoreFromBytes } from "../../core/loader";
 import { makeService } from "../service";
 import { coreBytes } from "./cores";
 import type { ThreadRequest, ThreadResponse } from "./messages";
 
+type Answer = Omit<ThreadResponse, "id" | "heapBytes">;
+
 export function answerRequests(release: string): void {
 	const service = makeService({ release, loadCore: async (wasm) => loadCoreFromBytes(await coreBytes(wasm)) });
 	parentPort?.on("message", async (request: ThreadRequest) => {
 		const response = await respond(service, request).catch(internalError);
-		const message: ThreadResponse = { id: request.id, ...response };
+		const message: ThreadResponse = { id: request.id, ...response, heapBytes: heapBytes() };
 		parentPort?.postMessage(message, [message.body.buffer]);
 	});
+}
+
+/** What this thread's objects take, and the buffers and memories of WebAssembly that they hold. */
+function heapBytes(): number {
+	const { total_heap_size, external_memory } = getHeapStatistics();
+	return total_heap_size + external_memory;
 }
 
 async function respond(
 	service: ReturnType<typeof makeService>,
 	{ url, method, headers }: ThreadRequest,
-): Promise<Omit<ThreadResponse, "id">> {
+): Promise<Answer> {
 	const response = await service(new Request(url, { method, headers }));
 	const body = new Uint8Array(await response.arrayBuffer());
 	return { status: response.status, headers: Object.fromEntries(response.headers), body };
 }
 
 /** What is answered where even the request cannot be built or the answer cannot be read: the thread itself goes on. */
-function internalError(): Omit<ThreadResponse, "id"> {
+function internalError(): Answer {
 	const body = new TextEncoder().encode("Internal error\n");
 	return { status: 500, headers: { "content-type": "text/plain; charset=utf-8", "cache-control": "no-store" }, body };
 }

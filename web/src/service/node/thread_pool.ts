@@ -20,6 +20,8 @@ export interface ThreadPoolOptions {
 	readonly timeout: number;
 	/** Most requests in the queue. */
 	readonly queueLength: number;
+	/** A thread that holds more memory than this after a request ends, and the next request gets a new one, bytes. */
+	readonly mostHeapBytes: number;
 }
 
 /** How long a growth may go on after its client has left, milliseconds: a short one is cheaper to finish than a thread to start. */
@@ -116,7 +118,10 @@ export class ThreadPool {
 	#start(slot: Slot): Thread {
 		const thread = this.#options.start();
 		thread.on("message", (response) => {
-			if (slot.thread === thread) this.#endJob(slot, ({ resolve }) => resolve(response));
+			if (slot.thread !== thread) return;
+			const resolve = ({ resolve }: Job) => resolve(response);
+			if (response.heapBytes <= this.#options.mostHeapBytes) this.#endJob(slot, resolve);
+			else void this.#replaceThread(slot, resolve);
 		});
 		const failed = () => {
 			if (slot.thread === thread) void this.#endThread(slot, "internal error while generating the plant");
@@ -145,10 +150,15 @@ export class ThreadPool {
 	}
 
 	/** Ends a slot's thread, and with it the job it works on. */
-	async #endThread(slot: Slot, why: string): Promise<void> {
+	#endThread(slot: Slot, why: string): Promise<void> {
+		return this.#replaceThread(slot, ({ reject }) => reject(new Refused(503, why)));
+	}
+
+	/** Ends a slot's thread; another starts with the next job. */
+	async #replaceThread(slot: Slot, settle: (job: Job) => void): Promise<void> {
 		const { thread } = slot;
 		slot.thread = undefined;
-		this.#endJob(slot, ({ reject }) => reject(new Refused(503, why)));
+		this.#endJob(slot, settle);
 		await thread?.terminate();
 	}
 
