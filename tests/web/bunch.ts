@@ -63,7 +63,6 @@ export const specimenFromFile = async (name: string, file: Blob) => {
 
 export const exportJson = (grown: Grown, specimen: BunchSpecimen) => json.exportJson(model, grown, specimen);
 /** Its text, as it is written without the document. */
-export const writtenJson = (grown: Grown, specimen: BunchSpecimen) =>
-	new TextDecoder().decode(json.writeJson(model, grown, specimen));
+export const writtenJson = (grown: Grown, specimen: BunchSpecimen) => json.writeJson(model, grown, specimen).toString();
 export const aboutBunch = (grown: Grown, specimen: BunchSpecimen, link?: string) =>
 	aboutPlant(model, grown, specimen, link);

@@ -179,4 +179,40 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/core/pool.ts",
+		suites: ["tests/web/core/pool.test.ts"],
+		faults: [
+			{
+				id: "pool-last-seat-keeps-memory",
+				find: "(this.#memory.get(seat) ?? 0) <= MOST_MEMORY",
+				replace: "true",
+				breaks: "the page's last worker keeps the memory of its largest plant",
+			},
+		],
+	},
+	{
+		file: "web/src/export/limits.ts",
+		suites: ["tests/web/export/limits.test.ts"],
+		faults: [
+			{
+				id: "export-instances-count-once",
+				find: "bytes += times * bytesOf(mesh);",
+				replace: "bytes += bytesOf(mesh);",
+				breaks: "a file of a million leaves is made until there is no memory left",
+			},
+		],
+	},
+	{
+		file: "web/src/export/text_buffer.ts",
+		suites: ["tests/web/export/limits.test.ts"],
+		faults: [
+			{
+				id: "text-buffer-without-limit",
+				find: "if (this.#complete + this.#length + bytes > this.most) throw new FileTooLargeError(undefined, this.most);",
+				replace: "",
+				breaks: "a text grows until there is no memory left",
+			},
+		],
+	},
 ];

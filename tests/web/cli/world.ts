@@ -28,7 +28,8 @@ export function memoryWorld(
 		},
 		writeFile: async (path, data) => {
 			if (path.startsWith("nowhere/")) throw missing(path);
-			written.set(path, data);
+			// What is written in pieces is text.
+			written.set(path, isPieces(data) ? new TextDecoder().decode(Buffer.concat(data)) : data);
 		},
 		replaceFile: async (path, data) => world.writeFile(path, data),
 		createFile: async (path, data) => {
@@ -52,7 +53,11 @@ export function memoryWorld(
 		whenTerminated: () => () => {},
 		environment,
 		loadCore: async (wasm, timePassed) => loadCoreFromBytes(await wasmBytes(wasm), timePassed),
-		print: (text) => printed.push(text),
+		// Pieces are printed one after the other, as if they were one text.
+		print: (text) => {
+			if (typeof text === "string") printed.push(text);
+			else printed.push(`${printed.pop() ?? ""}${new TextDecoder().decode(text)}`);
+		},
 		say: (line) => said.push(line),
 	};
 	return { world, written, printed, said };
@@ -77,3 +82,6 @@ export async function complaint(words: string[], ...world: Parameters<typeof mem
 	expect(said[0]).toMatch(/^grow: [^\n]{1,240}(\n {2}[^\n]+\n\s*\^)?$/);
 	return said[0].slice("grow: ".length);
 }
+
+const isPieces = (data: string | Uint8Array | readonly Uint8Array[]): data is readonly Uint8Array[] =>
+	Array.isArray(data);

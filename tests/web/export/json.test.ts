@@ -75,8 +75,10 @@ describe("the JSON document", () => {
 		};
 		const { record: _, ...plain } = model as unknown as Model;
 		const bare = { ...grown, organs };
-		const text = new TextDecoder().decode(writeJson(plain, bare, specimen));
+		const text = writeJson(plain, bare, specimen).toString();
 		expect(text).toBe(JSON.stringify(exportAny(plain, bare, specimen)));
+		const indented = writeJson(plain, bare, specimen, "\t").toString();
+		expect(indented).toBe(JSON.stringify(exportAny(plain, bare, specimen), null, "\t"));
 		expect(JSON.parse(text).organs[1]).toEqual({
 			kind: "nœud",
 			segment: -1,

@@ -40,7 +40,7 @@ async function files(preset: string, settings: Record<string, number> = {}) {
 		};
 		return new Uint8Array(await (await makeFile(model, request)).arrayBuffer());
 	};
-	const document = JSON.parse(new TextDecoder().decode(writeJson(bunch, grown, specimen)));
+	const document = JSON.parse(writeJson(bunch, grown, specimen).toString());
 	return {
 		points: pointsIn(await make("ply")),
 		glb: await make("glb"),

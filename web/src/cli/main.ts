@@ -25,6 +25,6 @@ process.exitCode = await run(process.argv.slice(2), {
 	...nodeFiles,
 	environment: process.env,
 	loadCore: async (wasm, timePassed) => loadCoreFromBytes(await coreBytes(wasm), timePassed),
-	print: (text) => process.stdout.write(text),
+	print: (text) => void process.stdout.write(text),
 	say: (line) => process.stderr.write(`${line}\n`),
 });

@@ -1,8 +1,8 @@
 /** What the command can write of a plant. */
 import { basename, dirname, join } from "node:path";
 import { aboutPlant } from "../export/about_plant";
-import { exportJson } from "../export/json";
-import { exportObj } from "../export/obj";
+import { writeJson } from "../export/json";
+import { writeObj } from "../export/obj";
 import { type FileOptions, type Further, PLANT_FILES, plantFile } from "../export/plant_files";
 import { swayed } from "../files/swayed";
 import type { Model } from "../models/model";
@@ -10,7 +10,7 @@ import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
 import type { Specimen } from "../specimen/specimen";
 
-type File = [file: string, data: string | Uint8Array];
+type File = [file: string, data: string | Uint8Array | readonly Uint8Array[]];
 
 /** Endings of names that every model knows. */
 const COMMON = [...new Set(PLANT_FILES.map(({ ending }) => ending)), "obj", "json"];
@@ -58,15 +58,17 @@ export async function filesOf(
 	const parts = model.parts(grown, specimen);
 	if (meshes) return [[file, await meshes.make(parts, about, options, { ...further, sway: swayed(model, grown) })]];
 	const stem = file.slice(0, -".obj".length);
-	const { obj, mtl, pictures } = exportObj(parts, about, basename(stem));
+	const { obj, mtl, pictures } = writeObj(parts, about, basename(stem));
 	return [
-		[file, obj],
+		[file, obj.chunks()],
 		[`${stem}.mtl`, mtl],
 		...pictures.map(({ name, bytes }): File => [join(dirname(stem), name), bytes]),
 	];
 }
 
-/** The JSON document, one line. */
-export function jsonOf(model: Model, grown: Plant, specimen: Specimen): string {
-	return `${JSON.stringify(exportJson(model, grown, specimen))}\n`;
+/** The JSON document, one line, in UTF-8, in pieces. */
+export function jsonOf(model: Model, grown: Plant, specimen: Specimen): Uint8Array[] {
+	const document = writeJson(model, grown, specimen);
+	document.word("\n");
+	return document.chunks();
 }

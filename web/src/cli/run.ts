@@ -4,7 +4,7 @@ import { literalDraws } from "../batch/draws";
 import { aimsOf } from "../batch/goals";
 import { Cores } from "../core/cores";
 import { CoreError } from "../core/errors";
-import { EmptyPlantError } from "../export/file_error";
+import { EmptyPlantError, FileTooLargeError } from "../export/file_error";
 import { FORMS, plantFile } from "../export/plant_files";
 import { agedOf, hasAges } from "../files/aged";
 import { growPlant } from "../files/growth";
@@ -46,7 +46,7 @@ export async function run(words: readonly string[], surroundings: Surroundings):
 		world.say(`grow: ${message}${error instanceof UsageError ? error.below : ""}`);
 		if (error instanceof EmptyPlantError) return 4;
 		if (error instanceof TimeOverError) return TIME_OVER;
-		return error instanceof UsageError ? 2 : 1;
+		return error instanceof UsageError || error instanceof FileTooLargeError ? 2 : 1;
 	}
 }
 
@@ -76,10 +76,11 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 	checkTold(call, model, ending);
 	const cores = new Cores((wasm) => world.loadCore(wasm, limit.passed));
 	const run = cores.grow.bind(cores);
-	// What a file does not say is not worked out for it.
+	// What a file does not say is not worked out for it: levels and ages are grown by themselves.
 	const json = ending === "json";
+	const { life, levelled } = plantFile(ending, call.form) ?? {};
 	const [meshes, measures] = [
-		!json,
+		!(json || life || levelled),
 		json || plantFile(ending)?.form !== undefined || ownFormat(model, ending)?.measured === true,
 	];
 	const own = "grammar" in from && typeof from.grammar === "string" ? from.grammar : undefined;
@@ -102,7 +103,7 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 	const status = statusOf(grown, missed);
 	const all: Plant = { ...grown, notes: [...new Set([...grown.notes, ...notes.map((note) => note.text)])] };
 	if (out === undefined) {
-		world.print(jsonOf(model, all, specimen));
+		for (const piece of jsonOf(model, all, specimen)) world.print(piece);
 		reportTime(grown, limit, world);
 		return status;
 	}

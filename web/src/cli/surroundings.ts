@@ -3,7 +3,8 @@ import type { Core, TimePassed } from "../core/core";
 /** What the command needs of the world outside; tests give it another. */
 export interface Surroundings {
 	readFile(path: string): Promise<Uint8Array>;
-	writeFile(path: string, data: string | Uint8Array): Promise<void>;
+	/** Data in pieces is written one after the other. */
+	writeFile(path: string, data: string | Uint8Array | readonly Uint8Array[]): Promise<void>;
 	/** Writes a file that is whole or not there under its name, whatever happens meanwhile. */
 	replaceFile(path: string, data: string | Uint8Array): Promise<void>;
 	/** Writes a whole file where there is none under its name. @returns whether it did; of several at once one does */
@@ -35,7 +36,7 @@ export interface Surroundings {
 	 */
 	loadCore(wasm: string, timePassed?: TimePassed): Promise<Core>;
 	/** Standard output: the JSON and nothing else. */
-	print(text: string): void;
+	print(text: string | Uint8Array): void;
 	/** Standard error, a line. */
 	say(line: string): void;
 }

@@ -3,6 +3,24 @@ export class FileError extends Error {
 	override name = "FileError";
 }
 
+/** A file that would be larger than files may be (limits.ts); the message says what to do. */
+export class FileTooLargeError extends Error {
+	override name = "FileTooLargeError";
+	/**
+	 * @param bytes that the file would have; undefined where writing ended at the limit
+	 * @param instanced whether a file in which parts share meshes is smaller
+	 */
+	constructor(bytes: number | undefined, most: number, instanced = false) {
+		const own = bytes === undefined ? "" : `${megabytes(bytes)} MB, which is `;
+		const other = instanced ? "; or choose a file whose parts share meshes (GLB, instanced)" : "";
+		super(
+			`The file would have ${own}more than the limit of ${megabytes(most)} MB; make the plant smaller or let it have fewer parts${other}.`,
+		);
+	}
+}
+
+const megabytes = (bytes: number) => Math.ceil(bytes / 1e6).toLocaleString("en");
+
 /** A plant without any mesh, for a file that cannot be empty. */
 export class EmptyPlantError extends Error {
 	override name = "EmptyPlantError";

@@ -12,7 +12,7 @@ import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { classesOf, type WrittenClass } from "./classes";
 import { GENERATOR } from "./generator";
 import { measuresOf, type WrittenMeasures } from "./measures";
-import { floats, integers, Rows, vectors, words } from "./rows";
+import { floats, integers, Rows, recordRows, vectors, words } from "./rows";
 import { TextBuffer } from "./text_buffer";
 
 /** A place in metres, +Y up. */
@@ -89,7 +89,7 @@ export interface Recorded<S extends Specimen, G extends Plant, R extends object>
 }
 
 /** Rows as the lists of records that they are in a document. */
-export type RecordedRows<R> = { [Key in keyof R]: R[Key] extends Rows<infer Row> ? Row[] : R[Key] };
+export type RecordedRows<R> = { [Key in keyof R]: Exclude<R[Key], undefined> extends Rows<infer Row> ? Row[] : R[Key] };
 
 /** The document; `grown` and `specimen` are only read. Needs no meshes. */
 export function exportJson<S extends Specimen, G extends Plant, R extends object>(
@@ -102,20 +102,41 @@ export function exportJson<S extends Specimen, G extends Plant, R extends object
 	return Object.fromEntries(made) as PlantDocument<S> & RecordedRows<R>;
 }
 
-/** The document as `JSON.stringify` would write it, in UTF-8, in a third of the time. */
+/**
+ * The document as `JSON.stringify` would write it, in UTF-8, in a third of the time. Rows are written one by one, so that the
+ * document is in memory once, as text (`TextBuffer.chunks`).
+ * @param indent what each level is indented by; all on one line where absent
+ * @throws FileTooLargeError where the document is larger than files may be (limits.ts)
+ */
 export function writeJson<S extends Specimen, G extends Plant, R extends object>(
 	model: Recorded<S, G, R>,
 	grown: G,
 	specimen: S,
-): Uint8Array<ArrayBuffer> {
-	const out = new TextBuffer(1 << 18);
+	indent = "",
+): TextBuffer {
+	const out = new TextBuffer();
+	const [line, colon] = indent ? [`\n${indent}`, ": "] : ["", ":"];
 	Object.entries(contents(model, grown, specimen)).forEach(([key, value], place) => {
-		out.text(`${place === 0 ? "{" : ","}${JSON.stringify(key)}:`);
-		if (value instanceof Rows) value.write(out);
-		else out.text(JSON.stringify(value));
+		out.text(`${place === 0 ? "{" : ","}${line}${JSON.stringify(key)}${colon}`);
+		if (!(value instanceof Rows)) out.text(indented(value, indent, line));
+		else if (indent) writeIndented(out, value, indent);
+		else value.write(out);
 	});
-	out.word("}");
-	return out.bytes();
+	out.word(indent ? "\n}" : "}");
+	return out;
+}
+
+/** As `JSON.stringify` writes a value whose own line begins as `line` does. */
+function indented(value: unknown, indent: string, line: string): string {
+	return JSON.stringify(value, null, indent).replaceAll("\n", line);
+}
+
+function writeIndented(out: TextBuffer, rows: Rows<unknown>, indent: string): void {
+	const line = `\n${indent}${indent}`;
+	out.word("[");
+	for (let index = 0; index < rows.count; index++)
+		out.text(`${index > 0 ? "," : ""}${line}${indented(rows.record(index), indent, line)}`);
+	out.text(rows.count > 0 ? `\n${indent}]` : "]");
 }
 
 /** What is in the document, in its order, rows as such. */
@@ -155,7 +176,7 @@ function plantRecord({ segments, organs }: Plant) {
 }
 
 function segmentRows({ count, parent, tag, tags, ends, radii }: Segments): Rows<SegmentRecord> {
-	return new Rows<SegmentRecord>(count, {
+	return recordRows<SegmentRecord>(count, {
 		parent: integers(parent),
 		kind: words(tags, tag),
 		start: vectors(ends, 6, 0, 3),
@@ -166,7 +187,7 @@ function segmentRows({ count, parent, tag, tags, ends, radii }: Segments): Rows<
 }
 
 function organRows({ count, segment, tag, tags, transforms }: Organs): Rows<OrganRecord> {
-	return new Rows<OrganRecord>(count, {
+	return recordRows<OrganRecord>(count, {
 		kind: words(tags, tag),
 		segment: integers(segment),
 		position: vectors(transforms, 8, 0, 3),

@@ -6,16 +6,15 @@ import type { Picture } from "../plant/material";
 import { everyPart, type Part, type Shape, TRANSFORM } from "../plant/part";
 import type { About } from "./about";
 import { GENERATOR } from "./generator";
+import { checkMeshBytes } from "./limits";
 import { type NamedMaterial, writeMtl } from "./mtl";
 import { ObjMaterials } from "./obj_materials";
 import { ObjWriter } from "./obj_writer";
 import { onePixel } from "./one_pixel";
 import { palettedByMaterial } from "./palette";
 import { png } from "./png";
+import type { TextBuffer } from "./text_buffer";
 import { placed, together } from "./together";
-
-/** What a vertex is likely to take with its share of the faces, in bytes; only a guess to begin with. */
-const BYTES_PER_VERTEX = 160;
 
 /** A picture that the MTL asks for. */
 export interface ObjPicture {
@@ -27,6 +26,7 @@ export interface ObjPicture {
 /**
  * The two texts and their pictures. `name` is what the files are called without their endings: the OBJ asks for `name.mtl`.
  * @param pictured whether the MTL may ask for pictures; else it has colours alone
+ * @throws FileTooLargeError where the OBJ is larger than files may be (limits.ts)
  */
 export function exportObj(
 	parts: Iterable<Part>,
@@ -34,8 +34,21 @@ export function exportObj(
 	name: string,
 	pictured = true,
 ): { obj: string; mtl: string; pictures: ObjPicture[] } {
-	const all = [...everyPart([...parts].map(together))];
-	const writer = new ObjWriter(BYTES_PER_VERTEX * verticesOf(all));
+	const { obj, ...others } = writeObj(parts, about, name, pictured);
+	return { obj: obj.toString(), ...others };
+}
+
+/** The same with the OBJ in pieces (`TextBuffer.chunks`): as one string it would be in memory twice. */
+export function writeObj(
+	parts: Iterable<Part>,
+	about: About,
+	name: string,
+	pictured = true,
+): { obj: TextBuffer; mtl: string; pictures: ObjPicture[] } {
+	const own = [...parts];
+	checkMeshBytes(own, "meshes");
+	const all = [...everyPart(own.map(together))];
+	const writer = new ObjWriter();
 	writer.line(`# ${GENERATOR}: ${about.name}, metres, +Y up`);
 	writer.line(`# ${about.link}`);
 	writer.line(`mtllib ${name}.mtl`);
@@ -49,7 +62,7 @@ export function exportObj(
 	const named = materials
 		.all()
 		.map((each) => (pictured ? { ...each, pictures: picturesOf(each, name, pictures) } : each));
-	return { obj: writer.toString(), mtl: writeMtl(named), pictures: [...pictures.values()] };
+	return { obj: writer.text, mtl: writeMtl(named), pictures: [...pictures.values()] };
 }
 
 /**
@@ -68,13 +81,6 @@ function picturesOf({ name, material }: NamedMaterial, file: string, written: Ma
 		return [[kind, known.name]];
 	});
 	return Object.fromEntries(kinds);
-}
-
-function verticesOf(parts: readonly Part[]): number {
-	return parts.reduce((sum, { shape }) => {
-		const times = shape?.instances ? shape.instances.transforms.length / TRANSFORM : 1;
-		return sum + (times * (shape?.mesh.positions.length ?? 0)) / 3;
-	}, 0);
 }
 
 function writeShape(writer: ObjWriter, name: string, { mesh, instances }: Shape, material: string): void {

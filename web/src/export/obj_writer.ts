@@ -19,17 +19,12 @@ export interface ObjMesh {
 
 /** OBJ counts vertices, normals and texture coordinates from 1 through the whole file. */
 export class ObjWriter {
-	readonly #out: TextBuffer;
+	readonly #out = new TextBuffer();
 	/** Of all objects so far. */
 	#vertices = 0;
 	#uvs = 0;
 	/** The number of the first of each run of texture coordinates. */
 	readonly #known = new Map<Float32Array, number>();
-
-	/** @param capacity bytes to begin with */
-	constructor(capacity: number) {
-		this.#out = new TextBuffer(capacity);
-	}
 
 	line(text: string): void {
 		this.#out.text(`${text.replace(/[\r\n]+/g, " ")}\n`);
@@ -45,8 +40,9 @@ export class ObjWriter {
 		this.#faces(indices, material, first, this.#textureCoordinates(uvs));
 	}
 
-	toString(): string {
-		return this.#out.toString();
+	/** All statements; nothing may be written after. */
+	get text(): TextBuffer {
+		return this.#out;
 	}
 
 	/**

@@ -3,6 +3,7 @@ import type { Part } from "../plant/part";
 import type { Sway } from "../plant/sway";
 import type { About } from "./about";
 import type { Aged } from "./growth_glb";
+import { checkMeshBytes, type WrittenInstances } from "./limits";
 import type { Levels } from "./lod_glb";
 
 /** What a person may say of a file; what a file does not heed changes nothing. */
@@ -64,7 +65,12 @@ export interface PlantFile {
 	readonly blown?: true;
 	/** Whether it is of the plant for several distances, and so of models that make such. */
 	readonly levelled?: true;
-	/** @param parts only read; the same parts and options give the same bytes */
+	/** How it writes instances, for what it may hold (limits.ts); absent of files that are not made from the parts themselves. */
+	readonly instances?: WrittenInstances;
+	/**
+	 * @param parts only read; the same parts and options give the same bytes
+	 * @throws FileTooLargeError where the file would be larger than files may be (limits.ts)
+	 */
 	make(parts: Iterable<Part>, about: About, options: FileOptions, further?: Further): Promise<Uint8Array<ArrayBuffer>>;
 }
 
@@ -80,13 +86,14 @@ export const POINTS = 100_000;
 
 const GLB = { ending: "glb", type: "model/gltf-binary" } as const;
 
-export const PLANT_FILES: readonly PlantFile[] = [
+const FILES: readonly PlantFile[] = [
 	{
 		...GLB,
 		key: "glb",
 		form: "detailed",
 		title: "GLB",
 		about: "glTF, one node per part; opens everywhere",
+		instances: "nodes",
 		suffix: ".glb",
 		uses: ["translucent", "textures"],
 		make: async (parts, about, { translucent = false, textures = false }) => {
@@ -100,6 +107,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		form: "web",
 		title: "GLB for the web",
 		about: "At most 5 draw calls, compressed; for readers of EXT_meshopt_compression",
+		instances: "meshes",
 		suffix: "-web.glb",
 		make: async (parts, about) => (await import("./web_glb")).webGlb(parts, about),
 	},
@@ -109,6 +117,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		form: "low",
 		title: "GLB, low",
 		about: "As few triangles as you say; opens everywhere",
+		instances: "meshes",
 		suffix: "-low.glb",
 		uses: ["triangles"],
 		make: async (parts, about, { triangles }) => (await import("./low_glb")).lowGlb(parts, about, triangles),
@@ -119,6 +128,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		form: "instanced",
 		title: "GLB, instanced",
 		about: "Parts that are alike in one node; for readers of EXT_mesh_gpu_instancing",
+		instances: "shared",
 		suffix: "-instanced.glb",
 		uses: ["translucent"],
 		shared: true,
@@ -147,6 +157,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		form: "wind",
 		title: "GLB, in the wind",
 		about: "Swaying as an animation without end; opens everywhere",
+		instances: "meshes",
 		suffix: "-wind.glb",
 		uses: ["triangles"],
 		blown: true,
@@ -173,6 +184,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		type: "model/vnd.usdz+zip",
 		title: "USDZ for phones",
 		about: "Universal Scene Description; stands in the room on an iPhone",
+		instances: "meshes",
 		suffix: ".usdz",
 		make: async (parts, about) => (await import("./usdz")).usdz(parts, about),
 	},
@@ -182,6 +194,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		type: "application/octet-stream",
 		title: "PLY points",
 		about: "Places, normals and colours, evenly over the surface",
+		instances: "meshes",
 		suffix: ".ply",
 		uses: ["points"],
 		make: async (parts, about, { points = POINTS }) => (await import("./ply")).ply(parts, about, points),
@@ -192,6 +205,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		type: "model/3mf",
 		title: "3MF for printers",
 		about: "One closed body in millimetres, thick enough to print",
+		instances: "meshes",
 		suffix: ".3mf",
 		uses: ["thickness"],
 		slow: true,
@@ -204,6 +218,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		type: "model/stl",
 		title: "STL for printers",
 		about: "The same body for older programs",
+		instances: "meshes",
 		suffix: ".stl",
 		uses: ["thickness"],
 		slow: true,
@@ -211,6 +226,18 @@ export const PLANT_FILES: readonly PlantFile[] = [
 			(await import("./stl")).stl(parts, about, thickness, note),
 	},
 ];
+
+/** Each compares its size with the limit before it is made. */
+export const PLANT_FILES: readonly PlantFile[] = FILES.map((file) => {
+	const { instances, make } = file;
+	if (!instances) return file;
+	const checked: PlantFile["make"] = async (parts, ...others) => {
+		const all = [...parts];
+		checkMeshBytes(all, instances);
+		return make(all, ...others);
+	};
+	return { ...file, make: checked };
+});
 
 /** The file that a name's ending and perhaps a form mean. */
 export function plantFile(ending: string, form?: string): PlantFile | undefined {

@@ -16,28 +16,21 @@ export interface Field<Value> {
 
 type Fields<Row> = { readonly [Key in keyof Row]: Field<Row[Key]> };
 
-export class Rows<Row extends object> {
-	readonly #fields: [key: string, opening: string, field: Field<unknown>][];
-
-	/** @param fields in the order of their keys in the document */
+export class Rows<Row> {
+	/** @param row what each row is: a record (`recordRows`), or a number or a list */
 	constructor(
 		readonly count: number,
-		fields: Fields<Row>,
-	) {
-		this.#fields = Object.entries<Field<unknown>>(fields).map(([key, field], place) => [
-			key,
-			`${place === 0 ? "{" : ","}${JSON.stringify(key)}:`,
-			field,
-		]);
+		readonly row: Field<Row>,
+	) {}
+
+	/** What row `index` has. */
+	record(index: number): Row {
+		return this.row.at(index);
 	}
 
-	/** One object a row. */
+	/** One value a row. */
 	records(): Row[] {
-		return Array.from({ length: this.count }, (_, index) => {
-			const row: Record<string, unknown> = {};
-			for (const [key, , field] of this.#fields) row[key] = field.at(index);
-			return row as Row;
-		});
+		return Array.from({ length: this.count }, (_, index) => this.row.at(index));
 	}
 
 	/** Appends the text that `JSON.stringify` makes of the records. */
@@ -45,14 +38,54 @@ export class Rows<Row extends object> {
 		out.word("[");
 		for (let index = 0; index < this.count; index++) {
 			if (index > 0) out.word(",");
-			for (const [, opening, field] of this.#fields) {
-				out.word(opening);
-				field.write(out, index);
-			}
-			out.word("}");
+			this.row.write(out, index);
 		}
 		out.word("]");
 	}
+}
+
+/** Rows of records: objects with a field under each key, in the order of `all`. */
+export function recordRows<Row extends object>(count: number, all: Fields<Row>): Rows<Row> {
+	return new Rows(count, records(all));
+}
+
+function records<Row extends object>(all: Fields<Row>): Field<Row> {
+	const entries = Object.entries<Field<unknown>>(all);
+	const openings = entries.map(([key], place) => `${place === 0 ? "{" : ","}${JSON.stringify(key)}:`);
+	return {
+		at(index) {
+			const row: Record<string, unknown> = {};
+			for (const [key, field] of entries) row[key] = field.at(index);
+			return row as Row;
+		},
+		write(out, index) {
+			for (const [place, [, field]] of entries.entries()) {
+				out.word(openings[place]);
+				field.write(out, index);
+			}
+			out.word("}");
+		},
+	};
+}
+
+/** Lists of whole numbers, one of `lists` a row. */
+export function lists(all: readonly ArrayLike<number>[]): Field<number[]> {
+	return {
+		at: (index) => Array.from(all[index]),
+		write(out, index) {
+			out.word("[");
+			for (let i = 0; i < all[index].length; i++) {
+				if (i > 0) out.word(",");
+				out.short(all[index][i]);
+			}
+			out.word("]");
+		},
+	};
+}
+
+/** What another field has at the places of a list. */
+export function placed<Value>(field: Field<Value>, places: ArrayLike<number>): Field<Value> {
+	return { at: (index) => field.at(places[index]), write: (out, index) => field.write(out, places[index]) };
 }
 
 /** Numbers that are no fractions. */

@@ -1,3 +1,5 @@
+import { FileTooLargeError } from "./file_error";
+import { MOST_TEXT_BYTES } from "./limits";
 import { EXACT_POWERS, placesOf, shortFloat } from "./numbers";
 
 /**
@@ -14,13 +16,29 @@ const LONGEST_NUMBER = 18;
 const LARGEST_INTEGER = 0x7fffffff;
 const POWERS = [1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
 
+/** Bytes of a chunk of text: a long text is never copied to grow. */
+const CHUNK = 1 << 20;
+/** The first is smaller: many texts are short. */
+const FIRST_CHUNK = 1 << 16;
+
+/** Throws FileTooLargeError where the text becomes larger than `most`. */
 export class TextBuffer {
+	/** Chunks that are complete. */
+	readonly #chunks: Uint8Array<ArrayBuffer>[] = [];
+	/** Their bytes. */
+	#complete = 0;
 	#bytes: Uint8Array<ArrayBuffer>;
 	#length = 0;
 
-	/** @param capacity bytes to begin with; more are taken as needed. */
-	constructor(capacity = 1 << 16) {
-		this.#bytes = new Uint8Array(capacity);
+	/**
+	 * @param chunk bytes of each chunk
+	 * @param most bytes of the text at the most
+	 */
+	constructor(
+		readonly chunk = CHUNK,
+		readonly most = MOST_TEXT_BYTES,
+	) {
+		this.#bytes = new Uint8Array(Math.min(chunk, FIRST_CHUNK));
 	}
 
 	/** Appends any text, as UTF-8. */
@@ -86,14 +104,27 @@ export class TextBuffer {
 		this.#fraction(scaled - whole * power, places);
 	}
 
-	/** All that was appended. */
+	/** All that was appended, in pieces: for files, which need it in one piece nowhere. Nothing may be appended after. */
+	chunks(): Uint8Array<ArrayBuffer>[] {
+		return [...this.#chunks, this.#bytes.subarray(0, this.#length)];
+	}
+
+	/** The same in one piece of its own. */
 	bytes(): Uint8Array<ArrayBuffer> {
-		return this.#bytes.slice(0, this.#length);
+		const whole = new Uint8Array(this.#complete + this.#length);
+		let at = 0;
+		for (const chunk of this.chunks()) {
+			whole.set(chunk, at);
+			at += chunk.length;
+		}
+		return whole;
 	}
 
 	/** The same as a text. */
 	toString(): string {
-		return new TextDecoder().decode(this.#bytes.subarray(0, this.#length));
+		const decoder = new TextDecoder();
+		const texts = this.chunks().map((chunk) => decoder.decode(chunk, { stream: true }));
+		return texts.join("") + decoder.decode();
 	}
 
 	#fraction(scaled: number, decimals: number): void {
@@ -122,8 +153,10 @@ export class TextBuffer {
 
 	#reserve(bytes: number): void {
 		if (this.#length + bytes <= this.#bytes.length) return;
-		const larger = new Uint8Array(Math.max(2 * this.#bytes.length, this.#length + bytes));
-		larger.set(this.#bytes);
-		this.#bytes = larger;
+		if (this.#complete + this.#length + bytes > this.most) throw new FileTooLargeError(undefined, this.most);
+		if (this.#length > 0) this.#chunks.push(this.#bytes.subarray(0, this.#length));
+		this.#complete += this.#length;
+		this.#length = 0;
+		this.#bytes = new Uint8Array(Math.max(this.chunk, bytes));
 	}
 }

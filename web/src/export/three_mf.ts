@@ -32,7 +32,7 @@ export async function threeMf(
 ): Promise<Uint8Array<ArrayBuffer>> {
 	const solid = await solidOf(parts, thickness / 1000);
 	solidNotes(solid, thickness / 1000).forEach(note);
-	const out = new TextBuffer(30 * solid.indices.length);
+	const out = new TextBuffer();
 	out.text(`<?xml version="1.0" encoding="UTF-8"?>
 <model unit="millimeter" xml:lang="en" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><metadata name="Title">${escaped(`${about.name}, 1:${solid.scale}`)}</metadata><metadata name="Application">${GENERATOR}</metadata><metadata name="Description">${escaped(about.link)}</metadata><resources><object id="1" type="model"><mesh><vertices>`);
 	const corners = printed(solid);
@@ -60,7 +60,7 @@ export async function threeMf(
 	const files: Zippable = {
 		"[Content_Types].xml": encoder.encode(TYPES),
 		"_rels/.rels": encoder.encode(RELATIONS),
-		"3D/3dmodel.model": encoder.encode(out.toString()),
+		"3D/3dmodel.model": out.bytes(),
 	};
 	return zipSync(files, { level: LEVEL, mtime: ZIP_DATE });
 }

@@ -27,7 +27,7 @@ const CLOSE = 0x29;
 
 export async function usdz(parts: Iterable<Part>, about: About): Promise<Uint8Array<ArrayBuffer>> {
 	const light = paletted(await lightParts(parts, { triangles: TRIANGLES, pixels: PIXELS }));
-	const out = new TextBuffer(1 << 20);
+	const out = new TextBuffer();
 	const pictures: [string, Uint8Array][] = [];
 	out.text(`#usda 1.0
 (
@@ -57,7 +57,7 @@ def Xform "Plant" (
 		writeMesh(out, i, mesh, material, picture && mesh.uvs);
 	}
 	out.text("}\n");
-	return zipped([["plant.usda", new TextEncoder().encode(out.toString())], ...pictures]);
+	return zipped([["plant.usda", out.bytes()], ...pictures]);
 }
 
 function writeMesh(

@@ -1,7 +1,7 @@
 /** The files of a grown plant: what `Download` gives but for pictures. Runs in a worker, or anywhere. */
 import { aboutPlant } from "../export/about_plant";
-import { exportJson } from "../export/json";
-import { exportObj } from "../export/obj";
+import { writeJson } from "../export/json";
+import { writeObj } from "../export/obj";
 import { PLANT_FILES } from "../export/plant_files";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
@@ -37,9 +37,9 @@ export async function makeFile(model: Model, request: FileRequest, grow?: Growin
 		return new Blob([await file.make(parts, about, options ?? {}, further)], { type: file.type });
 	}
 	if (format !== "obj") throw new RangeError(`There is no file “${format}” of a ${model.noun}.`);
-	const { obj, mtl, pictures } = exportObj(parts, about, name);
+	const { obj, mtl, pictures } = writeObj(parts, about, name);
 	const all = [
-		{ name: `${name}.obj`, bytes: encoder.encode(obj) },
+		{ name: `${name}.obj`, bytes: obj.bytes() },
 		{ name: `${name}.mtl`, bytes: encoder.encode(mtl) },
 		...pictures,
 	];
@@ -47,6 +47,5 @@ export async function makeFile(model: Model, request: FileRequest, grow?: Growin
 }
 
 function json(model: Model, { grown, specimen }: FileRequest): Blob {
-	const document = JSON.stringify(exportJson(model, grown, specimen), null, "\t");
-	return new Blob([`${document}\n`], { type: "application/json" });
+	return new Blob([...writeJson(model, grown, specimen, "\t").chunks(), "\n"], { type: "application/json" });
 }

@@ -7,9 +7,9 @@ import type { Core } from "../core/core";
 import { Cores } from "../core/cores";
 import { CoreError, CoreTrap } from "../core/errors";
 import { aboutPlant } from "../export/about_plant";
-import { EmptyPlantError } from "../export/file_error";
+import { EmptyPlantError, FileTooLargeError } from "../export/file_error";
 import { writeJson } from "../export/json";
-import { exportObj } from "../export/obj";
+import { writeObj } from "../export/obj";
 import { PLANT_FILES } from "../export/plant_files";
 import { hasAges } from "../files/aged";
 import { growPlant, untimed } from "../files/growth";
@@ -93,7 +93,8 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 		const file = await fileOf(asked, format, plant, (other, wanted) =>
 			growPlant(asked.model, other, { measures: false, ...wanted }, run),
 		).catch((error: unknown) => {
-			throw error instanceof EmptyPlantError ? new Refused(422, error.message) : error;
+			if (error instanceof EmptyPlantError) throw new Refused(422, error.message);
+			throw error instanceof FileTooLargeError ? new Refused(413, error.message) : error;
 		});
 		const headers = {
 			...FOR_ALL,
@@ -139,22 +140,22 @@ async function fileOf(
 	grown: Plant,
 	growing: Growing,
 ): Promise<Blob> {
-	if (format === "json") return new Blob([writeJson(model, grown, specimen)], { type: "application/json" });
+	if (format === "json") return new Blob(writeJson(model, grown, specimen).chunks(), { type: "application/json" });
 	const link = await encodeLink(model, specimen);
 	if (format === "obj" || format === "mtl") {
 		const about = await aboutPlant(model, grown, specimen, link);
-		const files = exportObj(model.parts(grown, specimen), about, name, neighbours);
-		return new Blob([files[format]], { type: `model/${format}` });
+		const { obj, mtl } = writeObj(model.parts(grown, specimen), about, name, neighbours);
+		return new Blob(format === "obj" ? obj.chunks() : [mtl], { type: `model/${format}` });
 	}
 	if (format === OF_OBJ)
-		return picture(exportObj(model.parts(grown, specimen), await aboutPlant(model, grown, specimen, link), ""), name);
+		return picture(writeObj(model.parts(grown, specimen), await aboutPlant(model, grown, specimen, link), ""), name);
 	const key = format === "zip-obj" ? "obj" : format;
 	const request = { model: model.name, format: key, grown, specimen, link, name, options };
 	return makeFile(model, request, growing);
 }
 
 /** The picture that an MTL of any name asks for by this one, which ends as the material and the kind do. */
-function picture({ pictures }: ReturnType<typeof exportObj>, name: string): Blob {
+function picture({ pictures }: ReturnType<typeof writeObj>, name: string): Blob {
 	const meant = pictures.filter((each) => `${name}.png`.endsWith(each.name));
 	const [found] = meant.sort((one, other) => other.name.length - one.name.length);
 	if (!found) throw new Refused(404, `no material has the picture “${name.slice(0, 60)}.png”`);

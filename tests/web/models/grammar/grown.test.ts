@@ -55,7 +55,7 @@ describe("a plant that a text grows", () => {
 			[4, "ball"],
 			[9, "ball"],
 		]);
-		expect(JSON.parse(new TextDecoder().decode(writeJson(model, grown, specimen)))).toEqual(json);
+		expect(JSON.parse(writeJson(model, grown, specimen).toString())).toEqual(json);
 		expect(exportJson(model, grow(specimen), specimen)).not.toHaveProperty("string");
 	});
 

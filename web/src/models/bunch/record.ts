@@ -1,6 +1,6 @@
 /** A bunch as numbers: every berry and internode with its place, size and parent, for those who compute. Lengths are metres. */
 import { shortFloat } from "../../export/numbers";
-import { floats, integers, Rows, vectors, words } from "../../export/rows";
+import { floats, integers, type Rows, recordRows, vectors, words } from "../../export/rows";
 import {
 	type Berries,
 	type BerryForm,
@@ -102,7 +102,8 @@ export function bunchRecord(grown: Grown): BunchRecord {
 		form: { ...form, taper: shortFloat(form.taper), blunt: shortFloat(form.blunt), curve: shortFloat(form.curve) },
 		...(profile && { profile: shortened(profile) }),
 		plan: grown.second ? { ...grown.plan, second: grown.second } : { ...grown.plan },
-		berries: procedure === "natural" ? naturalBerryRows(berries) : new Rows<BerryRecord>(berries.count, balls(berries)),
+		berries:
+			procedure === "natural" ? naturalBerryRows(berries) : recordRows<BerryRecord>(berries.count, balls(berries)),
 		thinned: thinnedRows(thinned),
 		internodes: internodeRows(internodes),
 		organs: organRows(berries),
@@ -125,7 +126,7 @@ function balls({ spheres, parent }: Berries) {
 
 function naturalBerryRows(berries: Berries): Rows<NaturalBerryRecord> {
 	const trait = (name: Trait) => floats(berries.traits, TRAITS.length, TRAITS.indexOf(name));
-	return new Rows<NaturalBerryRecord>(berries.count, {
+	return recordRows<NaturalBerryRecord>(berries.count, {
 		...balls(berries),
 		id: integers(berries.ids),
 		width: trait("width"),
@@ -145,7 +146,7 @@ function thinnedRows(thinned: Grown["thinned"]): Rows<ThinnedRecord> {
 	thinned.forEach(({ place }, index) => {
 		places.set(place, 3 * index);
 	});
-	return new Rows<ThinnedRecord>(thinned.length, {
+	return recordRows<ThinnedRecord>(thinned.length, {
 		id: integers(thinned.map(({ id }) => id)),
 		why: words(
 			THINNED_WHY,
@@ -160,7 +161,7 @@ function thinnedRows(thinned: Grown["thinned"]): Rows<ThinnedRecord> {
 function organRows({ count, spheres, parent, directions, traits }: Berries): Rows<BerryOrgan> {
 	const set = TRAITS.indexOf("set");
 	const isBerry = Uint8Array.from({ length: count }, (_, index) => (traits[TRAITS.length * index + set] > 0 ? 1 : 0));
-	return new Rows<BerryOrgan>(count, {
+	return recordRows<BerryOrgan>(count, {
 		kind: words(["flower", "berry"], isBerry),
 		segment: integers(parent),
 		position: vectors(spheres, 4, 0, 3),
@@ -170,7 +171,7 @@ function organRows({ count, spheres, parent, directions, traits }: Berries): Row
 }
 
 function internodeRows({ count, parent, kind, axis, state, ends, radii }: Internodes): Rows<InternodeRecord> {
-	return new Rows<InternodeRecord>(count, {
+	return recordRows<InternodeRecord>(count, {
 		parent: integers(parent),
 		kind: words(INTERNODE_KINDS, kind),
 		axis: integers(axis),

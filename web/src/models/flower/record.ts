@@ -1,6 +1,7 @@
 /** What the JSON document says of a flower besides what it says of any plant: its map, so that anyone can check it. */
 import { type Cell, writeCsv } from "../../export/csv";
 import { shortFloat } from "../../export/numbers";
+import { integers, lists, placed, Rows, vectors } from "../../export/rows";
 import type { FlowerPlant } from "./flower_plant";
 
 export interface FlowerRecord {
@@ -14,13 +15,13 @@ export interface FlowerRecord {
 	/** Those that are sewn to nothing there. */
 	attached: number[];
 	/** Of each volume N, T, atx, aty, atz, H, L, W, m. */
-	values: number[][];
+	values: Rows<number[]>;
 	/** α0 … α3: of each dart the one that it leads to. */
-	alpha?: number[][];
+	alpha?: Rows<number[]>;
 	/** Of each dart its volume. */
-	volume?: number[];
+	volume?: Rows<number>;
 	/** Of each dart where it stands, metres. */
-	position?: number[][];
+	position?: Rows<number[]>;
 }
 
 const NOBODY = 0xffffffff;
@@ -36,18 +37,15 @@ export function flowerRecord({ volumes, darts }: FlowerPlant): FlowerRecord {
 		parent: Array.from(parent, (of) => (of === NOBODY ? -1 : of)),
 		face: Array.from(face, (of, i) => (parent[i] === NOBODY ? null : faceName(of))),
 		attached: [...attached.keys()].filter((i) => attached[i] === 1),
-		values: Array.from(label, (_, i) => Array.from(values.subarray(9 * i, 9 * i + 9), shortFloat)),
+		values: new Rows(label.length, vectors<number[]>(values, 9, 0, 9)),
 	};
 	if (!darts) return record;
 	const { alpha, volume, vertex, positions } = darts;
-	const places = Array.from({ length: positions.length / 3 }, (_, i) =>
-		Array.from(positions.subarray(3 * i, 3 * i + 3), shortFloat),
-	);
 	return {
 		...record,
-		alpha: alpha.map((each) => Array.from(each)),
-		volume: Array.from(volume),
-		position: Array.from(vertex, (at) => places[at]),
+		alpha: new Rows(alpha.length, lists(alpha)),
+		volume: new Rows(volume.length, integers(volume)),
+		position: new Rows(vertex.length, placed(vectors<number[]>(positions, 3, 0, 3), vertex)),
 	};
 }
 

@@ -1,7 +1,7 @@
 /** What the JSON document says of what a text has grown, besides and in place of what it says of any plant. */
 import type { OrganRecord, SegmentRecord } from "../../export/json";
 import { shortFloat } from "../../export/numbers";
-import { floats, integers, Rows, vectors, words } from "../../export/rows";
+import { floats, integers, type Rows, recordRows, vectors, words } from "../../export/rows";
 import type { Area } from "./areas/area";
 import type { GrammarPlant } from "./grammar_plant";
 
@@ -55,7 +55,7 @@ export function grammarRecord(plant: GrammarPlant): GrammarRecord {
 		steps: counts.steps,
 		...(string === undefined ? {} : { string }),
 		...(areas ? { areas: areas.map((area, i) => areaRecord(area, i, plant)) } : {}),
-		segments: new Rows<LineRecord>(segments.count, {
+		segments: recordRows<LineRecord>(segments.count, {
 			parent: integers(segments.parent),
 			kind: words(segments.tags, segments.tag),
 			start: vectors(segments.ends, 6, 0, 3),
@@ -66,7 +66,7 @@ export function grammarRecord(plant: GrammarPlant): GrammarRecord {
 			colour: integers(lines.colour),
 			...(belongs ? { area: integers(belongs.area), main: integers(belongs.main) } : {}),
 		}),
-		organs: new Rows<BorneRecord>(organs.count, {
+		organs: recordRows<BorneRecord>(organs.count, {
 			kind: words(organs.tags, organs.tag),
 			segment: integers(organs.segment),
 			position: vectors(organs.transforms, 8, 0, 3),

@@ -1,6 +1,6 @@
 /** What the JSON document says of a tree of a growth grammar, besides and in place of what it says of any plant. */
 import type { SegmentRecord } from "../../export/json";
-import { floats, integers, Rows, vectors, words } from "../../export/rows";
+import { floats, integers, type Rows, recordRows, vectors, words } from "../../export/rows";
 import type { GrowthPlant } from "./growth_plant";
 import type { GrowthVolume } from "./volumes/volume";
 
@@ -20,7 +20,7 @@ export function growthRecord({ segments, shoots, volumes }: GrowthPlant): {
 } {
 	return {
 		volumes,
-		segments: new Rows<ShootRecord>(segments.count, {
+		segments: recordRows<ShootRecord>(segments.count, {
 			parent: integers(segments.parent),
 			kind: words(segments.tags, segments.tag),
 			start: vectors(segments.ends, 6, 0, 3),

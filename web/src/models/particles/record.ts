@@ -1,6 +1,6 @@
 /** What the JSON document says of trails, in place of what it says of any segments. */
 import { shortFloat } from "../../export/numbers";
-import { floats, integers, Rows, vectors, words } from "../../export/rows";
+import { floats, integers, type Rows, recordRows, vectors, words } from "../../export/rows";
 import type { TrailPlant } from "./trails";
 
 type Vector = [x: number, y: number, z: number];
@@ -40,7 +40,7 @@ export function trailRecord(plant: TrailPlant): {
 	const { parent, tag, tags, ends, radii } = segments;
 	return {
 		counts: { ...counts, energy: arrived.reduce((sum, each) => sum + shortFloat(each), 0) },
-		segments: new Rows<TrailRecord>(segments.count, {
+		segments: recordRows<TrailRecord>(segments.count, {
 			parent: integers(parent),
 			kind: words(tags, tag),
 			start: vectors(ends, 6, 0, 3),
@@ -49,7 +49,7 @@ export function trailRecord(plant: TrailPlant): {
 			radius: floats(radii, 2, 0),
 			radiusEnd: floats(radii, 2, 1),
 		}),
-		targets: new Rows<TargetRecord>(arrived.length, {
+		targets: recordRows<TargetRecord>(arrived.length, {
 			x: floats(targets, 3, 0),
 			y: floats(targets, 3, 1),
 			z: floats(targets, 3, 2),

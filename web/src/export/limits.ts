@@ -1,0 +1,43 @@
+/**
+ * What one file may take (docs/export.md), so that a small text or link cannot take all memory. The core has limits of its own
+ * (wasm-core/src/foundation/limits.hpp).
+ */
+import { everyPart, type Part, type PartMesh, TRANSFORM } from "../plant/part";
+import { FileTooLargeError } from "./file_error";
+
+/** Bytes of the meshes in a file, each as often as the file has it. */
+export const MOST_MESH_BYTES = 320_000_000;
+/** Bytes of a file that is text (JSON, OBJ, CSV), or of the text in it (USDZ, 3MF). */
+export const MOST_TEXT_BYTES = 200_000_000;
+
+/**
+ * How a file writes instances: each mesh once (`shared`); those that are parts of their own as nodes that share a mesh, all others
+ * as meshes (`nodes`); all as meshes (`meshes`).
+ */
+export type WrittenInstances = "shared" | "nodes" | "meshes";
+
+/** @throws FileTooLargeError where a file would hold more bytes of meshes than `MOST_MESH_BYTES` */
+export function checkMeshBytes(parts: Iterable<Part>, instances: WrittenInstances): void {
+	const bytes = meshBytes(parts, instances);
+	if (bytes > MOST_MESH_BYTES) throw new FileTooLargeError(bytes, MOST_MESH_BYTES, instances !== "shared");
+}
+
+/** Bytes of the meshes in a file. Meshes that parts share count once where instances are not written as meshes. */
+export function meshBytes(parts: Iterable<Part>, instances: WrittenInstances): number {
+	const counted = new Set<PartMesh>();
+	let bytes = 0;
+	for (const { shape } of everyPart(parts)) {
+		if (!shape) continue;
+		const { mesh } = shape;
+		const isShared = instances === "shared" || (instances === "nodes" && shape.instances?.each !== undefined);
+		if (isShared && counted.has(mesh)) continue;
+		if (isShared) counted.add(mesh);
+		const times = isShared || !shape.instances ? 1 : shape.instances.transforms.length / TRANSFORM;
+		bytes += times * bytesOf(mesh);
+	}
+	return bytes;
+}
+
+function bytesOf({ positions, normals, uvs, indices }: PartMesh): number {
+	return positions.byteLength + normals.byteLength + uvs.byteLength + indices.byteLength;
+}
