@@ -1,5 +1,5 @@
 /** Leaves side by side on paper, flat, in the same scale: their margins, and their veins as wide as they are. */
-import type { Leaf } from "../../web/src/models/particles/leaf/grown";
+import type { Leaf } from "../../web/src/models/leaf/grown";
 
 interface Subject {
 	name: string;

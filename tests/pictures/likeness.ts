@@ -4,8 +4,8 @@ import { join } from "node:path";
 import { moduleOf, repository } from "../../wasm-core/tools/repository.mjs";
 import { loadCoreFromBytes } from "../../web/src/core/loader";
 import { exportJson } from "../../web/src/export/json";
-import { model } from "../../web/src/models/particles/leaf/index";
-import { leafFromPreset } from "../../web/src/models/particles/leaf/species";
+import { model } from "../../web/src/models/leaf/index";
+import { leafFromPreset } from "../../web/src/models/leaf/species";
 import type { DocsFile } from "./docs_file";
 import { figureOf } from "./leaf_veins";
 

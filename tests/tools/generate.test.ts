@@ -125,7 +125,7 @@ describe("generate", () => {
 		expect(generate({ root })).toEqual(paths);
 		expect(found().sort()).toEqual([...paths].sort());
 		for (const { path, text } of files) expect(readFileSync(join(root, path), "utf8")).toBe(text);
-		expect(paths).toContain("wasm-core/src/models/particles/leaf/parameters.generated.hpp");
+		expect(paths).toContain("wasm-core/src/models/leaf/parameters.generated.hpp");
 		expect(paths).toContain("web/src/models/bunch/grammars.generated.ts");
 		expect(paths).toContain("docs/turtle.md");
 	});

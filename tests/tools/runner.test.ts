@@ -82,7 +82,7 @@ describe("the arguments of a test run", () => {
 
 describe("the tests of what changed", () => {
 	it.each([
-		"wasm-core/src/lsystem/code.cpp",
+		"wasm-core/src/expression/code.cpp",
 		"wasm-core/parameters/bunch.json",
 		"wasm-core/grammars/flower/tulip.gl3",
 		"tests/core/fuzz_dice.hpp",

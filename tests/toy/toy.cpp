@@ -1,6 +1,7 @@
 // The toy's core: any grammar, drawn as it stands, upright. With toy.json (its table) and index.ts it is a whole model.
-#include "plant/model.hpp"
-#include "plant/plain.hpp"
+#include "lsystem_plant/plain_plant.hpp"
+#include "lsystem_plant/requested_program.hpp"
+#include "protocol/model.hpp"
 
 namespace panicle::toy {
 namespace {
@@ -14,7 +15,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   options.mesh_fingerprint = request.wants("mesh_fingerprint");
   if (request.has("steps")) options.steps = request.word("steps");
   const auto parameters = request.floats("parameters");
-  const auto program = request.program(limits);
+  const auto program = requested_program(request, {}, limits);
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
   if (!program) return program.error();
   lsystem::turn(options.turtle, 180);
@@ -27,6 +28,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
 }  // namespace
 
 extern const Model model;
-const Model model{"toy", grow};
+const Model model{"toy", grow,
+                  [](std::string_view text, const Limits& limits) { return compile_program(text, {}, limits); }};
 
 }  // namespace panicle::toy

@@ -1,5 +1,5 @@
 // core_bench_native KERNEL SIZE ROUNDS RUNS   times a kernel
-// core_bench_native grow ROUNDS RUNS < request  times panicle_grow on one request (boundary/panicle.h)
+// core_bench_native grow ROUNDS RUNS < request  times panicle_grow on one request (exports/panicle.h)
 // Prints one line of JSON: the work of one round and the microseconds of a round, one number a run.
 #ifndef __EMSCRIPTEN__
 
@@ -9,7 +9,7 @@
 #include <ctime>
 #include <vector>
 
-#include "boundary/panicle.h"
+#include "exports/panicle.h"
 #include "kernels.hpp"
 
 namespace {

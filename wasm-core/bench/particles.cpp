@@ -4,9 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "environment/point_grid.hpp"
-#include "models/particles/crowd.hpp"
+#include "models/particles/particle_system.hpp"
 #include "models/particles/scatter.hpp"
+#include "spatial/point_grid.hpp"
 
 namespace panicle::bench {
 namespace {

@@ -1,11 +1,11 @@
-// A request (boundary/panicle.h) from the standard input, grown natively; the answer to the standard output. Tests
+// A request (exports/panicle.h) from the standard input, grown natively; the answer to the standard output. Tests
 // compare it with what the wasm gives.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <vector>
 
-#include "boundary/panicle.h"
+#include "exports/panicle.h"
 #include "foundation/container.hpp"
 
 int main() {

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "lsystem/derivation.hpp"
+#include "lsystem/derivation/derivation.hpp"
 #include "lsystem/published.hpp"
 
 using namespace panicle;

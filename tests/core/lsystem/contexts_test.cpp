@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "foundation/random.hpp"
-#include "lsystem/derivation.hpp"
+#include "lsystem/derivation/derivation.hpp"
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;

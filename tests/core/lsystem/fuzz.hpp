@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fuzz_dice.hpp"
-#include "lsystem/derivation.hpp"
+#include "lsystem/derivation/derivation.hpp"
 #include "lsystem/grammars.hpp"
 
 namespace panicle::tests {
@@ -27,7 +27,7 @@ class Contrary : public Listener {
 };
 
 // Slabs that are inside and outside in turn, and a reach that is no number at all in every fifth area.
-class Slabs : public lsystem::Space {
+class Slabs : public expression::Space {
  public:
   bool bound(const glm::vec3& place, float area) const override { return std::fmod(place.y + area, 2.0F) < 1; }
   float reach(const glm::vec3&, const glm::vec3&, float area, float most) const override {

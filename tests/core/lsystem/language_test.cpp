@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "lsystem/derivation.hpp"
+#include "lsystem/derivation/derivation.hpp"
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;
@@ -73,7 +73,7 @@ void is_at(const glm::vec3& p, float x, float y, float z) {
 const std::string cpfg = "#turtle cpfg\naxiom: ";
 
 // Inside of area 1 is where y < 3.5.
-class Below : public lsystem::Space {
+class Below : public expression::Space {
  public:
   bool bound(const glm::vec3& place, float area) const override { return area == 1 && place.y < 3.5f; }
   float reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const override {

@@ -1,5 +1,5 @@
 // Steps and answers in turn: open L-systems (Měch and Prusinkiewicz 1996).
-#include "lsystem/derivation.hpp"
+#include "lsystem/derivation/derivation.hpp"
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "grammar_files.hpp"
+#include "lsystem/derivation/words.hpp"
 #include "lsystem/grammars.hpp"
-#include "lsystem/words.hpp"
 
 namespace panicle::tests {
 

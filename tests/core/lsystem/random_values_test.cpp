@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "lsystem/derivation.hpp"
+#include "lsystem/derivation/derivation.hpp"
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;

@@ -1,4 +1,4 @@
-#include "lsystem/turtle.hpp"
+#include "lsystem/turtle/turtle.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>

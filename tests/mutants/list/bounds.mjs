@@ -1,11 +1,11 @@
 /** Meshes and geometry that would take too long, too much memory, or be no numbers. */
-const SOLID = "tests/core/environment/solid_test.cpp";
+const SOLID = "tests/core/spatial/solid_test.cpp";
 const MESH_FILE = "tests/web/controls/mesh_file/mesh_file.test.ts";
 const IN_WORKER = "tests/web/controls/mesh_file/read_in_worker.test.ts";
 
 export default [
 	{
-		file: "wasm-core/src/environment/solid.cpp",
+		file: "wasm-core/src/spatial/solid.cpp",
 		suites: [SOLID],
 		faults: [
 			{
@@ -42,8 +42,8 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/models/particles/tree/crown.hpp",
-		suites: ["tests/core/models/particles/tree_test.cpp"],
+		file: "wasm-core/src/models/tree/crown.hpp",
+		suites: ["tests/core/models/tree/tree_test.cpp"],
 		faults: [
 			{
 				id: "exhausted-solid-grows-little",
@@ -54,8 +54,8 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/environment/matter_cells.cpp",
-		suites: ["tests/core/environment/matter_cells_test.cpp"],
+		file: "wasm-core/src/light/density_grid.cpp",
+		suites: ["tests/core/light/density_grid_test.cpp"],
 		faults: [
 			{
 				id: "cells-without-end",
@@ -66,8 +66,8 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/geometry/triangulation.cpp",
-		suites: ["tests/core/geometry/triangulation_test.cpp"],
+		file: "wasm-core/src/mesh/triangulation.cpp",
+		suites: ["tests/core/mesh/triangulation_test.cpp"],
 		faults: [
 			{
 				id: "triangulation-steps-uncounted",
@@ -90,8 +90,8 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/boundary/answer.cpp",
-		suites: ["tests/core/boundary/boundary_test.cpp"],
+		file: "wasm-core/src/protocol/answer.cpp",
+		suites: ["tests/core/exports/panicle_test.cpp"],
 		faults: [
 			{
 				id: "segment-tags-of-8-bits",
@@ -108,7 +108,7 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/lsystem/interpretation.cpp",
+		file: "wasm-core/src/lsystem/turtle/interpretation.cpp",
 		suites: ["tests/core/lsystem/interpretation_test.cpp"],
 		faults: [
 			{

@@ -136,7 +136,7 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/plant/flat_leaf.cpp",
+		file: "wasm-core/src/foliage/flat_leaf.cpp",
 		suites: [`${TESTS}/foliage/leaf_test.cpp`],
 		faults: [
 			{

@@ -87,8 +87,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/particles/leaf/outline/bent.ts",
-		suites: ["tests/web/models/particles/leaf/outline/bent.test.ts"],
+		file: "web/src/models/leaf/outline/bent.ts",
+		suites: ["tests/web/models/leaf/outline/bent.test.ts"],
 		faults: [
 			{
 				id: "leaf-handles-curl-the-other-way",

@@ -37,8 +37,8 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/geometry/thinning.cpp",
-		suites: ["tests/core/geometry/thinning_test.cpp"],
+		file: "wasm-core/src/mesh/simplification.cpp",
+		suites: ["tests/core/mesh/simplification_test.cpp"],
 		faults: [
 			{
 				id: "thinning-turns-over",

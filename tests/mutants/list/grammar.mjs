@@ -119,7 +119,7 @@ export default [
 		],
 	},
 	{
-		file: `${CORE}/lsystem/parser.cpp`,
+		file: `${CORE}/lsystem/syntax/parser.cpp`,
 		suites: ["tests/core/lsystem/mistakes_test.cpp"],
 		faults: [
 			{
@@ -143,7 +143,7 @@ export default [
 		],
 	},
 	{
-		file: `${CORE}/geometry/polygon.cpp`,
+		file: `${CORE}/mesh/polygon.cpp`,
 		suites: [`${TESTS}/geometry/polygon_test.cpp`],
 		faults: [
 			{

@@ -1,6 +1,6 @@
 /** What a leaf is laid with, from the pictures' pixels to view and files. */
-const PARTS = "web/src/models/particles/leaf/parts";
-const TESTS = "tests/web/models/particles/leaf";
+const PARTS = "web/src/models/leaf/parts";
+const TESTS = "tests/web/models/leaf";
 
 export default [
 	{

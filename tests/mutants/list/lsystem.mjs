@@ -4,7 +4,7 @@ const TESTS = "tests/core";
 
 export default [
 	{
-		file: `${SRC}/lsystem/compiler.cpp`,
+		file: `${SRC}/lsystem/syntax/compiler.cpp`,
 		suites: [`${TESTS}/models/grammar/limits_test.cpp`],
 		faults: [
 			{
@@ -16,7 +16,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/production_reader.cpp`,
+		file: `${SRC}/lsystem/syntax/production_reader.cpp`,
 		suites: [`${TESTS}/lsystem/limits_test.cpp`],
 		faults: [
 			{
@@ -28,7 +28,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/bound.cpp`,
+		file: `${SRC}/lsystem/derivation/bound_program.cpp`,
 		suites: [`${TESTS}/lsystem/limits_test.cpp`],
 		faults: [
 			{
@@ -40,7 +40,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/derivation.cpp`,
+		file: `${SRC}/lsystem/derivation/derivation.cpp`,
 		suites: [`${TESTS}/lsystem/derivation_test.cpp`, `${TESTS}/lsystem/open_derivation_test.cpp`],
 		faults: [
 			{
@@ -58,7 +58,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/derivation.cpp`,
+		file: `${SRC}/lsystem/derivation/derivation.cpp`,
 		suites: [`${TESTS}/lsystem/chronicle_test.cpp`],
 		faults: [
 			{
@@ -70,7 +70,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/neighbourhood.cpp`,
+		file: `${SRC}/lsystem/derivation/neighbourhood.cpp`,
 		suites: [`${TESTS}/lsystem/language_test.cpp`],
 		faults: [
 			{
@@ -82,7 +82,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/bound.cpp`,
+		file: `${SRC}/lsystem/derivation/bound_program.cpp`,
 		suites: [`${TESTS}/lsystem/language_test.cpp`],
 		faults: [
 			{
@@ -94,7 +94,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/words.hpp`,
+		file: `${SRC}/lsystem/derivation/words.hpp`,
 		suites: [`${TESTS}/lsystem/language_test.cpp`],
 		faults: [
 			{
@@ -106,7 +106,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/refusals.cpp`,
+		file: `${SRC}/lsystem/trace/refusals.cpp`,
 		suites: [`${TESTS}/lsystem/chronicle_test.cpp`],
 		faults: [
 			{
@@ -130,7 +130,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/production_remarks.cpp`,
+		file: `${SRC}/lsystem/syntax/production_remarks.cpp`,
 		suites: [`${TESTS}/lsystem/remarks_test.cpp`],
 		faults: [
 			{
@@ -154,7 +154,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/expression.cpp`,
+		file: `${SRC}/expression/expression.cpp`,
 		suites: [`${TESTS}/lsystem/language_test.cpp`],
 		faults: [
 			{
@@ -172,7 +172,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/parser.cpp`,
+		file: `${SRC}/lsystem/syntax/parser.cpp`,
 		suites: [`${TESTS}/lsystem/language_test.cpp`],
 		faults: [
 			{
@@ -190,7 +190,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/chronicle.cpp`,
+		file: `${SRC}/lsystem/trace/derivation_trace.cpp`,
 		suites: [`${TESTS}/lsystem/chronicle_test.cpp`, `${TESTS}/lsystem/chronicle_published_test.cpp`],
 		faults: [
 			{
@@ -263,7 +263,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/machine.cpp`,
+		file: `${SRC}/lsystem/derivation/machine.cpp`,
 		suites: [
 			`${TESTS}/lsystem/random_values_test.cpp`,
 			`${TESTS}/lsystem/development_test.cpp`,
@@ -285,7 +285,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/machine.cpp`,
+		file: `${SRC}/lsystem/derivation/machine.cpp`,
 		suites: [`${TESTS}/lsystem/contexts_test.cpp`],
 		faults: [
 			{
@@ -297,7 +297,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/neighbourhood.cpp`,
+		file: `${SRC}/lsystem/derivation/neighbourhood.cpp`,
 		suites: [`${TESTS}/lsystem/contexts_test.cpp`],
 		faults: [
 			{
@@ -340,7 +340,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/silence.cpp`,
+		file: `${SRC}/lsystem/derivation/skippable_symbols.cpp`,
 		suites: [`${TESTS}/lsystem/language_test.cpp`],
 		faults: [
 			{
@@ -358,7 +358,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/interpretation.cpp`,
+		file: `${SRC}/lsystem/turtle/interpretation.cpp`,
 		suites: [`${TESTS}/lsystem/language_test.cpp`],
 		faults: [
 			{
@@ -376,7 +376,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/derivation.cpp`,
+		file: `${SRC}/lsystem/derivation/derivation.cpp`,
 		suites: [`${TESTS}/lsystem/language_test.cpp`],
 		faults: [
 			{
@@ -388,7 +388,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/turtle.cpp`,
+		file: `${SRC}/lsystem/turtle/turtle.cpp`,
 		suites: [`${TESTS}/lsystem/turtle_test.cpp`],
 		faults: [
 			{
@@ -406,7 +406,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lsystem/remarks.cpp`,
+		file: `${SRC}/lsystem/syntax/remarks.cpp`,
 		suites: [`${TESTS}/lsystem/remarks_test.cpp`],
 		faults: [
 			{

@@ -156,7 +156,7 @@ export default [
 	},
 	{
 		file: "wasm-core/src/models/particles/boundary.cpp",
-		suites: ["tests/core/models/particles/boundary_test.cpp", "tests/core/models/particles/tree_test.cpp"],
+		suites: ["tests/core/models/particles/boundary_test.cpp", "tests/core/models/tree/tree_test.cpp"],
 		faults: [
 			{
 				id: "particles-own-inner-boundary-ignored",
@@ -167,8 +167,8 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/models/particles/tree/model.cpp",
-		suites: ["tests/core/models/particles/tree_test.cpp"],
+		file: "wasm-core/src/models/tree/model.cpp",
+		suites: ["tests/core/models/tree/tree_test.cpp"],
 		faults: [
 			{
 				id: "particles-light-all-alike",

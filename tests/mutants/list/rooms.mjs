@@ -82,7 +82,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/environment/sphere_grid.cpp`,
+		file: `${SRC}/spatial/sphere_grid.cpp`,
 		suites: [`${TESTS}/environment/sphere_grid_test.cpp`],
 		faults: [
 			{
@@ -100,7 +100,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/environment/touching.cpp`,
+		file: `${SRC}/spatial/sphere_overlaps.cpp`,
 		suites: [`${TESTS}/environment/touching_test.cpp`],
 		faults: [
 			{
@@ -118,7 +118,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/environment/sky.cpp`,
+		file: `${SRC}/light/sky.cpp`,
 		suites: [`${TESTS}/environment/sky_test.cpp`],
 		faults: [
 			{
@@ -148,7 +148,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/environment/plant_sky.cpp`,
+		file: `${SRC}/light/plant_sky.cpp`,
 		suites: [`${TESTS}/environment/plant_sky_test.cpp`],
 		faults: [
 			{
@@ -166,7 +166,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/environment/point_grid.cpp`,
+		file: `${SRC}/spatial/point_grid.cpp`,
 		suites: [`${TESTS}/environment/point_grid_test.cpp`],
 		faults: [
 			{
@@ -178,7 +178,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/geometry/closest.hpp`,
+		file: `${SRC}/spatial/closest_points.hpp`,
 		suites: [`${TESTS}/geometry/closest_test.cpp`],
 		faults: [
 			{
@@ -190,7 +190,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/geometry/stem_rings.cpp`,
+		file: `${SRC}/stems/stem_rings.cpp`,
 		suites: [`${TESTS}/geometry/tubes_test.cpp`],
 		faults: [
 			{
@@ -208,7 +208,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/geometry/stem_thickness.cpp`,
+		file: `${SRC}/stems/stem_thickness.cpp`,
 		suites: [`${TESTS}/geometry/tubes_test.cpp`, "tests/core/models/bunch/stems_test.cpp"],
 		faults: [
 			{
@@ -226,7 +226,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/geometry/bit_image.cpp`,
+		file: `${SRC}/models/bunch/measures/bit_image.cpp`,
 		suites: ["tests/core/models/bunch/measures/silhouette_test.cpp"],
 		faults: [
 			{
@@ -238,7 +238,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/plant/plain.cpp`,
+		file: `${SRC}/lsystem_plant/plain_plant.cpp`,
 		suites: [`${TESTS}/plant/plain_test.cpp`],
 		faults: [
 			{
@@ -250,8 +250,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/plant/request.cpp`,
-		suites: [`${TESTS}/boundary/boundary_test.cpp`],
+		file: `${SRC}/protocol/request.cpp`,
+		suites: [`${TESTS}/protocol/boundary_test.cpp`],
 		faults: [
 			{
 				id: "request-unknown-blocks-pass",
@@ -268,8 +268,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/boundary/answer.cpp`,
-		suites: [`${TESTS}/boundary/boundary_test.cpp`],
+		file: `${SRC}/protocol/answer.cpp`,
+		suites: [`${TESTS}/protocol/boundary_test.cpp`],
 		faults: [
 			{
 				id: "answer-ends-are-starts",
@@ -286,8 +286,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/boundary/panicle.cpp`,
-		suites: [`${TESTS}/boundary/boundary_test.cpp`],
+		file: `${SRC}/exports/panicle.cpp`,
+		suites: [`${TESTS}/protocol/boundary_test.cpp`],
 		faults: [
 			{
 				id: "boundary-notes-twice",

@@ -1,12 +1,12 @@
 /** Growth areas: what is inside, how far a way stays there, what a text is told, what hands do. */
-const VOLUME = "tests/core/environment/volume_test.cpp";
+const VOLUME = "tests/core/spatial/volume_test.cpp";
 const AREAS = "tests/core/models/grammar/areas_test.cpp";
 const EDITS = "tests/web/models/grammar/areas/edits.test.ts";
 const DETAILS = "tests/web/models/grammar/areas/details.test.ts";
 
 export default [
 	{
-		file: "wasm-core/src/environment/volume.cpp",
+		file: "wasm-core/src/spatial/volume.cpp",
 		suites: [VOLUME],
 		faults: [
 			{
@@ -30,7 +30,7 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/environment/solid.cpp",
+		file: "wasm-core/src/spatial/solid.cpp",
 		suites: [VOLUME],
 		faults: [
 			{

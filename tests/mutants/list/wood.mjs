@@ -114,7 +114,7 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/geometry/wood.cpp",
+		file: "wasm-core/src/stems/wood.cpp",
 		suites: [`${TESTS}/tree_dress_test.cpp`],
 		faults: [
 			{
@@ -174,7 +174,7 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/geometry/foot.cpp",
+		file: "wasm-core/src/stems/root_flare.cpp",
 		suites: ["tests/core/models/particles/foot_test.cpp"],
 		faults: [
 			{

@@ -6,7 +6,7 @@ import type { CoreExports } from "../../../web/src/core/exports";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
 import { PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { encodeRequest } from "../../../web/src/models/bunch/request";
-import { model as leafModel } from "../../../web/src/models/particles/leaf/index";
+import { model as leafModel } from "../../../web/src/models/leaf/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { inRun } from "../../long_run.mjs";
 import { type Specimen, specimenFromPreset, withParameters } from "../bunch";

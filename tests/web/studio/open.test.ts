@@ -1,9 +1,9 @@
 import { beforeAll, describe, expect, it, vi } from "vitest";
 import { png } from "../../../web/src/export/png";
 import { withLink } from "../../../web/src/export/png_link";
+import { model as leaf } from "../../../web/src/models/leaf/index";
 import type { Model } from "../../../web/src/models/model";
-import { model as leaf } from "../../../web/src/models/particles/leaf/index";
-import { model as tree } from "../../../web/src/models/particles/tree/index";
+import { model as tree } from "../../../web/src/models/tree/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { writtenSpecimen } from "../../../web/src/specimen/written";
 import { dropsOf } from "../../../web/src/studio/files/drops";

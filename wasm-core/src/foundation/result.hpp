@@ -8,7 +8,7 @@
 
 namespace panicle {
 
-// The reasons, by name. Numbers cross the border (boundary/panicle.h): they are only ever added to.
+// The reasons, by name. Numbers cross the border (exports/panicle.h): they are only ever added to.
 enum class Reason : std::uint32_t {
   none = 0,
   bad_request = 1,  // the bytes of the request are not in the agreed form

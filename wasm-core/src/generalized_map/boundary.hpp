@@ -6,7 +6,7 @@
 
 #include "generalized_map/embedding.hpp"
 #include "generalized_map/map.hpp"
-#include "geometry/subdivision.hpp"
+#include "mesh/subdivision.hpp"
 
 namespace panicle::generalized_map {
 

@@ -12,13 +12,16 @@
 #include <string_view>
 #include <vector>
 
+#include "expression/space.hpp"
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
-#include "lsystem/listener.hpp"
-#include "lsystem/space.hpp"
-#include "lsystem/turtle.hpp"
+#include "lsystem/turtle/listener.hpp"
+#include "lsystem/turtle/turtle.hpp"
 
 namespace panicle::lsystem {
+
+// Grammars are made of expressions, whose names are used as if they were declared here.
+using namespace expression;
 
 // What a request gives to the text. A scalar with the name of a `#define` replaces it, one with the name of an
 // `#input` provides it; names the text does not know are passed over. Arrays provide `#input n[]` and are read from

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "geometry/segment.hpp"
+#include "stems/segment.hpp"
 
 namespace panicle {
 

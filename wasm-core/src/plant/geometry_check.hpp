@@ -1,5 +1,5 @@
 // Whether all of a plant's geometry can be drawn: the one place that every plant of every model goes through before it
-// leaves the core (boundary/panicle.cpp).
+// leaves the core (exports/panicle.cpp).
 #pragma once
 
 #include "foundation/result.hpp"

@@ -14,8 +14,8 @@
 
 #include "foundation/container.hpp"
 #include "foundation/work_budget.hpp"
-#include "geometry/mesh.hpp"
-#include "geometry/segment.hpp"
+#include "mesh/mesh.hpp"
+#include "stems/segment.hpp"
 
 namespace panicle {
 

@@ -1,17 +1,17 @@
 /** From wasm-core/parameters/<model>.measures.json: that model's C++ list, its TypeScript table and its page of docs. */
-import { namespaceOf, noticeOf, tablesOf, upFrom } from "./tables.mjs";
+import { namespaceOf, noticeOf, tablesOf } from "./tables.mjs";
 
 /** The generated files. */
 export function outputs() {
-	return tablesOf(".measures.json").flatMap(({ model, folder, source, table }) => {
+	return tablesOf(".measures.json").flatMap(({ model, source, table }) => {
 		checkMeasures(table, source);
 		const notice = noticeOf(source);
 		return [
 			{
-				path: `wasm-core/src/models/${folder}/measures/measures.generated.hpp`,
-				text: cplusplus(table, folder, notice),
+				path: `wasm-core/src/models/${model}/measures/measures.generated.hpp`,
+				text: cplusplus(table, notice),
 			},
-			{ path: `web/src/models/${folder}/measures.generated.ts`, text: typescript(table, upFrom(folder), notice) },
+			{ path: `web/src/models/${model}/measures.generated.ts`, text: typescript(table, notice) },
 			{ path: `docs/models/${model}/measures.md`, text: markdown(table, notice) },
 		];
 	});
@@ -49,22 +49,23 @@ export function checkMeasures(table, from) {
 	if (problems.length > 0) throw new Error(`${from}: ${problems.join("; ")}`);
 }
 
-function cplusplus({ measures }, folder, notice) {
+function cplusplus(table, notice) {
+	const { measures } = table;
 	return `// ${notice}
 #pragma once
 
 #include <cstdint>
 
-namespace panicle::${namespaceOf(folder)} {
+namespace panicle::${namespaceOf(table)} {
 
-// In the order of Grown::measures; docs/models/${folder.split("/").at(-1)}/measures.md has their units.
+// In the order of Grown::measures; docs/models/${table.model}/measures.md has their units.
 enum class Measure : std::uint32_t {
 ${measures.map(({ key }) => `  ${key},`).join("\n")}
 };
 
 inline constexpr std::uint32_t measure_count = ${measures.length};
 
-}  // namespace panicle::${namespaceOf(folder)}
+}  // namespace panicle::${namespaceOf(table)}
 `;
 }
 
@@ -95,9 +96,9 @@ function keysOf(measures) {
 	return `[\n${keys.map((key) => `\t${key},\n`).join("")}]`;
 }
 
-function typescript({ groups, measures, skin }, up, notice) {
+function typescript({ groups, measures, skin }, notice) {
 	return `// ${notice}
-import type { MeasureGroup, MeasureInfo } from "${up}specimen/measures";
+import type { MeasureGroup, MeasureInfo } from "../../specimen/measures";
 
 /** Keys of the measures, in the order in which the core gives them. */
 export const MEASURE_KEYS = ${keysOf(measures)} as const;

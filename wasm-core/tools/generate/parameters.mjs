@@ -1,15 +1,15 @@
 /** From wasm-core/parameters/<model>.json: that model's C++ table, its TypeScript table and its page of docs. */
 import { checkTable } from "./check_table.mjs";
-import { namespaceOf, noticeOf, tablesOf, upFrom } from "./tables.mjs";
+import { namespaceOf, noticeOf, tablesOf } from "./tables.mjs";
 
 /** The generated files. */
 export function outputs() {
-	return tablesOf(".json").flatMap(({ model, folder, source, table }) => {
+	return tablesOf(".json").flatMap(({ model, source, table }) => {
 		checkTable(table, source);
 		const notice = noticeOf(source);
 		return [
-			{ path: `wasm-core/src/models/${folder}/parameters.generated.hpp`, text: cplusplus(table, folder, notice) },
-			{ path: `web/src/models/${folder}/parameters.generated.ts`, text: typescript(table, upFrom(folder), notice) },
+			{ path: `wasm-core/src/models/${model}/parameters.generated.hpp`, text: cplusplus(table, notice) },
+			{ path: `web/src/models/${model}/parameters.generated.ts`, text: typescript(table, notice) },
 			{ path: `docs/models/${model}/parameters.md`, text: markdown(table, notice) },
 		];
 	});
@@ -36,7 +36,7 @@ ${roles.join("\n")}
 
 `;
 
-function cplusplus(table, folder, notice) {
+function cplusplus(table, notice) {
 	const rows = ofCore(table);
 	const entries = rows.map(
 		(p) =>
@@ -52,7 +52,7 @@ function cplusplus(table, folder, notice) {
 #include <cstdint>
 #include <string_view>
 
-namespace panicle::${namespaceOf(folder)} {
+namespace panicle::${namespaceOf(table)} {
 
 // In the order of the request's words.
 enum class Parameter : std::uint32_t {
@@ -77,7 +77,7 @@ ${entries.join("\n")}
 }};
 // clang-format on
 
-${roles.length > 0 ? rolesOf(roles) : ""}}  // namespace panicle::${namespaceOf(folder)}
+${roles.length > 0 ? rolesOf(roles) : ""}}  // namespace panicle::${namespaceOf(table)}
 `;
 }
 
@@ -128,10 +128,10 @@ function keyList(name, doc, parameters) {
 /** `"a" | "b"`; where there are none, `never`. */
 const union = (parameters) => parameters.map((p) => literal(p.key)).join(" | ") || "never";
 
-function typescript(table, up, notice) {
+function typescript(table, notice) {
 	const look = table.parameters.filter((p) => p.look);
 	return `// ${notice}
-import type { Entry, Group } from "${up}specimen/table";
+import type { Entry, Group } from "../../specimen/table";
 
 ${keyList("NUMBER_KEYS", "Keys of the parameters that the core reads, in the request's order.", ofCore(table))}
 export type NumberKey = (typeof NUMBER_KEYS)[number];

@@ -3,11 +3,8 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { coreFolder } from "../repository.mjs";
 
-/** The C++ namespace, below panicle, of what stands in a model's folder. */
-export const namespaceOf = (folder) => folder.replaceAll("/", "::");
-
-/** The way up from a model's folder in the web's models to the folder of the rooms. */
-export const upFrom = (folder) => "../".repeat(folder.split("/").length + 1);
+/** The C++ namespace of a table's model, below panicle: the model's name, within that of its family where it has one. */
+export const namespaceOf = (table) => (table.family ? `${table.family}::${table.model}` : table.model);
 
 /**
  * Every model's table of one sort, read, in the order of their names.
@@ -22,8 +19,7 @@ export function tablesOf(ending) {
 			source: `wasm-core/parameters/${name}`,
 			table: JSON.parse(readFileSync(join(coreFolder, "parameters", name), "utf8")),
 		}))
-		.filter(({ model, table }) => table.model === model)
-		.map((each) => ({ ...each, folder: each.table.family ? `${each.table.family}/${each.model}` : each.model }));
+		.filter(({ model, table }) => table.model === model);
 }
 
 /** The first line of every file that is made from a table. */

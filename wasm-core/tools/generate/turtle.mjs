@@ -11,7 +11,7 @@ export function outputs() {
 	const table = JSON.parse(readFileSync(join(coreFolder, "parameters/turtle.json"), "utf8"));
 	check(table);
 	return [
-		{ path: "wasm-core/src/lsystem/turtle_symbols.generated.hpp", text: cplusplus(table) },
+		{ path: "wasm-core/src/lsystem/turtle/turtle_symbols.generated.hpp", text: cplusplus(table) },
 		{ path: "docs/turtle.md", text: markdown(table) },
 	];
 }

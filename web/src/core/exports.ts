@@ -1,4 +1,4 @@
-/** The core's exports, as boundary/panicle.h declares them. */
+/** The core's exports, as exports/panicle.h declares them. */
 
 type Pointer = number;
 

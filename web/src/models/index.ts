@@ -11,7 +11,7 @@ export type LoadModel = () => Promise<Model>;
 /** What a link means that names no model. */
 export const DEFAULT_MODEL = "bunch";
 
-const folders = import.meta.glob<Model>(["./*/index.ts", "./*/*/index.ts"], { import: "model" });
+const folders = import.meta.glob<Model>("./*/index.ts", { import: "model" });
 
 /** How each is brought, by name: the default first, then by the alphabet, then what was added. */
 const loaders = new Map<string, LoadModel>(

@@ -1,4 +1,4 @@
-/** What the core tells of a derivation, step by step (columns: wasm-core/src/plant/chronicle.hpp). */
+/** What the core tells of a derivation, step by step (columns: wasm-core/src/lsystem_plant/derivation_trace_columns.hpp). */
 import type { Block, Columns } from "../core/container";
 
 /** The longest window that may be asked for. */

@@ -60,7 +60,7 @@ export async function readLeaf({ data }: LeafFile): Promise<BorneLeaf> {
 	return { ...leaf, veins: { side: columns.width("veins"), shares: columns.octets("veins") } };
 }
 
-/** As a request has it (wasm-core/src/plant/flat_leaf.hpp). */
+/** As a request has it (wasm-core/src/foliage/flat_leaf.hpp). */
 export function leafBlocks({ points, between, uvs, indices, petiole }: BorneLeaf): Block[] {
 	return [
 		{ name: "leaf.points", data: points, width: 2 },

@@ -1,4 +1,4 @@
-/** Columns of an answer → plant (layout: wasm-core/src/boundary/panicle.h). Arrays are views of the answer's bytes. */
+/** Columns of an answer → plant (layout: wasm-core/src/exports/panicle.h). Arrays are views of the answer's bytes. */
 import type { Columns } from "../core/container";
 import type { Answer } from "../core/core";
 import { readChronicle } from "./chronicle";

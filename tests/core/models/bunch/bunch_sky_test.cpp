@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "models/bunch/berry/berry.hpp"
 #include "models/bunch/bunch.hpp"
 #include "models/bunch/foliage/flat_leaf.hpp"
-#include "models/bunch/fruit/berry.hpp"
 #include "models/bunch/parameters.generated.hpp"
 #include "models/bunch/stems.hpp"
 

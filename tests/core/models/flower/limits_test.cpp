@@ -134,7 +134,7 @@ TEST_CASE("what is kept of a flower is counted whole, and nothing that calls gav
   for (int i = 0; i < 2000; ++i) sum += "+step*0.000" + std::to_string(i);
   text += "B -> B[B(," + sum + ")]_{E}\n";
   const Flower flower = grown(text, steps(30));
-  const lsystem::Code& code = flower.program.code;
+  const expression::Code& code = flower.program.code;
   REQUIRE(code.instructions.size() > 3000);
   CHECK(flower.program.bytes() > code.instructions.size() * (sizeof code.instructions[0] + sizeof code.places[0]) +
                                      300 * (sizeof(Variable) + sizeof(Setting)));

@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 #include <sstream>
 
-#include "environment/surfaces.hpp"
 #include "foundation/random.hpp"
 #include "grammar_files.hpp"
 #include "models/grammar/growing.hpp"
+#include "spatial/surfaces.hpp"
 
 namespace panicle::grammar {
 namespace {

@@ -61,7 +61,6 @@ inline Result<Plant> ask(const Asked& asked) {
   }
   blocks.insert(blocks.end(), asked.more.begin(), asked.more.end());
   Request request(blocks, nullptr);
-  request.read_grammars_as(model.notation, model.lineages);
   return model.grow(request, asked.limits);
 }
 

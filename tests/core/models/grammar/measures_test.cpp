@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "environment/surfaces.hpp"
 #include "models/grammar/growing.hpp"
 #include "models/grammar/measures/clothing.hpp"
 #include "models/grammar/measures/measures.generated.hpp"
 #include "near.hpp"
+#include "spatial/surfaces.hpp"
 
 namespace panicle::grammar {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
-#include "geometry/polygon.hpp"
+#include "mesh/polygon.hpp"
 #include "models/grammar/growing.hpp"
 #include "near.hpp"
 

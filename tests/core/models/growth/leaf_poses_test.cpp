@@ -7,7 +7,7 @@
 
 #include "foundation/lane_vectors.hpp"
 #include "foundation/random.hpp"
-#include "geometry/turn.hpp"
+#include "foundation/rotation.hpp"
 
 using namespace panicle;
 using namespace panicle::growth;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "space_growing.hpp"
+#include "models/particles/space_growing.hpp"
 
 namespace panicle::particles {
 namespace {

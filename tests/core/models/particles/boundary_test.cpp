@@ -4,8 +4,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "environment/solid.hpp"
-#include "environment/surfaces.hpp"
+#include "spatial/solid.hpp"
+#include "spatial/surfaces.hpp"
 
 namespace panicle::particles {
 namespace {

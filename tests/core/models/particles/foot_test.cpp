@@ -1,13 +1,12 @@
 // How trunks stand on the ground, and roots under their stems.
-#include "geometry/foot.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "space_growing.hpp"
+#include "models/particles/space_growing.hpp"
+#include "stems/root_flare.hpp"
 
 namespace panicle::particles {
 namespace {

@@ -6,12 +6,12 @@
 #include <glm/geometric.hpp>
 
 #include "models/particles/boundary.hpp"
-#include "models/particles/crowd.hpp"
+#include "models/particles/particle_system.hpp"
 #include "models/particles/polish.hpp"
 #include "models/particles/scatter.hpp"
-#include "models/particles/tree/measures/measures.generated.hpp"
+#include "models/particles/space_growing.hpp"
 #include "models/particles/trunk.hpp"
-#include "space_growing.hpp"
+#include "models/tree/measures/measures.generated.hpp"
 
 namespace panicle::particles {
 namespace {

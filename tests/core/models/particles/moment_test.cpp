@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "models/particles/crowd.hpp"
+#include "models/particles/particle_system.hpp"
 #include "models/particles/polish.hpp"
 #include "models/particles/scatter.hpp"
 #include "shapes.hpp"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/particles/tree/measures/measures.generated.hpp"
-#include "space_growing.hpp"
+#include "models/particles/space_growing.hpp"
+#include "models/tree/measures/measures.generated.hpp"
 
 namespace panicle::particles {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "foundation/mathematics.hpp"
-#include "models/particles/crowd.hpp"
+#include "models/particles/particle_system.hpp"
 #include "models/particles/scatter.hpp"
 #include "shapes.hpp"
 

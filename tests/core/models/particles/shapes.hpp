@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "environment/region.hpp"
 #include "models/particles/guide.hpp"
+#include "spatial/region.hpp"
 
 namespace panicle::particles {
 

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "environment/surface.hpp"
-#include "models/particles/root/parameters.generated.hpp"
-#include "models/particles/tree/parameters.generated.hpp"
-#include "plant/flat_leaf.hpp"
-#include "plant/model.hpp"
+#include "foliage/flat_leaf.hpp"
+#include "models/root/parameters.generated.hpp"
+#include "models/tree/parameters.generated.hpp"
+#include "protocol/model.hpp"
+#include "spatial/closed_surface.hpp"
 
 namespace panicle::particles {
 namespace tree {

@@ -1,12 +1,12 @@
 // Storage roots.
-#include "models/particles/root/storage.hpp"
+#include "models/root/storage.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "space_growing.hpp"
+#include "models/particles/space_growing.hpp"
 
 namespace panicle::particles {
 namespace {

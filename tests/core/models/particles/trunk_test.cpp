@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "environment/solid.hpp"
-#include "models/particles/crowd.hpp"
 #include "models/particles/gather.hpp"
+#include "models/particles/particle_system.hpp"
 #include "models/particles/scatter.hpp"
+#include "spatial/solid.hpp"
 
 namespace panicle::particles {
 namespace {

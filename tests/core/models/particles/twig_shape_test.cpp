@@ -7,11 +7,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "environment/solid.hpp"
 #include "models/particles/polish.hpp"
-#include "models/particles/tree/crown.hpp"
+#include "models/particles/space_growing.hpp"
 #include "models/particles/trunk.hpp"
-#include "space_growing.hpp"
+#include "models/tree/crown.hpp"
+#include "spatial/solid.hpp"
 
 namespace panicle::particles {
 namespace {

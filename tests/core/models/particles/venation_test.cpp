@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "models/particles/crowd.hpp"
+#include "models/particles/particle_system.hpp"
 #include "models/particles/polish.hpp"
 #include "models/particles/scatter.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "environment/solid.hpp"
-#include "space_growing.hpp"
+#include "models/particles/space_growing.hpp"
+#include "spatial/solid.hpp"
 
 namespace panicle::particles {
 namespace {

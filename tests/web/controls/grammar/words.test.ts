@@ -21,7 +21,7 @@ const offered = (text: string, word = "") => {
 
 describe("the words that the editor knows", () => {
 	it("are the functions that the core has, with their arguments", () => {
-		const operations = readFileSync("wasm-core/src/lsystem/operations.hpp", "utf8");
+		const operations = readFileSync("wasm-core/src/expression/operations.hpp", "utf8");
 		const listed = /\bfunctions = \{\{([\s\S]*?)\}\};/.exec(operations)?.[1] ?? "";
 		const core = [...listed.matchAll(/\{"(\w+)", Op::\w+, (\d)\}/g)].map(([, name, count]) => `${name} ${count}`);
 		const ours = WORDS.filter(({ kind }) => kind === "function").map(

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { LEAF_TABLE } from "../../../../web/src/models/particles/leaf/table";
-import { ROOT_TABLE } from "../../../../web/src/models/particles/root/table";
-import { TREE_TABLE } from "../../../../web/src/models/particles/tree/table";
+import { LEAF_TABLE } from "../../../../web/src/models/leaf/table";
+import { ROOT_TABLE } from "../../../../web/src/models/root/table";
+import { TREE_TABLE } from "../../../../web/src/models/tree/table";
 import type { CoreEntry } from "../../../../web/src/specimen/table";
 
 describe.each([LEAF_TABLE, TREE_TABLE, ROOT_TABLE])("the energies of a table", (table) => {

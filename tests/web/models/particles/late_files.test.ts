@@ -1,12 +1,12 @@
 import { expect, it, vi } from "vitest";
 import type { Change } from "../../../../web/src/controls/desk";
+import { traceLeafFile } from "../../../../web/src/models/leaf/tools/trace";
 import { takeMesh } from "../../../../web/src/models/particles/boundary/mesh_tool";
-import { traceLeafFile } from "../../../../web/src/models/particles/leaf/tools/trace";
-import { TREE } from "../../../../web/src/models/particles/tree/species";
+import { TREE } from "../../../../web/src/models/tree/species";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 
 vi.mock("../../../../web/src/controls/tracing/read_picture", () => ({ readPicture: async () => ({}) }));
-vi.mock("../../../../web/src/models/particles/leaf/trace/trace", () => ({
+vi.mock("../../../../web/src/models/leaf/trace/trace", () => ({
 	traceLeaf: () => ({ outline: [{ x: 0, y: 0 }] }),
 }));
 // There are no workers here.

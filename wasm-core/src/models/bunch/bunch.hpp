@@ -9,8 +9,8 @@
 
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
-#include "lsystem/chronicle.hpp"
 #include "lsystem/lsystem.hpp"
+#include "lsystem/trace/derivation_trace.hpp"
 #include "models/bunch/foliage/leaf.hpp"
 #include "models/bunch/grown.hpp"
 

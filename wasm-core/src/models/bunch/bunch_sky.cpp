@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "environment/plant_sky.hpp"
+#include "light/plant_sky.hpp"
 #include "models/bunch/stems.hpp"
 
 namespace panicle::bunch {

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh.hpp"
-#include "geometry/tubes.hpp"
-#include "lsystem/chronicle.hpp"
-#include "models/bunch/fruit/berry_body.hpp"
-#include "models/bunch/fruit/berry_surfaces.hpp"
-#include "models/bunch/fruit/flower.hpp"
+#include "lsystem/trace/derivation_trace.hpp"
+#include "mesh/mesh.hpp"
+#include "models/bunch/berry/berry_body.hpp"
+#include "models/bunch/berry/berry_surfaces.hpp"
+#include "models/bunch/berry/flower.hpp"
 #include "models/bunch/plan.hpp"
 #include "models/bunch/skeleton.hpp"
+#include "stems/tubes.hpp"
 
 namespace panicle::bunch {
 
@@ -65,7 +65,7 @@ struct Foliage {
   std::vector<FoliagePart> parts;
 };
 
-// How much of the sky every vertex sees, 0 … 255 (environment/sky.hpp).
+// How much of the sky every vertex sees, 0 … 255 (light/sky.hpp).
 struct SkyBytes {
   std::vector<std::uint8_t> stems, foliage;  // one a vertex of that mesh
   std::vector<std::uint8_t> berries;         // one a vertex of each berry: pattern vertices × berries

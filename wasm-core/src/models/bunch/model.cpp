@@ -4,8 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "lsystem_plant/derivation_trace_columns.hpp"
+#include "lsystem_plant/requested_program.hpp"
 #include "models/bunch/stems.hpp"
-#include "plant/chronicle.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -159,7 +160,8 @@ Result<Plant> grow_plant(panicle::Request& blocks, const Limits& limits) {
 
 }  // namespace
 
-const Model model{"bunch", grow_plant};
+const Model model{"bunch", grow_plant,
+                  [](std::string_view text, const Limits& limits) { return compile_program(text, {}, limits); }};
 
 Result<Request> read_request(panicle::Request& blocks) {
   Request request;
@@ -172,7 +174,7 @@ Result<Request> read_request(panicle::Request& blocks) {
   const auto parameters = blocks.floats("parameters");
   request.parameters.assign(parameters.begin(), parameters.end());
   request.grammar = blocks.text("grammar");
-  request.program = blocks.kept_program();
+  request.program = program_by_handle(blocks);
   if (blocks.has("steps")) request.steps = blocks.word("steps");
   request.m = blocks.integer("m");
   const auto n = blocks.integers("n");

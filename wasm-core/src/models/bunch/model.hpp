@@ -1,17 +1,17 @@
 // The bunch as one model among others: a request's blocks → growth → plant.
 //
-// Blocks of a request besides everyone's (plant/request.hpp):
+// Blocks of a request besides everyone's (protocol/request.hpp):
 //   grammar or program   where both are absent: the procedure's own
 //   steps           uint32: of the derivation, in place of the text's own
 //   m, n            int32: segments in place of the profile's; n is n₁ … n₍m−1₎ as the paper counts
 //   thinned         uint32: ids of berries taken off by hand
-//   leaf.points     float32 × 2: a flat leaf, what leaves on the cane are made from (plant/flat_leaf.hpp), with
+//   leaf.points     float32 × 2: a flat leaf, what leaves on the cane are made from (foliage/flat_leaf.hpp), with
 //   leaf.between    float32, leaf.uvs: float32 × 2, leaf.triangles: uint32 × 3; where they are absent, the cane has no
 //                   leaves, with a note
 //   outputs         `chronicle` besides everyone's
 //   stem_sides, berry_segments   uint32: of the meshes; 0: default
 //
-// Columns of a plant besides everyone's (boundary/panicle.h); metres:
+// Columns of a plant besides everyone's (exports/panicle.h); metres:
 //   procedure       text: paper or natural
 //   form            float32 × 3: taper, blunt, curve;  fruit: uint32 (Fruit)
 //   profile         float32: l, then w, r of each side, px: what the bunch fills, of its own seed; natural alone
@@ -26,8 +26,9 @@
 //   berries.positions        float32 × 3, berries.normals × 3, berries.pressed: uint8; of each berry's own surface
 //   berries.sky              uint8: of each vertex of each berry, the pattern's or the shared mesh's, berry by berry;
 //                            where `sky` is asked for
-//   chronicle.…              where it is asked for: how the first bunch's text was derived (plant/chronicle.hpp); and
-//   segments.module, organs.module   uint32 each internode and each berry: the module of its last string that drew it;
+//   chronicle.…              where it is asked for: how the first bunch's text was derived
+//   (lsystem_plant/derivation_trace_columns.hpp); and segments.module, organs.module   uint32 each internode and each
+//   berry: the module of its last string that drew it;
 //                            0xffffffff for what it did not draw, and for all where the telling is cut short
 // and the meshes `stems` (segment: uint32 per vertex; axis: int32 per run), `berry`, `flower` (unit: float32, metres to
 // one of its own; a run for each piece, fruit/flower.hpp) and `foliage`.
@@ -35,7 +36,7 @@
 
 #include "models/bunch/bunch.hpp"
 #include "models/bunch/grown.hpp"
-#include "plant/model.hpp"
+#include "protocol/model.hpp"
 
 namespace panicle::bunch {
 

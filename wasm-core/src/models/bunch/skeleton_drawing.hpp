@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "lsystem/chronicle.hpp"
 #include "lsystem/lsystem.hpp"
+#include "lsystem/trace/derivation_trace.hpp"
+#include "lsystem_plant/drawing.hpp"
 #include "models/bunch/communication.hpp"
 #include "models/bunch/roles.hpp"
 #include "models/bunch/skeleton.hpp"
-#include "plant/drawing.hpp"
 
 namespace panicle::bunch {
 

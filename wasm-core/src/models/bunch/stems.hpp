@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/tubes.hpp"
 #include "models/bunch/skeleton.hpp"
+#include "stems/tubes.hpp"
 
 namespace panicle::bunch {
 

@@ -4,21 +4,21 @@
 #include <cmath>
 #include <utility>
 
+#include "expression/number_text.hpp"
 #include "foundation/bytes.hpp"
 #include "foundation/random.hpp"
-#include "lsystem/number_text.hpp"
 #include "models/flower/numbers.hpp"
 #include "models/flower/ranks.hpp"
 
 namespace panicle::flower {
 namespace {
 
+using expression::error_at;
+using expression::number_text;
+using expression::sentence;
 using generalized_map::none;
 using generalized_map::Refusal;
 using generalized_map::words;
-using lsystem::error_at;
-using lsystem::number_text;
-using lsystem::sentence;
 
 constexpr std::uint32_t deepest = 32;  // modules in one another
 constexpr std::size_t most_notes = 100;
@@ -326,7 +326,7 @@ class Deriver {
     return derived_.records[derived_.record_of[volume]].instance;
   }
 
-  void stop(Refusal refusal, std::uint32_t step, const lsystem::Place& place) {
+  void stop(Refusal refusal, std::uint32_t step, const expression::Place& place) {
     stopped_ = true;
     first_note(sentence("Growth ended in step %, line %: %%",
                         {std::to_string(step), std::to_string(place.line), generalized_map::words(refusal),

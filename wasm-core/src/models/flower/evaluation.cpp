@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "expression/number_text.hpp"
 #include "foundation/random.hpp"
 #include "generalized_map/prism.hpp"
-#include "lsystem/number_text.hpp"
 
 namespace panicle::flower {
 namespace {
 
-using lsystem::error_at;
-using lsystem::number_text;
+using expression::error_at;
+using expression::number_text;
 
 constexpr float largest = 1e6f;
 constexpr std::uint32_t otherwise_steps = 10;  // where a grammar does not say how many
@@ -83,7 +83,7 @@ bool Evaluation::variables(std::uint32_t grammar, std::uint64_t address, const G
 bool Evaluation::variable(std::size_t at, std::uint64_t address) {
   const Variable& variable = program_.variables[at];
   float value = 0;
-  const lsystem::Value& of = variable.number.value;
+  const expression::Value& of = variable.number.value;
   const auto given = variable.grammar != 0
                          ? given_.values.end()
                          : std::find_if(given_.values.begin(), given_.values.end(),
@@ -102,7 +102,7 @@ bool Evaluation::variable(std::size_t at, std::uint64_t address) {
   return true;
 }
 
-bool Evaluation::is_finite(std::uint32_t variable, float value, const lsystem::Place& place) {
+bool Evaluation::is_finite(std::uint32_t variable, float value, const expression::Place& place) {
   if (std::isfinite(value)) return true;
   return fail(error_at(Reason::evaluation, place, "'%' comes to %; it must be a finite number.",
                        {program_.variables[variable].name, number_text(value)}));
@@ -113,7 +113,7 @@ void Evaluation::follow(std::uint32_t begin, std::uint32_t end) {
   work_ += end - begin;
   Diagnostic unheard;
   for (std::uint32_t at = begin; at < end; ++at)
-    lsystem::execute(program_.code, at, at + 1, registers_.data(), sources_, unheard);
+    expression::execute(program_.code, at, at + 1, registers_.data(), sources_, unheard);
 }
 
 bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given) {
@@ -157,10 +157,10 @@ bool Evaluation::holds(const Number& condition, std::uint64_t address) {
   return run(condition.value.code, address) && at(condition.value.source) != 0;
 }
 
-bool Evaluation::run(lsystem::Range code, std::uint64_t address) {
+bool Evaluation::run(expression::Range code, std::uint64_t address) {
   work_ += code.size();
   sources_.address = address;
-  return lsystem::execute(program_.code, code.begin, code.end, registers_.data(), sources_, trouble_);
+  return expression::execute(program_.code, code.begin, code.end, registers_.data(), sources_, trouble_);
 }
 
 bool Evaluation::describe(const Description& description, std::uint64_t address, VolumeValues& values) {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "models/flower/program.hpp"
+#include "models/flower/syntax/program.hpp"
 
 namespace panicle::flower {
 
@@ -47,7 +47,7 @@ class Evaluation {
   void stand(const VolumeValues& values, const Rank& rank, std::uint32_t step);
   void face(std::uint32_t side) { set(Word::face, static_cast<float>(side)); }
   bool holds(const Number& condition, std::uint64_t address);
-  bool run(lsystem::Range code, std::uint64_t address);
+  bool run(expression::Range code, std::uint64_t address);
   float at(std::uint32_t source) const { return registers_[source]; }
   // What a description gives, over what is there. False where one of them cannot be.
   bool describe(const Description& description, std::uint64_t address, VolumeValues& values);
@@ -71,7 +71,7 @@ class Evaluation {
   void set(Word word, float value) { registers_[static_cast<std::size_t>(word)] = value; }
   bool variables(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given);
   bool variable(std::size_t at, std::uint64_t address);
-  bool is_finite(std::uint32_t variable, float value, const lsystem::Place& place);
+  bool is_finite(std::uint32_t variable, float value, const expression::Place& place);
   void follow(std::uint32_t begin, std::uint32_t end);
   bool count(const Number& number, std::uint32_t& steps);
 
@@ -81,7 +81,7 @@ class Evaluation {
   std::vector<float> variables_;
   std::vector<std::uint32_t> steps_;  // by grammar
   std::uint32_t own_steps_ = 0, most_steps_ = 0;
-  lsystem::Sources sources_;
+  expression::Sources sources_;
   std::uint64_t work_ = 0;
   Diagnostic trouble_;
 };

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <utility>
 
-#include "environment/openness.hpp"
 #include "foundation/bytes.hpp"
+#include "light/sky_visibility.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/thickness.hpp"
 #include "models/flower/upright.hpp"

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "expression/diagnostics.hpp"
 #include "generalized_map/embedding.hpp"
-#include "lsystem/diagnostics.hpp"
 #include "models/flower/derivation.hpp"
 #include "models/flower/fingerprint.hpp"
 #include "models/flower/levels.hpp"
@@ -19,9 +19,9 @@
 #include "models/flower/parameters.generated.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/upright.hpp"
-#include "plant/kept.hpp"
-#include "plant/plain.hpp"
-#include "plant/values.hpp"
+#include "plant/fingerprint.hpp"
+#include "protocol/cache.hpp"
+#include "protocol/parameter_values.hpp"
 
 namespace panicle::flower {
 namespace {
@@ -214,7 +214,7 @@ std::string listed(const std::vector<std::string_view>& names) {
     if (names[i].size() > longest_listed) all.append("…");
   }
   if (names.size() > most_listed)
-    all.append(lsystem::sentence(" and % more", {std::to_string(names.size() - most_listed)}));
+    all.append(expression::sentence(" and % more", {std::to_string(names.size() - most_listed)}));
   return names.empty() ? "none" : all;
 }
 
@@ -227,8 +227,8 @@ void note_strangers(Plant& plant, const Program& program, const Given& given) {
   for (const Given::Value& value : given.values)
     if (!known.contains(value.name)) strange.push_back(value.name);
   if (!strange.empty())
-    plant.notes.push_back(lsystem::sentence("The text has no #define of %, so a value of it changes nothing; it has %.",
-                                            {listed(strange), listed(own)}));
+    plant.notes.push_back(expression::sentence(
+        "The text has no #define of %, so a value of it changes nothing; it has %.", {listed(strange), listed(own)}));
 }
 
 bool read_values(Request& request, Given& given) {
@@ -364,7 +364,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (meshes) {
     const std::uint32_t rounds = Skin::rounds_for(derived, values.whole(smooth));
     if (rounds < values.whole(smooth))
-      plant.notes.push_back(lsystem::sentence(
+      plant.notes.push_back(expression::sentence(
           "Its skin is rounded %×, as far as the limit of % triangles lets it be, and not %×.",
           {std::to_string(rounds), std::to_string(Skin::most_triangles), std::to_string(values.whole(smooth))}));
     if (!skin || skin->rounds() != rounds) skin.emplace(derived, embedding, rounds);

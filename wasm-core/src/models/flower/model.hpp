@@ -1,11 +1,11 @@
 // A flower of a grammar on generalized maps (Petrenko 2014; docs/models/flower/flower.md).
 //
-// Blocks of a request besides everyone's (plant/request.hpp): `text`, which must be there, a text of the flower
+// Blocks of a request besides everyone's (protocol/request.hpp): `text`, which must be there, a text of the flower
 // language; `values.names` (text, words) and `values` (float32, as many): variables of the text that are given; a note
 // tells of those that it does not have. Outputs besides everyone's: `map`.
 //
 // A segment for each volume that has grown end on end in its organ, tagged by its label. Columns besides everyone's
-// (boundary/panicle.h), of volumes in the order in which they were made:
+// (exports/panicle.h), of volumes in the order in which they were made:
 //   volumes.label      uint32, into labels (text, words)
 //   labels.module      uint32: the module that each is of, from 1 on; 0 of the text itself
 //   volumes.order      uint32
@@ -28,7 +28,7 @@
 // is of. Meshes: skin.hpp, and levels. Counts: volumes, darts, organs, triangles.
 #pragma once
 
-#include "plant/model.hpp"
+#include "protocol/model.hpp"
 
 namespace panicle::flower {
 

@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "geometry/subdivision.hpp"
+#include "mesh/subdivision.hpp"
 #include "models/flower/derivation.hpp"
 
 namespace panicle::flower {

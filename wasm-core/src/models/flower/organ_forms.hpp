@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "generalized_map/boundary.hpp"
-#include "geometry/thinning.hpp"
+#include "mesh/simplification.hpp"
 #include "models/flower/derivation.hpp"
 
 namespace panicle::flower {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "environment/openness.hpp"
+#include "expression/diagnostics.hpp"
+#include "expression/number_text.hpp"
 #include "foundation/bytes.hpp"
-#include "lsystem/diagnostics.hpp"
-#include "lsystem/number_text.hpp"
+#include "light/sky_visibility.hpp"
 #include "models/flower/thickness.hpp"
 #include "models/flower/upright.hpp"
 
@@ -57,7 +57,7 @@ std::string strange_material(const Program& program, const Derived& derived, std
     splits[production.number] = &production;
     for (const Growth& growth : production.growths) growths[growth.number] = &growth;
   }
-  lsystem::Place place;
+  expression::Place place;
   const auto gives = [&](const Description& description) {
     const bool does = place.line == 0 && description.has(Field::material);
     if (does) place = description.places[static_cast<std::size_t>(Field::material)];
@@ -77,9 +77,9 @@ std::string strange_material(const Program& program, const Derived& derived, std
   }
   if (place.line == 0) place = program.labels[derived.map.volume(volume).label].description.place;
   const float m = derived.values[derived.record_of[volume]][static_cast<std::size_t>(Field::material)];
-  return lsystem::sentence(
+  return expression::sentence(
       "Line %: % has m %; a material's number is a whole one from 0 to 255, and 0 is taken.",
-      {std::to_string(place.line), program.labels[derived.map.volume(volume).label].name, lsystem::number_text(m)});
+      {std::to_string(place.line), program.labels[derived.map.volume(volume).label].name, expression::number_text(m)});
 }
 
 }  // namespace

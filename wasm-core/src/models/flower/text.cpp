@@ -1,6 +1,6 @@
 #include "models/flower/text.hpp"
 
-#include "lsystem/diagnostics.hpp"
+#include "expression/diagnostics.hpp"
 
 namespace panicle::flower {
 namespace {
@@ -12,7 +12,7 @@ bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0x
 Result<std::string> without_comments(std::string_view text) {
   std::string kept;
   kept.reserve(text.size());
-  lsystem::Place place{1, 1}, opened;
+  expression::Place place{1, 1}, opened;
   bool comment = false, bracket = false, other_comment = false;
   char before = 0;
   for (const char c : text) {
@@ -37,7 +37,7 @@ Result<std::string> without_comments(std::string_view text) {
       ++place.column;
     }
   }
-  if (comment) return lsystem::error_at(Reason::syntax, opened, "This comment is never closed; end it with @.");
+  if (comment) return expression::error_at(Reason::syntax, opened, "This comment is never closed; end it with @.");
   return kept;
 }
 

@@ -18,17 +18,17 @@
 #include <string>
 #include <vector>
 
-#include "environment/volume.hpp"
+#include "expression/space.hpp"
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
 #include "lsystem/lsystem.hpp"
-#include "lsystem/space.hpp"
-#include "plant/request.hpp"
+#include "protocol/request.hpp"
+#include "spatial/volume.hpp"
 
 namespace panicle::grammar {
 
 // Areas are counted from 1.
-class Areas final : public lsystem::Space {
+class Areas final : public expression::Space {
  public:
   static constexpr std::size_t most_areas = 64, most_places = 1000;
 

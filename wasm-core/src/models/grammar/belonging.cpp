@@ -4,8 +4,8 @@
 #include <cstring>
 #include <string_view>
 
-#include "lsystem/program.hpp"
-#include "lsystem/words.hpp"
+#include "lsystem/derivation/program.hpp"
+#include "lsystem/derivation/words.hpp"
 
 namespace panicle::grammar {
 namespace {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "geometry/polygon.hpp"
+#include "mesh/polygon.hpp"
 #include "models/grammar/plate.hpp"
 
 namespace panicle::grammar {

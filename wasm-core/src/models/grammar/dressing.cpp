@@ -11,13 +11,13 @@
 #include <string>
 #include <utility>
 
-#include "environment/openness.hpp"
 #include "foundation/mathematics.hpp"
-#include "geometry/ball.hpp"
-#include "geometry/tubes.hpp"
-#include "lsystem/chronicle.hpp"
+#include "light/sky_visibility.hpp"
+#include "lsystem/trace/derivation_trace.hpp"
+#include "mesh/uv_sphere.hpp"
 #include "models/grammar/blades.hpp"
 #include "models/grammar/surfaces.hpp"
+#include "stems/tubes.hpp"
 
 namespace panicle::grammar {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "geometry/segment.hpp"
+#include "stems/segment.hpp"
 
 namespace panicle::grammar {
 

@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "lsystem/words.hpp"
+#include "lsystem/derivation/words.hpp"
+#include "lsystem_plant/derivation_trace_columns.hpp"
+#include "lsystem_plant/requested_program.hpp"
 #include "models/grammar/areas.hpp"
 #include "models/grammar/belonging.hpp"
 #include "models/grammar/dressing.hpp"
@@ -14,9 +16,8 @@
 #include "models/grammar/neighbours.hpp"
 #include "models/grammar/parameters.generated.hpp"
 #include "models/grammar/sketch.hpp"
-#include "plant/chronicle.hpp"
-#include "plant/plain.hpp"
-#include "plant/values.hpp"
+#include "plant/fingerprint.hpp"
+#include "protocol/parameter_values.hpp"
 
 namespace panicle::grammar {
 namespace {
@@ -127,12 +128,14 @@ Result<std::optional<lsystem::Chronicle>> tell(const lsystem::Bound& bound, cons
   return std::optional(std::move(told.value()));
 }
 
+constexpr ProgramOptions program_options{lsystem::Notation::cpfg, lsystem::Lineages::where_needed};
+
 Result<Plant> grow(Request& request, const Limits& given) {
   WorkBudget own(given.work, given.bytes);
   const Limits limits = roomy(given).counted_by(own);
   const Result<Asked> asked = read(request);
   Result<Areas> areas = Areas::read(request, limits);
-  const auto program = request.program(limits);
+  const auto program = requested_program(request, program_options, limits);
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
   if (!asked) return asked.error();
   if (!areas) return areas.error();
@@ -209,6 +212,8 @@ Result<Plant> grow(Request& request, const Limits& given) {
 }  // namespace
 
 extern const Model model;
-const Model model{"grammar", grow, lsystem::Notation::cpfg, lsystem::Lineages::where_needed};
+const Model model{"grammar", grow, [](std::string_view text, const Limits& limits) {
+                    return compile_program(text, program_options, limits);
+                  }};
 
 }  // namespace panicle::grammar

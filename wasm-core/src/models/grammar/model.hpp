@@ -1,7 +1,7 @@
 // Any text grown as a plant (docs/models/grammar/grammar.md): its lines are tubes, its spheres balls, its polygons
 // blades, its surfaces organs.
 //
-// Blocks of a request besides everyone's (plant/request.hpp), of which `grammar` or `program` must be there:
+// Blocks of a request besides everyone's (protocol/request.hpp), of which `grammar` or `program` must be there:
 //   steps              uint32: of the derivation, in place of the text's own
 //   constants.names    text: names of the text's `#define`s and `#input`s, a line each
 //   constants.values   float32: one a name
@@ -9,7 +9,7 @@
 //   outputs            `string` besides everyone's: the derived string as text; `chronicle`: how it was derived;
 //                      `coarse`: meshes that do in passing
 //
-// Columns of a plant besides everyone's (boundary/panicle.h):
+// Columns of a plant besides everyone's (exports/panicle.h):
 //   segments.module, organs.module   uint32 each: the module that drew it, by its place in the last string, from 0;
 //                                    0xffffffff for all where the derivation is told, and that is cut short
 //   segments.colour, organs.colour   uint8 each: 1 … 8 of the document's palette
@@ -19,7 +19,8 @@
 //   within
 //                                    a leaf's length of a leaf's base
 //   string                           text, where it is asked for: it reads back as an axiom
-//   chronicle.…                      where it is asked for: how it was derived (plant/chronicle.hpp)
+//   chronicle.…                      where it is asked for: how it was derived
+//   (lsystem_plant/derivation_trace_columns.hpp)
 // Measures: measures.generated.hpp. Counts: modules (of the last string), steps (that were taken), segments, organs,
 // polygons. Tags: stem; ball, polygon and the names of surfaces.hpp. Meshes: `stems` (segment: uint32 a vertex; colour:
 // uint8 a run; a run a colour), and where there are such: `blades` (colour: uint8 a run; organ: uint32 a run; a run a
@@ -27,7 +28,7 @@
 // of stems and blades, and of organs in the mean.
 #pragma once
 
-#include "plant/model.hpp"
+#include "protocol/model.hpp"
 
 namespace panicle::grammar {
 

@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "environment/matter_cells.hpp"
+#include "light/density_grid.hpp"
 
 namespace panicle::grammar {
 namespace {

@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "environment/point_grid.hpp"
-#include "environment/voxel_light.hpp"
+#include "light/voxel_light.hpp"
 #include "lsystem/lsystem.hpp"
+#include "spatial/point_grid.hpp"
 
 namespace panicle::grammar {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "geometry/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace panicle::grammar {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace panicle::grammar {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/ball.hpp"
+#include "mesh/uv_sphere.hpp"
 #include "models/grammar/surfaces.hpp"
 
 namespace panicle::grammar {

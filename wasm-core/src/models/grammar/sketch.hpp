@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plant/drawing.hpp"
+#include "lsystem_plant/drawing.hpp"
 
 namespace panicle::grammar {
 

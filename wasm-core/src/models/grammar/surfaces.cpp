@@ -5,7 +5,7 @@
 #include <span>
 
 #include "foundation/mathematics.hpp"
-#include "geometry/ball.hpp"
+#include "mesh/uv_sphere.hpp"
 #include "models/grammar/outlines.hpp"
 
 namespace panicle::grammar {

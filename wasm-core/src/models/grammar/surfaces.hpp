@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "geometry/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace panicle::grammar {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "environment/matter_cells.hpp"
+#include "light/density_grid.hpp"
 #include "models/growth/population.hpp"
 #include "models/growth/surroundings.hpp"
 

@@ -7,9 +7,9 @@
 namespace panicle::growth {
 namespace {
 
-using lsystem::Place;
-using lsystem::Token;
-using lsystem::TokenKind;
+using expression::Place;
+using expression::Token;
+using expression::TokenKind;
 
 struct AttributeName {
   std::string_view name;

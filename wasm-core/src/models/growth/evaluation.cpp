@@ -3,12 +3,12 @@
 #include <cmath>
 #include <string>
 
-#include "lsystem/number_text.hpp"
+#include "expression/number_text.hpp"
 
 namespace panicle::growth {
 
-using lsystem::error_at;
-using lsystem::number_text;
+using expression::error_at;
+using expression::number_text;
 
 Evaluation::Evaluation(const Rules& rules, std::uint64_t seed) : code_(rules.code), registers_(rules.code.registers) {
   sources_.arrays = functions_;
@@ -26,14 +26,14 @@ bool Evaluation::holds(const Number& condition) {
 }
 
 bool Evaluation::work_out(const Number& number, float& value) {
-  const lsystem::Value& of = number.value;
+  const expression::Value& of = number.value;
   Diagnostic fault;
   work_ += of.code.size() / 8;
-  if (!lsystem::execute(code_, of.code.begin, of.code.end, registers_.data(), sources_, fault)) {
+  if (!expression::execute(code_, of.code.begin, of.code.end, registers_.data(), sources_, fault)) {
     const bool of_function = fault.message.rfind("There is no ", 0) == 0 && fault.message[13] == '[';
     if (of_function)
-      fault.message = lsystem::sentence("D and E take whole numbers from 0 to % here.",
-                                        {std::to_string(std::max<std::size_t>(functions_[0].size(), 1) - 1)});
+      fault.message = expression::sentence("D and E take whole numbers from 0 to % here.",
+                                           {std::to_string(std::max<std::size_t>(functions_[0].size(), 1) - 1)});
     return fail(std::move(fault));
   }
   value = registers_[of.source];

@@ -42,10 +42,10 @@ class Evaluation {
   const Diagnostic& trouble() const { return trouble_; }
 
  private:
-  const lsystem::Code& code_;
+  const expression::Code& code_;
   std::vector<float> registers_;
   std::array<std::vector<float>, 2> functions_;
-  lsystem::Sources sources_;
+  expression::Sources sources_;
   std::uint64_t work_ = 0;
   Diagnostic trouble_;
 };

@@ -9,7 +9,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
-#include "geometry/turn.hpp"
+#include "foundation/rotation.hpp"
 #include "models/growth/leaf_poses.hpp"
 
 namespace panicle::growth {

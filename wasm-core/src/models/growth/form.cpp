@@ -7,7 +7,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
-#include "geometry/turn.hpp"
+#include "foundation/rotation.hpp"
 #include "models/growth/crown_light.hpp"
 #include "models/growth/free_room.hpp"
 #include "models/growth/volume_shape.hpp"

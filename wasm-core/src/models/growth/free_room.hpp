@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "environment/point_grid.hpp"
 #include "models/growth/surroundings.hpp"
 #include "models/growth/volume_shape.hpp"
+#include "spatial/point_grid.hpp"
 
 namespace panicle::growth {
 

@@ -13,7 +13,7 @@ FourVectors all_of(const glm::vec3& v) { return {panicle::all_of(v.x), panicle::
 
 FourVectors unit(const FourVectors& v) { return 1.0f / square_root(dot(v, v)) * v; }
 
-// At right angles to unit vectors, as of geometry/turn.hpp.
+// At right angles to unit vectors, as of foundation/rotation.hpp.
 FourVectors beside(const FourVectors& way) {
   const Four none = panicle::all_of(0);
   const auto level = (way.y < steep) & (way.y > -steep);
@@ -24,7 +24,7 @@ FourVectors unit(const FourVectors& v, const FourVectors& otherwise) {
   return chosen(dot(v, v) > least, unit(v), otherwise);
 }
 
-// The rotations that take +Y to `up` and +Z to `front`, as turn_to of geometry/turn.hpp.
+// The rotations that take +Y to `up` and +Z to `front`, as turn_to of foundation/rotation.hpp.
 std::array<glm::vec4, 4> turns_to(const FourVectors& up, const FourVectors& front) {
   const FourVectors side = cross(up, front);
   const Four trace = side.x + up.y + front.z;

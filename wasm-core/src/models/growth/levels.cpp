@@ -8,10 +8,10 @@
 #include <limits>
 #include <utility>
 
-#include "environment/openness.hpp"
 #include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
-#include "geometry/turn.hpp"
+#include "foundation/rotation.hpp"
+#include "light/sky_visibility.hpp"
 #include "models/growth/foliage.hpp"
 #include "models/growth/sheets.hpp"
 

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "environment/openness.hpp"
+#include "foliage/blade.hpp"
 #include "foundation/mathematics.hpp"
-#include "geometry/wood.hpp"
+#include "light/sky_visibility.hpp"
 #include "models/growth/foliage.hpp"
 #include "models/growth/form.hpp"
 #include "models/growth/levels.hpp"
@@ -19,10 +19,10 @@
 #include "models/growth/parameters.generated.hpp"
 #include "models/growth/population.hpp"
 #include "models/growth/rules.hpp"
-#include "plant/blade.hpp"
-#include "plant/plain.hpp"
-#include "plant/values.hpp"
+#include "plant/fingerprint.hpp"
 #include "plant/wood_measures.hpp"
+#include "protocol/parameter_values.hpp"
+#include "stems/wood.hpp"
 
 namespace panicle::growth {
 namespace {

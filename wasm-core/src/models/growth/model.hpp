@@ -1,12 +1,12 @@
 // A tree whose counts are divisor functions (Kim, Kim and Cho 2013; docs/models/growth/growth.md).
 //
-// Blocks of a request besides everyone's (plant/request.hpp): `rules`, which must be there, a text of the growth
-// language; of plant/flat_leaf.hpp the leaf that it bears, but needles; and `surroundings` (float32 × 16), what stands
-// about it: eight heights of the horizon, in degrees above level, at the azimuths 0°, 45° … (from +X to +Z), then
-// eight metres of free room from the origin in those directions. Absent: it stands alone. `levels` (uint32): how many
-// levels are made where they are asked for, from near to far; absent: all four.
+// Blocks of a request besides everyone's (protocol/request.hpp): `rules`, which must be there, a text of the growth
+// language; of foliage/flat_leaf.hpp the leaf that it bears, but needles; and `surroundings` (float32 × 16), what
+// stands about it: eight heights of the horizon, in degrees above level, at the azimuths 0°, 45° … (from +X to +Z),
+// then eight metres of free room from the origin in those directions. Absent: it stands alone. `levels` (uint32): how
+// many levels are made where they are asked for, from near to far; absent: all four.
 //
-// Columns of a plant besides everyone's (boundary/panicle.h):
+// Columns of a plant besides everyone's (exports/panicle.h):
 //   segments.shoot   uint32: the shoot that each is of
 //   segments.order   uint8: of that shoot, 0 of a trunk
 //   segments.born    uint16 as uint32: the step at which that shoot came
@@ -25,7 +25,7 @@
 // shed, blossoms, bunches.
 #pragma once
 
-#include "plant/model.hpp"
+#include "protocol/model.hpp"
 
 namespace panicle::growth {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/segment.hpp"
 #include "models/growth/form.hpp"
+#include "stems/segment.hpp"
 
 namespace panicle::growth {
 

@@ -2,16 +2,16 @@
 #include <cmath>
 #include <string>
 
+#include "expression/diagnostics.hpp"
+#include "expression/number_text.hpp"
 #include "foundation/random.hpp"
-#include "lsystem/diagnostics.hpp"
-#include "lsystem/number_text.hpp"
 #include "models/growth/population.hpp"
 #include "models/growth/volumes.hpp"
 
 namespace panicle::growth {
 namespace {
 
-using lsystem::error_at;
+using expression::error_at;
 
 // What the rules make of one shoot at one step.
 struct Outcome {

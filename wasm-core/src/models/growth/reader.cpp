@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "expression/operations.hpp"
 #include "foundation/random.hpp"
-#include "lsystem/operations.hpp"
 
 namespace panicle::growth {
 namespace {
 
-using lsystem::Place;
-using lsystem::Token;
-using lsystem::TokenKind;
+using expression::Place;
+using expression::Token;
+using expression::TokenKind;
 
 constexpr std::uint32_t of_volume =
     bit(Word::count) | bit(Word::id) | bit(Word::base) | bit(Word::height) | bit(Word::top) | bit(Word::gradient);
@@ -43,14 +43,14 @@ std::string list_of(std::uint32_t may_use) {
 
 std::string known_functions() {
   std::string known = "D, E";
-  for (const lsystem::Function& function : lsystem::functions)
-    if (!lsystem::is_asked(function.op)) known.append(", ").append(function.name);
+  for (const expression::Function& function : expression::functions)
+    if (!expression::is_asked(function.op)) known.append(", ").append(function.name);
   return known;
 }
 
 }  // namespace
 
-Reader::Reader(std::span<const Token> tokens, Rules& rules, lsystem::Lowering& lowering)
+Reader::Reader(std::span<const Token> tokens, Rules& rules, expression::Lowering& lowering)
     : TokenReader(tokens), rules_(rules), lowering_(lowering) {
   curves_.add(branch_function);
   curves_.add(leaf_function);
@@ -309,7 +309,7 @@ bool Reader::numbers(std::uint32_t may_use, std::vector<Number>& values) {
 }
 
 bool Reader::number(std::size_t end, std::uint32_t may_use, Number& number) {
-  lsystem::Expression tree;
+  expression::Expression tree;
   if (!expression_before(end, tree)) {
     if (trouble_.reason != Reason::undefined) return false;
     return fail(Reason::undefined, {trouble_.line, trouble_.column}, "There is no such function; there are %.",
@@ -330,8 +330,8 @@ bool Reader::number(std::size_t end, std::uint32_t may_use, Number& number) {
 }
 
 // D(x) and E(x) become places in lists that begin at 0: what the divisor functions give is put there before growth.
-bool Reader::rewritten(lsystem::Expression& tree, std::uint32_t may_use, Number& number) {
-  using lsystem::Node;
+bool Reader::rewritten(expression::Expression& tree, std::uint32_t may_use, Number& number) {
+  using expression::Node;
   std::vector<Node> nodes;
   for (const Node& node : tree.nodes) {
     if (node.kind == Node::Kind::element)
@@ -341,22 +341,22 @@ bool Reader::rewritten(lsystem::Expression& tree, std::uint32_t may_use, Number&
       if (word == words || (may_use >> word & 1) == 0) return unknown_word(node, may_use);
       number.uses |= 1u << word;
     }
-    if (node.kind == Node::Kind::operation && node.op == lsystem::Op::curve) {
+    if (node.kind == Node::Kind::operation && node.op == expression::Op::curve) {
       const bool leaves = node.curve == 1;
       if (may_use == 0 || may_use == bit(Word::k))
         return wrong(node.place, "D and E are known while the tree grows, not here; write a number.");
       (leaves ? rules_.uses_leaf_function : rules_.uses_branch_function) = true;
       if (needs_function_.line == 0) needs_function_ = node.place;
       nodes.push_back({Node::Kind::name, {}, 0, 0, word_names[words - 1], node.place});
-      nodes.push_back({Node::Kind::operation, lsystem::Op::add, 2, 0, {}, node.place});
+      nodes.push_back({Node::Kind::operation, expression::Op::add, 2, 0, {}, node.place});
       nodes.push_back(
-          {Node::Kind::element, lsystem::Op::element, 1, 0, leaves ? leaf_function : branch_function, node.place});
+          {Node::Kind::element, expression::Op::element, 1, 0, leaves ? leaf_function : branch_function, node.place});
       continue;
     }
-    if (node.kind == Node::Kind::operation && lsystem::is_asked(node.op))
+    if (node.kind == Node::Kind::operation && expression::is_asked(node.op))
       return wrong(node.place, "% asks about a place of the plant, which a growth grammar does not know; take it out.",
                    {node.name});
-    number.draws |= node.kind == Node::Kind::operation && lsystem::is_random(node.op);
+    number.draws |= node.kind == Node::Kind::operation && expression::is_random(node.op);
     nodes.push_back(node);
   }
   used_ |= number.uses;
@@ -364,7 +364,7 @@ bool Reader::rewritten(lsystem::Expression& tree, std::uint32_t may_use, Number&
   return true;
 }
 
-bool Reader::unknown_word(const lsystem::Node& node, std::uint32_t may_use) {
+bool Reader::unknown_word(const expression::Node& node, std::uint32_t may_use) {
   if (may_use == 0)
     return fail(Reason::undefined, node.place, "'%' is not known before anything grows; write a number here.",
                 {node.name});

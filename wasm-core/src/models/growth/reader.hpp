@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lsystem/lowering.hpp"
-#include "lsystem/token_reader.hpp"
+#include "expression/lowering.hpp"
+#include "expression/token_reader.hpp"
 #include "models/growth/rules.hpp"
 
 namespace panicle::growth {
@@ -15,9 +15,9 @@ struct Said {
   bool counts = false, buds = false, leaves = false;
 };
 
-class Reader : lsystem::TokenReader {
+class Reader : expression::TokenReader {
  public:
-  Reader(std::span<const lsystem::Token> tokens, Rules& rules, lsystem::Lowering& lowering);
+  Reader(std::span<const expression::Token> tokens, Rules& rules, expression::Lowering& lowering);
 
   // False: `trouble()`.
   bool run();
@@ -25,7 +25,7 @@ class Reader : lsystem::TokenReader {
   const Said& said() const { return said_; }
   std::uint32_t used() const { return used_; }
   // A rule that uses D or E, which a `tree` has to give: where.
-  const lsystem::Place& needs_function() const { return needs_function_; }
+  const expression::Place& needs_function() const { return needs_function_; }
 
  private:
   bool statement();
@@ -36,25 +36,25 @@ class Reader : lsystem::TokenReader {
   bool next_argument();
   bool attribute(std::string_view name, VolumeRule& rule);
   bool range_of(std::vector<Number>& values, bool drawn, std::string_view name, VolumeRule& rule,
-                const lsystem::Place& place);
+                const expression::Place& place);
   bool positional(std::vector<Number>& values, VolumeRule& rule);
   bool tree();
   bool divisor_function(TreeRule& rule);
-  bool type_of(const lsystem::Token& token, DivisorFunction& function);
-  bool parameters_fit(const lsystem::Token& type, DivisorFunction& function);
+  bool type_of(const expression::Token& token, DivisorFunction& function);
+  bool parameters_fit(const expression::Token& type, DivisorFunction& function);
   bool buds();
   bool conditional();
   bool condition(std::size_t end, Rule& rule);
   bool consequences(std::size_t end, Rule& rule);
   bool consequence(std::size_t end, Rule& rule);
-  bool assigned(const lsystem::Token& name, Consequence& consequence);
-  bool called(const lsystem::Token& name, std::size_t end, Consequence& consequence);
+  bool assigned(const expression::Token& name, Consequence& consequence);
+  bool called(const expression::Token& name, std::size_t end, Consequence& consequence);
   bool weight(Number& number);
   bool place_rule(Rule rule);
 
   bool number(std::size_t end, std::uint32_t may_use, Number& number);
-  bool rewritten(lsystem::Expression& tree, std::uint32_t may_use, Number& number);
-  bool unknown_word(const lsystem::Node& node, std::uint32_t may_use);
+  bool rewritten(expression::Expression& tree, std::uint32_t may_use, Number& number);
+  bool unknown_word(const expression::Node& node, std::uint32_t may_use);
   // The values of a call whose ( is here.
   bool numbers(std::uint32_t may_use, std::vector<Number>& values);
   bool opens(std::size_t at) const { return at < end_ && tokens_[at].is('('); }
@@ -64,15 +64,16 @@ class Reader : lsystem::TokenReader {
   std::size_t colon_before_arrow() const;
 
   Rules& rules_;
-  lsystem::Lowering& lowering_;
-  std::vector<lsystem::Named> formals_;
+  expression::Lowering& lowering_;
+  std::vector<expression::Named> formals_;
+  std::size_t arrow_ = 0;  // token of the statement's arrow
   std::size_t successors_end_ = 0;
   // Of a footprint, and of all else: a footprint that is written otherwise leaves what others draw as it is.
   std::array<std::uint64_t, 2> expressions_{};
   bool in_footprint_ = false;
   std::uint32_t used_ = 0;
   Said said_;
-  lsystem::Place needs_function_;
+  expression::Place needs_function_;
 };
 
 }  // namespace panicle::growth

@@ -10,8 +10,8 @@ namespace panicle::growth {
 namespace {
 
 // Reads lines of the standard, which have no mistakes.
-std::uint32_t add_standard(std::string_view text, Rules& rules, lsystem::Lowering& lowering) {
-  const auto tokens = lsystem::tokenize(text, lsystem::Writing::rules);
+std::uint32_t add_standard(std::string_view text, Rules& rules, expression::Lowering& lowering) {
+  const auto tokens = expression::tokenize(text, expression::Writing::rules);
   Reader reader(tokens.value(), rules, lowering);
   reader.run();
   return reader.used();
@@ -46,7 +46,7 @@ void note_unused(Rules& rules, std::uint32_t used) {
   const auto note = [&](bool given, bool read, std::string_view what, std::string_view name) {
     if (!given || read) return;
     rules.notes.push_back(
-        lsystem::sentence("The text gives %, and no rule of it reads %: it changes nothing.", {what, name}));
+        expression::sentence("The text gives %, and no rule of it reads %: it changes nothing.", {what, name}));
   };
   const bool leaves = gives(rules, DivisorFunction::Of::leaves, false);
   note(gives(rules, DivisorFunction::Of::branches, false),
@@ -59,17 +59,17 @@ void note_unused(Rules& rules, std::uint32_t used) {
 }  // namespace
 
 Result<Rules> read_rules(std::string_view text, const Limits& limits) {
-  using lsystem::error_at;
+  using expression::error_at;
   if (text.size() > limits.text_bytes)
     return error_at(Reason::limit, {}, "The text is longer than % bytes, which is the limit; make it shorter.",
                     {std::to_string(limits.text_bytes)});
-  const auto tokens = lsystem::tokenize(text, lsystem::Writing::rules);
+  const auto tokens = expression::tokenize(text, expression::Writing::rules);
   if (!tokens) return tokens.error();
   if (tokens->empty())
     return error_at(Reason::syntax, {1, 1}, "The text is empty; begin with tree -> DivFunc(\"sigma1\"){branches}.");
 
   Rules rules;
-  lsystem::Lowering lowering(rules.code);
+  expression::Lowering lowering(rules.code);
   lowering.define_array("D");
   lowering.define_array("E");
   Reader reader(tokens.value(), rules, lowering);
@@ -86,7 +86,7 @@ Result<Rules> read_rules(std::string_view text, const Limits& limits) {
 
   if (!gives(rules, DivisorFunction::Of::branches, false) && (rules.uses_branch_function || rules.uses_leaf_function))
     return error_at(Reason::undefined,
-                    reader.needs_function().line > 0 ? reader.needs_function() : lsystem::Place{1, 1},
+                    reader.needs_function().line > 0 ? reader.needs_function() : expression::Place{1, 1},
                     "Nothing says which divisor function D is; write tree -> DivFunc(\"sigma1\"){branches}.");
   if (const DivisorFunction* const again = given_twice(rules))
     return error_at(Reason::syntax, again->place,

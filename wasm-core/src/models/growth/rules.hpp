@@ -10,7 +10,7 @@
 #include "foundation/divisors.hpp"
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
-#include "lsystem/program.hpp"
+#include "lsystem/derivation/program.hpp"
 
 namespace panicle::growth {
 
@@ -47,7 +47,7 @@ constexpr std::uint32_t bit(Word word) { return 1u << static_cast<std::uint32_t>
 
 // An expression of the text.
 struct Number {
-  lsystem::Value value;
+  expression::Value value;
   std::uint32_t uses = 0;  // bits of words
   bool draws = false;
 };
@@ -62,7 +62,7 @@ struct Attribute {
 
 struct VolumeRule {
   std::vector<Attribute> attributes;  // later ones win
-  lsystem::Place place;
+  expression::Place place;
 };
 
 // `DivFunc(type, parameters){what}`
@@ -74,13 +74,13 @@ struct DivisorFunction {
   std::uint32_t power = 0;  // where the name has it
   bool powered = false;
   std::vector<Number> parameters;  // a where the name has no power, then b and m of a residue
-  lsystem::Place place;
+  expression::Place place;
 };
 
 struct TreeRule {
   std::vector<DivisorFunction> functions;
   Number weight;  // where given, one of all that have one is drawn
-  lsystem::Place place;
+  expression::Place place;
 };
 
 struct Consequence {
@@ -97,7 +97,7 @@ struct Rule {
   std::vector<Consequence> consequences;
   Number probability;  // where given; of `bud(…) -> branch`, each bud's
   std::uint64_t stream = 0;
-  lsystem::Place place;
+  expression::Place place;
 };
 
 struct Rules {
@@ -109,7 +109,7 @@ struct Rules {
   bool repeatable =
       true;  // whether shoots of one volume and age do the same, but for the luck of buds and child trunks
   bool uses_branch_function = false, uses_leaf_function = false;
-  lsystem::Code code;
+  expression::Code code;
   std::vector<std::string> notes;  // on what the text says in vain
 };
 

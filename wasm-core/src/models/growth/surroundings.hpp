@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "environment/voxel_light.hpp"
 #include "foundation/result.hpp"
+#include "light/voxel_light.hpp"
 
 namespace panicle::growth {
 

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <string>
 
+#include "expression/diagnostics.hpp"
+#include "expression/number_text.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
-#include "lsystem/diagnostics.hpp"
-#include "lsystem/number_text.hpp"
 
 namespace panicle::growth {
 namespace {
 
-using lsystem::error_at;
+using expression::error_at;
 
 // What is drawn is rounded to centimetres and hundredths of degrees, so that whoever writes it down has all of it.
 float rounded(float value) { return std::floor(value * 100 + 0.5f) / 100; }
@@ -70,7 +70,7 @@ struct Drawer {
     volumes = static_cast<std::uint32_t>(found);
     if (found == static_cast<float>(volumes)) return true;
     return evaluation.fail(
-        error_at(Reason::evaluation, rule.place, "cnt is a whole number, not %.", {lsystem::number_text(found)}));
+        error_at(Reason::evaluation, rule.place, "cnt is a whole number, not %.", {expression::number_text(found)}));
   }
 
   bool volume(const VolumeRule& rule, std::uint32_t of_rule, std::uint64_t address, GrowthVolume& volume,
@@ -223,7 +223,7 @@ bool rule_of(const DivisorFunction& function, Evaluation& evaluation, DivisorRul
          evaluation.whole(next[0], 0, static_cast<float>(rule.modulus - 1), "The remainder", rule.remainder);
 }
 
-bool fail_at(Evaluation& evaluation, Diagnostic trouble, const lsystem::Place& place) {
+bool fail_at(Evaluation& evaluation, Diagnostic trouble, const expression::Place& place) {
   trouble.line = place.line;
   trouble.column = place.column;
   if (!trouble.message.empty() && trouble.message[0] >= 'a' && trouble.message[0] <= 'z')
@@ -233,7 +233,7 @@ bool fail_at(Evaluation& evaluation, Diagnostic trouble, const lsystem::Place& p
 }
 
 // As floats, which hold whole numbers to 2^24.
-bool values_of(const DivisorRule& rule, std::uint32_t last, const lsystem::Place& place, Evaluation& evaluation,
+bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::Place& place, Evaluation& evaluation,
                std::vector<float>& values) {
   const auto sums = divisor_sums(rule, last);
   if (!sums) return fail_at(evaluation, sums.error(), place);

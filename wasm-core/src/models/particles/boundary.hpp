@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "environment/solid.hpp"
+#include "spatial/solid.hpp"
 
 namespace panicle::particles {
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "environment/region.hpp"
-#include "environment/voxel_light.hpp"
+#include "light/voxel_light.hpp"
 #include "models/particles/obstacles.hpp"
+#include "spatial/region.hpp"
 
 namespace panicle::particles {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <utility>
 
-#include "environment/openness.hpp"
-#include "geometry/wood.hpp"
+#include "light/sky_visibility.hpp"
+#include "stems/wood.hpp"
 
 namespace panicle::particles {
 namespace {

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/foot.hpp"
 #include "models/particles/grown.hpp"
 #include "models/particles/trail_plant.hpp"
 #include "models/particles/trails.hpp"
 #include "plant/plant.hpp"
+#include "stems/root_flare.hpp"
 
 namespace panicle::particles {
 

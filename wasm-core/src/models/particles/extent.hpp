@@ -1,7 +1,7 @@
 // How large a region is.
 #pragma once
 
-#include "environment/region.hpp"
+#include "spatial/region.hpp"
 
 namespace panicle::particles {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "environment/look_budget.hpp"
 #include "models/particles/extent.hpp"
 #include "models/particles/moment.hpp"
+#include "spatial/look_budget.hpp"
 
 namespace panicle::particles {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "environment/point_grid.hpp"
 #include "models/particles/guide.hpp"
+#include "spatial/point_grid.hpp"
 
 namespace panicle::particles {
 

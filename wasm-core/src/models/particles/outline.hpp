@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "environment/region.hpp"
+#include "spatial/region.hpp"
 
 namespace panicle::particles {
 

@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "environment/region.hpp"
 #include "models/particles/extent.hpp"
+#include "spatial/region.hpp"
 
 namespace panicle::particles {
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "environment/solid.hpp"
 #include "models/particles/obstacles.hpp"
-#include "plant/request.hpp"
+#include "protocol/request.hpp"
+#include "spatial/solid.hpp"
 
 namespace panicle::particles {
 

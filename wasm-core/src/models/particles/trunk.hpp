@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "environment/region.hpp"
 #include "models/particles/axis.hpp"
 #include "models/particles/guide.hpp"
 #include "models/particles/obstacles.hpp"
+#include "spatial/region.hpp"
 
 namespace panicle::particles {
 

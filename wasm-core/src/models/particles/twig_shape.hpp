@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "environment/region.hpp"
 #include "models/particles/guide.hpp"
 #include "models/particles/trails.hpp"
+#include "spatial/region.hpp"
 
 namespace panicle::particles {
 

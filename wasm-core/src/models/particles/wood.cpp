@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "foundation/random.hpp"
-#include "models/particles/crowd.hpp"
 #include "models/particles/forks.hpp"
 #include "models/particles/gather.hpp"
+#include "models/particles/particle_system.hpp"
 #include "models/particles/polish.hpp"
 #include "models/particles/refusals.hpp"
 

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "environment/region.hpp"
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
 #include "models/particles/moment.hpp"
@@ -16,6 +15,7 @@
 #include "models/particles/trail_plant.hpp"
 #include "models/particles/trunk.hpp"
 #include "models/particles/twig_shape.hpp"
+#include "spatial/region.hpp"
 
 namespace panicle::particles {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
-#include "geometry/mesh.hpp"
+#include "mesh/mesh.hpp"
 #include "models/stand/plan.hpp"
 
 namespace panicle::stand {

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "environment/point_grid.hpp"
 #include "foundation/fingerprint.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
@@ -19,8 +18,9 @@
 #include "models/stand/plan.hpp"
 #include "models/stand/surroundings.hpp"
 #include "models/stand/trellises.hpp"
-#include "plant/plain.hpp"
-#include "plant/values.hpp"
+#include "plant/fingerprint.hpp"
+#include "protocol/parameter_values.hpp"
+#include "spatial/point_grid.hpp"
 
 namespace panicle::stand {
 namespace {

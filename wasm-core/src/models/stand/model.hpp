@@ -1,9 +1,10 @@
 // A stand: many specimens of any models over a ground (docs/models/stand/stand.md). This model places them; what grows
 // there is grown by their own.
 //
-// Blocks of a request besides everyone's (plant/request.hpp): `plan`, which must be there, a text of the plan language.
+// Blocks of a request besides everyone's (protocol/request.hpp): `plan`, which must be there, a text of the plan
+// language.
 //
-// Columns of a plant besides everyone's (boundary/panicle.h); kinds are the text's lines of what grows, in its order:
+// Columns of a plant besides everyone's (exports/panicle.h); kinds are the text's lines of what grows, in its order:
 //   kinds.names      text: a line each, model/preset
 //   kinds.place      uint32 × 2: line and column in the plan
 //   kinds.seeds      uint32: how many different ones there are; 0: as many as plants
@@ -26,7 +27,7 @@
 // `wires`. Counts: plants, kinds, borne, and posts where there are such.
 #pragma once
 
-#include "plant/model.hpp"
+#include "protocol/model.hpp"
 
 namespace panicle::stand {
 

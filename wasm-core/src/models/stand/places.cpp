@@ -307,15 +307,15 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
     before = upto;
     if (count == 0) {
       if (counts[i] > 0)
-        notes.push_back(lsystem::sentence("Of so few plants none are left for those of line %; ask for more.",
-                                          {std::to_string(layer.place.line)}));
+        notes.push_back(expression::sentence("Of so few plants none are left for those of line %; ask for more.",
+                                             {std::to_string(layer.place.line)}));
       first_kind += static_cast<std::uint32_t>(layer.kinds.size());
       continue;
     }
     const Spots spots = spots_of(layer, count, plan.ground, seed, i);
     if (spots.missing > 0)
-      notes.push_back(lsystem::sentence("Of % plants % found no place: the ground is full.",
-                                        {std::to_string(count), std::to_string(spots.missing)}));
+      notes.push_back(expression::sentence("Of % plants % found no place: the ground is full.",
+                                           {std::to_string(count), std::to_string(spots.missing)}));
     const Luck luck(seed, "stand kind", i);
     for (std::uint32_t k = 0; k < spots.at.size(); ++k) {
       Placement plant;

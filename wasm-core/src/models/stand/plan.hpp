@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "expression/diagnostics.hpp"
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
-#include "lsystem/diagnostics.hpp"
 
 namespace panicle::stand {
 
@@ -25,13 +25,13 @@ struct Setting {
   std::string key;
   std::string word;  // where it is no number
   Range range;
-  lsystem::Place place;
+  expression::Place place;
 };
 
 // What can grow: a model's preset, and how.
 struct Kind {
   std::string name;  // model/preset
-  lsystem::Place place;
+  expression::Place place;
   float share = 1;
   float width = 4, height = 8;  // of the crown at scale 1, metres: what neighbours know of it
   Range scale{1, 1};
@@ -61,7 +61,7 @@ enum class Spacing : std::uint8_t { chance, strata, blue, rows };
 
 // `plants …` and the kinds below it.
 struct Layer {
-  lsystem::Place place;
+  expression::Place place;
   std::uint32_t count = 0;  // 0: as many as rows have room for
   Spacing spacing = Spacing::strata;
   float apart = 0;    // blue: the least distance, 0 for what suits; rows: from row to row

@@ -3,19 +3,19 @@
 #include <cmath>
 #include <utility>
 
-#include "lsystem/lowering.hpp"
-#include "lsystem/number_text.hpp"
-#include "lsystem/token_reader.hpp"
+#include "expression/lowering.hpp"
+#include "expression/number_text.hpp"
+#include "expression/token_reader.hpp"
 #include "models/stand/plan.hpp"
 
 namespace panicle::stand {
 namespace {
 
-using lsystem::error_at;
-using lsystem::number_text;
-using lsystem::Place;
-using lsystem::Token;
-using lsystem::TokenKind;
+using expression::error_at;
+using expression::number_text;
+using expression::Place;
+using expression::Token;
+using expression::TokenKind;
 
 constexpr const char* beginnings =
     "A line begins with ground, plants, trellis, or what grows there as model/preset; '%' is none of these.";
@@ -26,7 +26,7 @@ constexpr float least_depth = 0.000999f;
 // What may stand between two numbers, and so ends the first.
 bool joins(const Token& token) { return token.is("x") || token.is("to"); }
 
-class Reader : lsystem::TokenReader {
+class Reader : expression::TokenReader {
  public:
   explicit Reader(std::span<const Token> tokens) : TokenReader(tokens), lowering_(code_) {}
 
@@ -63,8 +63,8 @@ class Reader : lsystem::TokenReader {
   bool on(std::string_view word) const { return at_ < end_ && tokens_[at_].is(word); }
 
   Plan plan_;
-  lsystem::Code code_;
-  lsystem::Lowering lowering_;
+  expression::Code code_;
+  expression::Lowering lowering_;
   bool grounded_ = false;
 };
 
@@ -115,7 +115,7 @@ bool Reader::number(float least, float most, const char* what, float& value) {
     ++until;
   }
   if (until == at_) return wrong(place, "A number is missing here: %.", {what});
-  lsystem::Expression tree;
+  expression::Expression tree;
   if (!expression_before(until, tree)) return false;
   if (at_ != until) return wrong(here(), "'%' cannot stand here; items are parted by commas.", {found()});
   lowering_.begin_production({}, 0);
@@ -126,11 +126,11 @@ bool Reader::number(float least, float most, const char* what, float& value) {
     return false;
   }
   std::vector<float> registers = code_.registers;
-  for (const lsystem::Node& node : tree.nodes)
-    if (node.kind == lsystem::Node::Kind::operation &&
-        (lsystem::is_random(node.op) || lsystem::is_asked(node.op) || node.op == lsystem::Op::curve))
+  for (const expression::Node& node : tree.nodes)
+    if (node.kind == expression::Node::Kind::operation &&
+        (expression::is_random(node.op) || expression::is_asked(node.op) || node.op == expression::Op::curve))
       return wrong(node.place, "Nothing is drawn here; write the least and the most, as in scale 0.7 to 1.2.");
-  if (!lsystem::execute(code_, begin, lowering_.here(), registers.data(), {}, trouble_)) return false;
+  if (!expression::execute(code_, begin, lowering_.here(), registers.data(), {}, trouble_)) return false;
   value = registers[source.value()];
   if (value >= least && value <= most) return true;
   return fail(Reason::evaluation, place, "% is from % to %, not %.",
@@ -260,7 +260,7 @@ bool Reader::kind() {
     return wrong(kind.place, "Say first how many plants there are and how they stand: plants 100, blue 2.");
   std::size_t last = at_;
   while (last + 1 < end_ && !tokens_[last + 1].is(',') && !tokens_[last + 1].is(':') &&
-         lsystem::touching(tokens_[last], tokens_[last + 1]))
+         expression::touching(tokens_[last], tokens_[last + 1]))
     ++last;
   const char* const begin = tokens_[at_].text.data();
   kind.name.assign(begin, static_cast<std::size_t>(tokens_[last].text.data() + tokens_[last].text.size() - begin));
@@ -348,7 +348,7 @@ Result<Plan> read_plan(std::string_view text, const Limits& limits) {
   if (text.size() > limits.text_bytes)
     return error_at(Reason::limit, {}, "The text is longer than % bytes, which is the limit; make it shorter.",
                     {std::to_string(limits.text_bytes)});
-  const auto tokens = lsystem::tokenize(text, lsystem::Writing::rules);
+  const auto tokens = expression::tokenize(text, expression::Writing::rules);
   if (!tokens) return tokens.error();
   Reader reader(tokens.value());
   if (!reader.run()) return reader.trouble();

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "environment/point_grid.hpp"
 #include "foundation/mathematics.hpp"
+#include "spatial/point_grid.hpp"
 
 namespace panicle::stand {
 namespace {

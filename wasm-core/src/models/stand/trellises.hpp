@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/mesh.hpp"
+#include "mesh/mesh.hpp"
 #include "models/stand/ground.hpp"
 #include "models/stand/places.hpp"
 #include "models/stand/plan.hpp"

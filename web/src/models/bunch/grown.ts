@@ -27,7 +27,7 @@ export type Fruit = (typeof FRUITS)[number];
 /** Why a pedicel bears no berry, by code: not set (more flowers than berries are wanted), no room, outside, by hand. */
 export const THINNED_WHY = ["", "not set", "no room", "outside", "by hand"] as const;
 
-/** What the berries of a bunch share in form (models/bunch/fruit/berry_body.hpp). */
+/** What the berries of a bunch share in form (models/bunch/berry/berry_body.hpp). */
 export interface BerryForm {
 	fruit: Fruit;
 	/** −1 … 1: below 0 the pedicel's end is the wider, above 0 the tip's. */
@@ -177,7 +177,7 @@ export interface StemMesh extends Mesh {
 	sky?: Uint8Array;
 }
 
-/** Pieces of a flower, each with a run of the flower's mesh (wasm-core/src/models/bunch/fruit/flower.hpp). */
+/** Pieces of a flower, each with a run of the flower's mesh (wasm-core/src/models/bunch/berry/flower.hpp). */
 export const FLOWER_PIECES = ["stamens", "cap", "pistil", "petals", "calyx"] as const;
 export type FlowerPiece = (typeof FLOWER_PIECES)[number];
 

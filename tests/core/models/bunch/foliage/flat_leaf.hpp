@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "plant/flat_leaf.hpp"
+#include "foliage/flat_leaf.hpp"
 
 namespace panicle::tests {
 

@@ -6,7 +6,7 @@
 
 #include "foundation/fingerprint.hpp"
 #include "foundation/random.hpp"
-#include "geometry/surface.hpp"
+#include "mesh/surface.hpp"
 #include "models/bunch/foliage/flat_leaf.hpp"
 
 using namespace panicle;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "models/bunch/fruit/berry_meridian.hpp"
+#include "models/bunch/berry/berry_meridian.hpp"
 #include "models/bunch/specimens.hpp"
 
 using namespace panicle;

@@ -20,10 +20,10 @@ import {
 	withRound,
 	withWall,
 } from "../../../../../web/src/models/particles/boundary/editor/walls";
-import { rootLay } from "../../../../../web/src/models/particles/root/lay";
-import { ROOT } from "../../../../../web/src/models/particles/root/species";
-import { treeLay } from "../../../../../web/src/models/particles/tree/lay";
-import { TREE } from "../../../../../web/src/models/particles/tree/species";
+import { rootLay } from "../../../../../web/src/models/root/lay";
+import { ROOT } from "../../../../../web/src/models/root/species";
+import { treeLay } from "../../../../../web/src/models/tree/lay";
+import { TREE } from "../../../../../web/src/models/tree/species";
 import { gripOf, root, tree } from "./particles";
 
 const poseOf = (specimen = tree("oak")) => boundaryPose(treeLay, specimen, tree(specimen.preset));

@@ -4,8 +4,8 @@ import type { Change } from "../../../../../web/src/controls/desk";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { gripDrags } from "../../../../../web/src/models/particles/boundary/editor/grip_drags";
 import { withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
-import { treeLay } from "../../../../../web/src/models/particles/tree/lay";
-import { TREE } from "../../../../../web/src/models/particles/tree/species";
+import { treeLay } from "../../../../../web/src/models/tree/lay";
+import { TREE } from "../../../../../web/src/models/tree/species";
 import { gripOf, tree } from "./particles";
 
 /** Drags over a specimen that others may change as well. */

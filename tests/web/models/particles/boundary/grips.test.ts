@@ -5,10 +5,10 @@ import { boundaryPose } from "../../../../../web/src/models/particles/boundary/e
 import type { Lay } from "../../../../../web/src/models/particles/boundary/editor/lay";
 import { planPose } from "../../../../../web/src/models/particles/boundary/editor/plan_pose";
 import { wallsOf, withRound, withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
-import { rootLay } from "../../../../../web/src/models/particles/root/lay";
-import { ROOT } from "../../../../../web/src/models/particles/root/species";
-import { treeLay } from "../../../../../web/src/models/particles/tree/lay";
-import { TREE } from "../../../../../web/src/models/particles/tree/species";
+import { rootLay } from "../../../../../web/src/models/root/lay";
+import { ROOT } from "../../../../../web/src/models/root/species";
+import { treeLay } from "../../../../../web/src/models/tree/lay";
+import { TREE } from "../../../../../web/src/models/tree/species";
 import { decodeQuery, encodeQuery } from "../../../../../web/src/specimen/link";
 import type { Species } from "../../../../../web/src/specimen/species";
 import { gripOf, root, tree } from "./particles";

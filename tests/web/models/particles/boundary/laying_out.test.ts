@@ -3,8 +3,8 @@ import { apply } from "../../../../../web/src/controls/change";
 import { changed } from "../../../../../web/src/controls/changed";
 import type { Desk } from "../../../../../web/src/controls/desk";
 import { layingOut } from "../../../../../web/src/models/particles/boundary/editor/lay";
-import { TREE } from "../../../../../web/src/models/particles/tree/species";
-import type { TreeSpecimen } from "../../../../../web/src/models/particles/tree/specimen";
+import { TREE } from "../../../../../web/src/models/tree/species";
+import type { TreeSpecimen } from "../../../../../web/src/models/tree/specimen";
 import { tree } from "./particles";
 
 describe("what lays out a boundary", () => {

@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { contourOf } from "../../../../../web/src/models/particles/boundary/editor/mesh_outline";
 import { shellsOf } from "../../../../../web/src/models/particles/boundary/editor/shell";
-import { treeLay } from "../../../../../web/src/models/particles/tree/lay";
-import { TREE } from "../../../../../web/src/models/particles/tree/species";
+import { treeLay } from "../../../../../web/src/models/tree/lay";
+import { TREE } from "../../../../../web/src/models/tree/species";
 import { tree } from "./particles";
 
 describe("a dropped mesh", () => {

@@ -1,9 +1,9 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { branchesOf, woodSvg } from "../../../../../web/src/models/particles/boundary/wood_svg";
-import { model as root } from "../../../../../web/src/models/particles/root/index";
 import type { TrailPlant } from "../../../../../web/src/models/particles/trails";
-import { model as tree } from "../../../../../web/src/models/particles/tree/index";
+import { model as root } from "../../../../../web/src/models/root/index";
+import { model as tree } from "../../../../../web/src/models/tree/index";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { particlesCore } from "./particles";
 

@@ -9,8 +9,8 @@
 #include "foundation/easing.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
-#include "geometry/tubes.hpp"
 #include "models/bunch/foliage/leaf.hpp"
+#include "stems/tubes.hpp"
 
 namespace panicle::bunch {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "geometry/mesh.hpp"
-#include "plant/flat_leaf.hpp"
+#include "foliage/flat_leaf.hpp"
+#include "mesh/mesh.hpp"
 
 namespace panicle::bunch {
 

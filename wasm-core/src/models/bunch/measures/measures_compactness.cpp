@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "environment/point_grid.hpp"
+#include "spatial/point_grid.hpp"
 
 namespace panicle::bunch {
 namespace {

@@ -1,7 +1,7 @@
 #include "models/bunch/measures/measures_subject.hpp"
 
 #include "foundation/mathematics.hpp"
-#include "models/bunch/fruit/berry_meridian.hpp"
+#include "models/bunch/berry/berry_meridian.hpp"
 
 namespace panicle::bunch {
 namespace {

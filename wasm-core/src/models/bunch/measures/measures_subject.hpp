@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "models/bunch/fruit/berry_body.hpp"
+#include "models/bunch/berry/berry_body.hpp"
 #include "models/bunch/grown.hpp"
 
 namespace panicle::bunch {

@@ -3,8 +3,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "geometry/bit_image.hpp"
-#include "models/bunch/fruit/projection.hpp"
+#include "models/bunch/berry/projection.hpp"
+#include "models/bunch/measures/bit_image.hpp"
 
 namespace panicle::bunch {
 

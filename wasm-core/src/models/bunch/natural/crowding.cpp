@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "environment/point_grid.hpp"
 #include "foundation/mathematics.hpp"
 #include "models/bunch/natural/natural_plan.hpp"
+#include "spatial/point_grid.hpp"
 
 namespace panicle::bunch {
 namespace {

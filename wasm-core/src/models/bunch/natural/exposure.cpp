@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include "environment/point_grid.hpp"
 #include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
-#include "models/bunch/fruit/projection.hpp"
+#include "models/bunch/berry/projection.hpp"
+#include "spatial/point_grid.hpp"
 
 namespace panicle::bunch {
 namespace {

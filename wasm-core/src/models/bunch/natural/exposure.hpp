@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "models/bunch/fruit/berry_body.hpp"
+#include "models/bunch/berry/berry_body.hpp"
 
 namespace panicle::bunch {
 

@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "environment/point_grid.hpp"
 #include "foundation/lanes.hpp"
 #include "foundation/order.hpp"
+#include "spatial/point_grid.hpp"
 
 namespace panicle::bunch {
 namespace {

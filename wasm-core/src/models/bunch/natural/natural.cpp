@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "models/bunch/berry/flower.hpp"
 #include "models/bunch/foliage/foliage.hpp"
-#include "models/bunch/fruit/flower.hpp"
 #include "models/bunch/measures/measures.hpp"
 #include "models/bunch/natural/berry_size.hpp"
 #include "models/bunch/natural/crop.hpp"

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "environment/touching.hpp"
 #include "models/bunch/natural/sagging.hpp"
 #include "models/bunch/natural/swollen_size.hpp"
+#include "spatial/sphere_overlaps.hpp"
 
 namespace panicle::bunch {
 namespace {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "environment/touching.hpp"
 #include "foundation/mathematics.hpp"
-#include "geometry/closest.hpp"
 #include "models/bunch/natural/sagging.hpp"
 #include "models/bunch/natural/spreading.hpp"
 #include "models/bunch/natural/swollen_size.hpp"
 #include "models/bunch/natural/thinning.hpp"
+#include "spatial/closest_points.hpp"
+#include "spatial/sphere_overlaps.hpp"
 
 namespace panicle::bunch {
 namespace {

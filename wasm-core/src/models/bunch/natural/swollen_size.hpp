@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 
-#include "geometry/closest.hpp"
 #include "models/bunch/natural/swelling.hpp"
+#include "spatial/closest_points.hpp"
 
 namespace panicle::bunch {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "models/bunch/fruit/berry_body.hpp"
+#include "models/bunch/berry/berry_body.hpp"
 #include "models/bunch/grown.hpp"
 #include "models/bunch/natural/flowers.hpp"
 #include "models/bunch/natural/ripening.hpp"

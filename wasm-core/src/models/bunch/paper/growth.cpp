@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "expression/number_text.hpp"
 #include "foundation/random.hpp"
-#include "lsystem/number_text.hpp"
 
 namespace panicle::bunch {
 
@@ -72,11 +72,11 @@ SkeletonDrawing::Answer Growth::answer(const Question& question, const lsystem::
 
 namespace {
 
-// Of the radii of two spheres: as near as this they are no longer apart (environment/sphere_grid.hpp), rounding
+// Of the radii of two spheres: as near as this they are no longer apart (spatial/sphere_grid.hpp), rounding
 // included.
 constexpr float touching = 2e-5f;
 
-std::string in_hundredths(float value) { return lsystem::number_text(std::floor(value * 100 + 0.5f) / 100); }
+std::string in_hundredths(float value) { return expression::number_text(std::floor(value * 100 + 0.5f) / 100); }
 
 }  // namespace
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "environment/sphere_grid.hpp"
 #include "models/bunch/paper/interaction.hpp"
 #include "models/bunch/skeleton_drawing.hpp"
+#include "spatial/sphere_grid.hpp"
 
 namespace panicle::bunch {
 

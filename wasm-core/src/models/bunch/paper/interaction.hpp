@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "environment/sphere_grid.hpp"
 #include "lsystem/lsystem.hpp"
+#include "spatial/sphere_grid.hpp"
 
 namespace panicle::bunch {
 

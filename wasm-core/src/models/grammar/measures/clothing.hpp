@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "environment/point_grid.hpp"
-#include "environment/surface.hpp"
+#include "spatial/closed_surface.hpp"
+#include "spatial/point_grid.hpp"
 
 namespace panicle::grammar {
 

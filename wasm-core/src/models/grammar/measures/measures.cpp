@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/polygon.hpp"
+#include "mesh/polygon.hpp"
 #include "models/grammar/measures/axes.hpp"
 #include "models/grammar/measures/clothing.hpp"
 #include "models/grammar/measures/measures.generated.hpp"

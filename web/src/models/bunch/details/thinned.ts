@@ -4,7 +4,7 @@ import { readList, readNumber } from "../../../specimen/read_values";
 import type { Detail } from "../../../specimen/species";
 import type { BunchSpecimen } from "../specimen";
 
-/** Ids of berries are below this (boundary/panicle.h). */
+/** Ids of berries are below this (exports/panicle.h). */
 export const BERRY_IDS = 2 ** 30;
 /** Berries that can be taken off by hand: a link of as many still fits an address bar. */
 export const MOST_THINNED = 500;

@@ -17,7 +17,7 @@ export const AUTUMN = [0.55, 0.95] as const;
 export const PETIOLE = linear("8c8f4a");
 /** A year old cane's bark. */
 export const CANE = linear("7a5a3c");
-/** What is green of a flower, filaments, anthers of pollen's colour, petals: each up to so far of v (models/bunch/fruit/flower.hpp). */
+/** What is green of a flower, filaments, anthers of pollen's colour, petals: each up to so far of v (models/bunch/berry/flower.hpp). */
 export const FLOWER = [
 	{ to: 0.25, colour: linear("b6c67e") },
 	{ to: 0.5, colour: linear("eef1da") },

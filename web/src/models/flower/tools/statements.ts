@@ -1,4 +1,4 @@
-/** A flower's text as its reader in the core takes it: statements and lists of volumes' numbers (wasm-core/src/models/flower/reader.cpp). */
+/** A flower's text as its reader in the core takes it: statements and lists of volumes' numbers (wasm-core/src/models/flower/syntax/reader.cpp). */
 import { wordOf } from "../../../controls/grammar/outline";
 import type { Piece } from "../../../controls/grammar/scan";
 

@@ -1,7 +1,7 @@
 /** Growth areas: the volumes that a text's plant is clipped to (docs/models/grammar/topiary.md). */
 import type { ClosedMesh } from "../../../specimen/closed_mesh";
 
-/** In the order of the core's (wasm-core/src/environment/volume.hpp). */
+/** In the order of the core's (wasm-core/src/spatial/volume.hpp). */
 export const AREA_KINDS = ["box", "sphere", "ellipsoid", "cylinder", "cone", "mesh"] as const;
 export type AreaKind = (typeof AREA_KINDS)[number];
 

@@ -1,0 +1,351 @@
+// What is told of derivations, worked out by hand.
+#include "lsystem/derivation_traces.hpp"
+
+using namespace panicle;
+using namespace panicle::tests;
+using lsystem::Chronicle;
+using lsystem::ToldModule;
+
+namespace {
+
+// Answers every ?E(r, n) with n + r.
+class Adding : public Drawn {
+ public:
+  void ask(const Turtle&, std::span<float> parameters, const Lineage&) override { parameters[1] += parameters[0]; }
+};
+
+std::string spans(const Chronicle& told, lsystem::ModuleSpan ToldModule::* which) {
+  std::string text;
+  for (const ToldModule& each : told.modules())
+    text += std::to_string((each.*which).first) + "+" + std::to_string((each.*which).count) + " ";
+  return text;
+}
+
+std::string parents(const Chronicle& told) {
+  std::string text;
+  for (const ToldModule& each : told.modules())
+    text += each.parent == ToldModule::none ? "- " : std::to_string(each.parent) + " ";
+  return text;
+}
+
+std::string lines(const Chronicle& told, expression::Place ToldModule::* place) {
+  std::string text;
+  for (const ToldModule& each : told.modules())
+    text += std::to_string((each.*place).line) + ":" + std::to_string((each.*place).column) + " ";
+  return text;
+}
+
+std::string joined(const Chronicle& told, std::string ToldModule::* what, const char* between = " ") {
+  std::string text;
+  for (const ToldModule& each : told.modules()) text += each.*what + between;
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a chronicle tells parents, children and descendants by hand") {
+  // A → A B, B → A: F of ABOP 1.2's filament, with a copied F between.
+  const BoundPointer bound = compiled("axiom: A F B\nA --> A B\n  B --> A\n");
+  const Chronicle axiom = told(*bound, 3, {.step = 0});
+  CHECK(axiom.counts() == std::vector<std::uint32_t>{3, 4, 6, 9});
+  CHECK(joined(axiom, &ToldModule::text) == "A F B ");
+  CHECK(parents(axiom) == "- - - ");
+  CHECK(lines(axiom, &ToldModule::production) == "0:0 0:0 0:0 ");
+  CHECK(lines(axiom, &ToldModule::fires) == "2:1 0:0 3:3 ");
+  CHECK(spans(axiom, &ToldModule::children) == "0+2 2+1 3+1 ");
+  CHECK(spans(axiom, &ToldModule::last) == "0+5 5+1 6+3 ");
+
+  const Chronicle second = told(*bound, 3, {.step = 2});
+  CHECK(joined(second, &ToldModule::text) == "A B A F A B ");
+  CHECK(parents(second) == "0 0 1 2 3 3 ");
+  CHECK(lines(second, &ToldModule::production) == "2:1 2:1 3:3 0:0 2:1 2:1 ");
+  CHECK(spans(second, &ToldModule::children) == "0+2 2+1 3+2 5+1 6+2 8+1 ");
+  CHECK(spans(second, &ToldModule::last) == "0+2 2+1 3+2 5+1 6+2 8+1 ");
+
+  // Of the last string nothing becomes anything, and each module is its own descendant.
+  const Chronicle last = told(*bound, 3, {.step = 3});
+  CHECK(lines(last, &ToldModule::fires) == "0:0 0:0 0:0 0:0 0:0 0:0 0:0 0:0 0:0 ");
+  CHECK(spans(last, &ToldModule::children) == "0+0 0+0 0+0 0+0 0+0 0+0 0+0 0+0 0+0 ");
+  CHECK(spans(last, &ToldModule::last) == "0+1 1+1 2+1 3+1 4+1 5+1 6+1 7+1 8+1 ");
+}
+
+TEST_CASE("a window is a part of its step's string, and a step beyond the last is the last") {
+  const BoundPointer bound = compiled("axiom: A F B\nA --> A B\nB --> A\n");
+  const Chronicle part = told(*bound, 3, {.step = 2, .first = 3, .count = 2});
+  CHECK(joined(part, &ToldModule::text) == "F A ");
+  CHECK(parents(part) == "2 3 ");
+  CHECK(spans(part, &ToldModule::children) == "5+1 6+2 ");
+  CHECK(spans(part, &ToldModule::last) == "5+1 6+2 ");
+  CHECK(told(*bound, 3, {.step = 2, .first = 6}).modules().empty());
+  CHECK(told(*bound, 3, {.step = 1, .first = 0xffffffff}).modules().empty());
+  CHECK(told(*bound, 3, {.step = 1, .count = 0}).modules().empty());
+  const Chronicle beyond = told(*bound, 3, {.step = 4000, .first = 8});
+  CHECK(beyond.step() == 3);
+  CHECK(joined(beyond, &ToldModule::text) == "A ");
+}
+
+TEST_CASE("a production's values are its formals', its contexts' and its blocks'") {
+  const BoundPointer bound =
+      compiled("axiom: L(1) A(2) R(3)\nL(p) < A(x) > R(q) : {s = x+p+q; t = s/4} s>5 {t = t*2; u = x} --> A(t)\n");
+  const Chronicle chronicle = told(*bound, 1, {});
+  CHECK(joined(chronicle, &ToldModule::values, "|") == "|x=2 p=1 q=3 s=6 t=3 u=2||");
+  CHECK(lines(chronicle, &ToldModule::fires) == "0:0 2:8 0:0 ");
+  CHECK(joined(told(*bound, 1, {.step = 1}), &ToldModule::text) == "L(1) A(3) R(3) ");
+}
+
+TEST_CASE("of what is drawn by weight the weights and the draw are told") {
+  const BoundPointer bound =
+      compiled("axiom: A A A A A A A A A A A A A A A A F\nA --> B : 1\nA --> C : 2.5\nA --> D : 0.5");
+  const Chronicle chronicle = told(*bound, 1, {});
+  const Chronicle after = told(*bound, 1, {.step = 1});
+  std::string seen;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const ToldModule& module = chronicle.modules()[i];
+    const auto [total, weight, drawn] = module.chance;
+    CHECK(total == 4);
+    const std::string& became = after.modules()[i].text;
+    CHECK(weight == (became == "B" ? 1 : became == "C" ? 2.5f : 0.5f));
+    CHECK(drawn >= (became == "B" ? 0 : became == "C" ? 1 : 3.5f));
+    CHECK(drawn < (became == "B" ? 1 : became == "C" ? 3.5f : 4));
+    CHECK(after.modules()[i].production.line == (became == "B" ? 2 : became == "C" ? 3 : 4));
+    CHECK(module.fires.line == after.modules()[i].production.line);
+    seen += became;
+  }
+  CHECK(seen.find('B') != std::string::npos);
+  CHECK(seen.find('C') != std::string::npos);
+  CHECK(chronicle.modules()[16].chance == std::array<float, 3>{});
+}
+
+TEST_CASE("a cut leaves nothing of the rest of its branch") {
+  const BoundPointer bound = compiled("axiom: [ A F [ F ] B ] A\nA --> F %\n");
+  const Chronicle first = told(*bound, 2, {.step = 1});
+  CHECK(joined(first, &ToldModule::text) == "[ F % F [ F ] B ] F % ");
+  CHECK(spans(first, &ToldModule::children) == "0+1 1+1 2+0 2+0 2+0 2+0 2+0 2+0 2+1 3+1 4+0 ");
+  CHECK(spans(first, &ToldModule::last) == "0+1 1+1 2+0 2+0 2+0 2+0 2+0 2+0 2+1 3+1 4+0 ");
+  CHECK(lines(first, &ToldModule::fires) == "0:0 0:0 0:0 0:0 0:0 0:0 0:0 0:0 0:0 0:0 0:0 ");
+  CHECK(spans(told(*bound, 2, {}), &ToldModule::last) == "0+1 1+1 2+0 2+0 2+0 2+0 2+0 2+1 3+1 ");
+  const Chronicle trailed = told(*bound, 2, {.module = 3});
+  CHECK(trailed.trail() == std::vector<std::uint32_t>{8, 9, 3});
+}
+
+TEST_CASE("what is decomposed is written by the production that decomposed it") {
+  const BoundPointer bound = compiled(
+      "axiom: A(2)\nA(n) : n>0 --> M(n) A(n-1) G\ndecomposition\nmaximum depth: 3\nM(n) --> N(n) F\nN(n) : n>1 --> H "
+      "H\n");
+  const Chronicle chronicle = told(*bound, 2, {.step = 1});
+  CHECK(joined(chronicle, &ToldModule::text) == "H H F A(1) G ");
+  CHECK(lines(chronicle, &ToldModule::production) == "6:1 6:1 5:1 2:1 2:1 ");
+  CHECK(parents(chronicle) == "0 0 0 0 0 ");
+  CHECK(joined(told(*bound, 2, {}), &ToldModule::values, "|") == "n=2|");
+  CHECK(spans(told(*bound, 2, {}), &ToldModule::children) == "0+5 ");
+  CHECK(joined(chronicle, &ToldModule::values, "|") == "|||n=1||");
+  // An axiom is decomposed as well.
+  const BoundPointer axiom = compiled("axiom: F M\nF --> F\ndecomposition\nM --> G F");
+  CHECK(lines(told(*axiom, 1, {.first = 1}), &ToldModule::production) == "4:1 4:1 ");
+  CHECK(lines(told(*axiom, 1, {}), &ToldModule::production) == "0:0 4:1 4:1 ");
+}
+
+TEST_CASE("the turtle's questions are told what was written, the environment's what was asked and answered") {
+  const BoundPointer located = compiled("axiom: F(2) ?P(0,0,0) A\nA --> F(1) ?H(0,0,0)\n");
+  CHECK(joined(told(*located, 1, {}), &ToldModule::answer, "|") == "|written 0 -2 0||");
+  CHECK(joined(told(*located, 1, {.step = 1, .first = 3}), &ToldModule::answer, "|") == "written 0 -1 0|");
+
+  const BoundPointer open = compiled("derivation length: 9\naxiom: ?E(2,5)\n?E(r,n) : n<20 --> F ?E(r,n*2)\n");
+  Adding adding;
+  const lsystem::Surroundings around{{}, nullptr, &adding};
+  const Chronicle axiom = told(*open, 3, {}, around);
+  CHECK(joined(axiom, &ToldModule::text) == "?E(2,5) ");
+  CHECK(joined(axiom, &ToldModule::answer) == "asked 2 5 → 2 7 ");
+  CHECK(joined(axiom, &ToldModule::values) == "r=2 n=7 ");
+  const Chronicle first = told(*open, 3, {.step = 1}, around);
+  CHECK(joined(first, &ToldModule::text) == "F ?E(2,14) ");
+  CHECK(joined(first, &ToldModule::answer, "|") == "|asked 2 14 → 2 16|");
+  // Then it is 32 and 34, which nothing rewrites: the last string has the answer.
+  const Chronicle last = told(*open, 3, {.step = 9}, around);
+  CHECK(last.step() == 3);
+  CHECK(joined(last, &ToldModule::text) == "F F ?E(2,34) ");
+}
+
+TEST_CASE("what an L-system of its own does is told by its places in the text") {
+  const BoundPointer bound = compiled(
+      "Lsystem: main\naxiom: A(1) [ ?leaf(2) A(5) ]\nA(n) --> A(n+1)\nendlsystem\n"
+      "Lsystem: leaf\nA(n) --> F A(n*2)\nendlsystem\n");
+  const Chronicle chronicle = told(*bound, 1, {});
+  CHECK(joined(chronicle, &ToldModule::text) == "A(1) [ ?leaf(2) A(5) ] ");
+  CHECK(joined(chronicle, &ToldModule::values, "|") == "n=1|||n=5||");
+  CHECK(lines(chronicle, &ToldModule::fires) == "3:1 0:0 0:0 6:1 0:0 ");
+  CHECK(joined(told(*bound, 1, {.step = 1}), &ToldModule::text) == "A(2) [ ?leaf(2) F A(10) ] ");
+}
+
+TEST_CASE("random conditions let modules wait, and each step tells who fired") {
+  const BoundPointer bound = compiled("derivation length: 6\naxiom: A A A A A A\nA : ran(1)<0.4 --> B\n");
+  std::string before = "A A A A A A ";
+  for (std::uint32_t step = 0; step < 6; ++step) {
+    const Chronicle chronicle = told(*bound, {}, {.step = step});
+    if (chronicle.step() < step) break;
+    CHECK(joined(chronicle, &ToldModule::text) == before);
+    before.clear();
+    for (const ToldModule& module : chronicle.modules()) {
+      CHECK((module.text == "A" || module.fires.line == 0));
+      before += module.fires.line == 3 ? "B " : module.text + " ";
+    }
+  }
+  CHECK(before.find('B') != std::string::npos);
+}
+
+TEST_CASE("steps at the end in which nothing happens are not told") {
+  // B looks for a C for as long as steps are taken.
+  const BoundPointer bound = compiled("axiom: A\nA --> B\nB > C --> F");
+  CHECK(told(*bound, {}, {}).counts() == std::vector<std::uint32_t>{1, 1});
+  CHECK(told(*bound, 9, {.step = 9}).step() == 1);
+}
+
+TEST_CASE("a derivation that a limit ends is told up to the last whole step") {
+  const BoundPointer bound = compiled("axiom: A\nA --> A A\n");
+  Limits limits;
+  limits.words = 100;
+  const auto chronicle =
+      lsystem::chronicle(*bound, 1, 20, limits, {}, {.step = 20, .first = 3, .count = 2, .module = 7});
+  REQUIRE(chronicle);
+  CHECK(chronicle->stopped().reason == Reason::limit);
+  CHECK(chronicle->step() == 6);
+  CHECK(chronicle->counts().back() == 64);
+  CHECK(spans(chronicle.value(), &ToldModule::last) == "3+1 4+1 ");
+  CHECK(spans(chronicle.value(), &ToldModule::children) == "0+0 0+0 ");
+  CHECK(lines(chronicle.value(), &ToldModule::fires) == "0:0 0:0 ");
+  CHECK(chronicle->trail() == std::vector<std::uint32_t>{0, 0, 0, 0, 1, 3, 7});
+}
+
+TEST_CASE("answers that are drawn in place are told of the last string") {
+  const BoundPointer bound = compiled("axiom: A ?E(1,5) F\nA --> [ ?E(2,6) ]\n?E(r,n) : n>7 --> F(n)\n");
+  Chronicle chronicle = told(*bound, {}, {.step = 1});
+  CHECK(joined(chronicle, &ToldModule::text) == "[ ?E(2,6) ] ?E(1,5) F ");
+  CHECK(lines(chronicle, &ToldModule::fires) == "0:0 0:0 0:0 0:0 0:0 ");
+  const Derived derived = sound(lsystem::develop(*bound, 1, {}, Limits{}));
+  Adding adding;
+  chronicle.watch_drawing(derived.string);
+  REQUIRE(lsystem::interpret(*bound, *derived.string, {}, adding, 1, Limits{}, nullptr, &chronicle));
+  CHECK(lines(chronicle, &ToldModule::fires) == "0:0 3:1 0:0 0:0 0:0 ");
+  CHECK(chronicle.modules()[1].values == "r=2 n=8");
+  CHECK(spans(chronicle, &ToldModule::children) == "0+0 0+0 0+0 0+0 0+0 ");
+  chronicle.add_answer(1, "asked 2 6 → 2 8; because");
+  chronicle.add_answer(77, "nobody's");
+  CHECK(chronicle.modules()[1].answer == "asked 2 6 → 2 8; because");
+}
+
+TEST_CASE("who watches no drawing is told nothing of one: a limit has left another string than is drawn") {
+  const BoundPointer bound = compiled("axiom: A(9)\nA(n) : n>0 --> ?E(2,6) A(n-1)\n?E(r,n) : n>7 --> F(n)\n");
+  Limits limits;
+  limits.steps = 3;
+  auto chronicle = lsystem::chronicle(*bound, 1, {}, limits, {}, {.step = 9});
+  REQUIRE(chronicle);
+  CHECK(chronicle->stopped().reason == Reason::limit);
+  CHECK(chronicle->counts().back() == 4);
+  const Derived derived = sound(lsystem::develop(*bound, 1, {}, Limits{}));
+  Adding adding;
+  REQUIRE(lsystem::interpret(*bound, *derived.string, {}, adding, 1, Limits{}, nullptr, &chronicle.value()));
+  CHECK(!chronicle->has(0));
+  chronicle->add_answer(0, "of another module");
+  CHECK(lines(chronicle.value(), &ToldModule::fires) == "0:0 0:0 0:0 0:0 ");
+  CHECK(joined(chronicle.value(), &ToldModule::answer, "") == "");
+}
+
+TEST_CASE("wherever a limit ends a derivation, its trace ends with the string that is derived") {
+  // ?P has the turtle's place written into it after each step, which can come to the limit as well.
+  const BoundPointer bound = compiled("axiom: A(1) B ?P(0,0,0)\nA(x) --> F A(x+1) [ A(x) ?P(0,0,0) ]\nB --> B F");
+  std::uint32_t most_steps = 0;
+  for (std::uint64_t evaluations = 1; evaluations < 1500; ++evaluations) {
+    Limits limits;
+    limits.work = evaluations;
+    CAPTURE(evaluations);
+    const auto derived = lsystem::develop_so_far(*bound, 1, 12, limits, {});
+    const auto traced = lsystem::chronicle(*bound, 1, 12, limits, {}, {.step = 0});
+    REQUIRE(derived);
+    REQUIRE(traced);
+    CHECK(traced->stopped().reason == Reason::limit);
+    CHECK(traced->counts().back() == lsystem::length(*derived->string));
+    std::uint32_t descendants = 0;
+    for (const ToldModule& module : traced->modules()) descendants += module.last.count;
+    if (!traced->modules().empty()) CHECK(descendants == traced->counts().back());
+    most_steps = std::max(most_steps, traced->steps());
+  }
+  CHECK(most_steps > 4);
+}
+
+namespace {
+
+// "line: reason" of each production that does not rewrite the modules of a step, modules with | between them.
+std::string refused(std::string_view text, std::uint32_t step, std::optional<std::uint32_t> steps = 3,
+                    const lsystem::Surroundings& around = {}) {
+  std::string all;
+  const BoundPointer bound = compiled(text);
+  const Chronicle chronicle = told(*bound, steps, {.step = step}, around);
+  for (const ToldModule& module : chronicle.modules()) {
+    if (!all.empty()) all += " | ";
+    all += module.text;
+    for (const lsystem::Refusal& refusal : module.refusals)
+      all += " " + std::to_string(refusal.production.line) + ": " + refusal.reason + ";";
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("the trace of a module lists the reasons why other productions of its symbol do not rewrite it") {
+  CHECK(refused("axiom: A(3) F\nA --> F\nA(x) : x>4 && x<9 --> F\nA(x) : x>2 --> F\nA(x) --> F", 0) ==
+        "A(3) 2: it is for no parameters, and the module has 1 parameter; 3: its condition is false with x = 3; "
+        "5: the production in line 4 comes first; | F");
+  // The last string has reasons too, but none for the production that would rewrite it.
+  CHECK(refused("axiom: A(3)\nA(x) --> A(x+1)\nA(x) : x>9 --> B", 2, 2) ==
+        "A(5) 3: its condition is false with x = 5;");
+  CHECK(refused("axiom: A(1)\nA(x) : x<3 --> A(x+1)", 2, {}) == "A(3) 2: its condition is false with x = 3;");
+  // Conditions are those of the module with its answer.
+  Adding adding;
+  const lsystem::Surroundings around{{}, nullptr, &adding};
+  CHECK(refused("#turtle cpfg\naxiom: ?E(2,1)\n?E(r,n) : n>4 --> F\n?E(r,n) : n=3 --> ?E(r,n)", 0, 2, around) ==
+        "?E(2,1) 3: its condition is false with r = 2, n = 3;");
+}
+
+TEST_CASE("the reason for a context that does not match names the neighbours, and a bracket between them") {
+  CHECK(refused("axiom: B A C\nF < A --> F\nA > F --> F\nB < A > F --> F\nB < A > C F --> F", 0)
+            .find("A 2: B is before it, not F; 3: C is behind it, not F; 4: C is behind it, not F; "
+                  "5: its context does not match;") != std::string::npos);
+  CHECK(
+      refused("axiom: A\nF < A --> F\nA > F --> F", 0) ==
+      "A 2: there is no module before it, where F is required; 3: there is no module behind it, where F is required;");
+  CHECK(
+      refused("axiom: [ B ] A [ + C ] [ C ]\nB < A --> F\nA > C --> F", 0)
+          .find(
+              "A 2: the B before it is in a closed branch, where a left context does not match; 3: the C behind it is "
+              "in a branch; to match it there, write > [ C ];") != std::string::npos);
+  CHECK(refused("axiom: B(1) A C(1)\nB(x,y) < A --> F\nA > C --> F", 0)
+            .find("A 2: the B before it has 1 parameter, not 2 parameters; 3: the C behind it has 1 parameter, not no "
+                  "parameters;") != std::string::npos);
+  CHECK(refused("axiom: B(7) A(2)\nB(y) < A(x) : y<x --> F", 0) ==
+        "B(7) | A(2) 2: its condition is false with x = 2, y = 7;");
+}
+
+TEST_CASE("the reason for a production that was not drawn names the one that the derivation drew") {
+  const std::string text = "axiom: A A A A A A\nA --> B : 1\nA --> C : 1\nA : ran(1)<0.5 --> F : 1";
+  const BoundPointer bound = compiled(text);
+  std::size_t drawn = 0, false_ones = 0;
+  const Chronicle axiom = told(*bound, 1, {.step = 0});
+  for (const ToldModule& module : axiom.modules()) {
+    REQUIRE(module.refusals.size() == 2);
+    for (const lsystem::Refusal& refusal : module.refusals) {
+      CHECK(refusal.production.line != module.fires.line);
+      drawn += refusal.reason == "the production in line " + std::to_string(module.fires.line) + " was drawn at random";
+      false_ones += refusal.reason == "its condition is false";
+    }
+  }
+  CHECK(drawn + false_ones == 12);
+  CHECK(drawn > 6);
+  CHECK(false_ones > 0);
+  // A condition that draws is drawn anew in each step.
+  const BoundPointer waits = compiled("axiom: A A A A A A A A\nA : ran(1)<0.3 --> F");
+  for (std::uint32_t step = 0; step < 3; ++step) {
+    const Chronicle chronicle = told(*waits, 4, {.step = step});
+    for (const ToldModule& module : chronicle.modules())
+      if (module.text == "A") CHECK(module.refusals.empty() == (module.fires.line > 0));
+  }
+}

@@ -1,0 +1,10 @@
+import { expect, it } from "vitest";
+import { TREE } from "../../../../web/src/models/tree/species";
+import { decodeQuery } from "../../../../web/src/specimen/link";
+
+it("a link's number that stands alone is asked for as one", () => {
+	const notes = (query: string) => decodeQuery(TREE, `?v=2&model=tree&${query}`).notes.map(({ text }) => text);
+	expect(notes("sunhigh=abc")).toEqual([expect.stringMatching(/^sunhigh: “abc” is not a number; [\d.]+ is used\.$/)]);
+	expect(decodeQuery(TREE, "?v=2&model=tree&sunhigh=40").specimen.parameters.sun_height).toBe(40);
+	expect(notes("sunhigh=40,2")).toEqual([expect.stringMatching(/^sunhigh: “40,2” is not a number/)]);
+});

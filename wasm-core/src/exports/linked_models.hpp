@@ -1,0 +1,13 @@
+// The models that a module is linked with.
+#pragma once
+
+#include <span>
+
+#include "protocol/model.hpp"
+
+namespace panicle {
+
+// Defined by what is linked: one model in each .wasm, all of them natively.
+std::span<const Model* const> linked_models();
+
+}  // namespace panicle

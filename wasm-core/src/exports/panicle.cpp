@@ -1,0 +1,118 @@
+#include "exports/panicle.h"
+
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "exports/host.hpp"
+#include "exports/linked_models.hpp"
+#include "foundation/container.hpp"
+#include "plant/geometry_check.hpp"
+#include "protocol/answer.hpp"
+#include "protocol/request.hpp"
+
+namespace {
+
+using namespace panicle;
+
+constexpr std::uint32_t most_request_bytes = 16 * 1024 * 1024;
+
+const Model* find_model(std::string_view name) {
+  for (const Model* model : linked_models())
+    if (model->name == name) return model;
+  return nullptr;
+}
+
+// Lives from call to call, by handles that the caller holds.
+CompiledTexts& compiled_texts() {
+  static CompiledTexts texts;
+  return texts;
+}
+
+// What a model keeps from its last growth. Natively several are linked, and it is that of the one asked for last.
+Keeping& kept_of(const Model& model) {
+  static const Model* whose = nullptr;
+  static Keeping kept;
+  if (whose != &model) kept.reset();
+  whose = &model;
+  return kept;
+}
+
+// The last plant, whose large arrays its answer only refers to: until the answer is released, or another asked for.
+struct Answered {
+  Plant plant;
+  std::uint8_t* block = nullptr;
+};
+Answered& answered() {
+  static Answered last;
+  return last;
+}
+
+// Errors: those of compiling; limit where too many are kept.
+Result<std::uint32_t> compile(std::string_view text) {
+  const Model& model = *linked_models().front();
+  if (model.compile_text == nullptr)
+    return Diagnostic{Reason::bad_request, "This model compiles no texts; send the text with each request.", 0, 0};
+  auto compiled = model.compile_text(text, Limits{});
+  if (!compiled) return compiled.error();
+  const std::uint32_t handle = compiled_texts().add(std::move(compiled.value()));
+  if (handle == 0) return Diagnostic{Reason::limit, "Too many compiled grammars are kept; forget some.", 0, 0};
+  return handle;
+}
+
+// Several parts of a model may reach one limit: a note that comes again adds nothing.
+void remove_repeated_notes(std::vector<std::string>& notes) {
+  std::unordered_set<std::string> known;
+  std::erase_if(notes, [&](const std::string& note) { return !known.insert(note).second; });
+}
+
+Result<Plant> grow(std::span<const std::uint8_t> bytes) {
+  const auto blocks = read_container(bytes);
+  if (!blocks) return blocks.error();
+  const Model* const model = find_model(Request(blocks.value(), nullptr).text("model"));
+  if (model == nullptr) return Diagnostic{Reason::bad_request, "The request asks for a model that is not here.", 0, 0};
+  Request request(blocks.value(), &compiled_texts(), &kept_of(*model));
+  Limits limits;
+  WorkBudget budget(limits.work, limits.bytes, panicle_time_passed);
+  limits.budget = &budget;
+  auto plant = model->grow(request, limits);
+  if (!plant) return plant;
+  remove_repeated_notes(plant->notes);
+  if (Diagnostic trouble = check_geometry(plant.value()); trouble.reason != Reason::none) return trouble;
+  return plant;
+}
+
+}  // namespace
+
+extern "C" {
+
+std::uint32_t panicle_abi(void) { return 5; }
+
+void* panicle_allocate(std::uint32_t bytes) {
+  return bytes <= most_request_bytes ? std::malloc(bytes ? bytes : 1) : nullptr;
+}
+
+void panicle_release(void* memory) {
+  if (memory != nullptr && memory == answered().block) answered() = {};
+  std::free(memory);
+}
+
+std::uint8_t* panicle_grow(const std::uint8_t* request, std::uint32_t bytes) {
+  answered() = {};
+  auto plant = grow({request, bytes});
+  if (!plant) return write_failure(plant.error());
+  answered().plant = std::move(plant.value());
+  return answered().block = write_plant(answered().plant);
+}
+
+std::uint8_t* panicle_compile(const char* text, std::uint32_t bytes) {
+  const auto program = compile({text, bytes});
+  return program ? write_program(program.value()) : write_failure(program.error());
+}
+
+void panicle_forget(std::uint32_t program) { compiled_texts().remove(program); }
+
+}  // extern "C"

@@ -1,0 +1,26 @@
+// Where something stands in a grammar's text, and what to say about it.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "foundation/result.hpp"
+
+namespace panicle::expression {
+
+// Counted from 1; columns count code points. 0 and 0 where no text is concerned.
+struct Place {
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+};
+
+// What stands in a sentence for each of its %, in order. Sentences are put together out of line, in one place: sums of
+// strings would be a fifth of the .wasm.
+using Pieces = std::initializer_list<std::string_view>;
+
+std::string sentence(const char* pattern, Pieces pieces = {});
+Diagnostic error_at(Reason reason, const Place& place, const char* pattern, Pieces pieces = {});
+
+}  // namespace panicle::expression

@@ -1,0 +1,113 @@
+// Expression → byte code. What follows from numbers of the text alone is worked out here; what follows from the inputs
+// as well becomes code that runs once when they are bound; the rest is left for the modules.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "expression/code.hpp"
+#include "expression/expression_tree.hpp"
+#include "expression/names.hpp"
+
+namespace panicle::expression {
+
+class Lowering {
+ public:
+  explicit Lowering(Code& code);
+
+  // When the value of a register is known.
+  enum class Known : std::uint8_t { now, once_bound, on_the_run };
+
+  // A name for a number that is known once the inputs are bound, and the register that will hold it.
+  std::uint32_t define(std::string_view name);
+  // A name for a list, and its place among the program's lists.
+  std::uint32_t define_array(std::string_view name);
+
+  // A name for the value that a production works out before: it hides all others of that name up to the next
+  // production.
+  void assign(std::string_view name, std::uint32_t reg) { locals_.push_back({name, reg}); }
+  std::size_t locals() const { return locals_.size(); }
+  void forget_locals(std::size_t down_to) { locals_.resize(down_to); }
+  // The register of a number of the text.
+  std::uint32_t number_register(float value) { return number_register(value, value); }
+
+  // The next expressions belong to a production. Names that they may use: the predecessor's parameters, which hide
+  // defines of the same name, and random draws, whose streams are hashes of `key`, the function and how many of it came
+  // before. `formals` must stay until the next production begins.
+  void begin_production(std::span<const Named> formals, std::uint64_t key);
+  // Results of earlier expressions are not there any more: code that runs by itself begins here.
+  void begin_code() { available_.clear(); }
+  std::uint32_t here() const { return static_cast<std::uint32_t>(code_.instructions.size()); }
+
+  // The register that will hold the value. Equal parts are worked out once. Before the first production everything that
+  // is not known now is code in place. Errors: undefined; syntax (random values where there is no module to draw them
+  // for).
+  Result<std::uint32_t> lower(const Expression& expression);
+  Known known(std::uint32_t reg) const { return static_cast<Known>(known_[reg]); }
+
+  // Puts the code that runs once the inputs are bound behind all other code, and tells where it is. An instruction of
+  // it that goes wrong is no error by itself: it stands once more in the code of each expression that needs it.
+  Range finish();
+  // How much of that there is by now.
+  std::uint32_t once_bound() const { return static_cast<std::uint32_t>(once_bound_.size()); }
+
+ private:
+  struct Branch {  // the second operand of && or ||, which may be passed over
+    std::uint32_t jump;
+    std::uint32_t out;
+    std::size_t available;
+  };
+  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {});
+  bool lower_node(const Node& node);
+  bool name(const Node& node);
+  bool element(const Node& node);
+  bool operation(const Node& node);
+  bool question(const Node& node);
+  void calculate(Op op, std::uint32_t operands, const Place& place, std::uint32_t extra = 0);
+  void begin_branch(const Node& node);
+  void end_branch(const Node& node);
+  std::uint64_t stream_of(const Node& node);
+  // In double precision the second value counts.
+  std::uint32_t number_register(float value, double precise);
+  std::uint32_t new_register(double value, Known known);
+  std::uint32_t emit(Instruction instruction, const Place& place);
+  std::uint32_t emit_once_bound(Instruction instruction, const Place& place);
+  std::uint32_t fold(Instruction instruction);
+  std::uint32_t pop();
+  void put(std::uint32_t reg) { stack_.push_back(reg); }
+
+  Code& code_;
+  // What a definition stands for: a register, or a place among the lists.
+  struct Meaning {
+    bool array;
+    std::uint32_t at;
+  };
+  const Meaning* meaning(std::string_view name) const;
+
+  Names names_;  // of definitions
+  std::vector<Meaning> meanings_;
+  std::span<const Named> formals_;
+  struct Local {
+    std::string_view name;
+    std::uint32_t reg;
+  };
+  std::vector<Local> locals_;
+  std::array<std::uint32_t, 3> drawn_{};         // how many calls of each random function
+  Names numbers_;                                // of the text, by their bytes
+  std::vector<std::uint32_t> number_registers_;  // of each
+  std::vector<std::uint8_t> known_;              // of each register
+  std::vector<std::uint32_t> stack_;
+  std::array<std::uint32_t, most_handed_over> handed_over_{};
+  std::vector<Branch> branches_;
+  std::vector<Instruction> available_;  // whose results can be used again here
+  std::vector<Instruction> once_bound_;
+  std::vector<Place> once_bound_places_;
+  std::uint64_t key_ = 0;
+  bool in_production_ = false;
+  Diagnostic trouble_;
+};
+
+}  // namespace panicle::expression

@@ -1,0 +1,54 @@
+// The base of the readers of all languages: a position in the tokens of a text, signs, names and expressions.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "expression/expression.hpp"
+#include "expression/expression_tree.hpp"
+#include "expression/names.hpp"
+
+namespace panicle::expression {
+
+class TokenReader {
+ public:
+  explicit TokenReader(std::span<const Token> tokens) : tokens_(tokens) {}
+
+ protected:
+  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {});
+  bool wrong(const Place& place, const char* pattern, Pieces pieces = {}) {
+    return fail(Reason::syntax, place, pattern, pieces);
+  }
+
+  Place here() const { return place_of(tokens_, at_, end_); }
+  bool on_sign(char sign) const { return at_ < end_ && tokens_[at_].is(sign); }
+  bool on_name() const { return at_ < end_ && tokens_[at_].kind == TokenKind::name; }
+  std::string_view found() const { return at_ < end_ ? tokens_[at_].text : std::string_view("the end"); }
+  // Passes over a sign that has to be here.
+  bool expect(char sign, const char* otherwise);
+  bool next_is(std::size_t at, char sign) const { return at + 1 < end_ && tokens_[at + 1].is(sign); }
+
+  std::size_t end_of_line(std::size_t at) const;
+  // The first arrow of the line that begins at `at`, or the line's end.
+  std::size_t arrow_of_line(std::size_t at) const;
+
+  bool expression_before(std::size_t end, Expression& expression);
+  // An expression that reaches exactly to `end`.
+  bool expression_to(std::size_t end, Expression& expression);
+
+  // Adds the names in parentheses, where there are any.
+  bool formals(std::vector<Named>& formals);
+  // Fails with the error of a module with too many parameters.
+  bool too_many_parameters(const Place& place);
+
+  std::span<const Token> tokens_;
+  std::size_t at_ = 0;
+  std::size_t end_ = 0;  // of the statement
+  Names curves_;         // in the order of the text
+  Macros macros_;        // likewise
+  Diagnostic trouble_;
+};
+
+}  // namespace panicle::expression

@@ -1,0 +1,36 @@
+// Many small things that shade each other, laid into a lattice of cells for light to go through.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "light/voxel_light.hpp"
+
+namespace panicle {
+
+class MatterCells {
+ public:
+  // Empty cells of `edge` from the corner `low`, as many as hold `high`; a single one along an axis where their
+  // number would not be finite, or at least 4,096.
+  MatterCells(const glm::vec3& low, const glm::vec3& high, float edge);
+
+  // Something at a place (what is beside the lattice: in the cell next to it) that hides so much area, taken over all
+  // directions: half of a sheet's area, a quarter of a rod's surface.
+  void put(const glm::vec3& place, float area);
+
+  // The number of cells.
+  std::size_t cells() const { return matter_.size(); }
+
+  VoxelLight light(std::span<const Lamp> lamps) const;
+
+ private:
+  glm::vec3 low_;
+  float edge_, per_volume_;  // of a cell, and 1 over its volume
+  glm::ivec3 count_;
+  std::vector<float> matter_;
+};
+
+}  // namespace panicle

@@ -1,0 +1,105 @@
+// How much of the sky a point of a plant sees, weighted by the cosine to its normal, as a byte: 255 all of it, 0 none.
+//
+// The sky is the whole sphere of directions, as bright everywhere; a point sees the half before its normal. The nearest
+// balls are taken one by one: a ball wholly above a point's horizon hides sin²α · cos γ of its sky exactly (α: apparent
+// radius, γ: angle to the normal), one that sets hides a parabola that meets this smoothly, and what several leave is
+// the product of what each leaves. All else is summed up about a receiver's centre as constant and cosine, the first
+// two bands of Σ sin²α · max(0, cos γ) (Ramamoorthi & Hanrahan 2001), and leaves e^−sum.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "foundation/lanes.hpp"
+#include "spatial/point_grid.hpp"
+
+namespace panicle {
+
+// Something that hides sky: a ball, or a disc as large.
+struct SkyBody {
+  glm::vec3 centre{0};
+  float square = 0;          // of the radius
+  glm::vec3 facing{0};       // unit, of a disc: seen edge-on it hides nothing; 0: a ball
+  std::int32_t owner = -1;   // hides nothing from its owner, nor
+  std::int32_t bearer = -1;  // from its owner's bearer, or from others that this one bears; −1: none
+};
+
+// A body, or a piece of one, that is small beside what is around it.
+struct SkyReceiver {
+  glm::vec3 centre{0};
+  float extent = 0;         // from the centre to its farthest point
+  std::int32_t owner = -1;  // its number, and its bearer's; −1: none
+  std::int32_t bearer = -1;
+};
+
+// Where a mesh that is shared stands: v → centre + scale · (side · x + up · y + front · z); unit vectors at right
+// angles.
+struct SkyFrame {
+  glm::vec3 centre{0}, side{1, 0, 0}, up{0, 1, 0}, front{0, 0, 1};
+  float scale = 1;
+};
+
+class Sky {
+ public:
+  // The most balls that are looked at one by one. Twelve of a size can touch one; eight are within a hundredth of as
+  // good.
+  static constexpr std::size_t nearest = 8;
+
+  // `specks` are what hides a little and is never looked at closely: pieces of stems, of leaves. What is not finite is
+  // left out. Balls count up to six radii of the largest from a receiver's centre, specks up to five: sums of what is
+  // farther, most of it hidden behind what is near, would leave too little.
+  Sky(std::span<const SkyBody> balls, std::span<const SkyBody> specks);
+
+  // Surveys what is around a receiver, whose points `see` is asked for next.
+  void face(const SkyReceiver& receiver);
+
+  // Points of that receiver are given in this frame, until it faces another.
+  void enter(const SkyFrame& frame);
+  // The sky of points of that receiver: 3 floats each of position and unit normal, as many bytes as there are points.
+  void see(std::span<const float> positions, std::span<const float> normals, std::span<std::uint8_t> sky) const;
+
+ private:
+  // Bodies side by side, by slot of the grid; and three more, that reading four at once stays inside.
+  struct Laid {
+    enum Column : std::size_t { x, y, z, square, radius, facing_x, facing_y, facing_z, round, owner, bearer, columns };
+
+    Laid(std::span<const SkyBody> bodies, float horizon);
+    const float* of(Column column) const { return &values[column * stride]; }
+
+    PointGrid grid;
+    float largest = 0, reach = 0;
+    std::size_t stride = 0;
+    std::vector<float> values;  // `round`: 1 for a ball, 0 for a disc; owners as their bits
+  };
+  struct Near {
+    glm::vec3 centre{0};
+    float radius = 0;
+  };
+  struct Fours {
+    Four x, y, z;
+  };
+
+  // Of bodies about a receiver: constant, and the vector of the cosine part.
+  struct Bands {
+    float constant = 0;
+    glm::vec3 cosine{0};
+  };
+
+  Bands sum(const Laid& bodies, const SkyReceiver& receiver, bool look);
+  void keep(std::uint32_t slot, float weight);
+  void look_at_near(const glm::vec3& centre);
+  Four left_at(const Fours& place, const Fours& normal) const;
+
+  Laid balls_, specks_;
+  std::array<std::uint32_t, nearest> slots_{};  // of the balls looked at, and how large each looks: the largest first
+  std::array<float, nearest> weights_{};
+  std::array<Near, nearest> near_{};
+  std::size_t count_ = 0;
+  Bands far_balls_, far_specks_;
+};
+
+}  // namespace panicle

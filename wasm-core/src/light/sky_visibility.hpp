@@ -1,0 +1,62 @@
+// How much of the sky reaches a place of a plant: by a lattice of cells and what is in them, so that it costs the same
+// for a hundred lines as for a hundred thousand.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "light/voxel_light.hpp"
+#include "mesh/mesh.hpp"
+#include "stems/segment.hpp"
+
+namespace panicle {
+
+// Something without thickness, or round, that hides some sky.
+struct Screen {
+  glm::vec3 place{0};
+  float area = 0;  // that it hides, taken over all directions
+};
+
+class Openness {
+ public:
+  // Of rods and screens. What lies between their ends has so many cells along its longest edge, lit from so many
+  // directions.
+  Openness(std::span<const Segment> segments, std::span<const Screen> screens, float cells = 32,
+           std::uint32_t directions = 32);
+
+  // 255 all of the sky, 0 none.
+  std::uint8_t at(const glm::vec3& place) const;
+  // Of each of many places, `place_of(i)` for i from 0 to `count`: the same, four at a time.
+  template <class PlaceOf>
+  std::vector<std::uint8_t> of(std::size_t count, PlaceOf place_of) const {
+    std::vector<std::uint8_t> bytes(count);
+    for (std::size_t i = 0; i < count; i += 4) {
+      const std::size_t here = std::min<std::size_t>(count - i, 4);
+      FourVectors places{};
+      for (std::size_t lane = 0; lane < here; ++lane) {
+        const glm::vec3& place = place_of(i + lane);
+        places.x[lane] = place.x;
+        places.y[lane] = place.y;
+        places.z[lane] = place.z;
+      }
+      const Four open = light_.at(places);
+      for (std::size_t lane = 0; lane < here; ++lane) bytes[i + lane] = byte_of(open[lane]);
+    }
+    return bytes;
+  }
+  float edge() const { return light_.edge(); }  // of a cell
+  // Of each vertex.
+  std::vector<std::uint8_t> of(const Mesh& mesh) const;
+
+ private:
+  static std::uint8_t byte_of(float open) {
+    return static_cast<std::uint8_t>(std::clamp(open, 0.0f, 1.0f) * 255 + 0.5f);
+  }
+
+  VoxelLight light_;
+};
+
+}  // namespace panicle

@@ -1,0 +1,27 @@
+// A compiled grammar with its inputs: what a derivation reads of them, worked out.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lsystem/derivation/program.hpp"
+
+namespace panicle::lsystem {
+
+class Bound {
+ public:
+  std::shared_ptr<const Program> program;
+  std::vector<float> registers;           // as Code::registers, with what the inputs decide
+  std::vector<double> precise;            // likewise as Code::precise
+  std::vector<std::vector<float>> lists;  // by the place of their names in Code::arrays
+  std::vector<std::uint32_t> words;       // as Program::words, with what the inputs decide
+  std::vector<Definition> definitions;
+  std::optional<std::uint32_t> steps;                         // the derivation length
+  std::array<std::optional<float>, settings_count> settings;  // by Said
+  std::array<std::uint32_t, 2> depths = {1, 1};               // of decomposition and homomorphism
+};
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,102 @@
+// A derivation that can be looked at and answered between its steps.
+//
+// Open L-systems (Měch and Prusinkiewicz 1996, section 3): a step rewrites the string, then the environment answers the
+// communication modules in it, and the next step rewrites these by what they were answered:
+//
+//   Derivation derivation(bound, seed, limits);
+//   while (derivation.steps() < n && derivation.ask(start, environment)) derivation.step();
+//   if (derivation.trouble().reason != Reason::none) …
+//   trace(bound, derivation.string(), start, drawing, limits);
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lsystem/derivation/machine.hpp"
+#include "lsystem/derivation/neighbourhood.hpp"
+#include "lsystem/derivation/watcher.hpp"
+#include "lsystem/derivation/words.hpp"
+#include "lsystem/lsystem.hpp"
+
+namespace panicle::lsystem {
+
+class Derivation {
+ public:
+  // When what decides whether a module is rewritten is drawn.
+  enum class Chance : std::uint8_t { each_step, once };
+
+  // Begins with the axiom. `bound` and what surrounds the plant must outlive the derivation.
+  Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits, Chance chance = Chance::each_step,
+             const Surroundings& around = {});
+
+  // Rewrites all modules once, those of ?E only where they have been answered since the last step. Whether anything was
+  // rewritten; false also when something went wrong. A step in which nothing was rewritten is a step all the same: a
+  // random condition is tried anew in the next.
+  bool step();
+
+  // Walks the string as `interpret` does, but writes each answer into the parameters of its ?E and draws nothing in its
+  // place. False when something went wrong.
+  bool ask(const Turtle& start, Listener& listener);
+
+  // The string after so many steps; another one after the next step.
+  const String& string() const { return now_.string; }
+  String take_string() && { return std::move(now_.string); }
+  std::uint32_t steps() const { return steps_; }
+  // Whether no step would rewrite anything any more, unless ?E is answered.
+  bool at_rest() const { return at_rest_; }
+  // What went wrong: evaluation, with line and column; limit. Reason::none when nothing did. What went wrong stays so.
+  const Diagnostic& trouble() const { return machine_.trouble(); }
+
+ private:
+  // A string and the places of its active modules.
+  struct Draft {
+    String string;
+    Words active;
+    std::uint64_t active_count = 0;
+  };
+
+  bool begin();
+  bool rewrite();
+  bool rewrite_module(std::uint64_t at);
+  bool look_around(std::uint64_t at);
+  bool out_of_sight();
+  bool stays_active(std::uint32_t header) const;
+  bool keep_active(std::uint64_t at);
+  bool cut(std::uint64_t at);
+  bool copy_up_to(std::uint64_t at);
+  void make_ready();
+  bool make_room(std::uint64_t run, const Template& successor);
+  bool append(const Template& successor, const Origin& origin, std::uint32_t symbol, const Production* by);
+  bool append_watched(std::uint64_t at, const Production& by, const Origin& origin, std::uint32_t symbol);
+  bool append_parts(const Template& successor, const Origin& origin, std::uint32_t symbol, const Production* by,
+                    std::uint32_t depth);
+  bool append_module(const std::uint32_t* module);
+  bool locate();
+
+  const Bound& bound_;
+  const Program& program_;
+  Limits limits_;
+  Chance chance_;
+  std::uint64_t seed_;
+  Surroundings around_;
+  Machine machine_;
+  Neighbourhood neighbourhood_;
+  const Rules* parts_ = nullptr;   // what decomposes modules, by symbol
+  std::vector<Words> part_words_;  // by depth
+  Draft now_;
+  Draft next_;
+  std::uint64_t walked_ = 0;  // words on the way to modules in context, not yet spent
+  std::uint64_t copied_ = 0;  // words of `now_` that this step is done with
+  std::uint32_t steps_ = 0;
+  bool rewrote_ = false;   // in this step
+  bool waiting_ = false;   // whether a module may be rewritten in a later step by chance
+  bool answered_ = false;  // since the last step
+  bool at_rest_ = false;
+};
+
+// The string that steps lead to until nothing is rewritten any more, for productions that see each other's work: what
+// `unfold` gives for those. A random condition draws the same in every step. Errors as there.
+Result<Derived> develop_to_rest(const Bound& bound, std::uint64_t seed, const Limits& limits,
+                                const Surroundings& around = {});
+
+}  // namespace panicle::lsystem

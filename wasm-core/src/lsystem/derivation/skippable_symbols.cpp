@@ -1,0 +1,85 @@
+#include "lsystem/derivation/skippable_symbols.hpp"
+
+namespace panicle::lsystem {
+namespace {
+
+// Whether the turtle is elsewhere after it, or comes elsewhere later.
+bool leads_on(Action action) {
+  switch (action) {
+    case Action::width:
+    case Action::widen:
+    case Action::next_colour:
+    case Action::last_colour:
+    case Action::surface:
+    case Action::ball:
+    case Action::disc:
+      return false;
+    default:
+      return true;
+  }
+}
+
+bool draws_polygons(Action action) {
+  return action == Action::begin_polygon || action == Action::end_polygon || action == Action::corner;
+}
+
+bool any(Action) { return true; }
+
+}  // namespace
+
+Silence::Silence(const Program& program, const Rules* images, bool heard)
+    : program_(program), images_(images), quiet_(program.symbols.size()) {
+  for (std::uint32_t symbol = 0; symbol < quiet_.size(); ++symbol) {
+    bool quiet = !means(symbol, heard ? any : leads_on);
+    const Range drawn = has_image(symbol) ? images[symbol].productions : Range{};
+    for (std::uint32_t i = drawn.begin; i < drawn.end; ++i)
+      quiet = quiet && !heard && comes_back(program.productions[i].successor);
+    quiet_[symbol] = quiet;
+  }
+}
+
+bool Silence::means(std::uint32_t symbol, bool (*what)(Action)) const {
+  const std::uint8_t meaning = program_.meanings[symbol];
+  return meaning != no_meaning && what(turtle_symbols[meaning].action);
+}
+
+// As leaves do: whether all ways are in branches, and there is no polygon, which could be left open in one.
+bool Silence::comes_back(const Template& image) const {
+  std::uint32_t open = 0;
+  const std::uint32_t* at = program_.words.data() + image.first;
+  for (const std::uint32_t* const end = at + image.words; at < end; at += words_of(*at)) {
+    const std::uint32_t symbol = symbol_of(*at);
+    if (symbol == push_symbol) {
+      ++open;
+    } else if (symbol == pop_symbol) {
+      --open;
+    } else if (has_image(symbol) || means(symbol, draws_polygons) || (open == 0 && means(symbol, leads_on))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// A growing plant asks at its tips. One walk over the headers finds the branches that need not be walked by the turtle,
+// each in the order of its [; of one that asks the end is its beginning.
+void Silence::find_branches(const String& string) {
+  std::vector<std::size_t> open;
+  std::uint64_t offset = 0;
+  for (const std::uint32_t* at = string.begin(); at < string.end(); at += words_of(*at)) {
+    const std::uint32_t symbol = symbol_of(*at);
+    offset = static_cast<std::uint64_t>(at - string.begin());
+    if (symbol == push_symbol) {
+      open.push_back(branches_.size());
+      branches_.push_back({offset, offset + 1});
+    } else if (symbol == pop_symbol && !open.empty()) {
+      Branch& closed = branches_[open.back()];
+      if (closed.end != closed.begin) closed.end = offset + words_of(*at);
+      open.pop_back();
+    } else if (program_.asks_turtle(symbol)) {
+      for (std::size_t i = open.size(); i-- > 0 && branches_[open[i]].end != branches_[open[i]].begin;)
+        branches_[open[i]].end = branches_[open[i]].begin;
+    }
+  }
+}
+
+}  // namespace panicle::lsystem

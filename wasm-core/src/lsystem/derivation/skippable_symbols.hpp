@@ -1,0 +1,48 @@
+// What a walk of the turtle can pass over: modules that mean nothing to it and, where nobody hears of what is drawn,
+// whatever leaves it where it was and branches in which nobody asks where it is.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lsystem/derivation/program.hpp"
+#include "lsystem/derivation/words.hpp"
+
+namespace panicle::lsystem {
+
+class Silence {
+ public:
+  // `images` are what draws in the place of modules, by symbol, null for none; they and `program` must outlive it.
+  Silence(const Program& program, const Rules* images, bool heard);
+
+  // Whether every module of a symbol can be passed over.
+  bool covers(std::uint32_t symbol) const { return quiet_[symbol] != 0; }
+
+  // Finds the branches of a string in which nobody asks, for a walk that nobody hears.
+  void find_branches(const String& string);
+  // Behind those that begin at `at`; asked in the order of the string.
+  const std::uint32_t* behind_branches(const String& string, const std::uint32_t* at) {
+    std::uint64_t offset = static_cast<std::uint64_t>(at - string.begin());
+    for (; next_branch_ < branches_.size() && branches_[next_branch_].begin <= offset; ++next_branch_)
+      if (branches_[next_branch_].begin == offset) offset = branches_[next_branch_].end;
+    return string.begin() + offset;
+  }
+
+ private:
+  // A branch in which nothing asks where the turtle is: words from its [ to behind its ].
+  struct Branch {
+    std::uint64_t begin, end;
+  };
+
+  bool has_image(std::uint32_t symbol) const { return images_ != nullptr && images_[symbol].productions.size() > 0; }
+  bool means(std::uint32_t symbol, bool (*what)(Action)) const;
+  bool comes_back(const Template& image) const;
+
+  const Program& program_;
+  const Rules* images_;
+  std::vector<std::uint8_t> quiet_;  // by symbol
+  std::vector<Branch> branches_;
+  std::size_t next_branch_ = 0;  // that the walk has not come to
+};
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,218 @@
+#include "lsystem/syntax/remarks.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "expression/names.hpp"
+#include "lsystem/derivation/program.hpp"
+#include "lsystem/syntax/production_remarks.hpp"
+
+namespace panicle::lsystem {
+namespace {
+
+constexpr std::string_view turns = "+-&^/\\<>";
+constexpr std::string_view angle_names[] = {"angle", "delta", "δ"};
+
+class Reader {
+ public:
+  explicit Reader(const Grammar& grammar) : grammar_(grammar) {}
+
+  std::vector<Remark> run() {
+    for (const ProductionTree& production : grammar_.productions) known_.add(production.predecessor);
+    for (const TurtleSymbol& turtle : turtle_symbols)
+      if (!turtle.cpfg_only || grammar_.notation == Notation::cpfg) known_.add(turtle.symbol);
+    note_uses();
+    string(grammar_.axiom, 0);
+    on_axiom_.swap(remarks_);
+    for (const ProductionTree& production : grammar_.productions) {
+      if (grammar_.axiom[0].place.line < production.place.line) add_those_on_axiom();
+      if (production.predecessor == "S" && grammar_.notation == Notation::huang)
+        once("S as a symbol", production.place,
+             "S is the turtle's sphere and is drawn where no production rewrites it; give a symbol of your own another "
+             "name.");
+      if (production.condition.nodes.size() == 1 && production.condition.nodes[0].kind == Node::Kind::number)
+        once("one number", production.condition.place,
+             "A condition that is a number always holds, or never; a weight stands behind the successor and a colon: A "
+             "--> B : 0.33.");
+      string(production.successor, production.place.line);
+    }
+    add_those_on_axiom();
+    return std::move(remarks_);
+  }
+
+ private:
+  void once(std::string_view what, const Place& place, const char* pattern, Pieces pieces = {}) {
+    const std::uint32_t said = said_.size();
+    if (said_.add(what) == said) remarks_.push_back({sentence(pattern, pieces), place.line, place.column});
+  }
+
+  // What is said of the axiom stands where the axiom does, though it is looked at first.
+  void add_those_on_axiom() {
+    for (Remark& remark : on_axiom_) remarks_.push_back(std::move(remark));
+    on_axiom_.clear();
+  }
+
+  bool known(std::string_view symbol) const { return known_.find(symbol) != Names::none; }
+
+  // Which constant a reader takes for the angle of bare turns: one that nothing uses.
+  void note_uses() {
+    bool used[std::size(angle_names)] = {};
+    const auto use = [&](const Expression& expression) {
+      for (const Node& node : expression.nodes)
+        for (std::size_t i = 0; i < std::size(angle_names); ++i) used[i] |= node.name == angle_names[i];
+    };
+    const auto use_all = [&](const std::vector<ModuleTree>& modules) {
+      for (const ModuleTree& module : modules)
+        for (const Expression& argument : module.arguments) use(argument);
+    };
+    use_all(grammar_.axiom);
+    for (const Expression& setting : grammar_.settings) use(setting);
+    for (const DefinitionTree& definition : grammar_.definitions)
+      for (const Expression& value : definition.values) use(value);
+    for (const ProductionTree& production : grammar_.productions) {
+      use_all(production.successor);
+      use(production.condition);
+      use(production.weight);
+      for (const AssignmentTree& assignment : production.before) use(assignment.expression);
+      for (const AssignmentTree& assignment : production.after) use(assignment.expression);
+    }
+    for (const DefinitionTree& definition : grammar_.definitions)
+      for (std::size_t i = 0; i < std::size(angle_names); ++i)
+        if (definition.name == angle_names[i] && !used[i]) angle_ = angle_names[i];
+  }
+
+  // `line` is where an arrow stands, behind which the string begins; 0 for none.
+  void string(const std::vector<ModuleTree>& modules, std::uint32_t line) {
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+      module(modules[i]);
+      const bool begins_line = (i == 0 ? line : modules[i - 1].place.line) != modules[i].place.line;
+      if (begins_line && reads_as_comment(modules, i))
+        once("//", modules[i].place,
+             "This line is read as two rolls of the turtle and symbols that draw nothing; a comment is written /* … "
+             "*/.");
+      if (begins_line && i > 0 && reads_as_words(modules, i))
+        once(
+            "words", modules[i].place,
+            "This line goes on with the string before it, as symbols that draw nothing; if it is meant as a statement, "
+            "there is none of that name.");
+    }
+  }
+
+  void module(const ModuleTree& module) {
+    if (module.arguments.empty()) bare(module);
+    if (!known(module.name)) unknown(module);
+  }
+
+  bool said(Said which) const { return grammar_.settings[static_cast<std::size_t>(which)].given(); }
+
+  // What stands in for an argument is said once, unless the text says it.
+  void bare(const ModuleTree& module) {
+    const bool cpfg = grammar_.notation == Notation::cpfg;
+    if (module.name == "!" && !cpfg)
+      once("!", module.place, "! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).");
+    if ((module.name == "!" || module.name == "#") && cpfg && !said(Said::line_width_increment))
+      once("!", module.place,
+           "% without an argument changes the width by the line width increment, which is 0 until a line such as line "
+           "width increment: 0.1 says another.",
+           {module.name});
+    if (module.name.size() != 1 || turns.find(module.name[0]) == std::string_view::npos || said(Said::angle_increment))
+      return;
+    if (!angle_.empty())
+      once("angle", module.place,
+           "% without an argument turns by 90° and does not heed '%'; write %(%), or a line angle increment: %.",
+           {module.name, angle_, module.name, angle_, angle_});
+    else if (cpfg)
+      once("angle", module.place,
+           "% without an argument turns by 90°; a line such as angle increment: 25 says another.", {module.name});
+  }
+
+  // A symbol that nothing rewrites and the turtle does not know.
+  void unknown(const ModuleTree& module) {
+    const std::string_view name = module.name, digits = name.substr(1);
+    const bool turtles = name[0] == 'F' || name[0] == 'f' || name[0] == 'S';
+    if (turtles && !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos)
+      once(name, module.place, "% is one symbol of its own and draws nothing; write %(%).",
+           {name, name.substr(0, 1), digits});
+    const bool capitals = name.size() > 1 && name.find_first_not_of("FGABCDLRXYIJKPQ") == std::string_view::npos;
+    if (capitals && name.find('F') != std::string_view::npos)
+      once(name, module.place, "% is one symbol of its own and draws nothing; put spaces between several.", {name});
+    if ((name == "G" || name == "g") && !module.arguments.empty())
+      once(name, module.place,
+           "% draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.",
+           {name});
+  }
+
+  // `//` and at least two words that mean nothing.
+  bool reads_as_comment(const std::vector<ModuleTree>& modules, std::size_t at) const {
+    if (at + 3 >= modules.size() || modules[at].name != "/" || modules[at + 1].name != "/") return false;
+    return std::all_of(modules.begin() + static_cast<std::ptrdiff_t>(at),
+                       modules.begin() + static_cast<std::ptrdiff_t>(at) + 4,
+                       [&](const ModuleTree& module) {
+                         return module.arguments.empty() && module.place.line == modules[at].place.line &&
+                                (module.name == "/" || !known(module.name));
+                       }) &&
+           modules[at + 2].name != "/" && modules[at + 3].name != "/";
+  }
+
+  // A line of nothing but words that mean nothing, two of them or a long one.
+  bool reads_as_words(const std::vector<ModuleTree>& modules, std::size_t at) const {
+    constexpr std::size_t least = 4, long_word = 8;
+    std::size_t letters = 0, words = 0;
+    for (const std::uint32_t line = modules[at].place.line; at < modules.size() && modules[at].place.line == line;
+         ++at) {
+      const ModuleTree& module = modules[at];
+      if (!module.arguments.empty() || module.name.size() < least || known(module.name)) return false;
+      letters += module.name.size();
+      ++words;
+    }
+    return words > 1 || letters >= long_word;
+  }
+
+  const Grammar& grammar_;
+  Names known_;  // by the turtle or a production
+  Names said_;
+  std::string_view angle_;
+  std::vector<Remark> remarks_;
+  std::vector<Remark> on_axiom_;
+};
+
+Names declared_by(const Program& program) {
+  Names names;
+  for (const Declaration& declaration : program.declarations) names.add(declaration.name);
+  return names;
+}
+
+}  // namespace
+
+std::vector<Remark> remarks_on(const Grammar& grammar) {
+  std::vector<Remark> all = Reader(grammar).run();
+  for (Remark& remark : remarks_on_productions(grammar)) all.push_back(std::move(remark));
+  std::stable_sort(all.begin(), all.end(), [](const Remark& one, const Remark& other) {
+    return one.line < other.line || (one.line == other.line && one.column < other.column);
+  });
+  return all;
+}
+
+std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scalar> asked,
+                            std::optional<std::uint32_t> steps) {
+  std::vector<Remark> all = program.remarks;
+  for (const Production& production : program.productions)
+    if (production.by_chance && !steps && !program.steps.given)
+      all.push_back({sentence("% draws for its random condition once; with a derivation length it draws in each step.",
+                              {program.symbols[production.predecessor]}),
+                     production.place.line, production.place.column});
+  const Names declared = asked.empty() ? Names() : declared_by(program);
+  for (const Inputs::Scalar& given : asked)
+    if (declared.find(given.name) == Names::none)
+      all.push_back({sentence("The grammar has no #define %, so its parameter changes nothing.", {given.name}), 0, 0});
+  return all;
+}
+
+std::string to_text(const Remark& remark) {
+  if (remark.line == 0) return remark.message;
+  return sentence("Line %, column %: %", {std::to_string(remark.line), std::to_string(remark.column), remark.message});
+}
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,258 @@
+#include "lsystem/trace/derivation_trace.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "expression/code.hpp"
+#include "expression/number_text.hpp"
+#include "lsystem/derivation/machine.hpp"
+#include "lsystem/derivation/string_text.hpp"
+#include "lsystem/syntax/parser.hpp"
+
+namespace panicle::lsystem {
+namespace {
+
+std::string parameters_text(const std::uint32_t* module) {
+  float parameters[most_parameters];
+  std::memcpy(parameters, module + 1, parameters_of(*module) * sizeof(float));
+  return numbers_text({parameters, parameters_of(*module)});
+}
+
+}  // namespace
+
+std::string numbers_text(std::span<const float> numbers) {
+  std::string text;
+  for (const float number : numbers) {
+    text += ' ';
+    text += number_text(number);
+  }
+  return text;
+}
+
+void Chronicle::begins(const String& string) {
+  counts_ = {static_cast<std::uint32_t>(string.modules)};
+  if (tells_this()) {
+    for (std::uint32_t i = asked_.first; i < parts_.size() && written_.size() < asked_.count; ++i)
+      write(ToldModule::none, parts_[i]);
+    take_window(string);
+  }
+  parts_.clear();
+  begin_step(string);
+}
+
+void Chronicle::ends(const String& string) {
+  find_refusals();  // the string is the one before where nothing was rewritten
+  copied_until(counts_.back());
+  for (; border_ < borders_.size(); ++border_) borders_[border_] = new_;
+  counts_.push_back(static_cast<std::uint32_t>(string.modules));
+  changes_end_.push_back(changes_.size());
+  whole_borders_ = borders_;
+  if (tells_this()) take_window(string);
+  begin_step(string);
+}
+
+void Chronicle::begin_step(const String& string) {
+  string_ = &string;
+  word_ = index_ = old_ = new_ = 0;
+  border_ = 0;
+  answered_ = false;
+}
+
+// Why productions do not rewrite the window's modules, before anything has.
+void Chronicle::find_refusals() {
+  if (!tells_this() || std::exchange(refused_, true)) return;
+  std::optional<std::uint32_t> step;
+  if (by_steps_) step = asked_.step;
+  // With a budget of their own: neither the derivation nor what follows the trace has less because of them.
+  WorkBudget budget(limits_.work, limits_.bytes, limits_.budget == nullptr ? nullptr : limits_.budget->clock());
+  Limits own = limits_;
+  own.budget = &budget;
+  Refusals refusals(*bound_, seed_, own, space_, *string_, step, answered_);
+  for (std::size_t i = 0; i < modules_.size(); ++i) modules_[i].refusals = refusals.of(words_[i]);
+}
+
+std::uint32_t Chronicle::index_of(std::uint64_t word) {
+  for (; word_ < word; ++index_) word_ += words_of(string_->begin()[word_]);
+  return index_;
+}
+
+ToldModule* Chronicle::find_told(std::uint32_t index) {
+  const bool there =
+      string_ != nullptr && tells_this() && index >= asked_.first && index - asked_.first < modules_.size();
+  return there ? &modules_[index - asked_.first] : nullptr;
+}
+
+void Chronicle::rewrites(std::uint64_t at) {
+  if (string_ == nullptr) return;
+  rewriting_ = index_of(at);
+  if (drawing_ == nullptr) find_refusals();
+  if (drawing_ == nullptr) copied_until(rewriting_);
+  parts_.clear();
+}
+
+void Chronicle::applied(const Production& production, const Machine& machine) {
+  production_ = &production;
+  ToldModule* const told = find_told(rewriting_);
+  if (told == nullptr) return;
+  told->fires = production.place;
+  told->values = values_of(production, machine);
+  if (production.weight.given) told->chance = machine.chance();
+}
+
+// Where nothing is decomposed, all is written by the production that was applied.
+void Chronicle::rewritten(std::uint64_t modules) {
+  const auto count = static_cast<std::uint32_t>(modules);
+  for (std::uint32_t i = 0; tells_next() && i < count; ++i)
+    if (new_ + i >= asked_.first) write(rewriting_, i < parts_.size() ? parts_[i] : production_);
+  change(1, count);
+}
+
+void Chronicle::removes(std::uint64_t at, std::uint64_t modules) {
+  find_refusals();
+  copied_until(index_of(at));
+  change(static_cast<std::uint32_t>(modules), 0);
+}
+
+// The window's next module.
+void Chronicle::write(std::uint32_t parent, const Production* production) {
+  if (written_.size() >= asked_.count) return;
+  written_.emplace_back().parent = parent;
+  if (production != nullptr) written_.back().production = production->place;
+}
+
+void Chronicle::copied_until(std::uint32_t index) {
+  const std::int64_t moved = std::int64_t{new_} - old_;
+  const auto overlap = [&](std::int64_t first, std::size_t count, const auto& each) {
+    const std::int64_t end = std::min<std::int64_t>(index, first + static_cast<std::int64_t>(count));
+    for (std::int64_t i = std::max<std::int64_t>(old_, first); i < end; ++i) each(static_cast<std::uint32_t>(i));
+  };
+  if (tells_next()) overlap(asked_.first - moved, asked_.count, [&](std::uint32_t i) { write(i, nullptr); });
+  if (tells_this())
+    overlap(asked_.first, modules_.size(),
+            [&](std::uint32_t i) { find_told(i)->children = {static_cast<std::uint32_t>(i + moved), 1}; });
+  for (; border_ < borders_.size() && borders_[border_] < index; ++border_)
+    borders_[border_] = static_cast<std::uint32_t>(borders_[border_] + moved);
+  new_ += index - old_;
+  old_ = index;
+}
+
+// What stands next in the string before, `removed` modules, has become `written` in the one after.
+void Chronicle::change(std::uint32_t removed, std::uint32_t written) {
+  for (std::uint32_t i = 0; i < removed; ++i)
+    if (ToldModule* const told = find_told(old_ + i)) told->children = {new_, written};
+  for (; border_ < borders_.size() && borders_[border_] < old_ + removed; ++border_) borders_[border_] = new_;
+  old_ += removed;
+  new_ += written;
+  if (asked_.module && changes_.size() < most_rewritten) changes_.push_back({old_ - removed, old_, new_});
+}
+
+void Chronicle::take_window(const String& string) {
+  const std::uint32_t count = counts_.back(), first = std::min(asked_.first, count);
+  written_.resize(std::min(asked_.count, count - first));
+  modules_ = std::move(written_);
+  borders_.clear();
+  for (std::uint32_t i = 0; i <= modules_.size(); ++i) borders_.push_back(first + i);
+  whole_borders_ = borders_;
+  const std::uint32_t* at = string.begin();
+  for (std::uint32_t i = 0; i < first; ++i) at += words_of(*at);
+  for (ToldModule& told : modules_) {
+    words_.push_back(static_cast<std::uint64_t>(at - string.begin()));
+    told.text = module_text(*program_, at);
+    if (program_->asks_turtle(symbol_of(*at))) told.answer = "written" + parameters_text(at);
+    at += words_of(*at);
+  }
+}
+
+std::string Chronicle::values_of(const Production& production, const Machine& machine) const {
+  const Range names = program_->named_in[static_cast<std::size_t>(&production - program_->productions.data())];
+  std::string text;
+  for (std::uint32_t i = names.begin; i < names.end; ++i) {
+    const Naming& naming = program_->namings[i];
+    if (i > names.begin) text += ' ';
+    text += naming.name;
+    text += '=';
+    text += number_text(machine.value_of(naming.source));
+  }
+  return text;
+}
+
+void Chronicle::asks() {
+  questions_.clear();
+  for (std::size_t i = 0; tells_this() && i < words_.size(); ++i)
+    questions_.push_back(parameters_text(string_->begin() + words_[i]));
+}
+
+void Chronicle::answered() {
+  answered_ = true;
+  for (std::size_t i = 0; i < questions_.size(); ++i) {
+    const std::uint32_t* const module = string_->begin() + words_[i];
+    if (symbol_of(*module) != ask_symbol) continue;
+    modules_[i].answer = "asked" + questions_[i] + " →" + parameters_text(module);
+  }
+}
+
+void Chronicle::finish(std::uint32_t steps, const Diagnostic& stopped, const String& last) {
+  stopped_ = stopped;
+  counts_.resize(std::min<std::size_t>(counts_.size(), steps + 1));
+  string_ = &last;
+  find_refusals();
+  string_ = nullptr;
+  bound_ = nullptr;
+  space_ = nullptr;
+  // What of a step that never ended has been told.
+  for (std::uint32_t i = 0; tells_this() && i < modules_.size(); ++i) {
+    ToldModule& told = modules_[i];
+    told.fires = {};
+    told.values.clear();
+    told.chance = {};
+    told.children = {};
+  }
+  for (std::size_t i = 0; i < modules_.size(); ++i)
+    modules_[i].last = {whole_borders_[i], whole_borders_[i + 1] - whole_borders_[i]};
+  if (!asked_.module || *asked_.module >= counts_.back() || changes_.size() >= most_rewritten) return;
+  trail_.assign(counts_.size(), *asked_.module);
+  for (std::uint32_t step = this->steps(); step-- > 0;) trail_[step] = ancestor_of(trail_[step + 1], step);
+}
+
+// Of a module of the string after the step that follows `step`.
+std::uint32_t Chronicle::ancestor_of(std::uint32_t module, std::uint32_t step) const {
+  const auto begin = changes_.begin() + static_cast<std::ptrdiff_t>(step == 0 ? 0 : changes_end_[step - 1]);
+  const auto end = changes_.begin() + static_cast<std::ptrdiff_t>(changes_end_[step]);
+  const auto found = std::upper_bound(begin, end, module,
+                                      [](std::uint32_t index, const Change& change) { return index < change.new_end; });
+  const Change before = found == begin ? Change{} : *(found - 1);
+  const bool copied = found == end || module - before.new_end < found->old_begin - before.old_end;
+  return copied ? before.old_end + (module - before.new_end) : found->old_begin;
+}
+
+void Chronicle::watch_drawing(std::shared_ptr<const String> last) {
+  drawing_ = std::move(last);
+  begin_step(*drawing_);
+}
+
+void Chronicle::add_answer(std::uint32_t module, std::string_view answer) {
+  if (ToldModule* const told = find_told(module)) told->answer += answer;
+}
+
+Result<Chronicle> chronicle(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
+                            const Limits& limits, const Surroundings& around, ChronicleAsked asked) {
+  const WorkBudget::TimePassed clock = limits.budget == nullptr ? nullptr : limits.budget->clock();
+  for (;;) {
+    const bool by_steps = steps || derivation_length(bound);
+    Chronicle told(bound, seed, limits, around.space, by_steps, asked);
+    Surroundings watched = around;
+    watched.watcher = &told;
+    // With a budget of its own, so that it comes as far as the derivation that is traced.
+    WorkBudget budget(limits.work, limits.bytes, clock);
+    Limits own = limits;
+    own.budget = &budget;
+    const auto derived = develop_so_far(bound, seed, steps, own, watched);
+    if (!derived) return derived.error();
+    // Steps that rewrote nothing change nothing but what is answered.
+    told.finish(around.answers == nullptr ? derived->steps : told.steps(), derived->stopped, *derived->string);
+    if (asked.step <= told.steps()) return told;
+    asked.step = told.steps();
+  }
+}
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,159 @@
+// What happened in a derivation: for a step and a window of its string, where each module came from, what rewrites it
+// and with which values, what it becomes and what it was told. It is the derivation itself that is watched.
+//
+// No string is kept: who asks for another step has it derived again.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lsystem/derivation/derivation.hpp"
+#include "lsystem/derivation/watcher.hpp"
+#include "lsystem/trace/refusals.hpp"
+
+namespace panicle::lsystem {
+
+struct ChronicleAsked {
+  static constexpr std::uint32_t most = 2000;  // modules of a window
+
+  std::uint32_t step = 0;                    // 0 is the axiom; beyond the last: the last
+  std::uint32_t first = 0, count = most;     // modules of its string
+  std::optional<std::uint32_t> module = {};  // of the last string, whose ancestors are wanted
+};
+
+// Modules one after the other.
+struct ModuleSpan {
+  std::uint32_t first = 0, count = 0;
+};
+
+// A module of the window. Places are those of productions: 0, 0 for none.
+struct ToldModule {
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  std::string text;                  // as strings have it
+  std::uint32_t parent = none;       // of the step before
+  Place production;                  // that wrote it in this step
+  Place fires;                       // that rewrites it next
+  std::vector<Refusal> refusals;     // the other productions of its symbol
+  std::string values;                // of its formals, then of what its blocks work out: `n=3 t=0.5`
+  std::array<float, 3> chance = {};  // where it was drawn: the sum of all weights, its own, where in the sum it fell
+  ModuleSpan children;               // in the next step
+  ModuleSpan last;                   // in the last string
+  std::string answer;                // `asked 1 0 → 1 3; why`, or `written 0 1 0`
+};
+
+class Chronicle final : public Watcher {
+ public:
+  static constexpr std::size_t most_rewritten = 4'000'000;  // in all steps, for ancestors to be found
+
+  // Of a derivation that has these; `bound` and the space must last until `finish`. `by_steps`: whether each step draws
+  // anew (Derivation::Chance).
+  Chronicle(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space, bool by_steps,
+            const ChronicleAsked& asked)
+      : program_(bound.program),
+        bound_(&bound),
+        seed_(seed),
+        limits_(limits),
+        space_(space),
+        by_steps_(by_steps),
+        asked_(asked) {}
+
+  // The step that is told, and the first module of the window.
+  std::uint32_t step() const { return asked_.step; }
+  std::uint32_t first() const { return asked_.first; }
+  std::uint32_t steps() const { return static_cast<std::uint32_t>(counts_.size()) - 1; }
+  // Of each step's string, the axiom's first.
+  const std::vector<std::uint32_t>& counts() const { return counts_; }
+  const std::vector<ToldModule>& modules() const { return modules_; }
+  // By step, the ancestor of the module that was asked for; empty where none was, the last string has no such module or
+  // too much was rewritten.
+  const std::vector<std::uint32_t>& trail() const { return trail_; }
+  // What cut the derivation short: a limit.
+  const Diagnostic& stopped() const { return stopped_; }
+
+  // The derivation is over, and nothing more is heard: its strings are gone but the last. Of `steps` steps, where more
+  // were taken and did nothing.
+  void finish(std::uint32_t steps, const Diagnostic& stopped, const String& last);
+  // From now on it watches how the last string is drawn, and tells which production answers a ?E in place.
+  void watch_drawing(std::shared_ptr<const String> last);
+  // Whether the window has this module of the last string, which is being drawn.
+  bool has(std::uint32_t module) { return find_told(module) != nullptr; }
+  // What that one was asked and answered while it was drawn; or more of it, behind what is there.
+  void add_answer(std::uint32_t module, std::string_view answer);
+
+  void begins(const String& string) override;
+  void ends(const String& string) override;
+  void rewrites(std::uint64_t at) override;
+  void applied(const Production& production, const Machine& machine) override;
+  void part(const Production* production) override { parts_.push_back(production); }
+  void rewritten(std::uint64_t modules) override;
+  void removes(std::uint64_t at, std::uint64_t modules) override;
+  void asks() override;
+  void answered() override;
+
+ private:
+  // What of the string before gives way to what of the string after begins behind the change before it and what was
+  // copied since, and ends here.
+  struct Change {
+    std::uint32_t old_begin = 0, old_end = 0, new_end = 0;
+  };
+
+  bool tells_this() const { return steps() == asked_.step; }
+  bool tells_next() const { return steps() + 1 == asked_.step; }
+  ToldModule* find_told(std::uint32_t index);
+  void begin_step(const String& string);
+  void find_refusals();
+  std::uint32_t index_of(std::uint64_t word);
+  void copied_until(std::uint32_t index);
+  void change(std::uint32_t removed, std::uint32_t written);
+  void write(std::uint32_t parent, const Production* production);
+  void take_window(const String& string);
+  std::string values_of(const Production& production, const Machine& machine) const;
+  std::uint32_t ancestor_of(std::uint32_t module, std::uint32_t step) const;
+
+  std::shared_ptr<const Program> program_;
+  const Bound* bound_;  // null once it is finished
+  std::uint64_t seed_;
+  Limits limits_;
+  const Space* space_;
+  bool by_steps_;
+  ChronicleAsked asked_;
+  std::vector<std::uint32_t> counts_;
+  std::vector<ToldModule> modules_;
+  std::vector<std::uint32_t> trail_;
+  Diagnostic stopped_;
+
+  const String* string_ = nullptr;         // that is being rewritten or drawn; null: neither
+  std::shared_ptr<const String> drawing_;  // the last string, while that is drawn
+  std::uint64_t word_ = 0;                 // of the string: up to where modules have been counted
+  std::uint32_t index_ = 0;
+  std::uint32_t old_ = 0, new_ = 0;  // modules of the string before and after that this step has told of
+  std::uint32_t rewriting_ = 0;      // the module
+  const Production* production_ = nullptr;
+  bool answered_ = false;  // ?E, since the step before
+  bool refused_ = false;   // whether the window has its refusals
+  std::vector<const Production*> parts_;
+  std::vector<ToldModule> written_;           // of the window, what is known before its string is there
+  std::vector<std::uint64_t> words_;          // where the window's modules stand
+  std::vector<std::string> questions_;        // that they ask
+  std::vector<std::uint32_t> borders_;        // where each one's descendants begin, and where those of the last end
+  std::vector<std::uint32_t> whole_borders_;  // the same after the last whole step
+  std::size_t border_ = 0;                    // the next that this step has to move
+  std::vector<Change> changes_;               // of all steps, where ancestors are wanted
+  std::vector<std::size_t> changes_end_;      // by step
+};
+
+// ` 1 0.5 3`, as answers have them.
+std::string numbers_text(std::span<const float> numbers);
+
+// Derives once more as `develop_so_far` does, under watch. Errors as there.
+Result<Chronicle> chronicle(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
+                            const Limits& limits, const Surroundings& around, ChronicleAsked asked);
+
+}  // namespace panicle::lsystem

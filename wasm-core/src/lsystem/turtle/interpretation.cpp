@@ -1,0 +1,533 @@
+#include "lsystem/turtle/interpretation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "expression/code.hpp"
+#include "lsystem/derivation/branch.hpp"
+#include "lsystem/derivation/machine.hpp"
+#include "lsystem/derivation/skippable_symbols.hpp"
+#include "lsystem/derivation/string_text.hpp"
+#include "lsystem/derivation/watcher.hpp"
+#include "lsystem/syntax/parser.hpp"
+
+namespace panicle::lsystem {
+namespace {
+
+constexpr float most_colours = 255;
+// The largest coordinate and the range of sizes that can be drawn, in the text's unit: the square of an area is finite
+// up to `farthest`, and the square of a size below `least_size` would be 0.
+constexpr float farthest = 1e9f, least_size = 1e-18f;
+
+bool is_near(float value) { return std::fabs(value) <= farthest; }
+bool is_near(const glm::vec3& p) { return is_near(p.x) && is_near(p.y) && is_near(p.z); }
+bool is_unit(const glm::vec3& v) { return std::fabs(glm::dot(v, v) - 1) < 0.01f; }
+
+// What becomes of ?E, ?P and the like.
+enum class Questions : std::uint8_t {
+  drawn,    // ?E is answered, and what answers is drawn in place
+  written,  // ?E is answered, and the answer written into the string
+  located,  // the turtle's place and axes are written into the string, and nobody hears of what is drawn
+  unasked,
+};
+
+class Interpreter {
+ public:
+  Interpreter(const Bound& bound, const Turtle& start, Listener& listener, std::uint64_t seed, const Limits& limits,
+              const Space* space, Watcher* watcher = nullptr)
+      : machine_(bound, seed, limits, space),
+        bound_(bound),
+        program_(*bound.program),
+        limits_(limits),
+        listener_(listener),
+        watcher_(watcher),
+        turtle_(start),
+        turns_(program_.notation == Notation::cpfg ? -1.0f : 1.0f) {
+    if (program_.has(Purpose::homomorphism)) images_ = program_.rules_of(Purpose::homomorphism).data();
+    if (const auto& width = bound.settings[static_cast<std::size_t>(Said::line_width)]) turtle_.width = *width;
+    const auto said = [&](Said which) { return bound.settings[static_cast<std::size_t>(which)]; };
+    if (said(Said::tropism_x))
+      turtle_.tropism = {*said(Said::tropism_x), *said(Said::tropism_y), *said(Said::tropism_z)};
+    turtle_.elasticity = said(Said::elasticity).value_or(turtle_.elasticity);
+  }
+
+  // `answered` is the string itself where answers are written into it.
+  Result<std::uint32_t> run(const String& string, Questions questions, String* answered = nullptr) {
+    questions_ = questions;
+    answered_ = answered;
+    if (questions == Questions::drawn && program_.not_drawable.reason != Reason::none) return program_.not_drawable;
+    const bool unheard = questions == Questions::located;
+    Silence silence(program_, images_, !unheard);
+    if (unheard) silence.find_branches(string);
+    const std::uint32_t* at = string.begin();
+    const std::uint32_t* const end = string.end();
+    string_ = at;
+    // The cost of a walk itself. Drawing the image of a module is counted where its successor is written.
+    if (!machine_.spend(program_.symbols.size() / 16)) return machine_.trouble();
+    for (; at < end; ++module_) {
+      if (module_ % 64 == 0 && !machine_.spend(16)) return machine_.trouble();
+      if (unheard) at = silence.behind_branches(string, at);
+      const std::uint32_t* const module = at;
+      if (at == end) break;
+      const std::uint32_t symbol = symbol_of(*module);
+      at += words_of(*module);
+      if (silence.covers(symbol)) continue;
+      const bool cut = has_image(symbol) ? draw(module, module, 0) : act(module, module);
+      if (machine_.failed()) return machine_.trouble();
+      if (!cut) continue;
+      const RestOfBranch rest = rest_of_branch(at, end);
+      at = rest.end;
+      module_ += static_cast<std::uint32_t>(rest.modules);
+    }
+    if (!polygons_.empty()) note("A { was never closed by a }; its polygon is not drawn.", 1);
+    return static_cast<std::uint32_t>(lines_);
+  }
+
+ private:
+  struct Polygon {
+    Turtle start;
+    float thickness;
+    std::vector<glm::vec3> corners;
+  };
+
+  bool has_image(std::uint32_t symbol) const { return images_ != nullptr && images_[symbol].productions.size() > 0; }
+
+  // What a homomorphism makes of a module is drawn in its place, each part of it again so, as deep as the text says.
+  // True: the rest of the branch is cut.
+  bool draw(const std::uint32_t* module, const std::uint32_t* bearer, std::uint32_t depth) {
+    if (depth < bound_.depths[1]) {
+      const Production* const production = machine_.choose(module, images_);
+      if (machine_.failed()) return false;
+      if (production != nullptr) return draw_image(production->successor, module, bearer, depth);
+    }
+    return program_.meanings[symbol_of(*module)] != no_meaning && act(module, bearer);
+  }
+
+  bool draw_image(const Template& successor, const std::uint32_t* module, const std::uint32_t* bearer,
+                  std::uint32_t depth) {
+    if (!machine_.spend(1 + successor.modules / 2)) return false;
+    if (image_words_.size() <= depth) image_words_.resize(depth + 1);
+    const Origin origin = has_lineage(*module) ? origin_of(module) : Origin{};
+    if (!image_words_[depth].reserve(successor.words, limits_.words)) return !no_memory();
+    if (!machine_.write(successor, image_words_[depth].data(), origin, symbol_of(*module))) return false;
+    const std::uint32_t* at = image_words_[depth].data();
+    const std::uint32_t* const end = at + successor.words;
+    while (at < end) {
+      const std::uint32_t* const part = at;
+      at += words_of(*part);
+      const bool cut = draw(part, bearer, depth + 1);
+      if (machine_.failed()) return false;
+      if (!cut) continue;
+      at = rest_of_branch(at, end).end;
+      if (at == end) return true;
+    }
+    return false;
+  }
+
+  bool no_memory() {
+    return machine_.fail(
+        error_at(Reason::limit, {}, "There is no memory for what a module is drawn as; make its production shorter."));
+  }
+
+  // What stands in for an argument that was left out.
+  float standard(const TurtleSymbol& symbol) const {
+    if (symbol.setting == Setting::angle_increment) return said(Said::angle_increment, symbol.standard);
+    if (symbol.setting == Setting::line_length) return said(Said::line_length, symbol.standard);
+    return symbol.standard;
+  }
+  float said(Said which, float otherwise) const {
+    return bound_.settings[static_cast<std::size_t>(which)].value_or(otherwise);
+  }
+
+  glm::vec3 vector_of(const std::uint32_t* module, std::uint32_t first) const {
+    glm::vec3 v(0);
+    for (std::uint32_t i = 0; i < 3 && first + i < parameters_of(*module); ++i)
+      std::memcpy(&v[static_cast<int>(i)], module + 1 + first + i, sizeof(float));
+    return v;
+  }
+
+  // Does what one module of the turtle says, with the lineage of `bearer`. True: the rest of the branch is cut.
+  bool act(const std::uint32_t* module, const std::uint32_t* bearer) {
+    const std::uint32_t number = symbol_of(*module);
+    const TurtleSymbol& symbol = turtle_symbols[program_.meanings[number]];
+    const bool given = parameters_of(*module) > 0;
+    float value = 0;
+    if (given) {
+      std::memcpy(&value, module + 1, sizeof value);
+    } else {
+      value = standard(symbol);
+    }
+    switch (symbol.action) {
+      case Action::line:
+        if (polygons_.empty()) {
+          line(value, module, bearer);
+        } else {
+          move(value, module);
+          corner();
+        }
+        break;
+      case Action::move:
+        move(value, module);
+        if (!polygons_.empty()) corner();
+        break;
+      case Action::line_apart:
+        line(value, module, bearer);
+        break;
+      case Action::move_apart:
+        move(value, module);
+        break;
+      case Action::sphere:
+        sphere(value, module, bearer);
+        break;
+      case Action::turn:
+        turn(turtle_,
+             symbol.action == Action::turn && symbol.most_arguments == 0 ? value : turns_ * symbol.sign * value);
+        break;
+      case Action::pitch:
+        pitch(turtle_, turns_ * symbol.sign * value);
+        break;
+      case Action::roll:
+        roll(turtle_, turns_ * symbol.sign * value);
+        break;
+      case Action::width:
+        set_width(value, given, -1);
+        break;
+      case Action::widen:
+        set_width(value, given, 1);
+        break;
+      case Action::push:
+        push();
+        break;
+      case Action::pop:
+        turtle_ = stack_.back();
+        stack_.pop_back();
+        break;
+      case Action::cut:
+        if (questions_ != Questions::located) listener_.cut(turtle_);
+        return true;
+      case Action::ask:
+        return ask(module);
+      default:
+        act_seldom(symbol.action, module, bearer, value, given);
+    }
+    return false;
+  }
+
+  void act_seldom(Action action, const std::uint32_t* module, const std::uint32_t* bearer, float value, bool given) {
+    switch (action) {
+      case Action::level:
+        level(turtle_);
+        break;
+      case Action::go_to:
+        turtle_.position = vector_of(module, 0);
+        check_place(module);
+        break;
+      case Action::head_for:
+        head_for(turtle_, vector_of(module, 0), vector_of(module, 3));
+        break;
+      case Action::elasticity:
+        if (const glm::vec3 arguments = vector_of(module, 0); arguments[0] == 0) turtle_.elasticity = arguments[1];
+        break;
+      case Action::size:
+        turtle_.size = value;
+        break;
+      case Action::enlarge:
+        enlarge(turtle_.size * value, value, module);
+        break;
+      case Action::reduce:
+        if (value > 0) enlarge(turtle_.size / value, value, module);
+        break;
+      case Action::next_colour:
+        set_colour(given ? value : static_cast<float>(turtle_.colour + 1));
+        break;
+      case Action::last_colour:
+        set_colour(given ? value : static_cast<float>(turtle_.colour - 1));
+        break;
+      case Action::begin_polygon:
+        begin_polygon(value, module);
+        break;
+      case Action::corner:
+        if (!polygons_.empty())
+          corner();
+        else
+          note("A . outside of { } is no corner of anything.", 2);
+        break;
+      case Action::end_polygon:
+        end_polygon(bearer);
+        break;
+      case Action::surface:
+      case Action::ball:
+      case Action::disc:
+      case Action::circle:
+        if (questions_ != Questions::located && value != 0 && turtle_.size != 0 &&
+            can_draw(value * turtle_.size, module))
+          draw_whole(action, module, bearer, value * turtle_.size);
+        break;
+      case Action::ask_position:
+      case Action::ask_heading:
+      case Action::ask_left:
+      case Action::ask_up:
+        if (questions_ == Questions::located) locate(action, module);
+        break;
+      default:
+        break;
+    }
+  }
+
+  void draw_whole(Action action, const std::uint32_t* module, const std::uint32_t* bearer, float size) {
+    if (action == Action::surface)
+      listener_.surface(turtle_, std::string_view(program_.symbols[symbol_of(*module)]).substr(1), size,
+                        lineage_of(bearer));
+    if (action == Action::ball) listener_.ball(turtle_, size / 2, lineage_of(bearer));
+    if (action == Action::disc) listener_.disc(turtle_, size / 2, lineage_of(bearer));
+    if (action != Action::circle) return;
+    Turtle upright = turtle_;
+    pitch(upright, 90);
+    listener_.disc(upright, size / 2, lineage_of(bearer));
+  }
+
+  // `!` narrows and `#` widens where they are not told how wide; in the paper's notation ! alone is 1.
+  void set_width(float value, bool given, float sign) {
+    if (!given && program_.notation == Notation::cpfg) {
+      const float by = said(Said::line_width_increment, 0);
+      turtle_.width = std::max(0.0f, turtle_.width + sign * by);
+    } else if (given || sign < 0) {
+      turtle_.width = value;
+    }
+  }
+
+  void set_colour(float value) { turtle_.colour = static_cast<std::int32_t>(std::clamp(value, 1.0f, most_colours)); }
+
+  void begin_polygon(float thickness, const std::uint32_t* module) {
+    if (!is_near(thickness * turtle_.size)) return refuse(module, "is thicker than 10^9 units; make it thinner.");
+    if (polygons_.size() < limits_.depth) {
+      polygons_.push_back({turtle_, thickness * turtle_.size, {}});
+      return;
+    }
+    machine_.fail(error_at(Reason::limit, {}, "More than % polygons are open at once, which is the limit; close them.",
+                           {std::to_string(limits_.depth)}));
+  }
+
+  void corner() {
+    if (machine_.spend(1)) polygons_.back().corners.push_back(turtle_.position);
+  }
+
+  void end_polygon(const std::uint32_t* bearer) {
+    if (polygons_.empty()) return note("A } closes no polygon; it is passed over.", 4);
+    if (questions_ != Questions::located) {
+      const Polygon& closed = polygons_.back();
+      if (closed.thickness > 0)
+        listener_.plate(closed.start, closed.corners, closed.thickness, lineage_of(bearer));
+      else
+        listener_.polygon(closed.start, closed.corners, lineage_of(bearer));
+    }
+    polygons_.pop_back();
+  }
+
+  // Each kind once.
+  void note(std::string_view sentence, std::uint32_t kind) {
+    if ((noted_ & kind) == 0 && questions_ != Questions::located) listener_.note(sentence);
+    noted_ |= kind;
+  }
+
+  void locate(Action action, const std::uint32_t* module) {
+    if (answered_ == nullptr || module < answered_->begin() || module >= answered_->end()) return;
+    const glm::vec3& at = action == Action::ask_position  ? turtle_.position
+                          : action == Action::ask_heading ? turtle_.heading
+                          : action == Action::ask_left    ? turtle_.left
+                                                          : turtle_.up;
+    const std::uint32_t count = std::min<std::uint32_t>(3, parameters_of(*module));
+    std::uint32_t* const written = answered_->words.data() + (module - answered_->begin());
+    for (std::uint32_t i = 0; i < count; ++i) set_parameter(written, i, at[static_cast<int>(i)]);
+  }
+
+  Lineage lineage_of(const std::uint32_t* module) const {
+    if (!has_lineage(*module)) return {{}, {}, 0, no_symbol, no_symbol, module_};
+    const Origin origin = origin_of(module);
+    const std::uint32_t parent = origin.ancestors & 0xffff, grandparent = origin.ancestors >> 16;
+    return {name_of(parent), name_of(grandparent), origin.address, parent, grandparent, module_};
+  }
+
+  std::string_view name_of(std::uint32_t symbol) const {
+    return symbol == no_symbol ? std::string_view() : std::string_view(program_.symbols[symbol]);
+  }
+
+  void refuse(const std::uint32_t* module, const char* why) {
+    machine_.fail(error_at(Reason::evaluation, {}, "Module % of the string, %, %",
+                           {std::to_string(module_ + 1), module_text(program_, module), why}));
+  }
+
+  void check_place(const std::uint32_t* module) {
+    if (!is_near(turtle_.position))
+      refuse(module, "leads farther than 10^9 units from the origin; shorten lines, or draw less enlarged.");
+  }
+
+  void move(float distance, const std::uint32_t* module) {
+    turtle_.position = ahead(turtle_, distance * turtle_.size);
+    check_place(module);
+  }
+
+  // Sets the size of what is drawn, `by` times as large or as small as before.
+  void enlarge(float size, float by, const std::uint32_t* module) {
+    if (size == 0 && by != 0 && turtle_.size != 0)
+      return refuse(module, "makes what is drawn too small for its size to be a number; draw less reduced.");
+    turtle_.size = size;
+  }
+
+  // Whether something of this size can be drawn where the turtle is: if not, the walk has failed.
+  bool can_draw(float size, const std::uint32_t* module) {
+    if (!is_near(size))
+      refuse(module, "is larger than 10^9 units; make it smaller, or draw less enlarged.");
+    else if (std::fabs(size) < least_size)
+      refuse(module, "is smaller than 10^-18 units: nothing would be seen of it. Make it larger, or leave it out.");
+    else if (!is_near(turtle_.width))
+      refuse(module, "is drawn wider than 10^9 units; set a smaller width by !.");
+    else if (!is_unit(turtle_.heading) || !is_unit(turtle_.left))
+      refuse(module, "has no direction: a turn, a tropism or @R before it has too large numbers. Make them smaller.");
+    return !machine_.failed();
+  }
+
+  void line(float distance, const std::uint32_t* module, const std::uint32_t* bearer) {
+    if (distance == 0 || turtle_.size == 0) return;
+    if (!can_draw(distance * turtle_.size, module)) return;
+    const Turtle before = turtle_;
+    move(distance, module);
+    if (machine_.failed()) return;
+    turtle_.line = lines_++;
+    if (questions_ != Questions::located) listener_.line(turtle_.line, before, turtle_, lineage_of(bearer));
+    if (turtle_.elasticity != 0) bend(turtle_);
+  }
+
+  void sphere(float radius, const std::uint32_t* module, const std::uint32_t* bearer) {
+    if (radius == 0 || turtle_.size == 0 || !can_draw(radius * turtle_.size, module)) return;
+    move(radius, module);
+    if (!machine_.failed() && questions_ != Questions::located)
+      listener_.sphere(turtle_, radius * turtle_.size, lineage_of(bearer));
+  }
+
+  void push() {
+    if (stack_.size() < limits_.depth) {
+      stack_.push_back(turtle_);
+      return;
+    }
+    machine_.fail(error_at(Reason::limit, {},
+                           "More than % branches are open at once, which is the limit; nest fewer brackets.",
+                           {std::to_string(limits_.depth)}));
+  }
+
+  // True: the answer cut the branch.
+  bool ask(const std::uint32_t* module) {
+    if (questions_ == Questions::unasked || questions_ == Questions::located) return false;
+    const std::uint32_t count = parameters_of(*module);
+    float parameters[most_parameters];
+    std::memcpy(parameters, module + 1, count * sizeof(float));
+    float before[most_parameters];
+    std::copy_n(parameters, count, before);
+    listener_.ask(turtle_, {parameters, count}, lineage_of(module));
+    if (!machine_.spend(1)) return false;        // also where the answer has taken what was left
+    const auto write = [&](std::uint32_t* to) {  // changed parameters only: the others keep their double precision
+      for (std::uint32_t i = 0; i < count; ++i)
+        if (std::memcmp(&parameters[i], &before[i], sizeof(float)) != 0) set_parameter(to, i, parameters[i]);
+    };
+    if (questions_ == Questions::drawn) {
+      std::uint32_t answered[1 + most_parameters + lineage_words + 2 * most_parameters + block] = {};
+      std::memcpy(answered, module, words_of(*module) * sizeof *module);
+      write(answered);
+      return draw_answer(module, answered);
+    }
+    if (module >= answered_->begin() && module < answered_->end())
+      write(answered_->words.data() + (module - answered_->begin()));
+    return false;
+  }
+
+  // Applies the production that matches the answer and draws its successor in place. `answered`: a copy of the module
+  // with the answer in its parameters, followed by a block of unused words.
+  bool draw_answer(const std::uint32_t* module, const std::uint32_t* answered) {
+    const Production* const production = machine_.choose(answered);
+    if (production == nullptr) return false;
+    const Template& successor = production->successor;
+    if (!answer_.reserve(successor.words, successor.words))
+      return !machine_.fail(
+          error_at(Reason::limit, {}, "There is no memory for the answer of ?E; make its production shorter."));
+    if (!machine_.write(successor, answer_.data(), {}, ask_symbol)) return false;
+    if (watcher_ != nullptr) {
+      watcher_->rewrites(static_cast<std::uint64_t>(module - string_));
+      watcher_->applied(*production, machine_);
+    }
+    return draw_all(answer_.data(), answer_.data() + successor.words, module);
+  }
+
+  bool draw_all(const std::uint32_t* at, const std::uint32_t* end, const std::uint32_t* bearer) {
+    while (at < end) {
+      const std::uint32_t* const module = at;
+      at += words_of(*module);
+      const bool cut = symbol_of(*module) != ask_symbol && act(module, bearer);
+      if (machine_.failed()) return false;
+      if (!cut) continue;
+      at = rest_of_branch(at, end).end;
+      if (at == end) return true;
+    }
+    return false;
+  }
+
+  Machine machine_;
+  const Bound& bound_;
+  const Program& program_;
+  const Limits& limits_;
+  Listener& listener_;
+  Watcher* watcher_;
+  const std::uint32_t* string_ = nullptr;
+  Turtle turtle_;
+  const float turns_;  // which way the notation turns
+  const Rules* images_ = nullptr;
+  std::vector<Words> image_words_;  // by depth
+  std::vector<Turtle> stack_;
+  std::vector<Polygon> polygons_;  // that are open
+  Words answer_;
+  Questions questions_ = Questions::drawn;
+  String* answered_ = nullptr;
+  std::int32_t lines_ = 0;
+  std::uint32_t module_ = 0;
+  std::uint32_t noted_ = 0;
+};
+
+// Hears nothing.
+class Unheard : public Listener {
+  void line(std::int32_t, const Turtle&, const Turtle&, const Lineage&) override {}
+  void sphere(const Turtle&, float, const Lineage&) override {}
+  void ask(const Turtle&, std::span<float>, const Lineage&) override {}
+  void cut(const Turtle&) override {}
+};
+
+Diagnostic write_into(const Bound& bound, String& string, const Turtle& start, Listener& listener, std::uint64_t seed,
+                      const Limits& limits, const Space* space, Questions questions) {
+  const auto walked = Interpreter(bound, start, listener, seed, limits, space).run(string, questions, &string);
+  return walked ? Diagnostic{} : walked.error();
+}
+
+}  // namespace
+
+Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
+                                std::uint64_t seed, const Limits& limits, const Space* space, Watcher* watcher) {
+  return Interpreter(bound, start, listener, seed, limits, space, watcher).run(string, Questions::drawn);
+}
+
+Result<std::uint32_t> trace(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
+                            std::uint64_t seed, const Limits& limits, const Space* space) {
+  return Interpreter(bound, start, listener, seed, limits, space).run(string, Questions::unasked);
+}
+
+Diagnostic answer(const Bound& bound, String& string, const Turtle& start, Listener& listener, std::uint64_t seed,
+                  const Limits& limits, const Space* space) {
+  return write_into(bound, string, start, listener, seed, limits, space, Questions::written);
+}
+
+Diagnostic locate(const Bound& bound, String& string, const Turtle& start, std::uint64_t seed, const Limits& limits,
+                  const Space* space) {
+  Unheard unheard;
+  return write_into(bound, string, start, unheard, seed, limits, space, Questions::located);
+}
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,31 @@
+// The grammar of a request as a compiled program.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
+#include "lsystem/lsystem.hpp"
+#include "protocol/request.hpp"
+
+namespace panicle {
+
+// How a model reads texts that do not choose for themselves.
+struct ProgramOptions {
+  lsystem::Notation notation = lsystem::Notation::huang;
+  lsystem::Lineages lineages = lsystem::Lineages::always;
+};
+
+// For Model::compile_text. Errors: those of lsystem::compile.
+Result<CompiledText> compile_program(std::string_view text, const ProgramOptions& options, const Limits& limits);
+
+// The program whose handle the block `program` holds; null where the request has no such block.
+std::shared_ptr<const lsystem::Program> program_by_handle(Request& request);
+
+// That program, or what the block `grammar` compiles to. Errors: those of lsystem::compile; bad_request where the
+// request has neither block.
+Result<std::shared_ptr<const lsystem::Program>> requested_program(Request& request, const ProgramOptions& options,
+                                                                  const Limits& limits);
+
+}  // namespace panicle

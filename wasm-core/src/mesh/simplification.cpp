@@ -1,0 +1,177 @@
+#include "mesh/simplification.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <queue>
+#include <tuple>
+
+namespace panicle {
+namespace {
+
+using glm::dvec3;
+
+// Long edges go last where all is flat: so much of their length counts as error.
+constexpr double of_length = 0.015;
+// What a triangle may turn by: the cosine.
+constexpr double most_turned = 0.15;
+
+// A vertex with more triangles about it stays, and what is about it is not looked at again when another goes into it:
+// else a fan of thousands takes their square, over and over.
+constexpr std::size_t most_about = 96;
+
+// Squares of distances to planes, weighted by what lies in each.
+struct Quadric {
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, x = 0, y = 0, z = 0, one = 0, weight = 0;
+
+  void add_plane(const dvec3& n, double d, double w) {
+    xx += w * n.x * n.x;
+    xy += w * n.x * n.y;
+    xz += w * n.x * n.z;
+    yy += w * n.y * n.y;
+    yz += w * n.y * n.z;
+    zz += w * n.z * n.z;
+    x += w * n.x * d;
+    y += w * n.y * d;
+    z += w * n.z * d;
+    one += w * d * d;
+    weight += w;
+  }
+  void add(const Quadric& q) {
+    xx += q.xx;
+    xy += q.xy;
+    xz += q.xz;
+    yy += q.yy;
+    yz += q.yz;
+    zz += q.zz;
+    x += q.x;
+    y += q.y;
+    z += q.z;
+    one += q.one;
+    weight += q.weight;
+  }
+  double at(const dvec3& p) const {
+    return p.x * (xx * p.x + 2 * (xy * p.y + xz * p.z + x)) + p.y * (yy * p.y + 2 * (yz * p.z + y)) +
+           p.z * (zz * p.z + 2 * z) + one;
+  }
+};
+
+class Thinner {
+ public:
+  explicit Thinner(const Patch& patch) : patch_(patch), triangles_(patch.triangles), left_(patch.counted) {
+    const std::size_t vertices = patch.positions.size();
+    places_.reserve(vertices);
+    for (const glm::vec3& each : patch.positions) places_.emplace_back(each.x, each.y, each.z);
+    quadrics_.resize(vertices);
+    about_.resize(vertices);
+    stamps_.assign(vertices, 0);
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      const auto [a, b, c] = triangles_[t];
+      for (const std::uint32_t v : {a, b, c}) about_[v].push_back(t);
+      const dvec3 normal = glm::cross(places_[b] - places_[a], places_[c] - places_[a]);
+      const double twice = glm::length(normal);
+      if (!(twice > 0)) continue;
+      const dvec3 unit = normal / twice;
+      for (const std::uint32_t v : {a, b, c}) quadrics_[v].add_plane(unit, -glm::dot(unit, places_[a]), twice);
+    }
+  }
+
+  std::vector<Collapse> run() {
+    for (std::uint32_t v = 0; v < places_.size(); ++v) offer(v);
+    float error = 0;
+    while (!offers_.empty()) {
+      const auto [cost, vertex, into, stamp] = offers_.top();
+      offers_.pop();
+      if (stamp != stamps_[vertex] || about_[vertex].empty()) continue;
+      draw(vertex, into);
+      error = std::max(error, static_cast<float>(std::sqrt(cost)));
+      made_.push_back({vertex, into, error, left_});
+    }
+    return std::move(made_);
+  }
+
+ private:
+  using Offer = std::tuple<double, std::uint32_t, std::uint32_t, std::uint32_t>;
+
+  bool has(std::uint32_t triangle, std::uint32_t vertex) const {
+    const auto& corners = triangles_[triangle];
+    return corners[0] == vertex || corners[1] == vertex || corners[2] == vertex;
+  }
+
+  dvec3 normal_of(std::uint32_t triangle, std::uint32_t moved, const dvec3& to) const {
+    std::array<dvec3, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = triangles_[triangle][i] == moved ? to : places_[triangles_[triangle][i]];
+    return glm::cross(p[1] - p[0], p[2] - p[0]);
+  }
+
+  bool turns(std::uint32_t vertex, std::uint32_t into) const {
+    for (const std::uint32_t t : about_[vertex]) {
+      if (has(t, into)) continue;
+      const dvec3 before = normal_of(t, vertex, places_[vertex]), behind = normal_of(t, vertex, places_[into]);
+      const double sizes = glm::length(before) * glm::length(behind);
+      if (glm::length(before) > 0 && !(glm::dot(before, behind) > most_turned * sizes)) return true;
+    }
+    return false;
+  }
+
+  // The cheapest way for a vertex to go, in place of what it was before.
+  void offer(std::uint32_t vertex) {
+    const std::uint32_t stamp = ++stamps_[vertex];
+    if (patch_.is_fixed[vertex] != 0 || about_[vertex].size() > most_about) return;
+    double least = -1;
+    std::uint32_t best = 0;
+    for (const std::uint32_t t : about_[vertex])
+      for (const std::uint32_t into : triangles_[t]) {
+        if (into == vertex) continue;
+        Quadric both = quadrics_[vertex];
+        both.add(quadrics_[into]);
+        const dvec3 way = places_[into] - places_[vertex];
+        const double cost = std::max(0.0, both.at(places_[into])) / std::max(both.weight, 1e-30) +
+                            of_length * of_length * glm::dot(way, way);
+        if (least >= 0 && (cost > least || (cost == least && into >= best))) continue;
+        if (turns(vertex, into)) continue;
+        least = cost;
+        best = into;
+      }
+    if (least >= 0) offers_.push({least, vertex, best, stamp});
+  }
+
+  void draw(std::uint32_t vertex, std::uint32_t into) {
+    std::vector<std::uint32_t> near;
+    for (const std::uint32_t t : about_[vertex]) {
+      near.insert(near.end(), triangles_[t].begin(), triangles_[t].end());
+      if (has(t, into)) {
+        left_ -= t < patch_.counted;
+        for (const std::uint32_t v : triangles_[t])
+          if (v != vertex) std::erase(about_[v], t);
+        continue;
+      }
+      std::replace(triangles_[t].begin(), triangles_[t].end(), vertex, into);
+      about_[into].push_back(t);
+    }
+    about_[vertex].clear();
+    quadrics_[into].add(quadrics_[vertex]);
+    if (about_[into].size() <= most_about)
+      for (const std::uint32_t t : about_[into]) near.insert(near.end(), triangles_[t].begin(), triangles_[t].end());
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (const std::uint32_t v : near)
+      if (v != vertex) offer(v);
+  }
+
+  const Patch& patch_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<dvec3> places_;
+  std::vector<Quadric> quadrics_;
+  std::vector<std::vector<std::uint32_t>> about_;  // by vertex, triangles
+  std::vector<std::uint32_t> stamps_;
+  std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
+  std::uint32_t left_;
+  std::vector<Collapse> made_;
+};
+
+}  // namespace
+
+std::vector<Collapse> thinning_of(const Patch& patch) { return Thinner(patch).run(); }
+
+}  // namespace panicle

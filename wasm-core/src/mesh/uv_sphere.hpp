@@ -1,0 +1,14 @@
+// The ball that S draws, where a model has nothing better to put there.
+#pragma once
+
+#include <cstdint>
+
+#include "mesh/mesh.hpp"
+
+namespace panicle {
+
+// Radius 1 about the origin, closed; u goes round the axis (+Y is v = 1), `segments` (3 or more) times round and half
+// as many from pole to pole.
+Mesh make_ball(std::uint32_t segments);
+
+}  // namespace panicle

@@ -1,0 +1,172 @@
+#include "models/bunch/berry/flower.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
+#include "stems/tube_writer.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+using Kind = FlowerPiece::Kind;
+
+// v of what has a colour of its own.
+constexpr float green = 0.1f, filament = 0.4f, anther = 0.6f, petal = 0.9f;
+
+// A station of a tube: how far out from the axis and how high its middle is, and how thick it is there. The first and
+// the last are poles.
+struct Station {
+  float out, up, radius;
+};
+
+// A tube: `flat` times as thick in the plane of its path as across it.
+struct Tubing {
+  std::span<const Station> path;
+  std::uint32_t sides;
+  float v, flat = 1;
+};
+
+constexpr Station stalk_path[] = {{-0.05f, -0.01f, 0}, {0.01f, 0.08f, 0.2f}, {0.3f, 0.47f, 0.15f}, {0.42f, 0.82f, 0}};
+constexpr Station head_path[] = {{0.14f, -0.5f, 0}, {0.06f, -0.2f, 0.34f}, {-0.06f, 0.3f, 0.32f}, {-0.14f, 0.55f, 0}};
+// Hardly longer than wide, the stigma a little wider than the style.
+constexpr Station style_path[] = {{0, 0.8f, 0}, {0, 0.9f, 0.36f}, {0, 1.25f, 0.2f}, {0, 1.45f, 0}};
+// A hood over the whole bud, blunt and widest above the middle.
+constexpr Station cap_path[] = {{0, -0.75f, 0}, {0, -0.6f, 1}, {0, 0.5f, 1.3f}, {0, 1.5f, 0.95f}, {0, 1.8f, 0}};
+constexpr Station pedicel_path[] = {{0, -6.2f, 0}, {0, -6, 0.3f}, {0, -0.9f, 0.34f}, {0, -0.6f, 0}};
+constexpr Station ovary_path[] = {{0, -1, 0}, {0, -0.75f, 0.75f}, {0, 0, 1}, {0, 0.7f, 0.65f}, {0, 1.05f, 0}};
+constexpr Station petal_path[] = {{1, -0.9f, 0}, {3, -0.7f, 2.2f}, {8, 0.6f, 4.6f}, {12, 2.2f, 3.4f}, {13.5f, 3, 0}};
+// Pointed, and bent back from the fruit.
+constexpr Station sepal_path[] = {
+    {0.3f, -0.4f, 0}, {2, -0.3f, 2.1f}, {5.5f, -1.2f, 1.9f}, {9, -3.4f, 0.7f}, {10.5f, -4.8f, 0}};
+
+constexpr Tubing stalk{stalk_path, 3, filament}, head{head_path, 3, anther}, style{style_path, 4, filament};
+constexpr Tubing cap{cap_path, 6, green}, pedicel{pedicel_path, 3, green}, ovary{ovary_path, 5, green};
+constexpr Tubing petal_blade{petal_path, 4, petal, 0.05f}, sepal{sepal_path, 4, green, 0.12f};
+
+// Where one of several stands round the axis: `out` of it and `aside` span the ground.
+struct Stand {
+  glm::vec3 out{1, 0, 0}, aside{0, 0, 1};
+};
+
+Stand stand_of(std::uint64_t i, float count, float uneven) {
+  constexpr std::uint64_t seed = 5;
+  const SinCos angle =
+      sincos_degrees((360 * static_cast<float>(i) + uneven * (random_unit(seed, 0, i) - 0.5f)) / count);
+  return {{angle.cosine, 0, angle.sine}, {-angle.sine, 0, angle.cosine}};
+}
+
+// Closed tubes, a piece after the other: few sides and few rings, since flowers come by the hundred.
+class Pieces {
+ public:
+  // What is added from now on is of that kind.
+  void begin(Kind kind) { flower_.pieces.push_back({kind, vertices(), 0, indices(), 0}); }
+
+  // A tube where it stands, its path scaled and then moved by `from`.
+  void add(const Tubing& tubing, const Stand& stand = {}, float scale = 1, const Station& from = {}) {
+    Tube tube;
+    const std::span<const Station> path = tubing.path;
+    std::vector<glm::vec3> middles;
+    for (const Station& one : path)
+      middles.push_back(stand.out * (from.out + one.out * scale) + glm::vec3(0, from.up + one.up * scale, 0));
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      const glm::vec3 way = middles[i + 1] - middles[i - 1];
+      const float length = glm::length(way), gain = (path[i + 1].radius - path[i - 1].radius) / length;
+      Ring& ring = tube.rings.emplace_back();
+      ring.centre = middles[i];
+      ring.tangent = way / length;
+      const glm::vec3 forward = glm::cross(ring.tangent, stand.aside) * tubing.flat;
+      ring.radius = path[i].radius * tubing.flat;
+      ring.slope = gain * tubing.flat;
+      ring.right = stand.aside * path[i].radius;
+      ring.forward = forward * path[i].radius;
+      ring.right_change = stand.aside * gain;
+      ring.forward_change = forward * gain;
+      ring.round = false;
+      ring.v = tubing.v;
+    }
+    tube.first_pole = middles.front();
+    tube.last_pole = middles.back();
+    append(tube, tubing);
+  }
+
+  FlowerMesh take() { return std::move(flower_); }
+
+ private:
+  std::uint32_t vertices() const { return static_cast<std::uint32_t>(flower_.mesh.uvs.size() / 2); }
+  std::uint32_t indices() const { return static_cast<std::uint32_t>(flower_.mesh.indices.size()); }
+
+  void append(const Tube& tube, const Tubing& tubing) {
+    StemMesh stem;
+    const std::size_t rings = tube.rings.size();
+    const RingPattern pattern(tubing.sides);
+    TubeWriter writer(stem, TubeCount{rings, 1}.vertices(tubing.sides), std::uint64_t{2} * tubing.sides * rings);
+    writer.write(tube, pattern, 1);
+    writer.finish();
+    Mesh& all = flower_.mesh;
+    const std::uint32_t first = vertices();
+    for (const float x : stem.mesh.positions) all.positions.push_back(x);
+    for (const float x : stem.mesh.normals) all.normals.push_back(x);
+    for (std::size_t i = 0; i < stem.mesh.uvs.size(); ++i) all.uvs.push_back(i % 2 == 0 ? stem.mesh.uvs[i] : tubing.v);
+    for (const std::uint32_t index : stem.mesh.indices) all.indices.push_back(first + index);
+    FlowerPiece& piece = flower_.pieces.back();
+    piece.vertex_count = vertices() - piece.first_vertex;
+    piece.index_count = indices() - piece.first_index;
+  }
+
+  FlowerMesh flower_;
+};
+
+// Their length is in radii of the ovary.
+struct Stamens {
+  float count, length;
+};
+
+Stamens stamens_of(Fruit fruit) {
+  constexpr Stamens all[] = {{5, 3.8f}, {5, 1.6f}, {22, 4.5f}, {7, 4}, {7, 4}, {5, 1.6f}};  // by the fruits' numbers
+  return all[static_cast<std::size_t>(fruit)];
+}
+
+// From below the ovary outwards and up, the anther across its end.
+void add_stamens(Pieces& pieces, const Stamens& stamens) {
+  for (std::uint64_t i = 0; static_cast<float>(i) < stamens.count; ++i) {
+    const Stand stand = stand_of(i, stamens.count, 80);
+    const float length = stamens.length * (0.85f + 0.3f * random_unit(5, 1, i));
+    pieces.add(stalk, stand, length, {1, -0.7f, 0});
+    pieces.add(head, stand, 1, {1 + 0.42f * length, 0.82f * length - 0.7f, 0});
+  }
+}
+
+void add_five(Pieces& pieces, const Tubing& blade) {
+  for (std::uint64_t i = 0; i < 5; ++i) pieces.add(blade, stand_of(i, 5, 60));
+}
+
+}  // namespace
+
+FlowerMesh make_flower(Fruit fruit) {
+  Pieces pieces;
+  pieces.begin(Kind::stamens);
+  pieces.add(style);
+  add_stamens(pieces, stamens_of(fruit));
+  if (fruit == Fruit::bramble) {
+    pieces.begin(Kind::petals);
+    add_five(pieces, petal_blade);
+    pieces.begin(Kind::calyx);
+    add_five(pieces, sepal);
+    return pieces.take();
+  }
+  if (fruit == Fruit::grape) {
+    pieces.begin(Kind::cap);
+    pieces.add(cap);
+  }
+  pieces.begin(Kind::pistil);
+  pieces.add(pedicel);
+  pieces.add(ovary);
+  return pieces.take();
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,435 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "foundation/random.hpp"
+#include "models/flower/syntax/reader.hpp"
+
+namespace panicle::flower {
+namespace {
+
+using expression::Place;
+using expression::Token;
+using expression::TokenKind;
+
+constexpr std::size_t most_locals = 64;
+constexpr std::uint64_t most_code = 1'000'000;
+
+constexpr const char* three_blocks =
+    "Three blocks stand here, {before} {condition} {after}, of which any may be empty.";
+
+// C1 → 1; 0 where it is no side.
+std::uint32_t side_of(std::string_view name) {
+  if (name.size() < 2 || name.size() > 5 || name[0] != 'C') return 0;
+  std::uint32_t side = 0;
+  for (const char digit : name.substr(1)) {
+    if (digit < '0' || digit > '9') return 0;
+    side = 10 * side + static_cast<std::uint32_t>(digit - '0');
+  }
+  return side <= generalized_map::largest_order ? side : 0;
+}
+
+bool face_named(std::string_view name, Face& face) {
+  if (name == "O") return face = generalized_map::base_face, true;
+  if (name == "E") return face = generalized_map::end_face, true;
+  const std::uint32_t side = side_of(name);
+  if (side > 0) face = generalized_map::side(side);
+  return side > 0;
+}
+
+}  // namespace
+
+// `p00 PREDECESSOR{…}{…}{…} -> …`: what it is called may be in parentheses, or missing.
+bool Reader::production() {
+  if (on_sign('(') && at_ + 2 < end_ && tokens_[at_ + 1].kind == TokenKind::name && tokens_[at_ + 2].is(')')) {
+    at_ += 3;
+  } else if (on_name() && at_ + 1 < end_ && tokens_[at_ + 1].kind == TokenKind::name) {
+    ++at_;
+  }
+  Production production;
+  production.place = here();
+  production.number = static_cast<std::uint32_t>(program_.productions.size());
+  production_key_ = hash_combine(hash_text("production"), next_key());
+  if (!on_name())
+    return wrong(here(), "A production begins with a volume's name: STEM -> STEM[STEM]_{E}, not with '%'.", {found()});
+  if (!label_named(production.predecessor)) return false;
+  locals_.clear();
+  of_blocks_ = {};
+  Blocks given;
+  if (!blocks(given) || !condition_of(given, production)) return false;
+  bool fine = false;
+  if (on_sign(':')) {
+    const bool blocked =
+        given.before_end > given.before || given.condition_end > given.condition || given.after_end > given.after;
+    if (blocked)
+      return wrong(production.place, "What is glued is glued as soon as its faces are adjacent; take the blocks out.");
+    fine = glue(production);
+  } else if (on_sign('-')) {
+    fine = split(given, production);
+  } else if (at_ < end_ && tokens_[at_].kind == TokenKind::arrow) {
+    fine = grow(given, production);
+  } else {
+    return wrong(here(), "An arrow is expected here, not '%'.", {found()});
+  }
+  if (fine) program_.productions.push_back(std::move(production));
+  return fine;
+}
+
+// All three, or none.
+bool Reader::blocks(Blocks& blocks) {
+  if (!on_sign('{')) return true;
+  if (!block(blocks.before, blocks.before_end)) return false;
+  if (!on_sign('{')) return wrong(here(), three_blocks);
+  if (!block(blocks.condition, blocks.condition_end)) return false;
+  if (!on_sign('{')) return wrong(here(), three_blocks);
+  return block(blocks.after, blocks.after_end);
+}
+
+bool Reader::block(std::size_t& begin, std::size_t& end) {
+  const Place opened = here();
+  begin = ++at_;
+  while (at_ < end_ && !tokens_[at_].is('}')) ++at_;
+  if (at_ == end_) return wrong(opened, "This { is never closed.");
+  end = at_++;
+  return true;
+}
+
+// `name = expression;` as often as you like.
+bool Reader::assignments(std::size_t begin, std::size_t end) {
+  const std::size_t behind = at_;
+  at_ = begin;
+  while (at_ < end) {
+    if (tokens_[at_].kind != TokenKind::name || !next_is(at_, '=') || at_ + 2 >= end)
+      return wrong(here(), "A block gives names their values, as in {w = 2 * step;}.");
+    const std::string_view name = found();
+    if (is_reserved(name)) return wrong(here(), "% has a meaning of its own and cannot be set.", {name});
+    at_ += 2;
+    std::size_t semicolon = at_;
+    while (semicolon < end && !tokens_[semicolon].is(';')) ++semicolon;
+    Number value;
+    Uses uses;
+    if (!number(semicolon, Scope::production, false, value, &uses)) return false;
+    of_blocks_.add(uses);
+    if (locals_.size() == most_locals) return fail(Reason::limit, here(), "A production sets at most 64 names.");
+    lowering_.assign(name, value.value.source);
+    locals_.push_back(name);
+    at_ = std::min(end, semicolon + 1);
+  }
+  at_ = behind;
+  return true;
+}
+
+bool Reader::condition_of(const Blocks& blocks, Production& production) {
+  if (blocks.condition == blocks.condition_end) return true;
+  lowering_.begin_production(formals_, production_key_);
+  const std::uint32_t begin = lowering_.here();
+  if (!assignments(blocks.before, blocks.before_end)) return false;
+  const std::size_t behind = at_;
+  at_ = blocks.condition;
+  Uses uses;
+  if (!number(blocks.condition_end, Scope::production, true, production.condition, &uses)) return false;
+  production.by_step = !(uses.variables.any() || uses.age || uses.values || uses.locals || production.condition.draws);
+  production.condition.value.code.begin = begin;
+  at_ = behind;
+  return true;
+}
+
+// What a production works out anew wherever it is used: its draws are the same each time, and no other's.
+bool Reader::both_blocks(const Blocks& blocks, const Production& production) {
+  lowering_.begin_production(formals_, production_key_);
+  locals_.clear();
+  read_here_ =
+      blocks.before_end - blocks.before + blocks.condition_end - blocks.condition + blocks.after_end - blocks.after;
+  if (!assignments(blocks.before, blocks.before_end)) return false;
+  if (production.condition.draws) {
+    const std::size_t behind = at_;
+    at_ = blocks.condition;
+    Number again;
+    if (!number(blocks.condition_end, Scope::production, true, again)) return false;
+    at_ = behind;
+  }
+  return assignments(blocks.after, blocks.after_end);
+}
+
+// `-> STEM[STEM(…)]_{E}[PETAL]_{C1, C2}`
+bool Reader::grow(const Blocks& blocks, Production& production) {
+  ++at_;
+  const Place place = here();
+  std::uint32_t root = 0;
+  if (!label_named(root)) return false;
+  if (opens(at_)) {
+    const Token& list = tokens_[at_];
+    Description none;
+    lowering_.begin_production(formals_, next_key());
+    if (!description(forms_[root], Scope::production, none)) return false;
+    if (none.given != 0)
+      return wrong(list.place,
+                   "What has grown keeps its numbers; a volume before [ has none of its own. Leave them empty.");
+  }
+  if (root != production.predecessor) {
+    production.becomes = root;
+    renamed_.push_back({place.line, production.predecessor, root});
+  }
+  if (at_ == end_ && production.becomes == nobody)
+    return wrong(here(), "Nothing happens here; a volume grows in brackets, as in STEM -> STEM[STEM]_{E}.");
+  while (on_sign('['))
+    if (!growth(blocks, production)) return false;
+  return true;
+}
+
+bool Reader::growth(const Blocks& blocks, Production& production) {
+  const Place opened = here();
+  ++at_;
+  Growth growth;
+  growth.number = program_.growths++;
+  growth.module = on_sign('&');
+  if (growth.module) ++at_;
+  if (!on_name()) return wrong(here(), "A volume's name is expected here, not '%'.", {found()});
+  const std::size_t name = at_;
+  if (is_unclosed(growth.module)) return false;
+  if (growth.module) {
+    growth.target = find_grammar(found());
+    if (growth.target == nobody)
+      return fail(Reason::undefined, here(), "There is no module %; write one behind all else, under #module %.",
+                  {found(), found()});
+    ++at_;
+  } else if (!label_named(growth.target)) {
+    return false;
+  }
+  // The faces stand behind the numbers and are worked out before them.
+  const std::size_t list = at_;
+  std::size_t open = 0;
+  while (at_ < end_ && (open > 0 || !tokens_[at_].is(']'))) {
+    open += tokens_[at_].is('(');
+    open -= tokens_[at_].is(')') && open > 0;
+    ++at_;
+  }
+  if (at_ == end_) return wrong(opened, "This [ is never closed.");
+  const std::size_t closed = at_;
+  ++at_;
+  const std::uint32_t begin = lowering_.here();
+  if (!both_blocks(blocks, production) || !faces(growth) || too_much(opened)) return false;
+  growth.blocks = {begin, lowering_.here()};
+  const std::size_t behind = at_, end = end_;
+  at_ = list;
+  end_ = closed;
+  growth.arguments.place = tokens_[name].place;
+  const Form form = growth.module ? forms_of_modules_[growth.target] : forms_[growth.target];
+  if (!description(form, Scope::production, growth.arguments)) return false;
+  if (on_sign('{') && growth.module && !settings(growth)) return false;
+  if (at_ < end_) return wrong(here(), "'%' cannot stand here; ] is expected.", {found()});
+  end_ = end;
+  at_ = behind;
+  production.growths.push_back(std::move(growth));
+  return true;
+}
+
+// `A[A_{E}`: what stands behind the bracket was read as the name's end.
+bool Reader::is_unclosed(bool module) {
+  const std::string_view both = found();
+  const std::size_t low = both.rfind('_');
+  if (low == std::string_view::npos || low == 0) return false;
+  const auto is_known = [&](std::string_view name) {
+    return (module ? find_grammar(name) : find_label(name)) != nobody;
+  };
+  Face face;
+  const std::string_view behind = both.substr(low + 1);
+  if (is_known(both)) return false;
+  // A statement that is never closed goes on over what follows, so that the module may not be known.
+  const bool opens_faces = behind.empty() && next_is(at_, '{');
+  if (!(module && opens_faces) && !is_known(both.substr(0, low))) return false;
+  if (!opens_faces && !face_named(behind, face)) return false;
+  wrong(here(), "A ] is missing before _%: write %]_{E}.", {behind.empty() ? "{" : behind, both.substr(0, low)});
+  return true;
+}
+
+// `{len = 60; open = age}` behind a module that is called
+bool Reader::settings(Growth& growth) {
+  std::size_t begin = 0, end = 0;
+  if (!block(begin, end)) return false;
+  const std::size_t behind = at_;
+  program_.grammars[growth.target].draws = true;
+  for (at_ = begin; at_ < end;) {
+    if (tokens_[at_].kind != TokenKind::name || !next_is(at_, '=') || at_ + 2 >= end)
+      return wrong(here(), "A module's variables are given their values here, as in &PETAL{len = 60}.");
+    Setting setting;
+    setting.variable = find_variable(found(), growth.target);
+    if (setting.variable == nobody || program_.variables[setting.variable].grammar != growth.target)
+      return fail(Reason::undefined, here(), "The module % has no variable %; add #define %=… to it.",
+                  {program_.grammars[growth.target].name, found(), found()});
+    for (const Setting& other : growth.settings)
+      if (other.variable == setting.variable)
+        return wrong(here(), "% has been given a value already; take one out.", {found()});
+    at_ += 2;
+    std::size_t semicolon = at_;
+    while (semicolon < end && !tokens_[semicolon].is(';')) ++semicolon;
+    const std::size_t first = at_;
+    Number number;
+    Uses uses;
+    if (!this->number(semicolon, Scope::production, false, number, &uses)) return false;
+    const bool of_blocks = uses.locals;
+    if (of_blocks) uses.add(of_blocks_);
+    uses.locals = false;
+    uses_of_variables_[setting.variable].add(uses);
+    calls_.emplace_back(setting.variable, of_blocks ? read_ : Statement{first, semicolon, grammar_});
+    setting.value = number.value;
+    growth.settings.push_back(setting);
+    at_ = std::min(end, semicolon + 1);
+  }
+  at_ = behind;
+  return true;
+}
+
+// Blocks stand once in the text and are worked out for every face: what they come to has its limit.
+bool Reader::too_much(const Place& place) {
+  read_again_ += read_here_;
+  if (lowering_.here() <= most_code && read_again_ <= most_code) return false;
+  fail(Reason::limit, place, "The blocks of this text are worked out in too many places; make them shorter.");
+  return true;
+}
+
+// `{E}`, `{C1, C4}`, or the same without braces.
+bool Reader::faces(Growth& growth) {
+  const Place opened = here();
+  const bool braces = on_sign('{');
+  if (braces) ++at_;
+  for (;;) {
+    if (!face(growth.faces.emplace_back())) return false;
+    if (!on_sign(',')) break;
+    ++at_;
+  }
+  if (braces && !on_sign('}')) return wrong(at_ < end_ ? here() : opened, "The faces end with a } here.");
+  if (braces) ++at_;
+  return true;
+}
+
+bool Reader::face(FaceOf& face) {
+  static constexpr const char* advice =
+      "A face is O, E, C1, C2 and so on, or C(…) with a number that is worked out; '%' is none.";
+  face.place = here();
+  if (!on_name()) return wrong(here(), advice, {found()});
+  const std::string_view name = found();
+  ++at_;
+  if (name == "C" && opens(at_)) {
+    ++at_;
+    std::size_t end = at_;
+    if (!entry_end(end)) return wrong(face.place, "This ( is never closed.");
+    Number number;
+    if (!this->number(end, Scope::production, true, number)) return false;
+    if (!expect(')', "A ) is expected here, not '%'.")) return false;
+    face.worked_out = true;
+    face.source = number.value.source;
+    return true;
+  }
+  return face_named(name, face.face) || wrong(face.place, advice, {name});
+}
+
+// `VOL : VOL_C1 < VOL_C3 -> VOL_C1 | VOL_C3`
+bool Reader::glue(Production& production) {
+  production.kind = Production::Kind::glue;
+  ++at_;
+  std::array<std::uint32_t, 4> labels{};
+  std::array<Face, 4> sides{};
+  std::array<Place, 4> places{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Place place = places[i] = here();
+    if (!label_with_face(labels[i], sides[i])) return false;
+    if (i == 0 && labels[0] != production.predecessor)
+      return wrong(place, "The first face is one of % here, which stands before the colon.",
+                   {program_.labels[production.predecessor].name});
+    if (i > 1 && (labels[i] != labels[i - 2] || sides[i] != sides[i - 2]))
+      return wrong(place, "Behind the arrow stand the same two faces, with | between them.");
+    if (i == 0 && !expect('<', "A < is expected here: two faces that are adjacent, as in A_C1 < A_C3.")) return false;
+    if (i == 1) {
+      if (!(at_ < end_ && tokens_[at_].kind == TokenKind::arrow))
+        return wrong(here(), "An arrow is expected here, not '%'.", {found()});
+      ++at_;
+    }
+    if (i == 2 && !expect('|', "A | is expected here, between the faces that are glued.")) return false;
+  }
+  production.face = sides[0];
+  production.other = labels[1];
+  production.other_face = sides[1];
+  return true;
+}
+
+// `VOLA -E-> VOLB VOLC`
+bool Reader::split(const Blocks& blocks, Production& production) {
+  production.kind = Production::Kind::split;
+  ++at_;
+  FaceOf where;
+  if (!face(where)) return false;
+  if (where.worked_out)
+    return wrong(where.place, "What is split is split at a face that has a name: O, E, C1, C2 and so on.");
+  production.face = where.face;
+  if (!(at_ < end_ && tokens_[at_].kind == TokenKind::arrow))
+    return wrong(here(), "An arrow is expected here, as in A -E-> B C.");
+  ++at_;
+  const std::uint32_t begin = lowering_.here();
+  if (!both_blocks(blocks, production) || too_much(where.place)) return false;
+  production.blocks = {begin, lowering_.here()};
+  return label_named(production.rest) &&
+         description(forms_[production.rest], Scope::production, production.rest_description) &&
+         label_named(production.part) &&
+         description(forms_[production.part], Scope::production, production.part_description);
+}
+
+// `PETAL_C3`
+bool Reader::label_with_face(std::uint32_t& label, Face& face) {
+  static constexpr const char* advice = "A volume and its face are expected here, as in PETAL_C3, not '%'.";
+  if (!on_name()) return wrong(here(), advice, {found()});
+  const std::string_view both = found();
+  const std::size_t low = both.rfind('_');
+  if (low == std::string_view::npos || low == 0 || low + 1 == both.size()) return wrong(here(), advice, {both});
+  const std::string_view name = both.substr(0, low), of = both.substr(low + 1);
+  label = find_label(name);
+  if (label == nobody)
+    return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.",
+                {name, name, numbers_of_volume});
+  if (!face_named(of, face)) return wrong(here(), advice, {both});
+  return ++at_, true;
+}
+
+bool Reader::label_named(std::uint32_t& label) {
+  if (!on_name()) return wrong(here(), "A volume's name is expected here, not '%'.", {found()});
+  label = find_label(found());
+  if (label == nobody)
+    return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.",
+                {found(), found(), numbers_of_volume});
+  ++at_;
+  return true;
+}
+
+// Productions of volumes that nothing can make of what is begun with.
+void Reader::tell_unreached() {
+  std::vector<bool> reached(program_.labels.size());
+  std::vector<std::uint32_t> waiting;
+  const auto reach = [&](std::uint32_t label) {
+    if (!reached[label]) waiting.push_back(label);
+    reached[label] = true;
+  };
+  reach(program_.grammars[0].axiom);
+  while (!waiting.empty()) {
+    const Label& label = program_.labels[waiting.back()];
+    waiting.pop_back();
+    for (std::uint32_t i = label.productions.begin; i < label.productions.end; ++i) {
+      const Production& production = program_.productions[i];
+      if (production.becomes != nobody) reach(production.becomes);
+      for (const Growth& growth : production.growths)
+        reach(growth.module ? program_.grammars[growth.target].axiom : growth.target);
+      if (production.kind != Production::Kind::split) continue;
+      reach(production.rest);
+      reach(production.part);
+    }
+  }
+  for (const Production& production : program_.productions) {
+    const Label& label = program_.labels[production.predecessor];
+    // Of a module that is called by nobody the call may be what is still to be written.
+    const bool called = label.grammar == 0 || reached[program_.grammars[label.grammar].axiom];
+    if (called && !reached[production.predecessor])
+      program_.notes.push_back(expression::sentence("Line %: nothing grows a %, so this never comes about.",
+                                                    {std::to_string(production.place.line), label.name}));
+  }
+}
+
+}  // namespace panicle::flower

@@ -1,0 +1,225 @@
+#include "models/flower/syntax/program.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "foundation/bytes.hpp"
+#include "models/flower/syntax/reader.hpp"
+#include "models/flower/text.hpp"
+
+namespace panicle::flower {
+namespace {
+
+using expression::error_at;
+using expression::Token;
+using expression::TokenKind;
+using Tokens = std::vector<Token>;
+
+constexpr std::string_view random_number = "math.random";
+
+// Functions of the thesis's Lua that are here under the name behind the point. Its angles are radians, ours degrees.
+constexpr std::string_view same_in_lua[] = {"abs", "floor", "ceil", "sqrt", "exp", "log", "min", "max", "pow"};
+constexpr std::string_view of_angles[] = {"sin", "cos", "tan"}, to_angles[] = {"asin", "acos", "atan"};
+constexpr float degrees_a_radian = 57.2957795f, radians_a_degree = 0.0174532925f, pi = 3.14159265f;
+
+// math.abs(x) → abs(x), math.pi → 3.14…, math.sin(x) → sin(57.3*(x)), math.atan(x) → (0.0175*atan(x)); math.random is
+// for who spells out draws, and what else begins so is refused by who reads it.
+Tokens without_lua(const Tokens& tokens) {
+  static constexpr std::string_view begins = "math.";
+  const auto is_one_of = [](const auto& names, std::string_view name) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+  };
+  Tokens out;
+  out.reserve(tokens.size());
+  std::vector<std::size_t> closes;  // at which depth one more ) is due
+  std::size_t depth = 0;
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    const Token& token = tokens[at];
+    const bool of_lua = token.kind == TokenKind::name && token.text.substr(0, begins.size()) == begins;
+    const std::string_view name = of_lua ? token.text.substr(begins.size()) : std::string_view();
+    const bool called = at + 1 < tokens.size() && tokens[at + 1].is('(');
+    const auto put = [&](TokenKind kind, std::string_view text, float number = 0) {
+      out.push_back({kind, token.first_on_line, token.place, text, number});
+    };
+    if (token.is('(')) ++depth;
+    if (name == "pi") {
+      put(TokenKind::number, "3.14159265", pi);
+    } else if (called && is_one_of(same_in_lua, name)) {
+      put(TokenKind::name, name);
+    } else if (called && is_one_of(of_angles, name)) {
+      put(TokenKind::name, name);
+      put(TokenKind::sign, "(");
+      put(TokenKind::number, "57.2957795", degrees_a_radian);
+      put(TokenKind::sign, "*");
+      closes.push_back(depth);
+    } else if (called && is_one_of(to_angles, name)) {
+      put(TokenKind::sign, "(");
+      put(TokenKind::number, "0.0174532925", radians_a_degree);
+      put(TokenKind::sign, "*");
+      put(TokenKind::name, name);
+      closes.push_back(depth);
+    } else {
+      out.push_back(token);
+    }
+    if (!token.is(')') || depth == 0) continue;
+    --depth;
+    if (closes.empty() || closes.back() != depth) continue;
+    closes.pop_back();
+    put(TokenKind::sign, ")");
+  }
+  return out;
+}
+
+// The thesis's draw, in functions that there are: math.random() as ran(1), math.random(a, b) as a + ran(b − a).
+class Draws {
+ public:
+  explicit Draws(const Tokens& tokens) : tokens_(tokens) {}
+
+  Result<Tokens> spelled_out() {
+    while (at_ < tokens_.size()) {
+      if (!tokens_[at_].is(random_number)) {
+        out_.push_back(tokens_[at_++]);
+      } else if (!spell_out()) {
+        return trouble_;
+      }
+    }
+    return std::move(out_);
+  }
+
+ private:
+  bool wrong() {
+    trouble_ =
+        error_at(Reason::syntax, tokens_[at_].place,
+                 "A random number is drawn by math.random(from, to), with no other draw in what it is drawn from.");
+    return false;
+  }
+
+  bool spell_out() {
+    const expression::Place place = tokens_[at_].place;
+    const bool first = tokens_[at_].first_on_line;
+    const auto put = [&](TokenKind kind, std::string_view text, float number = 0) {
+      out_.push_back({kind, first, place, text, number});
+    };
+    const auto put_all = [&](std::size_t begin, std::size_t end) {
+      put(TokenKind::sign, "(");
+      out_.insert(out_.end(), tokens_.begin() + static_cast<std::ptrdiff_t>(begin),
+                  tokens_.begin() + static_cast<std::ptrdiff_t>(end));
+      put(TokenKind::sign, ")");
+    };
+    const std::size_t open = at_ + 1;
+    if (open >= tokens_.size() || !tokens_[open].is('(')) return wrong();
+    std::size_t close = open, comma = 0, depth = 0;
+    for (; close < tokens_.size(); ++close) {
+      const Token& token = tokens_[close];
+      if (close > open && (token.is(random_number) || token.is("ran") || token.is("RND") || token.is("nran")))
+        return wrong();
+      depth += token.is('(');
+      depth -= token.is(')');
+      if (depth == 0) break;
+      if (depth > 1 || !token.is(',')) continue;
+      if (comma != 0) return wrong();
+      comma = close;
+    }
+    if (close == tokens_.size() || (comma == 0 && close > open + 1)) return wrong();
+    if (comma != 0) {
+      put(TokenKind::sign, "(");
+      put_all(open + 1, comma);
+      put(TokenKind::sign, "+");
+    }
+    put(TokenKind::name, "ran");
+    put(TokenKind::sign, "(");
+    if (comma != 0) {
+      put_all(comma + 1, close);
+      put(TokenKind::sign, "-");
+      put_all(open + 1, comma);
+    } else {
+      put(TokenKind::number, "1", 1);
+    }
+    put(TokenKind::sign, ")");
+    if (comma != 0) put(TokenKind::sign, ")");
+    at_ = close + 1;
+    return true;
+  }
+
+  const Tokens& tokens_;
+  std::size_t at_ = 0;
+  Tokens out_;
+  Diagnostic trouble_;
+};
+
+// What follows from variables, told apart by whose they are: with those of the text alone it stands first, then what
+// each module's own are in. A module's step into another instance so takes no more work the more modules there are.
+void part_once_bound(Program& program, expression::Range all) {
+  std::vector<std::uint32_t> owner(program.code.registers.size(), 0);
+  for (const Variable& variable : program.variables) owner[variable.to] = variable.grammar;
+  std::vector<std::vector<std::uint32_t>> own(program.grammars.size());
+  for (std::uint32_t at = all.begin; at < all.end; ++at) {
+    const expression::Instruction& instruction = program.code.instructions[at];
+    // Nothing sees the variables of two modules.
+    const std::uint32_t grammar = std::max(owner[instruction.a], owner[instruction.b]);
+    owner[instruction.out] = grammar;
+    own[grammar].push_back(at);
+  }
+  expression::Code& code = program.code;
+  std::vector<expression::Instruction> instructions;
+  std::vector<expression::Place> places;
+  for (std::uint32_t g = 0; g < own.size(); ++g) {
+    expression::Range& range = program.grammars[g].once_bound;
+    range.begin = all.begin + static_cast<std::uint32_t>(instructions.size());
+    for (const std::uint32_t at : own[g]) {
+      instructions.push_back(code.instructions[at]);
+      places.push_back(code.places[at]);
+    }
+    range.end = all.begin + static_cast<std::uint32_t>(instructions.size());
+  }
+  for (Variable& variable : program.variables) {
+    const std::vector<std::uint32_t>& of = own[variable.grammar];
+    const auto before = std::lower_bound(of.begin(), of.end(), all.begin + variable.needs) - of.begin();
+    variable.needs = program.grammars[variable.grammar].once_bound.begin + static_cast<std::uint32_t>(before);
+  }
+  std::copy(instructions.begin(), instructions.end(), code.instructions.begin() + all.begin);
+  std::copy(places.begin(), places.end(), code.places.begin() + all.begin);
+}
+
+}  // namespace
+
+float light_through(std::string_view kind) {
+  return kind == "petal" ? 0.5f : kind == "sepal" || kind == "leaf" ? 0.3f : 0;
+}
+
+std::uint64_t Program::bytes() const {
+  std::uint64_t bytes = bytes_of(grammars) + bytes_of(labels) + bytes_of(variables) + bytes_of(productions) +
+                        bytes_of(materials) + bytes_of(bones) + bytes_of(notes) + bytes_of(code.instructions) +
+                        bytes_of(code.places) + bytes_of(code.registers) + bytes_of(code.streams);
+  for (const std::string& note : notes) bytes += bytes_of(note);
+  for (const Production& production : productions) {
+    bytes += bytes_of(production.growths);
+    for (const Growth& growth : production.growths) bytes += bytes_of(growth.faces) + bytes_of(growth.settings);
+  }
+  return bytes;
+}
+
+Result<Program> read_program(std::string_view text, const Limits& limits) {
+  if (text.size() > limits.text_bytes)
+    return error_at(Reason::limit, {}, "The text is longer than % bytes, which is the limit; make it shorter.",
+                    {std::to_string(limits.text_bytes)});
+  const auto kept = without_comments(text);
+  if (!kept) return kept.error();
+  const auto written = expression::tokenize(kept.value(), expression::Writing::rules);
+  if (!written) return written.error();
+  const Tokens ours = without_lua(written.value());
+  const auto tokens = Draws(ours).spelled_out();
+  if (!tokens) return tokens.error();
+  if (tokens->empty())
+    return error_at(Reason::syntax, {1, 1},
+                    "The text is empty; begin with #define STEM(8, 0, 0, 0, 1, 1, 1, 1) and #axiom: STEM.");
+  Program program;
+  expression::Lowering lowering(program.code);
+  Reader reader(tokens.value(), program, lowering);
+  if (!reader.run()) return reader.trouble();
+  part_once_bound(program, lowering.finish());
+  return program;
+}
+
+}  // namespace panicle::flower

@@ -1,0 +1,139 @@
+// A flower's text → program, statement by statement.
+#pragma once
+
+#include <bitset>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "expression/lowering.hpp"
+#include "expression/token_reader.hpp"
+#include "models/flower/syntax/program.hpp"
+
+namespace panicle::flower {
+
+// How many of the thesis's numbers a list has, and so which: the text has eight, its tables nine with the translation.
+enum class Form : std::uint8_t { plain, translated };
+
+inline constexpr std::size_t most_variables = 1000;
+inline constexpr const char* numbers_of_volume = "(N, atx, aty, atz, H, L, W, m)";
+
+class Reader : expression::TokenReader {
+ public:
+  Reader(std::span<const expression::Token> tokens, Program& program, expression::Lowering& lowering);
+
+  // False: `trouble()`.
+  bool run();
+  const Diagnostic& trouble() const { return trouble_; }
+
+ private:
+  struct Statement {
+    std::size_t begin, end;
+    std::uint32_t grammar;
+  };
+  // What of a plant an expression depends on: no larger for a text that says a thing over and over.
+  struct Uses {
+    std::bitset<most_variables> variables;
+    bool age = false, values = false, locals = false, draws = false;
+    void add(const Uses& other);
+  };
+  // What an expression may call by name.
+  enum class Scope : std::uint8_t { variable, description, production };
+  struct Blocks {
+    std::size_t before = 0, condition = 0, after = 0;  // first tokens within, 0 where there are none
+    std::size_t before_end = 0, condition_end = 0, after_end = 0;
+  };
+
+  // First pass: statements, names of modules, volumes and variables.
+  bool part();
+  bool begin_module(std::size_t end);
+  bool declare(const Statement& statement);
+  void find_forms_of_modules();
+  bool declare_volume(const Statement& statement);
+  bool declare_variable(const Statement& statement);
+  std::size_t statement_end(std::size_t at) const;
+
+  // Second pass.
+  bool statement(const Statement& statement);
+  bool definition();
+  bool volume();
+  bool variable();
+  bool axiom();
+  bool material();
+  bool said_of(Material& material);
+  bool colour(std::uint32_t& colour);
+  bool colours(Colours& colours);
+  bool veins_of(Material& material);
+  bool part_name(std::string& name);
+  bool share(float& value, float most);
+  bool production();
+  bool blocks(Blocks& blocks);
+  bool block(std::size_t& begin, std::size_t& end);
+  bool assignments(std::size_t begin, std::size_t end);
+  bool condition_of(const Blocks& blocks, Production& production);
+  bool both_blocks(const Blocks& blocks, const Production& production);
+  bool grow(const Blocks& blocks, Production& production);
+  bool growth(const Blocks& blocks, Production& production);
+  bool is_unclosed(bool module);
+  bool settings(Growth& growth);
+  bool too_much(const expression::Place& place);
+  bool faces(Growth& growth);
+  bool face(FaceOf& face);
+  bool glue(Production& production);
+  bool split(const Blocks& blocks, Production& production);
+  bool label_with_face(std::uint32_t& label, Face& face);
+  bool label_named(std::uint32_t& label);
+
+  // `( , , 2, )`, where there is one: what is given, each in its field.
+  bool description(Form form, Scope scope, Description& description);
+  bool entry_end(std::size_t& end) const;
+  // `used`, where given: what of a plant it depends on.
+  bool number(std::size_t end, Scope scope, bool of_map, Number& number, Uses* used = nullptr);
+  bool knows_functions(std::size_t end);
+  bool rewritten(expression::Expression& tree, Scope scope, Uses& uses, bool& draws);
+  bool unknown(const expression::Node& node, Scope scope);
+  void rebuilds(const Uses& uses);
+  // Whether figures are part of what the map depends on.
+  void pin(std::size_t begin, std::size_t end);
+  void write_bones();
+  bool opens(std::size_t at) const { return at < end_ && tokens_[at].is('('); }
+  std::uint32_t find_label(std::string_view name) const;
+  std::uint32_t find_variable(std::string_view name, std::uint32_t grammar) const;
+  std::uint32_t find_grammar(std::string_view name) const;
+  std::string key_of(std::string_view name, std::uint32_t grammar) const;
+  std::uint64_t next_key() { return ++keys_; }
+  void tell_unreached();
+  void finish();
+
+  Program& program_;
+  expression::Lowering& lowering_;
+  std::vector<expression::Named> formals_;
+  std::vector<Statement> statements_;
+  std::vector<Form> forms_;             // of labels
+  std::vector<Form> forms_of_modules_;  // of what each begins with
+  std::vector<std::string_view> keys_of_variables_;
+  std::vector<Uses> uses_of_variables_;  // and of what calls give them
+  std::bitset<most_variables> rebuilding_;
+  enum class Figure : std::uint8_t { unread, free, pinned };
+  std::vector<Figure> figures_;                             // of tokens that are numbers
+  std::vector<std::pair<std::uint32_t, Statement>> calls_;  // that give variables their values
+  std::vector<Statement> definitions_;                      // of variables
+  Statement read_{0, 0, 0};                                 // that is read
+  expression::Names labels_, variables_, grammars_;         // by key_of; modules by name
+  std::deque<std::string> spelled_;
+  std::vector<std::string_view> locals_;
+  Uses of_blocks_;  // of a production: what its names that are set come from
+  struct Renamed {
+    std::uint32_t line, from, to;
+  };
+  std::vector<Renamed> renamed_;
+  std::uint32_t grammar_ = 0;  // that is read
+  std::uint32_t known_variables_ = 0;
+  std::uint64_t keys_ = 0;
+  std::uint64_t production_key_ = 0;
+  // Tokens of blocks: of this production, and of all, as often as they are read.
+  std::uint64_t read_here_ = 0, read_again_ = 0;
+};
+
+}  // namespace panicle::flower

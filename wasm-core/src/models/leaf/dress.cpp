@@ -1,0 +1,82 @@
+#include "models/leaf/dress.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "light/plant_sky.hpp"
+#include "mesh/uv_sphere.hpp"
+#include "models/leaf/blade.hpp"
+#include "models/leaf/petiole.hpp"
+#include "stems/tubes.hpp"
+
+namespace panicle::particles::leaf {
+namespace {
+
+constexpr float draft_detail = 0.25f;
+constexpr std::uint32_t petiole_sides = 14, ball_segments = 8;
+
+std::vector<VeinPiece> pieces_of(std::span<const Trails> flat, std::span<const double> all, const Girth& girth,
+                                 float scale) {
+  std::vector<VeinPiece> pieces;
+  for (std::size_t c = 0; c < flat.size(); ++c) {
+    const Trails& trails = flat[c];
+    for (std::size_t i = 0; i < trails.size(); ++i) {
+      if (trails.next[i] < 0) continue;
+      const glm::vec3 &from = trails.places[static_cast<std::size_t>(trails.next[i])], &to = trails.places[i];
+      const float radius = radius_of(girth, trails.energy[i], all[c]) / scale;
+      pieces.push_back({{from.x, from.y}, {to.x, to.y}, radius, radius});
+    }
+  }
+  return pieces;
+}
+
+MeshPart whole(const Mesh& mesh) {
+  return {0, static_cast<std::uint32_t>(mesh.positions.size() / 3), 0, static_cast<std::uint32_t>(mesh.indices.size())};
+}
+
+}  // namespace
+
+void dress(Plant& plant, const Asked& asked, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
+           const Girth& girth) {
+  using enum Parameter;
+  const Values& values = asked.values;
+  const BladeForm form{.thickness = 0.001f * values[thickness],
+                       .relief = values[relief],
+                       .detail = asked.draft ? std::min(asked.detail, draft_detail) : asked.detail};
+  std::vector<PlantMesh> blade =
+      make_blade(veins.margin, veins.outline, pieces_of(flat, veins.all, girth, bending.scale), bending, form);
+  if (blade.empty()) plant.notes.push_back("The outline is too narrow somewhere for a blade: veins alone are shown.");
+  const std::vector<Segment> stalk =
+      make_petiole(bending, 0.01f * values[petiole] * bending.scale, 0.0005f * values[petiole_width]);
+  StemMesh tube;
+  if (!stalk.empty()) tube = sweep_stems({.segments = stalk, .jointed = false}, {.sides = petiole_sides}, 1.0f);
+  if (asked.sky) {
+    // Owners are the petiole's segments, then the blade: a sheet that hides nothing from itself.
+    const auto owner = static_cast<std::int32_t>(stalk.size());
+    std::vector<SkyBody> specks;
+    for (std::size_t i = 0; i < stalk.size(); ++i) add_specks(stalk[i], static_cast<std::int32_t>(i), specks);
+    if (!blade.empty()) add_specks(blade[0].mesh, whole(blade[0].mesh), owner, specks);
+    Sky sky({}, specks);
+    for (PlantMesh& face : blade) {
+      std::vector<std::uint8_t> bytes(face.mesh.positions.size() / 3);
+      see_part(sky, face.mesh, whole(face.mesh), owner, true, bytes);
+      face.columns.add("sky", std::move(bytes));
+    }
+    std::vector<std::uint8_t> bytes;
+    if (!stalk.empty()) bytes = sky_of_stems(sky, tube, stalk);
+    for (PlantMesh& face : blade) plant.meshes.push_back(std::move(face));
+    if (!stalk.empty()) {
+      plant.meshes.push_back({"petiole", "stem", std::move(tube.mesh), {}, {}});
+      plant.meshes.back().columns.add("sky", std::move(bytes));
+    }
+  } else {
+    for (PlantMesh& face : blade) plant.meshes.push_back(std::move(face));
+    if (!stalk.empty()) plant.meshes.push_back({"petiole", "stem", std::move(tube.mesh), {}, {}});
+  }
+  if (plant.organs.empty()) return;
+  const auto ball = static_cast<std::int32_t>(plant.meshes.size());
+  plant.meshes.push_back({"particle", "skin", make_ball(ball_segments), {}, {}});
+  for (Organ& organ : plant.organs) organ.mesh = ball;
+}
+
+}  // namespace panicle::particles::leaf

@@ -1,0 +1,177 @@
+#include "models/leaf/measures/measures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "foundation/mathematics.hpp"
+#include "models/leaf/measures/measures.generated.hpp"
+
+namespace panicle::particles::leaf {
+namespace {
+
+constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+// Leaf lengths along a vein between which its heading is taken, clear of the round where it leaves; and how far to both
+// sides of that its bearer's is.
+constexpr float heading_from = 0.02f, heading_to = 0.08f, bearer_reach = 0.05f;
+// The same of a primary, clear of where they run together at the petiole.
+constexpr float primary_from = 0.05f, primary_to = 0.25f;
+
+const glm::vec3& place_of(const Measured& leaf, const Vein& vein, std::size_t k) {
+  return leaf.crowds[vein.crowd].places[vein.places[k]];
+}
+
+float length_of(const Measured& leaf, const Vein& vein) {
+  float length = 0;
+  for (std::size_t k = 1; k < vein.places.size(); ++k)
+    length += glm::distance(place_of(leaf, vein, k - 1), place_of(leaf, vein, k));
+  return length;
+}
+
+// Where one comes to along a vein, from its place k on, so far towards its end (or, `back`, its beginning).
+glm::vec3 ahead(const Measured& leaf, const Vein& vein, std::size_t k, float reach, bool back) {
+  glm::vec3 at = place_of(leaf, vein, k);
+  while (back ? k > 0 : k + 1 < vein.places.size()) {
+    const glm::vec3& to = place_of(leaf, vein, back ? --k : ++k);
+    const float piece = glm::distance(at, to);
+    if (piece >= reach) return at + (reach / piece) * (to - at);
+    reach -= piece;
+    at = to;
+  }
+  return at;
+}
+
+// Between neighbours of those that come from the petiole, in degrees.
+float primary_angle_of(const Measured& leaf) {
+  std::vector<float> headings;
+  for (const Vein& vein : leaf.veins) {
+    if (vein.order != 1 || vein.bearer >= 0) continue;
+    const glm::vec3 way = ahead(leaf, vein, 0, primary_to, false) - ahead(leaf, vein, 0, primary_from, false);
+    if (glm::length(way) > 0) headings.push_back(arc_tangent(-way.x, way.y) * 180 / pi);  // from upwards, left
+  }
+  if (headings.size() < 2) return nothing;
+  const auto [least, most] = std::minmax_element(headings.begin(), headings.end());
+  return (*most - *least) / static_cast<float>(headings.size() - 1);
+}
+
+struct Leaving {
+  float along, angle;  // from the bearer's beginning, leaf lengths; degrees
+  bool left;
+};
+
+// Where a vein leaves its bearer. False where that has no heading.
+bool leaving(const Measured& leaf, const Vein& vein, Leaving& found) {
+  const Vein& bearer = leaf.veins[static_cast<std::size_t>(vein.bearer)];
+  const auto at = std::find(bearer.places.begin(), bearer.places.end(), vein.places[0]);
+  const auto k = static_cast<std::size_t>(at - bearer.places.begin());
+  const glm::vec3 heading = ahead(leaf, bearer, k, bearer_reach, false) - ahead(leaf, bearer, k, bearer_reach, true);
+  const glm::vec3 way = ahead(leaf, vein, 0, heading_to, false) - ahead(leaf, vein, 0, heading_from, false);
+  const float lengths = glm::length(heading) * glm::length(way);
+  if (!(lengths > 0)) return false;
+  found.angle = arc_cosine(glm::dot(heading, way) / lengths) * 180 / pi;
+  found.left = heading.x * way.y - heading.y * way.x > 0;
+  found.along = 0;
+  for (std::size_t i = 1; i <= k; ++i)
+    found.along += glm::distance(place_of(leaf, bearer, i - 1), place_of(leaf, bearer, i));
+  return true;
+}
+
+struct Secondaries {
+  float angle = nothing, spacing = nothing;  // degrees, leaf lengths
+};
+
+Secondaries secondaries_of(const Measured& leaf) {
+  struct Place {
+    std::int32_t bearer;
+    bool left;
+    float along;
+  };
+  std::vector<Place> places;
+  float angles = 0;
+  for (const Vein& vein : leaf.veins) {
+    if (vein.order != 2 || vein.bearer < 0 || leaf.veins[static_cast<std::size_t>(vein.bearer)].order != 1) continue;
+    Leaving one{};
+    if (!leaving(leaf, vein, one)) continue;
+    angles += one.angle;
+    places.push_back({vein.bearer, one.left, one.along});
+  }
+  std::sort(places.begin(), places.end(), [](const Place& one, const Place& other) {
+    if (one.bearer != other.bearer) return one.bearer < other.bearer;
+    return one.left != other.left ? one.left < other.left : one.along < other.along;
+  });
+  float gaps = 0, count = 0;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (places[i].bearer != places[i - 1].bearer || places[i].left != places[i - 1].left) continue;
+    gaps += places[i].along - places[i - 1].along;
+    ++count;
+  }
+  Secondaries found;
+  if (!places.empty()) found.angle = angles / static_cast<float>(places.size());
+  if (count > 0) found.spacing = gaps / count;
+  return found;
+}
+
+float perimeter_of(const Margin& margin) {
+  float length = 0;
+  for (std::size_t i = 0; i < margin.points.size(); ++i)
+    length += glm::distance(margin.points[i], margin.points[(i + 1) % margin.points.size()]);
+  return length;
+}
+
+}  // namespace
+
+std::vector<float> measures_of(const Measured& leaf) {
+  std::vector<float> values(measure_count, nothing);
+  const auto set = [&](Measure measure, float value) { values[static_cast<std::size_t>(measure)] = value; };
+  const float mm = 1000 * leaf.length, surface = leaf.outline.area() * mm * mm, round = perimeter_of(leaf.margin) * mm;
+  const glm::vec3 size = leaf.outline.high() - leaf.outline.low();
+  using enum Measure;
+  set(area, surface / 100);
+  set(perimeter, round);
+  set(leaf_length, size.y * mm);
+  set(leaf_width, size.x * mm);
+  set(slenderness, size.y / size.x);
+  set(roundness, 4 * pi * surface / (round * round));
+
+  std::uint32_t orders_found = 0, fork_count = 0;
+  std::array<float, 3> lengths{}, counts{};
+  float whole = 0, covered = 0;
+  for (const Vein& vein : leaf.veins) {
+    const float length = length_of(leaf, vein) * mm;
+    whole += length;
+    orders_found = std::max(orders_found, vein.order);
+    if (vein.order <= 3) {
+      lengths[vein.order - 1] += length;
+      ++counts[vein.order - 1];
+    }
+    const Trails& trails = leaf.crowds[vein.crowd];
+    for (std::size_t k = 1; k < vein.places.size(); ++k)
+      covered += 2000 * radius_of(leaf.girth, trails.energy[vein.places[k]], leaf.all[vein.crowd]) * mm *
+                 glm::distance(place_of(leaf, vein, k - 1), place_of(leaf, vein, k));
+  }
+  for (const Trails& trails : leaf.crowds) {
+    std::vector<std::uint32_t> leading(trails.size(), 0);
+    for (const std::int32_t next : trails.next)
+      if (next >= 0) ++leading[static_cast<std::size_t>(next)];
+    for (std::size_t i = 1; i < trails.size(); ++i) fork_count += leading[i] > 1;
+  }
+  set(vein_length, whole);
+  set(vein_density, whole / surface);
+  set(vein_area, covered / surface);
+  set(ends, static_cast<float>(leaf.veins.size()));  // each vein has one
+  set(forks, static_cast<float>(fork_count));
+  set(orders, static_cast<float>(orders_found));
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    values[static_cast<std::size_t>(count_1) + k] = counts[k];
+    values[static_cast<std::size_t>(density_1) + k] = 10 * lengths[k] / surface;
+  }
+  set(primary_angle, primary_angle_of(leaf));
+  const Secondaries secondaries = secondaries_of(leaf);
+  set(secondary_angle, secondaries.angle);
+  set(secondary_spacing, secondaries.spacing * mm);
+  return values;
+}
+
+}  // namespace panicle::particles::leaf

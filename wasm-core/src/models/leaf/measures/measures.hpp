@@ -1,0 +1,29 @@
+// What is measured on a leaf, in its flat chart.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "models/leaf/margin.hpp"
+#include "models/particles/outline.hpp"
+#include "models/particles/trail_plant.hpp"
+#include "models/particles/trails.hpp"
+#include "models/particles/vein_orders.hpp"
+
+namespace panicle::particles::leaf {
+
+// What is measured: trails in leaf lengths, and of each crowd the energy that thickness counts by.
+struct Measured {
+  const Margin& margin;
+  const Outline& outline;
+  std::span<const Trails> crowds;
+  std::span<const Vein> veins;
+  std::span<const double> all;
+  const Girth& girth;  // metres
+  float length;        // metres to a leaf length
+};
+
+// In the order of the table (measures.generated.hpp); NaN where one does not apply.
+std::vector<float> measures_of(const Measured& leaf);
+
+}  // namespace panicle::particles::leaf

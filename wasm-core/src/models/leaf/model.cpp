@@ -1,0 +1,142 @@
+// The model `leaf`: blocks of the request are in request.hpp. What the plant has besides what trail_plant.hpp and
+// dress.hpp say: tag `vein`; organs `particle`, those on their way while age is below 100, on the bent blade; columns
+//   segments.chart  float32 × 4: x, y of start and end in the flat chart, leaf lengths
+//   segments.order  uint32: 1 primary, 2 secondary … (vein_orders.hpp)
+//   margin          float32 × 2: the outline's polygon, teeth and all, counter-clockwise from the base
+//   chart           float32 × 3: x, y of the square that textures show, and its side (blade.hpp)
+#include "protocol/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <utility>
+
+#include "models/leaf/bending.hpp"
+#include "models/leaf/blade.hpp"
+#include "models/leaf/dress.hpp"
+#include "models/leaf/measures/measures.hpp"
+#include "models/leaf/veins.hpp"
+#include "models/particles/moment.hpp"
+#include "models/particles/refusals.hpp"
+#include "models/particles/vein_orders.hpp"
+#include "plant/fingerprint.hpp"
+
+namespace panicle::particles::leaf {
+namespace {
+
+constexpr float thinnest = 5e-6f;  // radius of a vein, metres
+// Radius of a particle: against its trail's, of the room that each has at first, and in leaf lengths; to be seen, yet
+// apart.
+constexpr float ball_widens = 1.6f, ball_share = 0.3f, least_ball = 0.0022f, largest_ball = 0.006f;
+
+Girth girth_of(const Values& values) {
+  using enum Parameter;
+  return {.law = static_cast<WidthLaw>(values.whole(law)),
+          .exponent = values[exponent],
+          .thickest = 0.0005f * values[vein],
+          .thinnest = thinnest};
+}
+
+Bending bending_of(const Values& values, const Outline& outline) {
+  using enum Parameter;
+  const glm::vec3 size = outline.high() - outline.low();
+  return {.scale = 0.001f * values[length],
+          .half_width = 0.5f * size.x,
+          .fold = values[fold],
+          .curl = values[curl],
+          .undulation = 0.01f * values[undulation],
+          .waves = values[waves]};
+}
+
+std::vector<Trails> standing(const Veins& veins, float age) {
+  if (!(age < 100)) return veins.crowds;
+  const float moment = veins.timeline.moment(0.01f * age);
+  std::vector<Trails> young;
+  for (const Trails& trails : veins.crowds) young.push_back(at_moment(trails, moment, veins.stride));
+  return young;
+}
+
+// Those on their way: balls that lie on the blade.
+// particles: so many there are before any meet
+void add_particles(Plant& plant, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
+                   const Girth& girth, float particles) {
+  plant.organ_tags = {"particle"};
+  const float room = std::sqrt(veins.outline.area() / std::max(particles, 1.0f));
+  const float least = std::clamp(ball_share * room, least_ball, largest_ball) * bending.scale;
+  for (std::size_t c = 0; c < flat.size(); ++c)
+    for (std::size_t i = 1; i < flat[c].size(); ++i) {
+      if (flat[c].next[i] >= 0) continue;
+      const float radius = ball_widens * radius_of(girth, flat[c].energy[i], veins.all[c]);
+      const float scale = std::max(radius, least);
+      const glm::vec3& place = flat[c].places[i];
+      plant.organs.push_back({0, -1, -1, bending({place.x, place.y}, scale), {0, 0, 0, 1}, scale});
+    }
+}
+
+void add_orders(Plant& plant, std::span<const Vein> veins, const std::vector<std::vector<std::int32_t>>& segments) {
+  std::vector<std::uint32_t> orders(plant.segments.size(), 0);
+  for (const Vein& vein : veins)
+    for (std::size_t k = 1; k < vein.places.size(); ++k)
+      if (const std::int32_t segment = segments[vein.crowd][vein.places[k]]; segment >= 0)
+        orders[static_cast<std::size_t>(segment)] = vein.order;
+  plant.columns.add("segments.order", std::move(orders));
+}
+
+void add_chart(Plant& plant, const Veins& veins, std::span<const Trails> flat) {
+  std::vector<float> chart;
+  for (const Trails& trails : flat)
+    for (std::size_t i = 0; i < trails.size(); ++i) {
+      if (trails.next[i] < 0) continue;
+      const glm::vec3 &from = trails.places[static_cast<std::size_t>(trails.next[i])], &to = trails.places[i];
+      chart.insert(chart.end(), {from.x, from.y, to.x, to.y});
+    }
+  plant.columns.add("segments.chart", std::move(chart), 4);
+  plant.columns.add("margin",
+                    column_of<float>(veins.margin.points, 2,
+                                     [](const glm::vec2& p, float* at) {
+                                       at[0] = p.x;
+                                       at[1] = p.y;
+                                     }),
+                    2);
+  const ChartSquare square = chart_square(veins.outline);
+  plant.columns.add("chart", std::vector<float>{square.low.x, square.low.y, square.size}, 3);
+}
+
+Result<Plant> grow(Request& request, const Limits& limits) {
+  using enum Parameter;
+  Plant plant;
+  const auto asked = read_request(request, plant.notes);
+  if (!asked) return asked.error();
+  const Values& values = asked->values;
+  const auto grown = grow_veins(asked.value(), limits, plant.notes);
+  if (!grown) return grown.error();
+  const Veins& veins = grown.value();
+  const Bending bending = bending_of(values, veins.outline);
+  const Girth girth = girth_of(values);
+  const std::vector<Trails> flat = standing(veins, values[age]);
+  std::vector<Trails> bent = flat;
+  for (Trails& trails : bent)
+    for (glm::vec3& place : trails.places) place = bending({place.x, place.y});
+
+  plant.tags = {"vein"};
+  const auto segments = add_trails(plant, bent, veins.all, girth, {}, veins.tally, 0);
+  if (Diagnostic trouble = beyond(limits, plant.segments.size(), 0); trouble.reason != Reason::none) return trouble;
+  add_particles(plant, veins, flat, bending, girth, values[particles]);
+  const std::vector<Vein> ordered = veins_of(flat);
+  add_orders(plant, ordered, segments);
+  add_chart(plant, veins, flat);
+  plant.fingerprint = fingerprint_of(plant);
+  if (asked->measures)
+    plant.measures = measures_of({veins.margin, veins.outline, flat, ordered, veins.all, girth, bending.scale});
+  if (!asked->meshes) return plant;
+  dress(plant, asked.value(), veins, flat, bending, girth);
+  if (asked->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  return plant;
+}
+
+}  // namespace
+
+extern const Model model;
+const Model model{"leaf", grow};
+
+}  // namespace panicle::particles::leaf

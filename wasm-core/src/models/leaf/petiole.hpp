@@ -1,0 +1,15 @@
+// The stalk that a leaf is borne by.
+#pragma once
+
+#include <vector>
+
+#include "models/leaf/bending.hpp"
+#include "stems/segment.hpp"
+
+namespace panicle::particles::leaf {
+
+// From under the midrib out of the blade and in a gentle bow down, metres: parents first, the blade's end first.
+// `length` and `radius` (where it meets the blade) in metres.
+std::vector<Segment> make_petiole(const Bending& bending, float length, float radius);
+
+}  // namespace panicle::particles::leaf

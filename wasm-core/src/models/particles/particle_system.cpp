@@ -1,0 +1,273 @@
+#include "models/particles/particle_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <numeric>
+
+namespace panicle::particles {
+namespace {
+
+constexpr std::uint32_t home = ~0u;
+constexpr float patience = 4;              // ways
+constexpr std::uint32_t ways_asked = 100;  // of as many starts, evenly
+constexpr float standing = 1e-6f;          // of a step: less is waiting
+constexpr std::uint32_t cells_a_particle = 24;
+
+glm::vec3 towards(const glm::vec3& from, const glm::vec3& to) {
+  const glm::vec3 way = to - from;
+  const float length = glm::length(way);
+  return length > 0 ? way / length : glm::vec3(0);
+}
+
+}  // namespace
+
+Crowd::Crowd(std::span<const glm::vec3> starts, double energy, const Guide& guide, const Rules& rules)
+    : guide_(&guide),
+      rules_(rules),
+      energy_(energy),
+      started_(static_cast<std::uint32_t>(starts.size())),
+      places_(starts.begin(), starts.end()),
+      energies_(starts.size(), energy),
+      particles_(starts.size()),
+      nodes_at_(starts.size()),
+      gone_(starts.size(), 0),
+      heirs_(starts.size()),
+      slots_(starts.size()) {
+  rules_.merge = std::max(rules.merge, least_merge(rules));
+  std::iota(particles_.begin(), particles_.end(), 0u);
+  std::iota(nodes_at_.begin(), nodes_at_.end(), 1);
+  heirs_ = slots_ = particles_;
+  nodes_.push_back({guide.target()});
+  float longest = 0;
+  glm::vec3 low = guide.target(), high = low;
+  for (std::uint32_t i = 0; i < started_; ++i) {
+    nodes_.push_back({starts[i], -1, i});
+    if (i % (1 + started_ / ways_asked) == 0) longest = std::max(longest, guide.way(starts[i]));
+    low = glm::min(low, starts[i]);
+    high = glm::max(high, starts[i]);
+  }
+  const float strides = rules.step > 0 ? patience * longest / rules.step : 0;
+  patience_ = 1 + static_cast<std::uint32_t>(std::min(strides, 1e9f));
+  if (rules_.join > 0) {
+    grid_ = TrailGrid(low, high, rules_.join, cells_a_particle * started_ + 64);
+    for (const Node& node : nodes_) grid_.lay(node.place);
+  }
+}
+
+bool Crowd::step() {
+  if (places_.empty()) return false;
+  ++steps_;
+  moves_ += places_.size();
+  if (steps_ > 2 * patience_) {
+    for (std::uint32_t slot = 0; slot < places_.size(); ++slot) lead_home(slot);
+    stragglers_ = static_cast<std::uint32_t>(places_.size());
+    leave();
+    return true;
+  }
+  look();
+  move();
+  leave();
+  meet();
+  leave();
+  if (rules_.join > 0) {
+    join();
+    leave();
+  }
+  return true;
+}
+
+// Finds each one's nearest neighbour and the stride that follows.
+void Crowd::look() {
+  const auto count = static_cast<std::uint32_t>(places_.size());
+  const bool alone = steps_ > patience_ || count < 2;
+  if (!alone) neighbours_.lay(places_);
+  const float reach = rules_.neighbourhood > 0 ? rules_.neighbourhood : std::numeric_limits<float>::max();
+  strides_.resize(count);
+  for (std::uint32_t slot = 0; slot < count; ++slot) {
+    const glm::vec3& place = places_[slot];
+    const glm::vec3 aim = aims_.empty() ? guide_->aim(place) : aims_[slot], ahead = towards(place, aim);
+    const std::uint32_t other = alone ? Neighbours::none : neighbours_.nearest(slot, reach, *guide_);
+    glm::vec3& stride = strides_[slot];
+    stride = rules_.step * ahead;
+    if (other != Neighbours::none) {
+      const glm::vec3 aside = towards(place, places_[other]);
+      const glm::vec3 sum =
+          rules_.printed ? towards(glm::vec3(0), aside + ahead) : (rules_.pull * aside + ahead) / (1 + rules_.pull);
+      if (guide_->passes(place, place + rules_.step * sum)) {
+        stride = rules_.step * sum;
+        continue;
+      }
+    }
+    // What is made for is in sight; what lies a step beyond it need not be.
+    if (glm::distance(place, aim) < rules_.step && !guide_->passes(place, place + stride)) stride = aim - place;
+  }
+  aims_.clear();
+}
+
+void Crowd::move() {
+  for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
+    const glm::vec3& place = places_[slot];
+    if (glm::distance(place, guide_->target()) <= rules_.step && guide_->sees(place, guide_->target()))
+      arrive(slot);
+    else if (glm::length(strides_[slot]) > standing * rules_.step)
+      go(slot, place + strides_[slot]);
+  }
+}
+
+void Crowd::meet() {
+  if (places_.size() < 2) return;
+  neighbours_.lay(places_);
+  pairs_.clear();
+  neighbours_.pairs(rules_.merge, pairs_);
+  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& one, const Pair& other) {
+    if (one.square != other.square) return one.square < other.square;
+    return one.a != other.a ? one.a < other.a : one.b < other.b;
+  });
+  met_.assign(places_.size(), 0);
+  for (const Pair& pair : pairs_) {
+    if (met_[pair.a] || met_[pair.b] || !guide_->sees(places_[pair.a], places_[pair.b])) continue;
+    const bool second = energies_[pair.b] > energies_[pair.a];
+    const std::uint32_t heavy = second ? pair.b : pair.a, light = second ? pair.a : pair.b;
+    const auto share = static_cast<float>(energies_[light] / (energies_[light] + energies_[heavy]));
+    const glm::vec3 mean = places_[heavy] + share * (places_[light] - places_[heavy]);
+    if (guide_->passes(places_[heavy], mean)) go(heavy, mean);
+    link(light, nodes_at_[heavy]);
+    energies_[heavy] += energies_[light];
+    heirs_[particles_[light]] = particles_[heavy];
+    met_[heavy] = met_[light] = 1;
+    gone_[light] = 1;
+    ++merges_;
+  }
+}
+
+// Whoever is near an older trail ahead ends in it. Those that are left will look from where they are now: what they aim
+// at is kept until then.
+void Crowd::join() {
+  aims_.resize(places_.size());
+  for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
+    if (gone_[slot]) continue;
+    aims_[slot] = guide_->aim(places_[slot]);
+    const glm::vec3 place = places_[slot], ahead = aims_[slot] - place;
+    const std::uint32_t self = particles_[slot];
+    float best = rules_.join * rules_.join;
+    std::int32_t found = -1;
+    grid_.visit(place, [&](std::int32_t at) {
+      const Node& node = nodes_[static_cast<std::size_t>(at)];
+      if (at == 0 || node.next < 0) return;
+      const glm::vec3 way = node.place - place;
+      const float square = glm::dot(way, way);
+      if (square > best || (square == best && found >= 0 && found < at)) return;
+      if (!(glm::dot(way, ahead) > 0) || heir(node.particle) == self || !guide_->sees(place, node.place)) return;
+      best = square;
+      found = at;
+    });
+    if (found < 0) continue;
+    const std::uint32_t other = heir(nodes_[static_cast<std::size_t>(found)].particle);
+    link(slot, found);
+    if (slots_[other] == home)
+      arrived_ += energies_[slot];
+    else
+      energies_[slots_[other]] += energies_[slot];
+    heirs_[self] = other;
+    gone_[slot] = 1;
+    ++joins_;
+  }
+  // Those of this step are not older.
+  for (std::size_t at = grid_.size(); at < nodes_.size(); ++at) grid_.lay(nodes_[at].place);
+}
+
+// Leads on from where a particle is.
+void Crowd::link(std::uint32_t slot, std::int32_t to) {
+  Node& node = nodes_[static_cast<std::size_t>(nodes_at_[slot])];
+  node.next = to;
+  node.born = steps_;
+}
+
+void Crowd::go(std::uint32_t slot, const glm::vec3& to) {
+  if (to == places_[slot]) return;
+  link(slot, static_cast<std::int32_t>(nodes_.size()));
+  nodes_at_[slot] = static_cast<std::int32_t>(nodes_.size());
+  nodes_.push_back({to, -1, particles_[slot]});
+  places_[slot] = to;
+}
+
+// From aim to aim, as long as that leads nearer.
+void Crowd::lead_home(std::uint32_t slot) {
+  for (float left = guide_->way(places_[slot]);;) {
+    const glm::vec3 aim = guide_->aim(places_[slot]);
+    const float then = guide_->way(aim);
+    if (!(then < left)) break;
+    left = then;
+    go(slot, aim);
+  }
+  arrive(slot);
+}
+
+void Crowd::arrive(std::uint32_t slot) {
+  link(slot, 0);
+  arrived_ += energies_[slot];
+  slots_[particles_[slot]] = home;
+  gone_[slot] = 1;
+}
+
+// Whose particle `particle` is now.
+std::uint32_t Crowd::heir(std::uint32_t particle) {
+  while (heirs_[particle] != particle) {
+    heirs_[particle] = heirs_[heirs_[particle]];
+    particle = heirs_[particle];
+  }
+  return particle;
+}
+
+// Takes those that are gone out of the slots.
+void Crowd::leave() {
+  std::uint32_t kept = 0;
+  for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
+    if (gone_[slot]) continue;
+    places_[kept] = places_[slot];
+    energies_[kept] = energies_[slot];
+    particles_[kept] = particles_[slot];
+    nodes_at_[kept] = nodes_at_[slot];
+    if (!aims_.empty()) aims_[kept] = aims_[slot];
+    slots_[particles_[kept]] = kept;
+    ++kept;
+  }
+  places_.resize(kept);
+  energies_.resize(kept);
+  particles_.resize(kept);
+  nodes_at_.resize(kept);
+  if (!aims_.empty()) aims_.resize(kept);
+  gone_.assign(kept, 0);
+}
+
+Trails Crowd::trails() const {
+  const std::size_t count = nodes_.size();
+  std::vector<std::int32_t> leads, number(count), next{-1};
+  leads.reserve(count);
+  for (const Node& node : nodes_) leads.push_back(node.next);
+  const std::vector<std::uint32_t> order = tree_order(leads);
+  next.reserve(count);
+  for (std::size_t at = 0; at < count; ++at) {
+    number[order[at]] = static_cast<std::int32_t>(at);
+    if (at > 0) next.push_back(number[static_cast<std::size_t>(leads[order[at]])]);
+  }
+
+  Trails trails;
+  trails.next = std::move(next);
+  trails.energy.assign(count, 0);
+  for (const std::uint32_t node : order) {
+    trails.places.push_back(nodes_[node].place);
+    trails.born.push_back(node == 0 ? steps_ : nodes_[node].born);
+    const bool start = node > 0 && node <= started_;
+    trails.particle.push_back(start ? static_cast<std::int32_t>(node) - 1 : -1);
+  }
+  for (std::size_t at = count; at-- > 0;) {
+    if (trails.particle[at] >= 0) trails.energy[at] += energy_;
+    if (trails.next[at] >= 0) trails.energy[static_cast<std::size_t>(trails.next[at])] += trails.energy[at];
+  }
+  return trails;
+}
+
+}  // namespace panicle::particles

@@ -1,0 +1,24 @@
+// Storage roots: a main root that swells, as a carrot's or a beet's, whatever leaves it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "models/particles/grown.hpp"
+#include "stems/segment.hpp"
+
+namespace panicle::particles::root {
+
+struct StorageHabit {
+  float radius = 0;  // at the collar, metres
+  float reach = 0;   // how far below it there is nothing of it left
+};
+
+// The radius so far below the collar: full at first, then less and less to a point.
+float storage_radius(const StorageHabit& habit, float below);
+
+// Thickens the main root of a target: from the collar on along the heaviest, as far as it is stored in. It is drawn to
+// its axis as well, the more the thicker; what leaves it begins where it is then.
+void swell(std::vector<Segment>& segments, const Grown& grown, std::size_t target, const StorageHabit& habit);
+
+}  // namespace panicle::particles::root

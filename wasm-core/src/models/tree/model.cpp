@@ -1,0 +1,229 @@
+// The tree (Rodkaew et al. 2003, section 4; docs/models/tree/tree.md): particles in a crown, dense where it is light,
+// whose trails to the ground are its branches. Blocks: those of space_request.hpp, and of foliage/flat_leaf.hpp the
+// leaf that it bears, but needles. Columns: those of trail_plant.hpp, `organs.sky`, and where `outputs` names `light`
+// the array of figure 8: `light.cells` (uint8 a cell, x fastest: 255 is all light), `light.counts` (uint32: along x, y
+// and z) and `light.box` (float32: the lowest corner and the edge of a cell, metres). Organs: `leaf`, `particle`.
+// Meshes: `stems`, `leaves`, `balls`.
+#include "protocol/model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "foliage/blade.hpp"
+#include "foundation/easing.hpp"
+#include "foundation/mathematics.hpp"
+#include "mesh/uv_sphere.hpp"
+#include "models/particles/crown_light.hpp"
+#include "models/particles/dressing.hpp"
+#include "models/particles/grown.hpp"
+#include "models/particles/hormone.hpp"
+#include "models/particles/refusals.hpp"
+#include "models/particles/space_request.hpp"
+#include "models/tree/crown.hpp"
+#include "models/tree/leaves.hpp"
+#include "models/tree/measures/measures.generated.hpp"
+#include "models/tree/parameters.generated.hpp"
+#include "plant/fingerprint.hpp"
+#include "plant/wood_measures.hpp"
+#include "protocol/parameter_values.hpp"
+
+namespace panicle::particles::tree {
+namespace {
+
+using TreeValues = Values<Parameter, parameter_table>;
+using enum Parameter;
+
+constexpr std::uint32_t leaf_tag = 0, particle_tag = 1;
+constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+constexpr std::uint32_t needle = 0;  // of the kinds of leaves: all others come with the request
+constexpr float light_cells = 28;    // along the longest edge of a crown
+constexpr float coarse = 2.5f;       // so much wider cells than these no longer tell the sides of a crown
+constexpr std::uint32_t ball_segments = 12;
+constexpr float highest = 1e6f;  // that a way past an obstacle may lead
+// How much of the bole bears no branch, of what is below the crown.
+constexpr float bole = 0.6f;
+// What bears fewer tips is a twig of a pixel or two, and need not be crooked.
+constexpr float straight_tips = 2;
+// Of the hormone, in heights of the crown; of the leader, in widths.
+constexpr float hormone_reach = 0.5f, leader = 0.06f;
+// Hours of day between which shoots grow longer, and leaves stay.
+constexpr float shoots_end = 10, shoots_grow = 14, leaves_fall = 9, leaves_stay = 12;
+constexpr float shortest_shoots = 0.3f;
+constexpr std::array<glm::vec2, 5> egg{{{0.1f, 0}, {0.8f, 0.2f}, {1, 0.45f}, {0.7f, 0.8f}, {0.08f, 1}}};
+
+Form form_of(std::uint32_t shape) {
+  constexpr std::array forms{Form::ellipsoid, Form::ellipsoid, Form::box, Form::cone, Form::spline, Form::mesh};
+  return forms[shape];
+}
+
+CrownHabit crown_of(const TreeValues& values, std::uint64_t seed) {
+  CrownHabit habit;
+  habit.form = form_of(values.whole(shape));
+  habit.size =
+      values.whole(shape) == 0 ? glm::vec3(values[width]) : glm::vec3(values[width], values[height], values[depth]);
+  habit.inner = values[inner];
+  habit.trunk = values[trunk];
+  habit.crowns = values.whole(crowns);
+  habit.distance = values[distance];
+  habit.stems = values.whole(stems);
+  if (values.whole(life) == 1) habit.growth = std::max(values[age] / 100, youngest);
+  habit.ragged = values[ragged];
+  habit.seed = seed;
+  habit.shoots = shortest_shoots + (1 - shortest_shoots) * smooth_step(shoots_end, shoots_grow, values[day]);
+  return habit;
+}
+
+// `light`: where most of it comes from.
+LeafHabit leaves_of(const TreeValues& values, const glm::vec3& light, std::uint64_t seed) {
+  LeafHabit habit;
+  habit.count = values.whole(leaves);
+  habit.size = 0.01f * values[leaf_size];
+  habit.kept = smooth_step(leaves_fall, leaves_stay, values[day]);
+  habit.needles = values.whole(leaf_kind) == needle;
+  habit.light = light;
+  habit.seed = seed;
+  return habit;
+}
+
+struct Seen {
+  const Grown& grown;
+  const Region& crown;
+  const VoxelLight& light;
+  float leaf_area;  // of all
+  std::uint32_t leaf_count;
+};
+
+std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
+  const Branching branching = branching_of(plant.segments);
+  WoodMeasures<Measure> measures(branching, measure_count);
+  double lit = 0, starts = 0;
+  for (const Trails& trails : seen.grown.trails)
+    for (std::size_t i = 0; i < trails.size(); ++i) {
+      if (trails.particle[i] < 0) continue;
+      lit += static_cast<double>(seen.light.at(trails.places[i]));
+      ++starts;
+    }
+  const glm::vec3 size = seen.crown.high() - seen.crown.low();
+  const double shaded = 0.25 * static_cast<double>(pi * size.x * size.z);
+  measures.set(Measure::height, std::max(branching.high, 0.0f));
+  measures.set(Measure::crown_volume, seen.grown.room);
+  measures.set(Measure::trunk_width, 100 * branching.thickest);
+  measures.set(Measure::leaf_count, seen.leaf_count);
+  measures.set(Measure::leaf_area, seen.leaf_area);
+  measures.set(Measure::leaf_index, shaded > 0 ? seen.leaf_area / shaded : nothing);
+  measures.set(Measure::light, starts > 0 ? lit / starts : nothing);
+  return measures.values();
+}
+
+// Only of what is borne: a mesh that no organ is drawn with would stand by itself. Before the leaves stand particles.
+void add_meshes(Plant& plant, const Grown& grown, const Blade& blade, std::size_t first_leaf, bool sky,
+                const FootHabit& foot) {
+  dress(plant, grown, {.material = "bark", .leaf = leaf_tag, .leaf_area = blade.area, .sky = sky, .foot = foot});
+  const bool leafy = plant.organs.size() > first_leaf && !blade.mesh.indices.empty();
+  const std::int32_t leaf_mesh = leafy ? 1 : -1, ball_mesh = leafy ? 2 : 1;
+  for (Organ& organ : plant.organs) organ.mesh = organ.tag == leaf_tag ? leaf_mesh : ball_mesh;
+  if (leafy) plant.meshes.push_back({"leaves", "blade", blade.mesh, {}, {}});
+  if (first_leaf > 0) plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
+}
+
+void add_light(Plant& plant, const VoxelLight& light) {
+  std::vector<std::uint8_t> cells;
+  cells.reserve(light.cells().size());
+  for (const float share : light.cells())
+    cells.push_back(static_cast<std::uint8_t>(255 * std::clamp(share, 0.0f, 1.0f) + 0.5f));
+  const std::array<std::uint32_t, 3> counts = light.counts();
+  plant.columns.add("light.cells", std::move(cells));
+  plant.columns.add("light.counts", std::vector<std::uint32_t>(counts.begin(), counts.end()));
+  plant.columns.add("light.box", std::vector<float>{light.low().x, light.low().y, light.low().z, light.edge()});
+}
+
+Result<Plant> grow(Request& request, const Limits& limits) {
+  const FlatLeaf leaf = request.flat_leaf();
+  const Result<SpaceRequest> read = read_space(request, limits);
+  if (!read) return read.error();
+  if (Diagnostic trouble = check(leaf); trouble.reason != Reason::none) return trouble;
+  Plant plant;
+  const TreeValues values(read->parameters, plant.notes);
+  SpaceHabit space = space_habit<Parameter>(values);
+  if (Diagnostic trouble = beyond(limits, 0, std::size_t{space.young()} * values.whole(leaves));
+      trouble.reason != Reason::none)
+    return trouble;
+  CrownHabit habit = crown_of(values, read->seed);
+  if (habit.form == Form::mesh) note_on(read->volume, habit.form, plant.notes);
+  if (!read->hollow.triangles.empty()) note_seams(read->hollow, "inner boundary", plant.notes);
+  Crowns crowns_made = make_crowns(habit, profile_of(read->profile, egg), read->volume, read->hollow,
+                                   std::make_shared<LookBudget>(limits.looks));
+  if (!read->targets.empty()) crowns_made.feet = read->targets;
+
+  const LightHabit light_habit{towards_sun(values[sun], values[sun_height]), values[sky],
+                               values[absorption] / crowns_made.across};
+  const bool by_light_too = values.whole(pattern) == 3 && values[by_light] > 0;
+  std::optional<VoxelLight> light;
+  if (by_light_too || read->measures || read->light) {
+    const float edge = crowns_made.longest / light_cells;
+    light.emplace(light_in(crowns_made.outer, {read->rounds, read->obstacles}, light_habit, edge));
+    if (light->edge() > coarse * edge)
+      plant.notes.push_back("There is so much room about the crowns that light is told there coarsely: " +
+                            std::to_string(static_cast<int>(crowns_made.longest / light->edge())) +
+                            " cells along a crown.");
+  }
+  const Hormone held{values[hormone], crowns_made.top, hormone_reach * crowns_made.height, leader * crowns_made.across,
+                     crowns_made.feet};
+  const Foliage foliage(crowns_made, by_light_too ? &*light : nullptr, values[by_light], held);
+
+  const glm::vec3 brightest = glm::normalize((1 - values[sky]) * light_habit.sun + values[sky] * glm::vec3(0, 1, 0));
+  space.trunk.bend -= values[phototropism] * brightest;
+  space.twigs.weep = values[weep];
+  space.twigs.weep_tips = values[weep_tips];
+  space.twigs.crook_tips = straight_tips;
+  space.trunk.bole = bole * habit.growth * habit.trunk;
+  space.trunk.height = crowns_made.top;
+  space.trunk.reach = 0.25f * habit.growth * (habit.size.x + habit.size.z);
+  LeafHabit leaf_habit = leaves_of(values, brightest, read->seed);
+  space.leafy = leaf_habit.count > 0 && leaf_habit.kept > 0;
+  plant.tags = {"branch"};
+  plant.organ_tags = {"leaf", "particle"};
+  const Result<Grown> ran = grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0,
+                                      highest, particle_tag, limits);
+  if (!ran) return ran.error();
+  const Grown& grown = ran.value();
+  leaf_habit.unfolded = grown.unfolded;
+  if (Diagnostic trouble =
+          beyond(limits, plant.segments.size(), std::size_t{grown.wood.tally.particles} * leaf_habit.count);
+      trouble.reason != Reason::none)
+    return trouble;
+  const std::size_t first_leaf = plant.organs.size();
+  for (std::size_t c = 0; c < grown.trails.size(); ++c)
+    add_leaves(plant, grown.trails[c], grown.numbers[c], leaf_habit, leaf_tag);
+  plant.counts.push_back({"leaves", static_cast<std::uint32_t>(plant.organs.size() - first_leaf)});
+
+  const Blade blade = leaf_habit.needles ? make_needles(values[leaf_breadth])
+                                         : make_blade(leaf, values[leaf_breadth], values[leaf_fold]);
+  const bool shapeless = blade.mesh.indices.empty() && plant.organs.size() > first_leaf;
+  if (shapeless && (read->measures || read->meshes))
+    plant.notes.emplace_back("The leaves have no shape: the request brings none to make them from.");
+  if (read->measures) {
+    float area = shapeless ? nothing : 0;
+    for (std::size_t i = first_leaf; i < plant.organs.size(); ++i)
+      area += blade.area * plant.organs[i].scale * plant.organs[i].scale;
+    const auto leaf_count = static_cast<std::uint32_t>(plant.organs.size() - first_leaf);
+    plant.measures = measures_of(plant, {grown, foliage, *light, area, leaf_count});
+  }
+  if (read->meshes)
+    add_meshes(plant, grown, blade, first_leaf, read->sky, {.flare = values[flare], .seed = read->seed});
+  if (read->light) add_light(plant, *light);
+  plant.fingerprint = fingerprint_of(plant);
+  if (read->meshes && read->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  return plant;
+}
+
+}  // namespace
+
+extern const Model model;
+const Model model{"tree", grow};
+
+}  // namespace panicle::particles::tree

@@ -1,0 +1,64 @@
+// What a model is asked: named arrays and texts, read by name. Nothing is believed: a block of another kind or size
+// than its reader expects, or that no reader asks for, is an error in words.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "foliage/flat_leaf.hpp"
+#include "foundation/container.hpp"
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
+#include "protocol/cache.hpp"
+#include "protocol/compiled_texts.hpp"
+
+namespace panicle {
+
+// Blocks that every model has: `model` (text), `seed` (uint32), `outputs` (text: words out of meshes, measures, sky,
+// mesh_fingerprint), `parameters` (float32, in the order of the model's table; NaN or missing: the default), and where
+// a grammar is wanted `grammar` (text) or, in its place, `program` (uint32: the handle of a compiled one) and `steps`.
+class Request {
+ public:
+  static constexpr std::uint32_t most_numbers = 100'000;  // of one block
+
+  // All must outlive the request. `texts` may be null where no handles are known, `kept` where nothing is kept.
+  Request(std::span<const ColumnView> blocks, const CompiledTexts* texts, Keeping* kept = nullptr);
+
+  // What a block holds, rows of whatever width one after the other; nothing, zero or `otherwise` where it is absent.
+  std::string_view text(std::string_view name);
+  std::span<const float> floats(std::string_view name);
+  std::span<const std::int32_t> integers(std::string_view name);
+  std::span<const std::uint32_t> words(std::string_view name);
+  std::uint32_t word(std::string_view name, std::uint32_t otherwise = 0);
+  std::int32_t integer(std::string_view name, std::int32_t otherwise = 0);
+  bool has(std::string_view name) const;
+  // Blocks: `leaf.points`, `leaf.between`, `leaf.uvs`, `leaf.petiole` (float32), `leaf.triangles` (uint32); not
+  // checked.
+  FlatLeaf flat_leaf();
+
+  // Whether `outputs` names this one.
+  bool wants(std::string_view output);
+  // The compiled text whose handle the block `program` holds; null where the request has no such block.
+  CompiledText compiled_text();
+  // Where its model keeps what it likes between growths; null where it cannot.
+  Keeping* kept() { return kept_; }
+  // The first error in the blocks read so far; reason none where there is none.
+  const Diagnostic& first_trouble() const { return trouble_; }
+  // Once everything has been read: that error, or a block that the model has not read.
+  Diagnostic trouble() const;
+
+ private:
+  const ColumnView* find(std::string_view name, Element element, std::uint32_t most);
+
+  std::span<const ColumnView> blocks_;
+  const CompiledTexts* texts_;
+  Keeping* kept_;
+  std::vector<bool> read_;
+  Diagnostic trouble_;
+};
+
+}  // namespace panicle

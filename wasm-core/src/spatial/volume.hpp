@@ -1,0 +1,45 @@
+// A clipping volume: a box, an ellipsoid, a cylinder, a cone or a closed mesh, stretched, turned and put somewhere.
+#pragma once
+
+#include <cstdint>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+
+#include "spatial/closed_surface.hpp"
+#include "spatial/solid.hpp"
+
+namespace panicle {
+
+class Volume {
+ public:
+  enum class Kind : std::uint8_t { box, sphere, ellipsoid, cylinder, cone, mesh };
+
+  // `size` is that of the box which it fills before it is turned about its centre, above 0 each way; a sphere's is the
+  // first alone. Cylinder and cone stand upright in it, the cone on its base. A mesh is stretched to the box, in
+  // whatever unit it is; what it winds about is inside (Solid, which has the budget). `rotation` is brought to unit
+  // length.
+  Volume(Kind kind, const glm::vec3& centre, const glm::vec3& size, const glm::quat& rotation, const Surface& mesh = {},
+         std::shared_ptr<LookBudget> budget = std::make_shared<LookBudget>());
+
+  bool contains(const glm::vec3& p) const;
+  // How far one comes from a place inside, on a way of unit length, and is still inside: 0 from outside, at most
+  // `most`. Where the surface is met, what is told is less by a hundred-thousandth of the size, so that who goes there
+  // is still inside, whatever it rounds; ways of a concave mesh end where they first leave it.
+  float reach(const glm::vec3& from, const glm::vec3& way, float most) const;
+  const glm::vec3& centre() const { return centre_; }
+
+ private:
+  // Into its own frame: centred and not turned.
+  glm::vec3 own(const glm::vec3& v) const { return back_ * v; }
+  bool holds(const glm::vec3& p) const;
+  float leaving(const glm::vec3& p, const glm::vec3& way, float most) const;
+
+  Kind kind_;
+  glm::vec3 centre_, half_;
+  glm::quat back_;
+  float margin_;
+  std::shared_ptr<const Solid> solid_;  // of a mesh
+};
+
+}  // namespace panicle

@@ -1,0 +1,42 @@
+// How what comes to a target stands there: a trunk on the ground, level and with its roots running out; a root under
+// what is left of its stem.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "stems/segment.hpp"
+#include "stems/tubes.hpp"
+
+namespace panicle {
+
+struct FootHabit {
+  float flare = 0;         // of a trunk: how much wider it stands on the ground than it is
+  float stump = 0;         // of a root: how much of its stem is above ground, metres
+  bool standing = true;    // a trunk; a root hangs from its stem
+  std::uint64_t seed = 1;  // by which its ridges stand
+};
+
+// By target the thickest segment that begins there; −1 for none.
+std::vector<std::int32_t> feet_of(std::span<const Segment> segments, std::span<const glm::vec3> targets);
+
+// Puts in place of a foot the pieces that it begins with, from the first that nothing bears: a trunk's upright, a
+// root's stem.
+std::vector<Segment> pieces_of(const Segment& foot, const FootHabit& habit);
+
+// A trunk: of a plant's segments, each of an axis, from its foot on.
+struct TrunkLine {
+  std::span<const Segment> segments;
+  std::span<const std::int32_t> axes;
+  std::size_t foot = 0;
+
+  // The middle of it so high above its foot, on a straight line from place to place.
+  glm::vec3 at(float height) const;
+};
+
+// Cuts the trunk's tube off level on the ground, and puts a skirt about it that widens towards the ground in ridges.
+void set_down(StemMesh& stems, const StemPart& tube, const TrunkLine& trunk, const FootHabit& habit);
+
+}  // namespace panicle

@@ -1,0 +1,214 @@
+#include "stems/stem_rings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "foundation/mathematics.hpp"
+
+namespace panicle {
+namespace {
+
+constexpr float most_bends = 4;                                       // rings more for them, where thin axes are plain
+constexpr float cap_degrees[] = {35, 65}, thin_cap_degrees[] = {50};  // from the rim; the pole is at 90
+
+// A cubic Hermite curve from node to node, as powers of t.
+struct Curve {
+  glm::vec3 constant, linear, square, cube;
+
+  Curve(const Node& a, const Node& b) {
+    const glm::vec3 chord = b.position - a.position;
+    const glm::vec3 out = a.tangent * b.step, in = b.tangent * b.step;
+    constant = a.position;
+    linear = out;
+    square = chord * 3.0f - out * 2.0f - in;
+    cube = out + in - chord * 2.0f;
+  }
+  glm::vec3 at(float t) const { return constant + (linear + (square + cube * t) * t) * t; }
+  glm::vec3 slope(float t) const { return linear + (square * 2.0f + cube * (3 * t)) * t; }
+};
+
+// Any vector well off `v`.
+glm::vec3 aside(const glm::vec3& v) { return std::fabs(v.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0); }
+
+// The part of `v` at right angles to the unit vector `tangent`, as a unit vector; any such if `v` has none.
+glm::vec3 across(const glm::vec3& v, const glm::vec3& tangent) {
+  const glm::vec3 part = v - tangent * glm::dot(tangent, v);
+  const float square = glm::dot(part, part);
+  return square > 1e-6f ? part * (1 / std::sqrt(square)) : glm::normalize(glm::cross(aside(tangent), tangent));
+}
+
+void place(Ring& ring, const glm::vec3& centre, const glm::vec3& tangent, const glm::vec3& right,
+           const Section& section) {
+  ring.centre = centre;
+  ring.tangent = tangent;
+  ring.radius = section.narrow;
+  ring.right = right * section.wide;
+  ring.forward = glm::cross(tangent, right) * section.narrow;
+  ring.round = section.wide == section.narrow;
+  ring.blend = 0;
+}
+
+void lean_towards(Ring& ring, const glm::vec3& bearer, const Section& section) {
+  const glm::vec3 right = ring.right / section.wide;
+  const glm::vec3 leaning = right + (bearer - right) * section.lean;
+  ring.right = leaning * (section.wide / glm::length(leaning));
+  ring.blend = section.blend;
+  ring.round = false;
+}
+
+// How the half-axes change along a run of rings. A ring next to one that is not round is not quite round either.
+void find_changes(std::span<Ring> rings) {
+  bool round_before = true;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const Ring& before = rings[i > 0 ? i - 1 : i];
+    const Ring& after = rings[i + 1 < rings.size() ? i + 1 : i];
+    const float per_run = 1 / ((i > 0 ? rings[i].run : 0) + (&after != &rings[i] ? after.run : 0));
+    const bool round = rings[i].round;
+    rings[i].slope = (after.radius - before.radius) * per_run;
+    rings[i].round = round_before && round && after.round;
+    if (!rings[i].round) {
+      rings[i].right_change = (after.right - before.right) * per_run;
+      rings[i].forward_change = (after.forward - before.forward) * per_run;
+    }
+    round_before = round;
+  }
+}
+
+// A ring of a rounded end, `degrees` from the rim; `height` is negative at the start of the axis.
+Ring cap_ring(const Ring& rim, float degrees, float height) {
+  const SinCos angle = sincos_degrees(degrees);
+  const float steepness = -angle.sine / (angle.cosine * height);
+  Ring ring = rim;
+  ring.centre += rim.tangent * (height * angle.sine);
+  ring.right *= angle.cosine;
+  ring.forward *= angle.cosine;
+  ring.radius *= angle.cosine;
+  ring.slope = rim.radius * steepness;
+  ring.right_change = rim.right * steepness;
+  ring.forward_change = rim.forward * steepness;
+  return ring;
+}
+
+// Over the surface.
+float distance_between(const Ring& a, const Ring& b) {
+  const glm::vec3 run = b.centre - a.centre;
+  const float rise = b.radius - a.radius;
+  return std::sqrt(rise * rise + glm::dot(run, run));
+}
+
+}  // namespace
+
+TubeMaker::TubeMaker(const Stems& stems, const StemAxes& axes, float thin, bool plain)
+    : stems_(stems), axes_(axes), thin_(thin), plain_(plain) {
+  for (std::uint32_t n = 1; n <= most_steps; ++n) {
+    for (std::uint32_t k = 0; k <= n; ++k) {
+      const float turn = static_cast<float>(k) / static_cast<float>(n);
+      crowding_[n][k] = sincos_degrees(360 * turn).sine / (2 * pi);
+    }
+  }
+}
+
+StemEnd TubeMaker::end_of(const StemAxis& axis) const {
+  return stems_.end_of(static_cast<std::size_t>(axes_.nodes[axis.first + axis.count - 1].segment));
+}
+
+// Where the rings of its rounded ends stand.
+std::span<const float> TubeMaker::cap_of(const StemAxis& axis) const {
+  return is_thin(axis) ? std::span<const float>(thin_cap_degrees) : std::span<const float>(cap_degrees);
+}
+
+// Steps from node i − 1 of the axis to node i.
+std::uint32_t TubeMaker::steps_to(const StemAxis& axis, std::uint32_t i) const {
+  const Node& a = axes_.nodes[axis.first + i - 1];
+  const Node& b = axes_.nodes[axis.first + i];
+  const glm::vec3 along = (b.position - a.position) / b.step;
+  const bool shaped = (i == 1 && axis.origin.attached) || (i + 1 == axis.count && end_of(axis).flare > 0);
+  const float by_length = 2 + 2 * b.step / std::max(a.radius, b.radius);
+  const bool thin = is_thin(axis);
+  const float bend = glm::length(a.tangent - along) + glm::length(b.tangent - along);
+  const float by_bend = (thin ? 4 : 6) * bend;  // about every 15°, every 10°
+  if (thin && plain_) return 1 + static_cast<std::uint32_t>(std::min(3 * bend, most_bends));
+  const float most = thin ? (shaped ? 6.0f : 3.0f) : (shaped ? 10.0f : 7.0f);
+  const float wanted = std::max(std::min(most, by_length), by_bend);
+  const auto steps = static_cast<std::uint32_t>(std::min(wanted, static_cast<float>(most_steps)));
+  return coarse_ ? 1 + steps / 8 : steps;
+}
+
+std::uint32_t TubeMaker::count_rings(const StemAxis& axis) const {
+  std::uint32_t rings = 1 + static_cast<std::uint32_t>(cap_of(axis).size()) * (axis.origin.attached ? 1 : 2);
+  for (std::uint32_t i = 1; i < axis.count; ++i) rings += steps_to(axis, i);
+  return rings;
+}
+
+// The rings between the two ends. A branch begins with its right in the plane of branch and bearer.
+void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
+  const std::span<const Node> nodes(&axes_.nodes[axis.first], axis.count);
+  Thickness thickness(nodes, axis.origin, end_of(axis), stems_.jointed, stems_.tapering);
+  glm::vec3 centre = nodes[0].position;
+  glm::vec3 right = axis.origin.attached ? axis.origin.direction : aside(nodes[0].tangent);
+  const auto add = [&](const glm::vec3& next, const glm::vec3& tangent, float t, std::int32_t segment) {
+    Section section = thickness.at(t);
+    section.wide = std::max(section.wide, axes_.finest);
+    section.narrow = std::max(section.narrow, axes_.finest);
+    right = across(right, tangent);
+    Ring& ring = *rings++;
+    place(ring, next, tangent, right, section);
+    if (section.lean > 0) lean_towards(ring, axis.origin.direction, section);
+    ring.run = glm::length(next - centre);
+    ring.segment = static_cast<std::uint32_t>(segment);
+    centre = next;
+  };
+  thickness.enter(1);
+  add(nodes[0].position, nodes[0].tangent, 0, nodes[0].segment);
+  for (std::uint32_t i = 1; i < nodes.size(); ++i) {
+    const Node& node = nodes[i];
+    const Curve curve(nodes[i - 1], node);
+    if (i > 1) thickness.enter(i);
+    const std::uint32_t steps = steps_to(axis, i);
+    const float crowded = 0.85f * std::clamp(0.25f * node.step / node.radius - 0.75f, 0.0f, 1.0f);
+    const float per_steps = 1 / static_cast<float>(steps);
+    for (std::uint32_t k = 1; k < steps; ++k) {
+      const float t = static_cast<float>(k) * per_steps - crowded * crowding_[steps][k];
+      const glm::vec3 slope = curve.slope(t);
+      const float speed = glm::length(slope);
+      const glm::vec3 tangent = speed > 0 ? slope * (1 / speed) : node.tangent;
+      add(curve.at(t), tangent, t, node.segment);
+    }
+    add(node.position, node.tangent, 1, node.segment);
+  }
+}
+
+void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
+  std::vector<Ring>& rings = tube.rings;
+  rings.resize(count_rings(axis));
+  tube.bearer_point = axes_.nodes[axis.first].position;
+  tube.bearer_direction = axis.origin.direction;
+  tube.bearer_radius = std::max(axis.origin.radius, axes_.finest);
+  const std::span<const float> cap = cap_of(axis);
+  const std::size_t front = axis.origin.attached ? 0 : cap.size();
+  const std::size_t back = rings.size() - cap.size();
+  sweep(axis, &rings[front]);
+  find_changes({&rings[front], back - front});
+
+  // A branch begins within its bearer, where a flat end is enough; in the open a cut end is nearly flat too.
+  const Ring& first = rings[front];
+  const Ring& last = rings[back - 1];
+  const float first_height = (axis.origin.corner ? 1 : 0.3f) * first.radius;
+  const float last_height = (axis.to_corner ? 1 : end_of(axis).height) * last.radius;
+  for (std::size_t i = 0; i < front; ++i) rings[i] = cap_ring(first, cap[front - 1 - i], -first_height);
+  for (std::size_t i = 0; i < cap.size(); ++i) rings[back + i] = cap_ring(last, cap[i], last_height);
+  tube.first_pole = first.centre - first.tangent * first_height;
+  tube.last_pole = last.centre + last.tangent * last_height;
+
+  // One unit of v to one circumference, as it would be without swellings.
+  const float per_circumference = 1 / (2 * pi * axes_.nodes[axis.first].radius);
+  rings[0].v = 0;
+  for (std::size_t i = 1; i < rings.size(); ++i) {
+    const bool body = i > front && i < back;
+    const float distance = body ? rings[i].run : distance_between(rings[i - 1], rings[i]);
+    rings[i].v = rings[i - 1].v + distance * per_circumference;
+  }
+}
+
+}  // namespace panicle

@@ -1,0 +1,37 @@
+// What tubes are swept over: segments, and as data what only their model knows of them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "stems/segment.hpp"
+
+namespace panicle {
+
+// The shape of a stem's last two radii, as shares of its radius at the end: by default a stub, cut or with nothing more
+// to bear.
+struct StemEnd {
+  float body = 1;       // of the whole axis
+  float tip = 1;        // where it ends, from two radii before
+  float flare = 0;      // how much wider it gets under what sits on it
+  float height = 0.5f;  // of the rounded end
+};
+
+// Segments with, for each, the group it belongs to and how an axis ends that ends with it. Views: what they show must
+// outlive them. Without `groups` all are of group 0, without `ends` all end as stubs.
+struct Stems {
+  std::span<const Segment> segments;  // parents first
+  std::span<const std::int32_t> groups = {};
+  std::span<const StemEnd> ends = {};
+  bool jointed = true;  // whether they swell where segments meet, as shoots do at their nodes
+  // The cosine of the bend from which on a line that alone goes on from another meets it at a corner, with a round
+  // joint, and not in a curve.
+  float corner = -2;
+  bool tapering = false;  // whether thickness runs on through nodes, as wood's does; else it halts at each
+
+  std::int32_t group_of(std::size_t segment) const { return groups.empty() ? 0 : groups[segment]; }
+  StemEnd end_of(std::size_t segment) const { return ends.empty() ? StemEnd{} : ends[segment]; }
+};
+
+}  // namespace panicle

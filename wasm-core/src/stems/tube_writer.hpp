@@ -1,0 +1,56 @@
+// From tubes to the arrays of a mesh.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "stems/stem_rings.hpp"
+#include "stems/tubes.hpp"
+
+namespace panicle {
+
+// What rings of one number of sides share.
+struct RingPattern {
+  explicit RingPattern(std::uint32_t sides_);
+
+  std::uint32_t sides, padded;                    // and rounded up to a multiple of four
+  std::vector<float> cosine, sine;                // of the sides' angles
+  std::vector<float> cosine_thrice, sine_thrice;  // each for x, y and z
+  std::vector<float> u;                           // u and 0 for each vertex of a ring
+  std::vector<std::uint32_t> band;  // indices between a ring and the next, the ring's first vertex being 0
+};
+
+// How many rings and tubes there are of a pattern.
+struct TubeCount {
+  std::uint64_t rings = 0, tubes = 0;
+
+  std::uint64_t vertices(std::uint32_t sides) const { return rings * (sides + 1) + tubes * 2; }
+};
+
+// Writes tubes one after the other. Arrays get a few elements too many at first, since all is written four at a time.
+class TubeWriter {
+ public:
+  // Makes room in `stem`, which must outlive the writer, for that many vertices and triangles.
+  TubeWriter(StemMesh& stem, std::uint64_t vertices, std::uint64_t triangles);
+
+  // Appends a tube, its positions scaled. The pattern must outlive the call.
+  void write(const Tube& tube, const RingPattern& pattern, float scale);
+  // Gives back what was too many. Call it last.
+  void finish();
+
+  std::uint32_t vertices() const { return vertices_; }
+  std::uint32_t indices() const { return indices_; }
+
+ private:
+  void write_pole(const glm::vec3& position, const glm::vec3& normal, const Ring& ring);
+  void write_ring(const Tube& tube, const Ring& ring, float scale);
+  void write_ellipse(float* out, const glm::vec3& centre, const glm::vec3& right, const glm::vec3& forward) const;
+  void write_normals(const Tube& tube, const Ring& ring, float* out) const;
+  void write_triangles(std::uint32_t first_pole, std::uint32_t rings);
+
+  StemMesh& stem_;
+  const RingPattern* pattern_ = nullptr;  // of the tube being written
+  std::uint32_t vertices_ = 0, indices_ = 0;
+};
+
+}  // namespace panicle

@@ -1,0 +1,42 @@
+// Stems as a mesh: one smooth tapering tube along each axis of a skeleton.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+#include "stems/stems.hpp"
+
+namespace panicle {
+
+// A contiguous run of the stem mesh: the tubes of one group.
+struct StemPart {
+  std::int32_t group = 0;
+  std::uint32_t first_vertex = 0, vertex_count = 0;
+  std::uint32_t first_index = 0, index_count = 0;
+};
+
+struct StemMesh {
+  Mesh mesh;
+  std::vector<std::uint32_t> segment;  // per vertex: index of the segment it belongs to
+  std::vector<StemPart> parts;         // in ascending order of groups; together they cover the mesh
+};
+
+struct TubeOptions {
+  std::uint32_t sides = 12;  // 3 … 64
+  // A mesh that would have more gets fewer sides, then fewer rings. 60 bytes each: what the limit on segments
+  // allows still fits memory.
+  std::uint64_t most_vertices = 10'000'000;
+  // Axes that begin thinner than this, in the segments' unit, get `thin_sides` sides and about half the rings: of what
+  // is a few pixels wide no more would be seen.
+  float thin = 0;
+  std::uint32_t thin_sides = 6;
+  // Thin axes get hardly more rings than they have nodes and bends: for thousands of twigs.
+  bool thin_plain = false;
+};
+
+// Sweeps the stems. Positions come out in the segments' unit times `scale`. u runs once round, v along the
+// axis, one unit of v to one circumference so that a bark texture keeps its proportions.
+StemMesh sweep_stems(const Stems& stems, const TubeOptions& options, float scale);
+
+}  // namespace panicle

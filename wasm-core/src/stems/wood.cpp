@@ -1,0 +1,116 @@
+#include "stems/wood.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "stems/twigs.hpp"
+
+namespace panicle {
+namespace {
+
+constexpr std::uint32_t sides = 10, thin_sides = 6;
+// Axes thinner than this share of the thickest are thin; segments thinner than that share of the whole plant are twigs:
+// where all of it is seen, they are a pixel or two wide.
+constexpr float thin = 0.3f, fine_of_all = 0.002f;
+
+// Where a branch leaves at a narrow angle, its first rings fold over each other and over what bears it, and normals
+// told by the shape of the tube look into the wood: black facets. Such a place has those of its triangles.
+void mend_normals(Mesh& mesh) {
+  const auto at = [](const std::vector<float>& values, std::uint32_t i) {
+    return glm::vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
+  };
+  const auto face_of = [&](std::size_t t) {
+    const glm::vec3 a = at(mesh.positions, mesh.indices[t]);
+    return glm::cross(at(mesh.positions, mesh.indices[t + 1]) - a, at(mesh.positions, mesh.indices[t + 2]) - a);
+  };
+  std::vector<std::uint8_t> opposed(mesh.positions.size() / 3, 0);
+  bool any = false;
+  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+    const glm::vec3 face = face_of(t);
+    for (std::size_t k = t; k < t + 3; ++k) {
+      if (!(glm::dot(face, at(mesh.normals, mesh.indices[k])) < 0)) continue;
+      opposed[mesh.indices[k]] = 1;
+      any = true;
+    }
+  }
+  if (!any) return;
+  std::vector<glm::vec3> sums(opposed.size(), glm::vec3(0));
+  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+    const glm::vec3 face = face_of(t);
+    for (std::size_t k = t; k < t + 3; ++k) sums[mesh.indices[k]] += face;
+  }
+  for (std::size_t v = 0; v < opposed.size(); ++v) {
+    const float length = glm::length(sums[v]);
+    if (!opposed[v] || !(length > 0)) continue;
+    for (int k = 0; k < 3; ++k) mesh.normals[3 * v + static_cast<std::size_t>(k)] = sums[v][k] / length;
+  }
+}
+
+// Those that are swept: without twigs, with the pieces that feet begin with. Of each the whole plant's number, and the
+// axis.
+struct Branches {
+  std::vector<Segment> segments;
+  std::vector<std::int32_t> groups;
+  std::vector<std::uint32_t> whole;
+};
+
+Branches branches_of(std::span<const Segment> segments, std::span<const std::int32_t> axes,
+                     std::span<const std::int32_t> feet, const FootHabit& habit, float fine) {
+  Branches found;
+  std::vector<std::int32_t> numbers(segments.size(), -1);
+  const auto add = [&](const Segment& segment, std::int32_t parent, std::size_t whole) {
+    found.segments.push_back(segment);
+    found.segments.back().parent = parent;
+    found.groups.push_back(axes[whole]);
+    found.whole.push_back(static_cast<std::uint32_t>(whole));
+    return static_cast<std::int32_t>(found.segments.size()) - 1;
+  };
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (segments[i].radius < fine) continue;
+    const std::int32_t parent = segments[i].parent;
+    std::int32_t last = parent >= 0 ? numbers[static_cast<std::size_t>(parent)] : -1;
+    if (std::find(feet.begin(), feet.end(), static_cast<std::int32_t>(i)) == feet.end()) {
+      numbers[i] = add(segments[i], last, i);
+      continue;
+    }
+    for (const Segment& piece : pieces_of(segments[i], habit)) last = add(piece, last, i);
+    numbers[i] = last;
+  }
+  return found;
+}
+
+}  // namespace
+
+StemMesh sweep_wood(std::span<const Segment> segments, std::span<const std::int32_t> axes,
+                    std::span<const glm::vec3> targets, const FootHabit& habit) {
+  float thickest = 0;
+  glm::vec3 low(0), high(0);
+  for (const Segment& segment : segments) {
+    thickest = std::max(thickest, segment.radius);
+    low = glm::min(low, segment.end);
+    high = glm::max(high, segment.end);
+  }
+  const glm::vec3 size = high - low;
+  const float fine = fine_of_all * std::max({size.x, size.y, size.z});
+  const std::vector<std::int32_t> feet = feet_of(segments, targets);
+  const Branches branches = branches_of(segments, axes, feet, habit, fine);
+  // Thinner from fork to fork: whatever bears a branch is one. Wood does not swell where its pieces meet.
+  const TubeOptions options{.sides = sides, .thin = thin * thickest, .thin_sides = thin_sides, .thin_plain = true};
+  StemMesh stems = sweep_stems(
+      {.segments = branches.segments, .groups = branches.groups, .jointed = false, .tapering = true}, options, 1.0f);
+  for (std::uint32_t& segment : stems.segment) segment = branches.whole[segment];
+  mend_normals(stems.mesh);
+  const std::vector<StemPart> parts = stems.parts;
+  for (std::size_t k = 0; k < feet.size(); ++k) {
+    if (feet[k] < 0) continue;
+    const auto foot = static_cast<std::size_t>(feet[k]);
+    for (const StemPart& part : parts)
+      if (part.group == axes[foot]) set_down(stems, part, {segments, axes, foot}, habit);
+  }
+  add_twigs(stems, segments, axes, fine);
+  return stems;
+}
+
+}  // namespace panicle

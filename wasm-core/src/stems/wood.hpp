@@ -1,0 +1,19 @@
+// The wood of a tree or a root as a mesh.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "stems/root_flare.hpp"
+#include "stems/segment.hpp"
+#include "stems/tubes.hpp"
+
+namespace panicle {
+
+// Branches as smooth tubes, twigs as hardly more than lines. `axes`: of each segment the axis that it belongs to; those
+// of one are one tube. `targets`: where trunks stand on the ground, or roots hang; `habit` says how.
+StemMesh sweep_wood(std::span<const Segment> segments, std::span<const std::int32_t> axes,
+                    std::span<const glm::vec3> targets, const FootHabit& habit);
+
+}  // namespace panicle

@@ -1,0 +1,28 @@
+/** The leaf from the trails of particles (Rodkaew et al. 2003): docs/models/leaf/leaf.md. */
+import type { Model } from "../model";
+import { trailRecord } from "../particles/record";
+import { LEAF_FORMATS } from "./formats";
+import type { Leaf } from "./grown";
+import { leafParts } from "./parts/leaf_parts";
+import { readLeaf } from "./read_leaf";
+import { encodeLeaf } from "./request";
+import { LEAF } from "./species";
+import type { LeafSpecimen } from "./specimen";
+import { leafInWords } from "./words";
+
+export const model = {
+	...LEAF,
+	title: "Leaf",
+	preview: true,
+	noun: "leaf",
+	wasm: "particles.wasm",
+	encode: encodeLeaf,
+	read: readLeaf,
+	parts: (grown, specimen) => leafParts(grown, specimen),
+	words: leafInWords,
+	record: trailRecord,
+	formats: LEAF_FORMATS,
+	figure: async () => (await import("./figure/leaf_figure")).leafFigure,
+	handles: async () => (await import("./outline/plant_handles")).leafHandles,
+	studio: async () => (await import("./tools/face")).face,
+} satisfies Model<LeafSpecimen, Leaf>;

@@ -1,0 +1,55 @@
+/** The outline's points on the leaf itself. */
+import type { Change } from "../../../controls/desk";
+import type { HandlesOf, Vector } from "../../../controls/handles/plant_handle";
+import type { LeafSpecimen } from "../specimen";
+import { bent } from "./bent";
+import { placeInWords } from "./outline_words";
+import { isSymmetric, movePoint, type Place } from "./points";
+import { curveOf, enclosesBlade } from "./spline";
+
+/** A press of an arrow key, in lengths of the leaf; with Shift ten of them. */
+const NUDGE = 0.005;
+
+export const leafHandles: HandlesOf<LeafSpecimen> = ({ outline, parameters }) => {
+	const { length, fold, curl } = parameters;
+	const metres = length / 1000;
+	const bend = { fold, curl };
+	// What is alike on both sides stays so.
+	const symmetry = { mirror: isSymmetric(outline) };
+	const moved = (index: number, to: Place): Change => {
+		const next = movePoint(outline, index, to, symmetry);
+		return { details: { outline: enclosesBlade(next) ? next : outline } };
+	};
+	const inMetres = ([x, y, z]: Vector): Vector => [x * metres, y * metres, z * metres];
+	const curve = curveOf(outline).map((place) => inMetres(bent(place, bend).at));
+	return {
+		handles: outline.flatMap((point, index) => {
+			// The base is where the petiole is.
+			if (index === 0) return [];
+			const { at, along, stretch } = bent(point, bend);
+			const here = inMetres(at);
+			const [right, up] = along;
+			return {
+				id: `point${index}`,
+				label: `Point ${index}`,
+				value: placeInWords(point),
+				at: here,
+				along,
+				pull: (to: Vector) => {
+					const [x, y] = [far(here, to, right) / metres, far(here, to, up) / metres / stretch];
+					return moved(index, { x: point.x + x, y: point.y + y });
+				},
+				nudge: (x: number, y: number, large: boolean) => {
+					const step = large ? 10 * NUDGE : NUDGE;
+					return moved(index, { x: point.x + x * step, y: point.y + y * step });
+				},
+			};
+		}),
+		lines: [[...curve, curve[0]]],
+	};
+};
+
+/** How far one place is from another along a direction. */
+function far(from: Vector, to: Vector, along: Vector): number {
+	return along.reduce((sum, way, i) => sum + way * (to[i] - from[i]), 0);
+}

@@ -1,0 +1,134 @@
+/**
+ * The outline of a blade as its control points, and what hands do to them: pure functions, each gives a new list. The
+ * loop runs counter-clockwise, seen with the tip up, from the base, where the petiole joins: point 0, always at (0, 0). Coordinates
+ * are in lengths of the leaf, x to the right, y to the tip, which is at about (0, 1).
+ */
+import type { Point } from "../../../controls/handles/point";
+
+/** What a point is: of the curve, an angle in it, or the tip of a lobe, rounded or pointed, to which a main vein runs. */
+export const KINDS = ["smooth", "corner", "lobe", "pointed"] as const;
+export type Kind = (typeof KINDS)[number];
+
+export interface OutlinePoint {
+	x: number;
+	y: number;
+	kind: Kind;
+}
+export type OutlinePoints = readonly OutlinePoint[];
+
+/** Where points may be; links hold them in steps of `STEP`. */
+export const REACH = { x: [-1.023, 1.023], y: [-0.5, 1.547] } as const;
+export const STEP = 0.001;
+export const FEWEST_POINTS = 3;
+export const MOST_POINTS = 64;
+
+/** Whether both sides are to move as one. */
+export interface Symmetry {
+	mirror: boolean;
+}
+
+/** In lengths of the leaf, y to the tip. */
+export type Place = Point;
+
+/** The nearest place where a point may be. */
+export function placed({ x, y }: Place): Place {
+	return { x: within(x, REACH.x), y: within(y, REACH.y) };
+}
+
+function within(value: number, [low, high]: readonly [number, number]): number {
+	return Math.round(Math.min(high, Math.max(low, value)) / STEP) / Math.round(1 / STEP) + 0; // −0 becomes 0
+}
+
+/** The point at the other side; the base and a tip in the middle are their own. */
+export function mirrorOf(index: number, count: number): number {
+	return (count - index) % count;
+}
+
+/** The same point at the other side of the midrib. */
+export function mirrored({ x, y, kind }: OutlinePoint): OutlinePoint {
+	return { x: 0 - x, y, kind }; // never −0
+}
+
+/**
+ * Both sides of a leaf from its right one.
+ * @param half from the base up to the tip; a last point off the middle has its like at the left too
+ */
+export function bothSides(half: OutlinePoints): OutlinePoint[] {
+	const turned = half.at(-1)?.x === 0 ? half.slice(1, -1) : half.slice(1); // the base is its own
+	return [...half, ...turned.map(mirrored).reverse()];
+}
+
+/** The right side: from the base to the tip. */
+export function rightSide(points: OutlinePoints): OutlinePoints {
+	return points.slice(0, Math.floor(points.length / 2) + 1);
+}
+
+/** Whether the left side is the right one's mirror image. */
+export function isSymmetric(points: OutlinePoints): boolean {
+	return points.every((point, index) => {
+		const other = points[mirrorOf(index, points.length)];
+		return other.x === 0 - point.x && other.y === point.y && other.kind === point.kind;
+	});
+}
+
+/** The right side taken twice; the side ends at the highest point, which comes to the middle. */
+export function madeSymmetric(points: OutlinePoints): OutlinePoint[] {
+	if (isSymmetric(points)) return [...points];
+	const top = points.reduce((best, { y }, index) => (index > 0 && y > points[best].y ? index : best), 1);
+	const half = points.slice(0, top + 1).map((point) => ({ ...point, x: Math.max(0, point.x) }));
+	half[top] = { ...half[top], x: 0 };
+	const both = bothSides(half);
+	return both.length < FEWEST_POINTS || both.length > MOST_POINTS ? [...points] : both;
+}
+
+/** Takes a point there; the base stays where it is. */
+export function movePoint(points: OutlinePoints, index: number, to: Place, { mirror }: Symmetry): OutlinePoint[] {
+	if (index === 0) return [...points];
+	const other = mirrorOf(index, points.length);
+	const { x, y } = placed(mirror && other === index ? { x: 0, y: to.y } : to);
+	return points.map((point, at) => {
+		if (at === index) return { ...point, x, y };
+		return mirror && at === other ? { ...point, x: 0 - x, y } : point;
+	});
+}
+
+/** Puts a smooth point between one and the next; nothing changes where there would be too many. */
+export function insertPoint(points: OutlinePoints, after: number, at: Place, { mirror }: Symmetry): OutlinePoint[] {
+	const { length } = points;
+	const opposite = mirrorOf(after + 1, length);
+	const alone = !mirror || opposite === after;
+	if (length + (alone ? 1 : 2) > MOST_POINTS) return [...points];
+	const { x, y } = placed(mirror && alone ? { x: 0, y: at.y } : at);
+	const next: OutlinePoint = { x, y, kind: "smooth" };
+	return points.flatMap((point, index) => {
+		if (index === after) return [point, next];
+		return !alone && index === opposite ? [point, mirrored(next)] : [point];
+	});
+}
+
+/** Where the point that was put in after another stands then. */
+export function insertedAt(count: number, after: number, { mirror }: Symmetry): number {
+	return after + 1 + (mirror && mirrorOf(after + 1, count) < after ? 1 : 0);
+}
+
+/** Takes a point out; the base stays, and so do the last few. */
+export function removePoint(points: OutlinePoints, index: number, { mirror }: Symmetry): OutlinePoint[] {
+	const gone = new Set(mirror ? [index, mirrorOf(index, points.length)] : [index]);
+	if (index === 0 || points.length - gone.size < FEWEST_POINTS) return [...points];
+	return points.filter((_, at) => !gone.has(at));
+}
+
+/** Makes a point of the next kind. */
+export function turnKind(points: OutlinePoints, index: number, { mirror }: Symmetry): OutlinePoint[] {
+	const kind = KINDS[(KINDS.indexOf(points[index].kind) + 1) % KINDS.length];
+	const turned = new Set(mirror ? [index, mirrorOf(index, points.length)] : [index]);
+	return points.map((point, at) => (turned.has(at) ? { ...point, kind } : point));
+}
+
+/** Twice the area, above 0 where the loop runs counter-clockwise. */
+export function doubleArea(points: readonly Place[]): number {
+	return points.reduce((sum, { x, y }, index) => {
+		const next = points[(index + 1) % points.length];
+		return sum + x * next.y - next.x * y;
+	}, 0);
+}

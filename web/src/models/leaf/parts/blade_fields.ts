@@ -1,0 +1,181 @@
+/**
+ * What the colour of a blade goes by, on a coarse grid over its chart: how far the margin is, how near the veins are that keep
+ * it green, and chance. It does not know the look, so that other colours find it made.
+ */
+import { noise } from "../../../plant/noise";
+import type { Chart, Leaf } from "../grown";
+import { inCells, insideOf, spread } from "./chart";
+
+/** Noise cells to a metre: broad patches, mottling. */
+const BROAD = 60;
+const MOTTLE = 420;
+/** Only what the eye sees from afar: veins at least this wide, against the widest. */
+const LEAST_WIDTH = 0.1;
+/** How far a vein as wide as the widest keeps the blade alive, in sides of the square; lesser ones by this power of their width. */
+const REACH = 0.085;
+const REACH_POWER = 0.6;
+/** How well it does so on its axis: by this power of its width. */
+const STRENGTH_POWER = 0.3;
+/** The same for the paler blade close by, which is as wide along all of them. */
+const HALO_REACH = 0.018;
+
+/** By cell, rows from the bottom: what the margin and chance decide, while veins come and go. */
+interface Ground {
+	/** Cells to a side of the square. */
+	side: number;
+	/** Where any of the leaf is in sight: 1 inside of the margin and in the cells about it. */
+	near: Uint8Array;
+	/** How far the margin is, in lengths of the leaf; 0 outside. */
+	edge: Float32Array;
+	/** Chance of broad patches and of mottling, each −0.5 … 0.5. */
+	broad: Float32Array;
+	mottle: Float32Array;
+}
+
+/** The same, and what the veins decide. */
+export interface BladeFields extends Ground {
+	/** How much the veins about it feed a place: 1 on the widest … 0 far from all; the wider a vein, the farther. */
+	fed: Float32Array;
+	/** 1 on a vein that one sees from afar … 0 a little beside. */
+	halo: Float32Array;
+}
+
+/**
+ * @param millimetres of a length of the leaf
+ * @param seed another one has other patches
+ */
+export function bladeFields(
+	leaf: Pick<Leaf, "chart" | "margin" | "square"> & { segments: Pick<Leaf["segments"], "radii"> },
+	millimetres: number,
+	seed: number,
+	side: number,
+): BladeFields {
+	return { ...groundOf(leaf, millimetres, seed, side), ...feedingOf(leaf, leaf.square, side) };
+}
+
+/** The last one: of a leaf whose particles run, each moment has the same. */
+let known: { margin: Float32Array; rest: string; ground: Ground } | undefined;
+
+type Flat = Pick<Leaf, "margin" | "square">;
+
+function groundOf({ margin, square }: Flat, millimetres: number, seed: number, side: number): Ground {
+	const rest = JSON.stringify([square, millimetres, seed, side]);
+	const same = known?.rest === rest && known.margin.length === margin.length;
+	if (known && same && known.margin.every((value, at) => value === margin[at])) return known.ground;
+	known = { margin, rest, ground: lie({ margin, square }, millimetres, seed, side) };
+	return known.ground;
+}
+
+function lie({ margin, square }: Flat, millimetres: number, seed: number, side: number): Ground {
+	const edge = edgeOf(margin, square, side);
+	const near = nearLeaf(edge, side);
+	const broad = new Float32Array(side * side);
+	const mottle = new Float32Array(side * side);
+	const metres = (square.size * millimetres) / 1000 / side;
+	const depth = (seed % 4096) * 7.31;
+	for (let at = 0; at < side * side; at++) {
+		if (!near[at]) continue;
+		const [x, y] = [(at % side) * metres, Math.floor(at / side) * metres];
+		broad[at] = noise(BROAD * x, BROAD * y, depth) - 0.5;
+		mottle[at] = noise(MOTTLE * x, MOTTLE * y, depth) - 0.5;
+	}
+	return { side, near, edge, broad, mottle };
+}
+
+function edgeOf(margin: Float32Array, square: Chart, side: number): Float32Array {
+	const away = Float32Array.from(insideOf(inCells(margin, square, side), side), (inside) => (inside ? 2 * side : 0));
+	spread(away, side);
+	return away.map((cells) => (Math.max(0, cells - 0.5) * square.size) / side);
+}
+
+/** The leaf and the cells about it, from which pictures blend over its margin. */
+function nearLeaf(edge: Float32Array, side: number): Uint8Array {
+	const near = new Uint8Array(side * side);
+	for (let row = 0; row < side; row++) {
+		for (let column = 0; column < side; column++) {
+			if (edge[row * side + column] <= 0) continue;
+			for (let y = Math.max(0, row - 2); y <= Math.min(side - 1, row + 2); y++) {
+				near.fill(1, y * side + Math.max(0, column - 2), y * side + Math.min(side, column + 3));
+			}
+		}
+	}
+	return near;
+}
+
+/** Fields of the veins: from cell to cell is handed on which of them feeds best. */
+function feedingOf(
+	{ chart: ends, segments: { radii } }: Pick<Leaf, "chart"> & { segments: Pick<Leaf["segments"], "radii"> },
+	square: Chart,
+	side: number,
+): Pick<BladeFields, "fed" | "halo"> {
+	const widest = radii.reduce((most, radius) => Math.max(most, radius), 1e-9);
+	const away = new Float32Array(side * side).fill(2 * side);
+	/** By cell, the vein that feeds it: where its axis is, and how wide it is against the widest; 0 none yet. */
+	const [atX, atY, width] = [0, 0, 0].map(() => new Float32Array(side * side));
+	const places = inCells(ends, square, side);
+	for (let piece = 0; 4 * piece < ends.length; piece++) {
+		const share = radii[2 * piece + 1] / widest;
+		if (share < LEAST_WIDTH) continue;
+		const [x1, y1, x2, y2] = places.subarray(4 * piece, 4 * piece + 4);
+		const steps = Math.ceil(Math.hypot(x2 - x1, y2 - y1) * 2) + 1;
+		for (let step = 0; step <= steps; step++) {
+			const [x, y] = [x1 + ((x2 - x1) * step) / steps, y1 + ((y2 - y1) * step) / steps];
+			const at = cellOf(y, side) * side + cellOf(x, side);
+			away[at] = 0;
+			if (share <= width[at]) continue;
+			[atX[at], atY[at], width[at]] = [x, y, share];
+		}
+	}
+	spread(away, side);
+	const reach = Float32Array.from(width, (share) => REACH * side * share ** REACH_POWER);
+	const fed = handedOn(side, atX, atY, width, reach);
+	const halo = away.map((cells) => Math.max(0, 1 - cells / (HALO_REACH * side)) ** 2);
+	return { fed, halo };
+}
+
+function handedOn(
+	side: number,
+	atX: Float32Array,
+	atY: Float32Array,
+	width: Float32Array,
+	reach: Float32Array,
+): Float32Array {
+	/** The logarithm of how well each cell is fed. */
+	const best = Float32Array.from(width, (share, at) => {
+		if (share === 0) return Number.NEGATIVE_INFINITY;
+		const away = Math.hypot(atX[at] - (at % side) - 0.5, atY[at] - Math.floor(at / side) - 0.5) / reach[at];
+		return STRENGTH_POWER * Math.log(share) - away ** 1.5;
+	});
+	const take = (at: number, from: number) => {
+		if (width[from] === 0) return;
+		const dx = atX[from] - (at % side) - 0.5;
+		const dy = atY[from] - Math.floor(at / side) - 0.5;
+		const away = Math.sqrt(dx * dx + dy * dy) / reach[from];
+		const found = STRENGTH_POWER * Math.log(width[from]) - away * Math.sqrt(away);
+		if (found <= best[at]) return;
+		best[at] = found;
+		atX[at] = atX[from];
+		atY[at] = atY[from];
+		width[at] = width[from];
+		reach[at] = reach[from];
+	};
+	const last = side * side - 1;
+	for (const sign of [-1, 1]) {
+		for (let k = 0; k <= last; k++) {
+			const at = sign < 0 ? k : last - k;
+			const column = at % side;
+			const beside = column + sign >= 0 && column + sign < side;
+			const beyond = at + sign * side >= 0 && at + sign * side <= last;
+			if (beside) take(at, at + sign);
+			if (!beyond) continue;
+			take(at, at + sign * side);
+			if (beside) take(at, at + sign * (side + 1));
+			if (column - sign >= 0 && column - sign < side) take(at, at + sign * (side - 1));
+		}
+	}
+	return best.map((value) => Math.exp(value));
+}
+
+function cellOf(place: number, side: number): number {
+	return Math.min(side - 1, Math.max(0, Math.floor(place)));
+}

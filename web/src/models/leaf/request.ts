@@ -1,0 +1,42 @@
+/** Specimen → the blocks of a request, as wasm-core/src/models/leaf/request.hpp lists them. */
+import type { Block } from "../../core/container";
+import type { GrowthOptions } from "../model";
+import { KINDS } from "./outline/points";
+import type { LeafSpecimen } from "./specimen";
+import { LEAF_TABLE } from "./table";
+
+export interface LeafOptions extends GrowthOptions {
+	/** Whether it is wanted how much of the sky the meshes see; the default is wherever there are meshes, but not in passing. */
+	sky?: boolean;
+	/** Whether the fingerprint of the meshes is wanted; the default is no. */
+	meshFingerprint?: boolean;
+	/** Triangles of the blade, against the core's own choice. */
+	detail?: number;
+}
+
+/** Triangles of the blade while particles run, against the core's own choice. */
+const WATCHED_DETAIL = 0.25;
+
+export function encodeLeaf(specimen: LeafSpecimen, options: LeafOptions = {}): Block[] {
+	const { meshes = true, passing = false, meshFingerprint = false, detail } = options;
+	const { measures = !passing, sky = meshes && !passing } = options;
+	const { seed, parameters, outline } = specimen;
+	// Who watches particles run sees all of them, only the blade is coarser meanwhile.
+	const watched = parameters.age < 100;
+	const triangles = detail ?? (passing && watched ? WATCHED_DETAIL : undefined);
+	const outputs = [
+		meshes && "meshes",
+		measures && "measures",
+		sky && "sky",
+		meshFingerprint && "mesh_fingerprint",
+		passing && !watched && "draft",
+	];
+	return [
+		{ name: "model", data: "leaf" },
+		{ name: "seed", data: Uint32Array.of(seed) },
+		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
+		{ name: "parameters", data: Float32Array.from(LEAF_TABLE.core, ({ key }) => parameters[key]) },
+		{ name: "outline", data: Float32Array.from(outline.flatMap(({ x, y, kind }) => [x, y, KINDS.indexOf(kind)])) },
+		...(triangles === undefined ? [] : [{ name: "detail", data: Float32Array.of(triangles) }]),
+	];
+}

@@ -1,0 +1,92 @@
+/** A picture of a leaf → the points of its outline, and its petiole. Pure; what cannot be traced is refused in words for people. */
+import { contourOf, smoothed } from "../../../controls/tracing/contour";
+import { type Picture, TraceError } from "../../../controls/tracing/picture";
+import { silhouetteOf } from "../../../controls/tracing/silhouette";
+import { withoutStalk } from "../../../controls/tracing/stalk";
+import { upright } from "../../../controls/tracing/upright";
+import { FEWEST_POINTS, type Kind, type OutlinePoint, type Place, placed } from "../outline/points";
+import { enclosesBlade } from "../outline/spline";
+
+/** Most points that a traced outline has. */
+export const MOST_TRACED = 48;
+/** Closer than this a finer outline says nothing, in lengths of the leaf. */
+const FINEST = 0.004;
+/** An angle is looked at over this share of the margin to either side. */
+const ARM = 0.018;
+/** Sharper than this a point is none of a smooth curve. */
+const SHARP = (118 / 180) * Math.PI;
+/** A tip of a lobe, not of a tooth, stands out by so much, in lengths of the leaf. */
+const LOBE = 0.09;
+/** How far along the margin a lobe's foot is looked for, as a share of it. */
+const LOBE_REACH = 0.07;
+
+export interface TracedLeaf {
+	outline: OutlinePoint[];
+	/** Where the picture shows one; in lengths of the leaf. */
+	petiole?: { length: number; width: number };
+}
+
+/** @throws TraceError */
+export function traceLeaf(picture: Picture): TracedLeaf {
+	const { blade, base, stalk } = withoutStalk(silhouetteOf(picture, "leaf"));
+	const steps = contourOf(blade);
+	const { margin, size } = upright(smoothed(steps, Math.max(1, 0.002 * steps.length)), base);
+	const petiole = stalk && { length: stalk.length / size, width: stalk.width / size };
+	return { outline: pointsOf(margin), ...(petiole && { petiole }) };
+}
+
+function pointsOf(margin: readonly Place[]): OutlinePoint[] {
+	for (let tolerance = FINEST; tolerance < 0.1; tolerance *= 1.25) {
+		const kept = simplified(margin, tolerance);
+		if (kept.length > MOST_TRACED) continue;
+		const points = kept.map((index): OutlinePoint => ({ ...placed(margin[index]), kind: kindOf(margin, index) }));
+		points[0] = { x: 0, y: 0, kind: "corner" };
+		if (points.length >= FEWEST_POINTS && enclosesBlade(points)) return points;
+	}
+	throw new TraceError("The leaf's outline could not be followed. Try a sharper picture of one flat leaf.");
+}
+
+/** Indices of a closed polygon that keep it within a tolerance (Ramer 1972, Douglas and Peucker 1973); the first is 0. */
+function simplified(polygon: readonly Place[], tolerance: number): number[] {
+	const far = polygon.reduce((best, { y }, index) => (y > polygon[best].y ? index : best), 0);
+	const keep = new Set([0, far]);
+	const cut = (from: number, to: number) => {
+		const [a, b] = [polygon[from], polygon[to % polygon.length]];
+		let [worst, at] = [tolerance, -1];
+		for (let index = from + 1; index < to; index++) {
+			const away = offChord(polygon[index], a, b);
+			if (away > worst) [worst, at] = [away, index];
+		}
+		if (at < 0) return;
+		keep.add(at);
+		cut(from, at);
+		cut(at, to);
+	};
+	cut(0, far);
+	cut(far, polygon.length);
+	return [...keep].sort((a, b) => a - b);
+}
+
+function offChord({ x, y }: Place, a: Place, b: Place): number {
+	const [dx, dy] = [b.x - a.x, b.y - a.y];
+	const squared = dx * dx + dy * dy;
+	const t = squared === 0 ? 0 : Math.min(1, Math.max(0, ((x - a.x) * dx + (y - a.y) * dy) / squared));
+	return Math.hypot(x - a.x - t * dx, y - a.y - t * dy);
+}
+
+/** What a place of the margin is: sharp and standing out, the tip of a lobe; sharp, a corner. */
+function kindOf(margin: readonly Place[], index: number): Kind {
+	const at = (share: number) => {
+		const { length } = margin;
+		return margin[(index + Math.round(share * length) + length) % length];
+	};
+	const [before, here, after] = [at(-ARM), margin[index], at(ARM)];
+	const one = Math.atan2(before.y - here.y, before.x - here.x);
+	const other = Math.atan2(after.y - here.y, after.x - here.x);
+	const angle = (other - one + 4 * Math.PI) % (2 * Math.PI);
+	// Counter-clockwise, the inside is on the left: seen from a tip it lies between after and before.
+	const convex = angle > Math.PI;
+	const within = convex ? 2 * Math.PI - angle : angle;
+	if (within > SHARP) return "smooth";
+	return convex && offChord(here, at(-LOBE_REACH), at(LOBE_REACH)) > LOBE ? "pointed" : "corner";
+}

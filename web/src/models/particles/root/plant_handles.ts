@@ -1,4 +1,0 @@
-import { boundaryHandles } from "../boundary/editor/plant_handles";
-import { rootLay } from "./lay";
-
-export const rootHandles = boundaryHandles(rootLay);

@@ -1,9 +1,0 @@
-/** A root in a few plain words: for the caption, the picture's description and the screen reader. */
-import { countInWords, heightsOf, lengthInWords } from "../../../plant/in_words";
-import type { TrailPlant } from "../trails";
-
-/** "1.4 m deep, 1,800 root tips". */
-export function rootInWords({ segments, counts }: TrailPlant): string {
-	const { low } = heightsOf(segments.ends);
-	return `${lengthInWords(Math.max(0, -low))} deep, ${countInWords(counts.particles ?? 0, "root tip", "root tips")}`;
-}

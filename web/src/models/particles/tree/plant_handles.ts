@@ -1,4 +1,0 @@
-import { boundaryHandles } from "../boundary/editor/plant_handles";
-import { treeLay } from "./lay";
-
-export const treeHandles = boundaryHandles(treeLay);

@@ -1,0 +1,30 @@
+/** The root of particles' trails (Rodkaew et al. 2003, section 4): docs/models/root/root.md. */
+import type { Model } from "../model";
+import { boundedBy } from "../particles/boundary/mesh_boundary";
+import { encodeBounded } from "../particles/boundary/request";
+import { woodFormats } from "../particles/boundary/wood_formats";
+import { readWoodenPlant, type WoodenPlant } from "../particles/boundary/wooden_plant";
+import { trailRecord } from "../particles/record";
+import { rootParts } from "./root_parts";
+import { ROOT } from "./species";
+import type { RootSpecimen } from "./specimen";
+import { rootInWords } from "./words";
+
+export const model = {
+	...ROOT,
+	title: "Root",
+	preview: true,
+	still: true,
+	noun: "root",
+	wasm: "particles.wasm",
+	bounded: (specimen, file) => boundedBy(ROOT, specimen, file, "reach"),
+	encode: (specimen, options) => encodeBounded(ROOT.table, specimen, options),
+	read: readWoodenPlant,
+	parts: rootParts,
+	words: rootInWords,
+	record: trailRecord,
+	formats: woodFormats(rootInWords),
+	figure: async () => (await import("./cut_figure")).cutFigure,
+	handles: async () => (await import("./plant_handles")).rootHandles,
+	studio: async () => (await import("./tools/face")).face,
+} satisfies Model<RootSpecimen, WoodenPlant>;

@@ -1,0 +1,42 @@
+import { type NumberEntry, nearestWithin } from "../../specimen/table";
+import type { Lay } from "../particles/boundary/editor/lay";
+import { roundly, standing } from "../particles/boundary/editor/lay";
+import type { Form } from "../particles/boundary/editor/outline";
+import type { RootSpecimen } from "./specimen";
+import { ROOT_TABLE } from "./table";
+
+const FORMS: Readonly<Record<string, Form>> = {
+	ball: "ellipsoid",
+	bowl: "bowl",
+	cone: "coneDown",
+	box: "box",
+	spline: "spline",
+	mesh: "mesh",
+};
+
+const TOP = ROOT_TABLE.entry("top") as NumberEntry;
+
+/** How a root's volume lies: below ground. */
+export const rootLay: Lay<RootSpecimen> = {
+	form: (specimen) => FORMS[ROOT_TABLE.option(specimen, "shape") ?? "bowl"],
+	// As wasm-core/src/models/root/model.cpp has it.
+	profile: [
+		[0.04, 0],
+		[0.16, 0.3],
+		[0.34, 0.6],
+		[0.7, 0.85],
+		[1, 1],
+	],
+	box: ({ parameters: { width, reach, top } }) => ({ halfWidth: width / 2, low: -top - reach, high: -top }),
+	axes: () => [0],
+	halfDepth: ({ parameters }) => parameters.depth / 2,
+	deepen: (_, halfDepth) => ({ depth: 2 * halfDepth }),
+	targets: ({ parameters: { stems, width } }) => standing(stems, width).flatMap((x) => [x, 0, 0]),
+	fit: (specimen, { halfWidth, low, high }) => {
+		const top = nearestWithin(TOP, -high);
+		return { ...roundly(specimen, halfWidth), top, reach: -top - low };
+	},
+	target: "Collar",
+	ends: { high: "Upper end", low: "Deepest" },
+	bareAbout: ({ high }) => high,
+};

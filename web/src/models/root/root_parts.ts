@@ -1,0 +1,28 @@
+/** A root in parts: the roots themselves, and particles on their way. */
+import { linear, mixed } from "../../plant/colour";
+import type { Part } from "../../plant/part";
+import { barkPicture } from "../../plant/wood/bark_picture";
+import { woodenParts } from "../../plant/wood/wooden_parts";
+import { obstacleParts } from "../particles/boundary/obstacle_parts";
+import { particleMaterial } from "../particles/boundary/particle_material";
+import type { WoodenPlant } from "../particles/boundary/wooden_plant";
+import type { RootSpecimen } from "./specimen";
+
+/** What fine roots of any plant come near to. */
+const FINE = linear("d9c7a0");
+
+export function* rootParts(plant: WoodenPlant, specimen: RootSpecimen): Generator<Part> {
+	const { look } = specimen;
+	const old = linear(look.root);
+	yield* woodenParts(plant, {
+		wood: {
+			name: "Root",
+			colour: old,
+			roughness: 0.85,
+			textures: { colour: barkPicture(specimen.parameters.storage > 0 ? "ringed" : "fibrous"), repeats: true },
+		},
+		bark: { old, young: mixed(old, FINE, 0.55), from: 0.0005, to: 0.008 },
+		tints: { skin: [particleMaterial] },
+	});
+	yield* obstacleParts(specimen);
+}

@@ -1,0 +1,119 @@
+/**
+ * The soil about a root, as a pit that has been dug around it: only its far wall is drawn, so that from every side the root
+ * is seen in a cut. Not of the plant, and in no file.
+ */
+import type { Colour } from "../../plant/colour";
+import { clamp, linear, mixed, smoothstep } from "../../plant/colour";
+import { noise } from "../../plant/noise";
+import type { PartMesh } from "../../plant/part";
+
+/** What the pit must hold, metres; the ground is at height 0. */
+export interface Dug {
+	low: readonly [x: number, y: number, z: number];
+	high: readonly [x: number, y: number, z: number];
+}
+
+const AROUND = 160;
+const DOWN = 64;
+const FLOOR = 12;
+/** Room left about the roots, as a share of their reach. */
+const ROOM = 0.1;
+/** How square the pit is: 2 an ellipse, more a box with round corners. */
+const SQUARENESS = 3.2;
+/** Metres of dark topsoil. */
+const HUMUS = 0.28;
+
+/** Points of a pit, its wall first, ring by ring, then its floor. */
+export function pit({ low, high }: Dug, soil: string): PartMesh {
+	const middle = [(low[0] + high[0]) / 2, (low[2] + high[2]) / 2];
+	const reach = [0, 2].map((k) => Math.max((high[k] - low[k]) / 2, 0.05) * (1 + ROOM));
+	const depth = Math.max(-low[1], 0.05) * (1 + ROOM / 2);
+	const rings = DOWN + 1 + FLOOR;
+	const positions = new Float32Array(3 * rings * AROUND);
+	const normals = new Float32Array(3 * rings * AROUND);
+	const colours = new Float32Array(3 * rings * AROUND);
+	const grain = 9 / Math.max(reach[0], reach[1], depth);
+	const tones = tonesOf(soil);
+	for (let k = 0; k < AROUND; k++) {
+		const [x, z] = around((2 * Math.PI * k) / AROUND, reach);
+		const normal = inwards(x, z, reach);
+		const waver = waverAt(x, z, grain);
+		// The floor is one colour from the wall to its middle, where its triangles meet.
+		const floor = earth(tones, [x, -depth, z], 0.6, waverAt(x, z, 0.6));
+		for (let ring = 0; ring < rings; ring++) {
+			const at = 3 * (ring * AROUND + k);
+			const inward = Math.max(0, ring - DOWN) / FLOOR;
+			const y = -depth * Math.min(1, ring / DOWN);
+			const bump = inward > 0 ? 0 : 0.02 * (noise(grain * x, grain * y, grain * z) - 0.5);
+			const out = (1 - inward) * (1 + bump);
+			positions.set([middle[0] + out * x, y, middle[1] + out * z], at);
+			normals.set(inward > 0 ? UP : normal, at);
+			colours.set(inward > 0 ? floor : earth(tones, [x, y, z], grain, waver), at);
+		}
+	}
+	return { positions, normals, colours, uvs: new Float32Array(2 * rings * AROUND), indices: quads(rings) };
+}
+
+const UP = [0, 1, 0] as const;
+
+/** A point of the pit's outline. */
+function around(angle: number, [rx, rz]: readonly number[]): [x: number, z: number] {
+	const [cosine, sine] = [Math.cos(angle), Math.sin(angle)];
+	const out = (Math.abs(cosine) ** SQUARENESS + Math.abs(sine) ** SQUARENESS) ** (-1 / SQUARENESS);
+	return [out * cosine * rx, out * sine * rz];
+}
+
+function inwards(x: number, z: number, [rx, rz]: readonly number[]): [number, number, number] {
+	const slope = (value: number, r: number) => (Math.sign(value) * Math.abs(value / r) ** (SQUARENESS - 1)) / r;
+	const [nx, nz] = [slope(x, rx), slope(z, rz)];
+	const size = Math.hypot(nx, nz);
+	return [-nx / size, 0, -nz / size];
+}
+
+/** Whether a pit dug for one still holds another. */
+export function holds(dug: Dug, { low, high }: Dug): boolean {
+	return [0, 1, 2].every((k) => {
+		const size = dug.high[k] - dug.low[k];
+		// A little less than the room there is.
+		const slack = 0.45 * ROOM * size;
+		return low[k] >= dug.low[k] - slack && high[k] <= dug.high[k] + slack;
+	});
+}
+
+/** Facing inwards: seen from outside the near wall is not there. */
+function quads(rings: number): Uint32Array {
+	const indices: number[] = [];
+	for (let ring = 0; ring + 1 < rings; ring++) {
+		for (let k = 0; k < AROUND; k++) {
+			const [a, b] = [ring * AROUND + k, ring * AROUND + ((k + 1) % AROUND)];
+			indices.push(a, a + AROUND, b, b, a + AROUND, b + AROUND);
+		}
+	}
+	return Uint32Array.from(indices);
+}
+
+/** Of humus, and of what lies below it. */
+interface Tones {
+	readonly dark: Colour;
+	readonly pale: Colour;
+}
+
+function tonesOf(soil: string): Tones {
+	const base = linear(soil);
+	return { dark: mixed(base, [0.008, 0.006, 0.004], 0.72), pale: mixed(base, [0.02, 0.014, 0.009], 0.25) };
+}
+
+/** How much deeper or less deep the humus is there, metres. */
+function waverAt(x: number, z: number, grain: number): number {
+	return HUMUS * (noise(0.3 * grain * x + 7, 0, 0.3 * grain * z) - 0.5);
+}
+
+/** Dark humus on top, paler below, in bands that waver, crumbs of both. */
+function earth({ dark, pale }: Tones, [x, y, z]: readonly number[], grain: number, waver: number): Colour {
+	const below = smoothstep(0.4 * HUMUS, 1.7 * HUMUS, -y + waver);
+	const [red, green, blue] = mixed(dark, pale, below);
+	const crumbs =
+		0.5 * noise(grain * x, grain * y, grain * z) + 0.5 * noise(2.7 * grain * x, 2.7 * grain * y, 2.7 * grain * z);
+	const shade = 0.7 + 0.6 * clamp(crumbs);
+	return [red * shade, green * shade, blue * shade];
+}

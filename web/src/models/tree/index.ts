@@ -1,0 +1,38 @@
+/** The tree of particles' trails (Rodkaew et al. 2003, section 4): docs/models/tree/tree.md. */
+
+import { leafBlocks } from "../../plant/leaf";
+import type { Model } from "../model";
+import { boundedBy } from "../particles/boundary/mesh_boundary";
+import { encodeBounded } from "../particles/boundary/request";
+import { woodFormats } from "../particles/boundary/wood_formats";
+import { trailRecord } from "../particles/record";
+import { TREE } from "./species";
+import type { TreeSpecimen } from "./specimen";
+import { treeParts } from "./tree_parts";
+import { fetchLeafOf, leafOf, readTree, type TreePlant } from "./tree_plant";
+import { treeInWords } from "./words";
+
+export const model = {
+	...TREE,
+	title: "Tree",
+	preview: true,
+	noun: "tree",
+	wasm: "particles.wasm",
+	prepare: fetchLeafOf,
+	bounded: (specimen, file) => boundedBy(TREE, specimen, file, "height"),
+	encode: (specimen, options) => {
+		const leaf = leafOf(specimen);
+		return [
+			...encodeBounded(TREE.table, specimen, { light: !options?.passing, ...options }),
+			...(leaf ? leafBlocks(leaf) : []),
+		];
+	},
+	read: readTree,
+	parts: treeParts,
+	words: treeInWords,
+	record: trailRecord,
+	formats: woodFormats(treeInWords),
+	figure: async () => (await import("./tree_figure")).treeFigure,
+	handles: async () => (await import("./plant_handles")).treeHandles,
+	studio: async () => (await import("./tools/face")).face,
+} satisfies Model<TreeSpecimen, TreePlant>;

@@ -1,0 +1,61 @@
+import { type NumberEntry, nearestWithin } from "../../specimen/table";
+import type { Lay } from "../particles/boundary/editor/lay";
+import { roundly, standing } from "../particles/boundary/editor/lay";
+import type { Form } from "../particles/boundary/editor/outline";
+import type { TreeSpecimen } from "./specimen";
+import { TREE_TABLE } from "./table";
+
+const FORMS: Readonly<Record<string, Form>> = {
+	sphere: "ellipsoid",
+	ellipsoid: "ellipsoid",
+	box: "box",
+	cone: "cone",
+	spline: "spline",
+	mesh: "mesh",
+};
+
+const [TRUNK, HEIGHT] = ["trunk", "height"].map((key) => TREE_TABLE.entry(key) as NumberEntry);
+
+/** How a tree's crowns lie: side by side, above their trunks. */
+export const treeLay: Lay<TreeSpecimen> = {
+	form: (specimen) => FORMS[TREE_TABLE.option(specimen, "shape") ?? "ellipsoid"],
+	// As wasm-core/src/models/tree/model.cpp has it.
+	profile: [
+		[0.1, 0],
+		[0.8, 0.2],
+		[1, 0.45],
+		[0.7, 0.8],
+		[0.08, 1],
+	],
+	box: (specimen) => {
+		const { width, height, trunk } = specimen.parameters;
+		return { halfWidth: width / 2, low: trunk, high: trunk + (isBall(specimen) ? width : height) };
+	},
+	axes: ({ parameters: { crowns, distance } }) => standing(crowns, crowns * distance),
+	fit: (specimen, { halfWidth, low, high }) => {
+		// No crown reaches below ground: what is left of the height is what counts, or the top would rise.
+		const foot = nearestWithin(TRUNK, Math.min(low, high - HEIGHT.min));
+		if (!isBall(specimen)) return { ...roundly(specimen, halfWidth), trunk: foot, height: high - foot };
+		const { width, trunk } = specimen.parameters;
+		// Of a ball the side that was moved counts.
+		const moved =
+			Math.abs(2 * halfWidth - width) > 1e-6 ? 2 * halfWidth : Math.abs(foot - trunk) > 1e-6 ? width : high - foot;
+		return { width: moved, depth: moved, height: moved, trunk: foot };
+	},
+	halfDepth: (specimen) => specimen.parameters[isBall(specimen) ? "width" : "depth"] / 2,
+	deepen: (specimen, halfDepth) => {
+		const depth = 2 * halfDepth;
+		return isBall(specimen) ? { width: depth, depth, height: depth } : { depth };
+	},
+	targets: ({ parameters: { crowns, distance, stems, width } }) =>
+		standing(crowns, crowns * distance).flatMap((axis) => standing(stems, width).flatMap((x) => [axis + x, 0, 0])),
+	move: ({ parameters: { crowns } }, axis) =>
+		crowns > 1 ? { distance: (2 * Math.abs(axis)) / (crowns - 1) } : undefined,
+	target: "Trunk",
+	ends: { high: "Top", low: "Lowest branches" },
+	bareAbout: ({ low, high }) => (low + high) / 2,
+};
+
+function isBall(specimen: TreeSpecimen): boolean {
+	return TREE_TABLE.option(specimen, "shape") === "sphere";
+}

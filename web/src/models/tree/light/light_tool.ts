@@ -1,0 +1,24 @@
+/** The light in a tree's crown, cell by cell, on and off (Rodkaew et al. 2003, figure 8). */
+import { svg } from "lit";
+import { LateHands } from "../../../controls/handles/late_hands";
+import type { Tool } from "../../../controls/tool";
+import type { TreeSpecimen } from "../specimen";
+import type { TreePlant } from "../tree_plant";
+
+export type LightTool = Tool<TreeSpecimen, TreePlant, boolean>;
+
+const ICON = svg`<path d="M3.5 3.5h13v13h-13zM3.5 7.800h13M3.5 12.200h13M7.800 3.500v13M12.200 3.500v13"/>`;
+
+export const lightTool: LightTool = {
+	name: "light",
+	initial: false,
+	press: (desk) => desk.setToolState(lightTool, !desk.toolState(lightTool)),
+	button: { icon: ICON, label: "Light in the crown", pressed: (desk) => desk.toolState(lightTool) },
+	hands: (view, desk) =>
+		new LateHands<TreeSpecimen, TreePlant>({
+			desk,
+			wanted: () => desk.toolState(lightTool),
+			fetch: async () => new (await import("./light_hands")).LightHands(view, desk, lightTool),
+			missed: () => desk.setToolState(lightTool, false),
+		}),
+};
