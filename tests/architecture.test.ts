@@ -174,16 +174,16 @@ describe("the arrow between the rooms", () => {
 	it("lets workers come without Lit and three", () => {
 		for (const worker of [
 			"web/src/core/worker",
-			"web/src/files/file_worker",
-			"web/src/controls/mesh_file/mesh_worker",
+			"web/src/generate/files/file_worker",
+			"web/src/import/mesh_file/mesh_worker",
 		]) {
 			expect(packagesOf(worker).filter((name) => /^(lit|three)\b/.test(name))).toEqual([]);
 		}
 	});
 
 	it("sees what a module comes with", () => {
-		expect(packagesOf("web/src/models/bunch/tools/face")).toEqual(expect.arrayContaining(["lit"]));
-		expect(packagesOf("web/src/scene/viewer")).toContain("three");
+		expect(packagesOf("web/src/models/bunch/ui/face")).toEqual(expect.arrayContaining(["lit"]));
+		expect(packagesOf("web/src/render/viewer")).toContain("three");
 		expect(packagesOf("web/src/specimen/link")).toEqual([]);
 	});
 
@@ -194,9 +194,9 @@ describe("the arrow between the rooms", () => {
 		["studio/x.ts", "models/bunch/index", false],
 		["models/leaf/index.ts", "models/bunch/grown", true],
 		["models/leaf/index.ts", "models/index", false],
-		["models/leaf/index.ts", "studio/studio", true],
-		["models/model.ts", "controls/tool", false],
-		["controls/x.ts", "studio/studio", true],
+		["models/leaf/index.ts", "app/studio", true],
+		["models/model.ts", "ui/tool", false],
+		["controls/x.ts", "app/studio", true],
 		["specimen/x.ts", "plant/plant", true],
 	])("refuses what goes against it: %s → %s", (from, to, typeOnly) => {
 		expect(isAllowed({ from: `web/src/${from}`, to: `web/src/${to}`, typeOnly })).toBe(false);
@@ -205,8 +205,8 @@ describe("the arrow between the rooms", () => {
 	it.each([
 		["models/index.ts", "models/*/index", false],
 		["models/leaf/index.ts", "models/model", true],
-		["models/leaf/index.ts", "controls/life", false],
-		["models/model.ts", "scene/figure", true],
+		["models/leaf/index.ts", "ui/life", false],
+		["models/model.ts", "render/figure", true],
 		["studio/x.ts", "models/index", false],
 	])("allows what goes with it: %s → %s", (from, to, typeOnly) => {
 		expect(isAllowed({ from: `web/src/${from}`, to: `web/src/${to}`, typeOnly })).toBe(true);

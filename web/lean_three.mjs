@@ -33,7 +33,7 @@ const PARTS = {
 		getEnvironmentBlendMode() {}
 		dispose() {}
 	}`,
-	// Surroundings are ours (scene/light), no texture: only what is a texture already comes back.
+	// Surroundings are ours (render/light), no texture: only what is a texture already comes back.
 	WebGLEnvironments:
 		"export function WebGLEnvironments() { return { get: (texture) => texture ?? null, dispose() {} }; }",
 	// For lamps that throw shadows all round.

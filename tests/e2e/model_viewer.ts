@@ -1,5 +1,5 @@
 import type { Page } from "@playwright/test";
-import { MODEL_VIEWER } from "../../web/src/studio/files/embed_code";
+import { MODEL_VIEWER } from "../../web/src/app/files/embed_code";
 
 /** What stands for Google's viewer: it fetches what it is told to, and says what that is. */
 const STAND_IN = `customElements.define("model-viewer", class extends HTMLElement {

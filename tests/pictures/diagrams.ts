@@ -5,9 +5,9 @@ import { coreFolder } from "../../wasm-core/tools/repository.mjs";
 import type { Description } from "../../web/src/models/flower/design/description";
 import { describedIn, designOf } from "../../web/src/models/flower/design/design";
 import { ORGANS } from "../../web/src/models/flower/design/organs";
-import { elevation } from "../../web/src/models/flower/tools/design/elevation";
-import { floralDiagram } from "../../web/src/models/flower/tools/design/floral_diagram";
-import { pictureOf } from "../../web/src/models/flower/tools/design/scene";
+import { elevation } from "../../web/src/models/flower/ui/design/elevation";
+import { floralDiagram } from "../../web/src/models/flower/ui/design/floral_diagram";
+import { pictureOf } from "../../web/src/models/flower/ui/design/scene";
 import type { DocsFile } from "./docs_file";
 
 const grammars = join(coreFolder, "grammars/flower");

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { moduleOf, repository } from "../../wasm-core/tools/repository.mjs";
 import { loadCoreFromBytes } from "../../web/src/core/loader";
-import { exportJson } from "../../web/src/export/json";
+import { exportJson } from "../../web/src/formats/json";
 import { model } from "../../web/src/models/leaf/index";
 import { leafFromPreset } from "../../web/src/models/leaf/species";
 import type { DocsFile } from "./docs_file";

@@ -15,13 +15,13 @@ import { openSources } from "./sources_page.mjs";
 /** Runs in the page, where Vite serves the sources. */
 async function draw({ cores, model: called, name, size, oversampling, quality, theme, views, zoom = 1 }) {
 	const at = (path) => import(/* @vite-ignore */ `/src/${path}`);
-	const { Viewer } = await at("scene/viewer.ts");
-	const { partFigure } = await at("scene/part_figure.ts");
+	const { Viewer } = await at("render/viewer.ts");
+	const { partFigure } = await at("render/part_figure.ts");
 	const { Core } = await at("core/core.ts");
 	const { compileCore } = await at("core/loader.ts");
 	const { fromPreset } = await at("specimen/from_preset.ts");
 	const { modelNamed } = await at("models/index.ts");
-	const { growPlant } = await at("files/growth.ts");
+	const { growPlant } = await at("generate/files/growth.ts");
 	const model = await modelNamed(called);
 	const specimen = fromPreset(model, name);
 	globalThis.cores ??= new Map();

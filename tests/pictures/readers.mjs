@@ -22,7 +22,7 @@ const QUALITY = 0.85;
 /** Runs in the page, where Vite serves the sources. */
 async function inApp({ cores, name, width, height }) {
 	const at = (path) => import(/* @vite-ignore */ `/src/${path}`);
-	const { Viewer } = await at("scene/viewer.ts");
+	const { Viewer } = await at("render/viewer.ts");
 	const { Core } = await at("core/core.ts");
 	const { compileCore } = await at("core/loader.ts");
 	const { fromPreset } = await at("specimen/from_preset.ts");

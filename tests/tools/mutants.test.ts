@@ -101,7 +101,7 @@ describe("a mutant", () => {
 			path: "tests/e2e/sum.spec.ts",
 			title: "GLB: valid",
 		});
-		expect(suiteOf("tests/web/export/").kind).toBe("web");
+		expect(suiteOf("tests/web/formats/").kind).toBe("web");
 		expect(one({ suites: ["tests/core/models/bunch/sum_test.cpp"] }).kind).toBe("core");
 		expect(programOf("tests/core/models/bunch/sum_test.cpp")).toBe("bunch_tests");
 		expect(programOf("tests/core/lsystem/sum_test.cpp")).toBe("lsystem_tests");

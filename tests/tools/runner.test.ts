@@ -29,7 +29,7 @@ describe("the arguments of a test run", () => {
 
 	it("choose a room's native or web tests", () => {
 		expect(read("lsystem")).toMatchObject({ stages: ["set-up", "native"], native: ["lsystem_tests"], web: [] });
-		expect(read("studio")).toMatchObject({ stages: ["set-up", "wasm", "web"], web: ["tests/web/studio/"] });
+		expect(read("studio")).toMatchObject({ stages: ["set-up", "wasm", "web"], web: ["tests/web/app/"] });
 		expect(read("core")).toMatchObject({
 			stages: ["set-up", "native", "wasm", "web"],
 			native: ["core_tests"],

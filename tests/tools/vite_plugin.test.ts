@@ -143,7 +143,7 @@ it("answers with an error for a module that does not compile, and passes other r
 	const server = await servingWithoutStand();
 	expect(await request(server, "/@fs/panicle/build/core/stand.wasm")).toBe(503);
 	expect(await request(server, "/@fs/panicle/build/core/bunch.wasm?import")).toBe(200);
-	for (const url of ["/src/studio/main.ts", "/%", "//", ""]) expect(await request(server, url)).toBe(200);
+	for (const url of ["/src/app/main.ts", "/%", "//", ""]) expect(await request(server, url)).toBe(200);
 });
 
 it("gives the page an address for every module, built or not, under the keys that the page uses", async () => {
@@ -183,7 +183,7 @@ it("builds once for several writes in a row, and not for files that are no sourc
 	}
 	await settled();
 	expect(build).toHaveBeenCalledTimes(1);
-	server.watcher.emit("all", "change", join(repository, "web/src/studio/main.ts"));
+	server.watcher.emit("all", "change", join(repository, "web/src/app/main.ts"));
 	server.watcher.emit("all", "change", join(coreFolder, "src/models/bunch/plan.cpp.swp"));
 	await settled();
 	expect(build).toHaveBeenCalledTimes(1);

@@ -12,7 +12,7 @@ export default mergeConfig(application, {
 			name: "toy",
 			transformIndexHtml: {
 				order: "pre",
-				handler: (html: string) => html.replace("./src/studio/main.ts", "../tests/toy/page.ts"),
+				handler: (html: string) => html.replace("./src/app/main.ts", "../tests/toy/page.ts"),
 			},
 		},
 	],

@@ -2,7 +2,7 @@
 import wasm from "../../build/core/bunch.wasm?url";
 import { Core } from "../../web/src/core/core";
 import { compileCore } from "../../web/src/core/loader";
-import { bunchFigure } from "../../web/src/models/bunch/figure/bunch_figure";
+import { bunchFigure } from "../../web/src/models/bunch/render/bunch_figure";
 import type { Grown } from "../../web/src/models/bunch/grown";
 import { bunchParts } from "../../web/src/models/bunch/parts/bunch_parts";
 import { readGrown } from "../../web/src/models/bunch/read_grown";
@@ -11,10 +11,10 @@ import { BUNCH } from "../../web/src/models/bunch/species";
 import type { BunchSpecimen } from "../../web/src/models/bunch/specimen";
 import type { Material } from "../../web/src/plant/material";
 import { swayOf } from "../../web/src/plant/sway";
-import { blurred, COSINE_SHARPNESS, rigOf, type Theme } from "../../web/src/scene/light";
-import { partFigure } from "../../web/src/scene/part_figure";
-import { Renderer } from "../../web/src/scene/renderer";
-import { Viewer, type ViewerOptions } from "../../web/src/scene/viewer";
+import { blurred, COSINE_SHARPNESS, rigOf, type Theme } from "../../web/src/render/light";
+import { partFigure } from "../../web/src/render/part_figure";
+import { Renderer } from "../../web/src/render/renderer";
+import { Viewer, type ViewerOptions } from "../../web/src/render/viewer";
 import { decodeQuery } from "../../web/src/specimen/link";
 
 const core = await Core.instantiate(await compileCore(new URL(wasm, document.baseURI)));

@@ -1,8 +1,8 @@
 /** The bunch's document as tests want it: what specimen/ does for any model, bound to this one. */
 
-import { aboutPlant } from "../../web/src/export/about_plant";
-import * as json from "../../web/src/export/json";
-import { foundInFile } from "../../web/src/export/restore";
+import { aboutPlant } from "../../web/src/formats/about_plant";
+import * as json from "../../web/src/formats/json";
+import { foundInFile } from "../../web/src/formats/restore";
 import type { Grown } from "../../web/src/models/bunch/grown";
 import { model } from "../../web/src/models/bunch/index";
 import { PRESETS } from "../../web/src/models/bunch/presets/presets";

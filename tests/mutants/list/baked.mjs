@@ -1,6 +1,6 @@
 /** Pictures of what vertices say and of what is finer, and what they are drawn from. */
-const SRC = "web/src/export";
-const TESTS = "tests/web/export";
+const SRC = "web/src/formats";
+const TESTS = "tests/web/formats";
 const BUNCH = "web/src/models/bunch/parts";
 const BUNCH_TESTS = "tests/web/models/bunch/parts";
 

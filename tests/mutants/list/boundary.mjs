@@ -82,8 +82,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/mesh_file/stl.ts",
-		suites: ["tests/web/controls/mesh_file/mesh_file.test.ts"],
+		file: "web/src/import/mesh_file/stl.ts",
+		suites: ["tests/web/import/mesh_file/mesh_file.test.ts"],
 		faults: [
 			{
 				id: "stl-lies-on-its-back",
@@ -112,8 +112,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/mesh_file/glb.ts",
-		suites: ["tests/web/controls/mesh_file/mesh_file.test.ts"],
+		file: "web/src/import/mesh_file/glb.ts",
+		suites: ["tests/web/import/mesh_file/mesh_file.test.ts"],
 		faults: [
 			{
 				id: "children-are-roots",
@@ -154,7 +154,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/same_document.ts",
+		file: "web/src/ui/same_document.ts",
 		suites: ["tests/web/models/particles/late_files.test.ts"],
 		faults: [
 			{

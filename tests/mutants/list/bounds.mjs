@@ -1,7 +1,7 @@
 /** Meshes and geometry that would take too long, too much memory, or be no numbers. */
 const SOLID = "tests/core/spatial/solid_test.cpp";
-const MESH_FILE = "tests/web/controls/mesh_file/mesh_file.test.ts";
-const IN_WORKER = "tests/web/controls/mesh_file/read_in_worker.test.ts";
+const MESH_FILE = "tests/web/import/mesh_file/mesh_file.test.ts";
+const IN_WORKER = "tests/web/import/mesh_file/read_in_worker.test.ts";
 
 export default [
 	{
@@ -168,7 +168,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/mesh_file/glb.ts",
+		file: "web/src/import/mesh_file/glb.ts",
 		suites: [MESH_FILE],
 		faults: [
 			{
@@ -204,7 +204,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/mesh_file/text_lines.ts",
+		file: "web/src/import/mesh_file/text_lines.ts",
 		suites: [MESH_FILE],
 		faults: [
 			{
@@ -222,7 +222,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/mesh_file/obj.ts",
+		file: "web/src/import/mesh_file/obj.ts",
 		suites: [MESH_FILE],
 		faults: [
 			{
@@ -234,7 +234,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/mesh_file/read_in_worker.ts",
+		file: "web/src/import/mesh_file/read_in_worker.ts",
 		suites: [IN_WORKER],
 		faults: [
 			{

@@ -29,7 +29,7 @@ export default [
 	},
 	{
 		file: `${SRC}/record.ts`,
-		suites: ["tests/web/export/json.test.ts"],
+		suites: ["tests/web/formats/json.test.ts"],
 		faults: [
 			{
 				id: "json-radius-of-the-other-end",
@@ -214,7 +214,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/alike.ts",
+		file: "web/src/formats/alike.ts",
 		suites: [`${TESTS}/parts/instances.test.ts`],
 		faults: [
 			{
@@ -286,8 +286,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/light.ts",
-		suites: ["tests/web/export/light_glb.test.ts"],
+		file: "web/src/formats/light.ts",
+		suites: ["tests/web/formats/light_glb.test.ts"],
 		faults: [
 			{
 				id: "low-berries-never-merged",
@@ -298,8 +298,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/merged_bodies.ts",
-		suites: ["tests/web/export/light_glb.test.ts"],
+		file: "web/src/formats/merged_bodies.ts",
+		suites: ["tests/web/formats/light_glb.test.ts"],
 		faults: [
 			{
 				id: "merged-open-meshes",
@@ -316,8 +316,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/point_tree.ts",
-		suites: ["tests/web/export/point_tree.test.ts"],
+		file: "web/src/formats/point_tree.ts",
+		suites: ["tests/web/formats/point_tree.test.ts"],
 		faults: [
 			{
 				id: "point-tree-one-side",

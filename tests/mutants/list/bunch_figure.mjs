@@ -1,6 +1,6 @@
 /** How the view draws a bunch: who shades whom, what is packed for the shaders, what a pointer finds. */
-const SRC = "web/src/models/bunch/figure";
-const TESTS = "tests/web/models/bunch/figure";
+const SRC = "web/src/models/bunch/render";
+const TESTS = "tests/web/models/bunch/render";
 
 export default [
 	{

@@ -184,8 +184,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/bunch/tools/cane.ts",
-		suites: ["tests/web/models/bunch/tools/cane.test.ts"],
+		file: "web/src/models/bunch/ui/cane.ts",
+		suites: ["tests/web/models/bunch/ui/cane.test.ts"],
 		faults: [
 			{
 				id: "cane-leaves-stay",
@@ -196,8 +196,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/bunch/tools/sides.ts",
-		suites: ["tests/web/models/bunch/tools/sides.test.ts"],
+		file: "web/src/models/bunch/ui/sides.ts",
+		suites: ["tests/web/models/bunch/ui/sides.test.ts"],
 		faults: [
 			{
 				id: "sides-lock-brings-nothing",
@@ -214,8 +214,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/bunch/tools/thinning.ts",
-		suites: ["tests/web/models/bunch/tools/thinning.test.ts"],
+		file: "web/src/models/bunch/ui/thinning.ts",
+		suites: ["tests/web/models/bunch/ui/thinning.test.ts"],
 		faults: [
 			{
 				id: "thinning-of-bare-stems",

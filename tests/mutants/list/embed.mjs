@@ -3,8 +3,8 @@ const EXTRAS = "tests/e2e/element_extras.spec.ts";
 
 export default [
 	{
-		file: "web/src/export/png_link.ts",
-		suites: ["tests/web/export/png_link.test.ts"],
+		file: "web/src/formats/png_link.ts",
+		suites: ["tests/web/formats/png_link.test.ts"],
 		faults: [
 			{
 				id: "png-link-believed-though-damaged",
@@ -21,8 +21,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/files/open.ts",
-		suites: ["tests/web/studio/open.test.ts"],
+		file: "web/src/app/files/open.ts",
+		suites: ["tests/web/app/open.test.ts"],
 		faults: [
 			{
 				id: "picture-opens-without-its-model",
@@ -33,8 +33,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/files/formats.ts",
-		suites: ["tests/web/studio/formats.test.ts"],
+		file: "web/src/app/files/formats.ts",
+		suites: ["tests/web/app/formats.test.ts"],
 		faults: [
 			{
 				id: "picture-without-its-link",
@@ -45,8 +45,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/files/embed_code.ts",
-		suites: ["tests/web/studio/embed_code.test.ts"],
+		file: "web/src/app/files/embed_code.ts",
+		suites: ["tests/web/app/embed_code.test.ts"],
 		faults: [
 			{
 				id: "embed-code-lets-quotes-out",
@@ -69,8 +69,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/handles/handle_ways.ts",
-		suites: ["tests/web/controls/handles/handle_ways.test.ts"],
+		file: "web/src/ui/handles/handle_ways.ts",
+		suites: ["tests/web/ui/handles/handle_ways.test.ts"],
 		faults: [
 			{
 				id: "handle-goes-along-the-sight",
@@ -183,7 +183,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/files/page_weight.ts",
+		file: "web/src/app/files/page_weight.ts",
 		suites: ["tests/e2e/embed.spec.ts: copied code shows the plant"],
 		faults: [
 			{

@@ -1,6 +1,6 @@
 /** Files of any plant, and what is read back from them. */
-const SRC = "web/src/export";
-const TESTS = "tests/web/export";
+const SRC = "web/src/formats";
+const TESTS = "tests/web/formats";
 
 export default [
 	{
@@ -244,8 +244,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/files/zip.ts",
-		suites: ["tests/web/files/zip.test.ts"],
+		file: "web/src/generate/files/zip.ts",
+		suites: ["tests/web/generate/files/zip.test.ts"],
 		faults: [
 			{
 				id: "zip-of-today",

@@ -1,8 +1,8 @@
 /** Downloads, and what brings them into the page. */
 export default [
 	{
-		file: "web/src/studio/files/plant_to_save.ts",
-		suites: ["tests/web/studio/plant_to_save.test.ts"],
+		file: "web/src/app/files/plant_to_save.ts",
+		suites: ["tests/web/app/plant_to_save.test.ts"],
 		faults: [
 			{
 				id: "saved-in-a-stale-look",
@@ -19,8 +19,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/files/exporter.ts",
-		suites: ["tests/web/files/exporter.test.ts"],
+		file: "web/src/generate/files/exporter.ts",
+		suites: ["tests/web/generate/files/exporter.test.ts"],
 		faults: [
 			{
 				id: "exporter-workers-pile-up",
@@ -44,8 +44,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/plant_files.ts",
-		suites: ["tests/web/files/make.test.ts"],
+		file: "web/src/formats/plant_files.ts",
+		suites: ["tests/web/generate/files/make.test.ts"],
 		faults: [
 			{
 				id: "make-instances-everywhere",
@@ -56,8 +56,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/address.ts",
-		suites: ["tests/web/studio/address.test.ts"],
+		file: "web/src/app/address.ts",
+		suites: ["tests/web/app/address.test.ts"],
 		faults: [
 			{
 				id: "address-back-leaves-the-app",
@@ -68,8 +68,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/studio.ts",
-		suites: ["tests/web/studio/studio.test.ts"],
+		file: "web/src/app/studio.ts",
+		suites: ["tests/web/app/studio.test.ts"],
 		faults: [
 			{
 				id: "studio-back-is-a-new-step",
@@ -80,8 +80,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/files/aged.ts",
-		suites: ["tests/web/files/aged.test.ts"],
+		file: "web/src/generate/files/aged.ts",
+		suites: ["tests/web/generate/files/aged.test.ts"],
 		faults: [
 			{
 				id: "aged-always-itself",

@@ -1,6 +1,6 @@
 /** Designing flowers: fitting, assembling, merging, handles. */
 const DESIGN = "web/src/models/flower/design";
-const VIEWS = "web/src/models/flower/tools/design";
+const VIEWS = "web/src/models/flower/ui/design";
 const TESTS = "tests/web/models/flower/design";
 const ASSEMBLED = [`${TESTS}/assembled.test.ts`];
 const MERGE = [`${TESTS}/merge.test.ts`];
@@ -8,7 +8,7 @@ const SCENES = [`${TESTS}/scenes.test.ts`];
 
 export default [
 	{
-		file: "web/src/models/flower/tools/chosen_volume.ts",
+		file: "web/src/models/flower/ui/chosen_volume.ts",
 		suites: ["tests/web/models/flower/chosen_volume.test.ts"],
 		faults: [
 			{

@@ -31,7 +31,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/flower/tools/chosen_volume.ts",
+		file: "web/src/models/flower/ui/chosen_volume.ts",
 		suites: ["tests/web/models/flower/chosen_volume.test.ts"],
 		faults: [
 			{
@@ -43,7 +43,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/flower/tools/said.ts",
+		file: "web/src/models/flower/ui/said.ts",
 		suites: ["tests/web/models/flower/said.test.ts"],
 		faults: [
 			{
@@ -73,7 +73,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/flower/tools/figure_range.ts",
+		file: "web/src/models/flower/ui/figure_range.ts",
 		suites: ["tests/web/models/flower/said.test.ts"],
 		faults: [
 			{
@@ -109,7 +109,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/grammar/source.ts",
+		file: "web/src/grammar_editor/source.ts",
 		suites: ["tests/web/models/flower/values.test.ts"],
 		faults: [
 			{
@@ -127,7 +127,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/flower/tools/text.ts",
+		file: "web/src/models/flower/ui/text.ts",
 		suites: ["tests/web/models/flower/values.test.ts"],
 		faults: [
 			{
@@ -187,7 +187,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/flower/tools/organ.ts",
+		file: "web/src/models/flower/ui/organ.ts",
 		suites: ["tests/web/models/flower/organ.test.ts"],
 		faults: [
 			{

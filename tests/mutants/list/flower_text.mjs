@@ -1,7 +1,7 @@
 /** Flowers' texts: which are known as such, read as statements, as XML. */
 export default [
 	{
-		file: "web/src/models/flower/tools/statements.ts",
+		file: "web/src/models/flower/ui/statements.ts",
 		suites: ["tests/web/models/flower/xml.test.ts", "tests/web/models/flower/said.test.ts"],
 		faults: [
 			{
@@ -74,7 +74,7 @@ export default [
 	},
 	{
 		file: "web/src/specimen/limits.ts",
-		suites: ["tests/web/studio/open.test.ts"],
+		suites: ["tests/web/app/open.test.ts"],
 		faults: [
 			{
 				id: "flower-xml-as-short-as-text",

@@ -1,6 +1,6 @@
 /** The editor of grammars, its sliders and curves. */
-const SRC = "web/src/controls/grammar";
-const TESTS = "tests/web/controls/grammar";
+const SRC = "web/src/grammar_editor";
+const TESTS = "tests/web/grammar_editor";
 
 export default [
 	{
@@ -154,8 +154,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/grammar/range_words.ts",
-		suites: ["tests/web/controls/grammar/range_words.test.ts"],
+		file: "web/src/grammar_editor/range_words.ts",
+		suites: ["tests/web/grammar_editor/range_words.test.ts"],
 		faults: [
 			{
 				id: "range-words-dots-of-numbers",
@@ -174,7 +174,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/grammar/comments.ts",
+		file: "web/src/grammar_editor/comments.ts",
 		suites: ["tests/patterns.test.ts"],
 		faults: [
 			{

@@ -1,12 +1,12 @@
 /** Handles and their drags, wherever they are. */
-const SRC = "web/src/controls/handles";
-const SESSION = "tests/web/controls/handles/drag_session.test.ts";
+const SRC = "web/src/ui/handles";
+const SESSION = "tests/web/ui/handles/drag_session.test.ts";
 const PROFILE = "tests/web/models/bunch/profile";
 
 export default [
 	{
 		file: `${SRC}/value_label.ts`,
-		suites: ["tests/web/controls/handles/value_label.test.ts"],
+		suites: ["tests/web/ui/handles/value_label.test.ts"],
 		faults: [
 			{
 				id: "label-over-other-handles",

@@ -58,8 +58,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/scene/wardrobe.ts",
-		suites: ["tests/web/scene/part_figure.test.ts"],
+		file: "web/src/render/wardrobe.ts",
+		suites: ["tests/web/render/part_figure.test.ts"],
 		faults: [
 			{
 				id: "wardrobe-keeps-first-pictures",
@@ -70,8 +70,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/vertex_colours.ts",
-		suites: ["tests/web/export/glb_textures.test.ts"],
+		file: "web/src/formats/vertex_colours.ts",
+		suites: ["tests/web/formats/glb_textures.test.ts"],
 		faults: [
 			{
 				id: "glb-picture-coloured-twice",

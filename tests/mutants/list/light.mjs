@@ -1,7 +1,7 @@
 /** What only a drawn picture shows: light, shadow, wax. */
 const LIGHT = "tests/e2e/light.spec.ts";
 const CONTEXTS = "tests/e2e/contexts.spec.ts";
-const FIGURE = "web/src/models/bunch/figure";
+const FIGURE = "web/src/models/bunch/render";
 
 export default [
 	{
@@ -50,7 +50,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/scene/light_shader.ts",
+		file: "web/src/render/light_shader.ts",
 		suites: [`${LIGHT}: the key light comes from the upper left`],
 		faults: [
 			{
@@ -62,7 +62,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/scene/capsule_shadow.ts",
+		file: "web/src/render/capsule_shadow.ts",
 		suites: [`${LIGHT}: the bunch's shadow lies on the paper`],
 		faults: [
 			{
@@ -80,7 +80,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/scene/backdrop.ts",
+		file: "web/src/render/backdrop.ts",
 		suites: [`${LIGHT}: the bunch's shadow lies on the paper`],
 		faults: [
 			{
@@ -92,7 +92,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/scene/renderer.ts",
+		file: "web/src/render/renderer.ts",
 		suites: [`${CONTEXTS}: twenty views made and disposed`],
 		faults: [
 			{

@@ -1,8 +1,8 @@
 /** What lets a life run, and the command line. */
 export default [
 	{
-		file: "web/src/controls/life_player.ts",
-		suites: ["tests/web/controls/life_player.test.ts"],
+		file: "web/src/ui/life_player.ts",
+		suites: ["tests/web/ui/life_player.test.ts"],
 		faults: [
 			{
 				id: "life-jumps-after-a-nap",
@@ -44,8 +44,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/life.ts",
-		suites: ["tests/web/controls/life.test.ts"],
+		file: "web/src/ui/life.ts",
+		suites: ["tests/web/ui/life.test.ts"],
 		faults: [
 			{
 				id: "life-stage-too-late",

@@ -64,8 +64,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/renewal.ts",
-		suites: ["tests/web/studio/renewal.test.ts"],
+		file: "web/src/app/renewal.ts",
+		suites: ["tests/web/app/renewal.test.ts"],
 		faults: [
 			{
 				id: "renewal-keeps-against-the-wish",

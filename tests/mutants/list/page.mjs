@@ -4,7 +4,7 @@ const E2E = "tests/e2e";
 export default [
 	{
 		file: "web/index.html",
-		suites: ["tests/web/studio/policy.test.ts", `${E2E}/foreign.spec.ts: the page's own policy`],
+		suites: ["tests/web/app/policy.test.ts", `${E2E}/foreign.spec.ts: the page's own policy`],
 		faults: [
 			{
 				id: "page-without-a-policy",
@@ -47,7 +47,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/solid_view.ts",
+		file: "web/src/app/solid_view.ts",
 		suites: [`${E2E}/thin.spec.ts: a click takes the berry under it off`],
 		faults: [
 			{
@@ -59,7 +59,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/number.ts",
+		file: "web/src/ui/number.ts",
 		suites: [`${E2E}/shape.spec.ts: typed values are taken, clamped with a word`],
 		faults: [
 			{
@@ -71,7 +71,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/held_key.ts",
+		file: "web/src/ui/held_key.ts",
 		suites: [`${E2E}/shape.spec.ts: sliders work by keyboard`],
 		faults: [
 			{
@@ -83,7 +83,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/shortcuts.ts",
+		file: "web/src/app/shortcuts.ts",
 		suites: [`${E2E}/gallery.spec.ts: typing in the field is typing`],
 		faults: [
 			{
@@ -95,7 +95,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/parts/notices.ts",
+		file: "web/src/app/parts/notices.ts",
 		suites: [`${E2E}/link.spec.ts: a malformed link opens what it can`],
 		faults: [
 			{
@@ -107,7 +107,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/typed.ts",
+		file: "web/src/ui/typed.ts",
 		suites: [`${E2E}/keys.spec.ts: a number is typed from its slider`],
 		faults: [
 			{
@@ -119,7 +119,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/pick_pointer.ts",
+		file: "web/src/ui/pick_pointer.ts",
 		suites: [`${E2E}/thin.spec.ts: a drag turns the bunch and takes nothing off`],
 		faults: [
 			{
@@ -132,7 +132,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/parts/speaker.ts",
+		file: "web/src/app/parts/speaker.ts",
 		suites: [`${E2E}/solid_view.spec.ts: a screen reader announces the plant once it rests`],
 		faults: [
 			{
@@ -144,7 +144,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/scene/viewer.ts",
+		file: "web/src/render/viewer.ts",
 		suites: [`${E2E}/solid_view.spec.ts: the 3-D view turns by mouse and keys`],
 		faults: [
 			{
@@ -156,7 +156,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/parts/drop.ts",
+		file: "web/src/app/parts/drop.ts",
 		suites: [`${E2E}/files.spec.ts: GLB: valid, and dropped back it restores its bunch`],
 		faults: [
 			{ id: "drop-nothing", find: "void takeFile(this.desk, file);", replace: "", breaks: "dropped files do nothing" },

@@ -1,6 +1,6 @@
 /** What a person saves in the browser. */
-const SRC = "web/src/studio/saved";
-const TESTS = "tests/web/studio/saved";
+const SRC = "web/src/app/saved";
+const TESTS = "tests/web/app/saved";
 const E2E = "tests/e2e/saved.spec.ts";
 
 export default [
@@ -53,7 +53,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/parts/saved_list.ts",
+		file: "web/src/app/parts/saved_list.ts",
 		suites: [`${E2E}: of 10,000 specimens`],
 		faults: [
 			{
@@ -72,7 +72,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/virtual_rows.ts",
+		file: "web/src/ui/virtual_rows.ts",
 		suites: [`${E2E}: of 10,000 specimens`],
 		faults: [
 			{
@@ -84,7 +84,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/long_list.ts",
+		file: "web/src/ui/long_list.ts",
 		suites: ["tests/e2e/long_texts.spec.ts: of 15,000 constants"],
 		faults: [
 			{
@@ -96,7 +96,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/parts/stage.ts",
+		file: "web/src/app/parts/stage.ts",
 		suites: ["tests/e2e/trouble.spec.ts: without WebGL 2 the button of the grammar"],
 		faults: [
 			{

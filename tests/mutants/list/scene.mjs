@@ -1,11 +1,11 @@
 /** The 3-D view of any plant: camera, light, frames. */
-const SRC = "web/src/scene";
-const TESTS = "tests/web/scene";
+const SRC = "web/src/render";
+const TESTS = "tests/web/render";
 
 export default [
 	{
-		file: "web/src/scene/cut_out.ts",
-		suites: ["tests/web/scene/cut_out.test.ts"],
+		file: "web/src/render/cut_out.ts",
+		suites: ["tests/web/render/cut_out.test.ts"],
 		faults: [
 			{
 				id: "cut-out-edges-dark",
@@ -227,8 +227,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/scene/shell_figure.ts",
-		suites: ["tests/web/scene/shell_figure.test.ts"],
+		file: "web/src/render/shell_figure.ts",
+		suites: ["tests/web/render/shell_figure.test.ts"],
 		faults: [
 			{
 				id: "shell-edges-looked-for-again",
@@ -239,8 +239,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/scene/output_shader.ts",
-		suites: ["tests/web/scene/output_shader.test.ts"],
+		file: "web/src/render/output_shader.ts",
+		suites: ["tests/web/render/output_shader.test.ts"],
 		faults: [
 			{
 				id: "berries-of-another-curve",

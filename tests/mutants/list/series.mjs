@@ -1,6 +1,6 @@
 /** Series of plants: draws, folders, tables, files of several kinds, and labels of points. */
 const FOLDER = ["tests/web/cli/series_folder.test.ts"];
-const LABELS = ["tests/web/export/ply_labels.test.ts"];
+const LABELS = ["tests/web/formats/ply_labels.test.ts"];
 
 export default [
 	{
@@ -143,7 +143,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/ply.ts",
+		file: "web/src/formats/ply.ts",
 		suites: LABELS,
 		faults: [
 			{
@@ -167,8 +167,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/classes.ts",
-		suites: ["tests/web/export/json.test.ts"],
+		file: "web/src/formats/classes.ts",
+		suites: ["tests/web/formats/json.test.ts"],
 		faults: [
 			{
 				id: "classes-without-the-look",

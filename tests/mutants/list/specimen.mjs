@@ -174,7 +174,7 @@ export default [
 	},
 	{
 		file: "web/src/models/bunch/details/thinned.ts",
-		suites: [`${TESTS}/link.test.ts`, `${TESTS}/restore.test.ts`, "tests/web/models/bunch/tools/thinning.test.ts"],
+		suites: [`${TESTS}/link.test.ts`, `${TESTS}/restore.test.ts`, "tests/web/models/bunch/ui/thinning.test.ts"],
 		faults: [
 			{
 				id: "thinned-unlimited",

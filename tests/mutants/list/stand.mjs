@@ -144,8 +144,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/gltf_document.ts",
-		suites: ["tests/web/export/lod_glb.test.ts"],
+		file: "web/src/formats/gltf_document.ts",
+		suites: ["tests/web/formats/lod_glb.test.ts"],
 		faults: [
 			{
 				id: "lod-without-coverage",
@@ -156,8 +156,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/glb.ts",
-		suites: ["tests/web/export/lod_glb.test.ts"],
+		file: "web/src/formats/glb.ts",
+		suites: ["tests/web/formats/lod_glb.test.ts"],
 		faults: [
 			{
 				id: "lod-levels-all-in-the-scene",

@@ -3,7 +3,7 @@ const WEB = "tests/web/models/stand";
 
 export default [
 	{
-		file: "web/src/models/stand/tools/map_colours.ts",
+		file: "web/src/models/stand/ui/map_colours.ts",
 		suites: [`${WEB}/map_colours.test.ts`],
 		faults: [
 			{
@@ -21,7 +21,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/tools/apart.ts",
+		file: "web/src/models/stand/ui/apart.ts",
 		suites: [`${WEB}/apart.test.ts`],
 		faults: [
 			{
@@ -51,7 +51,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/figure/mark_ring.ts",
+		file: "web/src/models/stand/render/mark_ring.ts",
 		suites: [`${WEB}/mark_ring.test.ts`],
 		faults: [
 			{
@@ -93,7 +93,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/figure/ground_figure.ts",
+		file: "web/src/models/stand/render/ground_figure.ts",
 		suites: [`${WEB}/ground_figure.test.ts`],
 		faults: [
 			{
@@ -123,7 +123,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/figure/stand_figure.ts",
+		file: "web/src/models/stand/render/stand_figure.ts",
 		suites: [`${WEB}/stand_figure.test.ts`],
 		faults: [
 			{
@@ -135,7 +135,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/figure/crowd_material.ts",
+		file: "web/src/models/stand/render/crowd_material.ts",
 		suites: [`${WEB}/crowd_material.test.ts`],
 		faults: [
 			{
@@ -165,7 +165,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/tools/map.ts",
+		file: "web/src/models/stand/ui/map.ts",
 		suites: [`${WEB}/map.test.ts`],
 		faults: [
 			{
@@ -219,7 +219,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/figure/brims.ts",
+		file: "web/src/models/stand/render/brims.ts",
 		suites: [`${WEB}/brims.test.ts`],
 		faults: [
 			{

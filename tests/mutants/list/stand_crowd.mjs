@@ -3,7 +3,7 @@ const WEB = "tests/web/models/stand";
 
 export default [
 	{
-		file: "web/src/models/stand/figure/crowd.ts",
+		file: "web/src/models/stand/render/crowd.ts",
 		suites: [`${WEB}/crowd.test.ts`],
 		faults: [
 			{
@@ -45,7 +45,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/figure/level_choice.ts",
+		file: "web/src/models/stand/render/level_choice.ts",
 		suites: [`${WEB}/parts.test.ts`],
 		faults: [
 			{
@@ -57,7 +57,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/figure/standing.ts",
+		file: "web/src/models/stand/render/standing.ts",
 		suites: [`${WEB}/crowd.test.ts`],
 		faults: [
 			{
@@ -69,7 +69,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/figure/batch.ts",
+		file: "web/src/models/stand/render/batch.ts",
 		suites: [`${WEB}/crowd.test.ts`],
 		faults: [
 			{
@@ -94,7 +94,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/figure/shaded.ts",
+		file: "web/src/models/stand/render/shaded.ts",
 		suites: [`${WEB}/parts.test.ts`],
 		faults: [
 			{

@@ -1,6 +1,6 @@
 /** Derivations step by step: what is read of them, what shines, what is met. */
-const SRC = "web/src/controls/grammar";
-const TESTS = "tests/web/controls/grammar";
+const SRC = "web/src/grammar_editor";
+const TESTS = "tests/web/grammar_editor";
 
 export default [
 	{
@@ -108,8 +108,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/solid_view.ts",
-		suites: ["tests/web/studio/solid_view.test.ts"],
+		file: "web/src/app/solid_view.ts",
+		suites: ["tests/web/app/solid_view.test.ts"],
 		faults: [
 			{
 				id: "stepper-picture-of-a-step",

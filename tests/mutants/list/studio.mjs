@@ -1,6 +1,6 @@
 /** The page's state and what moves it. */
-const SRC = "web/src/studio";
-const TESTS = "tests/web/studio";
+const SRC = "web/src/app";
+const TESTS = "tests/web/app";
 
 export default [
 	{
@@ -154,8 +154,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/change.ts",
-		suites: ["tests/web/controls/change.test.ts"],
+		file: "web/src/ui/change.ts",
+		suites: ["tests/web/ui/change.test.ts"],
 		faults: [
 			{
 				id: "change-same-seed-again",
@@ -196,8 +196,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/notice_list.ts",
-		suites: ["tests/web/studio/studio.test.ts"],
+		file: "web/src/app/notice_list.ts",
+		suites: ["tests/web/app/studio.test.ts"],
 		faults: [
 			{
 				id: "studio-warns-of-what-is-no-more",

@@ -1,6 +1,6 @@
 /** The 3-D view in the studio, the page's keys, and links that are read late. */
-const SRC = "web/src/studio";
-const TESTS = "tests/web/studio";
+const SRC = "web/src/app";
+const TESTS = "tests/web/app";
 
 export default [
 	{
@@ -48,7 +48,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/scene/orbit_keys.ts",
+		file: "web/src/render/orbit_keys.ts",
 		suites: [`${TESTS}/solid_view.test.ts`],
 		faults: [
 			{
@@ -66,8 +66,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/shortcuts.ts",
-		suites: ["tests/web/studio/shortcut_keys.test.ts"],
+		file: "web/src/app/shortcuts.ts",
+		suites: ["tests/web/app/shortcut_keys.test.ts"],
 		faults: [
 			{
 				id: "shortcuts-behind-dialogs",
@@ -78,8 +78,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/late_link.ts",
-		suites: ["tests/web/studio/late_link.test.ts"],
+		file: "web/src/app/late_link.ts",
+		suites: ["tests/web/app/late_link.test.ts"],
 		faults: [
 			{
 				id: "late-link-overwrites",

@@ -57,8 +57,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/asking.ts",
-		suites: ["tests/web/studio/asking.test.ts"],
+		file: "web/src/app/asking.ts",
+		suites: ["tests/web/app/asking.test.ts"],
 		faults: [
 			{
 				id: "asking-forgets-what-it-holds",

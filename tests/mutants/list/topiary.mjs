@@ -96,7 +96,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/grammar/tools/warnings.ts",
+		file: "web/src/models/grammar/ui/warnings.ts",
 		suites: ["tests/web/models/grammar/warnings.test.ts"],
 		faults: [
 			{
@@ -126,8 +126,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/scene/shell_figure.ts",
-		suites: ["tests/web/scene/shell_marks.test.ts"],
+		file: "web/src/render/shell_figure.ts",
+		suites: ["tests/web/render/shell_marks.test.ts"],
 		faults: [
 			{
 				id: "shells-marked-by-their-parts",

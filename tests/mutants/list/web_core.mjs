@@ -192,8 +192,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/limits.ts",
-		suites: ["tests/web/export/limits.test.ts"],
+		file: "web/src/formats/limits.ts",
+		suites: ["tests/web/formats/limits.test.ts"],
 		faults: [
 			{
 				id: "export-instances-count-once",
@@ -204,8 +204,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/text_buffer.ts",
-		suites: ["tests/web/export/limits.test.ts"],
+		file: "web/src/formats/text_buffer.ts",
+		suites: ["tests/web/formats/limits.test.ts"],
 		faults: [
 			{
 				id: "text-buffer-without-limit",

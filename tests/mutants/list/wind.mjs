@@ -1,8 +1,8 @@
 /** Wind: in the view and in files. */
 export default [
 	{
-		file: "web/src/scene/part_figure.ts",
-		suites: ["tests/web/scene/part_figure.test.ts"],
+		file: "web/src/render/part_figure.ts",
+		suites: ["tests/web/render/part_figure.test.ts"],
 		faults: [
 			{
 				id: "wind-lost-shadows-stay-away",
@@ -14,7 +14,7 @@ export default [
 				id: "marks-share-buffers",
 				find: "only.setAttribute(name, new BufferAttribute(values, 3));",
 				replace: "only.setAttribute(name, values.length > 0 ? attribute : attribute);",
-				suites: ["tests/web/scene/part_marks.test.ts"],
+				suites: ["tests/web/render/part_marks.test.ts"],
 				breaks: "a mark that goes takes the plant's buffers on the graphics card along",
 			},
 		],
@@ -33,7 +33,7 @@ export default [
 	},
 	{
 		file: "web/src/plant/swing.ts",
-		suites: ["tests/web/plant/sway.test.ts", "tests/web/export/wind_glb.test.ts"],
+		suites: ["tests/web/plant/sway.test.ts", "tests/web/formats/wind_glb.test.ts"],
 		faults: [
 			{
 				id: "wind-foot-slides",
@@ -50,8 +50,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/wind_glb.ts",
-		suites: ["tests/web/export/wind_glb.test.ts"],
+		file: "web/src/formats/wind_glb.ts",
+		suites: ["tests/web/formats/wind_glb.test.ts"],
 		faults: [
 			{
 				id: "wind-file-feet-lost",
@@ -62,7 +62,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/scene/wind.ts",
+		file: "web/src/render/wind.ts",
 		suites: ["tests/e2e/wind.spec.ts: draws sways while the wind blows, and is at rest before, after and in pictures"],
 		faults: [
 			{

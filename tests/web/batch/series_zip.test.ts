@@ -4,7 +4,7 @@ import { independentDraws } from "../../../web/src/batch/draws";
 import { zipOf } from "../../../web/src/batch/series_zip";
 import { readVary } from "../../../web/src/batch/vary";
 import { run } from "../../../web/src/cli/run";
-import { makeFile } from "../../../web/src/files/make";
+import { makeFile } from "../../../web/src/generate/files/make";
 import { model as bunch } from "../../../web/src/models/bunch/index";
 import type { Model } from "../../../web/src/models/model";
 import { withParameters } from "../../../web/src/specimen/edit";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { documentOf } from "../export/reading";
+import { documentOf } from "../formats/reading";
 import { grow } from "./world";
 
 describe("files with meshes", () => {

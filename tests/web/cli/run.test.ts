@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { run } from "../../../web/src/cli/run";
 import { PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { encodeLink, restore, specimenFromPreset, withParameters } from "../bunch";
-import { documentOf } from "../export/reading";
+import { documentOf } from "../formats/reading";
 import { complaint, grow, memoryWorld } from "./world";
 
 const meant = (json: { specimen: unknown }) => restore(json.specimen).specimen;

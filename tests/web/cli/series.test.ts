@@ -3,7 +3,7 @@ import { unzipSync } from "fflate";
 import { describe, expect, it } from "vitest";
 import { crc32 } from "../../../web/src/batch/crc32";
 import { run } from "../../../web/src/cli/run";
-import { documentOf } from "../export/reading";
+import { documentOf } from "../formats/reading";
 import { complaint, grow, memoryWorld } from "./world";
 
 const SMALL = ["redcurrant", "--set", "count=5", "--out", "d"];

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import type { Pool } from "../../../web/src/core/pool";
 import { Commons } from "../../../web/src/element/commons";
-import type { Renderer } from "../../../web/src/scene/renderer";
+import type { Renderer } from "../../../web/src/render/renderer";
 
 const pool = vi.fn(() => ({ close: vi.fn() }) as unknown as Pool);
 const renderer = vi.fn(async () => ({ dispose: vi.fn() }) as unknown as Renderer);

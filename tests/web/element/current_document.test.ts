@@ -3,7 +3,7 @@ import { CurrentDocument } from "../../../web/src/element/current_document";
 import { changedIn, documentOf } from "../../../web/src/element/grown_detail";
 import { withSeed } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../bunch";
-import { bunchModel } from "../studio/desk";
+import { bunchModel } from "../app/desk";
 
 const first = documentOf(bunchModel, { specimen: specimenFromPreset(), notes: [] });
 const seeded = (seed: number) => (before: typeof first) => changedIn(before, (specimen) => withSeed(specimen, seed));

@@ -9,7 +9,7 @@ import {
 } from "three";
 import { describe, expect, it } from "vitest";
 import { toObject3D } from "../../../web/src/library/three";
-import { load } from "../export/reading";
+import { load } from "../formats/reading";
 import { type Grown, grow, SMALL, toGLB } from "./growing";
 
 type Drawn = Mesh<Mesh["geometry"], MeshStandardMaterial>;

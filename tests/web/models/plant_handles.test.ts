@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../web/src/controls/change";
-import type { PlantHandle, PlantHandles, Vector } from "../../../web/src/controls/handles/plant_handle";
+import { apply } from "../../../web/src/ui/change";
+import type { PlantHandle, PlantHandles, Vector } from "../../../web/src/ui/handles/plant_handle";
 import { modelNamed, modelNames } from "../../../web/src/models/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";

@@ -11,7 +11,7 @@ import { put, volumesOf } from "../../../web/src/models/growth/volumes/volume_to
 import type { Model } from "../../../web/src/models/model";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
-import { titleOf } from "../../../web/src/studio/title";
+import { titleOf } from "../../../web/src/app/title";
 
 const OWN = "footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)\ntree -> trunk\n";
 const tree = (grammar: string) =>

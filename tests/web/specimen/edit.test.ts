@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../web/src/controls/change";
+import { apply } from "../../../web/src/ui/change";
 import { NUMBER_KEYS } from "../../../web/src/models/bunch/parameters.generated";
 import { withSeed } from "../../../web/src/specimen/edit";
 import { change, startHistory, undo } from "../../../web/src/specimen/history";

@@ -39,7 +39,7 @@ export function outputs() {
 	];
 	return [
 		{
-			path: "web/src/controls/grammar/words.generated.ts",
+			path: "web/src/grammar_editor/words.generated.ts",
 			text: `// Made from wasm-core/parameters/turtle.json and language.json by wasm-core/tools/generate.mjs; edit the tables, not this.
 
 /** What the notation of grammars knows: the turtle's symbols, what begins a statement, functions. */

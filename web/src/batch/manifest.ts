@@ -2,8 +2,8 @@
  * The manifest of a series, `series.json` beside its table: everything that determines its files. Two calls with equal manifests make the same
  * files, so that one can continue another; series with different manifests must not share a folder.
  */
-import { GENERATOR } from "../export/generator";
-import type { FileOptions } from "../export/plant_files";
+import { GENERATOR } from "../formats/generator";
+import type { FileOptions } from "../formats/plant_files";
 import { DEFAULT_SEED } from "../specimen/from_preset";
 import { encodeQuery, textsOf } from "../specimen/link";
 import { formatGoal } from "./goals";

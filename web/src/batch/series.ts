@@ -1,7 +1,7 @@
 /** Many plants of one model that differ in seed and in what is varied: the same on any machine, in any order. */
 
-import { type FileOptions, PLANT_FILES } from "../export/plant_files";
-import type { FileRequest } from "../files/messages";
+import { type FileOptions, PLANT_FILES } from "../formats/plant_files";
+import type { FileRequest } from "../generate/files/messages";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";

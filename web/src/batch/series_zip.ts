@@ -1,5 +1,5 @@
 /** A series as one archive: what the command line puts into a folder, byte for byte. */
-import { ZipStream } from "../files/zip";
+import { ZipStream } from "../generate/files/zip";
 import { formatManifest, MANIFEST, manifestOf } from "./manifest";
 import { growMember, type Means, memberOf, type Series } from "./series";
 import { columnsOf, failedRow, rowOf, written } from "./table";

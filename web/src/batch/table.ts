@@ -1,7 +1,7 @@
 /** The table of a series: a line for each plant, with all that brings it back and what was measured. */
-import { classesOf, descriptorsOf } from "../export/classes";
-import { type Cell, writeCsv } from "../export/csv";
-import { measureValues } from "../export/measures";
+import { classesOf, descriptorsOf } from "../formats/classes";
+import { type Cell, writeCsv } from "../formats/csv";
+import { measureValues } from "../formats/measures";
 import { splitCells, splitRows } from "./csv_rows";
 import type { Grown, Member, Series } from "./series";
 

@@ -1,6 +1,6 @@
 /** The words of the command line → what is asked for, still unread. */
 import { parseArgs } from "node:util";
-import type { FileOptions } from "../export/plant_files";
+import type { FileOptions } from "../formats/plant_files";
 import { type ChronicleAsked, MOST_TOLD } from "../plant/chronicle";
 import { BATCH_OPTIONS, type BatchCall, readBatch } from "./batch_arguments";
 import { UsageError } from "./usage";

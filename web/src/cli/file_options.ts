@@ -1,5 +1,5 @@
 /** Options of files (`--points 5000`): refused where no file uses them, since a silent nothing would spoil a series. */
-import { type FileOptions, PLANT_FILES } from "../export/plant_files";
+import { type FileOptions, PLANT_FILES } from "../formats/plant_files";
 import { UsageError } from "./usage";
 
 /**

@@ -1,10 +1,10 @@
 /** What the command can write of a plant. */
 import { basename, dirname, join } from "node:path";
-import { aboutPlant } from "../export/about_plant";
-import { writeJson } from "../export/json";
-import { writeObj } from "../export/obj";
-import { type FileOptions, type Further, PLANT_FILES, plantFile } from "../export/plant_files";
-import { swayed } from "../files/swayed";
+import { aboutPlant } from "../formats/about_plant";
+import { writeJson } from "../formats/json";
+import { writeObj } from "../formats/obj";
+import { type FileOptions, type Further, PLANT_FILES, plantFile } from "../formats/plant_files";
+import { swayed } from "../generate/files/swayed";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";

@@ -2,7 +2,7 @@
 
 import { formatsOf } from "../batch/series";
 
-import { FORMS, LOW_TRIANGLES, POINTS, THICKNESS } from "../export/plant_files";
+import { FORMS, LOW_TRIANGLES, POINTS, THICKNESS } from "../formats/plant_files";
 
 import { DEFAULT_MODEL } from "../models/index";
 import type { Model } from "../models/model";

@@ -7,7 +7,7 @@ import { holdScripts } from "../core/hold_scripts";
 import { compileCore } from "../core/loader";
 import { Pool } from "../core/pool";
 import { spawnWorker } from "../core/spawn";
-import type { Renderer } from "../scene/renderer";
+import type { Renderer } from "../render/renderer";
 import { loadScene } from "./figures";
 
 /** A page that puts one plant in another's place need not start anew. */
@@ -82,6 +82,6 @@ function holdOwn(): void {
 }
 
 async function ownRenderer(): Promise<Renderer> {
-	const [, { Renderer }] = await Promise.all([loadScene(), import("../scene/renderer")]);
+	const [, { Renderer }] = await Promise.all([loadScene(), import("../render/renderer")]);
 	return new Renderer();
 }

@@ -2,10 +2,10 @@
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { swayOf } from "../plant/sway";
-import type { FigureMaker } from "../scene/figure";
+import type { FigureMaker } from "../render/figure";
 import type { Specimen } from "../specimen/specimen";
 
-type SceneModule = typeof import("../scene/viewer");
+type SceneModule = typeof import("../render/viewer");
 type Maker = FigureMaker<Specimen, Plant>;
 
 let loading: Promise<SceneModule> | undefined;
@@ -14,7 +14,7 @@ const figures = new Map<Model, Promise<Maker>>();
 /** Starts loading the scene's script, the largest of the page; asked for again, it is the same one, unless it failed. */
 export function loadScene(): Promise<SceneModule> {
 	if (loading) return loading;
-	const scene = import("../scene/viewer");
+	const scene = import("../render/viewer");
 	loading = scene;
 	scene.catch(() => {
 		loading = undefined;
@@ -28,7 +28,7 @@ export function loadFigure(model: Model): Promise<Maker> {
 	if (before) return before;
 	const figure =
 		model.figure?.() ??
-		import("../scene/part_figure").then(({ partFigure }) =>
+		import("../render/part_figure").then(({ partFigure }) =>
 			partFigure(
 				(grown, from) => model.parts(grown, from),
 				undefined,

@@ -1,5 +1,5 @@
 /** What an element shows, and what it tells of it. */
-import { measuresOf, type WrittenMeasures } from "../export/measures";
+import { measuresOf, type WrittenMeasures } from "../formats/measures";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";

@@ -5,8 +5,8 @@
 import type { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
 import { Superseded } from "../core/errors";
-import type { FileOptions } from "../export/plant_files";
-import { withLink } from "../export/png_link";
+import type { FileOptions } from "../formats/plant_files";
+import { withLink } from "../formats/png_link";
 import type { GrowthOptions } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
@@ -102,7 +102,7 @@ export class PanicleSpecimen extends HTMLElement {
 	/** A file of the plant, by the key of its kind: `glb`, `glb-web`, `usdz`, `obj` (a ZIP), `json`, … */
 	async toFile(format: string, options: FileOptions = {}): Promise<Blob> {
 		const { model, specimen, grown } = await this.#whole();
-		const { exportFile } = await import("../files/exporter");
+		const { exportFile } = await import("../generate/files/exporter");
 		const link = await encodeLink(model, specimen);
 		const core = coreAddress(model.wasm);
 		const name = specimen.preset;

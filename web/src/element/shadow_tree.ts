@@ -1,5 +1,5 @@
 /** What is inside the element: a canvas, a picture until that is drawn, and words for when it is not. */
-import { ORBIT_KEYS } from "../scene/orbit_keys";
+import { ORBIT_KEYS } from "../render/orbit_keys";
 import { ELEMENT_STYLE } from "./element_style";
 
 export interface ShadowTree {

@@ -1,9 +1,9 @@
 /** The picture of an element's plant: a viewer on the page's one context of the graphics card, turned by hand, by keys or by itself. */
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
-import type { Ray } from "../scene/figure";
-import { turnedBy } from "../scene/orbit_keys";
-import type { Viewer } from "../scene/viewer";
+import type { Ray } from "../render/figure";
+import { turnedBy } from "../render/orbit_keys";
+import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
 import type { Commons } from "./commons";
 import { loadFigure, loadScene } from "./figures";

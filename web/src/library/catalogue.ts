@@ -1,5 +1,5 @@
 /** What there is to grow: models, and of each its presets, parameters, measures and files. */
-import { PLANT_FILES } from "../export/plant_files";
+import { PLANT_FILES } from "../formats/plant_files";
 import { isModel, modelNamed, modelNames } from "../models/index";
 import type { Model } from "../models/model";
 import { quote } from "../specimen/notes";

@@ -1,10 +1,10 @@
 /** Files of grown specimens: all that the app's Download and the command line write, but for pictures. */
-import { aboutPlant } from "../export/about_plant";
-import { exportJson, type OrganRecord, type SegmentRecord } from "../export/json";
-import { exportObj } from "../export/obj";
-import { FILE_RANGES, type FileOptions } from "../export/plant_files";
-import { hasAges } from "../files/aged";
-import { makeFile } from "../files/make";
+import { aboutPlant } from "../formats/about_plant";
+import { exportJson, type OrganRecord, type SegmentRecord } from "../formats/json";
+import { exportObj } from "../formats/obj";
+import { FILE_RANGES, type FileOptions } from "../formats/plant_files";
+import { hasAges } from "../generate/files/aged";
+import { makeFile } from "../generate/files/make";
 import { modelNamed } from "../models/index";
 import type { Model } from "../models/model";
 import type { Part } from "../plant/part";

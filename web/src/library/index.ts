@@ -4,8 +4,8 @@
  * @packageDocumentation
  */
 export { CoreError, type CoreReason, CoreTrap, UnsupportedError } from "../core/errors";
-export type { OrganRecord, SegmentRecord, Vector } from "../export/json";
-export type { FileOptions } from "../export/plant_files";
+export type { OrganRecord, SegmentRecord, Vector } from "../formats/json";
+export type { FileOptions } from "../formats/plant_files";
 export type { Chance, Chronicle, ModuleAnswer, ModuleSpan, Refusal, TextPlace, ToldModule } from "../plant/chronicle";
 export type { Colour } from "../plant/colour";
 export type { Material, Picture, Textures } from "../plant/material";

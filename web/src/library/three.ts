@@ -4,13 +4,13 @@
  * @packageDocumentation
  */
 import { Group, InstancedBufferAttribute, InstancedMesh, type MeshStandardMaterial } from "three";
-import { writtenColours } from "../export/vertex_colours";
+import { writtenColours } from "../formats/vertex_colours";
 import type { Material } from "../plant/material";
 import { everyPart, type Part, type PartMesh, type Shape } from "../plant/part";
 import { everywhere, shaded } from "../plant/shade";
-import { PartMeshes } from "../scene/part_meshes";
-import { pictureTexture } from "../scene/picture_texture";
-import { plainMaterial } from "../scene/standard_material";
+import { PartMeshes } from "../render/part_meshes";
+import { pictureTexture } from "../render/picture_texture";
+import { plainMaterial } from "../render/standard_material";
 import { partsOf } from "./files";
 import type { Grown } from "./grow";
 

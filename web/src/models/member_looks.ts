@@ -51,7 +51,7 @@ export async function levelsOf(
 
 /** What makes no levels is merged and made light, as files are. */
 async function lighter(parts: Iterable<Part>): Promise<Part[][]> {
-	const { lightParts } = await import("../export/light");
+	const { lightParts } = await import("../formats/light");
 	let from = [...parts];
 	const levels: Part[][] = [];
 	for (const triangles of TRIANGLES) {

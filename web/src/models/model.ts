@@ -6,15 +6,15 @@
  * What is here at once is small: document, container, words. What needs Lit or three.js comes by `studio()` and
  * `figure()`, so that the command line and workers never load it.
  */
-import type { HandlesOf } from "../controls/handles/plant_handle";
-import type { Face } from "../controls/tool";
+import type { HandlesOf } from "../ui/handles/plant_handle";
+import type { Face } from "../ui/tool";
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
-import type { PointLabels } from "../export/about";
+import type { PointLabels } from "../formats/about";
 import type { ChronicleAsked } from "../plant/chronicle";
 import type { Part } from "../plant/part";
 import type { Plant } from "../plant/plant";
-import type { FigureMaker } from "../scene/figure";
+import type { FigureMaker } from "../render/figure";
 import type { Descriptor } from "../specimen/measures";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";

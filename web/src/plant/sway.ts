@@ -1,7 +1,7 @@
 /**
  * How a calm wind moves a plant: a place of it by where it is, so that whatever touches stays together, whosever mesh it is in; what
  * is held by its foot (a leaf) goes with that, and turns a little about it. All in one beat, so that a sine and a cosine of time
- * say all. Here is what of it is a plant's own; the view's shader (scene/wind.ts) and files (swing.ts) move a place by that.
+ * say all. Here is what of it is a plant's own; the view's shader (render/wind.ts) and files (swing.ts) move a place by that.
  */
 import type { Vector } from "./part";
 import type { Plant } from "./plant";

@@ -1,4 +1,4 @@
-/** How wind moves a place of a plant, by the numbers of plant/sway.ts: for files. Shaders have the same in scene/wind.ts. */
+/** How wind moves a place of a plant, by the numbers of plant/sway.ts: for files. Shaders have the same in render/wind.ts. */
 import type { Vector } from "./part";
 import { BRANCH, FLUTTER, LEAF, type Sway, TRUNK, WAVE } from "./sway";
 

@@ -8,7 +8,7 @@
  *   is brought into range as everywhere, with a note. Texts that a link has in its fragment, which no server is sent, come as
  *   further keys: `g=…`.
  */
-import { FILE_RANGES, type FileOptions } from "../export/plant_files";
+import { FILE_RANGES, type FileOptions } from "../formats/plant_files";
 import { isModel, modelNamed } from "../models/index";
 import type { Model } from "../models/model";
 import { decodeLink, modelInQuery } from "../specimen/link";

@@ -10,7 +10,7 @@ export interface ClosedMesh {
 	triangles: number[];
 }
 
-/** What controls/mesh_file/closed.ts leaves at the most. */
+/** What import/mesh_file/closed.ts leaves at the most. */
 export const MOST_TRIANGLES = 4000;
 
 /** Whether two meshes are the same, number by number. */

@@ -1,6 +1,6 @@
 /** The fingerprint of docs/fingerprint.md, computed from what a growth and its JSON hold. */
 
-import type { RecordedRows } from "../../../../web/src/export/json";
+import type { RecordedRows } from "../../../../web/src/formats/json";
 import {
 	type Berries,
 	INTERNODE_KINDS,

@@ -10,7 +10,7 @@ import { linear } from "../../../../web/src/plant/colour";
 import type { Picture } from "../../../../web/src/plant/material";
 import { specimenFromPreset, withParameters } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
-import { documentOf } from "../../export/reading";
+import { documentOf } from "../../formats/reading";
 import { bunchGlb } from "./parts/files";
 
 const bare = specimenFromPreset("rubus");

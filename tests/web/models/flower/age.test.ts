@@ -1,18 +1,18 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import { stageOf } from "../../../../web/src/controls/life";
-import { LifePlayer, type PlayState } from "../../../../web/src/controls/life_player";
-import type { Tool } from "../../../../web/src/controls/tool";
+import { stageOf } from "../../../../web/src/ui/life";
+import { LifePlayer, type PlayState } from "../../../../web/src/ui/life_player";
+import type { Tool } from "../../../../web/src/ui/tool";
 import { model as flower } from "../../../../web/src/models/flower/index";
 import { PRESETS } from "../../../../web/src/models/flower/presets.generated";
 import { fetchTexts, heedsAge } from "../../../../web/src/models/flower/texts";
-import { age as flowerAge, LIFE } from "../../../../web/src/models/flower/tools/age";
+import { age as flowerAge, LIFE } from "../../../../web/src/models/flower/ui/age";
 import { model as growth } from "../../../../web/src/models/growth/index";
-import { LIFE as OF_TREES } from "../../../../web/src/models/growth/tools/age";
+import { LIFE as OF_TREES } from "../../../../web/src/models/growth/ui/age";
 import type { Model } from "../../../../web/src/models/model";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import type { NumberEntry } from "../../../../web/src/specimen/table";
-import { applying, groupsFor } from "../../../../web/src/studio/panel_groups";
-import { studioWith } from "../../studio/desk";
+import { applying, groupsFor } from "../../../../web/src/app/panel_groups";
+import { studioWith } from "../../app/desk";
 
 const tulip = fromPreset(flower, "tulip");
 const FRAME = 20;

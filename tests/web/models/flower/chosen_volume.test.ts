@@ -2,7 +2,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { type FlowerPlant, readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
-import { chosenOf, stillChosen } from "../../../../web/src/models/flower/tools/chosen_volume";
+import { chosenOf, stillChosen } from "../../../../web/src/models/flower/ui/chosen_volume";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { freshCore } from "../../core/wasm";
 

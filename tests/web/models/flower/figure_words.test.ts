@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { figureWords } from "../../../../web/src/models/flower/tools/figure_words";
+import { figureWords } from "../../../../web/src/models/flower/ui/figure_words";
 
 const TEXT = `#define length=325 /* 160 … 530 mm, of the stem */
 #define bend=2

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { exportJson } from "../../../../web/src/export/json";
+import { exportJson } from "../../../../web/src/formats/json";
 import { type FlowerPlant, readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
 import { volumesTable } from "../../../../web/src/models/flower/record";

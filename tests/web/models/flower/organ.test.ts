@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import { type FlowerPlant, readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
-import { organOf, placeOfVolume, titleOfVolume } from "../../../../web/src/models/flower/tools/organ";
+import { organOf, placeOfVolume, titleOfVolume } from "../../../../web/src/models/flower/ui/organ";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { freshCore } from "../../core/wasm";
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { aboutPlant } from "../../../../web/src/export/about_plant";
-import { exportGlb } from "../../../../web/src/export/glb";
+import { aboutPlant } from "../../../../web/src/formats/about_plant";
+import { exportGlb } from "../../../../web/src/formats/glb";
 import { readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
 import { colourAt, colourFromAfar, type Paint, paintsOf, pictureOf } from "../../../../web/src/models/flower/paint";
@@ -9,7 +9,7 @@ import type { Part } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { inRun } from "../../../long_run.mjs";
 import { freshCore } from "../../core/wasm";
-import { documentOf } from "../../export/reading";
+import { documentOf } from "../../formats/reading";
 
 await fetchTexts();
 const core = await freshCore("flower.wasm");

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { rangeFor, rangeSaid, within } from "../../../../web/src/models/flower/tools/figure_range";
-import { saidOf } from "../../../../web/src/models/flower/tools/said";
+import { rangeFor, rangeSaid, within } from "../../../../web/src/models/flower/ui/figure_range";
+import { saidOf } from "../../../../web/src/models/flower/ui/said";
 
 const TEXT = `#define length=320 @ of the stem @
 #define STEM(12,0,-3.5,0,20,7,length/40,1)

@@ -1,7 +1,7 @@
 /** How a text was derived, as the model gives it. */
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { exportJson, writeJson } from "../../../../web/src/export/json";
+import { exportJson, writeJson } from "../../../../web/src/formats/json";
 import type { GrammarPlant } from "../../../../web/src/models/grammar/grammar_plant";
 import { model } from "../../../../web/src/models/grammar/index";
 import type { GrammarSpecimen } from "../../../../web/src/models/grammar/specimen";

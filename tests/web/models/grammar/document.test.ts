@@ -11,7 +11,7 @@ import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { decodeLink, encodeLink } from "../../../../web/src/specimen/link";
 import { restore } from "../../../../web/src/specimen/restore";
 import { writtenSpecimen } from "../../../../web/src/specimen/written";
-import { titleOf } from "../../../../web/src/studio/title";
+import { titleOf } from "../../../../web/src/app/title";
 
 const standard = fromPreset(model);
 const linked = async (specimen: typeof standard) => {

@@ -1,18 +1,18 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { aboutPlant } from "../../../../web/src/export/about_plant";
-import { exportGlb } from "../../../../web/src/export/glb";
-import { exportJson } from "../../../../web/src/export/json";
+import { aboutPlant } from "../../../../web/src/formats/about_plant";
+import { exportGlb } from "../../../../web/src/formats/glb";
+import { exportJson } from "../../../../web/src/formats/json";
 import type { GrammarPlant } from "../../../../web/src/models/grammar/grammar_plant";
 import { model } from "../../../../web/src/models/grammar/index";
 import type { AreaRecord } from "../../../../web/src/models/grammar/record";
 import type { RequestOptions } from "../../../../web/src/models/grammar/request";
 import type { GrammarSpecimen } from "../../../../web/src/models/grammar/specimen";
 import { fetchTexts } from "../../../../web/src/models/grammar/texts";
-import { readout } from "../../../../web/src/models/grammar/tools/readout";
+import { readout } from "../../../../web/src/models/grammar/ui/readout";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { freshCore } from "../../core/wasm";
-import { complaints } from "../../export/reading";
+import { complaints } from "../../formats/reading";
 
 let core: Core;
 beforeAll(async () => {

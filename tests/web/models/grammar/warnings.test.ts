@@ -4,7 +4,7 @@ import type { Core } from "../../../../web/src/core/core";
 import { model } from "../../../../web/src/models/grammar/index";
 import type { GrammarSpecimen } from "../../../../web/src/models/grammar/specimen";
 import { fetchTexts } from "../../../../web/src/models/grammar/texts";
-import { bareAreas, warningsOf } from "../../../../web/src/models/grammar/tools/warnings";
+import { bareAreas, warningsOf } from "../../../../web/src/models/grammar/ui/warnings";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { inRun } from "../../../long_run.mjs";
 import { freshCore } from "../../core/wasm";

@@ -10,7 +10,7 @@ import { leafFromPreset } from "../../../../web/src/models/leaf/species";
 import type { Picture } from "../../../../web/src/plant/material";
 import type { PartMesh, Shape } from "../../../../web/src/plant/part";
 import type { PlantMesh } from "../../../../web/src/plant/plant";
-import { complaints, documentOf } from "../../export/reading";
+import { complaints, documentOf } from "../../formats/reading";
 
 const specimen = leafFromPreset("grapevine");
 let leaf: Leaf;

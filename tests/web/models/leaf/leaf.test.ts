@@ -2,11 +2,11 @@ import { readFile } from "node:fs/promises";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../web/src/core/loader";
-import { aboutPlant } from "../../../../web/src/export/about_plant";
-import { exportGlb } from "../../../../web/src/export/glb";
-import { exportJson } from "../../../../web/src/export/json";
-import { exportObj } from "../../../../web/src/export/obj";
-import { png } from "../../../../web/src/export/png";
+import { aboutPlant } from "../../../../web/src/formats/about_plant";
+import { exportGlb } from "../../../../web/src/formats/glb";
+import { exportJson } from "../../../../web/src/formats/json";
+import { exportObj } from "../../../../web/src/formats/obj";
+import { png } from "../../../../web/src/formats/png";
 import type { Leaf } from "../../../../web/src/models/leaf/grown";
 import { model } from "../../../../web/src/models/leaf/index";
 import { movePoint } from "../../../../web/src/models/leaf/outline/points";
@@ -20,7 +20,7 @@ import type { Picture } from "../../../../web/src/plant/material";
 import type { PartMesh } from "../../../../web/src/plant/part";
 import { decodeLink, encodeLink } from "../../../../web/src/specimen/link";
 import { inRun, namesInRun } from "../../../long_run.mjs";
-import { documentOf } from "../../export/reading";
+import { documentOf } from "../../formats/reading";
 
 let core: Core;
 beforeAll(async () => {

@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
-import { contourOf } from "../../../../web/src/controls/tracing/contour";
-import { type Picture, TraceError } from "../../../../web/src/controls/tracing/picture";
+import { contourOf } from "../../../../web/src/import/tracing/contour";
+import { type Picture, TraceError } from "../../../../web/src/import/tracing/picture";
 import type { OutlinePoint, Place } from "../../../../web/src/models/leaf/outline/points";
 import { curveOf } from "../../../../web/src/models/leaf/outline/spline";
 import { leafFromPreset } from "../../../../web/src/models/leaf/species";
-import { asChange } from "../../../../web/src/models/leaf/tools/trace";
+import { asChange } from "../../../../web/src/models/leaf/ui/trace";
 import { MOST_TRACED, traceLeaf } from "../../../../web/src/models/leaf/trace/trace";
 import { inRun } from "../../../long_run.mjs";
 

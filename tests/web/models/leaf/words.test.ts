@@ -4,7 +4,7 @@ import { model } from "../../../../web/src/models/leaf/index";
 import { leafFromPreset } from "../../../../web/src/models/leaf/species";
 import { leafInWords } from "../../../../web/src/models/leaf/words";
 import type { Model } from "../../../../web/src/models/model";
-import { titleOf } from "../../../../web/src/studio/title";
+import { titleOf } from "../../../../web/src/app/title";
 
 const maple = leafFromPreset("maple");
 const traced = { ...maple, outline: leafFromPreset("oak").outline };

@@ -1,17 +1,17 @@
 import { expect, it, vi } from "vitest";
-import type { Change } from "../../../../web/src/controls/desk";
-import { traceLeafFile } from "../../../../web/src/models/leaf/tools/trace";
+import type { Change } from "../../../../web/src/ui/desk";
+import { traceLeafFile } from "../../../../web/src/models/leaf/ui/trace";
 import { takeMesh } from "../../../../web/src/models/particles/boundary/mesh_tool";
 import { TREE } from "../../../../web/src/models/tree/species";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 
-vi.mock("../../../../web/src/controls/tracing/read_picture", () => ({ readPicture: async () => ({}) }));
+vi.mock("../../../../web/src/import/tracing/read_picture", () => ({ readPicture: async () => ({}) }));
 vi.mock("../../../../web/src/models/leaf/trace/trace", () => ({
 	traceLeaf: () => ({ outline: [{ x: 0, y: 0 }] }),
 }));
 // There are no workers here.
-vi.mock("../../../../web/src/controls/mesh_file/read_in_worker", async () => ({
-	readMeshInWorker: (await import("../../../../web/src/controls/mesh_file/read")).readMeshFile,
+vi.mock("../../../../web/src/import/mesh_file/read_in_worker", async () => ({
+	readMeshInWorker: (await import("../../../../web/src/import/mesh_file/read")).readMeshFile,
 }));
 
 const OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";

@@ -1,6 +1,6 @@
 import { beforeAll, expect, it } from "vitest";
-import { nextStep } from "../../../../web/src/controls/life";
-import type { Face } from "../../../../web/src/controls/tool";
+import { nextStep } from "../../../../web/src/ui/life";
+import type { Face } from "../../../../web/src/ui/tool";
 import type { Core } from "../../../../web/src/core/core";
 import { model as leaf } from "../../../../web/src/models/leaf/index";
 import type { Model } from "../../../../web/src/models/model";

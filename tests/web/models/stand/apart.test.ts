@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { keptApart } from "../../../../web/src/models/stand/tools/apart";
+import { keptApart } from "../../../../web/src/models/stand/ui/apart";
 import { fromLch, type Lch, linear, toLch } from "../../../../web/src/plant/colour";
 
 const RANGE = [0.63, 0.97] as const;

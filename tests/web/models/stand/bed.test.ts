@@ -1,9 +1,9 @@
 /** Beds: stands of flowers. */
 import { beforeAll, describe, expect, it } from "vitest";
-import { aboutPlant } from "../../../../web/src/export/about_plant";
-import { exportGlb } from "../../../../web/src/export/glb";
-import { exportJson } from "../../../../web/src/export/json";
-import { growPlant } from "../../../../web/src/files/growth";
+import { aboutPlant } from "../../../../web/src/formats/about_plant";
+import { exportGlb } from "../../../../web/src/formats/glb";
+import { exportJson } from "../../../../web/src/formats/json";
+import { growPlant } from "../../../../web/src/generate/files/growth";
 import { modelNamed } from "../../../../web/src/models/index";
 import { KeptMembers } from "../../../../web/src/models/members";
 import { model } from "../../../../web/src/models/stand/index";
@@ -12,7 +12,7 @@ import { type PlantRecord, placementsCsv } from "../../../../web/src/models/stan
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { decodeLink } from "../../../../web/src/specimen/link";
-import { complaints, documentOf } from "../../export/reading";
+import { complaints, documentOf } from "../../formats/reading";
 import { grownStand, planned, run } from "./stands";
 
 const FLOWERS = 300;

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { BRIM, brimsOf } from "../../../../web/src/models/stand/figure/brims";
+import { BRIM, brimsOf } from "../../../../web/src/models/stand/render/brims";
 import { PLACE_STEPS } from "../../../../web/src/plant/packed_mesh";
 
 const at = (brims: Int8Array, vertex: number) => [...brims.subarray(BRIM * vertex, BRIM * vertex + 3)];

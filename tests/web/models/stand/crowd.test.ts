@@ -1,11 +1,11 @@
 import { BatchedMesh, PerspectiveCamera, type Vector4 } from "three";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { Crowd, stemOf } from "../../../../web/src/models/stand/figure/crowd";
+import { Crowd, stemOf } from "../../../../web/src/models/stand/render/crowd";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import type { Material } from "../../../../web/src/plant/material";
 import type { PackedMesh } from "../../../../web/src/plant/packed_mesh";
-import type { LightUniforms } from "../../../../web/src/scene/light_shader";
-import type { WindUniforms } from "../../../../web/src/scene/wind";
+import type { LightUniforms } from "../../../../web/src/render/light_shader";
+import type { WindUniforms } from "../../../../web/src/render/wind";
 import { grownStand, PLAN, planned } from "./stands";
 
 const LEVELS = [400_000, 30_000, 4000, 500];

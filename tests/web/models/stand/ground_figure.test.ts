@@ -1,8 +1,8 @@
 import type { BufferGeometry, Mesh, MeshStandardMaterial } from "three";
 import { expect, it } from "vitest";
-import { GroundFigure } from "../../../../web/src/models/stand/figure/ground_figure";
+import { GroundFigure } from "../../../../web/src/models/stand/render/ground_figure";
 import type { Part } from "../../../../web/src/plant/part";
-import { lightUniforms } from "../../../../web/src/scene/light_shader";
+import { lightUniforms } from "../../../../web/src/render/light_shader";
 import { piece, programOf, run } from "./shaders";
 
 const groundOf = (red: number, coloured = true): Part => ({

@@ -1,11 +1,11 @@
 import { beforeAll, expect, it } from "vitest";
-import { aboutPlant } from "../../../../web/src/export/about_plant";
-import { exportGlb } from "../../../../web/src/export/glb";
-import { exportJson } from "../../../../web/src/export/json";
+import { aboutPlant } from "../../../../web/src/formats/about_plant";
+import { exportGlb } from "../../../../web/src/formats/glb";
+import { exportJson } from "../../../../web/src/formats/json";
 import { model } from "../../../../web/src/models/stand/index";
 import type { PlantRecord } from "../../../../web/src/models/stand/record";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
-import { complaints, documentOf } from "../../export/reading";
+import { complaints, documentOf } from "../../formats/reading";
 import { grownStand, planned } from "./stands";
 
 /** Two rows of three vines on a trellis; so many bunches are asked for that some vines have too few places. */

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { groundColour, kindColours } from "../../../../web/src/models/stand/tools/map_colours";
+import { groundColour, kindColours } from "../../../../web/src/models/stand/ui/map_colours";
 import { linear, toLch } from "../../../../web/src/plant/colour";
 import { grownStand, planned } from "./stands";
 

@@ -1,9 +1,9 @@
 import { afterEach, beforeAll, describe, expect, it, vi } from "vitest";
 import { CoreError } from "../../../../web/src/core/errors";
-import { aboutPlant } from "../../../../web/src/export/about_plant";
-import { exportGlb } from "../../../../web/src/export/glb";
-import { exportJson } from "../../../../web/src/export/json";
-import { growPlant } from "../../../../web/src/files/growth";
+import { aboutPlant } from "../../../../web/src/formats/about_plant";
+import { exportGlb } from "../../../../web/src/formats/glb";
+import { exportJson } from "../../../../web/src/formats/json";
+import { growPlant } from "../../../../web/src/generate/files/growth";
 import { readGrowthPlant } from "../../../../web/src/models/growth/growth_plant";
 import type { GrowthSpecimen } from "../../../../web/src/models/growth/specimen";
 import { modelNamed } from "../../../../web/src/models/index";

@@ -1,10 +1,10 @@
 import { Vector3 } from "three";
 import { beforeAll, expect, it } from "vitest";
-import { aboutPlant } from "../../../../web/src/export/about_plant";
-import { exportGlb } from "../../../../web/src/export/glb";
-import { STEPS, stepAt } from "../../../../web/src/models/stand/figure/level_choice";
-import { plantMet } from "../../../../web/src/models/stand/figure/plant_met";
-import { shadedBall, walks } from "../../../../web/src/models/stand/figure/shaded";
+import { aboutPlant } from "../../../../web/src/formats/about_plant";
+import { exportGlb } from "../../../../web/src/formats/glb";
+import { STEPS, stepAt } from "../../../../web/src/models/stand/render/level_choice";
+import { plantMet } from "../../../../web/src/models/stand/render/plant_met";
+import { shadedBall, walks } from "../../../../web/src/models/stand/render/shaded";
 import { heightAt } from "../../../../web/src/models/stand/ground_grid";
 import { model } from "../../../../web/src/models/stand/index";
 import { titlesOf } from "../../../../web/src/models/stand/members";
@@ -12,7 +12,7 @@ import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { atFront, gazeOf, stepped, turned } from "../../../../web/src/models/stand/walker";
 import { standInWords } from "../../../../web/src/models/stand/words";
 import { packed, reachOf, unpacked } from "../../../../web/src/plant/packed_mesh";
-import { documentOf } from "../../export/reading";
+import { documentOf } from "../../formats/reading";
 import { grownStand, PLAN, planned } from "./stands";
 
 let stand: StandPlant;

@@ -1,11 +1,11 @@
 /** A stand on the stage: its light, as who turns it and who walks in it have it. */
 import { BatchedMesh, Group, type Mesh, type Object3D, PerspectiveCamera, type Vector4 } from "three";
 import { afterEach, expect, it, vi } from "vitest";
-import { StandFigure } from "../../../../web/src/models/stand/figure/stand_figure";
+import { StandFigure } from "../../../../web/src/models/stand/render/stand_figure";
 import { atFront, gazeOf, turned } from "../../../../web/src/models/stand/walker";
-import type { FigureStage } from "../../../../web/src/scene/figure";
-import { StageLight } from "../../../../web/src/scene/stage_light";
-import { windUniforms } from "../../../../web/src/scene/wind";
+import type { FigureStage } from "../../../../web/src/render/figure";
+import { StageLight } from "../../../../web/src/render/stage_light";
+import { windUniforms } from "../../../../web/src/render/wind";
 import { grownStand, planned } from "./stands";
 
 function staged() {

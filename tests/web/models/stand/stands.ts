@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import type { Block } from "../../../../web/src/core/container";
 import { Cores } from "../../../../web/src/core/cores";
 import { loadCoreFromBytes } from "../../../../web/src/core/loader";
-import { growPlant } from "../../../../web/src/files/growth";
+import { growPlant } from "../../../../web/src/generate/files/growth";
 import type { MembersOptions } from "../../../../web/src/models/members";
 import { model } from "../../../../web/src/models/stand/index";
 import type { StandSpecimen } from "../../../../web/src/models/stand/specimen";

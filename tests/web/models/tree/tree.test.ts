@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { exportJson } from "../../../../web/src/export/json";
+import { exportJson } from "../../../../web/src/formats/json";
 import { splineThrough } from "../../../../web/src/models/particles/boundary/editor/outline";
 import { model } from "../../../../web/src/models/tree/index";
 import type { TreeSpecimen } from "../../../../web/src/models/tree/specimen";

@@ -3,10 +3,10 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { model as rootModel } from "../../../../web/src/models/root/index";
 import { model } from "../../../../web/src/models/tree/index";
-import { fitView, needsRefit, spindleOf } from "../../../../web/src/scene/camera_fit";
-import { PaperShadow } from "../../../../web/src/scene/paper_shadow";
-import { StageLight } from "../../../../web/src/scene/stage_light";
-import { windUniforms } from "../../../../web/src/scene/wind";
+import { fitView, needsRefit, spindleOf } from "../../../../web/src/render/camera_fit";
+import { PaperShadow } from "../../../../web/src/render/paper_shadow";
+import { StageLight } from "../../../../web/src/render/stage_light";
+import { windUniforms } from "../../../../web/src/render/wind";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { particlesCore } from "../particles/boundary/particles";
 

@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { aboutPlant } from "../../../../web/src/export/about_plant";
-import { exportGlb } from "../../../../web/src/export/glb";
+import { aboutPlant } from "../../../../web/src/formats/about_plant";
+import { exportGlb } from "../../../../web/src/formats/glb";
 import { model } from "../../../../web/src/models/tree/index";
 import type { TreeSpecimen } from "../../../../web/src/models/tree/specimen";
 import { linear, toLch } from "../../../../web/src/plant/colour";
@@ -9,7 +9,7 @@ import { leafColour, leafTints } from "../../../../web/src/plant/leaf_colours";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { decodeQuery } from "../../../../web/src/specimen/link";
 import { restore } from "../../../../web/src/specimen/restore";
-import { documentOf } from "../../export/reading";
+import { documentOf } from "../../formats/reading";
 import { particlesCore } from "../particles/boundary/particles";
 
 let core: Core;

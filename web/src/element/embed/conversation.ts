@@ -2,7 +2,7 @@
  * What a host page and the plant in its frame say to each other (docs/embed.md). Every message is looked at before it is heeded; an
  * answer goes to the origin that asked, and to nobody else. Messages of other programs pass without a word.
  */
-import { FILE_RANGES, type FileOptions } from "../../export/plant_files";
+import { FILE_RANGES, type FileOptions } from "../../formats/plant_files";
 import type { GrownDetail } from "../grown_detail";
 
 /** In every message of ours. */

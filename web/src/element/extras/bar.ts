@@ -1,5 +1,5 @@
 /** The bar below a plant: turning, age, seed, a file, and the way into the app. Every control has a name, a key and a place to be styled by. */
-import { ageOf } from "../../files/aged";
+import { ageOf } from "../../generate/files/aged";
 import { withParameters, withSeed } from "../../specimen/edit";
 import { SEED } from "../../specimen/limits";
 import { encodeLink } from "../../specimen/link";

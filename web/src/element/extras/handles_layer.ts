@@ -1,8 +1,8 @@
 /** A model's handles over the picture of its plant. */
-import { apply } from "../../controls/change";
-import type { Change } from "../../controls/desk";
-import type { HandlesOf } from "../../controls/handles/plant_handle";
-import { PlantHandleLayer } from "../../controls/handles/plant_handle_layer";
+import { apply } from "../../ui/change";
+import type { Change } from "../../ui/desk";
+import type { HandlesOf } from "../../ui/handles/plant_handle";
+import { PlantHandleLayer } from "../../ui/handles/plant_handle_layer";
 import { fromPreset } from "../../specimen/from_preset";
 import type { Specimen } from "../../specimen/specimen";
 import type { Shown } from "../grown_detail";

@@ -38,7 +38,7 @@ export const model = {
 	extras: ({ procedure, plan, second }) => ({ procedure, plan: { ...plan, second } }),
 	formats: BUNCH_FORMATS,
 	targets: bunchTargets,
-	figure: async () => (await import("./figure/bunch_figure")).bunchFigure,
+	figure: async () => (await import("./render/bunch_figure")).bunchFigure,
 	handles: async () => (await import("./profile/plant_handles")).bunchHandles,
-	studio: async () => (await import("./tools/face")).face,
+	studio: async () => (await import("./ui/face")).face,
 } satisfies Model<BunchSpecimen, Grown>;

@@ -1,6 +1,6 @@
 /** A bunch as numbers: every berry and internode with its place, size and parent, for those who compute. Lengths are metres. */
-import { shortFloat } from "../../export/numbers";
-import { floats, integers, type Rows, recordRows, vectors, words } from "../../export/rows";
+import { shortFloat } from "../../formats/numbers";
+import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
 import {
 	type Berries,
 	type BerryForm,

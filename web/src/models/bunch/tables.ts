@@ -2,9 +2,9 @@
  * A bunch as tables for a spreadsheet or a data frame: berries, measures. Needs no meshes. What the columns mean is in
  * docs/export.md.
  */
-import { type Cell, writeCsv } from "../../export/csv";
-import { measureValues } from "../../export/measures";
-import { rounded } from "../../export/numbers";
+import { type Cell, writeCsv } from "../../formats/csv";
+import { measureValues } from "../../formats/measures";
+import { rounded } from "../../formats/numbers";
 import { classOf } from "../../specimen/measures";
 import type { Grown } from "./grown";
 import { skinClass } from "./measures";

@@ -32,5 +32,5 @@ export const model = {
 	formats: FLOWER_FORMATS,
 	translated: (text) =>
 		isXml(text) ? import("./xml/designed").then(({ grammarOfXml }) => grammarOfXml(text)) : undefined,
-	studio: async () => (await import("./tools/face")).face,
+	studio: async () => (await import("./ui/face")).face,
 } satisfies Model<FlowerSpecimen, FlowerPlant>;

@@ -1,7 +1,7 @@
 /** What the JSON document says of a flower besides what it says of any plant: its map, so that anyone can check it. */
-import { type Cell, writeCsv } from "../../export/csv";
-import { shortFloat } from "../../export/numbers";
-import { integers, lists, placed, Rows, vectors } from "../../export/rows";
+import { type Cell, writeCsv } from "../../formats/csv";
+import { shortFloat } from "../../formats/numbers";
+import { integers, lists, placed, Rows, vectors } from "../../formats/rows";
 import type { FlowerPlant } from "./flower_plant";
 
 export interface FlowerRecord {

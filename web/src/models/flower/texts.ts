@@ -1,4 +1,4 @@
-import { blanked } from "../../controls/grammar/comments";
+import { blanked } from "../../grammar_editor/comments";
 import { presetTexts } from "../../specimen/preset_texts";
 import { PRESETS } from "./presets.generated";
 

@@ -1,8 +1,8 @@
 /** A flower's text as a file: with its values and steps in it, so that it grows the same flower wherever it is read. */
-import { outlineOf, withConstants, wordOf } from "../../controls/grammar/outline";
+import { outlineOf, withConstants, wordOf } from "../../grammar_editor/outline";
 import type { FlowerSpecimen } from "./specimen";
 import { fetchedText, fetchTexts } from "./texts";
-import { scan } from "./tools/language";
+import { scan } from "./ui/language";
 
 /** The text of a `.gl3`. */
 export async function fileText(specimen: FlowerSpecimen): Promise<string> {

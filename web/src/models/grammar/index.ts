@@ -26,6 +26,6 @@ export const model = {
 	words: grammarInWords,
 	record: grammarRecord,
 	handles: async () => (await import("./areas/area_handles")).areaHandlesOf,
-	studio: async () => (await import("./tools/face")).face,
+	studio: async () => (await import("./ui/face")).face,
 	formats: GRAMMAR_FORMATS,
 } satisfies Model<GrammarSpecimen, GrammarPlant>;

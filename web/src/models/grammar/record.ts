@@ -1,7 +1,7 @@
 /** What the JSON document says of what a text has grown, besides and in place of what it says of any plant. */
-import type { OrganRecord, SegmentRecord } from "../../export/json";
-import { shortFloat } from "../../export/numbers";
-import { floats, integers, type Rows, recordRows, vectors, words } from "../../export/rows";
+import type { OrganRecord, SegmentRecord } from "../../formats/json";
+import { shortFloat } from "../../formats/numbers";
+import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
 import type { Area } from "./areas/area";
 import type { GrammarPlant } from "./grammar_plant";
 

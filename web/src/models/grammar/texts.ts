@@ -1,4 +1,4 @@
-import { blankComments } from "../../controls/grammar/comments";
+import { blankComments } from "../../grammar_editor/comments";
 import { presetTexts } from "../../specimen/preset_texts";
 import { PRESETS } from "./presets.generated";
 import type { GrammarSpecimen } from "./specimen";

@@ -1,5 +1,5 @@
 /** A specimen's text as a file: with its constants and steps in it, so that it grows the same plant wherever it is read. */
-import { withConstants } from "../../controls/grammar/outline";
+import { withConstants } from "../../grammar_editor/outline";
 import type { GrammarSpecimen } from "./specimen";
 import { textOf } from "./texts";
 

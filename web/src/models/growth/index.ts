@@ -30,5 +30,5 @@ export const model = {
 	words: growthInWords,
 	record: growthRecord,
 	formats: GROWTH_FORMATS,
-	studio: async () => (await import("./tools/face")).face,
+	studio: async () => (await import("./ui/face")).face,
 } satisfies Model<GrowthSpecimen, GrowthPlant>;

@@ -1,6 +1,6 @@
 /** What the JSON document says of a tree of a growth grammar, besides and in place of what it says of any plant. */
-import type { SegmentRecord } from "../../export/json";
-import { floats, integers, type Rows, recordRows, vectors, words } from "../../export/rows";
+import type { SegmentRecord } from "../../formats/json";
+import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
 import type { GrowthPlant } from "./growth_plant";
 import type { GrowthVolume } from "./volumes/volume";
 

@@ -22,7 +22,7 @@ export const model = {
 	words: leafInWords,
 	record: trailRecord,
 	formats: LEAF_FORMATS,
-	figure: async () => (await import("./figure/leaf_figure")).leafFigure,
+	figure: async () => (await import("./render/leaf_figure")).leafFigure,
 	handles: async () => (await import("./outline/plant_handles")).leafHandles,
-	studio: async () => (await import("./tools/face")).face,
+	studio: async () => (await import("./ui/face")).face,
 } satisfies Model<LeafSpecimen, Leaf>;

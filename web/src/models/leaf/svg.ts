@@ -1,5 +1,5 @@
 /** A leaf as SVG: flat, in millimetres, tip up: the margin as one closed path, veins as one path a class of widths. */
-import { GENERATOR } from "../../export/generator";
+import { GENERATOR } from "../../formats/generator";
 import { escaped, short } from "../particles/svg_text";
 import { flatVeins, type Leaf } from "./grown";
 import { bundled } from "./outline/bundles";

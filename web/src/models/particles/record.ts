@@ -1,6 +1,6 @@
 /** What the JSON document says of trails, in place of what it says of any segments. */
-import { shortFloat } from "../../export/numbers";
-import { floats, integers, type Rows, recordRows, vectors, words } from "../../export/rows";
+import { shortFloat } from "../../formats/numbers";
+import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
 import type { TrailPlant } from "./trails";
 
 type Vector = [x: number, y: number, z: number];

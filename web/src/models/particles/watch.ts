@@ -1,7 +1,7 @@
-import type { Life } from "../../controls/life";
-import type { PlayState } from "../../controls/life_player";
-import { lifeTool } from "../../controls/life_tool";
-import type { Tool } from "../../controls/tool";
+import type { Life } from "../../ui/life";
+import type { PlayState } from "../../ui/life_player";
+import { lifeTool } from "../../ui/life_tool";
+import type { Tool } from "../../ui/tool";
 import type { Plant } from "../../plant/plant";
 import type { Specimen } from "../../specimen/specimen";
 import type { Table } from "../../specimen/table";

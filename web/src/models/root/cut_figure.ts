@@ -1,12 +1,12 @@
 /** A root in the ground: its parts as any plant's, and the pit around them. */
 import { Mesh, type PerspectiveCamera } from "three";
 import { linear } from "../../plant/colour";
-import type { Bodies } from "../../scene/camera_fit";
-import type { Figure, FigureMaker, FigureStage, Ray } from "../../scene/figure";
-import { boxOf, joined } from "../../scene/part_bounds";
-import { PartFigure } from "../../scene/part_figure";
-import { PartMeshes } from "../../scene/part_meshes";
-import { Wardrobe } from "../../scene/wardrobe";
+import type { Bodies } from "../../render/camera_fit";
+import type { Figure, FigureMaker, FigureStage, Ray } from "../../render/figure";
+import { boxOf, joined } from "../../render/part_bounds";
+import { PartFigure } from "../../render/part_figure";
+import { PartMeshes } from "../../render/part_meshes";
+import { Wardrobe } from "../../render/wardrobe";
 import { grownRoom } from "../particles/boundary/grown_room";
 import type { WoodenPlant } from "../particles/boundary/wooden_plant";
 import { rootLay } from "./lay";

@@ -26,5 +26,5 @@ export const model = {
 	formats: woodFormats(rootInWords),
 	figure: async () => (await import("./cut_figure")).cutFigure,
 	handles: async () => (await import("./plant_handles")).rootHandles,
-	studio: async () => (await import("./tools/face")).face,
+	studio: async () => (await import("./ui/face")).face,
 } satisfies Model<RootSpecimen, WoodenPlant>;

@@ -56,8 +56,8 @@ export const model = {
 		},
 	],
 	figure: async () => {
-		const { StandFigure } = await import("./figure/stand_figure");
+		const { StandFigure } = await import("./render/stand_figure");
 		return (stage) => new StandFigure(stage);
 	},
-	studio: async () => (await import("./tools/face")).face,
+	studio: async () => (await import("./ui/face")).face,
 } satisfies Model<StandSpecimen, StandPlant>;

@@ -1,5 +1,5 @@
 /** What grows in a stand: each plant's own specimen. */
-import { shortFloat } from "../../export/numbers";
+import { shortFloat } from "../../formats/numbers";
 import type { Member, MemberAsked, Members, Place } from "../model";
 import { hung, spotsWanted } from "./hanging";
 import type { StandPlant } from "./stand_plant";

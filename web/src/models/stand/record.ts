@@ -1,6 +1,6 @@
 /** What the JSON document and tables say of a stand: a plant each. */
-import { type Cell, writeCsv } from "../../export/csv";
-import { shortFloat } from "../../export/numbers";
+import { type Cell, writeCsv } from "../../formats/csv";
+import { shortFloat } from "../../formats/numbers";
 import type { Member } from "../model";
 import { valuesOf } from "./members";
 import type { StandSpecimen } from "./specimen";

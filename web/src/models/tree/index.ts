@@ -34,5 +34,5 @@ export const model = {
 	formats: woodFormats(treeInWords),
 	figure: async () => (await import("./tree_figure")).treeFigure,
 	handles: async () => (await import("./plant_handles")).treeHandles,
-	studio: async () => (await import("./tools/face")).face,
+	studio: async () => (await import("./ui/face")).face,
 } satisfies Model<TreeSpecimen, TreePlant>;

@@ -1,6 +1,6 @@
 /** A tree on the stage: its parts, in a view that is as large as it grows. */
 import { swayOf } from "../../plant/sway";
-import { partFigure } from "../../scene/part_figure";
+import { partFigure } from "../../render/part_figure";
 import { grownRoom } from "../particles/boundary/grown_room";
 import { treeLay } from "./lay";
 import type { TreeSpecimen } from "./specimen";

@@ -1,13 +1,13 @@
 import { describe, expect, it } from "vitest";
-import { exportGlb } from "../../../../../web/src/export/glb";
-import { plantFile } from "../../../../../web/src/export/plant_files";
+import { exportGlb } from "../../../../../web/src/formats/glb";
+import { plantFile } from "../../../../../web/src/formats/plant_files";
 import type { BerrySurfaces } from "../../../../../web/src/models/bunch/grown";
 import { berryFiner } from "../../../../../web/src/models/bunch/parts/berry_finer";
 import { bunchParts } from "../../../../../web/src/models/bunch/parts/bunch_parts";
 import { bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";
 import type { Look } from "../../../bunch";
-import { complaints, documentOf } from "../../../export/reading";
-import { ABOUT } from "../../../export/toy_parts";
+import { complaints, documentOf } from "../../../formats/reading";
+import { ABOUT } from "../../../formats/toy_parts";
 import { type PressedOptions, pressedBunch } from "../pressed_bunch";
 import { LOOK } from "../sample_bunch";
 

@@ -1,7 +1,7 @@
 /** The files of a bunch, as the studio and the command line write them. */
 
-import { exportGlb, type GlbOptions } from "../../../../../web/src/export/glb";
-import { exportObj } from "../../../../../web/src/export/obj";
+import { exportGlb, type GlbOptions } from "../../../../../web/src/formats/glb";
+import { exportObj } from "../../../../../web/src/formats/obj";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { bunchParts } from "../../../../../web/src/models/bunch/parts/bunch_parts";
 import { aboutBunch, encodeQuery, type Specimen } from "../../../bunch";

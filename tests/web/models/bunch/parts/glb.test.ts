@@ -4,7 +4,7 @@ import { Box3, type InstancedMesh, Matrix4, type Mesh, type MeshPhysicalMaterial
 import { describe, expect, it } from "vitest";
 import { inRun } from "../../../../long_run.mjs";
 import { writtenSpecimen } from "../../../bunch";
-import { basesOf, complaints, documentOf, load, meshesOf } from "../../../export/reading";
+import { basesOf, complaints, documentOf, load, meshesOf } from "../../../formats/reading";
 import * as arbitrary from "../arbitrary";
 import { makeGrown, paperSpecimen, SKETCH } from "../fixture";
 import { bunchGlb } from "./files";

@@ -1,12 +1,12 @@
 import fc from "fast-check";
 import { type BufferAttribute, Matrix4, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import type { GlbOptions } from "../../../../../web/src/export/glb";
+import type { GlbOptions } from "../../../../../web/src/formats/glb";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { MEASURE_KEYS } from "../../../../../web/src/models/bunch/measures.generated";
 import { inRun } from "../../../../long_run.mjs";
 import { evenly } from "../../../evenly";
-import { complaints, documentOf } from "../../../export/reading";
+import { complaints, documentOf } from "../../../formats/reading";
 import * as arbitrary from "../arbitrary";
 import { SKETCH } from "../fixture";
 import { makeNatural, STAMENS_REACH } from "../natural_fixture";

@@ -1,13 +1,13 @@
 import { type InstancedMesh, Matrix4, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { alike } from "../../../../../web/src/export/alike";
-import { exportGlb } from "../../../../../web/src/export/glb";
+import { alike } from "../../../../../web/src/formats/alike";
+import { exportGlb } from "../../../../../web/src/formats/glb";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { bunchParts } from "../../../../../web/src/models/bunch/parts/bunch_parts";
 import type { Part } from "../../../../../web/src/plant/part";
 import { aboutBunch, specimenFromPreset } from "../../../bunch";
 import { freshCore, growBunch } from "../../../core/wasm";
-import { load, meshesOf } from "../../../export/reading";
+import { load, meshesOf } from "../../../formats/reading";
 
 const specimen = specimenFromPreset("merlot");
 const coarse = { stemSides: 5, berrySegments: 8 };

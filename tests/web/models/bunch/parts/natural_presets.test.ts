@@ -14,8 +14,8 @@ import { berriesCsv } from "../../../../../web/src/models/bunch/tables";
 import { inRun } from "../../../../long_run.mjs";
 import { exportJson, presetsInRun, type Specimen, specimenFromFile, specimenFromPreset } from "../../../bunch";
 import { growBunch } from "../../../core/wasm";
-import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
-import { loadObj } from "../../../export/reading_obj";
+import { complaints, documentOf, load, meshesOf } from "../../../formats/reading";
+import { loadObj } from "../../../formats/reading_obj";
 import { fingerprintOfDocument } from "../fingerprint";
 import { bunchGlb, bunchObj } from "./files";
 

@@ -1,10 +1,10 @@
 /** Natural bunches as three.js reads them back. */
 
 import { Color, type Mesh, type MeshPhysicalMaterial, Vector3 } from "three";
-import type { GlbOptions } from "../../../../../web/src/export/glb";
+import type { GlbOptions } from "../../../../../web/src/formats/glb";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import type { Look, Specimen } from "../../../bunch";
-import { load, meshesOf } from "../../../export/reading";
+import { load, meshesOf } from "../../../formats/reading";
 import { sampleSpecimen } from "../fixture";
 import { bunchGlb } from "./files";
 

@@ -1,8 +1,8 @@
 import { Box3, type Mesh, type MeshPhongMaterial } from "three";
 import { describe, expect, it } from "vitest";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
-import { load, meshesOf } from "../../../export/reading";
-import { loadObj } from "../../../export/reading_obj";
+import { load, meshesOf } from "../../../formats/reading";
+import { loadObj } from "../../../formats/reading_obj";
 import { SKETCH } from "../fixture";
 import { makeNatural } from "../natural_fixture";
 import { bunchGlb, bunchObj } from "./files";

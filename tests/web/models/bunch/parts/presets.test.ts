@@ -9,8 +9,8 @@ import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
 import { exportJson, presetsInRun, specimenFromFile, specimenFromPreset } from "../../../bunch";
 import { growBunch } from "../../../core/wasm";
-import { documentOf, load, meshesOf } from "../../../export/reading";
-import { loadObj } from "../../../export/reading_obj";
+import { documentOf, load, meshesOf } from "../../../formats/reading";
+import { loadObj } from "../../../formats/reading_obj";
 import { fingerprintOfDocument } from "../fingerprint";
 import { bunchGlb, bunchObj } from "./files";
 

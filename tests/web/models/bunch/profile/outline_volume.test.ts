@@ -1,7 +1,7 @@
 /** The outline that the views draw is the one that the core fills and measures. */
 
 import { beforeAll, describe, expect, it } from "vitest";
-import type { Point } from "../../../../../web/src/controls/handles/point";
+import type { Point } from "../../../../../web/src/ui/handles/point";
 import type { Core } from "../../../../../web/src/core/core";
 import { measureOf } from "../../../../../web/src/models/bunch/measures";
 import { endReach, filledWidth, sideEnvelope } from "../../../../../web/src/models/bunch/profile/envelope";

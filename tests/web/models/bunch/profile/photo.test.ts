@@ -9,9 +9,9 @@ import {
 	zoomed,
 } from "../../../../../web/src/models/bunch/photo/photo";
 import { placePhoto, removePhoto } from "../../../../../web/src/models/bunch/photo/place_photo";
-import { changePhoto, photo } from "../../../../../web/src/models/bunch/tools/photo";
+import { changePhoto, photo } from "../../../../../web/src/models/bunch/ui/photo";
 import { specimenFromPreset } from "../../../bunch";
-import { bunchDesk, studioWith } from "../../../studio/desk";
+import { bunchDesk, studioWith } from "../../../app/desk";
 
 vi.mock("../../../../../web/src/models/bunch/photo/photo_view", () => ({}));
 

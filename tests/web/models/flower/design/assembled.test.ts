@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { beforeAll, describe, expect, it } from "vitest";
-import { outlineOf } from "../../../../../web/src/controls/grammar/outline";
+import { outlineOf } from "../../../../../web/src/grammar_editor/outline";
 import type { Core } from "../../../../../web/src/core/core";
 import { type Description, readLine, usual } from "../../../../../web/src/models/flower/design/description";
 import { assembled, describedIn, designOf, textOf } from "../../../../../web/src/models/flower/design/design";
@@ -10,8 +10,8 @@ import { DRAWN, OUTLINES } from "../../../../../web/src/models/flower/design/sha
 import { type FlowerPlant, readFlowerPlant } from "../../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../../web/src/models/flower/index";
 import { fetchTexts } from "../../../../../web/src/models/flower/texts";
-import { scan } from "../../../../../web/src/models/flower/tools/language";
-import { source } from "../../../../../web/src/models/flower/tools/text";
+import { scan } from "../../../../../web/src/models/flower/ui/language";
+import { source } from "../../../../../web/src/models/flower/ui/text";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { inRun } from "../../../../long_run.mjs";
 import { freshCore } from "../../../core/wasm";

@@ -1,5 +1,5 @@
 import { beforeAll, describe, expect, it, vi } from "vitest";
-import type { NoticeOptions } from "../../../../../web/src/controls/desk";
+import type { NoticeOptions } from "../../../../../web/src/ui/desk";
 import { described } from "../../../../../web/src/models/flower/design/description";
 import { assembled, describedIn, designOf } from "../../../../../web/src/models/flower/design/design";
 import { model } from "../../../../../web/src/models/flower/index";
@@ -10,7 +10,7 @@ import {
 	descriptionsIn,
 	designIn,
 	type FlowerDesk,
-} from "../../../../../web/src/models/flower/tools/design/drafts";
+} from "../../../../../web/src/models/flower/ui/design/drafts";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 
 beforeAll(fetchTexts);

@@ -6,10 +6,10 @@ import { assembled } from "../../../../../web/src/models/flower/design/design";
 import { moved, readMargin, writtenMargin } from "../../../../../web/src/models/flower/design/margin";
 import { ORGANS, type Organ } from "../../../../../web/src/models/flower/design/organs";
 import { fitOf, SHAPES } from "../../../../../web/src/models/flower/design/shapes";
-import { elevation } from "../../../../../web/src/models/flower/tools/design/elevation";
-import { floralDiagram, floralFormula } from "../../../../../web/src/models/flower/tools/design/floral_diagram";
-import { outlineScene } from "../../../../../web/src/models/flower/tools/design/outline_scene";
-import type { Scene, SceneHandle } from "../../../../../web/src/models/flower/tools/design/scene";
+import { elevation } from "../../../../../web/src/models/flower/ui/design/elevation";
+import { floralDiagram, floralFormula } from "../../../../../web/src/models/flower/ui/design/floral_diagram";
+import { outlineScene } from "../../../../../web/src/models/flower/ui/design/outline_scene";
+import type { Scene, SceneHandle } from "../../../../../web/src/models/flower/ui/design/scene";
 import { descriptionsOf, designedFlowers, diagrams } from "../../../../pictures/diagrams";
 
 const shelf = designedFlowers();

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { type Picture, TraceError } from "../../../../../web/src/controls/tracing/picture";
+import { type Picture, TraceError } from "../../../../../web/src/import/tracing/picture";
 import { tracedMargin } from "../../../../../web/src/models/flower/design/traced";
 
 /** Dark on light: what is within the half width at each share of the height. */

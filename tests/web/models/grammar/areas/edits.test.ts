@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/controls/change";
-import type { Change } from "../../../../../web/src/controls/desk";
-import type { PlantHandle, Vector } from "../../../../../web/src/controls/handles/plant_handle";
+import { apply } from "../../../../../web/src/ui/change";
+import type { Change } from "../../../../../web/src/ui/desk";
+import type { PlantHandle, Vector } from "../../../../../web/src/ui/handles/plant_handle";
 import {
 	type Area,
 	degreesOf,

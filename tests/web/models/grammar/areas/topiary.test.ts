@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
-import { exportJson } from "../../../../../web/src/export/json";
+import { exportJson } from "../../../../../web/src/formats/json";
 import type { Area } from "../../../../../web/src/models/grammar/areas/area";
 import type { GrammarPlant } from "../../../../../web/src/models/grammar/grammar_plant";
 import { model } from "../../../../../web/src/models/grammar/index";

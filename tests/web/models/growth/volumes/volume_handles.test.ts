@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { Change } from "../../../../../web/src/controls/desk";
-import type { PlantHandle } from "../../../../../web/src/controls/handles/plant_handle";
+import type { Change } from "../../../../../web/src/ui/desk";
+import type { PlantHandle } from "../../../../../web/src/ui/handles/plant_handle";
 import {
 	axisOf,
 	type GrowthVolume,

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/controls/change";
+import { apply } from "../../../../../web/src/ui/change";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { heaviest, inkBranches } from "../../../../../web/src/models/particles/boundary/editor/branches";
 import { FROM_ABOVE } from "../../../../../web/src/models/particles/boundary/editor/facing";

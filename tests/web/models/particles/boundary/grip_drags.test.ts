@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/controls/change";
-import type { Change } from "../../../../../web/src/controls/desk";
+import { apply } from "../../../../../web/src/ui/change";
+import type { Change } from "../../../../../web/src/ui/desk";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { gripDrags } from "../../../../../web/src/models/particles/boundary/editor/grip_drags";
 import { withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/controls/change";
+import { apply } from "../../../../../web/src/ui/change";
 import type { BoundedSpecimen } from "../../../../../web/src/models/particles/boundary/bounded";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import type { Lay } from "../../../../../web/src/models/particles/boundary/editor/lay";

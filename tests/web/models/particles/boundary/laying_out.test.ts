@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/controls/change";
-import { changed } from "../../../../../web/src/controls/changed";
-import type { Desk } from "../../../../../web/src/controls/desk";
+import { apply } from "../../../../../web/src/ui/change";
+import { changed } from "../../../../../web/src/ui/changed";
+import type { Desk } from "../../../../../web/src/ui/desk";
 import { layingOut } from "../../../../../web/src/models/particles/boundary/editor/lay";
 import { TREE } from "../../../../../web/src/models/tree/species";
 import type { TreeSpecimen } from "../../../../../web/src/models/tree/specimen";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/controls/change";
+import { apply } from "../../../../../web/src/ui/change";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { footprintIn } from "../../../../../web/src/models/particles/boundary/editor/lay";
 import { planPose } from "../../../../../web/src/models/particles/boundary/editor/plan_pose";

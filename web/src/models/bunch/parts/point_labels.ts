@@ -1,5 +1,5 @@
 /** What points on a bunch say of the part that they lie on. */
-import type { PointLabels } from "../../../export/about";
+import type { PointLabels } from "../../../formats/about";
 
 const BERRY = /^Berry (\d+)$/;
 

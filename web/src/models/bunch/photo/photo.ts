@@ -1,5 +1,5 @@
 /** A photograph behind a flat view, and what hands and keys do to where it lies. All lengths are pixels of the profile. */
-import type { Point } from "../../../controls/handles/point";
+import type { Point } from "../../../ui/handles/point";
 import type { View } from "../profile/handles";
 
 /** Where a picture lies: its upper left corner from p1, and how large one of its own pixels is. */

@@ -1,8 +1,8 @@
 import { html, nothing } from "lit";
-import { ControlElement } from "../../../controls/control_element";
+import { ControlElement } from "../../../ui/control_element";
 import type { View } from "../profile/handles";
-import type { BunchDesk } from "../tools/desk";
-import { changePhoto, photo } from "../tools/photo";
+import type { BunchDesk } from "../ui/desk";
+import { changePhoto, photo } from "../ui/photo";
 import { removePhoto } from "./place_photo";
 
 const VIEWS: readonly (readonly [View, string])[] = [

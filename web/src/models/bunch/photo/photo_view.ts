@@ -1,5 +1,5 @@
 import { css, html, LitElement } from "lit";
-import type { Point } from "../../../controls/handles/point";
+import type { Point } from "../../../ui/handles/point";
 import type { ViewFrame } from "../profile/view_frame";
 import { nudged, type Photo, type Placement, pinched, shifted, zoomed } from "./photo";
 

@@ -1,8 +1,8 @@
 /** Lays photographs behind flat views. */
-import { PictureError, readBitmap } from "../../../controls/read_bitmap";
-import { FILE_TOPIC } from "../../../controls/tool";
-import type { BunchDesk } from "../tools/desk";
-import { photo } from "../tools/photo";
+import { PictureError, readBitmap } from "../../../ui/read_bitmap";
+import { FILE_TOPIC } from "../../../ui/tool";
+import type { BunchDesk } from "../ui/desk";
+import { photo } from "../ui/photo";
 import { fitted } from "./photo";
 import "./photo_controls";
 import "./photo_view";

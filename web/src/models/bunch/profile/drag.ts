@@ -2,7 +2,7 @@
  * What a drag or an arrow key does to the profile: pure functions from parameters to new parameters, in pixels of the
  * profile (handles.ts), clamped to the table's ranges and rounded to whole pixels.
  */
-import { ARROWS, type Point } from "../../../controls/handles/point";
+import { ARROWS, type Point } from "../../../ui/handles/point";
 import type { CoreEntry } from "../../../specimen/table";
 import { BUNCH_TABLE } from "../table";
 import {

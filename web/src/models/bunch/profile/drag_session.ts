@@ -1,5 +1,5 @@
 /** The drags of the profile's handles, in a flat view or in three dimensions: places are pixels of the handle's flat view. */
-import { DragSession } from "../../../controls/handles/drag_session";
+import { DragSession } from "../../../ui/handles/drag_session";
 import { type DragOptions, dragHandle, sameShape, straightened } from "./drag";
 import { type Handle, handleKeys, handlePosition, type Locks, type Shape } from "./handles";
 

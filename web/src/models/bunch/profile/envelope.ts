@@ -3,7 +3,7 @@
  * spindle). Per side a quarter ellipse from p1 to (w, r), straight to the narrow width at the height of axis rd,
  * constant to the tip and rounded there. Only drawn; the core decides what grows (wasm-core/src/models/bunch/envelope.hpp).
  */
-import type { Point } from "../../../controls/handles/point";
+import type { Point } from "../../../ui/handles/point";
 import { PROCEDURES } from "../grown";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { SIDE_HANDLES, SIDES, type SideHandle, UNITS_PER_PIXEL, VIEW_SIDES, type View } from "./handles";

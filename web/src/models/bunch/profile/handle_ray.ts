@@ -3,7 +3,7 @@
  * (+Y up, p1 at the origin, p3 +X, p4 −X, p5 +Z, p6 −Z), in metres; the answer is a point of the handle's 2-D view, in
  * pixels of the profile, so that drag.ts serves both.
  */
-import type { Point } from "../../../controls/handles/point";
+import type { Point } from "../../../ui/handles/point";
 import { type Handle, handlePosition, isSide, metresPerPixel, type Shape, SIDES } from "./handles";
 
 export type Vector = readonly [x: number, y: number, z: number];

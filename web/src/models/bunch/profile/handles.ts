@@ -4,7 +4,7 @@
  * of the paper's 600 × 600 view: x away from the axis to the right, y down from p1. The side view is the bunch seen
  * from its left, so p5 stands at the right as p3 does in front.
  */
-import type { Point } from "../../../controls/handles/point";
+import type { Point } from "../../../ui/handles/point";
 import type { NumberKey } from "../parameters.generated";
 
 export type View = "front" | "side";

@@ -3,8 +3,8 @@
  * as in the flat views. In metres, in the bunch's frame: add `object` where the bunch is.
  */
 import { type Camera, type Group, Matrix4, Raycaster, Vector2, Vector3 } from "three";
-import { EscapeKey } from "../../../controls/handles/escape_key";
-import { nearest, type Point } from "../../../controls/handles/point";
+import { EscapeKey } from "../../../ui/handles/escape_key";
+import { nearest, type Point } from "../../../ui/handles/point";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { type ProfileDrags, profileDrags } from "./drag_session";
 import { type Freedom, handleVector, type Ray, rayToView, visibleFreedom } from "./handle_ray";

@@ -1,6 +1,6 @@
 /** The octahedron's handles on the bunch itself. */
-import type { Change } from "../../../controls/desk";
-import type { HandlesOf, PlantHandle, Vector } from "../../../controls/handles/plant_handle";
+import type { Change } from "../../../ui/desk";
+import type { HandlesOf, PlantHandle, Vector } from "../../../ui/handles/plant_handle";
 import type { BunchSpecimen } from "../specimen";
 import { dragHandle } from "./drag";
 import { across, handleVector } from "./handle_ray";

@@ -1,7 +1,7 @@
 /** What a view draws, as templates: state in, templates out. Coordinates in the SVG are pixels of the profile. */
 import { html, nothing, svg, type TemplateResult } from "lit";
-import type { Point } from "../../../controls/handles/point";
-import { drawScaleBar } from "../../../controls/handles/scale_bar";
+import type { Point } from "../../../ui/handles/point";
+import { drawScaleBar } from "../../../ui/handles/scale_bar";
 import type { OwnProfile } from "../grown";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { envelopePath } from "./envelope";

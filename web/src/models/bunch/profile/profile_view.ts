@@ -3,8 +3,8 @@
  * figures 5 and 8). It draws what it is given and tells what a person does to it; the document stays with the page.
  */
 import { html, nothing, type PropertyValues } from "lit";
-import { HandleView } from "../../../controls/handles/handle_view";
-import type { Point } from "../../../controls/handles/point";
+import { HandleView } from "../../../ui/handles/handle_view";
+import type { Point } from "../../../ui/handles/point";
 import type { Photo } from "../photo/photo";
 import type { BunchSpecimen } from "../specimen";
 import { nudgeHandle } from "./drag";

@@ -1,5 +1,5 @@
 /** How a view of the profile lies in its element: what it shows, at what scale, with what scale bar. */
-import { roundLength } from "../../../controls/handles/scale_bar";
+import { roundLength } from "../../../ui/handles/scale_bar";
 import { PROCEDURES } from "../grown";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { type Shape, SIDE_HANDLES, UNITS_PER_PIXEL, VIEW_PIXELS } from "./handles";

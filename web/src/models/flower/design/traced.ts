@@ -1,10 +1,10 @@
 /** A picture of a petal, a sepal or a leaf → the points of its outline. Pure; what cannot be traced is refused in words for people. */
-import type { Point } from "../../../controls/handles/point";
-import { contourOf, smoothed } from "../../../controls/tracing/contour";
-import type { Picture } from "../../../controls/tracing/picture";
-import { silhouetteOf } from "../../../controls/tracing/silhouette";
-import { withoutStalk } from "../../../controls/tracing/stalk";
-import { upright } from "../../../controls/tracing/upright";
+import type { Point } from "../../../ui/handles/point";
+import { contourOf, smoothed } from "../../../import/tracing/contour";
+import type { Picture } from "../../../import/tracing/picture";
+import { silhouetteOf } from "../../../import/tracing/silhouette";
+import { withoutStalk } from "../../../import/tracing/stalk";
+import { upright } from "../../../import/tracing/upright";
 import { KNOTS, type Margin } from "./margin";
 
 export interface Traced {

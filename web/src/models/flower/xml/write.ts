@@ -3,8 +3,8 @@
  * a `<statement>` of ours, and all in one `<grammar>`, since XML wants a root. Comments are left out, but for those that describe a design.
  */
 import { readLine } from "../design/description";
-import { scan } from "../tools/language";
-import { bare, entriesOf, formsOf, inFields, statementsOf } from "../tools/statements";
+import { scan } from "../ui/language";
+import { bare, entriesOf, formsOf, inFields, statementsOf } from "../ui/statements";
 import { escaped } from "./elements";
 import { FIELDS } from "./fields";
 

@@ -1,6 +1,6 @@
 /** Areas and path as handles in the 3-D view: each area's middle, of the chosen one its sides and turns; each place of a drawn path. */
-import type { Change } from "../../../controls/desk";
-import type { PlantHandle, PlantHandles, Vector } from "../../../controls/handles/plant_handle";
+import type { Change } from "../../../ui/desk";
+import type { PlantHandle, PlantHandles, Vector } from "../../../ui/handles/plant_handle";
 import {
 	type Area,
 	degreesOf,

@@ -1,10 +1,10 @@
 /** The handles of growth areas over the 3-D view, and the stroke that draws the main branch. */
-import type { Change, DeskState } from "../../../controls/desk";
-import { placeUnder } from "../../../controls/handles/handle_ways";
-import type { Vector } from "../../../controls/handles/plant_handle";
-import { PlantHands } from "../../../controls/handles/plant_hands";
-import type { Point } from "../../../controls/handles/point";
-import type { ToolHands, ToolView } from "../../../controls/tool";
+import type { Change, DeskState } from "../../../ui/desk";
+import { placeUnder } from "../../../ui/handles/handle_ways";
+import type { Vector } from "../../../ui/handles/plant_handle";
+import { PlantHands } from "../../../ui/handles/plant_hands";
+import type { Point } from "../../../ui/handles/point";
+import type { ToolHands, ToolView } from "../../../ui/tool";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
 import type { Triple } from "./area";

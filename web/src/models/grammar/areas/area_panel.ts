@@ -1,9 +1,9 @@
 /** Growth areas by list and numbers: all that hands do in the view, for keyboards and screen readers as well. */
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
-import { chooseFile } from "../../../controls/choose_file";
-import type { Change } from "../../../controls/desk";
-import { ACCEPT } from "../../../controls/mesh_file/accept";
+import { chooseFile } from "../../../ui/choose_file";
+import type { Change } from "../../../ui/desk";
+import { ACCEPT } from "../../../import/mesh_file/accept";
 import { AREA_KINDS, type Area, type AreaKind, degreesOf, type Triple, turnOf } from "./area";
 import {
 	added,

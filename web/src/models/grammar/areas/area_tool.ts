@@ -1,16 +1,16 @@
 /** Growth areas in the page: as glass and with handles in the 3-D view, in the panel by numbers. */
 import { svg } from "lit";
-import type { Desk } from "../../../controls/desk";
-import { LateHands } from "../../../controls/handles/late_hands";
-import { sameDocument } from "../../../controls/same_document";
-import { shownShells } from "../../../controls/shell_tool";
-import { FILE_TOPIC, type Tool } from "../../../controls/tool";
+import type { Desk } from "../../../ui/desk";
+import { LateHands } from "../../../ui/handles/late_hands";
+import { sameDocument } from "../../../ui/same_document";
+import { shownShells } from "../../../ui/shell_tool";
+import { FILE_TOPIC, type Tool } from "../../../ui/tool";
 import type { Group } from "../../../specimen/table";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
 import { GRAMMAR_TABLE } from "../table";
 import { asksForAreas, fetchedText } from "../texts";
-import { bareAreas } from "../tools/warnings";
+import { bareAreas } from "../ui/warnings";
 import { added } from "./area_edits";
 import { drawAreas } from "./area_panel";
 import { surfaceOf } from "./surface";
@@ -43,7 +43,7 @@ const areaGlass = shownShells<GrammarSpecimen, GrammarPlant>({
 	initial: true,
 	missed: "The areas could not be fetched",
 	applies: hasAreas,
-	figure: async () => new (await import("../../../scene/shell_figure")).ShellFigure(),
+	figure: async () => new (await import("../../../render/shell_figure")).ShellFigure(),
 	shells: ({ areas = [] }) => areas.map(surfaceOf),
 	marked: bareAreas,
 });
@@ -97,7 +97,7 @@ export const areaTools: readonly Tool<GrammarSpecimen, GrammarPlant>[] = [
 export async function takeAreaMesh(desk: AreaDesk, file: File): Promise<void> {
 	const isStill = sameDocument(desk);
 	const say = (title: string, words: string) => desk.notify(title, [words], { topic: FILE_TOPIC });
-	const reader = await import("../../../controls/mesh_file/read_in_worker").catch(() => undefined);
+	const reader = await import("../../../import/mesh_file/read_in_worker").catch(() => undefined);
 	if (!reader) {
 		say("The mesh was not read", "Part of the page could not be fetched; check the connection and try again.");
 		return;

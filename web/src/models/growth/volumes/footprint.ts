@@ -1,5 +1,5 @@
 /** The growth volumes that a growth grammar's `footprint` has, read from its text and written into it: the text owns them. */
-import { blankComments } from "../../../controls/grammar/comments";
+import { blankComments } from "../../../grammar_editor/comments";
 import { type GrowthVolume, meanWidth } from "./volume";
 
 const NUMBER = /^[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?°?$/i;

@@ -1,6 +1,6 @@
 /** Growth volumes as handles in the 3-D view: where each stands, and of the chosen one its height, lean and widths. */
-import type { Change } from "../../../controls/desk";
-import type { PlantHandle, PlantHandles, Vector } from "../../../controls/handles/plant_handle";
+import type { Change } from "../../../ui/desk";
+import type { PlantHandle, PlantHandles, Vector } from "../../../ui/handles/plant_handle";
 import { acrossOf, axisOf, type GrowthVolume, meanWidth, placeIn, radiusAt } from "./volume";
 
 /** Metres of an arrow key, alone and with Shift; degrees of a lean. */

@@ -1,7 +1,7 @@
 /** The handles of growth volumes over the 3-D view. */
-import type { DeskState } from "../../../controls/desk";
-import { PlantHands } from "../../../controls/handles/plant_hands";
-import type { ToolHands, ToolView } from "../../../controls/tool";
+import type { DeskState } from "../../../ui/desk";
+import { PlantHands } from "../../../ui/handles/plant_hands";
+import type { ToolHands, ToolView } from "../../../ui/tool";
 import type { GrowthPlant } from "../growth_plant";
 import type { GrowthSpecimen } from "../specimen";
 import { volumeHandles } from "./volume_handles";

@@ -1,9 +1,9 @@
 /** Growth volumes in the page: as glass and with handles in the 3-D view. What hands make of them is written into the text. */
 import { svg } from "lit";
-import type { Change, Desk } from "../../../controls/desk";
-import { LateHands } from "../../../controls/handles/late_hands";
-import { shownShells } from "../../../controls/shell_tool";
-import type { Tool } from "../../../controls/tool";
+import type { Change, Desk } from "../../../ui/desk";
+import { LateHands } from "../../../ui/handles/late_hands";
+import { shownShells } from "../../../ui/shell_tool";
+import type { Tool } from "../../../ui/tool";
 import type { GrowthPlant } from "../growth_plant";
 import type { GrowthSpecimen } from "../specimen";
 import { fetchedText } from "../texts";
@@ -42,7 +42,7 @@ const volumeGlass = shownShells<GrowthSpecimen, GrowthPlant>({
 	initial: true,
 	missed: "The volumes could not be fetched",
 	ofPlant: true,
-	figure: async () => new (await import("../../../scene/shell_figure")).ShellFigure(),
+	figure: async () => new (await import("../../../render/shell_figure")).ShellFigure(),
 	shells: (specimen, grown) => volumesOf(specimen, grown).map(surfaceOf),
 });
 

@@ -1,5 +1,5 @@
-import { aboutPlant } from "../../../export/about_plant";
-import { exportGlb } from "../../../export/glb";
+import { aboutPlant } from "../../../formats/about_plant";
+import { exportGlb } from "../../../formats/glb";
 import type { Leaf } from "../grown";
 import { LEAF } from "../species";
 import type { LeafSpecimen } from "../specimen";

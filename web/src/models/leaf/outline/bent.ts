@@ -2,7 +2,7 @@
  * Where the flat outline lies on the leaf, which is folded along its midrib and curled: bending.cpp of the core without waves and the
  * roundness of the crease. In lengths of the leaf.
  */
-import type { Vector } from "../../../controls/handles/plant_handle";
+import type { Vector } from "../../../ui/handles/plant_handle";
 import type { Place } from "./points";
 
 /** Degrees that each half is raised by, and that the tip is turned down by along a length. */

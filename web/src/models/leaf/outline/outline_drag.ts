@@ -1,5 +1,5 @@
 /** The drags of an outline's points, each named by its number. A point stops where the outline would cross itself. */
-import { DragSession } from "../../../controls/handles/drag_session";
+import { DragSession } from "../../../ui/handles/drag_session";
 import { movePoint, type OutlinePoints, type Place, type Symmetry } from "./points";
 import { enclosesBlade } from "./spline";
 

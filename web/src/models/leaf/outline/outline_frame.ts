@@ -1,5 +1,5 @@
 /** How an outline lies in the element that shows it: y up, the whole leaf in view. */
-import { roundLength } from "../../../controls/handles/scale_bar";
+import { roundLength } from "../../../ui/handles/scale_bar";
 import type { Place } from "./points";
 
 export interface OutlineFrame {

@@ -3,9 +3,9 @@
  * person does to it; the document stays with the page. A handle's name is the point's number.
  */
 import { html, nothing, type PropertyValues } from "lit";
-import { HandleView } from "../../../controls/handles/handle_view";
-import { drawScaleBar } from "../../../controls/handles/scale_bar";
-import { drawValue, valueStyle } from "../../../controls/handles/value_label";
+import { HandleView } from "../../../ui/handles/handle_view";
+import { drawScaleBar } from "../../../ui/handles/scale_bar";
+import { drawValue, valueStyle } from "../../../ui/handles/value_label";
 import { type FlatVeins, showOutline } from "./outline_canvas";
 import { outlineDrags } from "./outline_drag";
 import { inReach, inView, type OutlineFrame, onLeaf, scaleBar, steadyFrame } from "./outline_frame";

@@ -1,6 +1,6 @@
 /** The outline's points on the leaf itself. */
-import type { Change } from "../../../controls/desk";
-import type { HandlesOf, Vector } from "../../../controls/handles/plant_handle";
+import type { Change } from "../../../ui/desk";
+import type { HandlesOf, Vector } from "../../../ui/handles/plant_handle";
 import type { LeafSpecimen } from "../specimen";
 import { bent } from "./bent";
 import { placeInWords } from "./outline_words";

@@ -3,7 +3,7 @@
  * loop runs counter-clockwise, seen with the tip up, from the base, where the petiole joins: point 0, always at (0, 0). Coordinates
  * are in lengths of the leaf, x to the right, y to the tip, which is at about (0, 1).
  */
-import type { Point } from "../../../controls/handles/point";
+import type { Point } from "../../../ui/handles/point";
 
 /** What a point is: of the curve, an angle in it, or the tip of a lobe, rounded or pointed, to which a main vein runs. */
 export const KINDS = ["smooth", "corner", "lobe", "pointed"] as const;

@@ -1,5 +1,5 @@
 /** What keys and buttons do to the chosen point: one step each, with what is said of it. Pure functions. */
-import { ARROWS } from "../../../controls/handles/point";
+import { ARROWS } from "../../../ui/handles/point";
 import { CROSSES, KIND_WORDS, placeInWords } from "./outline_words";
 import {
 	insertedAt,

@@ -1,9 +1,9 @@
 /** A picture of a leaf → the points of its outline, and its petiole. Pure; what cannot be traced is refused in words for people. */
-import { contourOf, smoothed } from "../../../controls/tracing/contour";
-import { type Picture, TraceError } from "../../../controls/tracing/picture";
-import { silhouetteOf } from "../../../controls/tracing/silhouette";
-import { withoutStalk } from "../../../controls/tracing/stalk";
-import { upright } from "../../../controls/tracing/upright";
+import { contourOf, smoothed } from "../../../import/tracing/contour";
+import { type Picture, TraceError } from "../../../import/tracing/picture";
+import { silhouetteOf } from "../../../import/tracing/silhouette";
+import { withoutStalk } from "../../../import/tracing/stalk";
+import { upright } from "../../../import/tracing/upright";
 import { FEWEST_POINTS, type Kind, type OutlinePoint, type Place, placed } from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
 

@@ -1,6 +1,6 @@
 /** What fingers press for what keys do to grips: points, obstacles and targets come and go. */
 import { html, nothing } from "lit";
-import type { Change, Desk } from "../../../controls/desk";
+import type { Change, Desk } from "../../../ui/desk";
 import type { BoundedSpecimen } from "./bounded";
 import { MOST_OBSTACLES, MOST_TARGETS } from "./details/places";
 import { boundaryPose } from "./editor/boundary_pose";

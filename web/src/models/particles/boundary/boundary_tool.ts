@@ -1,8 +1,8 @@
 /** The flat view of outer and inner boundary from in front. */
 import { html } from "lit";
 import { guard } from "lit/directives/guard.js";
-import type { Desk } from "../../../controls/desk";
-import type { Tool } from "../../../controls/tool";
+import type { Desk } from "../../../ui/desk";
+import type { Tool } from "../../../ui/tool";
 import { boundaryButtons } from "./boundary_buttons";
 import type { BoundedSpecimen } from "./bounded";
 import { boundaryPose } from "./editor/boundary_pose";

@@ -34,7 +34,7 @@ export async function boundedBy<S extends BoundedSpecimen>(
 	file: File,
 	height: string,
 ): Promise<S> {
-	const { readMeshFile } = await import("../../../controls/mesh_file/read");
+	const { readMeshFile } = await import("../../../import/mesh_file/read");
 	const volume = await readMeshFile(file);
 	const parameters = meshParameters(species.table, volume, specimen.parameters[height]);
 	return { ...withParameters(species, specimen, parameters), volume };

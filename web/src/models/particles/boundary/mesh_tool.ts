@@ -1,9 +1,9 @@
 /** Closed meshes of one's own as the boundaries: the outer one chosen in the panel or dropped on the page, the inner one chosen. */
 import { html, nothing } from "lit";
-import type { Change, Desk } from "../../../controls/desk";
-import { ACCEPT } from "../../../controls/mesh_file/accept";
-import { sameDocument } from "../../../controls/same_document";
-import { FILE_TOPIC, type Tool } from "../../../controls/tool";
+import type { Change, Desk } from "../../../ui/desk";
+import { ACCEPT } from "../../../import/mesh_file/accept";
+import { sameDocument } from "../../../ui/same_document";
+import { FILE_TOPIC, type Tool } from "../../../ui/tool";
 import { type ClosedMesh, sameMesh } from "../../../specimen/closed_mesh";
 import { fromPreset } from "../../../specimen/from_preset";
 import type { BoundedSpecimen } from "./bounded";
@@ -117,7 +117,7 @@ async function take<S extends BoundedSpecimen>(
 	{ words, change }: Taken,
 ): Promise<void> {
 	const isStill = sameDocument(desk);
-	const reader = await import("../../../controls/mesh_file/read_in_worker").catch(() => undefined);
+	const reader = await import("../../../import/mesh_file/read_in_worker").catch(() => undefined);
 	if (!reader) {
 		desk.notify(
 			"The mesh was not read",

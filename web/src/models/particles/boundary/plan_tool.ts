@@ -1,8 +1,8 @@
 /** The flat view from above: depth of the boundary, obstacles, targets. */
 import { html } from "lit";
 import { guard } from "lit/directives/guard.js";
-import type { Desk } from "../../../controls/desk";
-import type { Tool } from "../../../controls/tool";
+import type { Desk } from "../../../ui/desk";
+import type { Tool } from "../../../ui/tool";
 import type { BoundedSpecimen } from "./bounded";
 import { feetOf } from "./editor/feet";
 import type { GripEvent } from "./editor/grip";

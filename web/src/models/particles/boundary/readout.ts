@@ -1,5 +1,5 @@
 import { html } from "lit";
-import { term } from "../../../controls/term";
+import { term } from "../../../ui/term";
 import type { TrailPlant } from "../trails";
 
 /** The numbers of the system, as the paper counts (Rodkaew et al. 2003, section 2). */

@@ -1,7 +1,7 @@
 /** The boundary in the 3-D view, on and off. */
 import { svg } from "lit";
-import { shownShells } from "../../../controls/shell_tool";
-import type { Tool } from "../../../controls/tool";
+import { shownShells } from "../../../ui/shell_tool";
+import type { Tool } from "../../../ui/tool";
 import type { BoundedSpecimen } from "./bounded";
 import type { Lay } from "./editor/lay";
 import { shellsOf } from "./editor/shell";
@@ -15,6 +15,6 @@ export const shellTool = <S extends BoundedSpecimen>(lay: Lay<S>): Tool<S, Woode
 		icon: ICON,
 		label: "Boundary in 3-D",
 		missed: "The boundary could not be fetched",
-		figure: async () => new (await import("../../../scene/shell_figure")).ShellFigure(),
+		figure: async () => new (await import("../../../render/shell_figure")).ShellFigure(),
 		shells: (specimen) => shellsOf(lay, specimen),
 	});

@@ -2,7 +2,7 @@
  * The wood of a tree or a root as SVG: from in front, in millimetres at a round scale, each branch one tapering shape from its
  * fork to its tip. Far ones come first and are paler.
  */
-import { GENERATOR } from "../../../export/generator";
+import { GENERATOR } from "../../../formats/generator";
 import { escaped, short } from "../svg_text";
 import type { TrailPlant } from "../trails";
 

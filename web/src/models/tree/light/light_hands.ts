@@ -1,7 +1,7 @@
 /** The light of a crown's cells in the 3-D view: a point for each. */
 import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from "three";
-import type { Desk, DeskState } from "../../../controls/desk";
-import type { ToolHands, ToolView } from "../../../controls/tool";
+import type { Desk, DeskState } from "../../../ui/desk";
+import type { ToolHands, ToolView } from "../../../ui/tool";
 import type { TreeSpecimen } from "../specimen";
 import type { TreePlant } from "../tree_plant";
 import { type LightGrid, lightPoints } from "./light_grid";

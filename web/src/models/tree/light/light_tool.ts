@@ -1,7 +1,7 @@
 /** The light in a tree's crown, cell by cell, on and off (Rodkaew et al. 2003, figure 8). */
 import { svg } from "lit";
-import { LateHands } from "../../../controls/handles/late_hands";
-import type { Tool } from "../../../controls/tool";
+import { LateHands } from "../../../ui/handles/late_hands";
+import type { Tool } from "../../../ui/tool";
 import type { TreeSpecimen } from "../specimen";
 import type { TreePlant } from "../tree_plant";
 

@@ -1,5 +1,5 @@
 /** The grips of a boundary from in front. */
-import type { Point } from "../../../../controls/handles/point";
+import type { Point } from "../../../../ui/handles/point";
 import { lengthInWords } from "../../../../plant/in_words";
 import type { BoundedSpecimen } from "../bounded";
 import { FROM_FRONT } from "./facing";

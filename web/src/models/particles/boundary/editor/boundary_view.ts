@@ -1,6 +1,6 @@
 /** `<panicle-boundary>`: outer and inner boundary from in front, with their grips, over the branches that grew in them. */
 import { svg, type TemplateResult } from "lit";
-import type { Point } from "../../../../controls/handles/point";
+import type { Point } from "../../../../ui/handles/point";
 import type { TrailPlant } from "../../trails";
 import { BranchDrawing } from "./branches";
 import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./drawn";

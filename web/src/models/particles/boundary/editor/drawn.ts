@@ -1,7 +1,7 @@
 /** What flat views draw under their grips: in CSS pixels, of places in metres. */
 import { svg, type TemplateResult } from "lit";
-import type { Point } from "../../../../controls/handles/point";
-import { drawScaleBar } from "../../../../controls/handles/scale_bar";
+import type { Point } from "../../../../ui/handles/point";
+import { drawScaleBar } from "../../../../ui/handles/scale_bar";
 import { type Frame, scaleBar, toScreen } from "./frame";
 
 /** Closed lines, in shares of a box. */

@@ -1,5 +1,5 @@
 /** From where a flat view looks, and what is up in it. */
-import type { Point } from "../../../../controls/handles/point";
+import type { Point } from "../../../../ui/handles/point";
 import { lengthInWords } from "../../../../plant/in_words";
 
 export interface Facing {

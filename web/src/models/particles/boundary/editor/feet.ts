@@ -1,5 +1,5 @@
 /** Targets as grips: where trunks stand, or roots begin. */
-import type { Change } from "../../../../controls/desk";
+import type { Change } from "../../../../ui/desk";
 import { onStep } from "../../../../specimen/table";
 import type { BoundedSpecimen } from "../bounded";
 import { fitted, MOST_TARGETS } from "../details/places";

@@ -1,6 +1,6 @@
 /** How a flat view's units, y up, lie in its element, and how long a scale bar suits it. */
-import type { Point } from "../../../../controls/handles/point";
-import { roundLength } from "../../../../controls/handles/scale_bar";
+import type { Point } from "../../../../ui/handles/point";
+import { roundLength } from "../../../../ui/handles/scale_bar";
 
 export interface Frame {
 	/** Of the element, CSS pixels. */

@@ -1,6 +1,6 @@
 /** Drags of grips, one at a time: places are in the view's units, what they change are parts of a specimen. */
-import type { Change } from "../../../../controls/desk";
-import { type DragHost, DragSession } from "../../../../controls/handles/drag_session";
+import type { Change } from "../../../../ui/desk";
+import { type DragHost, DragSession } from "../../../../ui/handles/drag_session";
 import { gripIn, type Pose } from "./grip";
 
 export interface GripHost extends Pick<DragHost<string, Change, undefined>, "input" | "change" | "schedule"> {

@@ -3,10 +3,10 @@
  * behind the grips.
  */
 import { html, type PropertyValues, type TemplateResult } from "lit";
-import type { Change } from "../../../../controls/desk";
-import { HandleView } from "../../../../controls/handles/handle_view";
-import type { Point } from "../../../../controls/handles/point";
-import { drawValue, valueStyle } from "../../../../controls/handles/value_label";
+import type { Change } from "../../../../ui/desk";
+import { HandleView } from "../../../../ui/handles/handle_view";
+import type { Point } from "../../../../ui/handles/point";
+import { drawValue, valueStyle } from "../../../../ui/handles/value_label";
 import { type Frame, fromScreen, toScreen } from "./frame";
 import { type Grip, gripIn, type Pose, pressed } from "./grip";
 import { gripDrags } from "./grip_drags";

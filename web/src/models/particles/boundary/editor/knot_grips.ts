@@ -1,6 +1,6 @@
 /** The points of a profile as grips. */
-import type { Change } from "../../../../controls/desk";
-import type { Point } from "../../../../controls/handles/point";
+import type { Change } from "../../../../ui/desk";
+import type { Point } from "../../../../ui/handles/point";
 import { lengthInWords } from "../../../../plant/in_words";
 import type { BoundedSpecimen, Knot } from "../bounded";
 import { FEWEST_KNOTS, knotAt, MOST_KNOTS } from "../details/profile";

@@ -1,6 +1,6 @@
 /** How a model's numbers lay out its boundary, seen from in front. Metres; the ground is at height 0. */
-import type { Desk } from "../../../../controls/desk";
-import type { Point } from "../../../../controls/handles/point";
+import type { Desk } from "../../../../ui/desk";
+import type { Point } from "../../../../ui/handles/point";
 import { allBut } from "../../../../specimen/all_but";
 import type { BoundedSpecimen, Knot } from "../bounded";
 import { FROM_ABOVE, FROM_FRONT } from "./facing";

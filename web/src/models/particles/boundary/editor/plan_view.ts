@@ -3,7 +3,7 @@
  * the branches that grew in it; what is in front is below.
  */
 import { svg, type TemplateResult } from "lit";
-import type { Point } from "../../../../controls/handles/point";
+import type { Point } from "../../../../ui/handles/point";
 import { AboveView } from "./above_view";
 import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./drawn";
 import { type Frame, frameAbout, toScreen } from "./frame";

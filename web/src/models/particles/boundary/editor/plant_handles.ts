@@ -1,5 +1,5 @@
 /** A boundary's grips on the plant itself: in the plane of the front view. */
-import type { HandlesOf, Vector } from "../../../../controls/handles/plant_handle";
+import type { HandlesOf, Vector } from "../../../../ui/handles/plant_handle";
 import type { BoundedSpecimen } from "../bounded";
 import { boundaryPose } from "./boundary_pose";
 import { type Lay, loopsIn } from "./lay";

@@ -1,5 +1,5 @@
 /** The ends and the side of a boundary's box as grips. */
-import type { Change } from "../../../../controls/desk";
+import type { Change } from "../../../../ui/desk";
 import { lengthInWords } from "../../../../plant/in_words";
 import type { BoundedSpecimen } from "../bounded";
 import { axisOf, type Box, type Lay, LEAST } from "./lay";

@@ -1,5 +1,5 @@
 /** What the grips of every flat view of a boundary share: their arrow keys, and what they can change. */
-import type { Change } from "../../../../controls/desk";
+import type { Change } from "../../../../ui/desk";
 import { onStep } from "../../../../specimen/table";
 import type { BoundedSpecimen } from "../bounded";
 import type { Grip } from "./grip";

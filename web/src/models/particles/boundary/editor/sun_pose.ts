@@ -1,5 +1,5 @@
 /** The sun as a grip on the sky, seen from above: the middle is overhead, the rim the horizon, in front is below. */
-import type { Point } from "../../../../controls/handles/point";
+import type { Point } from "../../../../ui/handles/point";
 import type { Specimen } from "../../../../specimen/specimen";
 import type { Pose } from "./grip";
 

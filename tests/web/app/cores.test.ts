@@ -1,0 +1,95 @@
+import { describe, expect, it, vi } from "vitest";
+import { Columns, writeContainer } from "../../../web/src/core/container";
+import { Superseded } from "../../../web/src/core/errors";
+import type { Model } from "../../../web/src/models/model";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { Cores } from "../../../web/src/app/cores";
+import { toy } from "../toy";
+
+const model = toy as unknown as Model;
+const address = (file: string) => (file === "toy.wasm" ? "/cores/toy.wasm" : undefined);
+
+describe("the cores", () => {
+	it("grow a specimen by its model's core, in its model's words both ways", async () => {
+		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
+		const grow = vi.fn(async () => ({ columns, milliseconds: 7 }));
+		const { signal } = new AbortController();
+		const grown = await new Cores(address, { grow, warm: vi.fn(), among: vi.fn() }).grow(
+			model,
+			{ ...fromPreset(model), seed: 5 },
+			{ measures: false, signal },
+		);
+		expect(grown).toMatchObject({ fingerprint: "0123", timings: { grow: 7 } });
+		expect(grow).toHaveBeenCalledExactlyOnceWith(
+			{
+				wasm: "/cores/toy.wasm",
+				blocks: [
+					{ name: "model", data: "toy" },
+					{ name: "seed", data: Uint32Array.of(5) },
+				],
+			},
+			{ signal },
+		);
+	});
+
+	it("wait for what a specimen needs besides, and grow without it where it does not come", async () => {
+		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
+		for (const comes of [true, false]) {
+			let there = false;
+			const grow = vi.fn(async (_order: { blocks: readonly unknown[] }) => ({ columns, milliseconds: 7 }));
+			const needy: Model = {
+				...model,
+				prepare: async () => {
+					await Promise.resolve();
+					if (!comes) throw new TypeError("Failed to fetch");
+					there = true;
+				},
+				encode: () => [{ name: "there", data: Uint32Array.of(there ? 1 : 0) }],
+			};
+			await new Cores(address, { grow, warm: vi.fn(), among: vi.fn() }).grow(needy, fromPreset(model));
+			expect(grow.mock.calls[0][0].blocks).toEqual([{ name: "there", data: Uint32Array.of(comes ? 1 : 0) }]);
+		}
+	});
+
+	it("wait for the sketch alone where that does, of models that have one", async () => {
+		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
+		const client = { grow: async () => ({ columns, milliseconds: 7 }), warm: vi.fn(), among: vi.fn() };
+		const [prepare, sketch] = [vi.fn(async () => {}), vi.fn(async () => {})];
+		const cores = new Cores(address, client);
+		await cores.grow({ ...model, prepare, sketch }, fromPreset(model), { sketched: true });
+		expect([prepare, sketch].map(({ mock }) => mock.calls.length)).toEqual([0, 1]);
+		await cores.grow({ ...model, prepare, sketch }, fromPreset(model));
+		await cores.grow({ ...model, prepare }, fromPreset(model), { sketched: true });
+		expect([prepare, sketch].map(({ mock }) => mock.calls.length)).toEqual([2, 1]);
+	});
+
+	it("do not begin an older growth after a newer one that had less to wait for", async () => {
+		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
+		const grow = vi.fn(async (_order: { blocks: readonly unknown[] }) => ({ columns, milliseconds: 7 }));
+		const cores = new Cores(address, { grow, warm: vi.fn(), among: vi.fn() });
+		let come = () => {};
+		const slow: Model = { ...model, prepare: () => new Promise((resolve) => (come = resolve)) };
+		const older = cores.grow(slow, { ...fromPreset(model), seed: 1 });
+		await cores.grow(model, { ...fromPreset(model), seed: 2 });
+		come();
+		await expect(older).rejects.toThrow(Superseded);
+		expect(grow).toHaveBeenCalledOnce();
+		expect(grow.mock.calls[0][0].blocks).toContainEqual({ name: "seed", data: Uint32Array.of(2) });
+	});
+
+	it("are warmed by their files, where there is one of that name", () => {
+		const warm = vi.fn();
+		const cores = new Cores(address, { grow: vi.fn(), warm, among: vi.fn() });
+		cores.warm("plum.wasm");
+		expect(warm).not.toHaveBeenCalled();
+		cores.warm("toy.wasm");
+		expect(warm).toHaveBeenCalledExactlyOnceWith("/cores/toy.wasm");
+	});
+
+	it("say where one is missing", async () => {
+		const cores = new Cores(() => undefined, { grow: vi.fn(), warm: vi.fn(), among: vi.fn() });
+		await expect(cores.grow(model, fromPreset(model))).rejects.toThrow(
+			"The core of the pole is not part of this page.",
+		);
+	});
+});

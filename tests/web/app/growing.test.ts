@@ -1,0 +1,183 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
+import type { Model } from "../../../web/src/models/model";
+import type { Plant } from "../../../web/src/plant/plant";
+import type { GrowOptions } from "../../../web/src/app/cores";
+import { Growing } from "../../../web/src/app/growing";
+import type { Studio } from "../../../web/src/app/studio";
+import { specimenFromPreset } from "../bunch";
+import { toy } from "../toy";
+import { bunchModel } from "./desk";
+
+const specimen = (seed: number) => ({ ...specimenFromPreset("duku"), seed });
+const bunch = (fingerprint: string) => ({ fingerprint }) as Plant;
+
+describe("growing", () => {
+	interface Call {
+		resolve(grown: Plant): void;
+		reject(reason: unknown): void;
+		signal: AbortSignal;
+		sketched: boolean;
+	}
+	let calls: Call[];
+	const studio = {
+		state: { shown: undefined as { model: Model } | undefined, model: bunchModel as Model, specimen: specimen(1) },
+		growAgain: vi.fn(),
+		grew: vi.fn(),
+		caughtUp: vi.fn(),
+		setGrowing: vi.fn(),
+		notify: vi.fn(),
+		fail: vi.fn(),
+	};
+	let growing: Growing;
+
+	beforeEach(() => {
+		vi.useFakeTimers();
+		vi.clearAllMocks();
+		calls = [];
+		studio.state.shown = { model: bunchModel };
+		studio.state.model = bunchModel;
+		const client = {
+			grow: (_model: unknown, _specimen: unknown, { signal, sketched = false }: GrowOptions = {}) =>
+				new Promise<Plant>((resolve, reject) => {
+					calls.push({ resolve, reject, signal: signal as AbortSignal, sketched });
+					signal?.addEventListener("abort", () => reject(signal.reason));
+				}),
+		};
+		growing = new Growing(client, () => studio as unknown as Studio);
+	});
+	afterEach(() => vi.useRealTimers());
+
+	it("hands over what grew, with what it grew from", async () => {
+		const done = growing.grow(bunchModel, specimen(1));
+		calls[0].resolve(bunch("a"));
+		await done;
+		expect(studio.grew).toHaveBeenCalledExactlyOnceWith(bunch("a"), specimen(1));
+		await vi.advanceTimersByTimeAsync(1000);
+		expect(studio.setGrowing).not.toHaveBeenCalledWith(true);
+	});
+
+	it("makes do with sketches until the first picture, and then grows again what had one", () => {
+		for (const sketched of [true, false]) {
+			void growing.grow(bunchModel, specimen(1));
+			expect(calls.at(-1)?.sketched).toBe(sketched);
+			growing.finish();
+		}
+		expect(studio.growAgain).not.toHaveBeenCalled();
+		studio.state.model = { ...bunchModel, sketch: async () => {} } as Model;
+		growing.finish();
+		expect(studio.growAgain).toHaveBeenCalledOnce();
+	});
+
+	it("shows every answer of a drag, but never an older one after a newer", async () => {
+		const all = [
+			growing.grow(bunchModel, specimen(1)),
+			growing.grow(bunchModel, specimen(2)),
+			growing.grow(bunchModel, specimen(3)),
+		];
+		calls[0].resolve(bunch("a"));
+		calls[2].resolve(bunch("c"));
+		await vi.advanceTimersByTimeAsync(0);
+		calls[1].resolve(bunch("b"));
+		await Promise.all(all);
+		expect(studio.grew.mock.calls.map(([{ fingerprint }]) => fingerprint)).toEqual(["a", "c"]);
+		expect(studio.caughtUp).toHaveBeenCalledOnce();
+		expect(studio.caughtUp.mock.invocationCallOrder[0]).toBeGreaterThan(studio.grew.mock.invocationCallOrder[1]);
+	});
+
+	it("says that it grows when an answer takes long, not when a drag does", async () => {
+		for (let seed = 1; seed <= 10; seed++) {
+			void growing.grow(bunchModel, specimen(seed));
+			await vi.advanceTimersByTimeAsync(100);
+			calls[seed - 1].resolve(bunch(`${seed}`));
+		}
+		await vi.advanceTimersByTimeAsync(0);
+		expect(studio.setGrowing).not.toHaveBeenCalledWith(true);
+		void growing.grow(bunchModel, specimen(11));
+		await vi.advanceTimersByTimeAsync(250);
+		expect(studio.setGrowing).toHaveBeenLastCalledWith(true);
+		calls[10].resolve(bunch("11"));
+		await vi.advanceTimersByTimeAsync(0);
+		expect(studio.setGrowing).toHaveBeenLastCalledWith(false);
+	});
+
+	it("cancels, says so once, and grows again afterwards", async () => {
+		const first = growing.grow(bunchModel, specimen(1));
+		const second = growing.grow(bunchModel, specimen(2));
+		growing.cancel();
+		await Promise.all([first, second]);
+		expect(studio.notify).toHaveBeenCalledOnce();
+		expect(studio.notify.mock.lastCall?.[0]).toMatch(/cancelled/);
+		expect(studio.caughtUp).toHaveBeenCalledOnce();
+		const third = growing.grow(bunchModel, specimen(3));
+		expect(calls[2].signal.aborted).toBe(false);
+		calls[2].resolve(bunch("c"));
+		await third;
+		expect(studio.grew).toHaveBeenCalledOnce();
+	});
+
+	it("keeps quiet about what was superseded, and about the failure of what is no longer wanted", async () => {
+		const first = growing.grow(bunchModel, specimen(1));
+		const second = growing.grow(bunchModel, specimen(2));
+		calls[0].reject(new CoreError("limit", "too large"));
+		calls[1].reject(new Superseded());
+		await Promise.all([first, second]);
+		expect(studio.notify).not.toHaveBeenCalled();
+		expect(studio.fail).not.toHaveBeenCalled();
+	});
+
+	it.each([
+		[new CoreError("syntax", "unexpected )", 3, 7), "notify", "Line 3, column 7 of the grammar: unexpected )"],
+		[new CoreError("limit", "too large"), "notify", "too large"],
+		[new CoreTrap("unreachable"), "notify", "The last bunch stays"],
+		[new UnsupportedError("fetch", "no core"), "fail", "no core"],
+		[new Error("odd"), "fail", "odd"],
+	] as const)("explains %o where a bunch stands", async (error, how, words) => {
+		const done = growing.grow(bunchModel, specimen(1));
+		calls[0].reject(error);
+		await done;
+		expect(studio[how]).toHaveBeenCalledOnce();
+		expect(JSON.stringify(studio[how].mock.lastCall)).toContain(words);
+	});
+
+	it("speaks of the model that is asked for, and of the one that stays", async () => {
+		const failing = () => calls[calls.length - 1].reject(new CoreTrap("unreachable"));
+		const beside = growing.grow(toy as unknown as Model, specimen(1));
+		failing();
+		await beside;
+		expect(studio.notify.mock.lastCall?.[1]).toEqual(["The last bunch stays; any change grows again."]);
+		studio.state.shown = undefined;
+		const first = growing.grow(toy as unknown as Model, specimen(1));
+		failing();
+		await first;
+		expect(studio.fail.mock.lastCall?.[0].details).toEqual(["There is no pole yet; any change grows again."]);
+	});
+
+	it.each([
+		[new CoreError("syntax", "unexpected )", 3, 7), ["other"], "Line 3, column 7 of the grammar: unexpected )"],
+		[new CoreTrap("unreachable"), ["again", "other"], "There is no bunch yet"],
+		[new UnsupportedError("fetch", "no core"), ["again"], "no core"],
+	] as const)("says in place of the first bunch why there is none: %o", async (error, remedies, words) => {
+		studio.state.shown = undefined;
+		const done = growing.grow(bunchModel, specimen(1));
+		calls[0].reject(error);
+		await done;
+		expect(studio.notify).not.toHaveBeenCalled();
+		expect(studio.fail.mock.lastCall?.[0]).toMatchObject({ remedies });
+		const said = JSON.stringify(studio.fail.mock.lastCall);
+		expect(said).toContain(words);
+		expect(said).not.toContain("last bunch");
+	});
+
+	it("has no last bunch to speak of when the first growth is cancelled", async () => {
+		studio.state.shown = undefined;
+		const done = growing.grow(bunchModel, specimen(1));
+		growing.cancel();
+		await done;
+		expect(studio.notify).not.toHaveBeenCalled();
+		expect(studio.fail.mock.lastCall?.[0]).toMatchObject({
+			title: "Growing was cancelled",
+			remedies: ["again", "other"],
+		});
+	});
+});

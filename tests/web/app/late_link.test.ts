@@ -1,0 +1,72 @@
+import { describe, expect, it, vi } from "vitest";
+import type { Restored } from "../../../web/src/specimen/restore";
+import { openLate } from "../../../web/src/app/late_link";
+import { specimenFromPreset } from "../bunch";
+import { studioWith } from "./desk";
+
+const linked: Restored = { specimen: { ...specimenFromPreset("duku"), seed: 77 }, notes: [] };
+
+async function opening() {
+	const { studio } = await studioWith(specimenFromPreset());
+	let come!: (restored: Restored) => void;
+	let fail!: (error: Error) => void;
+	const whole = new Promise<Restored>((resolve, reject) => {
+		come = resolve;
+		fail = reject;
+	});
+	return { studio, come, fail, opened: openLate(studio, whole) };
+}
+
+describe("a link that is unpacked late", () => {
+	it("opens where nothing was changed meanwhile, without a step to undo", async () => {
+		const { studio, come, opened } = await opening();
+		studio.setUi({ theme: "dark" });
+		come(linked);
+		await opened;
+		expect(studio.state.specimen).toBe(linked.specimen);
+		expect(studio.state.history.past).toEqual([]);
+	});
+
+	it.each([
+		["a preset was chosen", (studio: Awaited<ReturnType<typeof opening>>["studio"]) => studio.choosePreset("lychee")],
+		["a control is in hand", (studio) => studio.edit({ parameters: { l: 300 } })],
+		[
+			"a change was undone",
+			(studio) => {
+				studio.newVariation();
+				studio.undo();
+			},
+		],
+	])("leaves the document alone where %s, and opens when it is asked to, as one step", async (_, act) => {
+		const { studio, come, opened } = await opening();
+		act(studio);
+		const { specimen, history } = studio.state;
+		come(linked);
+		await opened;
+		expect([studio.state.specimen, studio.state.history]).toEqual([specimen, history]);
+		const [notice] = studio.state.notices;
+		expect(notice.title).toBe("The link is not opened yet");
+		notice.act?.run();
+		expect(studio.state.specimen).toBe(linked.specimen);
+		studio.undo();
+		expect(studio.state.specimen).toBe(specimen);
+	});
+
+	it("says so where the script that unpacks it did not come", async () => {
+		const { studio, fail, opened } = await opening();
+		fail(new TypeError("Failed to fetch"));
+		await opened;
+		expect(studio.state.notices[0].title).toBe("The link could not be read to its end");
+	});
+
+	it("does not report a fault while opening as a failed fetch", async () => {
+		const { studio, come, opened } = await opening();
+		const fault = new Error("a fault of the page");
+		vi.spyOn(studio, "open").mockImplementation(() => {
+			throw fault;
+		});
+		come(linked);
+		await expect(opened).rejects.toBe(fault);
+		expect(studio.state.notices).toEqual([]);
+	});
+});

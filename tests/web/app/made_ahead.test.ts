@@ -1,0 +1,88 @@
+import { expect, it, vi } from "vitest";
+import { NotFetched } from "../../../web/src/generate/files/exporter";
+import type { Model } from "../../../web/src/models/model";
+import { EMPTY_PLANT } from "../../../web/src/plant/plant";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import type { Asked, Download } from "../../../web/src/app/files/formats";
+import { MadeAhead, sizeInWords } from "../../../web/src/app/files/made_ahead";
+import { toy } from "../toy";
+
+const model = toy as unknown as Model;
+const asked: Asked = {
+	plant: { model, grown: EMPTY_PLANT, from: fromPreset(model) },
+	link: "?model=toy",
+	name: "toy-1",
+	options: { triangles: 500 },
+};
+
+function format(key: string, make: Download["make"], sized = true): Download {
+	return { key, title: key, about: "", suffix: `.${key}`, sized, make };
+}
+
+it("makes one file after the other, and each once", async () => {
+	const order: string[] = [];
+	const named = (key: string) =>
+		format(key, async () => {
+			order.push(key);
+			return new Blob([key]);
+		});
+	const [one, two, unsized] = [named("one"), named("two"), format("png", async () => new Blob(), false)];
+	const changed = vi.fn();
+	const ahead = new MadeAhead(changed);
+	expect(ahead.file(one, asked)).toBeUndefined();
+	const slow = { ...named("slow"), slow: true };
+	await ahead.start([slow, one, two, unsized], asked);
+	await ahead.start([slow, one, two, unsized], asked);
+	expect(order).toEqual(["one", "two", "slow"]);
+	expect(changed).toHaveBeenCalledTimes(3);
+	expect(await ahead.file(two, asked)?.text()).toBe("two");
+	expect(ahead.file(unsized, asked)).toBeUndefined();
+});
+
+it("has a file for what it was made of alone", async () => {
+	const one = format("one", async () => new Blob(["one"]));
+	const ahead = new MadeAhead(() => undefined);
+	await ahead.start([one], asked);
+	expect(ahead.file(one, { ...asked, options: { triangles: 600 } })).toBeUndefined();
+	expect(ahead.file(one, { ...asked, link: "?model=toy&seed=2" })).toBeUndefined();
+	const grown = { ...EMPTY_PLANT };
+	expect(ahead.file(one, { ...asked, plant: { ...asked.plant, grown } })).toBeUndefined();
+	expect(ahead.file(one, { ...asked, plant: { ...asked.plant } })).toBeDefined();
+	ahead.clear();
+	expect(ahead.file(one, asked)).toBeUndefined();
+});
+
+it("goes on after what fails, and stops when it is told to", async () => {
+	const broken = format("broken", async () => Promise.reject(new Error("no")));
+	const ahead = new MadeAhead(() => undefined);
+	const last = vi.fn(async () => new Blob(["last"]));
+	const stopping = format("stopping", async (_, signal) => {
+		ahead.stop();
+		expect(signal?.aborted).toBe(true);
+		return new Blob(["late"]);
+	});
+	await ahead.start([broken, stopping, format("last", last)], asked);
+	expect(last).not.toHaveBeenCalled();
+	expect(ahead.file(stopping, asked)).toBeUndefined();
+	await ahead.start([broken, format("last", last)], asked);
+	expect(last).toHaveBeenCalledOnce();
+});
+
+it("gives up where the script that makes files cannot be fetched", async () => {
+	const last = vi.fn(async () => new Blob(["last"]));
+	const ahead = new MadeAhead(() => undefined);
+	await ahead.start([format("far", async () => Promise.reject(new NotFetched())), format("last", last)], asked);
+	expect(last).not.toHaveBeenCalled();
+});
+
+it("says sizes as downloads are counted", () => {
+	expect([1, 41_400, 999_400, 999_600, 2_927_000, 9_960_000, 28_461_000].map(sizeInWords)).toEqual([
+		"1 kB",
+		"41 kB",
+		"999 kB",
+		"1.0 MB",
+		"2.9 MB",
+		"10 MB",
+		"28 MB",
+	]);
+});

@@ -1,0 +1,130 @@
+import { beforeAll, describe, expect, it, vi } from "vitest";
+import { png } from "../../../web/src/formats/png";
+import { withLink } from "../../../web/src/formats/png_link";
+import { model as leaf } from "../../../web/src/models/leaf/index";
+import type { Model } from "../../../web/src/models/model";
+import { model as tree } from "../../../web/src/models/tree/index";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { writtenSpecimen } from "../../../web/src/specimen/written";
+import { dropsOf } from "../../../web/src/app/files/drops";
+import { openFile } from "../../../web/src/app/files/open";
+import { studioWith } from "./desk";
+
+// There are no workers here: files are read on this thread, by the same reader.
+vi.mock("../../../web/src/import/mesh_file/read_in_worker", async () => ({
+	readMeshInWorker: (await import("../../../web/src/import/mesh_file/read")).readMeshFile,
+}));
+
+const [leafModel, treeModel] = [leaf, tree] as unknown as Model[];
+const BALL = ["1 0 0", "-1 0 0", "0 1 0", "0 -1 0", "0 0 1", "0 0 -1"].map((point) => `v ${point}`);
+const FACES = ["1 3 5", "3 2 5", "2 4 5", "4 1 5", "3 1 6", "2 3 6", "4 2 6", "1 4 6"].map((face) => `f ${face}`);
+
+/** A studio with a model's standard preset, and what it says once a file has been brought to it. */
+async function brought(model: Model) {
+	const { studio } = await studioWith(fromPreset(model), model);
+	const said = () => studio.state.notices.map(({ title, details }) => [title, ...details].join(" "));
+	const bring = async (file: File) => {
+		await openFile(studio, file);
+		// Tools fetch what reads the file.
+		await vi.waitFor(() => expect(said().join()).not.toBe(""));
+		await new Promise((resolve) => setTimeout(resolve, 50));
+		return said();
+	};
+	return { studio, said, bring };
+}
+
+describe("a file brought to the page", () => {
+	beforeAll(() => {
+		const bitmap = () => Promise.reject(new Error("no picture"));
+		vi.stubGlobal("createImageBitmap", bitmap);
+	});
+
+	it("goes to the tool that takes it, where no plant is in it: a picture is traced on a leaf", async () => {
+		const { bring, studio } = await brought(leafModel);
+		expect(dropsOf(studio).map(({ words }) => words)).toEqual(["a picture of a leaf is traced"]);
+		const notices = await bring(new File([Uint8Array.of(0xff, 0xd8, 0xff)], "oak.jpg", { type: "image/jpeg" }));
+		expect(notices).toEqual([expect.stringMatching(/^The picture was not traced The file is no picture/)]);
+	});
+
+	it("is refused in the page's words where no tool takes it", async () => {
+		const { bring } = await brought(treeModel);
+		const notices = await bring(new File([Uint8Array.of(0xff, 0xd8, 0xff)], "oak.jpg", { type: "image/jpeg" }));
+		expect(notices).toEqual([expect.stringContaining("oak.jpg is neither a GLB nor readable JSON")]);
+	});
+
+	it("is told of the models whose tools would take it", async () => {
+		const picture = await (await brought(treeModel)).bring(
+			new File([Uint8Array.of(0xff)], "oak.jpg", { type: "image/jpeg" }),
+		);
+		expect(picture[0]).toMatch(/ Leaf: a picture of a leaf is traced\.$/);
+		const mesh = await (await brought(leafModel)).bring(new File(["v 0 0 0"], "cube.obj"));
+		expect(mesh[0]).toContain(
+			" Root: a closed mesh (OBJ, GLB, STL) becomes the boundary. Tree: a closed mesh (OBJ, GLB, STL) becomes the boundary.",
+		);
+		const notes = await (await brought(leafModel)).bring(new File(["?"], "notes.txt"));
+		expect(notes[0]).toMatch(
+			/exported by Panicle\. A grammar as text \(\.lsys, \.gl3, \.growth, \.stand, \.xml\) grows, whatever is shown\. Leaf: a picture of a leaf is traced\.$/,
+		);
+	});
+
+	it("becomes a tree's boundary where it is a mesh; other kinds of mesh are told which ones do", async () => {
+		const { bring, studio } = await brought(treeModel);
+		expect(await bring(new File(["ply"], "ball.ply"))).toEqual([
+			expect.stringContaining("ball.ply is neither an OBJ nor a GLB nor an STL: save the mesh as one of them."),
+		]);
+		expect(await bring(new File([[...BALL, ...FACES].join("\n")], "ball.obj"))).toEqual([
+			expect.stringMatching(/^The mesh is the boundary now/),
+		]);
+		expect(studio.state.specimen).toMatchObject({ volume: { triangles: { length: 24 } } });
+		expect(await bring(new File([[...BALL, ...FACES.slice(1)].join("\n")], "open.obj"))).toEqual([
+			expect.stringMatching(/^The mesh was not read The mesh is not closed: 3 of its edges/),
+		]);
+	});
+
+	it("is opened by the link in a picture, whatever tools take pictures; one without goes to them", async () => {
+		const { studio, bring, said } = await brought(leafModel);
+		const bare = png({ width: 1, height: 1, pixels: Uint8Array.of(1, 2, 3) });
+		const picture = async (link: string) =>
+			new File([await withLink(new Blob([bare]), link)], "plant.png", { type: "image/png" });
+		await openFile(studio, await picture("https://else.example/app/?v=2&model=tree&preset=birch&seed=5"));
+		expect(studio.state.specimen).toMatchObject({ model: "tree", preset: "birch", seed: 5 });
+		expect(said()).toEqual([]);
+		// From outside: what it says is brought into range, and told.
+		await openFile(studio, await picture("javascript:alert(1)?v=9&model=leaf&seed=-3&__proto__=x"));
+		expect(studio.state.specimen).toMatchObject({ model: "leaf", seed: 0 });
+		expect(said()).toEqual([expect.stringMatching(/^Not everything in the file could be used.*newer version \(9\)/)]);
+		expect(await bring(new File([bare], "bare.png", { type: "image/png" }))).toEqual([
+			expect.stringMatching(/^The picture was not traced/),
+		]);
+	});
+
+	it("grows as a grammar where it is text; XML may be longer than the text that it becomes", async () => {
+		const { bring, studio, said } = await brought(leafModel);
+		const axiom = "<axiom>A</axiom>".padEnd(300_000);
+		await openFile(studio, new File([axiom], "a.xml"));
+		expect(studio.state.specimen).toMatchObject({ model: "flower", grammar: "#axiom: A\n" });
+		expect(said()).toEqual([]);
+		expect(await bring(new File([" ".repeat(300_000)], "a.gl3"))).toEqual([
+			"The file was not opened a.gl3 is longer than 256 KiB.",
+		]);
+		expect(await bring(new File([axiom.padEnd(8_400_000)], "a.xml"))).toContain(
+			"The file was not opened a.xml is longer than 8192 KiB.",
+		);
+		// The plant stays where it is the text that is too long.
+		const before = studio.state.specimen;
+		const long = `<axiom>${"A".repeat(300_000)}</axiom>`;
+		expect(await bring(new File([long], "long.xml"))).toContain(
+			"The file was not opened long.xml is longer than 256 KiB as a grammar’s text.",
+		);
+		expect(studio.state.specimen).toBe(before);
+	});
+
+	it("takes back what was said of the one before when it is opened", async () => {
+		const { bring, studio, said } = await brought(leafModel);
+		expect(await bring(new File(["?"], "notes.txt"))).toHaveLength(1);
+		const specimen = writtenSpecimen(treeModel, { ...fromPreset(treeModel), seed: 5 });
+		await openFile(studio, new File([JSON.stringify({ specimen })], "tree.json"));
+		expect(studio.state.specimen).toMatchObject({ model: "tree", seed: 5 });
+		expect(said()).toEqual([]);
+	});
+});

@@ -1,0 +1,63 @@
+import { describe, expect, it } from "vitest";
+import type { Tool } from "../../../web/src/ui/tool";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { applying, groupsFor } from "../../../web/src/app/panel_groups";
+import { BUNCH, specimenFromPreset } from "../bunch";
+import { toy } from "../toy";
+import { studioWith } from "./desk";
+
+const keysOf = (groups: ReturnType<typeof groupsFor>) => groups.map(({ group }) => group.key);
+const entriesOf = (groups: ReturnType<typeof groupsFor>) =>
+	groups.flatMap(({ entries }) => entries.map(({ key }) => key));
+
+describe("the panel's groups", () => {
+	it("hold what the specimen heeds, in the table's order, and no group without anything", () => {
+		expect(entriesOf(groupsFor(toy.table, fromPreset(toy), []))).toEqual(["height", "flag", "paint"]);
+		expect(entriesOf(groupsFor(toy.table, fromPreset(toy, "märz"), []))).toEqual(["height", "flag", "wind", "paint"]);
+		expect(keysOf(groupsFor(toy.table, fromPreset(toy), []))).toEqual(["pole"]);
+	});
+
+	it("leave to tools what is theirs, and give them their place", () => {
+		const above: Tool = {
+			name: "a",
+			initial: 0,
+			parameters: ["height"],
+			panel: { group: "pole", place: "above", draw: () => "" },
+		};
+		const below: Tool = { name: "b", initial: 0, panel: { group: "rest", place: "below", draw: () => "" } };
+		const [pole, rest] = groupsFor(toy.table, fromPreset(toy), [above, below]);
+		expect(pole.entries.map(({ key }) => key)).toEqual(["flag", "paint"]);
+		expect([pole.above, pole.below]).toEqual([[above], []]);
+		expect([rest.entries, rest.below]).toEqual([[], [below]]);
+	});
+
+	it("of tools stand before the table's, or at the end", () => {
+		const brought = (key: string, last: boolean): Tool => ({
+			name: key,
+			initial: 0,
+			panel: { group: { key, title: key, help: "", last }, place: "above", draw: () => "" },
+		});
+		const tools = [brought("end", true), brought("front", false)];
+		expect(keysOf(groupsFor(toy.table, fromPreset(toy), tools))).toEqual(["front", "pole", "end"]);
+	});
+
+	it("of a bunch show what its procedure heeds; the age stands below the view", async () => {
+		const { studio } = await studioWith(specimenFromPreset());
+		const shown = (version: number) => {
+			const specimen = specimenFromPreset(undefined, version);
+			return groupsFor(BUNCH.table, specimen, applying(studio.state.face?.tools, specimen));
+		};
+		expect(keysOf(shown(1))).toEqual(expect.arrayContaining(["interaction", "branching"]));
+		expect(keysOf(shown(1))).not.toContain("age");
+		expect(keysOf(shown(2))).not.toContain("interaction");
+		expect(keysOf(shown(2))).toContain("age");
+		expect(entriesOf(shown(2))).not.toContain("age");
+		expect(entriesOf(shown(2))).toContain("sun");
+		// The switch between the procedures is in sight, before the numbers.
+		for (const version of [1, 2]) {
+			const procedure = shown(version).find(({ group }) => group.key === "procedure");
+			expect(procedure?.group).toMatchObject({ everyday: true });
+			expect(procedure?.group.closed).toBeUndefined();
+		}
+	});
+});

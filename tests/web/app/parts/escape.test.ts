@@ -1,0 +1,69 @@
+/** An Escape that a part of the page takes is nobody else's: a tool that hears of it on the window sees that it is. */
+import type { TemplateResult } from "lit";
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { DownloadMenu } from "../../../../web/src/app/parts/download_menu";
+import { Gallery } from "../../../../web/src/app/parts/gallery";
+import type { Studio } from "../../../../web/src/app/studio";
+import { specimenFromPreset } from "../../bunch";
+import { sampleBunch } from "../../models/bunch/sample_bunch";
+import { studioWith } from "../desk";
+
+const field = { focus: vi.fn() };
+let studio: Studio;
+beforeEach(async () => {
+	vi.stubGlobal("window", new EventTarget());
+	vi.stubGlobal("document", { activeElement: null });
+	({ studio } = await studioWith(specimenFromPreset()));
+	studio.grew({ ...sampleBunch(5), measures: new Float32Array([1]) }, studio.state.specimen);
+	field.focus.mockClear();
+});
+afterEach(() => vi.unstubAllGlobals());
+
+/** A part in no page; whatever is looked for in it is the field. */
+function placed<P extends DownloadMenu | Gallery>(part: P): P {
+	Object.assign(part, {
+		performUpdate: () => {},
+		querySelector: () => field,
+		querySelectorAll: () => [],
+		desk: studio,
+	});
+	return part;
+}
+
+type Listener = (this: unknown, event: unknown) => unknown;
+
+/** What hears an event in what a part draws, after markup that ends so; undefined where that is not drawn. */
+function heard(drawn: unknown, ending: RegExp): Listener | undefined {
+	if (Array.isArray(drawn)) return drawn.map((each) => heard(each, ending)).find(Boolean);
+	const { strings, values } = (drawn ?? {}) as Partial<TemplateResult>;
+	if (!strings || !values) return undefined;
+	const at = strings.findIndex((text, i) => i < values.length && ending.test(text));
+	return at < 0 ? values.map((value) => heard(value, ending)).find(Boolean) : (values[at] as Listener);
+}
+const drawnBy = (part: DownloadMenu | Gallery) => (part as unknown as { draw(studio: Studio): unknown }).draw(studio);
+
+function press(part: DownloadMenu | Gallery, ending: RegExp, key: string): Event {
+	const event = Object.assign(new Event("keydown", { cancelable: true }), { key });
+	heard(drawnBy(part), ending)?.call(part, event);
+	return event;
+}
+
+it("closes the menu of downloads, and lets other keys be", async () => {
+	const menu = placed(new DownloadMenu());
+	const keys = /class="menu" @keydown=$/;
+	expect(heard(drawnBy(menu), keys)).toBeUndefined();
+	await heard(drawnBy(menu), /@click=$/)?.call(menu, undefined);
+	expect(press(menu, keys, "n").defaultPrevented).toBe(false);
+	expect(heard(drawnBy(menu), keys)).toBeDefined();
+	expect(press(menu, keys, "Escape").defaultPrevented).toBe(true);
+	expect(heard(drawnBy(menu), keys)).toBeUndefined();
+});
+
+it("leads from the strip of presets to their search, and lets other keys be", () => {
+	const gallery = placed(new Gallery());
+	const keys = /class="strip" @keydown=$/;
+	expect(press(gallery, keys, "n").defaultPrevented).toBe(false);
+	expect(field.focus).not.toHaveBeenCalled();
+	expect(press(gallery, keys, "Escape").defaultPrevented).toBe(true);
+	expect(field.focus).toHaveBeenCalledOnce();
+});

@@ -1,0 +1,89 @@
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { Stage } from "../../../../web/src/app/parts/stage";
+import { Studio } from "../../../../web/src/app/studio";
+import { specimenFromPreset } from "../../bunch";
+import { sampleBunch } from "../../models/bunch/sample_bunch";
+import { studioWith } from "../desk";
+
+const solid = vi.hoisted(() => ({ update: vi.fn(), resize: vi.fn(), dispose: vi.fn() }));
+vi.mock("../../../../web/src/app/solid_view", () => ({ SolidView: { create: async () => solid } }));
+
+/** Tells an element that it has another width. */
+let resized: (width: number) => void;
+let studio: Studio;
+let stage: Stage;
+/** What ends each of its subscriptions. */
+let left: (() => void)[];
+beforeEach(async () => {
+	vi.stubGlobal(
+		"ResizeObserver",
+		class {
+			observe() {}
+			disconnect() {}
+			constructor(tell: (entries: unknown[]) => void) {
+				resized = (width) => tell([{ contentRect: { width } }]);
+			}
+		},
+	);
+	({ studio } = await studioWith(specimenFromPreset()));
+	left = [];
+	vi.spyOn(studio, "subscribe").mockImplementation((listener) => {
+		const leave = vi.fn(Studio.prototype.subscribe.call(studio, listener));
+		left.push(leave);
+		return leave;
+	});
+	stage = new Stage();
+	Object.assign(stage, { querySelector: () => ({}), querySelectorAll: () => [], performUpdate: () => {} });
+	Object.defineProperty(stage, "isConnected", { value: true });
+	stage.desk = studio;
+	stage.connectedCallback();
+	(stage as unknown as { updated(): void }).updated();
+	await task();
+	vi.clearAllMocks();
+});
+afterEach(() => {
+	stage.disconnectedCallback();
+	vi.unstubAllGlobals();
+});
+
+const task = () => new Promise((resolve) => setTimeout(resolve));
+const grow = () => studio.grew(sampleBunch(5), studio.state.specimen);
+
+it("brings the view to the state in a task of its own, once for changes that come together", async () => {
+	grow();
+	studio.setUi({ theme: "dark" });
+	for (let i = 0; i < 9; i++) await Promise.resolve();
+	expect(solid.update).not.toHaveBeenCalled();
+	await task();
+	expect(solid.update.mock.calls).toEqual([[studio.state]]);
+	grow();
+	await task();
+	expect(solid.update).toHaveBeenCalledTimes(2);
+});
+
+it("draws nothing while another view is in its place, and all when it is back", async () => {
+	resized(0);
+	grow();
+	await task();
+	expect(solid.update).not.toHaveBeenCalled();
+	resized(300);
+	await task();
+	expect(solid.update.mock.calls).toEqual([[studio.state]]);
+});
+
+it("follows no more once it has left the page", async () => {
+	stage.disconnectedCallback();
+	expect(left).toHaveLength(2);
+	for (const leave of left) expect(leave).toHaveBeenCalled();
+	grow();
+	await task();
+	expect(solid.update).not.toHaveBeenCalled();
+});
+
+it("shows the plant again when it comes back to the page", async () => {
+	stage.disconnectedCallback();
+	stage.connectedCallback();
+	(stage as unknown as { updated(): void }).updated();
+	await task();
+	expect(solid.update.mock.calls).toEqual([[studio.state]]);
+});

@@ -1,0 +1,62 @@
+import { describe, expect, it } from "vitest";
+import type { Plant } from "../../../web/src/plant/plant";
+import { plantToSave } from "../../../web/src/app/files/plant_to_save";
+import { specimenFromPreset } from "../bunch";
+import { studioWith } from "./desk";
+
+const opened = specimenFromPreset("long-conical");
+const plant = (fingerprint: string) => ({ fingerprint }) as Plant;
+
+async function studioWithPlant() {
+	const { studio } = await studioWith(opened);
+	studio.grew(plant("first"), opened);
+	return studio;
+}
+
+describe("what is saved", () => {
+	it("is the plant in view, in the look on the controls", async () => {
+		const studio = await studioWithPlant();
+		studio.set({ look: { skin: "ffffff" } });
+		const { grown, from } = await plantToSave(studio);
+		expect(grown.fingerprint).toBe("first");
+		expect(from).toEqual({ ...opened, look: { ...opened.look, skin: "ffffff" } });
+	});
+
+	it("is awaited where it still grows: never one plant's shape in another's look", async () => {
+		const studio = await studioWithPlant();
+		studio.choosePreset("lychee");
+		const saved = plantToSave(studio);
+		const lychee = studio.state.specimen;
+		studio.grew(plant("second"), lychee);
+		studio.caughtUp();
+		expect(await saved).toMatchObject({ grown: { fingerprint: "second" }, from: lychee });
+	});
+
+	it("is in the look it had when it was asked for", async () => {
+		const studio = await studioWithPlant();
+		studio.set({ parameters: { l: 400 } });
+		const asked = studio.state.specimen;
+		const saved = plantToSave(studio);
+		studio.set({ look: { skin: "ffffff" } });
+		studio.grew(plant("second"), asked);
+		studio.caughtUp();
+		expect((await saved).from).toEqual(asked);
+	});
+
+	it("is the plant that stays, in its own look, where the awaited one fails", async () => {
+		const studio = await studioWithPlant();
+		studio.choosePreset("lychee");
+		const saved = plantToSave(studio);
+		studio.caughtUp();
+		expect(await saved).toMatchObject({ grown: { fingerprint: "first" }, from: opened });
+	});
+
+	it("is not waited for any more when it is cancelled", async () => {
+		const studio = await studioWithPlant();
+		studio.choosePreset("lychee");
+		const cancel = new AbortController();
+		const saved = plantToSave(studio, cancel.signal);
+		cancel.abort(new Error("enough"));
+		await expect(saved).rejects.toThrow("enough");
+	});
+});

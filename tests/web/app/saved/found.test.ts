@@ -1,0 +1,20 @@
+import { expect, it } from "vitest";
+import { findSaved } from "../../../../web/src/app/saved/found";
+import { savedAs } from "./shelf";
+
+const all = [savedAs("Beta 10", { at: 3 }), savedAs("Crémant", { at: 1 }), savedAs("beta 9", { at: 2 })];
+const find = (query: string, order: "newest" | "oldest" | "name" = "newest") =>
+	findSaved(all, query, order, ({ at }) => (at === 1 ? "Leaf Maple" : "Bunch")).map(({ name }) => name);
+
+it("finds what is saved by words of its name and what it is of, without case and accents", () => {
+	expect(find("cremant")).toEqual(["Crémant"]);
+	expect(find("MAPLE cre")).toEqual(["Crémant"]);
+	expect(find("bunch beta")).toEqual(["Beta 10", "beta 9"]);
+	expect(find("maple beta")).toEqual([]);
+});
+
+it("sorts by date and by name, numbers as numbers", () => {
+	expect(find("")).toEqual(["Beta 10", "beta 9", "Crémant"]);
+	expect(find("", "oldest")).toEqual(["Crémant", "beta 9", "Beta 10"]);
+	expect(find("", "name")).toEqual(["beta 9", "Beta 10", "Crémant"]);
+});

@@ -1,0 +1,212 @@
+import { describe, expect, it, vi } from "vitest";
+import { Library, type Tabs } from "../../../../web/src/app/saved/library";
+import { SharedShelf, savedAs } from "./shelf";
+
+const namesOf = (library: Library) => library.all.map(({ name }) => name).sort();
+
+/** Two tabs of one browser: what one says the other hears. */
+function twoTabs() {
+	const shelf = new SharedShelf();
+	const tabs: Tabs[] = [];
+	const tab = () => {
+		const own: Tabs = {
+			onmessage: null,
+			postMessage: () => {
+				for (const other of tabs) if (other !== own) other.onmessage?.({} as MessageEvent);
+			},
+		};
+		tabs.push(own);
+		return new Library(shelf, own);
+	};
+	return { shelf, one: tab(), other: tab() };
+}
+
+describe("a library", () => {
+	it("adds each under a name of its own, and reads again what was added", async () => {
+		const { shelf, one } = twoTabs();
+		for (const name of ["Merlot", "Merlot", "Merlot 2"]) await one.add(savedAs(name));
+		expect(namesOf(one)).toEqual(["Merlot", "Merlot 2", "Merlot 2 2"]);
+		const later = new Library(shelf);
+		expect(later.all).toEqual([]);
+		await later.read();
+		expect(namesOf(later)).toEqual(namesOf(one));
+	});
+
+	it("loses nothing that two tabs do at once, and each shows what the other did", async () => {
+		const { shelf, one, other } = twoTabs();
+		const first = await one.add(savedAs("First"));
+		const second = await one.add(savedAs("Second"));
+		await other.read();
+		await Promise.all([
+			one.add(savedAs("Merlot")),
+			other.add(savedAs("Merlot")),
+			one.rename(first.id, "Renamed"),
+			other.remove([second.id]),
+			one.bring([savedAs("Brought", { link: "?v=1" })]),
+			other.bring([savedAs("Brought", { link: "?v=1" })]),
+		]);
+		const names = ["Brought", "Merlot", "Merlot 2", "Renamed"];
+		expect(shelf.kept.map(({ name }) => name).sort()).toEqual(names);
+		await vi.waitFor(() => {
+			expect(namesOf(one)).toEqual(names);
+			expect(namesOf(other)).toEqual(names);
+		});
+	});
+
+	it("does not bring back by another name what was deleted in another tab", async () => {
+		const { shelf, one } = twoTabs();
+		const { id } = await one.add(savedAs("Merlot"));
+		// Before this tab has heard of it.
+		await shelf.change(() => ({ remove: [id] }));
+		await one.rename(id, "Syrah");
+		expect([namesOf(one), shelf.kept]).toEqual([[], []]);
+	});
+
+	it("brings back what was deleted, the last first, as it was", async () => {
+		const { one } = twoTabs();
+		const merlot = await one.add(savedAs("Merlot", { fingerprint: "0123456789abcdef" }));
+		const syrah = await one.add(savedAs("Syrah"));
+		await one.remove([merlot.id]);
+		await one.remove([syrah.id]);
+		expect([one.all, one.lastStep]).toEqual([[], { kind: "deletion", specimens: [syrah] }]);
+		await one.undo();
+		expect(await one.undo()).toEqual({ kind: "deletion", specimens: [merlot] });
+		expect(await one.undo()).toBeUndefined();
+		expect(namesOf(one)).toEqual(["Merlot", "Syrah"]);
+	});
+
+	it("deletes several in one step of the shelf, and undo brings them back with their pictures", async () => {
+		const { shelf, one } = twoTabs();
+		const several = Array.from({ length: 1200 }, (_, index) =>
+			savedAs(`Vine ${index}`, { link: `?v=2&seed=${index}`, picture: Uint8Array.of(index % 256) }),
+		);
+		await one.bring(several);
+		// In another tab, before this one has heard of it: that deletion is not this one's to undo.
+		await shelf.change(() => ({ remove: [several[7].id] }));
+		const change = vi.spyOn(shelf, "change");
+		const ids = several.slice(0, 1000).map(({ id }) => id);
+		expect(await one.remove(ids)).toHaveLength(999);
+		expect([one.all.length, shelf.drawn.size, change.mock.calls.length]).toEqual([200, 200, 1]);
+		expect(one.lastStep).toMatchObject({ kind: "deletion", specimens: { length: 999 } });
+		await one.undo();
+		expect([one.all.length, shelf.drawn.size, change.mock.calls.length]).toEqual([1199, 1199, 2]);
+		expect(shelf.drawn.get(several[300].id)).toEqual(several[300].picture);
+	});
+
+	it("undoes an import: what came is deleted, what was there already and what came after stays", async () => {
+		const { one } = twoTabs();
+		const own = await one.add(savedAs("Own", { link: "?v=2&seed=1" }));
+		await one.bring([savedAs("Own", { link: "?v=2&seed=1" }), savedAs("Brought"), savedAs("Gone")]);
+		const later = await one.add(savedAs("Later"));
+		await one.rename(one.all.find(({ name }) => name === "Brought")?.id ?? "", "Renamed");
+		await one.remove(one.all.flatMap(({ id, name }) => (name === "Gone" ? id : [])));
+		expect(await one.undo()).toMatchObject({ kind: "deletion", specimens: [{ name: "Gone" }] });
+		expect(one.lastStep).toMatchObject({ kind: "import", specimens: { length: 2 } });
+		expect(await one.undo()).toMatchObject({ kind: "import", specimens: { length: 2 } });
+		expect(one.all).toEqual([own, later]);
+		expect(await one.undo()).toBeUndefined();
+	});
+
+	it("undoes an import again later where the shelf does not do it now", async () => {
+		const { shelf, one } = twoTabs();
+		await one.bring([savedAs("Brought")]);
+		vi.spyOn(shelf, "change").mockRejectedValueOnce(new Error("No shelf."));
+		expect(await one.undo()).toBeUndefined();
+		expect([namesOf(one), one.trouble]).toEqual([["Brought"], "No shelf."]);
+		await one.undo();
+		expect([namesOf(one), one.lastStep]).toEqual([[], undefined]);
+	});
+
+	it("brings of a file what is not there yet, by name and link, of twins in it one", async () => {
+		const { one } = twoTabs();
+		await one.add(savedAs("Merlot", { link: "?v=2&preset=merlot" }));
+		const file = [
+			savedAs("Merlot", { link: "?v=2&preset=merlot" }),
+			savedAs("Merlot", { link: "?v=2&preset=merlot&seed=2" }),
+			savedAs("Other", { link: "?v=2&preset=merlot" }),
+			savedAs("Other", { link: "?v=2&preset=merlot" }),
+		];
+		expect(await one.bring(file)).toBe(2);
+		expect(await one.bring(file)).toBe(0);
+		expect(namesOf(one)).toEqual(["Merlot", "Merlot", "Other"]);
+	});
+
+	it("says what the shelf does not take and holds it, until it is taken", async () => {
+		const { shelf, one } = twoTabs();
+		const first = await one.add(savedAs("First"));
+		shelf.full = "The disk is full.";
+		const unkept = await one.add(savedAs("First"));
+		await one.rename(first.id, "Renamed");
+		await one.bring([savedAs("Brought")]);
+		expect(one.trouble).toBe("The disk is full.");
+		expect(namesOf(one)).toEqual(["Brought", "First 2", "Renamed"]);
+		expect(one.unkept.map(({ name }) => name).sort()).toEqual(["Brought", "First 2", "Renamed"]);
+		expect(shelf.kept).toEqual([first]);
+		await one.keep();
+		expect(one.isKept(unkept)).toBe(false);
+		// What another tab does, and what is read again, changes nothing of it.
+		await one.read();
+		expect(namesOf(one)).toEqual(["Brought", "First 2", "Renamed"]);
+		shelf.full = undefined;
+		await one.keep();
+		expect([one.unkept, one.trouble]).toEqual([[], undefined]);
+		expect(shelf.kept.map(({ name }) => name).sort()).toEqual(["Brought", "First 2", "Renamed"]);
+	});
+
+	it("deletes what the shelf never took without asking it; what it cannot delete stays", async () => {
+		const { shelf, one } = twoTabs();
+		const kept = await one.add(savedAs("Kept"));
+		shelf.full = "The disk is full.";
+		const unkept = await one.add(savedAs("Unkept"));
+		vi.spyOn(shelf, "change").mockRejectedValue(new Error("No shelf."));
+		await one.remove([unkept.id]);
+		await one.remove([kept.id]);
+		expect(namesOf(one)).toEqual(["Kept"]);
+		expect(one.trouble).toBe("No shelf.");
+		expect(one.lastStep).toEqual({ kind: "deletion", specimens: [unkept] });
+	});
+
+	it("reads a picture only where it is shown, exported or deleted, and brings it back with what was deleted", async () => {
+		const { shelf, one, other } = twoTabs();
+		const picture = (byte: number) => Uint8Array.of(byte, byte);
+		const merlot = await one.add(savedAs("Merlot", { picture: picture(1) }));
+		const syrah = await one.add(savedAs("Syrah", { picture: picture(2) }));
+		await one.rename(merlot.id, "Malbec");
+		await other.read();
+		await other.rename(syrah.id, "Shiraz");
+		expect(shelf.looked).toEqual([]);
+		expect([...one.all, ...other.all].some((saved) => saved.picture)).toBe(false);
+		const exported = await other.withPictures(other.all);
+		expect(exported.map((saved) => [saved.name, saved.picture?.[0]]).sort()).toEqual([
+			["Malbec", 1],
+			["Shiraz", 2],
+		]);
+		await one.remove([merlot.id]);
+		expect(shelf.drawn.has(merlot.id)).toBe(false);
+		await one.undo();
+		expect(shelf.drawn.get(merlot.id)).toEqual(picture(1));
+	});
+
+	it("shows and exports the picture of what is renamed while the shelf takes nothing", async () => {
+		const { shelf, one } = twoTabs();
+		const { id } = await one.add(savedAs("Merlot", { picture: Uint8Array.of(7) }));
+		shelf.full = "The disk is full.";
+		await one.rename(id, "Malbec");
+		expect((await one.withPictures(one.unkept))[0]).toMatchObject({ name: "Malbec", picture: Uint8Array.of(7) });
+		vi.spyOn(shelf, "pictures").mockRejectedValue(new Error("No shelf."));
+		expect((await one.withPictures(one.unkept))[0].name).toBe("Malbec");
+	});
+
+	it("tells whoever listens of every change", async () => {
+		const { one, other } = twoTabs();
+		const heard = vi.fn();
+		const end = other.subscribe(heard);
+		await one.add(savedAs("Merlot"));
+		await vi.waitFor(() => expect(heard).toHaveBeenCalled());
+		expect(namesOf(other)).toEqual(["Merlot"]);
+		end();
+		heard.mockClear();
+		await other.remove([other.all[0].id]);
+		expect(heard).not.toHaveBeenCalled();
+	});
+});

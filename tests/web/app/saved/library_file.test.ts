@@ -1,0 +1,192 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { foundInFile } from "../../../../web/src/formats/restore";
+import { broughtInWords, readLibrary, writeLibrary } from "../../../../web/src/app/saved/library_file";
+import { isSaved, LARGEST_PICTURE, LONGEST_NAME, type Saved, tidyName } from "../../../../web/src/app/saved/saved";
+import { inRun } from "../../../long_run.mjs";
+import { savedAs } from "./shelf";
+
+/** The head of a JPEG of that size, and something after it. */
+function jpeg(width = 192, height = 240, bytes = 40): Uint8Array<ArrayBuffer> {
+	const head = [
+		0xff,
+		0xd8,
+		0xff,
+		0xe0,
+		0,
+		4,
+		0,
+		0,
+		0xff,
+		0xc2,
+		0,
+		17,
+		8,
+		height >> 8,
+		height & 255,
+		width >> 8,
+		width & 255,
+	];
+	const whole = new Uint8Array(bytes);
+	whole.set(head);
+	return whole;
+}
+
+const document = async (saved: readonly Saved[]): Promise<{ specimens: Record<string, unknown>[] }> =>
+	JSON.parse(await writeLibrary(saved, 0).text());
+const dataUrl = (bytes: Uint8Array) => `data:image/jpeg;base64,${Buffer.from(bytes).toString("base64")}`;
+
+/** What is read of one that is a good one but for some fields. */
+async function withFields(fields: Record<string, unknown>) {
+	const written = await document([savedAs("Merlot", { picture: jpeg() })]);
+	Object.assign(written.specimens[0], fields);
+	return readLibrary(written);
+}
+
+const withoutId = ({ id, ...rest }: Saved) => rest;
+
+describe("a library's file", () => {
+	it("brings back what went into it, by ids of its own", async () => {
+		const saved = [
+			savedAs("Merlot", { link: "?v=2&preset=merlot&seed=7", fingerprint: "0123456789abcdef", picture: jpeg() }),
+			savedAs("Blatt “groß” 🍇", { link: "?v=1&model=leaf#g=abc-_", at: Date.UTC(2026, 1, 3) }),
+		];
+		const file = writeLibrary(saved, 0);
+		const found = await foundInFile("mine.panicle.json", file);
+		if (!("library" in found)) throw new Error("not told as a library");
+		const brought = readLibrary(found.library);
+		expect(brought.problems).toEqual([]);
+		expect(brought.saved.map(withoutId)).toEqual(saved.map(withoutId));
+		expect(brought.saved[0].id).not.toBe(saved[0].id);
+		const { specimens } = await document(saved);
+		expect(specimens.map(({ model }) => model)).toEqual(["bunch", "leaf"]);
+		expect(specimens[0]).toMatchObject({ name: "Merlot", saved: new Date(saved[0].at).toISOString() });
+	});
+
+	it("takes links of any address, and keeps of them what is a specimen's", async () => {
+		const { saved } = await withFields({ link: "javascript:alert(1)?v=1&preset=grape-15b#g=x" });
+		expect(saved[0].link).toBe("?v=1&preset=grape-15b#g=x");
+	});
+
+	it.each([
+		["name", 3, "No. 1: it has no name; it is left out."],
+		["name", " \u202e\n ", "No. 1: it has no name; it is left out."],
+		["link", ["?v=2"], "No. 1, “Merlot”: its link is not text; it is left out."],
+		["link", "https://example.org/", "No. 1, “Merlot”: its link has no “?”; it is left out."],
+		["link", `?v=2&x=${"y".repeat(16 * 1024)}`, "No. 1, “Merlot”: its link is too long; it is left out."],
+		["link", `?v=2#g=${"y".repeat(512 * 1024)}`, "No. 1, “Merlot”: its link is too long; it is left out."],
+	])("leaves out, and says where, one whose %s cannot be used: %#", async (field, value, said) => {
+		expect(await withFields({ [field]: value })).toEqual({ saved: [], problems: [said] });
+	});
+
+	it.each([
+		[7, "is no JPEG"],
+		["https://example.org/pixel.gif", "is no JPEG"],
+		["data:image/svg+xml,<svg onload='alert(1)'/>", "is no JPEG"],
+		["data:image/jpeg;base64,!!!", "is damaged"],
+		[dataUrl(Uint8Array.of(0x89, 0x50, 0x4e, 0x47)), "is no JPEG"],
+		[dataUrl(jpeg().subarray(0, 12)), "is no JPEG"],
+		[dataUrl(jpeg(60_000, 60_000)), "is larger than 1024 pixels"],
+		[dataUrl(jpeg(1025, 10)), "is larger than 1024 pixels"],
+		[dataUrl(jpeg(192, 240, LARGEST_PICTURE + 1)), "is larger than 96 kB"],
+		[`data:image/jpeg;base64,${"A".repeat(4_000_000)}`, "is larger than 96 kB"],
+	])("brings without its picture one whose picture cannot be shown: %#", async (picture, said) => {
+		const { saved, problems } = await withFields({ picture });
+		expect(problems).toEqual([`No. 1, “Merlot”: its picture ${said}; it comes without.`]);
+		expect(saved).toHaveLength(1);
+		expect(saved[0].picture).toBeUndefined();
+	});
+
+	it("reads the largest picture there may be", async () => {
+		const { saved, problems } = await withFields({ picture: dataUrl(jpeg(1024, 1024, LARGEST_PICTURE)) });
+		expect(problems).toEqual([]);
+		expect(saved[0].picture).toHaveLength(LARGEST_PICTURE);
+	});
+
+	it("does without what else is amiss: dates, versions, fingerprints", async () => {
+		const { saved, problems } = await withFields({
+			saved: { toString: 3 },
+			app: {},
+			fingerprint: "<b>",
+			picture: null,
+		});
+		expect(problems).toEqual([]);
+		expect(withoutId(saved[0])).toEqual({ name: "Merlot", link: "?v=2", at: 0, app: "" });
+	});
+
+	it.each([
+		[{ version: 2, specimens: [] }, "It was written by a newer version of Panicle (version 2 of the file)"],
+		[{ specimens: [] }, "Its “version” is not 1."],
+		[{ version: 1, specimens: {} }, "Its “specimens” are no list."],
+		[{ version: 1, specimens: new Array(10_001).fill(0) }, "It holds 10001 specimens; at most 10000 can be read."],
+	])("is refused whole where it cannot be one: %#", (wrong, said) => {
+		expect(() => readLibrary({ format: "panicle-library", ...wrong })).toThrow(said);
+	});
+
+	it("is told from other JSON, and where it breaks off", async () => {
+		const text = await writeLibrary([savedAs("Merlot")], 0).text();
+		await expect(foundInFile("cut.panicle.json", new Blob([text.slice(0, 90)]))).rejects.toThrow(
+			/^cut\.panicle\.json is damaged or unfinished JSON: export or download it again\. \(.+\)$/,
+		);
+		await expect(foundInFile("other.json", new Blob(['{"format":"else"}']))).rejects.toThrow("holds no specimen");
+	});
+
+	it("never throws but by its own words, and what it brings can be kept, whatever is in it", () => {
+		const any = fc.jsonValue({ maxDepth: 2 });
+		const near = fc.record(
+			{
+				name: fc.oneof(fc.string({ unit: "binary" }), any),
+				link: fc.oneof(
+					fc.constant("?v=2"),
+					fc.string().map((text) => `https://a.example/?${text}`),
+					any,
+				),
+				picture: fc.oneof(
+					fc.base64String().map((text) => `data:image/jpeg;base64,${text}`),
+					any,
+				),
+				saved: any,
+				app: any,
+				fingerprint: any,
+			},
+			{ requiredKeys: [] },
+		);
+		const list = fc.oneof(fc.array(fc.oneof(near, any), { maxLength: 6 }), any);
+		fc.assert(
+			fc.property(list, fc.oneof(fc.constant(1), any), (specimens, version) => {
+				let brought: ReturnType<typeof readLibrary>;
+				try {
+					brought = readLibrary({ format: "panicle-library", version, specimens });
+				} catch (error) {
+					expect((error as Error).name).toBe("LibraryError");
+					return;
+				}
+				for (const saved of brought.saved) {
+					expect(isSaved(structuredClone(saved))).toBe(true);
+					expect(saved.name).toBe(tidyName(saved.name));
+					expect(saved.name).not.toBe("");
+				}
+				expect(brought.saved.length + brought.problems.length).toBeGreaterThanOrEqual((specimens as []).length);
+			}),
+			{ numRuns: inRun(25, 100) },
+		);
+	});
+});
+
+it("tells of an import in few lines", () => {
+	const one = savedAs("Merlot");
+	expect(broughtInWords({ saved: [one, one], problems: [] }, 2)).toEqual({ words: "2 imported.", lines: [] });
+	expect(broughtInWords({ saved: [one, one], problems: ["a"] }, 1)).toEqual({
+		words: "1 imported; 1 there already.",
+		lines: ["a"],
+	});
+	expect(broughtInWords({ saved: [one], problems: [] }, 0).words).toBe("Nothing new: it was there already.");
+	const { lines } = broughtInWords({ saved: [], problems: new Array(500).fill("wrong") }, 0);
+	expect([lines.length, lines.at(-1)]).toEqual([9, "So it is with 492 more."]);
+});
+
+it("makes a name one line, without turned writing, and no longer than is shown", () => {
+	expect(tidyName("  Merlot\n\tno. 2 ")).toBe("Merlot no. 2");
+	expect(tidyName("Mer\u202elot\u2066")).toBe("Merlot");
+	expect(Array.from(tidyName("🍇".repeat(1_000_000)))).toHaveLength(LONGEST_NAME);
+});

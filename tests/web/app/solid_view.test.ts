@@ -1,0 +1,256 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import type { Model } from "../../../web/src/models/model";
+import { SolidView } from "../../../web/src/app/solid_view";
+import type { Studio } from "../../../web/src/app/studio";
+import { specimenFromPreset } from "../bunch";
+import { sampleBunch } from "../models/bunch/sample_bunch";
+import { toy } from "../toy";
+import { bunchModel, studioWith } from "./desk";
+
+/** What the view is told, in place of a graphics card. */
+const view = vi.hoisted(() => ({
+	use: vi.fn(),
+	show: vi.fn(),
+	holdView: vi.fn(),
+	setTheme: vi.fn(),
+	orbit: vi.fn(),
+	pan: vi.fn(),
+	zoom: vi.fn(),
+	resetView: vi.fn(),
+	resize: vi.fn(),
+	pick: vi.fn(() => 7),
+	mark: vi.fn(),
+	setMode: vi.fn(),
+	addOverlay: vi.fn(),
+	removeOverlay: vi.fn(),
+	requestRender: vi.fn(),
+	snapshot: vi.fn(),
+	dispose: vi.fn(),
+	modes: ["whole", "stems"],
+	orbiting: true,
+	reducedMotion: true,
+	camera: {},
+	options: undefined as unknown,
+}));
+vi.mock("../../../web/src/render/viewer", () => ({
+	Viewer: class {
+		constructor(_canvas: unknown, options: unknown) {
+			view.options = options;
+			// biome-ignore lint/correctness/noConstructorReturn: the one fake is looked at by the tests.
+			return view;
+		}
+	},
+}));
+
+const canvas = () => {
+	const classes = { toggle: vi.fn(), remove: vi.fn() };
+	const stub = { classList: classes, clientWidth: 400, clientHeight: 300 };
+	return { ...stub, addEventListener: vi.fn(), removeEventListener: vi.fn() } as unknown as HTMLCanvasElement;
+};
+const events = { lost: vi.fn(), restored: vi.fn(), motion: vi.fn() };
+const grown = sampleBunch(5);
+
+describe("the 3-D view", () => {
+	let studio: Studio;
+	let motion: EventTarget;
+	let solid: SolidView;
+	beforeEach(async () => {
+		vi.clearAllMocks();
+		motion = new EventTarget();
+		vi.stubGlobal("matchMedia", () => Object.assign(motion, { matches: true }));
+		({ studio } = await studioWith(specimenFromPreset()));
+		solid = await SolidView.create(canvas(), studio, events);
+	});
+	afterEach(() => vi.unstubAllGlobals());
+
+	const update = () => solid.update(studio.state);
+
+	it("begins as the page is: its model's figure, its theme, no motion where none is wanted", () => {
+		expect(view.use).toHaveBeenCalledTimes(1);
+		expect(view.options).toMatchObject({ reducedMotion: true, theme: "light" });
+	});
+
+	it("follows what is said of motion while it stands, and not after", () => {
+		motion.dispatchEvent(Object.assign(new Event("change"), { matches: false }));
+		expect(view.reducedMotion).toBe(false);
+		solid.dispose();
+		motion.dispatchEvent(Object.assign(new Event("change"), { matches: true }));
+		expect(view.reducedMotion).toBe(false);
+	});
+
+	it("shows what has grown once, and again in other colours, without growing", () => {
+		update();
+		expect(view.show).not.toHaveBeenCalled();
+		studio.grew(grown, studio.state.specimen);
+		update();
+		update();
+		expect(view.show).toHaveBeenCalledTimes(1);
+		studio.set({ look: { skin: "112233" } });
+		update();
+		expect(view.show).toHaveBeenCalledTimes(2);
+		expect(view.show.mock.lastCall).toMatchObject([grown, { look: { skin: "112233" } }]);
+	});
+
+	it("shows a plant no second time while a life goes on from it", () => {
+		studio.grew(grown, studio.state.specimen);
+		update();
+		studio.edit({ parameters: { age: 20 } });
+		update();
+		expect(view.show).toHaveBeenCalledTimes(1);
+	});
+
+	it("shows a tool's plant in place of the document's, from where that is seen, and never in pictures", async () => {
+		const { specimen } = studio.state;
+		const other = sampleBunch(3);
+		studio.grew(grown, specimen);
+		update();
+		solid.showInstead({ grown: other, from: specimen });
+		expect(view.show.mock.lastCall?.[0]).toBe(other);
+		expect(view.holdView.mock.lastCall).toEqual([true]);
+		update();
+		expect(view.show).toHaveBeenCalledTimes(2);
+		view.snapshot.mockImplementation(async () => expect(view.show.mock.lastCall?.[0]).toBe(grown));
+		await solid.picture();
+		expect(view.snapshot).toHaveBeenCalled();
+		expect(view.show.mock.lastCall?.[0]).toBe(other);
+		solid.showInstead(undefined);
+		expect(view.show.mock.lastCall?.[0]).toBe(grown);
+		expect(view.holdView.mock.lastCall).toEqual([false]);
+	});
+
+	it("takes pictures that overlap of the document's plant, too, and shows the tool's after the last", async () => {
+		const { specimen } = studio.state;
+		const other = sampleBunch(3);
+		studio.grew(grown, specimen);
+		update();
+		solid.showInstead({ grown: other, from: specimen });
+		const finish: (() => void)[] = [];
+		const take = () => new Promise<void>((resolve) => finish.push(resolve));
+		view.snapshot.mockImplementationOnce(take).mockImplementationOnce(take);
+		const [first, second] = [solid.picture(), solid.picture()];
+		finish[0]();
+		await first;
+		update();
+		expect(view.show.mock.lastCall?.[0]).toBe(grown);
+		finish[1]();
+		await second;
+		expect(view.show.mock.lastCall?.[0]).toBe(other);
+	});
+
+	it("takes its pictures of the state as it is", async () => {
+		studio.grew(grown, studio.state.specimen);
+		await solid.picture();
+		expect(view.show.mock.invocationCallOrder[0]).toBeLessThan(view.snapshot.mock.invocationCallOrder[0]);
+	});
+
+	it("stays where it is while a hand is on a control", () => {
+		update();
+		expect(view.holdView.mock.lastCall).toEqual([false]);
+		studio.edit({ parameters: { l: 300 } });
+		expect(studio.state.held).toBe(true);
+		update();
+		expect(view.holdView.mock.lastCall).toEqual([true]);
+		studio.settle();
+		update();
+		expect(view.holdView.mock.lastCall).toEqual([false]);
+	});
+
+	it("follows the theme", () => {
+		update();
+		studio.setUi({ theme: "dark" });
+		update();
+		update();
+		expect(view.setTheme.mock.calls).toEqual([["light"], ["dark"]]);
+	});
+
+	it("turns, moves and zooms by the keys that the help names, and by no other", () => {
+		const press = (key: string, shiftKey = false) => solid.press({ key, shiftKey } as KeyboardEvent);
+		for (const key of ["ArrowRight", "ArrowLeft", "ArrowDown", "ArrowUp"]) expect(press(key)).toBe(true);
+		const turns = view.orbit.mock.calls.map(([right, down]) => [Math.sign(right), Math.sign(down)]);
+		expect(turns).toEqual([
+			[1, 0],
+			[-1, 0],
+			[0, 1],
+			[0, -1],
+		]);
+		press("ArrowRight", true);
+		press("ArrowUp", true);
+		expect(view.pan.mock.calls.map(([right, down]) => [Math.sign(right), Math.sign(down)])).toEqual([
+			[1, 0],
+			[0, -1],
+		]);
+		for (const key of ["+", "=", "-", "−"]) press(key);
+		expect(view.zoom.mock.calls.map(([factor]) => factor > 1)).toEqual([true, true, false, false]);
+		expect(press("0")).toBe(true);
+		expect(view.resetView).toHaveBeenCalledTimes(1);
+		expect(press("x")).toBe(false);
+	});
+
+	it("gives the canvas into the hands of the model's tools, and takes it back with another model", async () => {
+		studio.grew(grown, studio.state.specimen);
+		update();
+		const thin = studio.state.face?.tools.find(({ name }) => name === "thinning");
+		thin?.press?.(studio);
+		update();
+		expect(solid.pick(1, 2)).toBe(7);
+		expect(view.mark).toHaveBeenCalled();
+		view.mark.mockClear();
+		studio.choosePreset("plain", toy as unknown as Model);
+		update();
+		studio.setUi({ theme: "dark" });
+		update();
+		expect(view.mark).not.toHaveBeenCalled();
+	});
+
+	it("brings another model's figure before its plant, and only once", async () => {
+		studio.grew(grown, studio.state.specimen);
+		update();
+		studio.choosePreset("plain", toy as unknown as Model);
+		await vi.waitFor(() => expect(studio.state.face).toBeDefined());
+		view.use.mockClear();
+		view.show.mockClear();
+		const plant = { ...grown, measures: undefined };
+		studio.grew(plant, studio.state.specimen);
+		update();
+		update();
+		expect(view.show).not.toHaveBeenCalled();
+		await vi.waitFor(() => expect(view.show).toHaveBeenCalledTimes(1));
+		expect(view.use).toHaveBeenCalledTimes(1);
+		expect(view.use.mock.invocationCallOrder[0]).toBeLessThan(view.show.mock.invocationCallOrder[0]);
+		expect(bunchModel.name).not.toBe(studio.state.model.name);
+	});
+
+	it("fetches a figure that did not come once, and again only when it is asked to or another model was shown", async () => {
+		const figure = vi.fn<() => Promise<never>>(() => Promise.reject(new TypeError("Failed to fetch")));
+		const broken = { ...toy, figure } as unknown as Model;
+		studio.grew(grown, studio.state.specimen);
+		const end = studio.subscribe(update);
+		const notices = () => studio.state.notices.filter(({ title }) => title === `The ${toy.noun} cannot be drawn`);
+		studio.choosePreset("plain", broken);
+		await vi.waitFor(() => expect(studio.state.face).toBeDefined());
+		const toyPlant = { ...grown, measures: undefined };
+		studio.grew(toyPlant, studio.state.specimen);
+		await vi.waitFor(() => expect(notices()).toHaveLength(1));
+		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
+		studio.grew({ ...toyPlant }, studio.state.specimen);
+		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
+		expect(figure).toHaveBeenCalledTimes(1);
+		notices()[0].again?.();
+		await vi.waitFor(() => expect(figure).toHaveBeenCalledTimes(2));
+		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
+		studio.undo();
+		studio.grew(grown, studio.state.specimen);
+		studio.redo();
+		studio.grew(toyPlant, studio.state.specimen);
+		await vi.waitFor(() => expect(figure).toHaveBeenCalledTimes(3));
+		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
+		expect(figure).toHaveBeenCalledTimes(3);
+		end();
+	});
+
+	it("lets go of everything when it goes", () => {
+		update();
+		solid.dispose();
+		expect(view.dispose).toHaveBeenCalledTimes(1);
+	});
+});

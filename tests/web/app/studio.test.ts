@@ -1,0 +1,216 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import type { Model } from "../../../web/src/models/model";
+import type { Plant } from "../../../web/src/plant/plant";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import type { Studio } from "../../../web/src/app/studio";
+import { specimenFromPreset } from "../bunch";
+import { toy } from "../toy";
+import { bunchModel, studioWith } from "./desk";
+
+const opened = specimenFromPreset("long-conical");
+const toyModel = toy as unknown as Model;
+
+describe("the studio", () => {
+	let studio: Studio;
+	let surroundings: Awaited<ReturnType<typeof studioWith>>["surroundings"];
+
+	const grownLast = () => surroundings.grow.mock.lastCall?.[1];
+	const length = () => studio.state.specimen.parameters.l;
+
+	beforeEach(async () => {
+		({ studio, surroundings } = await studioWith(opened));
+	});
+
+	it("grows at every step of a drag, but makes one undo step and one address of it", () => {
+		for (const l of [400, 390, 380]) studio.edit({ parameters: { l } });
+		expect(surroundings.grow).toHaveBeenCalledTimes(3);
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { passing: true });
+		expect(surroundings.settled).not.toHaveBeenCalled();
+		studio.settle();
+		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen);
+		studio.undo();
+		expect(studio.state.specimen).toEqual(opened);
+		expect(grownLast()).toEqual(opened);
+		studio.redo();
+		expect(length()).toBe(380);
+	});
+
+	it("measures what is at rest: once after a drag, wherever it ended, and with every step of its own", () => {
+		studio.edit({ parameters: { l: 400 } });
+		studio.settle();
+		expect(surroundings.grow).toHaveBeenCalledTimes(2);
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { passing: false });
+		studio.settle();
+		expect(surroundings.grow).toHaveBeenCalledTimes(2);
+		studio.edit({ parameters: { l: 300 } });
+		studio.edit({ parameters: { l: 400 } });
+		studio.settle();
+		expect(surroundings.grow.mock.lastCall?.[2]).toEqual({ passing: false });
+		surroundings.grow.mockClear();
+		studio.set({ parameters: { l: 390 } });
+		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen, { passing: false });
+	});
+
+	it("keeps what was last measured while a drag asks for nothing, but not of another model", () => {
+		const measures = Float32Array.of(1, 2);
+		studio.grew({ measures } as Plant, opened);
+		studio.grew({} as Plant, opened);
+		expect(studio.state.measures).toBe(measures);
+		studio.choosePreset("plain", toyModel);
+		expect(studio.state.measures).toBeUndefined();
+		studio.grew({} as Plant, studio.state.specimen);
+		studio.undo();
+		expect(studio.state.measures).toBeUndefined();
+	});
+
+	it("makes a step of every drag", () => {
+		studio.set({ parameters: { l: 400 } });
+		studio.set({ parameters: { l: 300 } });
+		studio.undo();
+		expect(length()).toBe(400);
+		expect(surroundings.settled.mock.lastCall?.[1].parameters.l).toBe(400);
+	});
+
+	it("leaves no step where a drag ends where it began", () => {
+		studio.edit({ parameters: { l: 400 } });
+		studio.edit({ parameters: { l: opened.parameters.l } });
+		studio.settle();
+		expect(studio.state.history.past).toHaveLength(0);
+	});
+
+	it("does not grow for a colour, but draws and remembers it", () => {
+		const listener = vi.fn();
+		studio.subscribe(listener);
+		studio.set({ look: { skin: "ffffff" } });
+		expect(surroundings.grow).not.toHaveBeenCalled();
+		expect(listener).toHaveBeenCalled();
+		expect(surroundings.settled).toHaveBeenCalled();
+	});
+
+	it("takes back what it said of a link with the first change that follows, and nothing else", () => {
+		studio.open(
+			{ specimen: specimenFromPreset("lychee"), notes: [{ key: "l", problem: "", text: "l: too long." }] },
+			"link",
+		);
+		studio.notify("Mind the gap");
+		const titles = () => studio.state.notices.map(({ title }) => title);
+		studio.settle();
+		expect(titles()).toEqual(["Not everything in the link could be used", "Mind the gap"]);
+		studio.edit({ parameters: { l: 300 } });
+		expect(titles()).toEqual(["Mind the gap"]);
+	});
+
+	it("says which parts of a link could not be used, once, until dismissed", () => {
+		const notes = [{ key: "l", problem: "", text: "l: too long." }];
+		studio.take(bunchModel, { specimen: specimenFromPreset("lychee"), notes }, "link");
+		studio.take(bunchModel, { specimen: specimenFromPreset("lychee"), notes }, "link");
+		expect(studio.state.notices).toMatchObject([
+			{ title: "Not everything in the link could be used", details: ["l: too long."] },
+		]);
+		studio.dismiss(studio.state.notices[0].id);
+		expect(studio.state.notices).toHaveLength(0);
+	});
+
+	it("goes with the browser's Back and Forward through its own steps where they are those, else takes a new one", () => {
+		const visit = (specimen: typeof opened) => studio.visit(bunchModel, { specimen, notes: [] }, "link");
+		const lychee = specimenFromPreset("lychee");
+		studio.choosePreset("lychee");
+		visit(opened);
+		expect(studio.state.history).toEqual({ past: [], present: opened, future: [lychee] });
+		visit(lychee);
+		expect(studio.state.history).toEqual({ past: [opened], present: lychee, future: [] });
+		visit(specimenFromPreset("duku"));
+		expect(studio.state.history.past).toEqual([opened, lychee]);
+		studio.undo();
+		expect(studio.state.specimen).toEqual(lychee);
+	});
+
+	it("says while what is shown is not yet what is on the controls", () => {
+		expect(studio.state.pending).toBe(false);
+		studio.set({ parameters: { l: 400 } });
+		expect(studio.state.pending).toBe(true);
+		studio.caughtUp();
+		expect(studio.state.pending).toBe(false);
+	});
+
+	it("opens with a document as the first of its history, grown and in the address, and with its notes", () => {
+		const grammar = { ...specimenFromPreset("lychee"), grammar: "axiom: F" };
+		studio.open({ specimen: grammar, notes: [{ key: "l", problem: "", text: "l: too long." }] }, "link");
+		expect(studio.state.specimen).toEqual(grammar);
+		expect(studio.state.history).toEqual({ past: [], present: grammar, future: [] });
+		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar, { passing: false });
+		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar);
+		expect(studio.state.notices).toMatchObject([{ details: ["l: too long."] }]);
+	});
+
+	it("goes to the published preset, seed and all, and back", () => {
+		studio.newVariation();
+		studio.choosePreset("duku");
+		expect(studio.state.specimen).toEqual(specimenFromPreset("duku"));
+		studio.undo();
+		studio.reset();
+		expect(studio.state.specimen).toEqual(opened);
+	});
+
+	it("remembers which groups a person has opened or closed, and tells each change once", () => {
+		studio.setGroup("shape", false);
+		studio.setGroup("shape", false);
+		expect(surroundings.remember).toHaveBeenCalledOnce();
+		expect(surroundings.remember.mock.lastCall?.map(({ groups }) => groups)).toEqual([{ shape: false }, {}]);
+		expect(studio.state.ui.groups).toEqual({ shape: false });
+		studio.setGroup("shape", true);
+		expect(studio.state.ui.groups).toEqual({ shape: true });
+	});
+
+	it("is dark as the system is, until a theme is chosen", () => {
+		expect(studio.state.dark).toBe(false);
+		studio.setSystemDark(true);
+		expect(studio.state.dark).toBe(true);
+		studio.setUi({ theme: "light" });
+		expect(studio.state.dark).toBe(false);
+		studio.setUi({ theme: "dark" });
+		studio.setSystemDark(false);
+		expect(studio.state.dark).toBe(true);
+	});
+
+	it("lets brief notices go by themselves, and others stay", async () => {
+		vi.useFakeTimers();
+		studio.notify("Link copied", [], { brief: true });
+		studio.notify("Mind the gap");
+		await vi.advanceTimersByTimeAsync(5000);
+		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Mind the gap"]);
+		vi.useRealTimers();
+	});
+
+	it("has room for three notices, the newest, and none of them twice", () => {
+		for (const title of ["One", "Two", "Three", "Four", "Three"]) studio.notify(title);
+		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Two", "Four", "Three"]);
+		studio.dismiss(studio.state.notices[1].id);
+		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Two", "Three"]);
+	});
+
+	it("takes back what was said of a thing when something else is said of it, or it holds no more", () => {
+		const titles = () => studio.state.notices.map(({ title }) => title);
+		studio.notify("Mind the gap");
+		studio.notify("The file was not opened", [], { topic: "file" });
+		studio.notify("The mesh is the boundary now", [], { topic: "file" });
+		expect(titles()).toEqual(["Mind the gap", "The mesh is the boundary now"]);
+		studio.take(toyModel, { specimen: fromPreset(toyModel), notes: [] }, "file");
+		expect(titles()).toEqual(["Mind the gap"]);
+	});
+
+	it("forgets a failure as soon as something grows", () => {
+		studio.fail({ title: "No", details: [], remedies: [] });
+		studio.grew({} as Plant, opened);
+		expect(studio.state.failure).toBeUndefined();
+	});
+
+	it("says while a hand is on a control", () => {
+		studio.edit({ parameters: { l: 400 } });
+		expect(studio.state.held).toBe(true);
+		studio.settle("another gesture");
+		expect(studio.state.held).toBe(true);
+		studio.settle();
+		expect(studio.state.held).toBe(false);
+	});
+});

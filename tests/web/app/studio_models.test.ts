@@ -1,0 +1,106 @@
+import { describe, expect, it, vi } from "vitest";
+import type { Model } from "../../../web/src/models/model";
+import type { Plant } from "../../../web/src/plant/plant";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { FIRST_VISIT } from "../../../web/src/app/ui_state";
+import { specimenFromPreset } from "../bunch";
+import { toy } from "../toy";
+import { bunchModel, studioWith } from "./desk";
+
+const opened = specimenFromPreset("long-conical");
+const toyModel = toy as unknown as Model;
+
+describe("a preset of another model", () => {
+	it("is one step: its model, its growth and its address, and back", async () => {
+		const { studio, surroundings } = await studioWith(opened);
+		const bunch = {} as Plant;
+		studio.grew(bunch, opened);
+		studio.choosePreset("plain", toyModel);
+		expect(studio.state.model).toBe(toyModel);
+		expect(studio.state.specimen).toEqual(fromPreset(toyModel));
+		expect(surroundings.grow).toHaveBeenLastCalledWith(toyModel, studio.state.specimen, { passing: false });
+		expect(surroundings.settled).toHaveBeenLastCalledWith(toyModel, studio.state.specimen);
+		expect(studio.preset).toEqual(fromPreset(toyModel));
+		studio.undo();
+		expect(studio.state.model).toBe(bunchModel);
+		expect(studio.state.specimen).toEqual(opened);
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, opened, { passing: false });
+		studio.redo();
+		expect(studio.state.model).toBe(toyModel);
+	});
+
+	it("leaves the last plant in view, and out of reach of the new tools", async () => {
+		const { studio } = await studioWith(opened);
+		const bunch = {} as Plant;
+		studio.grew(bunch, opened);
+		studio.choosePreset("plain", toyModel);
+		expect(studio.state.shown).toMatchObject({ model: bunchModel, grown: bunch });
+		expect([studio.state.grown, studio.state.grownFrom]).toEqual([undefined, undefined]);
+		const pole = {} as Plant;
+		studio.grew(pole, studio.state.specimen);
+		expect(studio.state).toMatchObject({ shown: { model: toyModel }, grownFrom: { model: "toy" } });
+		expect(studio.state.grown).toBe(pole);
+	});
+
+	it("brings its tools, and ends what the last one's are at", async () => {
+		const end = vi.fn();
+		const start = vi.fn(() => end);
+		const press = vi.fn();
+		const tool = { name: "hoist", initial: 0, start, press };
+		const { studio } = await studioWith(opened);
+		const bunchFace = studio.state.face;
+		const model: Model = { ...toyModel, studio: async () => ({ tools: [tool] }) };
+		studio.choosePreset("plain", model);
+		expect(studio.state.face).toBeUndefined();
+		await vi.waitFor(() => expect(studio.state.face?.tools).toEqual([tool]));
+		expect(start).toHaveBeenCalledExactlyOnceWith(studio);
+		studio.setToolState(tool, 3);
+		studio.undo();
+		expect(end).toHaveBeenCalledOnce();
+		await vi.waitFor(() => expect(studio.state.face).toBe(bunchFace));
+		expect(studio.toolState(tool)).toBe(3);
+		studio.redo();
+		await vi.waitFor(() => expect(start).toHaveBeenCalledTimes(2));
+		expect(studio.toolState(tool)).toBe(3);
+	});
+
+	it("does without tools that cannot be fetched, and says so", async () => {
+		const { studio } = await studioWith(opened);
+		const broken: Model = { ...toyModel, studio: () => Promise.reject(new Error("offline")) };
+		studio.choosePreset("plain", broken);
+		await vi.waitFor(() => expect(studio.state.face).toEqual({ tools: [] }));
+		expect(studio.state.notices.map(({ title }) => title)).toEqual(["The tools of the pole could not be fetched"]);
+	});
+
+	it("brings tools that could not be fetched when asked again", async () => {
+		const { studio } = await studioWith(opened);
+		const tools = [{ name: "hoist", initial: 0 }];
+		const face = vi.fn(async () => ({ tools })).mockRejectedValueOnce(new Error("offline"));
+		studio.choosePreset("plain", { ...toyModel, studio: face });
+		await vi.waitFor(() => expect(studio.state.notices).toHaveLength(1));
+		studio.state.notices[0].again?.();
+		await vi.waitFor(() => expect(studio.state.face).toEqual({ tools }));
+	});
+});
+
+describe("what tools keep", () => {
+	const flag = { name: "flag", initial: { up: false }, recall: (kept: unknown) => ({ up: kept === "up" }) };
+
+	it("is recalled where a tool wants it, and remembered when it changes", async () => {
+		const model: Model = { ...toyModel, studio: async () => ({ tools: [flag] }) };
+		const ui = { ...FIRST_VISIT, tools: { toy: { flag: "up" } } };
+		const { studio, surroundings } = await studioWith(fromPreset(toyModel), model, ui);
+		expect(studio.toolState(flag)).toEqual({ up: true });
+		studio.setToolState(flag, { up: false });
+		expect(studio.toolState(flag)).toEqual({ up: false });
+		expect(surroundings.remember.mock.lastCall?.[0].tools).toEqual({ toy: { flag: { up: false } } });
+	});
+
+	it("is forgotten with the page where none recalls it", async () => {
+		const { studio, surroundings } = await studioWith(opened);
+		const tool = { name: "mode", initial: "off" };
+		studio.setToolState(tool, "on");
+		expect(studio.toolState(tool)).toBe("on");
+		expect(surroundings.remember).not.toHaveBeenCalled();
+	});
+});

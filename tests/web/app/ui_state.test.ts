@@ -1,0 +1,76 @@
+import { describe, expect, it } from "vitest";
+import { FIRST_VISIT, loadUi, pageOf, saveUi, type UiState } from "../../../web/src/app/ui_state";
+
+function storage(kept?: string) {
+	let text = kept ?? null;
+	return {
+		getItem: () => text,
+		setItem: (_key: string, value: string) => {
+			text = value;
+		},
+	};
+}
+
+describe("what the page remembers", () => {
+	it("comes back as it was saved", () => {
+		const ui: UiState = {
+			...FIRST_VISIT,
+			theme: "dark",
+			letters: false,
+			groups: { rates: true, look: false },
+			tools: { bunch: { sides: { leftRight: true } } },
+		};
+		const kept = storage();
+		saveUi(kept, ui, FIRST_VISIT);
+		expect(loadUi(kept)).toEqual(ui);
+	});
+
+	it("starts afresh with what shows a picture first: a view, not a mode", () => {
+		const kept = storage();
+		saveUi(kept, { ...FIRST_VISIT, view: "side" }, FIRST_VISIT);
+		expect(loadUi(kept)).toEqual(FIRST_VISIT);
+	});
+
+	it.each(["", "nonsense", "null", "[]", "7", '{"theme":"pink","groups":[1],"tools":3}', '{"groups":{"look":"shut"}}'])(
+		"is the first visit's where %j was kept",
+		(text) => {
+			expect(loadUi(storage(text))).toEqual(FIRST_VISIT);
+		},
+	);
+
+	it("takes nothing from another tab: each remembers what it has changed itself", () => {
+		const kept = storage();
+		const change = (patch: Partial<UiState>) => saveUi(kept, { ...FIRST_VISIT, ...patch }, FIRST_VISIT);
+		change({ theme: "dark" });
+		change({ groups: { look: true } });
+		change({ groups: { rates: true } });
+		change({ letters: false });
+		change({ tools: { bunch: { sides: 1 } } });
+		change({ tools: { bunch: { other: 2 }, leaf: { vein: 3 } } });
+		expect(loadUi(kept)).toEqual({
+			...FIRST_VISIT,
+			theme: "dark",
+			letters: false,
+			groups: { look: true, rates: true },
+			tools: { bunch: { sides: 1, other: 2 }, leaf: { vein: 3 } },
+		});
+	});
+
+	it("has in common with other tabs what is of the whole page, and no more", () => {
+		const ui: UiState = { ...FIRST_VISIT, theme: "dark", groups: { look: true } };
+		expect(pageOf(ui)).toEqual({ theme: "dark", letters: true });
+	});
+
+	it("does without storage", () => {
+		const forbidden = {
+			getItem: () => {
+				throw new Error("denied");
+			},
+			setItem: () => {
+				throw new Error("denied");
+			},
+		};
+		expect(loadUi(forbidden)).toEqual(FIRST_VISIT);
+		expect(() => saveUi(forbidden, FIRST_VISIT, FIRST_VISIT)).not.toThrow();
+	});
+});

@@ -1,0 +1,219 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { DERIVATION, type DerivationState } from "../../../web/src/ui/derivation_tool";
+import type { AsideOptions, Desk } from "../../../web/src/ui/desk";
+import { Derivation } from "../../../web/src/grammar_editor/derivation";
+import { Superseded } from "../../../web/src/core/errors";
+import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
+import type { Specimen } from "../../../web/src/specimen/specimen";
+import { algae } from "./told_derivation";
+
+const STEPS = 5;
+
+/** A desk with a plant of the algae on it; plants of single steps come when they are let. */
+function laid() {
+	const specimen = { model: "grammar" } as Specimen;
+	const plants: { readonly options: AsideOptions; let(): void; refuse(error: Error): void }[] = [];
+	let state: DerivationState = DERIVATION.initial;
+	const followers: Pick<Derivation, "follow">[] = [];
+	const aside = vi.fn(async (_from: Specimen, options: AsideOptions): Promise<Plant> => {
+		const told = (steps: number) => ({ ...EMPTY_PLANT, chronicle: algae(options.chronicle ?? { step: 0 }, steps) });
+		if (options.steps === undefined) return told(STEPS);
+		return new Promise((resolve, reject) => {
+			plants.push({ options, let: () => resolve(told(options.steps ?? 0)), refuse: reject });
+		});
+	});
+	const desk = {
+		state: { grown: { ...EMPTY_PLANT }, grownFrom: specimen },
+		aside,
+		toolState: () => state,
+		setToolState: (_tool: unknown, next: DerivationState) => {
+			state = next;
+			// As the stepper does, once it has drawn.
+			queueMicrotask(() => {
+				for (const each of followers) each.follow();
+			});
+		},
+	};
+	return { desk, aside, plants, followers, tool: () => state };
+}
+
+const settle = () => new Promise((resolve) => setTimeout(resolve));
+
+describe("a derivation that is looked at", () => {
+	let { desk, aside, plants, followers, tool } = laid();
+	let derivation: Derivation;
+	beforeEach(async () => {
+		({ desk, aside, plants, followers, tool } = laid());
+		derivation = new Derivation(desk as unknown as Desk, () => {});
+		followers.push(derivation);
+		await settle();
+	});
+
+	const text = () => derivation.page?.modules.map((module) => module.text).join("");
+	const to = async (step: number, chosen?: number) => {
+		derivation.go(step, chosen);
+		await settle();
+	};
+
+	it("opens at the last step, whose plant is in view already", () => {
+		expect(text()).toBe("ABAABABAABAAB");
+		expect(tool().scene).toMatchObject({ step: STEPS, instead: false, grown: desk.state.grown });
+		expect(plants).toHaveLength(0);
+	});
+
+	it("shows the plant as it was after the step, once its string is told", async () => {
+		await to(3);
+		expect(text()).toBe("ABAAB");
+		expect(plants.map(({ options }) => options.steps)).toEqual([3]);
+		expect(tool().scene?.step).toBe(STEPS);
+		plants[0].let();
+		await settle();
+		expect(tool().scene).toMatchObject({ step: 3, instead: true });
+		await to(STEPS);
+		expect(tool().scene).toMatchObject({ step: STEPS, instead: false });
+	});
+
+	it("shows no plant of a step that has been left meanwhile", async () => {
+		await to(3);
+		await to(2);
+		plants[0].let();
+		await settle();
+		expect(tool().scene?.step).toBe(STEPS);
+		plants[1].let();
+		await settle();
+		expect(tool().scene?.step).toBe(2);
+	});
+
+	it("shows the document's plant at the last step, whatever comes late", async () => {
+		await to(3);
+		await to(STEPS);
+		plants[0].let();
+		await settle();
+		expect(tool().scene).toMatchObject({ step: STEPS, instead: false });
+	});
+
+	it("walks up to the parent and down to the first child", async () => {
+		await to(3, 3); // ABA|A|B
+		expect(derivation.up()).toBe(true);
+		await settle();
+		expect([derivation.step, derivation.chosen, text()]).toEqual([2, 2, "ABA"]);
+		derivation.up();
+		await settle();
+		expect([derivation.step, derivation.chosen]).toEqual([1, 1]);
+		derivation.choose(0);
+		derivation.down();
+		await settle();
+		expect([derivation.step, derivation.chosen]).toEqual([2, 0]);
+		await to(3, 3);
+		derivation.down();
+		await settle();
+		expect([derivation.step, derivation.chosen]).toEqual([4, 5]);
+		await to(0, 0);
+		expect(derivation.up()).toBe(false);
+		await to(STEPS, 4);
+		expect(derivation.down()).toBe(false);
+	});
+
+	it("takes the chosen module along from step to step, and lets it go where one jumps", async () => {
+		await to(2, 1);
+		derivation.stepBy(1);
+		await settle();
+		expect(derivation.chosen).toBe(2);
+		derivation.stepBy(-1);
+		await settle();
+		expect(derivation.chosen).toBe(1);
+		await to(4);
+		expect(derivation.chosen).toBeUndefined();
+	});
+
+	it("lets the descendants shine in the last plant, and the module itself in its own step's", async () => {
+		derivation.follows = false;
+		await to(2, 1); // B of ABA: A, AB, ABA in the last.
+		expect(tool().lit).toEqual({ first: 5, count: 3 });
+		derivation.follows = true;
+		await settle();
+		plants[0].let();
+		await settle();
+		expect(tool().lit).toEqual({ first: 1, count: 1 });
+		derivation.point(0);
+		expect(tool().lit).toEqual({ first: 0, count: 1 });
+		derivation.point(undefined);
+		expect(tool().lit).toEqual({ first: 1, count: 1 });
+	});
+
+	it("marks what is met in the view, and chooses what is clicked, in the step that is shown", async () => {
+		derivation.follows = false;
+		await to(2);
+		desk.setToolState(DERIVATION, { ...tool(), met: { module: 6, step: STEPS, chosen: false } });
+		derivation.follow();
+		expect(derivation.pointed).toBe(1);
+		expect(derivation.chosen).toBeUndefined();
+		desk.setToolState(DERIVATION, { ...tool(), met: { module: 9, step: STEPS, chosen: true } });
+		derivation.follow();
+		expect(derivation.chosen).toBe(2);
+	});
+
+	it("takes nothing in the view of the step before for what is in this one, whose plant has not come", async () => {
+		await to(2);
+		plants[0].let();
+		await settle();
+		await to(3);
+		const asked = aside.mock.calls.length;
+		for (const chosen of [false, true]) {
+			desk.setToolState(DERIVATION, { ...tool(), met: { module: 1, step: 2, chosen } });
+			derivation.follow();
+			await settle();
+			expect([derivation.pointed, derivation.chosen]).toEqual([undefined, undefined]);
+		}
+		expect(aside.mock.calls).toHaveLength(asked);
+	});
+
+	it("asks for the ancestor of what is clicked where the window does not tell", async () => {
+		derivation.follows = false;
+		await to(2);
+		vi.spyOn(derivation, "page", "get").mockReturnValue({ ...algae({ step: 2, first: 0, count: 1 }, STEPS) });
+		desk.setToolState(DERIVATION, { ...tool(), met: { module: 12, step: STEPS, chosen: true } });
+		derivation.follow();
+		await settle();
+		expect(aside.mock.lastCall?.[1].chronicle).toBeDefined();
+		expect(derivation.chosen).toBe(2);
+	});
+
+	it("follows another document: its string in place of this one's, never this one's light", async () => {
+		await to(STEPS, 2);
+		expect(tool().lit).toBeDefined();
+		Object.assign(desk.state, { grown: { ...EMPTY_PLANT }, grownFrom: { model: "grammar" } });
+		derivation.follow();
+		expect(derivation.stale).toBe(true);
+		await settle();
+		expect(derivation.stale).toBe(false);
+		expect(tool().scene?.from).toBe(desk.state.grownFrom);
+	});
+
+	it("leaves the last plant in view where none can be grown of the step", async () => {
+		await to(1);
+		plants[0].refuse(new Error("Too many segments."));
+		await settle();
+		expect(tool().scene).toMatchObject({ step: STEPS, instead: false });
+		derivation.choose(0);
+		await settle();
+		expect(tool().lit).toEqual({ first: 0, count: 8 });
+		// It is not tried again and again.
+		expect(plants).toHaveLength(1);
+		await to(2);
+		plants[1].refuse(new Superseded());
+		await settle();
+		expect(tool().scene?.step).toBe(STEPS);
+	});
+
+	it("says why nothing is told, and gives the view back", async () => {
+		aside.mockRejectedValueOnce(new Error("The text needs 3 inputs."));
+		Object.assign(desk.state, { grownFrom: { model: "grammar" } });
+		derivation.follow();
+		await settle();
+		expect(derivation.fault).toBe("The text needs 3 inputs.");
+		expect(tool().scene).toBeUndefined();
+		derivation.close();
+		expect(tool()).toMatchObject({ scene: undefined, lit: undefined, met: undefined });
+	});
+});

@@ -1,0 +1,134 @@
+import { describe, expect, it } from "vitest";
+import { productionAt } from "../../../web/src/grammar_editor/explain";
+import { drawnBy, drawnIn } from "../../../web/src/grammar_editor/lights";
+import { outlineOf } from "../../../web/src/grammar_editor/outline";
+import { CHART_HEIGHT, stepChart } from "../../../web/src/grammar_editor/step_chart";
+import {
+	answerInWords,
+	chanceInWords,
+	countInWords,
+	fateOf,
+	moduleInWords,
+	partsOfModule,
+	stepInWords,
+} from "../../../web/src/grammar_editor/told_module";
+import { NOT_DRAWN, type ToldModule } from "../../../web/src/plant/chronicle";
+
+const module: ToldModule = {
+	text: "B(3,0.5)",
+	parent: 2,
+	production: { line: 7, column: 1 },
+	fires: { line: 9, column: 1 },
+	values: [
+		{ name: "n", value: "3" },
+		{ name: "t", value: "0.5" },
+	],
+	chance: { total: 1, weight: 1 / 3, drawn: 0.61234 },
+	children: { first: 4, count: 3 },
+	last: { first: 9, count: 20 },
+};
+
+describe("a module in words", () => {
+	it("has a symbol and parameters, be the symbol a parenthesis's neighbour", () => {
+		expect(["B(29)", "F", "(", "+(40)", "?E(1,2)", "["].map(partsOfModule)).toEqual([
+			["B", "(29)"],
+			["F", ""],
+			["(", ""],
+			["+", "(40)"],
+			["?E", "(1,2)"],
+			["[", ""],
+		]);
+	});
+
+	it("tells what wrote it, what rewrites it and with what, and what becomes of it", () => {
+		expect(moduleInWords(module, false)).toBe(
+			"Written by the production in line 7. Rewritten next by line 9 with n = 3, t = 0.5, by chance: 0.333 of 1 is its weight, 0.612 was drawn. It becomes 3 modules.",
+		);
+		expect(chanceInWords({ total: 3, weight: 2, drawn: 0 })).toContain("2 of 3");
+	});
+
+	it("tells what was asked and answered, and why", () => {
+		expect(answerInWords({ asked: ["0.1", "2"], answered: ["0.31", "1"] })).toBe("Asked 0.1, 2 → answered 0.31, 1");
+		expect(answerInWords({ asked: [], answered: ["1"] })).toBe("Asked nothing → answered 1");
+		expect(answerInWords({ answered: ["0", "1", "0"] })).toBe("Was told 0, 1, 0");
+		const { fires, production, chance, ...asked } = module;
+		const answer = { asked: ["1"], answered: ["0"], words: "no room: it overlaps the berry of module 64 by 4.6" };
+		expect(moduleInWords({ ...asked, answer }, true)).toBe(
+			"Asked 1 → answered 0. No room: it overlaps the berry of module 65 by 4.6. The derivation ends here.",
+		);
+	});
+
+	it("is cut, stays, or leaves nothing", () => {
+		const none = { first: 3, count: 0 };
+		const one = { first: 3, count: 1 };
+		const { fires } = module;
+		expect(fateOf({ children: none }, false)).toBe("It is cut.");
+		expect(fateOf({ fires, children: none }, false)).toBe("Nothing is left of it.");
+		expect(fateOf({ children: one }, false)).toBe("It stays as it is.");
+		expect(fateOf({ fires, children: one }, false)).toBe("It becomes one module.");
+		expect(fateOf({ fires, children: one }, true)).toBe("The derivation ends here.");
+	});
+
+	it("lists the productions that do not rewrite it, and why", () => {
+		const refusals = [
+			{ production: { line: 3, column: 1 }, why: "its condition is false with n = 3" },
+			{ production: { line: 5, column: 1 }, why: "the production in line 9 comes first" },
+		];
+		expect(moduleInWords({ ...module, refusals }, false)).toMatch(
+			/It becomes 3 modules\. Not line 3: its condition is false with n = 3\. Not line 5: the production in line 9 comes first\.$/,
+		);
+	});
+
+	it("is one of a number, after a step of so many", () => {
+		expect([countInWords(1), countInWords(1240)]).toEqual(["1 module", "1,240 modules"]);
+		expect([stepInWords(0, 7), stepInWords(3, 7)]).toEqual(["Axiom", "Step 3 of 7"]);
+	});
+});
+
+describe("who drew what", () => {
+	const marks = { segments: Uint32Array.of(0, 3, 3, NOT_DRAWN, 7), organs: Uint32Array.of(4, 8) };
+
+	it("is found by a span of modules, and the other way", () => {
+		expect(drawnBy({ first: 3, count: 5 }, marks)).toEqual({ segments: [1, 2, 4], organs: [0] });
+		expect(drawnBy({ first: 3, count: 0 }, marks)).toEqual({ segments: [], organs: [] });
+		expect(drawnBy({ first: 0, count: NOT_DRAWN }, marks).segments).toEqual([0, 1, 2, 4]);
+		expect(drawnIn(marks, { segment: 4 })).toBe(7);
+		expect(drawnIn(marks, { organ: 1 })).toBe(8);
+		expect(drawnIn(marks, { segment: 3 })).toBeUndefined();
+	});
+});
+
+describe("the outline of the steps", () => {
+	it("rises by powers, from the first step to the last", () => {
+		const heights = [...stepChart([1, 10, 100]).matchAll(/[ML](\S+) ([\d.]+)/g)].map(([, x, y]) => [+x, +y]);
+		const [one, ten, hundred] = heights.slice(1, 4);
+		expect([one[0], ten[0], hundred[0]]).toEqual([0, 50, 100]);
+		expect(one[1] - ten[1]).toBeCloseTo(ten[1] - hundred[1], 1);
+		expect(hundred[1]).toBe(0);
+		expect(one[1]).toBeLessThan(CHART_HEIGHT);
+	});
+
+	it("ends where it is to, is nothing of an axiom alone, and is short however many steps there are", () => {
+		expect(stepChart([1, 2, 4, 8], 1)).toContain("33.33");
+		expect(stepChart([1, 2, 4, 8], 1)).not.toContain("66.67");
+		expect(stepChart([5])).toBe("");
+		expect(stepChart(new Uint32Array(4097).fill(3)).length).toBeLessThan(8000);
+	});
+});
+
+describe("the production at a place of the text", () => {
+	const text = "#define n 3\naxiom: A\n/* grows */\nA -->\n  F A\nB --> C\n";
+	const { pieces } = outlineOf(text);
+	const at = (words: string) => {
+		const place = text.indexOf(words);
+		return productionAt(pieces, place, text.slice(0, place).split("\n").length);
+	};
+
+	it("is the one whose line it is, or that goes on there", () => {
+		expect([at("A -->"), at("F A"), at("C")]).toEqual([4, 4, 6]);
+	});
+
+	it("is none in statements and comments", () => {
+		expect([at("#define"), at("axiom"), at("grows")]).toEqual([undefined, undefined, undefined]);
+	});
+});

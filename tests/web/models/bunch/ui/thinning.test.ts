@@ -1,0 +1,145 @@
+import { expect, it, vi } from "vitest";
+import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import { stems } from "../../../../../web/src/models/bunch/ui/stems";
+import { mark, putBack, takeOff, thinning } from "../../../../../web/src/models/bunch/ui/thinning";
+import { MOST_THINNED, specimenFromPreset, thin, unthin } from "../../../bunch";
+import { bunchDesk, studioWith } from "../../../app/desk";
+
+const opened = specimenFromPreset("grape-15c");
+
+it("takes berries off by hand, one step each, and puts them all back as one", async () => {
+	const { studio, surroundings } = await studioWith(opened);
+	const desk = bunchDesk(studio);
+	const thinned = () => desk.state.specimen.thinned;
+	takeOff(desk, 7, 9);
+	expect(desk.toolState(thinning).marked).toBe(9);
+	takeOff(desk, 3);
+	expect(desk.toolState(thinning).marked).toBeUndefined();
+	expect(thinned()).toEqual([7, 3]);
+	expect(surroundings.grow.mock.lastCall?.[1]).toMatchObject({ thinned: [7, 3] });
+	putBack(desk);
+	expect(thinned()).toEqual([]);
+	studio.undo();
+	expect(thinned()).toEqual([7, 3]);
+	studio.undo();
+	expect(thinned()).toEqual([7]);
+	expect(surroundings.settled.mock.lastCall?.[1]).toMatchObject({ thinned: [7] });
+});
+
+it("takes no more berries off than a link can hold, and none twice", () => {
+	let specimen = opened;
+	for (let id = 0; id < MOST_THINNED; id++) specimen = thin(specimen, id);
+	expect(specimen.thinned).toHaveLength(MOST_THINNED);
+	expect(thin(specimen, MOST_THINNED)).toBe(specimen);
+	expect(thin(thin(opened, 7), 7).thinned).toEqual([7]);
+	expect(unthin(specimen, 3).thinned).not.toContain(3);
+});
+
+it("is of natural bunches alone", () => {
+	expect(thinning.applies?.(opened)).toBe(true);
+	expect(thinning.applies?.(specimenFromPreset("grape-15c", 1))).toBe(false);
+});
+
+/** A canvas and a view that tell what is done to them. */
+function fakeView() {
+	const listeners = new Map<string, (event: unknown) => void>();
+	const classes = new Set<string>();
+	const canvas = {
+		addEventListener: (type: string, listener: (event: unknown) => void) => listeners.set(type, listener),
+		removeEventListener: (type: string) => listeners.delete(type),
+		getBoundingClientRect: () => ({ left: 100, top: 50 }),
+		classList: { toggle: (name: string, on: boolean) => (on ? classes.add(name) : classes.delete(name)) },
+	};
+	const view = {
+		canvas: canvas as unknown as HTMLCanvasElement,
+		camera: {} as never,
+		orbiting: true,
+		keepWhole: vi.fn(),
+		addOverlay: vi.fn(),
+		removeOverlay: vi.fn(),
+		requestRender: vi.fn(),
+		pick: vi.fn((): number | undefined => 41),
+		mark: vi.fn(),
+		setMode: vi.fn(),
+		sightThrough: vi.fn(),
+		project: vi.fn(),
+		onDrawn: vi.fn(),
+		showInstead: vi.fn(),
+		look: vi.fn(),
+	};
+	const send = (type: string, more: object = {}) =>
+		listeners.get(type)?.({
+			pointerId: 1,
+			button: 0,
+			buttons: 0,
+			pointerType: "mouse",
+			clientX: 130,
+			clientY: 90,
+			...more,
+		});
+	return { view, send, classes, listeners };
+}
+
+async function armed() {
+	const { studio } = await studioWith(opened);
+	const desk = bunchDesk(studio);
+	studio.grew({ berries: { ids: Uint32Array.of(40, 41) } } as unknown as Grown, opened);
+	const fake = fakeView();
+	const hands = thinning.hands?.(fake.view, desk);
+	if (!hands) throw new Error("no hands");
+	const update = () => hands.update(desk.state);
+	desk.setToolState(thinning, { on: true, marked: undefined });
+	update();
+	return { studio, desk, ...fake, hands, update };
+}
+
+it("marks the berry under the pointer, and a click takes it off", async () => {
+	const { desk, view, send, update, classes } = await armed();
+	expect(classes.has("thinning")).toBe(true);
+	send("pointermove");
+	expect(view.pick).toHaveBeenLastCalledWith(30, 40);
+	expect(desk.toolState(thinning).marked).toBe(41);
+	update();
+	expect(view.mark).toHaveBeenLastCalledWith(41);
+	send("pointerdown");
+	send("pointerup", { clientX: 133 });
+	expect(desk.state.specimen.thinned).toEqual([41]);
+	mark(desk, undefined);
+	update();
+	expect(view.mark).toHaveBeenLastCalledWith(undefined);
+});
+
+it("takes nothing when the pointer has moved, when another is down, or when a handle holds it", async () => {
+	const { desk, view, send } = await armed();
+	send("pointerdown");
+	send("pointermove", { clientX: 160, buttons: 1 });
+	send("pointerup");
+	send("pointerdown");
+	send("pointerdown", { pointerId: 2 });
+	send("pointerup");
+	send("pointerup", { pointerId: 2 });
+	view.orbiting = false;
+	send("pointerdown");
+	view.orbiting = true;
+	send("pointerup");
+	expect(desk.state.specimen.thinned).toEqual([]);
+});
+
+it("rests while the stems are shown alone, for the paper's bunches, and once its model has gone", async () => {
+	const { desk, send, update, classes, listeners, hands } = await armed();
+	const click = () => {
+		send("pointerdown");
+		send("pointerup");
+	};
+	desk.setToolState(stems, true);
+	update();
+	click();
+	expect([classes.has("thinning"), desk.state.specimen.thinned]).toEqual([false, []]);
+	desk.setToolState(stems, false);
+	desk.set({ parameters: { procedure: 0 } });
+	update();
+	click();
+	expect(desk.state.specimen.thinned).toEqual([]);
+	hands.dispose();
+	expect(listeners.size).toBe(0);
+});

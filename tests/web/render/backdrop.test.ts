@@ -1,0 +1,41 @@
+import { PerspectiveCamera, type ShaderMaterial, Texture, Vector3 } from "three";
+import { expect, it } from "vitest";
+import { Backdrop } from "../../../web/src/render/backdrop";
+import { rigOf } from "../../../web/src/render/light";
+
+const camera = new PerspectiveCamera(50, 1.5);
+const backdrop = new Backdrop(new Texture());
+const { uniforms } = backdrop.mesh.material as ShaderMaterial;
+
+/** How high a place of the view is over the horizon, as the shader has it: 0 level, 1 overhead. */
+function high(x: number, y: number): number {
+	const { sight, rise } = uniforms;
+	return rise.value.dot(new Vector3(x, y, 1)) / Math.hypot(sight.value.x * x, sight.value.y * y, 1);
+}
+
+it("a sky is as high as the camera looks, at every place of the view", () => {
+	camera.position.set(3, 1, 2);
+	camera.lookAt(8, 4, -1);
+	camera.updateMatrixWorld();
+	backdrop.setSky(camera);
+	expect(uniforms.sky.value).toBe(1);
+	for (const [x, y] of [
+		[0, 0],
+		[-1, 1],
+		[0.7, -0.9],
+	]) {
+		const ray = new Vector3(x, y, 0.5).unproject(camera).sub(camera.position).normalize();
+		expect(high(x, y)).toBeCloseTo(ray.y, 5);
+	}
+});
+
+it("pictures that are cut out have none, nor has who looks from without", () => {
+	backdrop.setFlat(0);
+	backdrop.setSky(camera);
+	expect(uniforms.sky.value).toBe(0);
+	backdrop.setRig(rigOf("dark"));
+	backdrop.setSky(camera);
+	expect(uniforms.sky.value).toBe(1);
+	backdrop.setSky(undefined);
+	expect(uniforms.sky.value).toBe(0);
+});

@@ -1,0 +1,22 @@
+import type { LineSegments, Mesh, MeshBasicMaterial } from "three";
+import { expect, it } from "vitest";
+import { ShellFigure } from "../../../web/src/render/shell_figure";
+
+const tetrahedron = (x: number) => ({
+	points: [x, 0, 0, x + 1, 0, 0, x, 0, 1, x, 1, 0],
+	triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2],
+});
+
+it("marks the surfaces that are asked for, faces and edges, and no other", () => {
+	const figure = new ShellFigure();
+	figure.show([tetrahedron(0), tetrahedron(2), tetrahedron(4)], "#112233");
+	const colours = () =>
+		figure.object.children.map(
+			(part) => `#${((part as Mesh | LineSegments).material as MeshBasicMaterial).color.getHexString()}`,
+		);
+	figure.mark(new Set([1]), "#ff0000");
+	expect(colours()).toEqual(["#112233", "#112233", "#ff0000", "#ff0000", "#112233", "#112233"]);
+	figure.mark(new Set(), "#ff0000");
+	expect(new Set(colours())).toEqual(new Set(["#112233"]));
+	figure.dispose();
+});

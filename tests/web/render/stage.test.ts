@@ -1,0 +1,76 @@
+import { Object3D, type PerspectiveCamera } from "three";
+import { describe, expect, it, vi } from "vitest";
+import type { Figure, FigureStage } from "../../../web/src/render/figure";
+import { Stage } from "../../../web/src/render/stage";
+
+/** A figure that keeps a diary. */
+function figure() {
+	const calls: string[] = [];
+	let stage: FigureStage | undefined;
+	const object = new Object3D();
+	const make = (given: FigureStage): Figure<string, number> => {
+		stage = given;
+		given.root.add(object);
+		return {
+			show: (grown, specimen) => calls.push(`show ${grown} ${specimen}`),
+			bounds: () => ({ spheres: Float32Array.from([0, 0, 0, 1]), points: new Float32Array(0) }),
+			prepare: vi.fn((_: PerspectiveCamera) => undefined),
+			pick: () => 7,
+			mark: (picked) => calls.push(`mark ${picked}`),
+			modes: ["whole", "bare"],
+			setMode: (mode) => calls.push(`mode ${mode}`),
+			dispose: () => {
+				object.removeFromParent();
+				calls.push("dispose");
+			},
+		};
+	};
+	return { make, calls, object, given: () => stage as FigureStage };
+}
+
+const RAY = { origin: [0, 0, 1], direction: [0, 0, -1] } as const;
+
+describe("Stage", () => {
+	it("has the figure show plants, and tells what the view is to hold", () => {
+		const { make, calls } = figure();
+		const stage = new Stage<string, number>();
+		stage.use(make);
+		expect(stage.filled).toBe(false);
+		expect(stage.pick(RAY)).toBeUndefined();
+		expect(stage.show(3, "seed").spheres).toHaveLength(4);
+		expect([stage.filled, stage.pick(RAY), ...calls]).toEqual([true, 7, "show 3 seed"]);
+	});
+
+	it("says what to do where there is no figure", () => {
+		expect(() => new Stage<string, number>().show(1, "a")).toThrow("give the viewer one to use");
+	});
+
+	it("takes the last figure off when another comes", () => {
+		const [one, other] = [figure(), figure()];
+		const stage = new Stage<string, number>();
+		stage.use(one.make);
+		stage.show(1, "a");
+		const behind = stage.scene.children.length;
+		stage.use(other.make);
+		expect(stage.scene.children).toHaveLength(behind);
+		expect(stage.scene.children).not.toContain(one.given().root);
+		expect(one.calls.at(-1)).toBe("dispose");
+		expect(one.object.parent).toBeNull();
+		expect(stage.filled).toBe(false);
+		expect(other.given().root.visible).toBe(false);
+		stage.show(2, "b");
+		expect(other.given().root.visible).toBe(true);
+	});
+
+	it("passes marks and modes on once, and only modes that there are; a new plant starts unmarked", () => {
+		const { make, calls } = figure();
+		const stage = new Stage<string, number>();
+		stage.use(make);
+		stage.show(1, "a");
+		const changed = [stage.mark(4), stage.mark(4), stage.setMode("bare"), stage.setMode("bare"), stage.setMode("cut")];
+		expect(changed).toEqual([true, false, true, false, false]);
+		stage.show(2, "a");
+		expect(stage.mark(4)).toBe(true);
+		expect(calls).toEqual(["show 1 a", "mark 4", "mode bare", "show 2 a", "mark 4"]);
+	});
+});

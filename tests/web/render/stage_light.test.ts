@@ -1,0 +1,41 @@
+import { PerspectiveCamera, Vector3 } from "three";
+import { describe, expect, it } from "vitest";
+import { rigOf, spreadOf, type Theme } from "../../../web/src/render/light";
+import { PaperShadow } from "../../../web/src/render/paper_shadow";
+import { StageLight } from "../../../web/src/render/stage_light";
+
+describe("StageLight", () => {
+	it("turns with the viewer", () => {
+		const light = new StageLight();
+		const camera = new PerspectiveCamera();
+		camera.position.set(5, 0, 0);
+		camera.lookAt(0, 0, 0);
+		camera.updateMatrixWorld();
+		light.aim(camera);
+		const { x, y, z } = rigOf("light").key.direction;
+		// Seen from +X, what was to the right is −Z and what was behind the viewer +X.
+		expect(light.uniforms.keyDirection.value.distanceTo(new Vector3(z, y, -x))).toBeLessThan(1e-9);
+	});
+
+	it("is the rig of its theme, in the shaders too", () => {
+		const light = new StageLight();
+		light.setTheme("dark");
+		expect(light.rig).toBe(rigOf("dark"));
+		expect(light.uniforms.rim.value.irradiance.toArray()).toEqual(rigOf("dark").rim.irradiance);
+	});
+});
+
+describe.each(["light", "dark"] as Theme[])("the shadow's lamp of the %s rig", (theme) => {
+	it("stands before the paper, on the key light's side and lower: the shadow falls away from it", () => {
+		const rig = rigOf(theme);
+		const shadow = new PaperShadow();
+		shadow.setRig(rig);
+		const lamp = shadow.uniforms.lamp.value;
+		const key = rig.key.direction;
+		expect(lamp.z).toBeGreaterThan(0.5);
+		expect(Math.sign(lamp.x)).toBe(Math.sign(key.x));
+		expect(lamp.y).toBeGreaterThan(0);
+		expect(lamp.y).toBeLessThan(key.y);
+		expect(shadow.uniforms.spread.value).toBe(spreadOf(rig.key));
+	});
+});

@@ -1,8 +1,0 @@
-import { expect, it } from "vitest";
-import { inWords } from "../../../web/src/studio/parts/readout";
-
-it.each([
-	["leaves", "Leaves"],
-	["endStructures", "End structures"],
-	["end_structures", "End structures"],
-])("has words for a count called %s", (key, words) => expect(inWords(key)).toBe(words));

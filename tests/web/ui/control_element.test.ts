@@ -1,0 +1,39 @@
+import { describe, expect, it, vi } from "vitest";
+import { ControlElement } from "../../../web/src/ui/control_element";
+import type { Desk } from "../../../web/src/ui/desk";
+import type { Model } from "../../../web/src/models/model";
+import { specimenFromPreset } from "../bunch";
+import { studioWith } from "../app/desk";
+import { toy } from "../toy";
+
+/** What Lit asks before it draws, without a page to draw in. */
+class Probe extends ControlElement {
+	readonly drawn = vi.fn();
+
+	protected override draw(desk: Desk): unknown {
+		this.drawn(desk.state.model.name);
+		return "";
+	}
+
+	asks(...changed: string[]): boolean {
+		return this.shouldUpdate(new Map(changed.map((name) => [name, undefined])));
+	}
+}
+customElements.define("panicle-probe", Probe);
+
+describe("a control", () => {
+	it("stands still once another model has come, until the page puts it to use again", async () => {
+		const { studio } = await studioWith(specimenFromPreset());
+		const probe = new Probe();
+		expect(probe.asks()).toBe(false);
+		probe.desk = studio;
+		expect(probe.asks("desk")).toBe(true);
+		expect(probe.asks()).toBe(true);
+		studio.choosePreset("plain", toy as unknown as Model);
+		expect(probe.asks()).toBe(false);
+		studio.undo();
+		expect(probe.asks()).toBe(true);
+		studio.redo();
+		expect(probe.asks("life")).toBe(true);
+	});
+});

@@ -1,0 +1,42 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { placeUnder, visibleWays } from "../../../../web/src/ui/handles/handle_ways";
+import type { Vector } from "../../../../web/src/ui/handles/plant_handle";
+import { evenly } from "../../evenly";
+
+const X: Vector = [1, 0, 0];
+const Y: Vector = [0, 1, 0];
+const place = fc.tuple(evenly(-1, 1), evenly(-1, 1), evenly(-1, 1));
+
+describe("a handle under a pointer", () => {
+	it("stays where it is while the pointer looks at it, on a plane and on a line", () =>
+		fc.assert(
+			fc.property(place, place, fc.constantFrom([X, Y], [Y]), (at, aside, ways) => {
+				const eye: Vector = [aside[0], aside[1], 3];
+				const direction: Vector = [at[0] - eye[0], at[1] - eye[1], at[2] - eye[2]];
+				const found = placeUnder(at, ways, { origin: eye, direction }) as Vector;
+				for (const k of [0, 1, 2]) expect(found[k]).toBeCloseTo(at[k], 6);
+			}),
+		));
+
+	it("goes to where the sight meets its plane, and no farther off it", () => {
+		const ray = { origin: [0.25, -0.5, 2], direction: [0, 0, -4] } as const;
+		expect(placeUnder([0, 0, 0.5], [X, Y], ray)).toEqual([0.25, -0.5, 0.5]);
+		expect(placeUnder([0, 0, 0.5], [Y], ray)).toEqual([0, -0.5, 0.5]);
+	});
+
+	it("goes nowhere by a sight that says nothing: along the plane or line, or with the handle behind the eye", () => {
+		expect(placeUnder([0, 0, 0], [X, Y], { origin: [0, 0, 1], direction: [1, 0, 0] })).toBeUndefined();
+		expect(placeUnder([0, 0, 0], [X, Y], { origin: [0, 0, 1], direction: [0, 0, 1] })).toBeUndefined();
+		expect(placeUnder([0, 0, 0], [Y], { origin: [0, 3, 0.01], direction: [0, -1, 0] })).toBeUndefined();
+		expect(placeUnder([0, 0, 0], [Y], { origin: [0, 0, 1], direction: [0, 0, 1] })).toBeUndefined();
+	});
+
+	it("has of a plane seen edge-on the way alone that is seen across", () => {
+		const from = (direction: Vector) => visibleWays([X, Y], { origin: [0, 0, 0], direction });
+		expect(from([0, 0, -1])).toEqual([X, Y]);
+		expect(from([0.5, 0.5, -1])).toEqual([X, Y]);
+		expect(from([1, 0, -0.1])).toEqual([Y]);
+		expect(from([0.1, -3, 0.1])).toEqual([X]);
+	});
+});

@@ -1,0 +1,25 @@
+/** Files that come to the page. What opens them is fetched with the first. */
+import { FILE_TOPIC, type ToolDrop } from "../../ui/tool";
+import { applying } from "../panel_groups";
+import type { Studio } from "../studio";
+import { TRY_AGAIN } from "../types";
+
+/** What tools of the model take of files, those that mean nothing to the specimen left out. */
+export function dropsOf({ state: { face, specimen } }: Studio): ToolDrop[] {
+	return applying(face?.tools, specimen).flatMap(({ drop }) => drop ?? []);
+}
+
+/** The files that the picker offers. */
+export const ACCEPT = ".glb,.json,.png,.lsys,.gl3,.growth,.stand,.xml,model/gltf-binary,application/json,image/png";
+
+/** Opens a file (open.ts); whatever is wrong is said, and the plant stays. */
+export async function takeFile(studio: Studio, file: File): Promise<void> {
+	const opener = await import("./open").catch(() => undefined);
+	if (opener) await opener.openFile(studio, file);
+	else {
+		studio.notify("The file was not opened", ["Part of the page could not be fetched.", TRY_AGAIN], {
+			topic: FILE_TOPIC,
+			again: () => void takeFile(studio, file),
+		});
+	}
+}

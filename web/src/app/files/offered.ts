@@ -1,0 +1,8 @@
+/** What `Download` offers and how it is made: fetched when the menu is opened for the first time. */
+export { saveFile } from "../../ui/save_file";
+export { NotFetched } from "../../generate/files/exporter";
+export { fileSettings } from "../parts/file_settings";
+export { menuActions } from "../parts/menu_actions";
+export { fileName, formatsOf } from "./formats";
+export { askedOf, MadeAhead, sizeInWords } from "./made_ahead";
+export { plantToSave } from "./plant_to_save";

@@ -1,0 +1,100 @@
+import { FILE_TOPIC } from "../../ui/tool";
+import { readText } from "../../models/for_text";
+import { modelNamed, modelNames } from "../../models/index";
+import { fromPreset } from "../../specimen/from_preset";
+import { overlongFile, overlongText } from "../../specimen/limits";
+import { decodeLink, linkParts, modelInQuery } from "../../specimen/link";
+import { modelIn, restore } from "../../specimen/restore";
+import { SPECIMEN_VERSION } from "../../specimen/specimen";
+import { TextError } from "../../specimen/text_error";
+import { BARE } from "../faces";
+import { applying } from "../panel_groups";
+import { SAVED } from "../parts/late_parts";
+import { openPart } from "../parts/open_part";
+import type { SavedDialog } from "../parts/saved_dialog";
+import type { Studio } from "../studio";
+import { TRY_AGAIN } from "../types";
+import { dropsOf } from "./drops";
+
+/**
+ * Brings back the specimen of a GLB, a JSON or a picture with its link, of whatever model; a file of saved ones goes into the library, one without any to the tool that takes it. Whatever
+ * is wrong with the file is said, and the plant stays.
+ */
+export async function openFile(studio: Studio, file: File): Promise<void> {
+	if (TEXT_FILE.test(file.name)) return openText(studio, file);
+	const refuse = (details: readonly string[], again?: () => void) =>
+		studio.notify("The file was not opened", details, { topic: FILE_TOPIC, ...(again ? { again } : {}) });
+	const reader = await import("../../formats/restore").catch(() => undefined);
+	if (!reader) {
+		refuse(["Part of the page could not be fetched.", TRY_AGAIN], () => void openFile(studio, file));
+		return;
+	}
+	try {
+		const found = await reader.foundInFile(file.name, file);
+		if ("library" in found) {
+			await openPart(studio, SAVED);
+			await document.querySelector<SavedDialog>(SAVED.tag)?.bring(file.name, found.library);
+		} else if ("link" in found) {
+			const { query, fragment } = linkParts(found.link);
+			const model = await modelNamed(modelInQuery(query));
+			studio.take(model, await decodeLink(model, query, fragment), FILE_TOPIC);
+		} else {
+			const model = await modelNamed(modelIn(found.record));
+			studio.take(model, restore(model, found.record), FILE_TOPIC);
+		}
+	} catch (error) {
+		const known = error instanceof reader.FileError;
+		const drop = known ? dropsOf(studio).find(({ takes }) => takes(file)) : undefined;
+		if (drop) drop.take(studio, file);
+		else if (known) refuse([error.message, ...here(studio, file), ...(await elsewhere(studio, file))]);
+		else refuse([`${file.name} could not be read; try to drop it again.`]);
+	}
+}
+
+/** Files of grammars by their names: what is in them decides which model they are for. */
+const TEXT_FILE = /\.(?:lsys|gl3|growth|stand|xml)$/i;
+
+/** Grows a grammar's text, as the model that it is for. */
+async function openText(studio: Studio, file: File): Promise<void> {
+	const refuse = (why: string) => studio.notify("The file was not opened", [why], { topic: FILE_TOPIC });
+	try {
+		const long = overlongFile(file.size, await file.slice(0, 64).text());
+		if (long) return refuse(`${file.name} is ${long}.`);
+		const said = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
+		if (said.trim() === "") return refuse(`${file.name} is empty.`);
+		const { model, text: grammar, specimen } = await readText(said, file.name);
+		// XML may be long and its text is not, or is: then the plant stays.
+		const longText = overlongText(grammar);
+		if (longText) return refuse(`${file.name} is ${longText} as a grammar’s text.`);
+		if (model) studio.take(model, restore(model, { v: SPECIMEN_VERSION, grammar }, specimen), FILE_TOPIC);
+	} catch (error) {
+		if (error instanceof TextError) refuse(`${file.name}: ${error.message}`);
+		else if (error instanceof TypeError) refuse(`${file.name} is not text in UTF-8.`);
+		else refuse(`${file.name} could not be read; try to drop it again.`);
+	}
+}
+
+/** What this model takes of files, that the message does not name. */
+function here(studio: Studio, { name }: File): string[] {
+	// What is meant to be one of Panicle's own is not well yet.
+	if (/\.(glb|json)$/i.test(name)) return [];
+	const taken = dropsOf(studio).map(({ words }) => words);
+	const { title } = studio.state.model;
+	return [
+		"A grammar as text (.lsys, .gl3, .growth, .stand, .xml) grows, whatever is shown.",
+		...taken.map((words) => `${title}: ${words}.`),
+	];
+}
+
+/** What tools of other models would do with the file: "Tree: a closed mesh (OBJ, GLB) becomes the boundary." */
+async function elsewhere(studio: Studio, file: File): Promise<string[]> {
+	const others = modelNames().filter((name) => name !== studio.state.model.name);
+	const taken = others.map(async (name) => {
+		const model = await modelNamed(name);
+		const { tools } = (await model.studio?.()) ?? BARE;
+		const drop = applying(tools, fromPreset(model)).find((tool) => tool.drop?.takes(file))?.drop;
+		return drop && `${model.title}: ${drop.words}.`;
+	});
+	const words = await Promise.all(taken.map((one) => one.catch(() => undefined)));
+	return words.filter((one) => one !== undefined);
+}

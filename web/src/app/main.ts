@@ -1,0 +1,220 @@
+/** The application's start: wires the store to the core, the address bar and the page, and nothing else. */
+import { changed } from "../ui/changed";
+import { Client } from "../core/client";
+import { coreAddress } from "../core/core_address";
+import { loadFigure, loadScene } from "../element/figures";
+import { DEFAULT_MODEL, isModel, modelNamed, modelNames } from "../models/index";
+import type { Model } from "../models/model";
+import { allBut } from "../specimen/all_but";
+import { AddressBar, isForeign, modelInAddress, readAddress, readWholeAddress } from "./address";
+import { Cores } from "./cores";
+import { Growing } from "./growing";
+import { openLate } from "./late_link";
+import { runningBy } from "./panel_groups";
+import { HELP, SAVED } from "./parts/late_parts";
+import { openPart } from "./parts/open_part";
+import type { StudioPart } from "./parts/studio_part";
+import { Renewal } from "./renewal";
+import { listenForShortcuts } from "./shortcuts";
+import { listenForSkips } from "./skips";
+import { Studio } from "./studio";
+import { applyTheme, isSystemDark, onSystemTheme } from "./theme";
+import { titleOf } from "./title";
+import { loadUi, pageOf, STORAGE_KEY, saveUi } from "./ui_state";
+import "./parts/stage";
+import "./parts/bars";
+import "./parts/drop";
+import "./parts/editors";
+import "./parts/gallery";
+import "./parts/history_bar";
+import "./parts/notices";
+import "./parts/pane";
+import "./parts/panel";
+import "./parts/share_bar";
+import "./parts/speaker";
+import "./parts/variation";
+import "./parts/view_switch";
+
+/** The parts that draw the studio, by their tags in index.html. */
+const PARTS = [
+	"panicle-history",
+	"panicle-variation",
+	"panicle-share",
+	"panicle-view-switch",
+	"panicle-stage",
+	"panicle-editors",
+	"panicle-pane",
+	"panicle-bars",
+	"panicle-gallery",
+	"panicle-panel",
+	"panicle-notices",
+	"panicle-drop",
+	"panicle-saved",
+	"panicle-help",
+	"panicle-speaker",
+].join();
+
+// The link's model, its core and the 3-D view's script start together; the page is drawn meanwhile.
+const asked = modelInAddress(location) ?? DEFAULT_MODEL;
+const cores = new Cores(coreAddress);
+cores.warm(`${isModel(asked) ? asked : DEFAULT_MODEL}.wasm`);
+loadScene().catch(() => {}); // The stage asks again, and says why not.
+const ui = loadUi(localStorageOr());
+applyTheme(ui.theme);
+modelNamed(asked).then(start, refuse);
+
+function start(model: Model): void {
+	cores.warm(model.wasm); // Of a family it is not named after the model.
+	loadFigure(model).catch(() => {}); // The stage asks again, and says why not.
+	// A core's client grows what it was asked last: what is looked for is not to take the place of what is shown.
+	const searching = new Cores(coreAddress, new Client());
+	// Its worker starts when something is first asked of it.
+	const beside = new Cores(coreAddress, new Client());
+	const growing = new Growing(cores, () => studio);
+	const bar = new AddressBar();
+	const opened = readAddress(model, location);
+	const { specimen } = opened;
+	const studio = new Studio(
+		{ model, specimen, ui, systemDark: isSystemDark() },
+		{
+			grow: (of, each, options) => void growing.grow(of, each, options),
+			measure: async (of, each, signal) =>
+				(await searching.grow(of, each, { meshes: false, measures: true, signal })).measures ?? new Float32Array(),
+			aside: async (each, options) =>
+				beside.grow(await modelNamed(each.model), each, { meshes: false, measures: false, ...options }),
+			cancel: () => growing.cancel(),
+			settled: (of, each) => void bar.write(of, each),
+			remember: (next, before) => {
+				saveUi(localStorageOr(), next, before);
+				applyTheme(next.theme);
+			},
+		},
+	);
+	// Asked for before the parts are drawn, the plant grows meanwhile; a text in the fragment has to be unpacked first.
+	if (opened.whole) studio.open(opened, "link");
+	else void openLate(studio, readWholeAddress(model, location));
+	draw(studio);
+	followFirst(studio, growing, renewing(studio));
+	listenForSkips();
+	followOtherTabs(studio);
+	addEventListener("popstate", () => void follow(studio, bar));
+}
+
+function draw(studio: Studio): void {
+	for (const part of document.querySelectorAll<StudioPart>(PARTS)) part.desk = studio;
+	const help = () => void openPart(studio, HELP);
+	document.addEventListener("panicle-help", help);
+	listenForShortcuts(studio, { help, saved: () => void openPart(studio, SAVED) });
+	onSystemTheme((dark) => studio.setSystemDark(dark));
+	// Tabs and bookmarks are told apart by what they hold.
+	let named: readonly unknown[] | undefined;
+	const nameTab = () => {
+		const { model, specimen, face, tools } = studio.state;
+		const shown = [model, face, tools, ...allBut(specimen, runningBy(face?.tools))];
+		if (named && !changed(named, shown)) return;
+		named = shown;
+		document.title = `${titleOf(specimen, model, face?.tools)} ${specimen.seed} · Panicle`;
+	};
+	nameTab();
+	studio.subscribe(nameTab);
+}
+
+/** What one tab chooses of the page holds in all. */
+function followOtherTabs(studio: Studio): void {
+	addEventListener("storage", ({ key }) => {
+		if (key !== null && key !== STORAGE_KEY) return;
+		studio.setUi(pageOf(loadUi(localStorageOr())));
+	});
+}
+
+/** Keeps the built app for when there is no network, and offers its next version. What is worked on changes by the minute. */
+function renewing(studio: Studio): Renewal | undefined {
+	if (!import.meta.env.PROD) return undefined;
+	const details = ["Reload when it suits: the plant stays as it is, its steps of Undo go."];
+	const renewal = new Renewal((reload) => {
+		studio.notify("A new version is here", details, { topic: "version", act: { words: "Reload", run: reload } });
+	});
+	// What can be tried again may be gone for good. Vite's own event is of the scripts, whoever asked for them.
+	addEventListener("vite:preloadError", () => void renewal.look());
+	let before = studio.state;
+	studio.subscribe(() => {
+		const { notices, failure } = studio.state;
+		const told = notices.some((notice) => notice.again && !before.notices.includes(notice));
+		if (told || (failure && failure !== before.failure)) void renewal.look();
+		before = studio.state;
+	});
+	return renewal;
+}
+
+/** Once the first plant is drawn, or is known not to come, what was a sketch of it follows, and the gallery gets every model's presets. */
+function followFirst(studio: Studio, growing: Growing, renewal: Renewal | undefined): void {
+	const end = studio.subscribe(async () => {
+		const { shown, failure } = studio.state;
+		if (!shown && !failure) return;
+		end();
+		if (shown) await drawn();
+		growing.finish();
+		void Promise.allSettled(modelNames().map((name) => modelNamed(name))).then((models) => {
+			studio.list(models.flatMap((model) => (model.status === "fulfilled" ? [model.value] : [])));
+			renewal?.start().catch(() => {}); // Then the app needs its network, as before.
+		});
+	});
+}
+
+/** Where nothing is drawn within this time the gallery waits no longer; milliseconds. */
+const LONGEST_WAIT = 3000;
+
+/** Settles when the view has drawn its first plant. */
+function drawn(): Promise<void> {
+	return new Promise((resolve) => {
+		new PerformanceObserver((list, observer) => {
+			if (list.getEntriesByName("first-bunch").length === 0) return;
+			observer.disconnect();
+			resolve();
+		}).observe({ type: "mark", buffered: true });
+		setTimeout(resolve, LONGEST_WAIT);
+	});
+}
+
+let followed = 0;
+
+/** The address is another one: by Back, Forward or by hand. */
+async function follow(studio: Studio, bar: AddressBar): Promise<void> {
+	const turn = ++followed;
+	const { search, hash } = location;
+	try {
+		const model = await modelNamed(modelInAddress({ search }));
+		if (isForeign(model, { hash })) {
+			// A place in the page, or nothing of ours: the document stays, and the address is again its own.
+			const { model: present, specimen } = studio.state;
+			await bar.write(present, specimen);
+			return;
+		}
+		const restored = await readWholeAddress(model, { search, hash });
+		if (turn !== followed) return;
+		bar.arrived(restored.specimen);
+		studio.visit(model, restored, "link");
+	} catch {
+		studio.notify("The link could not be followed", [
+			"Part of this page could not be fetched; check the connection and load the page again.",
+		]);
+	}
+}
+
+/** Not even the model has come, so there is nothing to draw the page from. */
+function refuse(): void {
+	const words = document.createElement("p");
+	words.className = "noscript";
+	words.role = "alert";
+	words.textContent = "Part of this page could not be fetched; check the connection and load it again.";
+	document.querySelector("main")?.append(words);
+}
+
+/** Storage that forgets, where the browser forbids it. */
+function localStorageOr(): Pick<Storage, "getItem" | "setItem"> {
+	try {
+		return localStorage;
+	} catch {
+		return { getItem: () => null, setItem: () => {} };
+	}
+}

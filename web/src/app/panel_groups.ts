@@ -1,0 +1,46 @@
+/** Which of a table's groups and parameters the panel shows: those that the specimen heeds, and what tools add. */
+import type { Tool } from "../ui/tool";
+import type { Specimen } from "../specimen/specimen";
+import type { Entry, Group, Table } from "../specimen/table";
+
+export interface PanelGroup {
+	readonly group: Group;
+	readonly entries: readonly Entry[];
+	/** Tools with something above the group's controls, and below them. */
+	readonly above: readonly Tool[];
+	readonly below: readonly Tool[];
+}
+
+/**
+ * The groups with anything in them: those that tools bring, then the table's in its order, then what tools have for the end.
+ * @param tools those that mean anything to the specimen
+ */
+export function groupsFor(table: Table, specimen: Specimen, tools: readonly Tool[]): readonly PanelGroup[] {
+	const elsewhere = new Set(tools.flatMap(({ parameters = [] }) => parameters));
+	const heeded = table.entries.filter((entry) => table.heeds(specimen, entry) && !elsewhere.has(entry.key));
+	const brought = tools.flatMap(({ panel }) => (typeof panel?.group === "object" ? [panel.group] : []));
+	const [last, first] = [true, false].map((end) =>
+		[...new Set(brought)].filter((group) => (group.last ?? false) === end),
+	);
+	return [...first, ...table.groups, ...last]
+		.map((group) => {
+			const own = tools.filter(({ panel }) => panel?.group === group.key || panel?.group === group);
+			return {
+				group,
+				entries: heeded.filter((entry) => entry.group === group.key),
+				above: own.filter(({ panel }) => panel?.place === "above"),
+				below: own.filter(({ panel }) => panel?.place === "below"),
+			};
+		})
+		.filter(({ entries, above, below }) => entries.length + above.length + below.length > 0);
+}
+
+/** Parameters that a tool's bar runs through: what they do shows in the plant, and nowhere in the panel. */
+export function runningBy(tools: readonly Tool[] = []): readonly string[] {
+	return tools.flatMap(({ bar, parameters = [] }) => (bar ? parameters : []));
+}
+
+/** The tools that mean anything to a specimen. */
+export function applying(tools: readonly Tool[] = [], specimen: Specimen): readonly Tool[] {
+	return tools.filter(({ applies }) => applies?.(specimen) ?? true);
+}

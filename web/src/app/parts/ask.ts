@@ -1,0 +1,59 @@
+import { html, nothing } from "lit";
+import { readTyped } from "../../ui/typed";
+import { type MeasureInfo, measureText } from "../../specimen/measures";
+import { fromWritten, writtenFor } from "../../targets/aim";
+import { ASKING, askFor, heldAims, shareDone } from "../asking";
+import type { Studio } from "../studio";
+import { StudioPart } from "./studio_part";
+
+/** Below a measure: the field in which another value can be asked for. */
+export class Ask extends StudioPart {
+	static override properties = { ...StudioPart.properties, info: { attribute: false }, value: { attribute: false } };
+	declare info: MeasureInfo;
+	/** What is measured. */
+	declare value: number;
+	#problem = "";
+
+	protected override shows(studio: Studio): readonly unknown[] {
+		return [studio.toolState(ASKING), studio.state.specimen];
+	}
+
+	protected override draw(studio: Studio): unknown {
+		const { info, value } = this;
+		const { now } = studio.toolState(ASKING);
+		const held = heldAims(studio).find(({ measure }) => measure === info.key);
+		const unit = info.kind === "share" ? "%" : info.unit;
+		return html`<form class="ask" @submit=${this.#submit}>
+			<label>Ask for <input
+				class="typed" name="value" type="text" inputmode="decimal" autocomplete="off" .value=${writtenFor(info, held?.value ?? value)}
+				@focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
+			> ${unit}</label>
+			${
+				now?.measure === info.key
+					? html`<progress aria-label="Growing" max="1" value=${shareDone(now)}></progress>
+						<button class="button quiet" type="button" @click=${now.cancel}>Cancel</button>`
+					: html`<button class="button" aria-label="Ask for this ${info.label.toLowerCase()}">Ask</button>`
+			}
+			${held ? html`<p>${measureText(info, held.value)} asked; held while another is asked for.</p>` : nothing}
+			${this.#problem ? html`<p role="alert">${this.#problem}</p>` : nothing}
+		</form>`;
+	}
+
+	/** Takes the focus to the field. */
+	async enter(): Promise<void> {
+		await this.updateComplete;
+		this.querySelector("input")?.focus();
+	}
+
+	#submit(event: SubmitEvent): void {
+		event.preventDefault();
+		const text = String(new FormData(event.target as HTMLFormElement).get("value"));
+		const typed = readTyped(text);
+		const right = Number.isFinite(typed) && typed >= 0;
+		this.#problem = right ? "" : `“${text.slice(0, 20)}” is no number that can be asked for.`;
+		this.requestUpdate();
+		if (right) void askFor(this.desk, { measure: this.info.key, value: fromWritten(this.info, typed) });
+	}
+}
+
+customElements.define("panicle-ask", Ask);

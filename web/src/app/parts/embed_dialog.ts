@@ -1,0 +1,282 @@
+import { html, nothing, type TemplateResult } from "lit";
+import { keyed } from "lit/directives/keyed.js";
+import { saveFile } from "../../ui/save_file";
+import { plantInWords } from "../../element/plant_in_words";
+import { encodeLink } from "../../specimen/link";
+import { notInLink } from "../address";
+import {
+	type EmbedChoice,
+	type Embedded,
+	type EmbedForm,
+	embedCode,
+	frameAddress,
+	LONGEST_SIDE,
+} from "../files/embed_code";
+import { type Asked, type Download, fileName, formatsOf } from "../files/formats";
+import { askedOf, sizeInWords } from "../files/made_ahead";
+import { type PageWeight, pageWeight } from "../files/page_weight";
+import { plantToSave } from "../files/plant_to_save";
+import type { Studio } from "../studio";
+import { StudioPart } from "./studio_part";
+import "../style/embed.css";
+
+/** The preview is no larger than this, CSS pixels: what is larger is shown smaller. */
+const PREVIEW = { width: 300, height: 320 };
+
+const FORMS: readonly { readonly form: EmbedForm; readonly title: string; readonly about: string }[] = [
+	{ form: "element", title: "Element", about: "One script and one tag: for pages that may have scripts." },
+	{ form: "frame", title: "Frame", about: "One tag: for places that allow frames alone." },
+	{
+		form: "model-viewer",
+		title: "<model-viewer>",
+		about: "A GLB beside your page, shown by Google’s viewer; it does not grow.",
+	},
+];
+
+/** Files that model-viewer opens as it comes. */
+const FILES = ["glb-low", "glb"];
+
+/** What is chosen by a box. */
+type Switch = "autorotate" | "wind" | "controls" | "handles" | "lazy";
+
+/** What the dialog is about while it is open. */
+interface Opened {
+	readonly asked: Asked;
+	readonly of: Embedded;
+	/** What the link does not hold. */
+	readonly lost: readonly string[];
+	readonly hasHandles: boolean;
+	readonly sways: boolean;
+}
+
+/** Code that puts the plant in a page, with a preview of just that and what it weighs. */
+export class EmbedDialog extends StudioPart {
+	#choice: EmbedChoice = {
+		form: "element",
+		width: 300,
+		height: 400,
+		autorotate: false,
+		wind: false,
+		controls: true,
+		handles: false,
+		lazy: true,
+	};
+	#opened: Opened | undefined;
+	#weight: PageWeight | undefined;
+	/** The key of the file for model-viewer, and the file itself once it is made. */
+	#format = FILES[0];
+	#file: Blob | undefined;
+	#making: AbortController | undefined;
+	#failed = false;
+	#said = "";
+
+	protected override draw(): unknown {
+		return html`<dialog class="help many embed" aria-labelledby=${this.idOf("title")} @close=${this.#closed}>
+			<h2 id=${this.idOf("title")}>Copy embed code</h2>
+			${this.#opened ? this.#body(this.#opened) : nothing}
+		</dialog>`;
+	}
+
+	/** Opens the dialog about the plant that is on the controls; the browser keeps the focus in it and gives it back. */
+	async open(): Promise<void> {
+		this.#opened = await openedOn(this.desk);
+		this.#said = "";
+		this.requestUpdate();
+		await this.updateComplete;
+		this.querySelector("dialog")?.showModal();
+		void this.#make();
+	}
+
+	#body({ of, lost, hasHandles, sways }: Opened): TemplateResult {
+		const choice = this.#choice;
+		const { form } = choice;
+		const isFile = form === "model-viewer";
+		const code = embedCode(of, choice);
+		return html`<div class="sides">
+			<form @submit=${(event: Event) => event.preventDefault()}>
+				<fieldset role="radiogroup" aria-label="Form" aria-describedby=${this.idOf("about")}>
+					${FORMS.map(({ form: each, title }) => html`<label><input type="radio" name=${this.idOf("form")} .checked=${each === form} @change=${() => this.#choose({ form: each })}>${title}</label>`)}
+				</fieldset>
+				<small id=${this.idOf("about")}>${FORMS.find((each) => each.form === form)?.about}</small>
+				<fieldset class="size" aria-label="Size"><span aria-hidden="true">Size</span>${this.#side("width", "Width")} × ${this.#side("height", "Height")} pixels</fieldset>
+				<fieldset>
+					${this.#switch("autorotate", "Turns by itself")}
+					${isFile || !sways ? nothing : this.#switch("wind", "Sways in the wind")}
+					${this.#switch("controls", isFile ? "Can be turned" : "Controls below it")}
+					${isFile || !hasHandles ? nothing : this.#switch("handles", "Handles to drag")}
+					${this.#switch("lazy", "Waits until it is near the screen")}
+				</fieldset>
+				${isFile ? this.#files() : nothing}
+			</form>
+			${this.#preview(of)}
+		</div>
+		<textarea readonly rows="5" aria-label="Code" spellcheck="false" .value=${code} @focus=${(event: FocusEvent) => (event.target as HTMLTextAreaElement).select()}></textarea>
+		<p class="weight">${this.#weightInWords()}</p>
+		${remarks(of, isFile ? [] : lost, this.desk).map((line) => html`<p><small>${line}</small></p>`)}
+		<div class="choices">
+			<p role="status">${this.#said}</p>
+			<button class="button wine" type="button" @click=${() => this.#copy(code)}>Copy code</button>
+			<button class="button quiet" type="button" @click=${() => this.querySelector("dialog")?.close()}>Close</button>
+		</div>`;
+	}
+
+	#side(side: "width" | "height", label: string): TemplateResult {
+		return html`<input
+			type="number" aria-label=${label} min="1" max=${LONGEST_SIDE} step="1" required .value=${String(this.#choice[side])}
+			@input=${({ target }: Event) => {
+				const { value, validity } = target as HTMLInputElement;
+				if (validity.valid) this.#choose({ [side]: Number(value) });
+			}}
+		>`;
+	}
+
+	#switch(key: Switch, words: string): TemplateResult {
+		return html`<label class="toggle"><input
+			type="checkbox" .checked=${this.#choice[key]} @change=${({ target }: Event) => this.#choose({ [key]: (target as HTMLInputElement).checked })}
+		> ${words}</label>`;
+	}
+
+	#files(): TemplateResult {
+		const { asked } = this.#opened as Opened;
+		const formats = filesOf(asked);
+		return html`<label>File <select @change=${({ target }: Event) => this.#chooseFile((target as HTMLSelectElement).value)}>
+				${formats.map(({ key, title }) => html`<option value=${key} ?selected=${key === this.#format}>${title}</option>`)}
+			</select></label>
+			<button class="button" type="button" ?disabled=${!this.#file} @click=${() => this.#file && saveFile(this.#file, `${asked.name}.glb`)}>
+				Download ${asked.name}.glb
+			</button>`;
+	}
+
+	/** The page that a frame holds, shown as large as there is room. */
+	#preview(of: Embedded): TemplateResult {
+		const { form, width, height, autorotate } = this.#choice;
+		// Another address gets another frame: it leaves no step for the browser's Back.
+		const address = frameAddress(of, form === "model-viewer" ? { autorotate } : this.#choice);
+		return html`<figure>
+			<div class="preview">${keyed(address, html`<iframe title="Preview" src=${address} width=${width} height=${height} @load=${this.#loaded}></iframe>`)}</div>
+			<figcaption>${form === "model-viewer" ? "The same plant; model-viewer has a light of its own" : "As it will be"}</figcaption>
+		</figure>`;
+	}
+
+	protected override updated(): void {
+		const frame = this.querySelector<HTMLElement>("iframe");
+		if (!frame?.parentElement) return;
+		const { width, height } = this.#choice;
+		const scale = Math.min(1, PREVIEW.width / width, PREVIEW.height / height);
+		frame.style.transform = `scale(${scale})`;
+		frame.parentElement.style.width = `${width * scale}px`;
+		frame.parentElement.style.height = `${height * scale}px`;
+	}
+
+	#choose(changed: Partial<EmbedChoice>): void {
+		this.#choice = { ...this.#choice, ...changed };
+		this.#said = "";
+		this.requestUpdate();
+		if (changed.form) void this.#make();
+	}
+
+	#chooseFile(format: string): void {
+		this.#format = format;
+		this.#file = undefined;
+		void this.#make();
+	}
+
+	/** Weighs what the preview fetches, and again what it fetches later. */
+	readonly #loaded = ({ target }: Event): void => {
+		const { contentWindow: page } = target as HTMLIFrameElement;
+		if (!page) return;
+		const { performance, PerformanceObserver } = page as Window & typeof globalThis;
+		const weigh = async () => {
+			const addresses = performance.getEntriesByType("resource").map(({ name }) => name);
+			const weight = await pageWeight([...addresses, page.location.href.replace(/[?#].*/, "")], location.origin);
+			if (!(target as Node).isConnected) return;
+			this.#weight = weight;
+			this.requestUpdate();
+		};
+		new PerformanceObserver(() => void weigh()).observe({ type: "resource", buffered: true });
+	};
+
+	#weightInWords(): string {
+		if (this.#choice.form === "model-viewer" && this.#failed) return "";
+		if (this.#choice.form === "model-viewer")
+			return this.#file
+				? `A visitor downloads the GLB of ${sizeInWords(this.#file.size)}, and model-viewer itself.`
+				: "The GLB is being made.";
+		const { scripts, cores } = this.#weight ?? { scripts: 0, cores: 0 };
+		if (cores === 0) return "What a visitor downloads is being counted.";
+		return `A visitor downloads ${sizeInWords(scripts + cores)} packed, once for all plants of a page: ${sizeInWords(scripts)} of scripts and ${sizeInWords(cores)} of core.`;
+	}
+
+	/** Makes the file, where one is wanted and not there. */
+	async #make(): Promise<void> {
+		const opened = this.#opened;
+		if (!opened || this.#file || this.#choice.form !== "model-viewer") return;
+		this.#making?.abort();
+		const making = new AbortController();
+		this.#making = making;
+		const format = filesOf(opened.asked).find(({ key }) => key === this.#format);
+		this.#failed = false;
+		try {
+			const file = await format?.make(opened.asked, making.signal);
+			if (!making.signal.aborted) this.#file = file;
+		} catch (error) {
+			this.#failed = !making.signal.aborted;
+			if (this.#failed) this.#said = `The GLB could not be made: ${error instanceof Error ? error.message : error}`;
+		}
+		this.requestUpdate();
+	}
+
+	/** Where the clipboard is denied, the code is selected for copying by hand. */
+	async #copy(code: string): Promise<void> {
+		try {
+			await navigator.clipboard.writeText(code);
+			this.#said = "Copied";
+		} catch {
+			this.querySelector("textarea")?.focus();
+			this.#said = "The browser did not let the page copy; the code is selected, copy it by hand.";
+		}
+		this.requestUpdate();
+	}
+
+	/** What it was about goes, and with it the preview. */
+	#closed(): void {
+		this.#making?.abort();
+		this.#opened = undefined;
+		this.#file = undefined;
+		this.#weight = undefined;
+		this.requestUpdate();
+	}
+}
+
+async function openedOn(studio: Studio): Promise<Opened> {
+	const plant = await plantToSave(studio);
+	const { model, from, grown } = plant;
+	const name = fileName(from);
+	const of: Embedded = {
+		app: new URL("../../app/parts", `${location.origin}${location.pathname}`).href,
+		link: await encodeLink(model, from),
+		words: plantInWords({ model, specimen: from, grown }),
+		file: `${name}.glb`,
+	};
+	return {
+		asked: await askedOf(plant, name, {}),
+		of,
+		lost: notInLink(model, from),
+		hasHandles: model.handles !== undefined,
+		sways: model.still !== true,
+	};
+}
+
+const filesOf = ({ plant }: Asked): Download[] => formatsOf(plant, undefined).filter(({ key }) => FILES.includes(key));
+
+/** What whoever copies ought to know. */
+function remarks({ app }: Embedded, lost: readonly string[], { state: { model } }: Studio): string[] {
+	const { hostname } = new URL(app);
+	const local = /^(localhost|127\.|\[::1\])/.test(hostname)
+		? [`The code names ${hostname}, which nobody else can reach: put the app on a host, and copy it there.`]
+		: [];
+	const preview = model.preview ? [`The ${model.noun} is a preview: what its links mean may still change.`] : [];
+	return [...local, ...preview, ...lost];
+}
+
+customElements.define("panicle-embed", EmbedDialog);

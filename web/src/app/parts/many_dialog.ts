@@ -1,0 +1,117 @@
+import { html, nothing } from "lit";
+import { Unusable } from "../../batch/unusable";
+import { saveFile } from "../../ui/save_file";
+import { formatsOfMany, growMany, type Many, readMany } from "../files/many";
+import type { Studio } from "../studio";
+import { StudioPart } from "./studio_part";
+
+/** How many plants are asked for before anyone has said. */
+const FEW = 10;
+
+interface Making {
+	readonly cancel: AbortController;
+	readonly total: number;
+	done: number;
+}
+
+/** Asks which plants are wanted, grows them, and gives them as one archive. */
+export class ManyDialog extends StudioPart {
+	#making: Making | undefined;
+	#problem = "";
+
+	protected override draw(studio: Studio): unknown {
+		const { shown } = studio.state;
+		if (!shown) return nothing;
+		return html`<dialog class="help many" aria-labelledby=${this.idOf("title")} @close=${this.#cancel}>
+			<h2 id=${this.idOf("title")}>Many in one ZIP</h2>
+			<p>A file for each plant, each of a random seed, and a table: seeds, links, what was varied, what was measured.</p>
+			<form @submit=${this.#submit}>
+				<label>Plants <input name="numbers" required autocomplete="off" value="1-${FEW}"></label>
+				<label>Vary <input name="vary" autocomplete="off" placeholder=${exampleFor(studio)} aria-describedby=${this.idOf("vary")}></label>
+				<small id=${this.idOf("vary")}>Parameters by their keys in links: from one value to another, or one of a few (a|b); commas between several. Leave it empty to vary the seed only.</small>
+				<label>Files <select name="format">${formatsOfMany(shown).map(({ key, title }) => html`<option value=${key}>${title}</option>`)}</select></label>
+				<p role="alert">${this.#problem}</p>
+				${this.#making ? progress(this.#making) : nothing}
+				<div class="choices">
+					${
+						this.#making
+							? html`<button class="button" type="button" @click=${this.#cancel}>Cancel</button>`
+							: html`<button class="button wine">Grow them</button>`
+					}
+					<button class="button quiet" type="button" @click=${this.#close}>Close</button>
+				</div>
+			</form>
+		</dialog>`;
+	}
+
+	/** Opens the dialog; the browser keeps the focus in it and gives it back. */
+	async open(): Promise<void> {
+		await this.updateComplete;
+		this.querySelector("dialog")?.showModal();
+	}
+
+	#close(): void {
+		this.querySelector("dialog")?.close();
+	}
+
+	#cancel(): void {
+		this.#making?.cancel.abort();
+	}
+
+	#submit(event: SubmitEvent): void {
+		event.preventDefault();
+		const fields = new FormData(event.target as HTMLFormElement);
+		const [numbers, vary, format] = ["numbers", "vary", "format"].map((name) => String(fields.get(name)));
+		if (!this.#making) void this.#grow({ numbers, vary, format });
+	}
+
+	async #grow(many: Many): Promise<void> {
+		const cancel = new AbortController();
+		try {
+			const asked = readMany(this.desk.state, many);
+			const making: Making = { cancel, total: asked.numbers.length, done: 0 };
+			this.#say("", making);
+			// The button that was pressed has gone.
+			await this.updateComplete;
+			this.querySelector<HTMLElement>(".choices button")?.focus();
+			const archive = await growMany(asked, {
+				signal: cancel.signal,
+				progress: (done) => {
+					making.done = done;
+					this.requestUpdate();
+				},
+			});
+			cancel.signal.throwIfAborted();
+			saveFile(archive, `${asked.series.from.preset}-${many.numbers.replaceAll(/[^\d-]+/g, "_").slice(0, 60)}.zip`);
+			this.#say("", undefined);
+			this.#close();
+		} catch (error) {
+			const known = error instanceof Unusable;
+			const text = error instanceof Error ? error.message : String(error);
+			this.#say(cancel.signal.aborted ? "" : known ? `${text}.` : `The archive could not be made: ${text}`, undefined);
+		}
+	}
+
+	#say(problem: string, making: Making | undefined): void {
+		this.#problem = problem;
+		this.#making = making;
+		this.requestUpdate();
+	}
+}
+
+/** What could be varied of this plant: the middle half of the first everyday number. */
+function exampleFor({ state: { model } }: Studio): string {
+	const everyday = model.table.groups.filter((group) => group.everyday).map(({ key }) => key);
+	const entry = model.table.core.find(({ kind, group }) => kind !== "choice" && everyday.includes(group));
+	if (!entry) return "";
+	const at = (share: number) => Math.round(entry.min + share * (entry.max - entry.min));
+	return `${entry.key}=${at(0.25)}..${at(0.75)}`;
+}
+
+function progress({ done, total }: Making): unknown {
+	return html`<p role="status" class="progress">
+		<progress aria-label="Growing the series" max=${total} value=${done}></progress> ${done} of ${total}
+	</p>`;
+}
+
+customElements.define("panicle-many", ManyDialog);

@@ -1,0 +1,30 @@
+import { nothing } from "lit";
+import type { Tool } from "../../ui/tool";
+import { allBut } from "../../specimen/all_but";
+import { applying, runningBy } from "../panel_groups";
+import type { Studio } from "../studio";
+import { StudioPart } from "./studio_part";
+
+/** The tool whose pane is open; one at the most. */
+function openIn(studio: Studio): Tool | undefined {
+	const { face, specimen } = studio.state;
+	return applying(face?.tools, specimen).find(({ pane }) => pane?.open(studio));
+}
+
+/** What is to be read and written beside the plant. */
+export class Pane extends StudioPart {
+	protected override shows(studio: Studio): readonly unknown[] {
+		const { model, face, tools, specimen } = studio.state;
+		return [model, tools, openIn(studio), ...allBut(specimen, runningBy(face?.tools))];
+	}
+
+	protected override draw(studio: Studio): unknown {
+		return openIn(studio)?.pane?.draw(studio) ?? nothing;
+	}
+
+	protected override updated(): void {
+		this.closest(".studio")?.toggleAttribute("data-pane", openIn(this.desk) !== undefined);
+	}
+}
+
+customElements.define("panicle-pane", Pane);

@@ -1,0 +1,97 @@
+import { html, nothing } from "lit";
+import { guard } from "lit/directives/guard.js";
+import { measured } from "../../ui/measured";
+import { term } from "../../ui/term";
+import { withThousands } from "../../ui/thousands";
+import { allBut } from "../../specimen/all_but";
+import type { MeasureInfo } from "../../specimen/measures";
+import { runningBy } from "../panel_groups";
+import type { Studio } from "../studio";
+import type { StudioState } from "../studio_state";
+import { TRY_AGAIN } from "../types";
+import { VERSION } from "../version";
+import type { Ask } from "./ask";
+import { StudioPart } from "./studio_part";
+
+/** The numbers of the plant on screen: what was measured, the model's own, and its marks. */
+export class Readout extends StudioPart {
+	/** Unfolded by a press on its number: the field below it gets the focus. */
+	#pressed: Element | undefined;
+
+	protected override shows({ state }: Studio): readonly unknown[] {
+		return [state.grown, ...measuredFrom(state)];
+	}
+
+	protected override draw(studio: Studio): unknown {
+		const { state } = studio;
+		const { grown, measures, model, face, specimen } = state;
+		if (!grown) return html`<div class="readout"><p>Nothing has grown yet.</p></div>`;
+		const { timings, fingerprint, notes } = grown;
+		const stale = grown.measures === undefined;
+		const asked = model.targets?.measures(specimen) ?? [];
+		const ask = (info: MeasureInfo, value: number) =>
+			asked.includes(info.key)
+				? html`<panicle-ask .desk=${studio} .info=${info} .value=${value}></panicle-ask>`
+				: undefined;
+		const rows = () => measured(model.table, measures ?? NONE, face?.rows?.(specimen), ask);
+		return html`<div class="readout" @click=${this.#press} @toggle=${this.#unfold}>
+			${measures && measures.length > 0 ? html`<div class=${stale ? "stale" : ""} aria-busy=${stale}>${guard([...measuredFrom(state)], rows)}</div>` : nothing}
+			${face?.readout ? face.readout(grown, specimen) : counts(grown.counts)}
+			<h3>This ${model.noun}</h3>
+			<dl class="made">
+				${term("Grown in", `${timings.grow.toFixed(timings.grow < 10 ? 1 : 0)} ms`)} ${term("Version", model.preview ? `${VERSION}, preview` : VERSION)}
+				<dt>Fingerprint</dt><dd class="fingerprint" data-fingerprint>${fingerprint}</dd>
+			</dl>
+			${notes.length > 0 ? notesInWords(notes) : nothing}
+		</div>`;
+	}
+
+	#press(event: Event): void {
+		this.#pressed = (event.target as Element).closest(".askable")?.closest("details") ?? undefined;
+	}
+
+	/** What asks for numbers comes when it is first wanted. */
+	readonly #unfold = {
+		capture: true,
+		handleEvent: async ({ target }: Event): Promise<void> => {
+			const details = target as HTMLDetailsElement;
+			const field = details.open ? details.querySelector<Ask>("panicle-ask") : null;
+			if (!field) return;
+			await import("./ask").catch(() => {
+				this.desk.notify("What asks for numbers could not be fetched", [TRY_AGAIN], { topic: "asked" });
+			});
+			if (details === this.#pressed) void field.enter?.();
+		},
+	};
+}
+
+const NONE = new Float32Array(0);
+/** To lay thousands of lines out takes seconds. */
+const MOST_NOTES = 50;
+
+function notesInWords(notes: readonly string[]): unknown {
+	const more = notes.length - MOST_NOTES;
+	return html`<ul class="notes">
+		${notes.slice(0, MOST_NOTES).map((note) => html`<li>${withThousands(note)}</li>`)}
+		${more > 0 ? html`<li>And ${more.toLocaleString("en-GB")} more.</li>` : nothing}
+	</ul>`;
+}
+
+/** What stays while a life runs: many lines, and none of them another. */
+function measuredFrom({ measures, model, face, specimen }: StudioState): readonly unknown[] {
+	return [measures, model, face, ...allBut(specimen, runningBy(face?.tools))];
+}
+
+/** "endStructures", "end_structures" → "End structures". */
+export function inWords(key: string): string {
+	const words = key.replaceAll("_", " ").replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`);
+	return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+/** What there is of a model without words of its own. */
+function counts(numbers: Readonly<Record<string, number>>): unknown {
+	return html`<h3>Counts</h3>
+		<dl>${Object.entries(numbers).map(([key, value]) => term(inWords(key), value.toLocaleString("en-GB")))}</dl>`;
+}
+
+customElements.define("panicle-readout", Readout);

@@ -1,0 +1,346 @@
+import { html, nothing, type PropertyValues, svg, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
+import { repeat } from "lit/directives/repeat.js";
+import { icon } from "../../ui/icons";
+import { formatCount } from "../../ui/thousands";
+import { VirtualRows } from "../../ui/virtual_rows";
+import { findSaved, ORDERS, type Order } from "../saved/found";
+import type { Library } from "../saved/library";
+import { LONGEST_NAME, modelOf, presetOf, type Saved, tidyName } from "../saved/saved";
+import type { Studio } from "../studio";
+import { StudioPart } from "./studio_part";
+import "./saved_picture";
+
+const PEN = svg`<path d="m4 16 .8-3.4L13.4 4l2.6 2.6-8.6 8.6zM11.6 5.8l2.6 2.6"/>`;
+const BIN = svg`<path d="M4 6h12M8 6V3.5h4V6M5.5 6l.8 10.5h7.4L14.5 6M8.5 9v4.5M11.5 9v4.5"/>`;
+
+/** Least width of a card, the space between cards, and the expected height of one, in CSS pixels. */
+const CARD = { width: 124, gap: 12, height: 250 };
+/** Rows that Page Up and Page Down go. */
+const PAGE = 3;
+
+/**
+ * The specimens of a library, as cards to be searched, sorted and selected; those out of sight are not in the page. They are one stop of
+ * the Tab key with the buttons of the active card: arrow keys go from card to card, F2 renames, Delete deletes. Reports to the dialog by
+ * the events `open-saved` and `said`.
+ */
+export class SavedList extends StudioPart {
+	static override properties = { ...StudioPart.properties, library: { attribute: false } };
+	declare library: Library;
+	#query = "";
+	#order: Order = "newest";
+	/** What is searched for and sorted; undefined after a change, until it is needed. */
+	#result: readonly Saved[] | undefined;
+	/** Ids of the active card, and of that whose name is being typed. */
+	#at: string | undefined;
+	#renaming: string | undefined;
+	/** Ids of the selected cards, and of the last that was selected or unselected. */
+	#selected: ReadonlySet<string> = new Set();
+	#anchor: string | undefined;
+	#columns = 1;
+	readonly #rows = new VirtualRows(this, {
+		scroller: () => this.closest("dialog"),
+		list: () => this.querySelector<HTMLElement>(".cards"),
+		rowHeight: CARD.height,
+		gap: CARD.gap,
+	});
+	readonly #resized = new ResizeObserver(([{ contentRect }]) => this.#fit(contentRect.width));
+	#unsubscribe: (() => void) | undefined;
+
+	protected override willUpdate(changed: PropertyValues): void {
+		super.willUpdate(changed);
+		if (!changed.has("library")) return;
+		this.#result = undefined;
+		this.#unsubscribe?.();
+		this.#unsubscribe = this.library.subscribe(() => this.#search());
+	}
+
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		this.#unsubscribe?.();
+		this.#resized.disconnect();
+	}
+
+	protected override shows({ state: { catalogue } }: Studio): readonly unknown[] {
+		return [catalogue];
+	}
+
+	protected override draw(): TemplateResult {
+		const found = this.#found();
+		const active = Math.max(0, this.#indexOf(this.#at));
+		const rows = this.#rows.rows(Math.ceil(found.length / this.#columns), [Math.floor(active / this.#columns)]);
+		const { height } = this.#rows;
+		return html`<div class="find" role="search" aria-label="Saved">
+				<input
+					type="search" aria-label="Search what is saved" placeholder="Search" autocomplete="off" spellcheck="false" .value=${this.#query}
+					@input=${(event: Event) => this.#look({ query: (event.target as HTMLInputElement).value })}
+				>
+				<select aria-label="Order" @change=${(event: Event) => this.#look({ order: (event.target as HTMLSelectElement).value as Order })}>
+					${Object.entries(ORDERS).map(([key, words]) => html`<option value=${key} ?selected=${key === this.#order}>${words}</option>`)}
+				</select>
+				<p class="found" role="status">${countInWords(found.length, this.library.all.length)}</p>
+			</div>
+			${this.#selection(found)}
+			<div class="cards" role="list" aria-label="Saved specimens" .style=${`height: ${height}px; --columns: ${this.#columns}`} @keydown=${this.#key} @focusin=${this.#focused}>${repeat(
+				rows,
+				({ index }) => index,
+				(row) =>
+					html`<div class="row" role="presentation" data-index=${row.index} .style=${this.#rows.rowStyle(row)}>${repeat(
+						this.#inRow(found, row.index),
+						({ id }) => id,
+						(saved, column) => this.#card(saved, row.index * this.#columns + column, found.length),
+					)}</div>`,
+			)}</div>`;
+	}
+
+	/** Selecting everything that was found, and what can be done with the selected cards. */
+	#selection(found: readonly Saved[]): TemplateResult {
+		const count = this.#selected.size;
+		const all = count > 0 && count === found.length;
+		return html`<div class="selection" role="group" aria-label="Selection">
+			<label class="toggle"><input
+				type="checkbox" .checked=${live(all)} .indeterminate=${live(count > 0 && !all)} ?disabled=${found.length === 0}
+				@change=${() => this.#select(all ? [] : found.map(({ id }) => id))}
+			>Select all</label>
+			<p role="status">${count > 0 ? `${formatCount(count)} selected` : nothing}</p>
+			${count > 0 ? html`<button class="button" type="button" title="Delete the selected specimens" @click=${() => this.#delete([...this.#selected])}>${icon(BIN)} Delete ${formatCount(count)}</button>` : nothing}
+		</div>`;
+	}
+
+	#card(saved: Saved, index: number, count: number): TemplateResult {
+		const { id, name } = saved;
+		const about = this.idOf(`about-${id}`);
+		const kept = this.library.isKept(saved);
+		return html`<div role="listitem" data-saved=${id} aria-posinset=${index + 1} aria-setsize=${count}>
+			<button
+				class="open" type="button" tabindex="-1" aria-label="Open ${name}" aria-describedby=${about} title="Open ${name}"
+				@click=${() => this.dispatchEvent(new CustomEvent("open-saved", { detail: saved }))}
+			><panicle-saved-picture .library=${this.library} .saved=${saved} aria-hidden="true"></panicle-saved-picture></button>
+			<label class="pick" title="Select (Ctrl+A selects all)"><input
+				type="checkbox" tabindex="-1" aria-label="Select ${name}" .checked=${live(this.#selected.has(id))}
+				@click=${(event: MouseEvent) => this.#pick(id, event)}
+			></label>
+			${id === this.#renaming ? this.#nameField(saved) : html`<p class="name" title=${name}>${name}</p>`}
+			<p class="about" id=${about}>${this.#modelTitle(saved)}${kept ? nothing : html`<b> not kept</b>`}<br>${dayOf(saved)}</p>
+			<div class="of-one">
+				<button class="button quiet icon" type="button" tabindex="-1" aria-label="Rename ${name}" title="Rename (F2)" @click=${() => this.#rename(id)}>${icon(PEN)}</button>
+				<button class="button quiet icon" type="button" tabindex="-1" aria-label="Delete ${name}" title="Delete" @click=${() => this.#delete([id])}>${icon(BIN)}</button>
+			</div>
+		</div>`;
+	}
+
+	#nameField({ id, name }: Saved): TemplateResult {
+		return html`<form @submit=${(event: Event) => {
+			event.preventDefault();
+			this.#named(id, (event.target as HTMLFormElement).querySelector("input")?.value ?? "");
+		}}><input
+			aria-label="New name of ${name}" required autocomplete="off" maxlength=${LONGEST_NAME} .value=${name}
+			@keydown=${(event: KeyboardEvent) => {
+				event.stopPropagation();
+				if (event.key !== "Escape") return;
+				event.preventDefault();
+				this.#named(id, "");
+			}}
+			@blur=${({ target }: FocusEvent) => this.#named(id, (target as HTMLInputElement).value)}
+		></form>`;
+	}
+
+	/** Moves the focus to a card, which is scrolled into sight. */
+	async goTo(id: string | undefined): Promise<void> {
+		this.#at = id;
+		this.requestUpdate();
+		await this.updateComplete;
+		this.#cards()
+			.find(({ dataset }) => dataset.saved === id)
+			?.querySelector<HTMLElement>(".open")
+			?.focus();
+	}
+
+	protected override firstUpdated(): void {
+		const cards = this.querySelector(".cards");
+		if (cards) this.#resized.observe(cards);
+	}
+
+	protected override updated(): void {
+		this.#rows.measure();
+		this.#stop();
+	}
+
+	/** As many columns as fit. */
+	#fit(width: number): void {
+		const columns = Math.max(1, Math.floor((width + CARD.gap) / (CARD.width + CARD.gap)));
+		if (columns === this.#columns) return;
+		this.#columns = columns;
+		this.#rows.forget();
+		this.requestUpdate();
+	}
+
+	/** One of all cards is a stop of the Tab key, with its buttons. */
+	#stop(): void {
+		const cards = this.#cards();
+		const stop = cards.find(({ dataset }) => dataset.saved === this.#at) ?? cards[0];
+		for (const card of cards) {
+			for (const item of card.querySelectorAll<HTMLElement>("button, [type=checkbox]")) {
+				item.tabIndex = card === stop ? 0 : -1;
+			}
+		}
+	}
+
+	#found(): readonly Saved[] {
+		this.#result ??= findSaved(this.library.all, this.#query, this.#order, (saved) => {
+			const preset = presetOf(saved) ?? "";
+			return [this.#modelTitle(saved), preset, this.#modelOf(saved)?.presets.named(preset)?.title].join(" ");
+		});
+		return this.#result;
+	}
+
+	#inRow(found: readonly Saved[], row: number): readonly Saved[] {
+		return found.slice(row * this.#columns, (row + 1) * this.#columns);
+	}
+
+	#indexOf(id: string | undefined): number {
+		return id === undefined ? -1 : this.#found().findIndex((saved) => saved.id === id);
+	}
+
+	/** Searches anew, because the library or the words have changed. What is not found is not selected. */
+	#search(): void {
+		this.#result = undefined;
+		if (this.#selected.size > 0) {
+			this.#selected = new Set(this.#found().flatMap(({ id }) => (this.#selected.has(id) ? id : [])));
+		}
+		this.requestUpdate();
+	}
+
+	#select(ids: Iterable<string>): void {
+		this.#selected = new Set(ids);
+		this.requestUpdate();
+	}
+
+	/** Selects or unselects a card; with Shift all cards from the last one on. */
+	#pick(id: string, { shiftKey }: MouseEvent): void {
+		const [from, to] = [this.#indexOf(this.#anchor), this.#indexOf(id)];
+		const first = shiftKey && from >= 0 ? from : to;
+		const range = this.#found().slice(Math.min(first, to), Math.max(first, to) + 1);
+		const next = new Set(this.#selected);
+		const on = !next.has(id);
+		for (const each of range) {
+			if (on) next.add(each.id);
+			else next.delete(each.id);
+		}
+		this.#anchor = id;
+		this.#select(next);
+	}
+
+	#modelOf(saved: Saved) {
+		const { catalogue } = this.desk.state;
+		const name = modelOf(saved);
+		return catalogue.find((model) => (name === undefined ? model.unnamed : model.name === name));
+	}
+
+	#modelTitle = (saved: Saved): string => this.#modelOf(saved)?.title ?? modelOf(saved) ?? "";
+
+	#look({ query = this.#query, order = this.#order }: { query?: string; order?: Order }): void {
+		this.#query = query;
+		this.#order = order;
+		this.#search();
+	}
+
+	async #rename(id: string): Promise<void> {
+		this.#renaming = id;
+		this.requestUpdate();
+		await this.updateComplete;
+		this.querySelector<HTMLInputElement>("[data-saved] form input")?.select();
+	}
+
+	/** The name is typed; nothing leaves it as it was. */
+	async #named(id: string, typed: string): Promise<void> {
+		if (this.#renaming !== id) return;
+		const held = this.querySelector("[data-saved] form input") === document.activeElement;
+		this.#renaming = undefined;
+		const name = tidyName(typed);
+		const before = this.library.all.find((saved) => saved.id === id)?.name;
+		if (name !== "" && name !== before) {
+			await this.library.rename(id, name);
+			this.#say(`“${before}” is “${name}” now.`);
+		}
+		this.requestUpdate();
+		await this.updateComplete;
+		if (held) await this.goTo(id);
+	}
+
+	/** Deletes specimens; the focus goes to the card behind the active one, or else before it. */
+	async #delete(ids: readonly string[]): Promise<void> {
+		const found = this.#found();
+		const gone = new Set(ids);
+		const place = Math.max(0, this.#indexOf(ids.length === 1 ? ids[0] : this.#at));
+		const stays = ({ id }: Saved) => !gone.has(id);
+		const next = found.slice(place).find(stays) ?? found.slice(0, place).findLast(stays);
+		const deleted = await this.library.remove(ids);
+		if (deleted.length === 0) return;
+		this.#say(
+			deleted.length === 1 ? `“${deleted[0].name}” is deleted.` : `${formatCount(deleted.length)} are deleted.`,
+		);
+		await this.updateComplete;
+		await this.goTo(next?.id);
+	}
+
+	#say(words: string): void {
+		this.dispatchEvent(new CustomEvent("said", { detail: words }));
+	}
+
+	#key(event: KeyboardEvent): void {
+		const button = event.target as HTMLElement;
+		const id = button.closest<HTMLElement>("[data-saved]")?.dataset.saved;
+		const saved = this.library.all.find((each) => each.id === id);
+		if (!saved) return;
+		const isTyping = button.matches("form input");
+		if (event.key === "F2") void this.#rename(saved.id);
+		else if (isTyping) return;
+		else if (event.key === "Delete") void this.#delete(this.#selected.has(saved.id) ? [...this.#selected] : [saved.id]);
+		else if (event.key === "a" && (event.ctrlKey || event.metaKey)) this.#select(this.#found().map(({ id }) => id));
+		else {
+			if (button.matches(".open")) this.#move(event, this.#indexOf(saved.id));
+			return;
+		}
+		event.preventDefault();
+	}
+
+	/** Goes from one card to the one that a key leads to. */
+	#move(event: KeyboardEvent, from: number): void {
+		const found = this.#found();
+		const columns = this.#columns;
+		const to: Readonly<Record<string, number>> = {
+			ArrowLeft: from - 1,
+			ArrowRight: from + 1,
+			ArrowUp: from - columns,
+			ArrowDown: from + columns,
+			PageUp: Math.max(from % columns, from - PAGE * columns),
+			PageDown: Math.min(from + PAGE * columns, found.length - 1),
+			Home: 0,
+			End: found.length - 1,
+		};
+		if (to[event.key] === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
+		event.preventDefault();
+		const next = found[to[event.key]];
+		if (next) void this.goTo(next.id);
+	}
+
+	readonly #focused = (event: Event): void => {
+		this.#at = (event.target as HTMLElement).closest<HTMLElement>("[data-saved]")?.dataset.saved;
+		this.#stop();
+	};
+
+	#cards(): HTMLElement[] {
+		return [...this.querySelectorAll<HTMLElement>("[data-saved]")];
+	}
+}
+
+function countInWords(found: number, all: number): string {
+	return found === all ? `${formatCount(all)} saved` : `${formatCount(found)} of ${formatCount(all)}`;
+}
+
+function dayOf({ at }: Saved): string {
+	return at === 0 ? "" : new Date(at).toLocaleDateString("en-GB", { dateStyle: "medium" });
+}
+
+customElements.define("panicle-saved-list", SavedList);

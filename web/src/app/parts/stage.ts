@@ -1,0 +1,241 @@
+import { html, nothing } from "lit";
+import { icon } from "../../ui/icons";
+import { rove, stopAt } from "../../ui/roving";
+import { ORBIT_KEYS } from "../../render/orbit_keys";
+import { fromPreset } from "../../specimen/from_preset";
+import { sameSpecimen } from "../../specimen/same";
+import { applying } from "../panel_groups";
+import { SolidView } from "../solid_view";
+import type { Studio } from "../studio";
+import { titleOf } from "../title";
+import { type Failure, TRY_AGAIN } from "../types";
+import { StudioPart } from "./studio_part";
+
+interface Trouble {
+	readonly title: string;
+	readonly text: string;
+	readonly again?: () => void;
+}
+
+/** The 3-D view with its tools, its caption, and in its place the words for when there is nothing to see. */
+export class Stage extends StudioPart {
+	/** Why there is no picture: no WebGL 2, a lost context, or a script that did not come and may yet. */
+	#trouble: Trouble | undefined;
+	#solid: SolidView | undefined;
+	#started = false;
+	/** Ends the view's following the state. */
+	#leave: (() => void) | undefined;
+	/** Whether the view is to be brought to the state. */
+	#due = false;
+	/** A phone shows another view in its place: what cannot be seen is not drawn. */
+	#visible = true;
+	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
+		this.#visible = contentRect.width > 0;
+		if (!this.#visible) return;
+		this.#solid?.resize();
+		this.#follow();
+	});
+
+	protected override shows({ state }: Studio): readonly unknown[] {
+		const { failure, growing, shown, model, face, tools, specimen } = state;
+		return [failure, growing, shown, model, face, tools, failure && specimen, ...applying(face?.tools, specimen)];
+	}
+
+	protected override draw(studio: Studio): unknown {
+		const { failure, growing, shown } = studio.state;
+		return html`<canvas
+				class="stage-surface" tabindex="0" role="application" aria-roledescription="3-D view" aria-label=${described(studio)} aria-describedby=${this.idOf("keys")}
+				@keydown=${this.#press}
+			></canvas>
+			<p class="unseen" id=${this.idOf("keys")}>${ORBIT_KEYS}</p>
+			${shown ? caption(studio) : nothing}
+			<div aria-live="polite">${chips(studio)}</div>
+			${warnings(studio)}
+			${this.#trouble && !failure ? message(this.#trouble.title, [this.#trouble.text], this.#trouble.again ? button("Try again", this.#trouble.again) : nothing) : nothing}
+			${failure ? message(failure.title, failure.details, remedies(studio, failure)) : nothing}
+			${this.#solid || this.#trouble ? this.#tools(studio, this.#trouble ? undefined : this.#solid) : nothing}
+			${growing ? progress(studio) : nothing}`;
+	}
+
+	protected override updated(): void {
+		const buttons = this.#buttons();
+		stopAt(buttons, buttons.find(({ tabIndex }) => tabIndex === 0) ?? buttons[0]);
+		if (!this.#started) void this.#start();
+	}
+
+	/** In a task of its own: what the page's parts draw of the same change is one by itself, and between them a frame may go by. */
+	readonly #follow = (): void => {
+		if (this.#due) return;
+		this.#due = true;
+		setTimeout(() => {
+			this.#due = false;
+			if (this.#visible) this.#solid?.update(this.desk.state);
+		});
+	};
+
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		this.#resized.disconnect();
+		this.#leave?.();
+		this.#solid?.dispose();
+		this.#solid = undefined;
+		if (this.#started) this.desk.showPicture(undefined);
+		this.#started = false;
+	}
+
+	async #start(): Promise<void> {
+		this.#started = true;
+		const canvas = this.querySelector("canvas") as HTMLCanvasElement;
+		try {
+			const solid = await SolidView.create(canvas, this.desk, {
+				lost: () =>
+					this.#say({
+						title: "The picture was lost",
+						text: "The graphics card dropped it; it comes back by itself in a moment.",
+					}),
+				restored: () => this.#say(undefined),
+				motion: () => this.requestUpdate(),
+			});
+			if (!this.isConnected) {
+				solid.dispose();
+				return;
+			}
+			this.#solid = solid;
+			this.requestUpdate();
+			this.#leave = this.desk.subscribe(this.#follow);
+			this.#follow();
+			this.#resized.observe(this);
+			this.desk.showPicture((options) => solid.picture(options));
+		} catch (error) {
+			const none = error instanceof Error && error.name === "NoWebGL2Error";
+			const again = () => {
+				this.#say(undefined);
+				void this.#start();
+			};
+			const why = none ? error.message : `Part of the page could not be fetched. ${TRY_AGAIN}`;
+			const text = `${why} The flat views, the sliders and the downloads work all the same.`;
+			this.#say({ title: "No 3-D view here", text, ...(none ? {} : { again }) });
+		}
+	}
+
+	#say(trouble: Trouble | undefined): void {
+		this.#trouble = trouble;
+		this.requestUpdate();
+	}
+
+	/** The buttons of the 3-D view; without one, those of tools that work all the same, such as the grammar. */
+	#tools(studio: Studio, solid: SolidView | undefined): unknown {
+		const { face, specimen, model } = studio.state;
+		const button = (drawn: Parameters<typeof icon>[0], label: string, click: () => void, pressed?: boolean) =>
+			html`<button
+				class="button icon" type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
+			>${icon(drawn)}</button>`;
+		const tools = applying(face?.tools, specimen).flatMap((tool) =>
+			tool.button && (solid || !tool.hands)
+				? button(tool.button.icon, tool.button.label, () => tool.press?.(studio), tool.button.pressed?.(studio))
+				: [],
+		);
+		if (!solid && tools.length === 0) return nothing;
+		return html`<div
+			class="stage-tools" role="toolbar" aria-orientation="vertical" aria-label=${solid ? "3-D view" : "Tools"}
+			@keydown=${(event: KeyboardEvent) => rove(event, this.#buttons())} @focusin=${(event: Event) => stopAt(this.#buttons(), event.target as HTMLElement)}
+		>
+			${
+				solid
+					? [
+							button("frame", "Reset view", () => solid.reset()),
+							model.still === true || !solid.movesByItself
+								? nothing
+								: button("wind", "Wind", () => this.#blow(solid), solid.wind),
+						]
+					: nothing
+			}
+			${tools}
+		</div>`;
+	}
+
+	#blow(solid: SolidView): void {
+		solid.wind = !solid.wind;
+		this.requestUpdate();
+	}
+
+	#buttons(): HTMLElement[] {
+		return [...this.querySelectorAll<HTMLElement>(".stage-tools button")];
+	}
+
+	#press(event: KeyboardEvent): void {
+		if (this.#solid?.press(event)) event.preventDefault();
+	}
+}
+
+/** What the picture shows, in words. */
+function described({ state: { failure, shown, model } }: Studio): string {
+	if (shown) return `${shown.model.title}: ${shown.model.words(shown.grown, shown.from)}`;
+	return failure ? `No ${model.noun} has grown` : `${model.title}, growing`;
+}
+
+/** As under an engraving: what it is called, and what grew. */
+function caption(studio: Studio): unknown {
+	const { shown, face, grown } = studio.state;
+	if (!shown) return nothing;
+	const { model, from } = shown;
+	const words = grown && face?.caption ? face.caption(grown, studio) : model.words(shown.grown, from);
+	return html`<div class="caption">
+		<h2>${titleOf(from, model, face && grown ? face.tools : [])}</h2>
+		<p>${words}</p>
+	</div>`;
+}
+
+/** What is chosen in the picture; nothing while there is no picture. */
+function chips(studio: Studio): unknown {
+	const { face, specimen, failure, shown } = studio.state;
+	if (failure || !shown) return nothing;
+	return applying(face?.tools, specimen).map(({ chip }) => {
+		const drawn = chip?.draw(studio) ?? nothing;
+		return drawn === nothing
+			? nothing
+			: html`<div class="stage-chip" role="group" aria-label=${chip?.title ?? ""}>${drawn}</div>`;
+	});
+}
+
+/** What the plant lacks, where the eye is. The pane says it as well, and is the one that is heard where it is open. */
+function warnings(studio: Studio): unknown {
+	const { face, grown, grownFrom, specimen, failure } = studio.state;
+	const lines = grown && grownFrom && !failure ? (face?.warnings?.(grown, grownFrom) ?? []) : [];
+	const read = applying(face?.tools, specimen).some(({ pane }) => pane?.open(studio));
+	return html`<div class="stage-warnings" role=${read ? nothing : "status"}>${lines.map((line) => html`<p>${line}</p>`)}</div>`;
+}
+
+function message(title: string, details: readonly string[], actions: unknown = nothing): unknown {
+	return html`<div class="stage-message" role="alert">
+		<h2>${title}</h2>
+		${details.map((line) => html`<p>${line}</p>`)}
+		${actions}
+	</div>`;
+}
+
+function button(words: string, click: () => void): unknown {
+	return html`<button class="button" type="button" @click=${click}>${words}</button>`;
+}
+
+/** The ways to a plant from where there is none. */
+function remedies(studio: Studio, failure: Failure): unknown {
+	return failure.remedies.map((remedy) => {
+		if (remedy === "again") return button("Try again", () => studio.growAgain());
+		const { model, specimen, face } = studio.state;
+		const own = applying(face?.tools, specimen).flatMap((tool) => tool.remedies ?? []);
+		if (own.length > 0) return own.map(({ words, press }) => button(words, () => press(studio)));
+		const standard = fromPreset(model);
+		if (sameSpecimen(specimen, standard)) return nothing;
+		return button(`Open the default ${model.noun}`, () => studio.replace(standard));
+	});
+}
+
+function progress(studio: Studio): unknown {
+	return html`<div class="growing" role="status">
+		<span>Growing</span><progress aria-label="Growing"></progress>
+		<button class="button quiet" type="button" title="Cancel (Esc)" aria-keyshortcuts="Escape" @click=${() => studio.cancel()}>Cancel</button>
+	</div>`;
+}
+
+customElements.define("panicle-stage", Stage);

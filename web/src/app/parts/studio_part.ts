@@ -1,0 +1,5 @@
+import { DeskElement } from "../../ui/desk_element";
+import type { Studio } from "../studio";
+
+/** A part of the page that draws the whole studio's state, not only what a control has of it. */
+export abstract class StudioPart extends DeskElement<Studio> {}

@@ -1,0 +1,27 @@
+/** What models' tools keep on the page: plain data by the names of model and tool. */
+import type { Stateful } from "../ui/desk";
+
+export type ToolStates = Readonly<Record<string, Readonly<Record<string, unknown>>>>;
+
+/**
+ * The states with those of a model's tools in them: as they were, else as a former visit left them, else as at first.
+ * @param remembered what former visits left
+ */
+export function withTools(
+	states: ToolStates,
+	model: string,
+	tools: readonly Stateful<unknown>[],
+	remembered: ToolStates,
+): ToolStates {
+	const own = tools.map((tool) => [tool.name, tool.recall?.(remembered[model]?.[tool.name]) ?? tool.initial] as const);
+	return { ...states, [model]: { ...Object.fromEntries(own), ...states[model] } };
+}
+
+export function stateOf<T>(states: ToolStates, model: string, tool: Stateful<T>): T {
+	const own = states[model];
+	return own && tool.name in own ? (own[tool.name] as T) : tool.initial;
+}
+
+export function withState<T>(states: ToolStates, model: string, tool: Stateful<T>, state: T): ToolStates {
+	return { ...states, [model]: { ...states[model], [tool.name]: state } };
+}

@@ -1,0 +1,43 @@
+/** A plant at the ages of its life, for files that show it growing. */
+import type { Aged } from "../../formats/growth_glb";
+import type { Model } from "../../models/model";
+import type { Plant } from "../../plant/plant";
+import { restore } from "../../specimen/restore";
+import type { Specimen } from "../../specimen/specimen";
+import type { NumberEntry } from "../../specimen/table";
+
+/** The parameter that a life runs by, which is grown up where nobody says otherwise, and how many even steps are shown of it. */
+const AGE = "age";
+const STEPS = 24;
+
+/** The parameter that is a specimen's age; undefined where it has none, or nothing of it depends on that. */
+export function ageOf({ table, ages }: Pick<Model, "table" | "ages">, specimen: Specimen): NumberEntry | undefined {
+	const entry = table.entry(AGE);
+	if (!entry || entry.kind === "colour" || entry.kind === "choice") return undefined;
+	return table.heeds(specimen, entry) && (ages?.(specimen) ?? true) ? entry : undefined;
+}
+
+/** Whether a specimen has ages; of some models that is known once they are prepared for it. */
+export function hasAges(model: Pick<Model, "table" | "ages">, specimen: Specimen): boolean {
+	return ageOf(model, specimen) !== undefined;
+}
+
+/**
+ * The plant from its beginning until it is grown up; undefined where it has no ages.
+ * @param grow grows a specimen with its meshes
+ */
+export function agedOf(
+	model: Model,
+	specimen: Specimen,
+	grow: (specimen: Specimen) => Promise<Plant>,
+): Aged | undefined {
+	const entry = ageOf(model, specimen);
+	if (!entry) return undefined;
+	const life = entry.default - entry.min;
+	const ages = Array.from({ length: STEPS + 1 }, (_, i) => Math.round(100 * (entry.min + (life * i) / STEPS)) / 100);
+	const at = async (age: number) => {
+		const { specimen: younger } = restore(model, { [AGE]: age }, specimen);
+		return model.parts(await grow(younger), younger);
+	};
+	return { ages, at };
+}

@@ -1,0 +1,71 @@
+/**
+ * Making files off the page's thread: a worker for each, which ends with it. A worker of its own has no failures to
+ * remember, so that a script that did not come is fetched again with the next file.
+ */
+import { startWorker } from "../../core/spawn";
+import type { Model } from "../../models/model";
+import address from "./file_worker.ts?worker&url";
+import type { FileRequest, FromExporter } from "./messages";
+
+/** A script of the page could not be fetched: trying again may bring it. */
+export class NotFetched extends Error {
+	override name = "NotFetched";
+	constructor() {
+		super("Part of the page could not be fetched.");
+	}
+}
+
+export interface ExportOptions {
+	/** Cancels: the worker ends, and the promise rejects with the signal's reason. */
+	signal?: AbortSignal;
+	/** Starts a worker that runs generate/files/file_worker.ts. */
+	spawn?: () => Worker;
+}
+
+/**
+ * Makes a file in a worker. A model that the page has brought by itself (`addModel`) is none of the worker's: its files are
+ * made here.
+ * @throws NotFetched, or an Error with what the making said
+ */
+export async function exportFile(model: Model, request: FileRequest, options: ExportOptions = {}): Promise<Blob> {
+	const answer = await ask(request, options);
+	if (answer.type === "made") return answer.file;
+	if (answer.type === "failed") throw new Error(answer.message);
+	const { makeFile } = answer.type === "unknown" ? await import("./make").catch(notFetched) : notFetched();
+	return makeFile(model, request);
+}
+
+function ask(request: FileRequest, { signal, spawn = spawnExporter }: ExportOptions): Promise<FromExporter> {
+	return new Promise<FromExporter>((resolve, reject) => {
+		signal?.throwIfAborted();
+		const worker = spawn();
+		const end = (settle: () => void) => {
+			signal?.removeEventListener("abort", abort);
+			worker.terminate();
+			settle();
+		};
+		const abort = () => end(() => reject(signal?.reason));
+		signal?.addEventListener("abort", abort);
+		worker.onmessage = ({ data }: MessageEvent<FromExporter>) => end(() => resolve(data));
+		worker.onmessageerror = () => end(() => reject(new Error("The file could not be handed over.")));
+		worker.onerror = (event) => {
+			event.preventDefault(); // It is dealt with here; the console need not hear of it.
+			// What fails once the script runs is answered: without a word, it has not come.
+			end(() => reject(event.message ? new Error(event.message) : new NotFetched()));
+		};
+		try {
+			worker.postMessage(request);
+		} catch (error) {
+			// A plant that the browser cannot copy (DataCloneError): the worker has nothing to do.
+			end(() => reject(error));
+		}
+	});
+}
+
+function spawnExporter(): Worker {
+	return startWorker(new URL(address, import.meta.url));
+}
+
+function notFetched(): never {
+	throw new NotFetched();
+}

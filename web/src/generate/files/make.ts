@@ -1,0 +1,51 @@
+/** The files of a grown plant: what `Download` gives but for pictures. Runs in a worker, or anywhere. */
+import { aboutPlant } from "../../formats/about_plant";
+import { writeJson } from "../../formats/json";
+import { writeObj } from "../../formats/obj";
+import { PLANT_FILES } from "../../formats/plant_files";
+import type { GrowthOptions, Model } from "../../models/model";
+import type { Plant } from "../../plant/plant";
+import type { Specimen } from "../../specimen/specimen";
+import { agedOf } from "./aged";
+import { levelledOf } from "./levelled";
+import type { FileRequest } from "./messages";
+import { swayed } from "./swayed";
+import { zip } from "./zip";
+
+const encoder = new TextEncoder();
+
+/** Grows a specimen, with its meshes where nothing else is wanted. */
+export type Growing = (specimen: Specimen, wanted?: GrowthOptions) => Promise<Plant>;
+
+/**
+ * Makes a file. The same request gives the same bytes.
+ * @param grow for files that show the plant at many ages, or for many distances
+ * @throws RangeError where neither every plant nor the model has such a file, and what the making throws
+ */
+export async function makeFile(model: Model, request: FileRequest, grow?: Growing): Promise<Blob> {
+	const { format, grown, specimen, link, name, options } = request;
+	if (format === "json") return json(model, request);
+	const own = model.formats?.find(({ key }) => key === format);
+	if (own) return new Blob([await own.make(grown, specimen, link)], { type: own.type });
+	const about = await aboutPlant(model, grown, specimen, link);
+	const file = PLANT_FILES.find(({ key }) => key === format);
+	const parts = model.parts(grown, specimen);
+	if (file) {
+		const aged = file.life && grow ? agedOf(model, specimen, grow) : undefined;
+		const levels = file.levelled && grow ? levelledOf(model, specimen, grow) : undefined;
+		const further = { aged, levels, sway: swayed(model, grown) };
+		return new Blob([await file.make(parts, about, options ?? {}, further)], { type: file.type });
+	}
+	if (format !== "obj") throw new RangeError(`There is no file “${format}” of a ${model.noun}.`);
+	const { obj, mtl, pictures } = writeObj(parts, about, name);
+	const all = [
+		{ name: `${name}.obj`, bytes: obj.bytes() },
+		{ name: `${name}.mtl`, bytes: encoder.encode(mtl) },
+		...pictures,
+	];
+	return new Blob([zip(all)], { type: "application/zip" });
+}
+
+function json(model: Model, { grown, specimen }: FileRequest): Blob {
+	return new Blob([...writeJson(model, grown, specimen, "\t").chunks(), "\n"], { type: "application/json" });
+}

@@ -1,0 +1,31 @@
+/** The worker's side: makes the file that is asked for. */
+import { Core } from "../../core/core";
+import { compileCore } from "../../core/loader";
+import { isModel, modelNamed } from "../../models/index";
+import type { Model } from "../../models/model";
+import { growPlant } from "./growth";
+import { type Growing, makeFile } from "./make";
+import type { FileRequest, FromExporter } from "./messages";
+
+/** Never throws: whatever goes wrong is in the answer. */
+export async function answerTo(request: FileRequest): Promise<FromExporter> {
+	if (!isModel(request.model)) return { type: "unknown" };
+	const model = await modelNamed(request.model).catch(() => undefined);
+	if (!model) return { type: "unfetched" };
+	try {
+		return { type: "made", file: await makeFile(model, request, growing(model, request)) };
+	} catch (error) {
+		return { type: "failed", message: error instanceof Error ? error.message : String(error) };
+	}
+}
+
+/** Grows with a core of its own; undefined where nobody says where that lies. */
+function growing(model: Model, { core: address }: FileRequest): Growing | undefined {
+	if (address === undefined) return undefined;
+	let core: Promise<Core> | undefined;
+	return (specimen, wanted) =>
+		growPlant(model, specimen, { measures: false, ...wanted }, async (_, blocks) => {
+			core ??= compileCore(address).then(Core.instantiate);
+			return (await core).grow(blocks);
+		});
+}

@@ -1,0 +1,277 @@
+/**
+ * A derivation as it is looked at: which step, which module, what of it is in the 3-D view. It follows the plant that is shown, so that
+ * a text with a mistake leaves it as it is. What the view has to know stands in the tool's state.
+ */
+import { Superseded } from "../core/errors";
+import type { Chronicle, ToldModule } from "../plant/chronicle";
+import type { Plant } from "../plant/plant";
+import type { Specimen } from "../specimen/specimen";
+import { DERIVATION, type DerivationState, type DerivedScene, type MetModule } from "../ui/derivation_tool";
+import type { Desk } from "../ui/desk";
+import { ChronicleReader } from "./chronicle_reader";
+import { drawnBy, litBy } from "./lights";
+
+export class Derivation {
+	readonly #desk: Desk;
+	readonly #changed: () => void;
+	readonly #reader = new ChronicleReader(() => this.#read());
+	#from: Specimen | undefined;
+	/** Index in the string of the step that is shown. */
+	#chosen: number | undefined;
+	#pointed: number | undefined;
+	#met: MetModule | undefined;
+	/** Whose plant after which step is being grown. */
+	#growing: { readonly from: Specimen; readonly step: number; readonly ending: AbortController } | undefined;
+	/** Whose plant after which step cannot be grown. */
+	#ungrown: { readonly from: Specimen; readonly step: number } | undefined;
+	#closed = false;
+
+	/** @param changed called when there is something else to show */
+	constructor(desk: Desk, changed: () => void) {
+		this.#desk = desk;
+		this.#changed = changed;
+		this.follow();
+	}
+
+	get page(): Chronicle | undefined {
+		return this.#reader.page;
+	}
+
+	/** Whether `page` is of a plant before the one that is shown. */
+	get stale(): boolean {
+		return this.#reader.stale;
+	}
+
+	get counts(): Uint32Array | undefined {
+		return this.#reader.counts;
+	}
+
+	get step(): number | undefined {
+		return this.#reader.step;
+	}
+
+	get last(): number | undefined {
+		return this.counts && this.counts.length - 1;
+	}
+
+	get fault(): string | undefined {
+		return this.#reader.fault;
+	}
+
+	get chosen(): number | undefined {
+		return this.#chosen;
+	}
+
+	get pointed(): number | undefined {
+		return this.#pointed;
+	}
+
+	/** Whether what shines in the view is nothing: the chosen module draws none of the plant that is shown. */
+	get bare(): boolean {
+		const { lit, scene } = this.#desk.toolState(DERIVATION);
+		if (!lit || !scene || this.#pointed !== undefined) return false;
+		const { segments, organs } = drawnBy(lit, scene);
+		return segments.length + organs.length === 0;
+	}
+
+	/** What is told of a module of the step that is shown; undefined while it is not in the window. */
+	module(index: number | undefined): ToldModule | undefined {
+		return index === undefined || !this.page ? undefined : this.page.modules[index - this.page.first];
+	}
+
+	/** Takes note of the desk's state. */
+	follow(): void {
+		const { grown, grownFrom } = this.#desk.state;
+		if (this.#closed || !grown || !grownFrom) return;
+		if (grownFrom !== this.#from) {
+			this.#from = grownFrom;
+			this.#reader.begin(async (asked, signal) => {
+				const { chronicle } = await this.#desk.aside(grownFrom, { chronicle: asked, signal });
+				if (!chronicle) throw new Error("This plant does not tell of its derivation.");
+				return chronicle;
+			});
+		}
+		const { met } = this.#desk.toolState(DERIVATION);
+		if (met !== this.#met) {
+			this.#met = met;
+			this.#meet(met);
+		}
+		this.#stage();
+	}
+
+	/** Goes to a step, and there to a module. */
+	go(step: number, chosen?: number): void {
+		const last = this.last ?? step;
+		const to = Math.max(0, Math.min(step, last));
+		this.#chosen = chosen;
+		this.#pointed = undefined;
+		this.#reader.want({ step: to === last ? undefined : to, about: chosen ?? 0 });
+	}
+
+	/** Goes a step on or back, with the module that is chosen: to its first child, or its parent. */
+	stepBy(by: 1 | -1): void {
+		const { step = 0 } = this;
+		const module = this.module(this.#chosen);
+		const next = by < 0 ? module?.parent : module && module.children.count > 0 ? module.children.first : undefined;
+		this.go(step + by, next);
+	}
+
+	choose(index: number | undefined): void {
+		const length = this.counts?.[this.step ?? 0] ?? 0;
+		this.#chosen = index === undefined || length === 0 ? undefined : Math.max(0, Math.min(index, length - 1));
+		if (this.#chosen !== undefined) this.look(this.#chosen);
+		this.#light();
+		this.#changed();
+	}
+
+	/** Has the window be about a module. */
+	look(about: number): void {
+		this.#reader.want({ step: this.step === this.last ? undefined : this.step, about });
+	}
+
+	point(index: number | undefined): void {
+		if (index === this.#pointed) return;
+		this.#pointed = index;
+		this.#light();
+		this.#changed();
+	}
+
+	/** To the module that the chosen one came from; false where there is none. */
+	up(): boolean {
+		const { parent } = this.module(this.#chosen) ?? {};
+		if (parent === undefined || !this.step) return false;
+		this.go(this.step - 1, parent);
+		return true;
+	}
+
+	/** To the first of what the chosen one becomes; false where it leaves nothing. */
+	down(): boolean {
+		const { children } = this.module(this.#chosen) ?? {};
+		if (!children?.count || this.step === undefined || this.step === this.last) return false;
+		this.go(this.step + 1, children.first);
+		return true;
+	}
+
+	/** Whether the view shows the plant as it was after the step. */
+	get follows(): boolean {
+		return this.#desk.toolState(DERIVATION).follows;
+	}
+
+	set follows(on: boolean) {
+		this.#write({ follows: on });
+		this.#stage();
+		this.#light();
+	}
+
+	/** Gives the view back. */
+	close(): void {
+		this.#closed = true;
+		this.#reader.close();
+		this.#growing?.ending.abort();
+		this.#write({ scene: undefined, lit: undefined, met: undefined });
+	}
+
+	#read(): void {
+		if (this.fault) this.#write({ scene: undefined });
+		this.#stage();
+		this.#light();
+		this.#changed();
+	}
+
+	/** Puts into the view what belongs there: the plant of the step, or the document's. */
+	#stage(): void {
+		const { page, stale, step, last } = this;
+		const { grown, grownFrom: from } = this.#desk.state;
+		if (this.#closed || !page || stale || !grown || !from || last === undefined || page.step !== step) return;
+		const { scene } = this.#desk.toolState(DERIVATION);
+		// What no plant can be grown of leaves the last in view.
+		const none = this.#ungrown?.from === from && this.#ungrown.step === page.step;
+		const shown = this.follows && !none ? page.step : last;
+		if (scene?.from === from && scene.step === shown) return;
+		if (shown === last) this.#showWhole(page, grown, from);
+		else void this.#grow(from, shown);
+	}
+
+	/** The window comes first: a plant is grown while nothing else is asked, one at a time. */
+	async #grow(from: Specimen, step: number): Promise<void> {
+		if (this.#growing?.from === from && this.#growing.step === step) return;
+		this.#growing?.ending.abort();
+		const growing = { from, step, ending: new AbortController() };
+		this.#growing = growing;
+		try {
+			const { signal } = growing.ending;
+			const grown: Plant = await this.#desk.aside(from, {
+				steps: step,
+				chronicle: { step, count: 1 },
+				meshes: true,
+				signal,
+			});
+			if (this.#growing !== growing || this.#from !== from || this.step !== step || !this.follows) return;
+			const { segments, organs } = grown.chronicle ?? { segments: new Uint32Array(0), organs: new Uint32Array(0) };
+			this.#show({ step, grown, from, instead: true, segments, organs });
+		} catch (error) {
+			if (this.#growing !== growing || error instanceof Superseded) return;
+			this.#ungrown = { from, step };
+			this.#stage();
+		} finally {
+			if (this.#growing === growing) this.#growing = undefined;
+		}
+	}
+
+	/** The document's own plant. */
+	#showWhole({ counts, segments, organs }: Chronicle, grown: Plant, from: Specimen): void {
+		this.#show({ step: counts.length - 1, grown, from, instead: false, segments, organs });
+	}
+
+	#show(scene: DerivedScene): void {
+		if (this.#closed) return;
+		this.#write({ scene, lit: undefined, met: undefined });
+		this.#light();
+	}
+
+	/** Lets shine in the view what is pointed at, or else what is chosen. */
+	#light(): void {
+		const { page } = this;
+		const index = this.#pointed ?? this.#chosen;
+		const module = this.module(index);
+		const { scene, lit } = this.#desk.toolState(DERIVATION);
+		const next = page && module && index !== undefined && !this.stale ? litBy(index, module, page, scene) : undefined;
+		if (lit?.first !== next?.first || lit?.count !== next?.count) this.#write({ lit: next });
+	}
+
+	/** What is met in the view is marked in the string; what is clicked is chosen. */
+	#meet(met: MetModule | undefined): void {
+		const index = met && this.#ancestor(met);
+		if (!met?.chosen) this.point(index);
+		else if (index !== undefined) this.choose(index);
+		else if (met.step === this.last) void this.#trace(met);
+	}
+
+	/**
+	 * The module of the step that is shown, of which one in the view is a descendant; undefined where the window does not tell, and while
+	 * the view is still of a step between.
+	 */
+	#ancestor({ module, step }: MetModule): number | undefined {
+		const { page } = this;
+		if (step === this.step) return module;
+		if (!page || step !== this.last) return undefined;
+		const at = page.modules.findIndex(({ last: { first, count } }) => module >= first && module - first < count);
+		return at < 0 ? undefined : page.first + at;
+	}
+
+	async #trace({ module }: MetModule): Promise<void> {
+		const [from, step] = [this.#from, this.step];
+		if (!from || step === undefined) return;
+		try {
+			const { chronicle } = await this.#desk.aside(from, { chronicle: { step, count: 1, module } });
+			const found = chronicle?.trail?.[step];
+			if (found !== undefined && this.#from === from && this.step === step) this.choose(found);
+		} catch {
+			// A newer question has taken its place.
+		}
+	}
+
+	#write(change: Partial<DerivationState>): void {
+		this.#desk.setToolState(DERIVATION, { ...this.#desk.toolState(DERIVATION), ...change });
+	}
+}

@@ -1,0 +1,166 @@
+import { html, LitElement, nothing, type PropertyValues } from "lit";
+import type { Chronicle, ToldModule } from "../plant/chronicle";
+import { partsOfModule } from "./told_module";
+
+/** Modules that a page key goes on. */
+const PAGE = 40;
+/** Whoever scrolls as near to an end of the window, in pixels, is given another. */
+const NEAR = 120;
+
+/** What a string tells of the hand on it. */
+export interface StringEvents {
+	choose(index: number): void;
+	point(index: number | undefined): void;
+	/** Another part of the string comes into sight. */
+	look(about: number): void;
+	/** To where it came from, to what it becomes. */
+	up(): void;
+	down(): void;
+	/** To the production that the chosen one is rewritten by, or was written by. */
+	open(): void;
+}
+
+/**
+ * The string of a step as one reads it: a list of modules, one stop of the Tab key, of which a window is there. The focus stays on the list
+ * while its modules come and go; the active one is named to assistive technology.
+ */
+export class DerivedString extends LitElement {
+	static override properties = {
+		page: { attribute: false },
+		busy: { attribute: false },
+		chosen: { attribute: false },
+		pointed: { attribute: false },
+		line: { attribute: false },
+		label: { attribute: false },
+		events: { attribute: false },
+	};
+	declare page: Chronicle | undefined;
+	/** Whether another is on its way. */
+	declare busy: boolean;
+	declare chosen: number | undefined;
+	declare pointed: number | undefined;
+	/** The line of the production whose modules are marked. */
+	declare line: number | undefined;
+	declare label: string;
+	declare events: StringEvents;
+
+	/** The chosen module that was last brought into sight, and in which window. */
+	#seen: readonly unknown[] = [];
+	/** A module that is to stay where it is while the window changes. */
+	#anchor: { readonly index: number; readonly top: number } | undefined;
+
+	protected override createRenderRoot(): this {
+		return this;
+	}
+
+	protected override render(): unknown {
+		const { page, chosen } = this;
+		const active = page && chosen !== undefined && page.modules[chosen - page.first] ? `module-${chosen}` : nothing;
+		return html`<div
+			class="derived" role="listbox" tabindex="0" aria-label=${this.label} aria-busy=${this.busy} aria-orientation="horizontal"
+			aria-activedescendant=${active} aria-describedby="derived-keys"
+			@keydown=${this.#press} @click=${this.#click} @pointerover=${this.#over} @pointerleave=${() => this.events.point(undefined)} @scroll=${this.#scroll}
+		>${page?.modules.map((module, index) => this.#module(module, page.first + index, page))}</div>`;
+	}
+
+	#module(module: ToldModule, index: number, { counts, step }: Chronicle): unknown {
+		const { text, fires, production, answer } = module;
+		const [symbol, parameters] = partsOfModule(text);
+		const { line } = this;
+		const classes = [
+			"module",
+			/^[[\]]$/.test(symbol) && "branch",
+			fires && "fires",
+			line !== undefined && fires?.line === line && "rewritten",
+			line !== undefined && production?.line === line && "written",
+			answer && "answered",
+			index === this.pointed && "pointed",
+		];
+		return html`<span
+			class=${classes.filter(Boolean).join(" ")} id="module-${index}" role="option" data-index=${index}
+			aria-selected=${index === this.chosen} aria-posinset=${index + 1} aria-setsize=${counts[step]}
+		>${symbol}${parameters ? html`<i>${parameters}</i>` : nothing}</span>`;
+	}
+
+	protected override updated(changed: PropertyValues): void {
+		const { page, chosen } = this;
+		if (!page) return;
+		if (changed.has("page") && this.#anchor) this.#keep(this.#anchor);
+		this.#anchor = undefined;
+		const seen = [page.step, chosen];
+		if (chosen === undefined || seen.every((each, index) => each === this.#seen[index])) return;
+		const option = this.#option(chosen);
+		if (!option) return;
+		this.#seen = seen;
+		option.scrollIntoView({ block: "nearest", inline: "nearest" });
+	}
+
+	get #list(): HTMLElement | null {
+		return this.querySelector(".derived");
+	}
+
+	#option(index: number): HTMLElement | null {
+		return this.querySelector(`[data-index="${index}"]`);
+	}
+
+	/** Puts a module back to where it was before the window changed. */
+	#keep({ index, top }: { readonly index: number; readonly top: number }): void {
+		const [list, option] = [this.#list, this.#option(index)];
+		if (list && option) list.scrollTop += option.offsetTop - list.scrollTop - top;
+	}
+
+	readonly #scroll = (): void => {
+		const { page, busy } = this;
+		const list = this.#list;
+		if (!page || !list || busy) return;
+		const { scrollTop, clientHeight, scrollHeight } = list;
+		const before = scrollTop < NEAR && page.first > 0;
+		const behind =
+			scrollTop + clientHeight > scrollHeight - NEAR && page.first + page.modules.length < page.counts[page.step];
+		if (!before && !behind) return;
+		const inSight = [...list.querySelectorAll<HTMLElement>(".module")].find(
+			({ offsetTop, offsetHeight }) => offsetTop + offsetHeight > scrollTop,
+		);
+		const index = Number(inSight?.dataset.index ?? page.first);
+		this.#anchor = { index, top: (inSight?.offsetTop ?? 0) - scrollTop };
+		this.events.look(index);
+	};
+
+	#at(event: Event): number | undefined {
+		const option = (event.target as Element).closest<HTMLElement>(".module");
+		return option ? Number(option.dataset.index) : undefined;
+	}
+
+	#click(event: Event): void {
+		const index = this.#at(event);
+		if (index !== undefined) this.events.choose(index);
+	}
+
+	#over(event: PointerEvent): void {
+		if (event.pointerType !== "touch") this.events.point(this.#at(event));
+	}
+
+	#press(event: KeyboardEvent): void {
+		const { page, chosen, events } = this;
+		if (!page || event.altKey || event.ctrlKey || event.metaKey) return;
+		const last = page.counts[page.step] - 1;
+		const from = chosen ?? -1;
+		const to: Readonly<Record<string, number>> = {
+			ArrowLeft: from - 1,
+			ArrowRight: from + 1,
+			PageUp: from - PAGE,
+			PageDown: from + PAGE,
+			Home: 0,
+			End: last,
+		};
+		const next = to[event.key];
+		if (next !== undefined) events.choose(Math.max(0, Math.min(next, last)));
+		else if (event.key === "ArrowUp") events.up();
+		else if (event.key === "ArrowDown") events.down();
+		else if (event.key === "Enter") events.open();
+		else return;
+		event.preventDefault();
+	}
+}
+
+customElements.define("panicle-derived", DerivedString);

@@ -1,0 +1,267 @@
+import { html, nothing } from "lit";
+import type { TextPlace } from "../plant/chronicle";
+import { ControlElement } from "../ui/control_element";
+import { DERIVATION } from "../ui/derivation_tool";
+import type { Stateful } from "../ui/desk";
+import type { GrammarState } from "../ui/grammar_tool";
+import { icon } from "../ui/icons";
+import { KeyRuns } from "../ui/key_runs";
+import { Editor } from "./editor";
+import type { Explanation } from "./explain";
+import type { NumberAt } from "./outline";
+import { type GrammarDesk, type GrammarSource, isOwn, textOf, withText } from "./source";
+import type { ShownProductions } from "./stepper";
+import { type Problem, problemsOf } from "./told";
+import { TypingRoom } from "./typing_room";
+import "./number_pad";
+import "./stepper";
+
+const GESTURE = "grammar";
+/** Who types no further for this long, in milliseconds, has made a step. */
+const PAUSE = 700;
+const KEYS =
+	"Alt with the arrow keys changes the number at the cursor, with Shift by ten steps, with Control by a tenth. Control and Space completes, Control and F finds. Tab goes on to what comes next, unless it is set to indent. Escape leaves the text.";
+
+/** More of what is said is marked in the text alone: nobody reads as many, and to lay thousands of lines out takes seconds. */
+const MOST_SAID = 50;
+/** What opens it, where a key did. */
+const OPENS = ".stage-tools [aria-label=Grammar]";
+
+/** The grammar beside its plant: every change grows at once, and what is wrong with it is shown where it stands. */
+export class GrammarPane extends ControlElement<GrammarDesk> {
+	static override properties = {
+		...ControlElement.properties,
+		source: { attribute: false },
+		tool: { attribute: false },
+		stepped: { attribute: false },
+		close: { attribute: false },
+		number: { state: true },
+		explained: { state: true },
+		production: { state: true },
+	};
+	declare source: GrammarSource;
+	declare tool: Stateful<GrammarState>;
+	/** Whether its derivation can be told step by step. */
+	declare stepped: boolean;
+	declare close: () => void;
+	/** What the cursor is at. */
+	declare number: NumberAt | undefined;
+	declare explained: Explanation | undefined;
+	/** The line of the production that it is in. */
+	declare production: number | undefined;
+
+	#editor: Editor | undefined;
+	readonly #runs = new KeyRuns();
+	#room: TypingRoom | undefined;
+	#pause: ReturnType<typeof setTimeout> | undefined;
+	/** What had the focus before. */
+	#opener: Element | null = null;
+
+	override connectedCallback(): void {
+		super.connectedCallback();
+		this.#opener = document.activeElement;
+		// Once the page is laid out anew.
+		this.#room = new TypingRoom(() => requestAnimationFrame(() => this.#editor?.showCursor()));
+	}
+
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		this.#settle();
+		this.#room?.end();
+		this.#editor?.destroy();
+		this.#editor = undefined;
+		this.desk.setToolState(DERIVATION, { ...this.desk.toolState(DERIVATION), open: false });
+		// The focus goes back, unless it is elsewhere already.
+		if (document.activeElement !== document.body) return;
+		const opener = this.#opener === document.body ? document.querySelector(OPENS) : this.#opener;
+		if (opener instanceof HTMLElement) opener.focus();
+	}
+
+	protected override shows({ state }: GrammarDesk): readonly unknown[] {
+		const { open } = this.desk.toolState(DERIVATION);
+		return [
+			this.#text(),
+			state.specimen.grammar,
+			state.fault,
+			state.grown?.notes,
+			this.desk.toolState(this.tool),
+			open,
+		];
+	}
+
+	protected override draw({ state }: GrammarDesk): unknown {
+		const { noun } = this.source;
+		const { specimen } = state;
+		const own = isOwn(specimen);
+		const title = this.idOf("title");
+		const steps = this.idOf("steps");
+		const { open } = this.desk.toolState(DERIVATION);
+		return html`<section class=${open ? "pane stepping" : "pane"} aria-labelledby=${title}>
+			<header>
+				<h2 id=${title}>Grammar</h2>
+				<p>${own ? `This ${noun}’s own` : "Built in; a change makes it this plant’s own"}</p>
+				${own ? html`<button class="button" type="button" @click=${this.#drop}>Use the built-in grammar</button>` : nothing}
+				${
+					this.stepped
+						? html`<button class="button" type="button" aria-expanded=${open} aria-controls=${steps} title="The derivation, step by step" @click=${this.#setSteps}>
+					Steps
+				</button>`
+						: nothing
+				}
+				<button
+					class="button quiet icon" type="button" aria-label="Find" title="Find (Ctrl+F)" aria-keyshortcuts="Control+F" @click=${() => this.#editor?.find()}
+				>${icon("search")}</button>
+				<button class="button quiet icon" type="button" data-close aria-label="Close the grammar" title="Close the grammar" @click=${this.close}>
+					${icon("close")}
+				</button>
+			</header>
+			<div class="pane-text"></div>
+			<div class="pane-steps" id=${steps} role="region" aria-label="Derivation" ?hidden=${!open}>
+				${open ? this.#stepper() : nothing}
+			</div>
+			<div class="pane-told" role="status">${this.#said(this.#problems)}</div>
+			<footer>
+				<panicle-number-pad .number=${this.number} .grip=${this.#grip} .step=${this.#step} .done=${this.#settle}></panicle-number-pad>
+				<p class="pane-hint">${this.#hint()}</p>
+				<label class="toggle">
+					<input type="checkbox" .checked=${this.desk.toolState(this.tool).indents} @change=${this.#setIndents}>Tab indents
+				</label>
+			</footer>
+		</section>`;
+	}
+
+	protected override updated(): void {
+		const text = this.#text();
+		// What was asked for before it went may be drawn after.
+		if (text === undefined || !this.isConnected) return;
+		// CodeMirror's lines end as its own do.
+		const shown = text.replace(/\r\n?/g, "\n");
+		const { indents } = this.desk.toolState(this.tool);
+		if (!this.#editor) {
+			this.#editor = this.#begin(shown, indents);
+			if (!matchMedia("(pointer: coarse)").matches) this.#editor.focus();
+		}
+		this.#editor.text = shown;
+		this.#editor.indents = indents;
+		this.#editor.problems = this.#problems;
+	}
+
+	/** Whether the plant that is shown is of this text: else what is said of it would stand in the wrong place. */
+	get #current(): boolean {
+		const { grownFrom, specimen } = this.desk.state;
+		return grownFrom !== undefined && grownFrom.grammar === specimen.grammar;
+	}
+
+	get #problems(): Problem[] {
+		const { fault, grown } = this.desk.state;
+		return problemsOf(fault, this.#current ? (grown?.notes ?? []) : []);
+	}
+
+	#stepper(): unknown {
+		const goTo = (place: TextPlace) => this.#editor?.goTo(place);
+		return html`<panicle-stepper
+			.desk=${this.desk} .line=${this.#current ? this.production : undefined} .shown=${this.#showProductions} .goTo=${goTo}
+		></panicle-stepper>`;
+	}
+
+	readonly #showProductions = ({ fires, wrote }: ShownProductions): void => {
+		if (!this.#editor || !this.isConnected) return;
+		this.#editor.productions = this.#current ? { fires: fires?.line, wrote: wrote?.line } : {};
+	};
+
+	readonly #setSteps = (): void => {
+		const state = this.desk.toolState(DERIVATION);
+		this.desk.setToolState(DERIVATION, { ...state, open: !state.open });
+	};
+
+	#text(): string | undefined {
+		return textOf(this.source, this.desk.state.specimen, () => this.requestUpdate());
+	}
+
+	#begin(text: string, indents: boolean): Editor {
+		const root = this.querySelector(".pane-text")?.attachShadow({ mode: "open" });
+		const options = {
+			text,
+			indents,
+			label: "Grammar",
+			help: KEYS,
+			roles: this.source.roles ?? [],
+			dialect: this.source.dialect,
+		};
+		return new Editor(root as ShadowRoot, options, {
+			edited: (next, how) => this.#edited(next, how),
+			settle: () => this.#settle(),
+			undo: () => this.desk.undo(),
+			redo: () => this.desk.redo(),
+			leave: () => this.#leave(),
+			at: (number, explained, production) => {
+				this.number = number;
+				this.explained = explained;
+				this.production = production;
+			},
+			blurred: () => this.#settle(),
+		});
+	}
+
+	#edited(text: string, how: string): void {
+		const { desk } = this;
+		// What has been growing for long is of a text that is no more.
+		if (desk.state.growing) desk.cancel();
+		const run = how.startsWith("input.scrub") ? undefined : this.#runs.press(how);
+		desk.edit({ ...withText(this.source, desk.state.specimen, text), run }, GESTURE);
+		clearTimeout(this.#pause);
+		if (run) this.#pause = setTimeout(this.#settle, PAUSE);
+	}
+
+	/** Escape first ends what takes long to grow, as everywhere. */
+	#leave(): void {
+		if (this.desk.state.growing) this.desk.cancel();
+		else this.querySelector<HTMLElement>("[data-close]")?.focus();
+	}
+
+	readonly #settle = (): void => {
+		clearTimeout(this.#pause);
+		this.desk.settle(GESTURE);
+	};
+
+	readonly #step = (steps: number): void => this.#editor?.step(steps);
+
+	readonly #grip = () => {
+		this.#settle();
+		return this.#editor?.grip();
+	};
+
+	readonly #drop = (): void => {
+		this.desk.set(withText(this.source, this.desk.state.specimen, undefined));
+		this.#editor?.focus();
+	};
+
+	readonly #setIndents = (event: Event): void => {
+		const indents = (event.target as HTMLInputElement).checked;
+		this.desk.setToolState(this.tool, { ...this.desk.toolState(this.tool), indents });
+	};
+
+	#hint(): unknown {
+		const { explained } = this;
+		if (!explained) return "Drag across a number to change it.";
+		return html`<code>${explained.written}</code> ${explained.help}`;
+	}
+
+	#said(problems: readonly Problem[]): unknown {
+		const { fault, grown, grownFrom, specimen } = this.desk.state;
+		const current = grownFrom?.grammar === specimen.grammar && !fault;
+		const warnings = grown && grownFrom && current ? (this.source.warnings?.(grown, grownFrom) ?? []) : [];
+		const elsewhere = fault && fault.line === 0 ? html`<p class="error">${fault.message}</p>` : nothing;
+		const list = problems.slice(0, MOST_SAID).map(
+			(problem) => html`<button type="button" class=${problem.severity} @click=${() => this.#editor?.goTo(problem)}>
+				<b>Line ${problem.line}</b> ${problem.message}
+			</button>`,
+		);
+		const more = problems.length - MOST_SAID;
+		const others =
+			more > 0 ? html`<p class="remark">${more.toLocaleString("en-GB")} more are marked in the text.</p>` : nothing;
+		return html`${elsewhere}${warnings.map((words) => html`<p class="remark">${words}</p>`)}${list}${others}`;
+	}
+}
+
+customElements.define("panicle-grammar", GrammarPane);

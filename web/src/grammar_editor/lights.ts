@@ -1,0 +1,43 @@
+/** Which things of a plant which modules have drawn, and which modules of one string are those of another. */
+import type { Chronicle, ModuleSpan, ToldModule } from "../plant/chronicle";
+import { NOT_DRAWN } from "../plant/chronicle";
+import type { Sighted } from "../plant/sighting";
+import type { DerivedScene } from "../ui/derivation_tool";
+
+type Marks = Pick<DerivedScene, "segments" | "organs">;
+
+/** The segments and organs that modules have drawn, by their indices. */
+export function drawnBy(
+	{ first, count }: ModuleSpan,
+	scene: Marks | undefined,
+): { segments: number[]; organs: number[] } {
+	const within = (modules: Uint32Array) => {
+		const found: number[] = [];
+		for (let index = 0; index < modules.length; index++) {
+			const module = modules[index];
+			if (module >= first && module - first < count) found.push(index);
+		}
+		return found;
+	};
+	return scene ? { segments: within(scene.segments), organs: within(scene.organs) } : { segments: [], organs: [] };
+}
+
+/** The module that drew something; undefined where the text did not. */
+export function drawnIn({ segments, organs }: Marks, { segment, organ }: Sighted): number | undefined {
+	const module = segment === undefined ? organs[organ ?? -1] : segments[segment];
+	return module === NOT_DRAWN ? undefined : module;
+}
+
+/**
+ * What shines for a module of the step that is told: itself where that step's plant is in view, its descendants where the last is; nothing
+ * where the view is of another step.
+ */
+export function litBy(
+	index: number,
+	module: Pick<ToldModule, "last">,
+	{ step, counts }: Pick<Chronicle, "step" | "counts">,
+	scene: Pick<DerivedScene, "step"> | undefined,
+): ModuleSpan | undefined {
+	if (scene?.step === step) return { first: index, count: 1 };
+	return scene?.step === counts.length - 1 ? module.last : undefined;
+}

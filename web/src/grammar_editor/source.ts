@@ -1,0 +1,136 @@
+/** Where a model's grammars come from, and what a change of one writes into the document. */
+import type { Plant } from "../plant/plant";
+import { type Constants, inOrder, isHeld, MOST_CONSTANTS, type WithConstants } from "../specimen/constants";
+import type { WithGrammar } from "../specimen/grammar_text";
+import type { Specimen } from "../specimen/specimen";
+import type { Change, Desk } from "../ui/desk";
+import type { Dialect } from "./dialect";
+import { withConstants } from "./outline";
+import { readOutline } from "./read_outline";
+
+/** What the editor of grammars has to know of a model. */
+export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & WithGrammar> {
+	/** What sentences call a plant of it: "bunch". */
+	readonly noun: string;
+	/** The group of the panel that says so where a plant has a grammar of its own; absent: one at the panel's end, for hands write texts. */
+	readonly group?: string;
+	/**
+	 * The text by which a document grows that has none of its own. One that has yet to be fetched is promised: once the promise is
+	 * kept, this gives it.
+	 */
+	builtIn(specimen: S): string | Promise<unknown>;
+	/** The language of its texts; that of L-systems where absent. */
+	readonly dialect?: Dialect;
+	/** The names that `#role` takes. */
+	readonly roles?: readonly string[];
+	/** Whether its texts have constants; absent: they have. */
+	readonly constants?: false;
+	/** Whether constants have their sliders before the text is the plant's own. */
+	readonly always?: boolean;
+	/** The constant that bends a stem: to the right of a plant seen from in front where it is above the middle of its range. */
+	readonly leans?: string;
+	/** Constants that parameters of the table stand for: they have their sliders already. */
+	readonly governed?: ReadonlySet<string>;
+	/** What a plant lacks of what its text asks for, a line each: said below the text. */
+	warnings?(grown: Plant, specimen: S): readonly string[];
+	/** The values of constants that a preset sets, where documents hold such (specimen/constants.ts): sliders then leave the text as it is. */
+	presetConstants?(preset: string): Constants;
+}
+
+/**
+ * The text that a document grows by, with the values of its constants in it; undefined while it is fetched, and then `later` is called
+ * once it is there.
+ */
+export function textOf(source: GrammarSource, specimen: Specimen & WithGrammar, later: () => void): string | undefined {
+	const text = specimen.grammar ?? source.builtIn(specimen);
+	if (typeof text === "string") return source.presetConstants ? valued(source, text, constantsOf(specimen)) : text;
+	text.then(later, () => {}); // Who grows it says why it did not come.
+	return undefined;
+}
+
+/** Whether a document has a text of its own. */
+export function isOwn({ grammar }: WithGrammar): boolean {
+	return grammar !== undefined;
+}
+
+/**
+ * The change that makes a text the document's, undefined the built-in one. One that is that but for numbers of its constants is none of
+ * its own, whoever wrote them. Values of names that a text of one's own defines are nowhere else: one number, one place.
+ */
+export function withText(source: GrammarSource, specimen: Specimen & WithGrammar, text: string | undefined): Change {
+	const { presetConstants } = source;
+	const builtIn = source.builtIn(specimen);
+	if (!presetConstants) return { details: { grammar: text === builtIn ? undefined : text } };
+	const published = presetConstants(specimen.preset);
+	if (text === undefined) return { details: { grammar: text, constants: published } };
+	const { constants, definitions } = readOutline(text, source.dialect);
+	const defined = new Set(definitions.map(({ name }) => name));
+	const strange = Object.entries(constantsOf(specimen)).filter(([name]) => !defined.has(name));
+	if (typeof builtIn === "string") {
+		const said = new Map(definitionsOf(source, builtIn));
+		const told = constants
+			.filter(
+				({ name, number }) =>
+					!source.governed?.has(name) && (Object.hasOwn(published, name) || said.get(name) !== number.text),
+			)
+			.map(({ name, number }) => [name, number.value] as const);
+		const own = inOrder([...strange, ...told]);
+		if (areHeld(own) && text === valued(source, builtIn, own))
+			return { details: { grammar: undefined, constants: own } };
+	}
+	return { details: { grammar: text, constants: Object.fromEntries(strange) } };
+}
+
+/**
+ * The change that gives constants of the text other values: beside a preset's text, which so stays the preset's, or else within the text;
+ * undefined while that is fetched.
+ */
+export function withValues(
+	source: GrammarSource,
+	specimen: Specimen & WithGrammar,
+	values: Constants,
+): Change | undefined {
+	const text = textOf(source, specimen, () => {});
+	if (text === undefined) return undefined;
+	const { presetConstants } = source;
+	if (!presetConstants || isOwn(specimen))
+		return withText(source, specimen, withConstants(text, values, readOutline(text, source.dialect).pieces));
+	const published = presetConstants(specimen.preset);
+	const builtIn = source.builtIn(specimen) as string;
+	const said = new Map(readOutline(builtIn, source.dialect).constants.map((each) => [each.name, each.number]));
+	// What the text says itself need not be said.
+	const told = Object.entries({ ...constantsOf(specimen), ...values }).filter(
+		([name, value]) => Object.hasOwn(published, name) || said.get(name)?.value !== value,
+	);
+	const constants = inOrder(told);
+	if (areHeld(constants)) return { details: { constants } };
+	return withText(source, specimen, withConstants(text, values, readOutline(text, source.dialect).pieces));
+}
+
+/** Whether links hold them; a text holds any. */
+const areHeld = (constants: Constants): boolean => {
+	const all = Object.entries(constants);
+	return all.length <= MOST_CONSTANTS && all.every(([name, value]) => isHeld(name, value));
+};
+
+/** What a text gives its names, as it is written there. */
+const definitionsOf = ({ dialect }: GrammarSource, text: string) =>
+	readOutline(text, dialect).definitions.map(({ name, from, to }) => [name, text.slice(from, to)] as const);
+
+const constantsOf = (specimen: Specimen & Partial<WithConstants>): Constants => specimen.constants ?? {};
+
+/** Texts as they were last written, by the values in them: asked for whenever something is drawn. */
+const written = new WeakMap<Constants, { readonly text: string; readonly valued: string }>();
+
+function valued({ dialect, governed }: GrammarSource, text: string, constants: Constants): string {
+	const before = written.get(constants);
+	if (before?.text === text) return before.valued;
+	const free = Object.entries(constants).filter(([name]) => !governed?.has(name));
+	const now =
+		free.length === 0 ? text : withConstants(text, Object.fromEntries(free), readOutline(text, dialect).pieces);
+	written.set(constants, { text, valued: now });
+	return now;
+}
+
+/** What all of the studio that has to do with grammars is given. */
+export type GrammarDesk = Desk<Specimen & WithGrammar>;

@@ -1,0 +1,78 @@
+import { html, LitElement, svg } from "lit";
+import { live } from "lit/directives/live.js";
+import { icon } from "../ui/icons";
+import { CHART_HEIGHT, stepChart } from "./step_chart";
+import { countInWords, stepInWords } from "./told_module";
+
+const ICONS = {
+	first: svg`<path d="M15 4.8v10.4L8 10z" fill="currentcolor"/><path d="M5 4.8v10.4" stroke-width="2"/>`,
+	back: svg`<path d="M13.5 4.8v10.4L6.5 10z" fill="currentcolor"/>`,
+	forward: svg`<path d="M6.5 4.8v10.4l7-5.2z" fill="currentcolor"/>`,
+	plant: svg`<path d="M10 17.5V9M10 12.5c0-3.5 2-5.5 6-5.5 0 3.5-2 5.5-6 5.5zM10 9.5C10 6.2 8 4 4.5 4c0 3.5 2 5.5 5.5 5.5z"/>`,
+	last: svg`<path d="M5 4.8v10.4L12 10z" fill="currentcolor"/><path d="M15 4.8v10.4" stroke-width="2"/>`,
+};
+
+/** The steps of a derivation: a slider over how long their strings are, and buttons that go from one to the next. */
+export class StepBar extends LitElement {
+	static override properties = {
+		counts: { attribute: false },
+		step: { attribute: false },
+		playing: { attribute: false },
+		go: { attribute: false },
+		by: { attribute: false },
+		play: { attribute: false },
+		follows: { attribute: false },
+		follow: { attribute: false },
+	};
+	/** Modules of each step's string. */
+	declare counts: Uint32Array;
+	declare step: number;
+	declare playing: boolean;
+	/** Goes to a step. */
+	declare go: (step: number) => void;
+	/** Goes one on, or back, with what is chosen. */
+	declare by: (by: 1 | -1) => void;
+	declare play: () => void;
+	/** Whether the view shows the plant as it was after the step, and what changes that. */
+	declare follows: boolean;
+	declare follow: () => void;
+
+	protected override createRenderRoot(): this {
+		return this;
+	}
+
+	protected override render(): unknown {
+		const { counts, step } = this;
+		const last = counts.length - 1;
+		const words = `${stepInWords(step, last)}, ${countInWords(counts[step])}`;
+		const button = (label: string, drawn: unknown, click: () => void, off: boolean) =>
+			html`<button class="button icon quiet" type="button" aria-label=${label} title=${label} aria-disabled=${off} @click=${() => off || click()}>${drawn}</button>`;
+		return html`<div class="step-bar">
+			<div class="step-buttons" role="group" aria-label="Steps">
+				${button("First step", icon(ICONS.first), () => this.go(0), step === 0)}
+				${button("Step back", icon(ICONS.back), () => this.by(-1), step === 0)}
+				${button(this.playing ? "Pause the steps" : "Play the steps", icon(this.playing ? "pause" : "play"), () => this.play(), last === 0)}
+				${button("Step forward", icon(ICONS.forward), () => this.by(1), step === last)}
+				${button("Last step", icon(ICONS.last), () => this.go(last), step === last)}
+				<button
+					class="button icon quiet" type="button" aria-label="Show the plant as it was after the step" title="Show the plant as it was after the step"
+					aria-pressed=${this.follows} @click=${() => this.follow()}
+				>${icon(ICONS.plant)}</button>
+			</div>
+			<p class="step-now"><b>${stepInWords(step, last)}</b> ${countInWords(counts[step])}</p>
+			<div class="step-slide">
+				<svg viewBox="0 0 100 ${CHART_HEIGHT}" preserveAspectRatio="none" aria-hidden="true">
+					<path class="ahead" d=${stepChart(counts)}></path>
+					<path class="done" d=${stepChart(counts, step)}></path>
+				</svg>
+				<input
+					type="range" min="0" max=${last} step="1" .value=${live(String(step))} ?disabled=${last === 0}
+					aria-label="Step" aria-valuetext=${words} .style=${`--done: ${last > 0 ? (100 * step) / last : 0}%`}
+					@input=${(event: Event) => this.go(Number((event.target as HTMLInputElement).value))}
+				>
+			</div>
+		</div>`;
+	}
+}
+
+customElements.define("panicle-steps", StepBar);

@@ -1,0 +1,27 @@
+/** What the core says of a grammar: the fault that keeps it from growing, and the remarks of the last plant. */
+import type { Fault } from "../ui/desk";
+
+/** Something said of a place in the text. */
+export interface Problem {
+	readonly severity: "error" | "remark";
+	/** From 1; columns count characters. */
+	readonly line: number;
+	readonly column: number;
+	readonly message: string;
+}
+
+/** Whether the same is said of the same places. */
+export function sameProblems(some: readonly Problem[], others: readonly Problem[]): boolean {
+	const alike = (a: Problem, b: Problem) =>
+		a.line === b.line && a.column === b.column && a.severity === b.severity && a.message === b.message;
+	return some.length === others.length && some.every((each, i) => alike(each, others[i]));
+}
+
+/** What of it has a place in the text. @param notes the plant's, whose remarks name theirs */
+export function problemsOf(fault: Fault | undefined, notes: readonly string[]): Problem[] {
+	if (fault) return fault.line > 0 ? [{ severity: "error", ...fault }] : [];
+	return notes.flatMap((note) => {
+		const [, line, column, message] = /^Line (\d+), column (\d+): (.+)$/s.exec(note) ?? [];
+		return message ? [{ severity: "remark", line: Number(line), column: Number(column), message } as const] : [];
+	});
+}

@@ -1,0 +1,28 @@
+/** A traced margin set upright, in lengths of what it is of. */
+import type { Point } from "../../ui/handles/point";
+import type { Pixel } from "./picture";
+
+/**
+ * The margin in lengths of it: from the base, counter-clockwise, its middle straight above the base. Tips may be two, or
+ * bent aside: they do not tell which way is up. And that length, in pixels.
+ */
+export function upright(contour: readonly Pixel[], base: Pixel): { margin: Point[]; size: number } {
+	const first = nearest(contour, base);
+	const { length } = contour;
+	const [x, y] = contour.reduce((sum, pixel) => [sum[0] + pixel.x / length, sum[1] + pixel.y / length], [0, 0]);
+	const far = Math.hypot(x - base.x, y - base.y) || 1;
+	const [ux, uy] = [(x - base.x) / far, (y - base.y) / far];
+	const along = contour.map((pixel) => (pixel.x - base.x) * ux + (pixel.y - base.y) * uy);
+	const size = along.reduce((best, value) => Math.max(best, value), 1);
+	const turned = contour.map((pixel, index) => ({
+		x: ((pixel.y - base.y) * ux - (pixel.x - base.x) * uy) / size,
+		y: along[index] / size,
+	}));
+	// What is clockwise on the screen is read the other way round.
+	return { margin: [turned[first], ...turned.slice(0, first).reverse(), ...turned.slice(first + 1).reverse()], size };
+}
+
+function nearest(pixels: readonly Pixel[], to: Pixel): number {
+	const away = pixels.map(({ x, y }) => Math.hypot(x - to.x, y - to.y));
+	return away.reduce((best, value, index) => (value < away[best] ? index : best), 0);
+}

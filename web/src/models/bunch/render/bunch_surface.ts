@@ -1,0 +1,174 @@
+import {
+	BufferGeometry,
+	Group,
+	InstancedBufferGeometry,
+	type Material,
+	Mesh,
+	type MeshStandardMaterial,
+	type PerspectiveCamera,
+	type ShaderMaterial,
+	Vector3,
+} from "three";
+import type { Veins } from "../../../plant/leaf";
+import { RecordTexture } from "../../../render/record_texture";
+import { setPicture, setSheet } from "../../../render/standard_material";
+import { fillStreams } from "../../../render/streams";
+import { type BerrySurfaces, FOLIAGE_KINDS, type Foliage, type Grown } from "../grown";
+import type { BerryTint } from "../parts/berry_tint";
+import { autumnOf, foliageColours } from "../parts/foliage_colour";
+import { foliageMaterials } from "../parts/materials";
+import type { Look } from "../specimen";
+import { BerryInstances } from "./berry_instances";
+import { packVertices, skiesOf, surfacesOf, VERTICES_PER_ROW } from "./berry_skins";
+import { DepthOrder } from "./depth_order";
+import { Flowers } from "./flowers";
+import { stemStreams } from "./stem_streams";
+import { triangleOrder } from "./triangle_order";
+
+const EYE = new Vector3();
+
+/** The materials of a bunch's parts. */
+export interface PartMaterials {
+	berry: ShaderMaterial;
+	stem: MeshStandardMaterial;
+	flower: MeshStandardMaterial;
+	foliage: Record<(typeof FOLIAGE_KINDS)[number], MeshStandardMaterial>;
+}
+
+/**
+ * The meshes of a bunch: all berries as instances of one pattern whose vertices stand in a texture, all open flowers as
+ * instances of one, all stems as one, all leaves as one. Buffers are kept from bunch to bunch.
+ */
+export class BunchSurface {
+	readonly group = new Group();
+	readonly #berries: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+	readonly #stems: Mesh<BufferGeometry, MeshStandardMaterial>;
+	readonly #foliage: Mesh<BufferGeometry, MeshStandardMaterial[]>;
+	readonly #flowers: Flowers;
+	readonly #vertices = new RecordTexture(1, "words", VERTICES_PER_ROW);
+	readonly #instances = new BerryInstances();
+	readonly #order = new DepthOrder();
+	#shown: { grown: Grown; look: Look } | undefined;
+	#bare = false;
+	#dressed: { veins: Veins | undefined; autumn: number } | undefined;
+
+	constructor(readonly materials: PartMaterials) {
+		const { berry, stem, flower, foliage } = materials;
+		this.#berries = this.#part("berries", new InstancedBufferGeometry(), berry);
+		this.#stems = this.#part("stems", new BufferGeometry(), stem);
+		this.#foliage = this.#part(
+			"foliage",
+			new BufferGeometry(),
+			FOLIAGE_KINDS.map((kind) => foliage[kind]),
+		);
+		this.#flowers = new Flowers(this.group, flower);
+		// After the berries, which hide most of them.
+		this.#stems.renderOrder = 1;
+	}
+
+	/** Puts a bunch's geometry in place of the last one's. */
+	show(grown: Grown, look: Look, tint: (berry: number) => BerryTint): void {
+		this.#shown = { grown, look };
+		const surfaces = surfacesOf(grown);
+		const skies = surfaces && skiesOf(surfaces, grown.berries.count);
+		if (surfaces && skies) this.#showBerries(surfaces, grown, tint, skies);
+		this.#order.reset(surfaces ? grown.berries.spheres : new Float32Array(0));
+		this.#flowers.show(grown, skies);
+		this.#foliage.visible = grown.foliage !== undefined && grown.foliage.indices.length > 0;
+		if (grown.foliage) this.#showFoliage(grown.foliage, autumnOf(grown.berries));
+		this.#showStems();
+		this.#setVisible();
+	}
+
+	/** Whether the stems stand without berries, the withered ones marked. */
+	set bare(bare: boolean) {
+		if (bare === this.#bare) return;
+		this.#bare = bare;
+		this.#showStems();
+		this.#setVisible();
+	}
+
+	/** Sorts the berries nearest first. */
+	sort(camera: PerspectiveCamera): void {
+		if (this.#order.sort(EYE.setFromMatrixPosition(camera.matrixWorld)))
+			this.#instances.order(this.#berries.geometry, this.#order.indices);
+	}
+
+	dispose(): void {
+		for (const part of [this.#berries, this.#stems, this.#foliage]) part.geometry.dispose();
+		this.#flowers.dispose();
+		const { berry, stem, flower, foliage } = this.materials;
+		for (const material of [berry, stem, flower, ...Object.values(foliage)]) material.dispose();
+		foliage.leaf.map?.dispose();
+		this.#vertices.dispose();
+	}
+
+	#part<G extends BufferGeometry, M extends Material | Material[]>(name: string, geometry: G, material: M): Mesh<G, M> {
+		const part = new Mesh(geometry, material);
+		part.name = name;
+		// Buffers are larger than what is in them, and the berries' shader places them: three's bounds would be wrong.
+		part.frustumCulled = false;
+		part.visible = false;
+		this.group.add(part);
+		return part;
+	}
+
+	#setVisible(): void {
+		this.#berries.visible = !this.#bare && this.#order.indices.length > 0;
+		this.#flowers.visible = !this.#bare;
+	}
+
+	#showBerries(
+		surfaces: BerrySurfaces,
+		{ berries }: Grown,
+		tint: (berry: number) => BerryTint,
+		skies: Float32Array,
+	): void {
+		const { geometry, material } = this.#berries;
+		this.#vertices.reserve(surfaces.pressed.length);
+		const reaches = packVertices(surfaces, berries, this.#vertices.words);
+		this.#vertices.changed();
+		material.uniforms.vertexRecords.value = this.#vertices.texture;
+		material.uniforms.patternVertices.value = surfaces.uvs.length / 2;
+		fillStreams(geometry, [["uv", surfaces.uvs, 2]], triangleOrder(surfaces.indices));
+		this.#instances.show(berries, tint, reaches, skies);
+	}
+
+	#showStems(): void {
+		const { grown, look } = this.#shown ?? {};
+		const stem = grown?.stem;
+		this.#stems.visible = stem !== undefined && stem.indices.length > 0;
+		if (grown && stem && look)
+			fillStreams(this.#stems.geometry, stemStreams(grown, stem, look.stem, this.#bare), stem.indices);
+	}
+
+	/** Pictures are drawn anew where they are others, not with every step of a drag. */
+	#dressLeaves(veins: Veins | undefined, autumn: number): void {
+		if (this.#dressed?.veins === veins && this.#dressed?.autumn === autumn) return;
+		this.#dressed = { veins, autumn };
+		const { leaf } = foliageMaterials(autumn, veins);
+		setSheet(this.materials.foliage.leaf, leaf);
+		setPicture(this.materials.foliage.leaf, leaf);
+	}
+
+	#showFoliage(foliage: Foliage, autumn: number): void {
+		const { positions, normals, uvs, indices, parts } = foliage;
+		const { geometry } = this.#foliage;
+		this.#dressLeaves(foliage.veins, autumn);
+		fillStreams(
+			geometry,
+			[
+				["position", positions, 3],
+				["normal", normals, 3],
+				["uv", uvs, 2],
+				["color", foliageColours(foliage, autumn), 3],
+				["sky", foliage.sky ?? new Uint8Array(positions.length / 3).fill(255), 1],
+			],
+			indices,
+		);
+		geometry.clearGroups();
+		for (const { kind, firstIndex, indexCount } of parts) {
+			geometry.addGroup(firstIndex, indexCount, FOLIAGE_KINDS.indexOf(kind));
+		}
+	}
+}

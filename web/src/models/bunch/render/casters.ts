@@ -1,0 +1,168 @@
+import type { Vector } from "../../../render/figure";
+import { lampHidden } from "../../../render/occlusion";
+import { SphereIndex } from "../../../render/sphere_index";
+import type { Receivers } from "./receivers";
+
+/** Spheres between a receiver and the key light that are looked at one by one, at each vertex. */
+export const CASTERS = 9;
+/** Texels of one receiver's record; see `Casters.cast`. */
+export const CAST_RECORD = 1 + CASTERS;
+
+const MAX_FOUND = 512;
+
+/** A lamp: the direction towards it (unit length, in the bunch's frame) and the tangent of its apparent radius. */
+export interface Lamp {
+	direction: Vector;
+	spread: number;
+}
+
+/**
+ * Who stands in whose light. What casts on a receiver lies in one column of light, so the spheres are sorted in the
+ * plane across the light's direction and only the column is searched.
+ */
+export class Casters {
+	readonly #found = new Uint32Array(MAX_FOUND);
+	readonly #nearest = new Int32Array(CASTERS);
+	readonly #distances = new Float64Array(CASTERS);
+	#across = new Float32Array(0);
+	/** What the shares of key and rim light in the records were worked out for. */
+	readonly #settled: (Settled | undefined)[] = [];
+
+	/**
+	 * Fills the dynamic records, CAST_RECORD texels of four floats each, in the order of the receivers:
+	 *
+	 *     0   share of the key and of the rim light that reaches the receiver's centre
+	 *     1…  the nearest spheres in the key light's way, centre and radius; 0 ends the list
+	 *
+	 * What was worked out for the same receivers and lamp stays, in the same `records`: only turning is work.
+	 * @returns whether anything was written
+	 */
+	cast(receivers: Receivers, key: Lamp, rim: Lamp, records: Float32Array): boolean {
+		const rimmed = this.#refresh(receivers, rim, records, 1);
+		return this.#refresh(receivers, key, records, 0) || rimmed;
+	}
+
+	#refresh(receivers: Receivers, lamp: Lamp, records: Float32Array, channel: 0 | 1): boolean {
+		const settled = this.#settled[channel];
+		if (settled?.receivers === receivers && same(settled.lamp, lamp)) return false;
+		this.#share(receivers, lamp, records, channel, channel === 0);
+		this.#settled[channel] = { receivers, lamp };
+		return true;
+	}
+
+	#share(receivers: Receivers, lamp: Lamp, records: Float32Array, channel: 0 | 1, list: boolean): void {
+		const { spheres } = receivers.index;
+		const { owner } = receivers;
+		const column = new Column(spheres, lamp.direction, this.#ensure(spheres.length));
+		for (let i = 0; i < receivers.count; i++) {
+			const to = i * 4 * CAST_RECORD;
+			const [x, y, z, extent] = receivers.bodies.subarray(4 * i, 4 * i + 4);
+			const count = column.near(x, y, z, extent, lamp.spread, this.#found);
+			let share = 1;
+			let kept = 0;
+			for (let f = 0; f < count; f++) {
+				const j = this.#found[f];
+				if (owner[j] === i) continue;
+				const along = column.along(j, x, y, z);
+				const radius = spheres[4 * j + 3];
+				if (along <= -radius) continue;
+				const lateral = column.lateral(j);
+				share *= 1 - lampHidden(radius, lateral, along, lamp.spread);
+				if (list && lateral < radius + extent + Math.max(along, 0) * lamp.spread) kept = this.#keep(j, along, kept);
+			}
+			records[to + channel] = share;
+			if (list) this.#write(records, to + 4, kept, spheres);
+		}
+	}
+
+	/** Insertion into the short list, nearest first. */
+	#keep(j: number, distance: number, kept: number): number {
+		const distances = this.#distances;
+		if (kept === CASTERS && distance >= distances[kept - 1]) return kept;
+		let k = Math.min(kept, CASTERS - 1);
+		for (; k > 0 && distances[k - 1] > distance; k--) {
+			distances[k] = distances[k - 1];
+			this.#nearest[k] = this.#nearest[k - 1];
+		}
+		distances[k] = distance;
+		this.#nearest[k] = j;
+		return Math.min(kept + 1, CASTERS);
+	}
+
+	#write(records: Float32Array, at: number, kept: number, spheres: Float32Array): void {
+		for (let k = 0; k < CASTERS; k++) {
+			const to = at + 4 * k;
+			records[to + 3] = 0;
+			if (k >= kept) continue;
+			const from = 4 * this.#nearest[k];
+			records.set(spheres.subarray(from, from + 4), to);
+		}
+	}
+
+	#ensure(length: number): Float32Array {
+		if (this.#across.length < length) this.#across = new Float32Array(length);
+		return this.#across.subarray(0, length);
+	}
+}
+
+interface Settled {
+	receivers: Receivers;
+	lamp: Lamp;
+}
+
+function same(one: Lamp, other: Lamp): boolean {
+	return one.spread === other.spread && one.direction.every((value, k) => value === other.direction[k]);
+}
+
+/** The spheres seen along one direction: two coordinates across it, one along. */
+class Column {
+	readonly #index: SphereIndex;
+	readonly #u: Vector;
+	readonly #v: Vector;
+	#atU = 0;
+	#atV = 0;
+
+	constructor(
+		readonly spheres: Float32Array,
+		readonly direction: Vector,
+		readonly across: Float32Array,
+	) {
+		const [x, y, z] = direction;
+		// Duff et al. 2017, "Building an orthonormal basis, revisited".
+		const sign = z >= 0 ? 1 : -1;
+		const a = -1 / (sign + z);
+		this.#u = [1 + sign * x * x * a, sign * x * y * a, -sign * x];
+		this.#v = [x * y * a, sign + y * y * a, -y];
+		for (let i = 0; i < spheres.length; i += 4) {
+			across[i] = dot(this.#u, spheres[i], spheres[i + 1], spheres[i + 2]);
+			across[i + 1] = dot(this.#v, spheres[i], spheres[i + 1], spheres[i + 2]);
+			across[i + 2] = 0;
+			across[i + 3] = spheres[i + 3];
+		}
+		this.#index = new SphereIndex(across);
+	}
+
+	/** Spheres that may stand in the light of a receiver; remembers where the receiver is. */
+	near(x: number, y: number, z: number, extent: number, spread: number, found: Uint32Array): number {
+		this.#atU = dot(this.#u, x, y, z);
+		this.#atV = dot(this.#v, x, y, z);
+		const { reach } = this.#index;
+		// Penumbrae widen with distance; past about eight berries little is left to hide.
+		return this.#index.near(this.#atU, this.#atV, 0, extent + reach * (1 + 16 * spread), found);
+	}
+
+	along(j: number, x: number, y: number, z: number): number {
+		const s = this.spheres;
+		return dot(this.direction, s[4 * j] - x, s[4 * j + 1] - y, s[4 * j + 2] - z);
+	}
+
+	lateral(j: number): number {
+		const du = this.across[4 * j] - this.#atU;
+		const dv = this.across[4 * j + 1] - this.#atV;
+		return Math.sqrt(du * du + dv * dv);
+	}
+}
+
+function dot(d: Vector, x: number, y: number, z: number): number {
+	return d[0] * x + d[1] * y + d[2] * z;
+}

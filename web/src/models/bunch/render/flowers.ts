@@ -1,0 +1,81 @@
+import {
+	BufferAttribute,
+	BufferGeometry,
+	type Group,
+	InstancedBufferAttribute,
+	InstancedMesh,
+	type MeshStandardMaterial,
+} from "three";
+import { cut, TRANSFORM } from "../../../plant/part";
+import { matrixOf } from "../../../render/part_meshes";
+import type { FlowerMesh, FlowerPiece, Grown } from "../grown";
+import { flowersOf, type PlacedPieces } from "../parts/flowers";
+import { flowerColours } from "../parts/foliage_colour";
+
+type Drawn = InstancedMesh<BufferGeometry, MeshStandardMaterial>;
+
+/** The flowers: of each kind of piece as many instances as there are of it. */
+export class Flowers {
+	readonly #group: Group;
+	readonly #material: MeshStandardMaterial;
+	#drawn: Drawn[] = [];
+
+	constructor(group: Group, material: MeshStandardMaterial) {
+		this.#group = group;
+		this.#material = material;
+	}
+
+	/**
+	 * Puts a bunch's flowers in place of the last one's. They come and go with the age; nothing is kept of them.
+	 * @param skies share of the sky that each berry sees (skiesOf); all of it where absent
+	 */
+	show(grown: Grown, skies?: Float32Array): void {
+		this.dispose();
+		const { flower } = grown;
+		if (!flower) return;
+		const all = flowersOf(grown);
+		for (const run of flower.pieces) {
+			const pieces = all.filter(({ piece }) => piece === run.piece);
+			if (pieces.length > 0) this.#drawn.push(this.#draw(run.piece, geometryOf(flower, run), pieces, skies));
+		}
+		if (this.#drawn.length > 0) this.#group.add(...this.#drawn);
+	}
+
+	#draw(piece: FlowerPiece, geometry: BufferGeometry, pieces: PlacedPieces[], skies?: Float32Array): Drawn {
+		const transforms = Float32Array.from(pieces.flatMap((each) => each.transforms));
+		const bearers = pieces.flatMap((each) =>
+			each.transforms.slice(0, each.transforms.length / TRANSFORM).fill(each.berry),
+		);
+		const drawn = new InstancedMesh(geometry, this.#material, bearers.length);
+		for (let i = 0; i < bearers.length; i++) drawn.setMatrixAt(i, matrixOf(transforms, i));
+		geometry.setAttribute("bearer", new InstancedBufferAttribute(Float32Array.from(bearers), 1));
+		const sky = Float32Array.from(bearers, (berry) => skies?.[berry] ?? 1);
+		geometry.setAttribute("sky", new InstancedBufferAttribute(sky, 1));
+		drawn.name = piece;
+		drawn.frustumCulled = false;
+		return drawn;
+	}
+
+	set visible(visible: boolean) {
+		for (const each of this.#drawn) each.visible = visible;
+	}
+
+	dispose(): void {
+		for (const each of this.#drawn) {
+			each.removeFromParent();
+			each.geometry.dispose();
+			each.dispose();
+		}
+		this.#drawn = [];
+	}
+}
+
+function geometryOf(flower: FlowerMesh, run: FlowerMesh["pieces"][number]): BufferGeometry {
+	const { positions, normals, uvs, indices } = cut(flower, run);
+	const geometry = new BufferGeometry();
+	geometry.setAttribute("position", new BufferAttribute(positions, 3));
+	geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+	geometry.setAttribute("color", new BufferAttribute(flowerColours(uvs), 3));
+	geometry.setIndex(new BufferAttribute(indices, 1));
+	return geometry;
+}

@@ -1,0 +1,39 @@
+import type { Ray, Vector } from "../../../render/figure";
+import type { Berries } from "../grown";
+import { halvesOf } from "../traits";
+
+/**
+ * The berry nearest along a ray, as an index; undefined where it meets none. Berries are taken for ellipsoids of their
+ * width and length about their direction, as they are before they press against each other.
+ */
+export function pickBerry(berries: Berries, ray: Ray): number | undefined {
+	let best: number | undefined;
+	let least = Infinity;
+	for (let i = 0; i < berries.count; i++) {
+		const distance = meeting(berries, i, ray);
+		if (distance !== undefined && distance < least) [best, least] = [i, distance];
+	}
+	return best;
+}
+
+/** How many of its direction's lengths a ray goes to the first point of berry `i` that it meets. */
+function meeting(berries: Berries, i: number, { origin, direction }: Ray): number | undefined {
+	const { spheres, directions } = berries;
+	const [width, length] = halvesOf(berries, i);
+	const axis: Vector = [directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]];
+	const from: Vector = [origin[0] - spheres[4 * i], origin[1] - spheres[4 * i + 1], origin[2] - spheres[4 * i + 2]];
+	// Into the space where the berry is the unit ball: lengths along the axis shrink by more than those across it.
+	const shrink = width / length - 1;
+	const scaled = (v: Vector) => v.map((value, k) => (value + dot(v, axis) * shrink * axis[k]) / width);
+	const [p, d] = [scaled(from) as unknown as Vector, scaled(direction) as unknown as Vector];
+	const a = dot(d, d);
+	const b = dot(p, d);
+	const inside = b * b - a * (dot(p, p) - 1);
+	if (!(inside >= 0)) return undefined;
+	const near = (-b - Math.sqrt(inside)) / a;
+	return near > 0 ? near : undefined;
+}
+
+function dot(a: Vector, b: Vector): number {
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}

@@ -1,0 +1,64 @@
+import { SphereIndex } from "../../../render/sphere_index";
+import type { Berries, Grown } from "../grown";
+import { halvesOf } from "../traits";
+
+/** From these lengths over widths on, a berry stands in the light as two spheres, as three. */
+const TWO = 1.35;
+const THREE = 2.1;
+
+/** What the lamps shine on: berries first, then internodes; and what stands in the lamps' way, the berries. */
+export interface Receivers {
+	/** Berries and internodes. */
+	count: number;
+	/** 4 × count: centre, and how far it reaches. */
+	bodies: Float32Array;
+	/** The berries as spheres: one for a round berry, a row of them for a long one. */
+	index: SphereIndex;
+	/** The berry that each of those belongs to. */
+	owner: Uint32Array;
+}
+
+export function receiversOf({ berries, internodes }: Pick<Grown, "berries" | "internodes">): Receivers {
+	const count = berries.count + internodes.count;
+	const bodies = new Float32Array(4 * count);
+	for (let i = 0; i < berries.count; i++) {
+		bodies.set(berries.spheres.subarray(4 * i, 4 * i + 3), 4 * i);
+		bodies[4 * i + 3] = Math.max(...halvesOf(berries, i));
+	}
+	for (let i = 0; i < internodes.count; i++) {
+		const at = 4 * (berries.count + i);
+		let square = 0;
+		for (let k = 0; k < 3; k++) {
+			const half = 0.5 * (internodes.ends[6 * i + 3 + k] - internodes.ends[6 * i + k]);
+			bodies[at + k] = internodes.ends[6 * i + k] + half;
+			square += half * half;
+		}
+		bodies[at + 3] = Math.sqrt(square);
+	}
+	const { spheres, owner } = rowsOf(berries);
+	return { count, bodies, index: new SphereIndex(spheres), owner };
+}
+
+/** The spheres that stand in the light for the berries. */
+function rowsOf(berries: Berries): { spheres: Float32Array; owner: Uint32Array } {
+	const spheres: number[] = [];
+	const owner: number[] = [];
+	for (let i = 0; i < berries.count; i++) {
+		const [x, y, z, r] = berries.spheres.subarray(4 * i, 4 * i + 4);
+		const [width, length] = halvesOf(berries, i);
+		const ratio = length / width;
+		if (!(ratio >= TWO)) {
+			spheres.push(x, y, z, r);
+			owner.push(i);
+			continue;
+		}
+		const reach = length - width;
+		for (const along of ratio < THREE ? [-0.9, 0.9] : [-1, 0, 1]) {
+			const by = along * reach;
+			const [dx, dy, dz] = berries.directions.subarray(3 * i, 3 * i + 3);
+			spheres.push(x + by * dx, y + by * dy, z + by * dz, 0.96 * width);
+			owner.push(i);
+		}
+	}
+	return { spheres: Float32Array.from(spheres), owner: Uint32Array.from(owner) };
+}

@@ -1,0 +1,43 @@
+/** The stems' vertices as the view shows them: as they grew, or bare, with what has withered marked. */
+import { linear } from "../../../plant/colour";
+import type { Stream } from "../../../render/streams";
+import { type Grown, INTERNODE_STATES, type StemMesh } from "../grown";
+import { stemColours } from "../parts/stem_colour";
+
+const MARKED = linear("c2334f");
+/** Marked pedicels are short and thin: swollen by this share of their radius, they are seen. */
+const SWELLING = 0.6;
+
+/**
+ * @param hex the look's stem colour
+ * @param bare without berries: all of the sky is open, and withered pedicels are marked
+ */
+export function stemStreams(grown: Grown, stem: StemMesh, hex: string, bare: boolean): Stream[] {
+	const colours = stemColours(grown, stem, hex);
+	const open = () => new Uint8Array(stem.internode.length).fill(255);
+	return [
+		["position", bare ? marked(grown, stem, colours) : stem.positions, 3],
+		["normal", stem.normals, 3],
+		["color", colours, 3],
+		["sky", bare ? open() : (stem.sky ?? open()), 1],
+		["internode", stem.internode, 1],
+	];
+}
+
+/** Marks withered pedicels in `colours`; returns where their vertices then are. */
+function marked(
+	{ internodes }: Grown,
+	{ positions, normals, internode }: StemMesh,
+	colours: Float32Array,
+): Float32Array {
+	const withered = INTERNODE_STATES.indexOf("withered");
+	const swollen = positions.slice();
+	for (let vertex = 0; vertex < internode.length; vertex++) {
+		const of = internode[vertex];
+		if (internodes.state[of] !== withered) continue;
+		colours.set(MARKED, 3 * vertex);
+		const by = SWELLING * 0.5 * (internodes.radii[2 * of] + internodes.radii[2 * of + 1]);
+		for (let k = 3 * vertex; k < 3 * vertex + 3; k++) swollen[k] += by * normals[k];
+	}
+	return swollen;
+}

@@ -1,0 +1,41 @@
+import { html } from "lit";
+import type { Change } from "../../../ui/desk";
+import type { BunchSpecimen } from "../specimen";
+import { type BunchDesk, type BunchTool, isPaper } from "./desk";
+
+type Bent = Pick<BunchSpecimen["parameters"], "fit" | "vary">;
+
+/** The switch between the paper's letter and what is bent of it; what it was bent by before is kept for the way back. */
+export const asPrinted: BunchTool<Bent | undefined> = {
+	name: "asPrinted",
+	initial: undefined,
+	applies: isPaper,
+	panel: {
+		group: "between",
+		place: "above",
+		draw: (desk) => html`<label class="toggle">
+			<input
+				type="checkbox" role="switch" .checked=${isAsPrinted(desk.state.specimen)}
+				@change=${(event: Event) => setAsPrinted(desk, (event.target as HTMLInputElement).checked)}
+			>As printed
+		</label>`,
+	},
+};
+
+/** Whether nothing of the paper's letter is bent. */
+export function isAsPrinted({ parameters }: Pick<BunchSpecimen, "parameters">): boolean {
+	return parameters.fit === 0 && parameters.vary === 0;
+}
+
+/** `fit` and `vary` to 0, or back to the values they had before (else the preset's). */
+export function setAsPrinted(desk: BunchDesk, on: boolean): void {
+	const { specimen } = desk.state;
+	const { fit, vary } = specimen.parameters;
+	const before = desk.toolState(asPrinted);
+	desk.setToolState(asPrinted, on && !isAsPrinted(specimen) ? { fit, vary } : undefined);
+	desk.set(on ? LETTER : { parameters: bentOf(before ?? desk.preset.parameters) });
+}
+
+const LETTER: Change = { parameters: { fit: 0, vary: 0 } };
+
+const bentOf = ({ fit, vary }: Bent): Change["parameters"] => ({ fit, vary });

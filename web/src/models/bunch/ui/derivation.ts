@@ -1,0 +1,38 @@
+import type { DerivationSource } from "../../../ui/derivation_tool";
+import type { Drawn, DrawnSurface } from "../../../plant/drawn";
+import type { Grown } from "../grown";
+import type { BunchSpecimen } from "../specimen";
+import { thinning } from "./thinning";
+
+/** What the stepper has to know of bunches: internodes, and as organs the berries, each with its own surface or as the ball they share. */
+export const derivation: DerivationSource<BunchSpecimen, Grown> = {
+	drawn: berriesDrawn,
+	figure: async () => new (await import("../../../render/lit_figure")).LitFigure(),
+	taken: (desk) => desk.toolState(thinning).on,
+};
+
+export function berriesDrawn({ internodes, berries, surfaces, berry }: Grown): Drawn {
+	const own = (index: number): DrawnSurface | undefined => {
+		if (!surfaces) return undefined;
+		const numbers = 1.5 * surfaces.uvs.length;
+		return {
+			positions: surfaces.positions.subarray(numbers * index, numbers * (index + 1)),
+			indices: surfaces.indices,
+		};
+	};
+	const shared = (index: number): DrawnSurface | undefined => {
+		if (!berry) return undefined;
+		const [x, y, z, radius] = berries.spheres.subarray(4 * index, 4 * index + 4);
+		return {
+			positions: berry.positions,
+			indices: berry.indices,
+			transform: Float32Array.of(x, y, z, 0, 0, 0, 1, radius),
+		};
+	};
+	return {
+		ends: internodes.ends,
+		radii: internodes.radii,
+		organs: berries.count,
+		surface: (index) => own(index) ?? shared(index),
+	};
+}

@@ -1,0 +1,15 @@
+import type { GrammarSource } from "../../../grammar_editor/source";
+import { INTERNODE_KINDS } from "../grown";
+import { BUILT_IN } from "../request";
+import { procedureOf } from "../species";
+import type { BunchSpecimen } from "../specimen";
+import { BUNCH_TABLE } from "../table";
+
+/** The bunch's texts, one for each procedure. */
+export const grammar: GrammarSource<BunchSpecimen> = {
+	noun: "bunch",
+	group: "branching",
+	builtIn: (specimen) => BUILT_IN[procedureOf(specimen)],
+	roles: INTERNODE_KINDS,
+	governed: new Set(BUNCH_TABLE.core.flatMap(({ define }) => define ?? [])),
+};

@@ -1,0 +1,111 @@
+import type { ToolHands, ToolView } from "../../../ui/tool";
+import type { Grown } from "../grown";
+import type { OctahedronHandles } from "../profile/octahedron";
+import type { OctahedronColours } from "../profile/octahedron_figure";
+import type { BunchSpecimen } from "../specimen";
+import type { BunchDesk, BunchState, BunchTool } from "./desk";
+import { OCTAHEDRON } from "./icons";
+import { sides } from "./sides";
+
+/** The profile in the 3-D view, with its handles. */
+export const octahedron: BunchTool<boolean> = {
+	name: "octahedron",
+	initial: false,
+	press: (desk) => desk.setToolState(octahedron, !desk.toolState(octahedron)),
+	button: { icon: OCTAHEDRON, label: "Octahedron", pressed: (desk) => desk.toolState(octahedron) },
+	key: { letter: "o", does: "Octahedron and its handles in 3-D, and back" },
+	hands: (view, desk) => new OctahedronHands(view, desk),
+};
+
+/** An outline or a handle near the view's edge must stay whole: style/stage.css. */
+const WHOLE_SURFACE = "handles";
+
+class OctahedronHands implements ToolHands<BunchSpecimen, Grown> {
+	readonly #view: ToolView;
+	readonly #desk: BunchDesk;
+	/** Loaded when first asked for. */
+	#handles: Promise<OctahedronHandles | undefined> | undefined;
+	#dark: boolean | undefined;
+	#disposed = false;
+
+	constructor(view: ToolView, desk: BunchDesk) {
+		this.#view = view;
+		this.#desk = desk;
+	}
+
+	update(state: BunchState): void {
+		const shown = this.#desk.toolState(octahedron);
+		this.#view.canvas.classList.toggle(WHOLE_SURFACE, shown);
+		if (!shown && !this.#handles) return;
+		this.#handles ??= this.#fetch();
+		void this.#handles.then((handles) => {
+			if (handles && !this.#disposed) this.#show(handles, state);
+		});
+	}
+
+	dispose(): void {
+		this.#disposed = true;
+		this.#view.canvas.classList.remove(WHOLE_SURFACE);
+		void this.#handles?.then((handles) => {
+			if (!handles) return;
+			this.#view.removeOverlay(handles.object);
+			handles.dispose();
+		});
+	}
+
+	#show(handles: OctahedronHandles, { dark }: BunchState): void {
+		const shown = this.#desk.toolState(octahedron);
+		if (dark !== this.#dark) handles.setColours(coloursOf(this.#view.canvas));
+		this.#dark = dark;
+		handles.setVisible(shown);
+		if (shown) handles.update(this.#desk.state.specimen.parameters);
+	}
+
+	/** Where the script does not come, the tool is off again, and the next press asks for it anew. */
+	async #fetch(): Promise<OctahedronHandles | undefined> {
+		try {
+			return await this.#create();
+		} catch {
+			this.#handles = undefined;
+			if (this.#disposed) return undefined;
+			this.#desk.setToolState(octahedron, false);
+			this.#desk.notify("The octahedron could not be fetched", [
+				"Check the connection and press its button again, or load the page again: the address holds what you have.",
+			]);
+			return undefined;
+		}
+	}
+
+	async #create(): Promise<OctahedronHandles> {
+		const { OctahedronHandles } = await import("../profile/octahedron");
+		const view = this.#view;
+		const handles = new OctahedronHandles({
+			canvas: view.canvas,
+			camera: view.camera,
+			requestRender: () => view.requestRender(),
+			setControlsEnabled: (on) => {
+				view.orbiting = on;
+			},
+			locks: () => this.#desk.toolState(sides),
+			input: (parameters) => this.#desk.edit({ parameters }),
+			change: () => this.#desk.settle(),
+		});
+		view.addOverlay(handles.object);
+		return handles;
+	}
+}
+
+function coloursOf(element: Element): OctahedronColours {
+	const colour = (name: string) => resolve(getComputedStyle(element).getPropertyValue(name));
+	return { line: colour("--ink"), handle: colour("--wine"), rim: colour("--paper") };
+}
+
+/** `light-dark()` as the plain colour it means here. */
+function resolve(colour: string): string {
+	const probe = document.createElement("i");
+	probe.style.color = colour;
+	document.body.append(probe);
+	const plain = getComputedStyle(probe).color;
+	probe.remove();
+	return plain;
+}

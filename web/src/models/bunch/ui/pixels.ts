@@ -1,0 +1,18 @@
+import { html } from "lit";
+import { OWN_LENGTHS } from "../../../ui/own_lengths";
+import type { BunchTool } from "./desk";
+
+/** The switch that shows the paper's pixels beside the millimetres. */
+export const pixels: BunchTool<boolean> = {
+	...OWN_LENGTHS,
+	panel: {
+		group: "shape",
+		place: "below",
+		draw: (desk) => html`<label class="toggle">
+			<input
+				type="checkbox" role="switch" .checked=${desk.toolState(pixels)}
+				@change=${(event: Event) => desk.setToolState(pixels, (event.target as HTMLInputElement).checked)}
+			>The paper’s pixels too
+		</label>`,
+	},
+};

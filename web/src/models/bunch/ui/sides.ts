@@ -1,0 +1,63 @@
+import { html } from "lit";
+import { icon } from "../../../ui/icons";
+import { mirrorFrontBack, mirrorLeftRight, withOpposites } from "../profile/drag";
+import { type Locks, type Shape, SIDES } from "../profile/handles";
+import type { BunchSpecimen } from "../specimen";
+import type { BunchDesk, BunchTool } from "./desk";
+import { MIRROR } from "./icons";
+
+type Pair = keyof Locks;
+
+/** Whether the two sides of a pair move as one, and what exchanges them. */
+export const sides: BunchTool<Locks> = {
+	name: "sides",
+	initial: { leftRight: false, frontBack: false },
+	recall: (kept) => {
+		const { leftRight, frontBack } = (kept ?? {}) as Partial<Record<Pair, unknown>>;
+		return { leftRight: leftRight === true, frontBack: frontBack === true };
+	},
+	// A change that names both sides of a pair is left alone.
+	follow: ({ parameters, ...change }, desk) =>
+		parameters ? { ...change, parameters: withOpposites(parameters as Partial<Shape>, desk.toolState(sides)) } : change,
+	panel: { group: "shape", place: "below", draw },
+};
+
+/** Locking brings the two sides together at once, so that what is shown is what is locked. */
+export function toggleLock(desk: BunchDesk, pair: Pair): void {
+	const locks = desk.toolState(sides);
+	desk.setToolState(sides, { ...locks, [pair]: !locks[pair] });
+	if (!locks[pair]) desk.set({ parameters: brought(desk.state.specimen, pair) });
+}
+
+/** Left takes right's numbers, back takes front's. */
+function brought({ parameters }: BunchSpecimen, pair: Pair): Partial<Shape> {
+	const side = pair === "leftRight" ? "p3" : "p5";
+	const { opposite } = SIDES[side];
+	return { [`${opposite}w`]: parameters[`${side}w`], [`${opposite}r`]: parameters[`${side}r`] };
+}
+
+/** Exchanges the two sides of a pair; every number is named, so that locks have nothing to add. */
+export function mirror(desk: BunchDesk, pair: Pair): void {
+	const { parameters } = desk.state.specimen;
+	desk.set({ parameters: pair === "leftRight" ? mirrorLeftRight(parameters) : mirrorFrontBack(parameters) });
+}
+
+const PAIRS = [
+	["leftRight", "left–right"],
+	["frontBack", "front–back"],
+] as const;
+
+function draw(desk: BunchDesk): unknown {
+	const locks = desk.toolState(sides);
+	return html`<div class="actions">
+		${PAIRS.map(
+			([pair, words]) => html`<button
+				class="button" type="button" aria-pressed=${locks[pair]} @click=${() => toggleLock(desk, pair)}
+			>Lock ${words}</button>`,
+		)}
+		${PAIRS.map(
+			([pair, words]) => html`<button class="button" type="button" @click=${() => mirror(desk, pair)}
+			>${icon(MIRROR)}Mirror ${words}</button>`,
+		)}
+	</div>`;
+}

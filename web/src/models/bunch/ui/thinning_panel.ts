@@ -1,0 +1,105 @@
+import { html, nothing } from "lit";
+import { live } from "lit/directives/live.js";
+import { ControlElement } from "../../../ui/control_element";
+import { icon } from "../../../ui/icons";
+import type { Berries, Grown } from "../grown";
+import { fromTheTop, placeInWords, widthInWords } from "./berry_places";
+import type { BunchDesk } from "./desk";
+import { THIN } from "./icons";
+import { mark, putBack, takeOff, thinning } from "./thinning";
+
+/**
+ * Thinning by hand without a pointer: a slider goes from berry to berry, from the top of the bunch down, and the view
+ * marks where it is; Delete or the button takes the berry off. The pointer's way is in the 3-D view.
+ */
+export class Thinning extends ControlElement<BunchDesk> {
+	#orderOf: Berries | undefined;
+	#order: number[] = [];
+	/** Where the slider was last, so that it stays there when its berry goes. */
+	#at = 0;
+
+	protected override draw(desk: BunchDesk): unknown {
+		const { grown, specimen } = desk.state;
+		const { marked } = desk.toolState(thinning);
+		if (!grown || grown.berries.count === 0) return nothing;
+		this.#follow(grown, marked);
+		const berry = marked === undefined ? undefined : this.#order[this.#at];
+		const words = berry === undefined ? "No berry is marked" : described(grown.berries, this.#at, berry);
+		const removed = specimen.thinned.length;
+		return html`<h3>Thinning by hand</h3>
+			<div class="thinning">
+				<label for=${this.idOf("slide")}>Berry</label>
+				<input
+					type="range" id=${this.idOf("slide")} min="1" max=${grown.berries.count} step="1" .value=${live(String(this.#at + 1))}
+					aria-valuetext=${words} aria-describedby=${this.idOf("help")} aria-keyshortcuts="Delete"
+					@input=${this.#slide} @focus=${() => this.#mark(this.#at)} @keydown=${this.#keyDown}
+				>
+				<p class="marked">${words}</p>
+				<span class="unseen" id=${this.idOf("help")}>Arrow keys go from berry to berry, from the top down; Delete takes it off. 1 … ${grown.berries.count}.</span>
+			</div>
+			<div class="actions">
+				<button class="button" type="button" ?disabled=${berry === undefined} @click=${this.#remove}>${icon(THIN)}Remove</button>
+				<button class="button" type="button" ?disabled=${removed === 0} @click=${() => putBack(desk)}>Put all back</button>
+				<span class="removed" role="status">${removed === 0 ? "None removed" : `${removed} removed`}</span>
+			</div>`;
+	}
+
+	protected override updated(): void {
+		const { grown } = this.desk.state;
+		const share = grown && grown.berries.count > 1 ? this.#at / (grown.berries.count - 1) : 0;
+		this.querySelector<HTMLElement>("input[type=range]")?.style.setProperty("--done", `${share * 100}%`);
+	}
+
+	override connectedCallback(): void {
+		super.connectedCallback();
+		this.addEventListener("focusout", this.#left);
+	}
+
+	/** The mark goes when the focus goes elsewhere; where it goes nowhere, a press on a button may have taken it. */
+	readonly #left = ({ relatedTarget }: FocusEvent): void => {
+		if (relatedTarget instanceof Node && !this.contains(relatedTarget)) mark(this.desk, undefined);
+	};
+
+	/** Keeps the order and the slider's place in step with what has grown and what is marked. */
+	#follow({ berries }: Grown, marked: number | undefined): void {
+		if (berries !== this.#orderOf) {
+			this.#orderOf = berries;
+			this.#order = fromTheTop(berries);
+		}
+		const at = marked === undefined ? -1 : this.#order.findIndex((berry) => berries.ids[berry] === marked);
+		this.#at = Math.min(at < 0 ? this.#at : at, this.#order.length - 1);
+	}
+
+	#idAt(place: number): number | undefined {
+		return this.#orderOf?.ids[this.#order[place]];
+	}
+
+	#mark(place: number): void {
+		this.#at = place;
+		mark(this.desk, this.#idAt(place));
+	}
+
+	#slide(event: Event): void {
+		this.#mark(Number((event.target as HTMLInputElement).value) - 1);
+	}
+
+	#keyDown(event: KeyboardEvent): void {
+		if (event.key === "Escape") mark(this.desk, undefined);
+		if (event.key !== "Delete" && event.key !== "Backspace") return;
+		event.preventDefault();
+		this.#remove();
+	}
+
+	readonly #remove = (): void => {
+		const id = this.#idAt(this.#at);
+		const next = this.#idAt(this.#at + 1) ?? this.#idAt(this.#at - 1);
+		if (id !== undefined) takeOff(this.desk, id, next);
+	};
+}
+
+/** "Berry 12 of 143, at the top, front left, 18 mm". */
+function described(berries: Berries, place: number, berry: number): string {
+	return `Berry ${place + 1} of ${berries.count}, ${placeInWords(berries, berry)}, ${widthInWords(berries, berry)}`;
+}
+
+customElements.define("panicle-thinning", Thinning);

@@ -1,0 +1,180 @@
+/** `<panicle-flower-design>`: one flat view of a designed flower with its handles. It draws a scene and tells what a person does to it. */
+import { html, svg } from "lit";
+import { classMap } from "lit/directives/class-map.js";
+import { DragSession } from "../../../../ui/handles/drag_session";
+import { HandleView } from "../../../../ui/handles/handle_view";
+import type { Point } from "../../../../ui/handles/point";
+import { drawValue, valueStyle } from "../../../../ui/handles/value_label";
+import type { Description } from "../../design/description";
+import { designStyle } from "./design_style";
+import type { Scene, SceneHandle } from "./scene";
+
+/**
+ * `design-input`: live; the organs as they are described now. `design-change`: a drag ended, or a key stepped. `design-focus`: a handle is
+ * in hand; its id begins with what it is of.
+ */
+export type DesignEvent = CustomEvent<{ descriptions: readonly Description[]; run?: string }>;
+
+declare global {
+	interface HTMLElementEventMap {
+		"design-input": DesignEvent;
+		"design-change": CustomEvent;
+		"design-focus": CustomEvent<string>;
+	}
+}
+
+const MARGIN = 12;
+const HELP =
+	"Drag, or use the arrow keys; Shift goes farther. Page Up and Page Down go to the next handle. Enter says its value. Escape calls off a drag.";
+
+export class DesignView extends HandleView<string> {
+	static override styles = [...HandleView.styles, valueStyle, designStyle];
+	static override properties = {
+		heading: { type: String },
+		descriptions: { attribute: false },
+		of: { attribute: false },
+	};
+	declare heading: string;
+	/** The whole flower. */
+	declare descriptions: readonly Description[] | undefined;
+	/** What is drawn of it. */
+	declare of: ((descriptions: readonly Description[]) => Scene) | undefined;
+
+	protected readonly help = HELP;
+	#scene: Scene | undefined;
+	#scale = 1;
+	#middle: Point = { x: 0, y: 0 };
+	#chosen: string | undefined;
+	protected readonly drags = new DragSession<string, readonly Description[]>({
+		get: () => this.descriptions ?? [],
+		place: (id) => this.#handle(id)?.at ?? { x: 0, y: 0 },
+		pull: (descriptions, id, to) => {
+			const handle = this.of?.(descriptions).handles.find((each) => each.id === id);
+			return handle ? withOne(descriptions, handle.pull(to)) : descriptions;
+		},
+		same: (one, other) => one === other,
+		input: (descriptions) => this.#input(descriptions),
+		change: () => this.tell("design-change"),
+	});
+
+	constructor() {
+		super();
+		this.heading = "";
+	}
+
+	protected override willUpdate(): void {
+		if (!this.descriptions || !this.of) return;
+		this.#scene = this.of(this.descriptions);
+		// While a hand moves a handle, what is under it must not go away from it.
+		if (this.drags.active) return;
+		const { left, top, right, bottom } = this.#scene.box;
+		const { width, height } = this.size;
+		this.#scale = Math.max(
+			0.01,
+			Math.min((width - 2 * MARGIN) / (right - left), (height - 2 * MARGIN) / (bottom - top)),
+		);
+		this.#middle = { x: (left + right) / 2, y: (top + bottom) / 2 };
+		const ids = this.#scene.handles.map(({ id }) => id);
+		if (this.#chosen === undefined || !ids.includes(this.#chosen)) [this.#chosen] = ids;
+	}
+
+	protected inside(): unknown {
+		const scene = this.#scene;
+		if (!scene) return undefined;
+		const { width, height } = this.size;
+		const to = `translate(${width / 2} ${height / 2}) scale(${this.#scale}) translate(${-this.#middle.x} ${-this.#middle.y})`;
+		const places = [...this.places()];
+		return html`<svg class="drawing" aria-hidden="true"><g transform=${to}>
+				${scene.lines.map(
+					({ d, kind, fill, chosen = false }) =>
+						svg`<path class=${classMap({ [kind]: true, chosen })} d=${d} fill=${fill ? `#${fill}` : "none"}></path>`,
+				)}
+			</g></svg>
+			${scene.handles.map((handle) =>
+				this.drawHandle(handle.id, this.#inView(handle.at), {
+					label: `${handle.label}: ${handle.value}`,
+					tab: handle.id === this.#chosen,
+				}),
+			)}
+			${scene.handles
+				.filter(({ id }) => id === this.shown || this.drags.holds(id))
+				.map((handle) =>
+					drawValue(
+						`${handle.label}: ${handle.value}`,
+						this.#inView(handle.at),
+						this.size,
+						places.filter(([id]) => id !== handle.id).map(([, at]) => at),
+					),
+				)}`;
+	}
+
+	protected places(): [string, Point][] {
+		return (this.#scene?.handles ?? []).map(({ id, at }) => [id, this.#inView(at)]);
+	}
+
+	protected units({ x, y }: Point): Point {
+		const { width, height } = this.size;
+		return { x: (x - width / 2) / this.#scale + this.#middle.x, y: (y - height / 2) / this.#scale + this.#middle.y };
+	}
+
+	protected words(id: string): string {
+		const handle = this.#handle(id);
+		return handle ? `${handle.label}: ${handle.value}` : "";
+	}
+
+	protected key(id: string, { key, shiftKey }: KeyboardEvent): boolean {
+		const handle = this.#handle(id);
+		if (!handle || !this.descriptions) return false;
+		if (key === "PageDown" || key === "PageUp") return this.#go(key === "PageDown" ? 1 : -1);
+		const [right, up] = STEPS[key] ?? [0, 0];
+		if (right === 0 && up === 0) return false;
+		const descriptions = withOne(this.descriptions, handle.nudge(right, up, shiftKey));
+		this.#input(descriptions);
+		this.tell("design-change");
+		const after = this.of?.(descriptions).handles.find((each) => each.id === id);
+		if (after) this.say(after.value);
+		return true;
+	}
+
+	protected doubled(): void {}
+
+	protected override focused(id: string): void {
+		this.#chosen = id;
+		this.tell("design-focus", id);
+		this.requestUpdate();
+	}
+
+	#go(by: number): boolean {
+		const ids = this.#scene?.handles.map(({ id }) => id) ?? [];
+		const next = ids[(ids.indexOf(this.#chosen ?? "") + by + ids.length) % ids.length];
+		this.element(next)?.focus({ preventScroll: true });
+		return next !== undefined;
+	}
+
+	#handle(id: string): SceneHandle | undefined {
+		return this.#scene?.handles.find((each) => each.id === id);
+	}
+
+	#inView({ x, y }: Point): Point {
+		const { width, height } = this.size;
+		return { x: (x - this.#middle.x) * this.#scale + width / 2, y: (y - this.#middle.y) * this.#scale + height / 2 };
+	}
+
+	#input(descriptions: readonly Description[]): void {
+		this.descriptions = descriptions;
+		this.tell("design-input", { descriptions });
+	}
+}
+
+const STEPS: Readonly<Record<string, readonly [right: number, up: number]>> = {
+	ArrowRight: [1, 0],
+	ArrowLeft: [-1, 0],
+	ArrowUp: [0, 1],
+	ArrowDown: [0, -1],
+};
+
+/** The flower with one organ described otherwise. */
+const withOne = (descriptions: readonly Description[], one: Description): readonly Description[] =>
+	descriptions.map((each) => (each.organ === one.organ ? one : each));
+
+customElements.define("panicle-flower-design", DesignView);

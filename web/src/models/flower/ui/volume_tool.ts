@@ -1,0 +1,74 @@
+/** A click on a volume of the flower: its numbers, and what the text says of it, which a hand can change (Petrenko 2014, section 3.4). */
+import { html } from "lit";
+import type { Desk } from "../../../ui/desk";
+import { PickPointer } from "../../../ui/pick_pointer";
+import type { Tool } from "../../../ui/tool";
+import type { FlowerPlant } from "../flower_plant";
+import type { FlowerSpecimen } from "../specimen";
+import { type ChosenVolume, chosenOf, stillChosen } from "./chosen_volume";
+import { type Organ, organOf } from "./organ";
+import "./volume_panel";
+
+export type FlowerDesk = Desk<FlowerSpecimen, FlowerPlant>;
+
+const VOLUME = {
+	key: "volume",
+	title: "Volume",
+	help: "Click on the flower: the numbers of what is there, and those of the text that it comes from.",
+	everyday: true,
+} as const;
+
+/** The volume that is chosen, and of which preset's flower: another has others. */
+interface Choice {
+	readonly volume: ChosenVolume;
+	readonly preset: string;
+}
+
+export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, Choice | undefined> = {
+	name: "volume",
+	initial: undefined,
+	panel: {
+		group: VOLUME,
+		place: "below",
+		draw: (desk) =>
+			html`<panicle-volume .desk=${desk} .choose=${(volume: number | undefined) => choose(desk, volume)} .chosenIn=${chosenIn}></panicle-volume>`,
+	},
+	hands: (view, desk) => {
+		const pointer = new PickPointer(view, {
+			name: "picking-volume",
+			at: (x, y) => view.pick(x, y),
+			// To look for what is under a pointer that only passes takes too long of so many triangles.
+			hovers: false,
+			mark: () => {},
+			take: (volume) => choose(desk, volume),
+		});
+		pointer.enabled = true;
+		return {
+			update: () => {
+				const chosen = chosenIn(desk);
+				view.mark(chosen, chosen === undefined ? undefined : organIn(desk, chosen)?.volumes);
+			},
+			dispose: () => pointer.dispose(),
+		};
+	},
+};
+
+/** The last one asked for: it is marked at every change of the state. */
+let lastOrgan: { readonly grown: FlowerPlant; readonly chosen: number; readonly organ: Organ } | undefined;
+
+function organIn({ state: { grown } }: FlowerDesk, chosen: number): Organ | undefined {
+	if (!grown) return undefined;
+	if (lastOrgan?.grown !== grown || lastOrgan.chosen !== chosen)
+		lastOrgan = { grown, chosen, organ: organOf(grown.volumes, chosen) };
+	return lastOrgan.organ;
+}
+
+export function chosenIn(desk: FlowerDesk): number | undefined {
+	const choice = desk.toolState(volumeTool);
+	return choice?.preset === desk.state.specimen.preset ? stillChosen(desk.state.grown, choice.volume) : undefined;
+}
+
+export function choose(desk: FlowerDesk, chosen: number | undefined): void {
+	const volume = chosenOf(desk.state.grown, chosen);
+	desk.setToolState(volumeTool, volume && { volume, preset: desk.state.specimen.preset });
+}

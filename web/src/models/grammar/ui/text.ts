@@ -1,0 +1,17 @@
+import type { GrammarSource } from "../../../grammar_editor/source";
+import { fromPreset } from "../../../specimen/from_preset";
+import type { GrammarPlant } from "../grammar_plant";
+import { GRAMMAR } from "../species";
+import type { GrammarSpecimen } from "../specimen";
+import { fetchedText, fetchTexts } from "../texts";
+import { warningsOf } from "./warnings";
+
+/** Where a text comes from that is grown as it is. */
+export const source: GrammarSource<GrammarSpecimen> = {
+	noun: "plant",
+	group: "lines",
+	always: true,
+	warnings: (grown, specimen) => warningsOf(grown as GrammarPlant, specimen),
+	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),
+	presetConstants: (preset) => fromPreset(GRAMMAR, preset).constants,
+};

@@ -1,0 +1,19 @@
+/** Says of a tree out of a stand that it grows among neighbours, and lets it grow without them. */
+import { html } from "lit";
+import type { Tool } from "../../../ui/tool";
+import type { GrowthPlant } from "../growth_plant";
+import type { GrowthSpecimen } from "../specimen";
+
+export const neighbours: Tool<GrowthSpecimen, GrowthPlant> = {
+	name: "neighbours",
+	initial: undefined,
+	applies: ({ surroundings }) => surroundings !== undefined,
+	panel: {
+		group: "life",
+		place: "below",
+		draw: (desk) => html`<p>It grows as it does in a stand: its neighbours take light and room.</p>
+			<div class="actions">
+				<button class="button" type="button" @click=${() => desk.set({ details: { surroundings: undefined } })}>Grow it without neighbours</button>
+			</div>`,
+	},
+};

@@ -1,0 +1,12 @@
+import type { GrammarSource } from "../../../grammar_editor/source";
+import type { GrowthSpecimen } from "../specimen";
+import { fetchedText, fetchTexts } from "../texts";
+import { GROWTH_LANGUAGE } from "./language";
+
+/** Where a tree's text comes from. */
+export const source: GrammarSource<GrowthSpecimen> = {
+	noun: "tree",
+	dialect: GROWTH_LANGUAGE,
+	constants: false,
+	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),
+};

@@ -1,0 +1,59 @@
+import { html } from "lit";
+import { chooseFile } from "../../../ui/choose_file";
+import type { Change } from "../../../ui/desk";
+import { isPicture, PICTURES } from "../../../ui/picture_file";
+import { traceFile } from "../../../import/tracing/trace_file";
+import type { LeafSpecimen } from "../specimen";
+import type { TracedLeaf } from "../trace/trace";
+import type { LeafDesk, LeafTool } from "./desk";
+
+/** An outline from a picture: chosen in the panel, or dropped on the page. */
+export const trace: LeafTool = {
+	name: "trace",
+	initial: undefined,
+	panel: { group: "shape", place: "below", draw },
+	drop: {
+		words: "a picture of a leaf is traced",
+		takes: isPicture,
+		take: (desk, file) => void traceLeafFile(desk, file),
+	},
+};
+
+function draw(desk: LeafDesk): unknown {
+	const altered = desk.state.specimen.outline !== desk.preset.outline;
+	const take = (file: File) => void traceLeafFile(desk, file);
+	return html`<div class="actions">
+		${chooseFile({ accept: PICTURES, label: "Picture of a leaf", words: "Trace a picture…", take })}
+		<button
+			class="button" type="button" ?disabled=${!altered}
+			@click=${() => desk.set({ details: { outline: desk.preset.outline } })}
+		>Preset’s outline</button>
+	</div>`;
+}
+
+/** Takes the outline of the leaf in a picture, as one step; what is wrong with the picture is said. */
+export function traceLeafFile(desk: LeafDesk, file: Blob): Promise<void> {
+	return traceFile(desk, file, {
+		tracer: async () => (await import("../trace/trace")).traceLeaf,
+		take: (traced) => {
+			const { change, said } = asChange(traced, desk.state.specimen);
+			desk.set(change);
+			return { title: `An outline of ${traced.outline.length} points was traced`, details: said };
+		},
+	});
+}
+
+/** What a traced leaf changes, and what to say of it: teeth would be cut into an outline that has its own. */
+export function asChange(
+	{ outline, petiole }: TracedLeaf,
+	{ parameters }: LeafSpecimen,
+): { change: Change; said: string[] } {
+	const changed: Record<string, number> = { teeth: 0 };
+	const said = parameters.teeth > 0 ? ["It has the teeth of the picture: Teeth is 0 now."] : [];
+	if (petiole) {
+		changed.petiole = Math.round(100 * petiole.length);
+		changed.petiole_width = Math.round(10 * petiole.width * parameters.length) / 10;
+		said.push("The stalk in the picture is the petiole.");
+	}
+	return { change: { parameters: changed, details: { outline } }, said };
+}

@@ -1,0 +1,113 @@
+/**
+ * What plants of a stand are made of: three's standard material of ours, which gives way to the next level pixel by pixel, is never too thin
+ * to see, and sways, each plant about its own foot.
+ */
+import { MeshDepthMaterial, type MeshStandardMaterial, Vector4 } from "three";
+import type { Material } from "../../../plant/material";
+import { float } from "../../../render/glsl";
+import type { LightUniforms } from "../../../render/light_shader";
+import { standardMaterial } from "../../../render/standard_material";
+import { WIND_CHUNK, type WindUniforms } from "../../../render/wind";
+
+/** So many of the pixels are shown as its share says. */
+const DITHERED = /* glsl */ `
+#include <color_fragment>
+float grain = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+if (grain >= vColor.a) discard;
+`;
+
+/**
+ * The last row of a plant's matrix, which is always the same, has what the wind has to know: from where the plant stands to the foot that it
+ * sways about, which of what is borne is the bearer's, and how large what sways is.
+ */
+const STEM = /* glsl */ `
+#include <batching_vertex>
+vec4 stem = vec4(batchingMatrix[0].w, batchingMatrix[1].w, batchingMatrix[2].w, batchingMatrix[3].w);
+batchingMatrix[0].w = batchingMatrix[1].w = batchingMatrix[2].w = 0.0;
+batchingMatrix[3].w = 1.0;
+`;
+
+/** How much later the wind comes to a plant that stands as far off as it is large, radians. */
+const LATER = 1.1;
+
+/**
+ * What is narrower than a pixel meets the middle of some pixels and not of others: a stem becomes a row of dashes. So it is made about as wide as
+ * one across its margin, and as thick, for from afar stems are ribbons; but no more than so many times as wide as it is, for twigs of a far
+ * wood would hide its leaves. Widths are the most there is about a vertex, places between are half as wide.
+ */
+const WIDEST = 4;
+const ENOUGH = 1.3;
+const WIDENED = /* glsl */ `
+float metre = 0.5 * projectionMatrix[1].y * viewPixels / max(-mvPosition.z, 1e-4);
+float across = brim.w * brim.w * length(batchingMatrix[0].xyz) * metre;
+float lacking = min(clamp(${float(ENOUGH)} - 0.5 * across, 0.0, 1.0), ${float(WIDEST - 1)} * across);
+if (lacking > 0.0) {
+	vec3 out_ = normal + brim.xyz * (1.0 - max(0.0, dot(normal, brim.xyz)));
+	mvPosition.xyz += 0.5 * lacking / metre * mat3(modelViewMatrix) * (mat3(batchingMatrix) * out_ / length(batchingMatrix[0].xyz));
+}
+`;
+
+const SWAYING = /* glsl */ `
+vec4 windy = batchingMatrix * vec4(transformed, 1.0);
+if (windBeat != vec2(0.0)) {
+	vec3 foot = batchingMatrix[3].xyz + stem.xyz;
+	float late = ${float(LATER)} * dot(vec2(0.8, 0.6), foot.xz) / stem.w;
+	float c = cos(late), s = sin(late);
+	vec2 beat = vec2(c * windBeat.x - s * windBeat.y, c * windBeat.y + s * windBeat.x);
+	windy.xyz = swung(windy.xyz, windy.xyz, foot, vec4(1.0, stem.www), beat);
+}
+vec4 mvPosition = modelViewMatrix * windy;
+${WIDENED}
+gl_Position = projectionMatrix * mvPosition;
+`;
+const IN_WORLD = /* glsl */ `
+#include <worldpos_vertex>
+#ifdef USE_SHADOWMAP
+	worldPosition = modelMatrix * windy;
+#endif
+`;
+
+const viewport = new Vector4();
+
+/** What tells finishes apart: all but the colour, which each plant has of its own. */
+export function finishOf({ name: _, colour: __, ...finish }: Material, coloured: boolean): string {
+	return JSON.stringify([finish, coloured]);
+}
+
+export function crowdMaterial(
+	material: Material,
+	coloured: boolean,
+	light: LightUniforms,
+	wind: WindUniforms,
+): MeshStandardMaterial {
+	const made = standardMaterial({ ...material, colour: [1, 1, 1] }, { light, sky: true, coloured });
+	const lit = made.onBeforeCompile.bind(made);
+	const key = made.customProgramCacheKey();
+	const viewPixels = { value: 1 };
+	// Drawing buffers are of any size, pictures for download larger than the view.
+	made.onBeforeRender = (renderer) => {
+		viewPixels.value = renderer.getCurrentViewport(viewport).w;
+	};
+	made.onBeforeCompile = (shader, renderer) => {
+		lit(shader, renderer);
+		Object.assign(shader.uniforms, wind, { viewPixels });
+		shader.vertexShader = shader.vertexShader
+			.replace("#include <common>", `#include <common>\nattribute vec4 brim;\nuniform float viewPixels;\n${WIND_CHUNK}`)
+			.replace("#include <batching_vertex>", STEM)
+			.replace("#include <project_vertex>", SWAYING)
+			.replace("#include <worldpos_vertex>", IN_WORLD);
+		shader.fragmentShader = shader.fragmentShader.replace("#include <color_fragment>", DITHERED);
+	};
+	made.customProgramCacheKey = () => `${key} crowd`;
+	return made;
+}
+
+/** Of what is drawn into the shadow map: plants at rest, for to draw thousands twice a frame takes more than anyone sees of it. */
+export function crowdDepth(): MeshDepthMaterial {
+	const made = new MeshDepthMaterial();
+	made.onBeforeCompile = (shader) => {
+		shader.vertexShader = shader.vertexShader.replace("#include <batching_vertex>", STEM);
+	};
+	made.customProgramCacheKey = () => "crowd";
+	return made;
+}

@@ -1,0 +1,43 @@
+/** Which plant of a stand a line of sight meets first: crowns are taken for the upright ellipsoids that hold them. */
+import type { Ray } from "../../../render/figure";
+import type { StandPlant } from "../stand_plant";
+
+/** Twigs reach farther than what looks like a crown. */
+const LEANER = 0.8;
+
+export function plantMet(
+	{ places, memberOf, members }: Pick<StandPlant, "places" | "memberOf" | "members">,
+	{ origin, direction }: Ray,
+): number | undefined {
+	let nearest = Number.POSITIVE_INFINITY;
+	let found: number | undefined;
+	for (let plant = 0; plant < places.count; plant++) {
+		const extent = members[memberOf[plant]]?.extent;
+		if (!extent) continue;
+		const scale = places.scale[plant];
+		const out = Math.max(LEANER * scale * extent.out, 1e-6);
+		const half = Math.max(0.5 * scale * (extent.high - extent.low), 1e-6);
+		const middle = places.at[3 * plant + 1] + 0.5 * scale * (extent.high + extent.low);
+		const from = [
+			(origin[0] - places.at[3 * plant]) / out,
+			(origin[1] - middle) / half,
+			(origin[2] - places.at[3 * plant + 2]) / out,
+		];
+		const way = [direction[0] / out, direction[1] / half, direction[2] / out];
+		const distance = unitBallMet(from, way);
+		if (distance >= nearest) continue;
+		nearest = distance;
+		found = plant;
+	}
+	return found;
+}
+
+/** How many times `way` it is to the ball about the origin; infinite where it is missed or behind. */
+function unitBallMet(from: readonly number[], way: readonly number[]): number {
+	const dot = (a: readonly number[], b: readonly number[]) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+	const [a, b, c] = [dot(way, way), dot(from, way), dot(from, from) - 1];
+	const square = b * b - a * c;
+	if (square < 0) return Number.POSITIVE_INFINITY;
+	const distance = (-b - Math.sqrt(square)) / a;
+	return distance > 0 ? distance : Number.POSITIVE_INFINITY;
+}

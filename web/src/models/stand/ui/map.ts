@@ -1,0 +1,186 @@
+/** The stand from above: which plant is where, and the way to one alone. */
+import { html, nothing, svg } from "lit";
+import { guard } from "lit/directives/guard.js";
+import { live } from "lit/directives/live.js";
+import type { Desk } from "../../../ui/desk";
+import { PickPointer } from "../../../ui/pick_pointer";
+import { takeFocus } from "../../../ui/take_focus";
+import type { Tool } from "../../../ui/tool";
+import { shortFloat } from "../../../formats/numbers";
+import { sortsOf, titlesOf, valuesOf } from "../members";
+import type { StandSpecimen } from "../specimen";
+import type { StandPlant } from "../stand_plant";
+import { groundColour, kindColours } from "./map_colours";
+
+/** Room about the ground, as a share of its width: crowns reach over its edge. */
+const MARGIN = 0.05;
+/** A click so far beside a plant still means it, as a share of the map's width. */
+const NEAR = 0.04;
+
+type StandDesk = Desk<StandSpecimen, StandPlant>;
+/** The plant that is chosen. */
+type Chosen = number | undefined;
+
+export const map: Tool<StandSpecimen, StandPlant, Chosen> = {
+	name: "map",
+	initial: undefined,
+	chip: {
+		title: "Chosen plant",
+		draw: (desk) => {
+			const chosen = chosenIn(desk);
+			return desk.state.grown && chosen !== undefined ? drawChip(desk, desk.state.grown, chosen) : nothing;
+		},
+	},
+	editor: { title: "Map", draw: (desk) => (desk.state.grown ? drawMap(desk, desk.state.grown) : nothing) },
+	keys: [{ keys: ["Esc"], does: "Choose no plant" }],
+	hands: (view, desk) => {
+		const pointer = new PickPointer(view, {
+			name: "picking-plant",
+			at: (x, y) => view.pick(x, y),
+			mark: (plant) => view.mark(plant ?? chosenIn(desk)),
+			take: (plant) => desk.setToolState(map, plant),
+		});
+		pointer.enabled = true;
+		const leave = (event: KeyboardEvent) => {
+			if (event.key !== "Escape" || event.defaultPrevented || chosenIn(desk) === undefined || !isFree(event)) return;
+			event.preventDefault();
+			desk.setToolState(map, undefined);
+		};
+		window.addEventListener("keydown", leave);
+		let before = chosenIn(desk);
+		return {
+			update: () => {
+				const chosen = chosenIn(desk);
+				view.mark(chosen);
+				if (before !== undefined && chosen === undefined) takeFocus(view.canvas, ".stage-chip");
+				before = chosen;
+			},
+			dispose: () => {
+				window.removeEventListener("keydown", leave);
+				pointer.dispose();
+			},
+		};
+	},
+};
+
+/** Escape is that of who types, but for the plant's number, and of a window that is open. */
+function isFree({ target }: KeyboardEvent): boolean {
+	if (document.querySelector("dialog[open]")) return false;
+	const field = (target as Partial<Element> | null)?.closest?.("input, select, textarea, [contenteditable]");
+	return !field || field.closest(".stand-plant") !== null;
+}
+
+/** A plan of fewer plants may have come since. */
+function chosenIn(desk: StandDesk): Chosen {
+	const chosen = desk.toolState(map);
+	return chosen !== undefined && chosen < (desk.state.grown?.places.count ?? 0) ? chosen : undefined;
+}
+
+function drawMap(desk: StandDesk, stand: StandPlant): unknown {
+	const { width, depth } = stand.ground;
+	const [wide, deep] = shownOf(stand);
+	const titles = titlesOf(stand);
+	const chosen = chosenIn(desk);
+	const colours = kindColours(stand);
+	const { soil } = desk.state.specimen.look;
+	return html`<div class="stand-map">
+		<svg viewBox=${`${-0.5 * wide} ${-0.5 * deep} ${wide} ${deep}`} aria-hidden="true"
+			@click=${(event: MouseEvent) => desk.setToolState(map, nearest(stand, event))}
+		>
+			<rect fill=${groundColour(soil)} x=${-0.5 * width} y=${-0.5 * depth} width=${width} height=${depth}></rect>
+			${guard([stand.places, colours.join()], () => drawPlants(stand, colours))}
+			${chosen === undefined ? nothing : drawChosen(stand, chosen)}
+		</svg>
+		<label class="stand-plant">Plant
+			<input type="number" min="1" max=${stand.places.count} .value=${live(chosen === undefined ? "" : String(chosen + 1))}
+				@change=${({ target }: Event) => choose(desk, stand, Number((target as HTMLInputElement).value))}>
+		</label>
+		<div aria-live="polite">${chosen === undefined ? html`<p>Choose a plant on the map or in the picture.</p>` : tell(stand, titles, chosen)}</div>
+		<ul class="stand-kinds">
+			${sortsOf(stand).map(
+				({
+					title,
+					kind,
+					count,
+				}) => html`<li><svg viewBox="0 0 10 10" aria-hidden="true"><circle cx="5" cy="5" r="5" fill=${colours[kind]}></circle></svg>${title}
+					<small>${count}</small></li>`,
+			)}
+		</ul>
+	</div>`;
+}
+
+/** How wide and deep a piece of land the map shows, metres. */
+function shownOf({ ground: { width, depth } }: StandPlant): readonly [wide: number, deep: number] {
+	return [width + 2 * MARGIN * width, depth + 2 * MARGIN * width];
+}
+
+/** A path a kind, for thousands of circles would each be an element; the highest last, as seen from above. */
+function drawPlants({ kinds, places, ground }: StandPlant, colours: readonly string[]): unknown {
+	const order = [...kinds.keys()].sort((one, other) => kinds[one].crown.height - kinds[other].crown.height);
+	return order.map((kind) => {
+		const { crown } = kinds[kind];
+		const rounds: string[] = [];
+		for (let plant = 0; plant < places.count; plant++) {
+			if (places.kind[plant] !== kind) continue;
+			// What is borne has no crown of its own.
+			const borne = places.bearer[plant] >= 0;
+			const r = borne ? 0.004 * ground.width : Math.max(0.35 * crown.width * places.scale[plant], 0.01);
+			const [x, z] = [places.at[3 * plant], places.at[3 * plant + 2]].map((value) => value.toFixed(2));
+			rounds.push(`M${x} ${z}m${-r} 0a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`);
+		}
+		return svg`<path d=${rounds.join("")} fill=${colours[kind]} fill-opacity="0.9"></path>`;
+	});
+}
+
+function drawChosen({ kinds, places, ground }: StandPlant, plant: number): unknown {
+	const r = Math.max(0.6 * kinds[places.kind[plant]].crown.width * places.scale[plant], 0.02 * ground.width);
+	return svg`<circle class="stand-chosen" cx=${places.at[3 * plant]} cy=${places.at[3 * plant + 2]} r=${r}></circle>`;
+}
+
+function nearest(stand: StandPlant, { currentTarget, clientX, clientY }: MouseEvent): Chosen {
+	const box = (currentTarget as SVGSVGElement).getBoundingClientRect();
+	const { places, ground } = stand;
+	const [wide, deep] = shownOf(stand);
+	const scale = Math.max(wide / box.width, deep / box.height);
+	const x = (clientX - box.left - 0.5 * box.width) * scale;
+	const z = (clientY - box.top - 0.5 * box.height) * scale;
+	let least = NEAR * ground.width;
+	let found: Chosen;
+	for (let plant = 0; plant < places.count; plant++) {
+		const distance = Math.hypot(places.at[3 * plant] - x, places.at[3 * plant + 2] - z);
+		if (distance >= least) continue;
+		least = distance;
+		found = plant;
+	}
+	return found;
+}
+
+function choose(desk: StandDesk, { places }: StandPlant, number: number): void {
+	const fits = Number.isInteger(number) && number >= 1 && number <= places.count;
+	desk.setToolState(map, fits ? number - 1 : undefined);
+}
+
+/** What a plant is, and the link that grows it alone. */
+function tell(stand: StandPlant, titles: readonly string[], plant: number): unknown {
+	const { places } = stand;
+	const [x, , z] = places.at.subarray(3 * plant, 3 * plant + 3);
+	const values = Object.entries(valuesOf(stand, plant)).map(
+		([key, value]) => `${key} ${typeof value === "number" ? shortFloat(Number(value.toPrecision(3))) : value}`,
+	);
+	const told = `Seed ${places.seed[plant]}, at ${x.toFixed(1)}, ${z.toFixed(1)} m, scale ${places.scale[plant].toFixed(2)}`;
+	const link = linkOf(stand, plant);
+	return html`<p>Plant ${plant + 1}: ${titles[places.kind[plant]]}</p>
+		${link === undefined ? nothing : html`<p><a class="button" href=${link}>Open this plant alone</a></p>`}
+		<p><small>${[told, ...values].join(", ")}.</small></p>`;
+}
+
+const linkOf = ({ members, memberOf }: StandPlant, plant: number): string | undefined => members[memberOf[plant]]?.link;
+
+/** The same in the picture, in few words. */
+function drawChip(desk: StandDesk, stand: StandPlant, plant: number): unknown {
+	const link = linkOf(stand, plant);
+	return html`<span>${titlesOf(stand)[stand.places.kind[plant]]}</span>
+		${link === undefined ? nothing : html`<a class="button" href=${link}>Open alone</a>`}
+		<button class="button icon quiet" type="button" aria-label="Choose no plant" title="Choose no plant" @click=${() => desk.setToolState(map, undefined)}
+		><span aria-hidden="true">×</span></button>`;
+}

@@ -1,0 +1,176 @@
+/** Walking through a stand: by keys, by a drag that looks around, by buttons. */
+import { html, nothing, svg } from "lit";
+import type { Desk } from "../../../ui/desk";
+import { DeskElement } from "../../../ui/desk_element";
+import { takeFocus } from "../../../ui/take_focus";
+import type { Tool, ToolHands, ToolView } from "../../../ui/tool";
+import type { StandSpecimen } from "../specimen";
+import type { StandPlant } from "../stand_plant";
+import { atFront, gazeOf, type Pose, type Step, stepped, turned } from "../walker";
+
+const WALK = svg`<path d="M10.5 3.2a1.3 1.3 0 1 1 0 2.6 1.3 1.3 0 0 1 0-2.6M9.8 7.4 7.4 9.6 7 12M9.8 7.4l1.6 3.4L9.6 14l-2 3.4M11.4 10.8l1.8 2.6.6 3.6M11 8.6l2.6 1.6"/>`;
+
+/** Where one walks; undefined who does not. */
+type Walking = Pose | undefined;
+type StandDesk = Desk<StandSpecimen, StandPlant>;
+
+const KEYS: Readonly<Record<string, Step>> = {
+	KeyW: "forward",
+	ArrowUp: "forward",
+	KeyS: "back",
+	ArrowDown: "back",
+	KeyA: "left",
+	KeyD: "right",
+	ArrowLeft: "turn left",
+	ArrowRight: "turn right",
+	PageUp: "look up",
+	PageDown: "look down",
+};
+const BUTTONS: readonly (readonly [step: Step, label: string, sign: string])[] = [
+	["turn left", "Turn left", "↶"],
+	["left", "Step left", "←"],
+	["forward", "Walk forward", "↑"],
+	["back", "Walk back", "↓"],
+	["right", "Step right", "→"],
+	["turn right", "Turn right", "↷"],
+];
+/** Degrees that a drag over the whole canvas turns. */
+const SWEEP = 90;
+
+export const walk: Tool<StandSpecimen, StandPlant, Walking> = {
+	name: "walk",
+	initial: undefined,
+	press: (desk) => {
+		const { grown } = desk.state;
+		desk.setToolState(walk, desk.toolState(walk) || !grown ? undefined : atFront(grown));
+	},
+	button: { icon: WALK, label: "Walk through it", pressed: (desk) => desk.toolState(walk) !== undefined },
+	key: { letter: "w", does: "Walk through the stand" },
+	holdsLetters: (desk) => desk.toolState(walk) !== undefined,
+	keys: [
+		{ keys: ["W A S D", "↑ ↓"], does: "While walking, on the picture: forward, left, back, right" },
+		{ keys: ["← →", "Page Up", "Page Down"], does: "While walking, on the picture: look around" },
+		{ keys: ["Esc"], does: "While walking, on the picture: leave" },
+	],
+	bar: {
+		title: "Walk",
+		draw: (desk) => html`<panicle-walk-bar .desk=${desk}></panicle-walk-bar>`,
+	},
+	hands: (view, desk) => new WalkHands(view, desk),
+};
+
+function go(desk: StandDesk, step: Step): void {
+	const { grown } = desk.state;
+	const pose = desk.toolState(walk);
+	if (grown && pose) desk.setToolState(walk, stepped(pose, step, grown));
+}
+
+/** The steps as buttons, while one walks. */
+class WalkBar extends DeskElement<StandDesk> {
+	protected override shows(desk: StandDesk): readonly unknown[] {
+		return [desk.toolState(walk) !== undefined];
+	}
+
+	protected override draw(desk: StandDesk): unknown {
+		if (desk.toolState(walk) === undefined) return nothing;
+		return html`<p class="walk-keys">Arrow keys walk and turn, a drag looks around, Esc leaves.</p>
+		<div class="walk-bar">
+			${BUTTONS.map(
+				([step, label, sign]) =>
+					html`<button class="button icon" type="button" aria-label=${label} title=${label} @click=${() => go(desk, step)}
+					><span aria-hidden="true">${sign}</span></button>`,
+			)}
+			<button class="button" type="button" @click=${() => desk.setToolState(walk, undefined)}>Leave</button>
+		</div>`;
+	}
+}
+
+customElements.define("panicle-walk-bar", WalkBar);
+
+class WalkHands implements ToolHands<StandSpecimen, StandPlant> {
+	readonly #view: ToolView;
+	readonly #desk: StandDesk;
+	readonly #ended = new AbortController();
+	#shown: Walking;
+	#ground: StandPlant["meshes"] | undefined;
+	#drag: { readonly pointer: number; x: number; y: number } | undefined;
+
+	constructor(view: ToolView, desk: StandDesk) {
+		this.#view = view;
+		this.#desk = desk;
+		const { canvas } = view;
+		const options = { signal: this.#ended.signal, capture: true };
+		window.addEventListener("keydown", (event) => this.#key(event), options);
+		canvas.addEventListener("pointerdown", (event) => this.#down(event), options);
+		canvas.addEventListener("pointermove", (event) => this.#move(event), options);
+		for (const end of ["pointerup", "pointercancel"] as const)
+			canvas.addEventListener(
+				end,
+				() => {
+					this.#drag = undefined;
+				},
+				options,
+			);
+	}
+
+	update(): void {
+		const pose = this.#desk.toolState(walk);
+		const { grown } = this.#desk.state;
+		if (pose === this.#shown && grown?.meshes === this.#ground) return;
+		if ((pose === undefined) !== (this.#shown === undefined)) this.#view.orbiting = pose === undefined;
+		const before = this.#shown;
+		this.#shown = pose;
+		if (!pose) this.#drag = undefined;
+		this.#ground = grown?.meshes;
+		if (pose && grown) {
+			this.#view.look(gazeOf(pose, grown));
+			if (!before) this.#view.canvas.focus({ preventScroll: true });
+		} else if (before) {
+			takeFocus(this.#view.canvas, ".walk-bar");
+			this.#view.look(undefined);
+		}
+	}
+
+	dispose(): void {
+		this.#ended.abort();
+		if (!this.#shown) return;
+		this.#view.orbiting = true;
+		this.#view.look(undefined);
+	}
+
+	#key(event: KeyboardEvent): void {
+		if (!this.#shown || event.ctrlKey || event.metaKey || event.altKey || !this.#hears(event)) return;
+		const step = KEYS[event.code];
+		if (event.key === "Escape") this.#desk.setToolState(walk, undefined);
+		else if (step) go(this.#desk, step);
+		else return;
+		event.preventDefault();
+		event.stopPropagation();
+	}
+
+	/** On the picture, on the steps, and where nothing has the focus; a slider's arrows are its own. */
+	#hears({ target }: KeyboardEvent): boolean {
+		if (document.querySelector("dialog[open]")) return false;
+		return (
+			target === this.#view.canvas || target === document.body || (target as Element).closest(".walk-bar") !== null
+		);
+	}
+
+	#down({ pointerId: pointer, clientX: x, clientY: y }: PointerEvent): void {
+		if (!this.#shown || this.#drag) return;
+		this.#drag = { pointer, x, y };
+		// So that its end is heard of beside the canvas, too.
+		this.#view.canvas.setPointerCapture(pointer);
+	}
+
+	#move({ pointerId, clientX, clientY, buttons }: PointerEvent): void {
+		// It has ended unheard.
+		if (buttons === 0) this.#drag = undefined;
+		const drag = this.#drag;
+		if (!drag || !this.#shown || pointerId !== drag.pointer) return;
+		const degrees = SWEEP / Math.max(1, this.#view.canvas.clientWidth);
+		const pose = turned(this.#shown, degrees * (drag.x - clientX), degrees * (clientY - drag.y));
+		this.#drag = { pointer: pointerId, x: clientX, y: clientY };
+		this.#desk.setToolState(walk, pose);
+	}
+}

@@ -1,0 +1,23 @@
+import { html } from "lit";
+import { guard } from "lit/directives/guard.js";
+import type { Tool } from "../../../ui/tool";
+import type { GripEvent } from "../../particles/boundary/editor/grip";
+import { layingOut } from "../../particles/boundary/editor/lay";
+import { sunPose } from "../../particles/boundary/editor/sun_pose";
+import type { WoodenPlant } from "../../particles/boundary/wooden_plant";
+import type { TreeSpecimen } from "../specimen";
+import "../../particles/boundary/editor/sun_view";
+
+/** The sky with the sun that one drags. */
+export const sun: Tool<TreeSpecimen, WoodenPlant> = {
+	name: "sun",
+	initial: undefined,
+	editor: {
+		title: "Sun",
+		draw: (desk) => html`<panicle-sun
+			.pose=${guard(layingOut(desk), () => sunPose(desk.state.specimen, desk.preset))}
+			.grown=${desk.state.grown} .passing=${desk.state.held}
+			@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
+		></panicle-sun>`,
+	},
+};

@@ -1,0 +1,109 @@
+/** A derivation beside its plant: what of it is shown in the 3-D view, and what is pointed at there (docs/studio.md#steps). */
+import type { Object3D } from "three";
+import type { ModuleSpan } from "../plant/chronicle";
+import type { Drawn } from "../plant/drawn";
+import type { Plant } from "../plant/plant";
+import type { WithGrammar } from "../specimen/grammar_text";
+import type { Specimen } from "../specimen/specimen";
+import type { Desk, Stateful } from "./desk";
+import type { Tool, ToolHands } from "./tool";
+
+/** What draws what shines: render/lit_figure.ts. */
+export interface LitDrawing {
+	readonly object: Object3D;
+	show(drawn: Drawn, segments: readonly number[], organs: readonly number[], thin: number, colour: string): void;
+	dispose(): void;
+}
+
+/** What the stepper has to know of a model. */
+export interface DerivationSource<S extends Specimen = Specimen, G extends Plant = Plant> {
+	/** What a plant has drawn, in the order of its chronicle's segments and organs. */
+	drawn(grown: G): Drawn;
+	/** Fetches what makes it shine. */
+	figure(): Promise<LitDrawing>;
+	/** Whether the pointer is another tool's now. */
+	taken?(desk: Desk<S, G>): boolean;
+}
+
+/** A plant that a step's string has drawn: the document's own after the last. */
+export interface DerivedScene {
+	readonly step: number;
+	readonly grown: Plant;
+	readonly from: Specimen;
+	/** Whether it is another than the document's. */
+	readonly instead: boolean;
+	/** Of each segment the module of the step's string that drew it, and of each organ. */
+	readonly segments: Uint32Array;
+	readonly organs: Uint32Array;
+}
+
+/** A module that a pointer is at in the view. */
+export interface MetModule {
+	/** Of the scene's string. */
+	readonly module: number;
+	readonly step: number;
+	/** Whether it has been clicked. */
+	readonly chosen: boolean;
+}
+
+/** What the page keeps of it, until the pane is closed. */
+export interface DerivationState {
+	readonly open: boolean;
+	/** Whether the view shows the plant as it was after the step. */
+	readonly follows: boolean;
+	/** What the view shows, as soon as it is known which module drew what. */
+	readonly scene?: DerivedScene | undefined;
+	/** Modules of the scene's string that shine. */
+	readonly lit?: ModuleSpan | undefined;
+	readonly met?: MetModule | undefined;
+}
+
+/** Where it stands, whatever the model. */
+export const DERIVATION: Stateful<DerivationState> = { name: "derivation", initial: { open: false, follows: true } };
+
+/** The plant of a step, where the view shows one in place of the document's; for the words below it. */
+export function steppedScene<S extends Specimen, G extends Plant>(desk: Desk<S, G>): DerivedScene | undefined {
+	const { scene } = desk.toolState(DERIVATION);
+	return scene?.instead ? scene : undefined;
+}
+
+/** The tool that has the derivation's state and its hands in the view; the grammar's pane draws the rest. */
+export function derivationTool<S extends Specimen & WithGrammar, G extends Plant>(
+	source: DerivationSource<S, G>,
+): Tool<S, G, DerivationState> {
+	return {
+		...DERIVATION,
+		keys: [
+			{ keys: ["←", "→", "Page ↑", "Page ↓"], does: "In the string of a step: from module to module" },
+			{ keys: ["↑", "↓"], does: "In the string of a step: to the module it came from, to what it becomes" },
+			{ keys: ["Enter"], does: "In the string of a step: to the production, in the grammar" },
+		],
+		hands: (view, desk) => {
+			let hands: ToolHands<S, G> | undefined;
+			let ended = false;
+			let asked = false;
+			const fetch = async () => {
+				const { DerivationHands } = await import("../grammar_editor/derivation_hands");
+				if (ended) return;
+				hands = new DerivationHands(view, desk, source);
+				hands.update(desk.state);
+			};
+			return {
+				update: (state) => {
+					if (hands) hands.update(state);
+					else if (!asked && desk.toolState(DERIVATION).scene) {
+						asked = true;
+						// Without it the string is there all the same; the next opening asks again.
+						fetch().catch(() => {
+							asked = false;
+						});
+					}
+				},
+				dispose: () => {
+					ended = true;
+					hands?.dispose();
+				},
+			};
+		},
+	};
+}

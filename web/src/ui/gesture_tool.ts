@@ -1,0 +1,74 @@
+import { html, svg } from "lit";
+import type { Plant } from "../plant/plant";
+import type { Specimen } from "../specimen/specimen";
+import type { Desk } from "./desk";
+import type { Pair } from "./gestures/pair";
+import type { GrammarDesk, GrammarSource } from "../grammar_editor/source";
+import { LateHands } from "./handles/late_hands";
+import type { Tool } from "./tool";
+
+/** What drives the two numbers. */
+export type DrivenBy = "pointer" | "gamepad" | "camera";
+
+export interface GestureState extends Pair {
+	readonly open: boolean;
+	readonly by: DrivenBy;
+	/** What is to be known of what drives. */
+	readonly words: string;
+}
+
+export type GestureTool = Tool<Specimen, Plant, GestureState>;
+
+/** What all that has to do with gestures is given. */
+export interface Gestures {
+	readonly desk: GrammarDesk;
+	readonly tool: GestureTool;
+	readonly source?: GrammarSource;
+}
+
+const HAND = svg`<path d="M7 10.5V5.2a1.2 1.2 0 0 1 2.4 0V9m0-4.6a1.2 1.2 0 0 1 2.4 0V9m0-3.2a1.2 1.2 0 0 1 2.4 0v5.4c0 3.4-1.8 5.3-4.6 5.3-2.4 0-3.4-1-4.8-3.4l-1.6-2.8c-.7-1.3.9-2.2 1.8-1.1L7 11.3"/>`;
+const AT_FIRST: GestureState = { open: false, by: "pointer", across: undefined, up: undefined, words: "" };
+
+/**
+ * Two numbers of the document at a time, driven by the two ways that a pointer, a stick or a hand before the camera can go (Petrenko 2014,
+ * section 4.3.3).
+ * @param source of the text whose constants may be driven; absent where there is none
+ */
+export function gestureTool<S extends Specimen, G extends Plant>(source?: GrammarSource<S>): Tool<S, G> {
+	const tool: GestureTool = {
+		name: "gestures",
+		initial: AT_FIRST,
+		press: (desk) => {
+			const state = desk.toolState(tool);
+			desk.setToolState(tool, { ...state, open: !state.open, words: "" });
+		},
+		button: { icon: HAND, label: "Gestures", pressed: (desk) => desk.toolState(tool).open },
+		key: { letter: "j", does: "Gestures: two numbers by a pointer, a gamepad or a hand before the camera" },
+		keys: [
+			{
+				keys: ["← → ↑ ↓"],
+				does: "On the circle of the gestures: less and more; Page Down brings the next two numbers",
+			},
+		],
+		bar: {
+			title: "Gestures",
+			draw: (desk) => html`<panicle-gestures .desk=${desk} .gestures=${gestures(desk)}></panicle-gestures>`,
+		},
+		hands: (view, desk) =>
+			new LateHands({
+				desk,
+				wanted: () => desk.toolState(tool).open,
+				fetch: async () => {
+					const { GestureHands } = await import("./gestures/gestures");
+					return new GestureHands(view, gestures(desk));
+				},
+				missed: () => desk.setToolState(tool, { ...desk.toolState(tool), open: false }),
+			}),
+	};
+	const gestures = (desk: Desk): Gestures => ({
+		desk: desk as GrammarDesk,
+		tool,
+		...(source ? { source: source as unknown as GrammarSource } : {}),
+	});
+	return tool as unknown as Tool<S, G>;
+}

@@ -1,0 +1,101 @@
+/** What two axes of a hand can drive: the numbers of the table and those of the document's text, all alike. */
+import { scaleOf } from "../../specimen/lengths";
+import { nearestWithin } from "../../specimen/table";
+import type { Change, DeskState } from "../desk";
+import { decimals } from "../../grammar_editor/outline";
+import { readOutline } from "../../grammar_editor/read_outline";
+import { written } from "../../grammar_editor/scrub";
+import { type GrammarDesk, type GrammarSource, textOf, withValues } from "../../grammar_editor/source";
+
+/** A number of the document, and where it may go. */
+export interface Axis {
+	/** A name that no other axis of the document has: `parameter age`, `constant length`. */
+	readonly id: string;
+	readonly label: string;
+	/** As people read it, its unit included. */
+	readonly read: string;
+	readonly min: number;
+	readonly max: number;
+	readonly step: number;
+	readonly value: number;
+}
+
+/** The axes of a document, and what it becomes where they stand elsewhere. */
+export class Axes {
+	readonly #desk: GrammarDesk;
+	readonly #source: GrammarSource | undefined;
+	readonly #later: () => void;
+
+	/**
+	 * @param source where the text is from whose constants are axes; absent where there is none
+	 * @param later called once a text has come that was yet to be fetched: its axes are there
+	 */
+	constructor(desk: GrammarDesk, source: GrammarSource | undefined, later: () => void) {
+		this.#desk = desk;
+		this.#source = source;
+		this.#later = later;
+	}
+
+	/** Those of the document as it is now: the text's first. */
+	get all(): readonly Axis[] {
+		return [...this.#constants, ...parametersOf(this.#desk.state)];
+	}
+
+	/** The change that takes axes to values, each on its own steps. */
+	to(values: ReadonlyMap<string, number>): Change {
+		const parameters: Record<string, number> = {};
+		// Names are the text's own: any word, `__proto__` too.
+		const constants: Record<string, number> = Object.create(null);
+		for (const { id, min, max, step } of this.all) {
+			const value = values.get(id);
+			if (value === undefined) continue;
+			const [kind, key] = id.split(" ");
+			const entry = this.#desk.state.model.table.entry(key);
+			if (kind === "constant") constants[key] = Number(written(onSteps(value, min, max, step), decimals(String(step))));
+			else if (entry && entry.kind !== "colour") parameters[key] = nearestWithin(entry, value);
+		}
+		const given = this.#source && Object.keys(constants).length > 0;
+		return { parameters, ...(given ? withValues(this.#source, this.#desk.state.specimen, constants) : {}) };
+	}
+
+	get #text(): string | undefined {
+		return this.#source && textOf(this.#source, this.#desk.state.specimen, this.#later);
+	}
+
+	get #constants(): readonly Axis[] {
+		const text = this.#text;
+		if (text === undefined || !this.#source) return [];
+		const { governed } = this.#source;
+		return readOutline(text, this.#source.dialect)
+			.constants.filter(({ name }) => !governed?.has(name))
+			.map(({ name, number, min, max, step }) => {
+				return { id: `constant ${name}`, label: name, read: number.text, min, max, step, value: number.value };
+			});
+	}
+}
+
+function parametersOf({ model, specimen }: DeskState): readonly Axis[] {
+	return model.table.entries.flatMap((entry) => {
+		if (entry.look || (entry.kind !== "number" && entry.kind !== "integer")) return [];
+		if (!model.table.heeds(specimen, entry)) return [];
+		const { key, label, min, max, step } = entry;
+		const value = specimen.parameters[key];
+		const { unit, per } = scaleOf(model, specimen, entry);
+		const read = `${Number((value * per).toPrecision(6))} ${unit}`.trim();
+		return [{ id: `parameter ${key}`, label, read, min, max, step, value }];
+	});
+}
+
+/** Where an axis stands between its ends: 0 … 1. */
+export function shareOf({ value, min, max }: Axis): number {
+	return max > min ? (value - min) / (max - min) : 0;
+}
+
+/** What an axis is at a share of its way. */
+export function atShare({ min, max }: Axis, share: number): number {
+	return min + (max - min) * Math.min(Math.max(share, 0), 1);
+}
+
+function onSteps(value: number, min: number, max: number, step: number): number {
+	return Math.min(Math.max(min + Math.round((value - min) / step) * step, min), max);
+}

@@ -1,0 +1,178 @@
+import { html, nothing, svg } from "lit";
+import type { Plant } from "../plant/plant";
+import type { WithGrammar } from "../specimen/grammar_text";
+import type { Specimen } from "../specimen/specimen";
+import { type DerivationSource, derivationTool } from "./derivation_tool";
+import type { Desk, Fault } from "./desk";
+import { type GrammarSource, isOwn, withText } from "../grammar_editor/source";
+import { GROWTH_TOPIC, type Tool } from "./tool";
+
+/** What the page keeps of the editor. */
+export interface GrammarState {
+	readonly open: boolean;
+	/** Whether Tab indents in it. */
+	readonly indents: boolean;
+}
+
+const GRAMMAR = svg`<path d="M7.5 4 3.5 10l4 6M12.5 4l4 6-4 6"/>`;
+
+const EDIT = "Edit the grammar";
+
+/** The group of the panel with a slider for each constant of the text. */
+const CONSTANTS = {
+	key: "constants",
+	title: "Constants",
+	help: "The numbers and curves that the grammar defines, to be given other values.",
+	everyday: true,
+} as const;
+
+/** Where handles and gestures write the text, nothing above is to move when they do. */
+const OWN = {
+	key: "own-grammar",
+	title: "Grammar",
+	help: "The text that this plant grows by.",
+	plain: true,
+	last: true,
+} as const;
+
+/**
+ * Grammars as the page has them: the text beside the plant, edited as it grows; sliders of its constants; and where a plant has a text
+ * of its own, the way back to the built-in one.
+ * @param derived how its derivation is told step by step; absent where it has none
+ */
+export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
+	source: GrammarSource<S>,
+	derived?: DerivationSource<S, G>,
+): readonly Tool<S, G>[] {
+	const tool = editorTool<S, G>(source, derived !== undefined);
+	const { group = OWN, noun } = source;
+	const drop = (desk: Desk<S, G>) =>
+		desk.set(withText(source as unknown as GrammarSource, desk.state.specimen, undefined));
+	const words = "Use the built-in grammar";
+	const own: Tool<S, G, boolean> = {
+		name: "own-grammar",
+		initial: false,
+		applies: isOwn,
+		// Whether it is its preset's, altered, is told once that has come.
+		start: (desk) => {
+			const builtIn = group === OWN && isOwn(desk.state.specimen) ? source.builtIn(desk.state.specimen) : "";
+			if (typeof builtIn !== "string")
+				builtIn.then(
+					() => desk.setToolState(own, true),
+					() => {},
+				);
+			return () => {};
+		},
+		panel: {
+			group,
+			place: "above",
+			// The editor says so itself, and has the way back.
+			draw: (desk) =>
+				desk.toolState(tool).open
+					? nothing
+					: html`<div class="override">
+					<p>This ${noun} brings a grammar of its own.</p>
+					<div class="actions">
+						<button class="button" type="button" @click=${() => show(desk, tool)}>${EDIT}</button>
+						<button class="button" type="button" @click=${() => drop(desk)}>${words}</button>
+					</div>
+				</div>`,
+		},
+		remedies: [
+			{ words: EDIT, press: (desk) => show(desk, tool) },
+			{ words, press: drop },
+		],
+	};
+	return [
+		tool as Tool<S, G>,
+		...(derived ? [derivationTool(derived) as Tool<S, G>] : []),
+		{
+			name: "constants",
+			initial: undefined,
+			panel: {
+				group: CONSTANTS,
+				place: "below",
+				draw: (desk) => {
+					void bring(desk, () => import("../grammar_editor/constants"), "The grammar's sliders could not be fetched");
+					return html`<panicle-constants .desk=${desk} .source=${source}></panicle-constants>`;
+				},
+			},
+			applies: (specimen) => source.constants !== false && (source.always === true || isOwn(specimen)),
+		},
+		own as Tool<S, G>,
+	];
+}
+
+function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
+	source: GrammarSource<S>,
+	stepped: boolean,
+): Tool<S, G, GrammarState> {
+	const tool: Tool<S, G, GrammarState> = {
+		name: "grammar",
+		initial: { open: false, indents: false },
+		recall: (kept) => ({ open: false, indents: (kept as Partial<GrammarState> | undefined)?.indents === true }),
+		press: (desk) => (desk.toolState(tool).open ? close(desk, tool, source.noun) : show(desk, tool)),
+		button: { icon: GRAMMAR, label: "Grammar", pressed: (desk) => desk.toolState(tool).open },
+		key: { letter: "g", does: "The grammar as text, and back" },
+		keys: [
+			{
+				keys: ["Alt ↑", "Alt ↓"],
+				does: "In the grammar, at a number: more, less; with Shift ten steps, with Ctrl a tenth",
+			},
+			{ keys: ["Ctrl F", "F3"], does: "In the grammar: find, and the next one" },
+			{ keys: ["Ctrl Space"], does: "In the grammar: what may stand here" },
+			{ keys: ["Esc"], does: "In the grammar: out of the text" },
+		],
+		pane: {
+			title: "Grammar",
+			open: (desk) => desk.toolState(tool).open,
+			tell: (desk, fault) => tell(desk, tool, source.noun, fault),
+			draw: (desk) => html`<panicle-grammar
+				.desk=${desk} .source=${source} .tool=${tool} .stepped=${stepped} .close=${() => close(desk, tool, source.noun)}
+			></panicle-grammar>`,
+		},
+	};
+	return tool;
+}
+
+function show<S extends Specimen, G extends Plant>(desk: Desk<S, G>, tool: Tool<S, G, GrammarState>): void {
+	desk.setToolState(tool, { ...desk.toolState(tool), open: true });
+	void bring(desk, () => import("../grammar_editor/grammar_pane"), "The grammar's editor could not be fetched");
+}
+
+/** What the text shows no more is said. */
+function close<S extends Specimen, G extends Plant>(
+	desk: Desk<S, G>,
+	tool: Tool<S, G, GrammarState>,
+	noun: string,
+): void {
+	desk.setToolState(tool, { ...desk.toolState(tool), open: false });
+	const { fault, grown } = desk.state;
+	if (fault && fault.line > 0 && grown) tell(desk, tool, noun, fault);
+}
+
+function tell<S extends Specimen, G extends Plant>(
+	desk: Desk<S, G>,
+	tool: Tool<S, G, GrammarState>,
+	noun: string,
+	{ line, column, message }: Fault,
+): void {
+	const where = `Line ${line}, column ${column} of the grammar: ${message}`;
+	desk.notify(`This cannot be grown; the last ${noun} stays`, [where], {
+		topic: GROWTH_TOPIC,
+		act: { words: EDIT, run: () => show(desk, tool) },
+	});
+}
+
+async function bring<S extends Specimen, G extends Plant>(
+	desk: Desk<S, G>,
+	fetch: () => Promise<unknown>,
+	failed: string,
+): Promise<void> {
+	try {
+		await fetch();
+	} catch {
+		const again = () => void bring(desk, fetch, failed);
+		desk.notify(failed, ["Part of the page could not be fetched."], { topic: failed, again });
+	}
+}

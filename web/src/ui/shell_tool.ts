@@ -1,0 +1,122 @@
+/** What bounds a plant, faint in the 3-D view, on and off: a tool of whatever model has such. */
+import type { SVGTemplateResult } from "lit";
+import type { Object3D } from "three";
+import type { Plant } from "../plant/plant";
+import type { ClosedMesh } from "../specimen/closed_mesh";
+import type { Specimen } from "../specimen/specimen";
+import type { Desk, DeskState } from "./desk";
+import type { Tool, ToolHands, ToolView } from "./tool";
+
+/** What draws them: render/shell_figure.ts. */
+export interface ShellDrawing {
+	readonly object: Object3D;
+	/** @param colour any CSS colour */
+	show(shells: readonly ClosedMesh[], colour: string): void;
+	/** Gives some of those shown, counted from 0, a colour of their own, more of it. */
+	mark(marked: ReadonlySet<number>, colour: string): void;
+	dispose(): void;
+}
+
+export interface ShownShells<S extends Specimen, G extends Plant = Plant> {
+	/** The tool's. */
+	readonly name: string;
+	readonly icon: SVGTemplateResult;
+	readonly label: string;
+	/** Whether they are shown at first; the default is no. */
+	readonly initial?: boolean;
+	/** What is said where the drawing does not come. */
+	readonly missed: string;
+	/** Fetches what draws them. */
+	figure(): Promise<ShellDrawing>;
+	/** In the plant's metres; `grown` is the last plant, for those that it tells of. */
+	shells(specimen: S, grown: G | undefined): readonly ClosedMesh[];
+	/** Whether they are the last plant's as well as the specimen's; the default is no. */
+	ofPlant?: true;
+	/** Which of them the last plant gives cause to look at, counted from 0; the default is none. */
+	marked?(grown: G): ReadonlySet<number>;
+	/** Whether it means anything to this specimen; the default is yes. */
+	applies?(specimen: S): boolean;
+}
+
+export function shownShells<S extends Specimen, G extends Plant>(shown: ShownShells<S, G>): Tool<S, G, boolean> {
+	const { name, icon, label, initial = false, applies } = shown;
+	const tool: Tool<S, G, boolean> = {
+		name,
+		initial,
+		...(applies ? { applies } : {}),
+		press: (desk) => desk.setToolState(tool, !desk.toolState(tool)),
+		button: { icon, label, pressed: (desk) => desk.toolState(tool) },
+		hands: (view, desk) => new ShellHands(view, desk, shown, tool),
+	};
+	return tool;
+}
+
+class ShellHands<S extends Specimen, G extends Plant> implements ToolHands<S, G> {
+	readonly #view: ToolView;
+	readonly #desk: Desk<S, G>;
+	readonly #what: ShownShells<S, G>;
+	readonly #tool: Tool<S, G, boolean>;
+	/** Loaded when first asked for. */
+	#figure: Promise<ShellDrawing | undefined> | undefined;
+	#shown: { readonly specimen: S; readonly dark: boolean; readonly grown: G | undefined } | undefined;
+	#disposed = false;
+
+	constructor(view: ToolView, desk: Desk<S, G>, what: ShownShells<S, G>, tool: Tool<S, G, boolean>) {
+		this.#view = view;
+		this.#desk = desk;
+		this.#what = what;
+		this.#tool = tool;
+	}
+
+	update(): void {
+		if (!this.#visible(this.#desk.state.specimen) && !this.#figure) return;
+		this.#figure ??= this.#fetch();
+		void this.#figure.then((figure) => {
+			if (figure && !this.#disposed) this.#show(figure, this.#desk.state);
+		});
+	}
+
+	dispose(): void {
+		this.#disposed = true;
+		void this.#figure?.then((figure) => {
+			if (!figure) return;
+			this.#view.removeOverlay(figure.object);
+			figure.dispose();
+		});
+	}
+
+	#visible(specimen: S): boolean {
+		return this.#desk.toolState(this.#tool) && (this.#what.applies?.(specimen) ?? true);
+	}
+
+	#show(figure: ShellDrawing, { specimen, dark, grown }: DeskState<S, G>): void {
+		const visible = this.#visible(specimen);
+		const { marked, ofPlant = false } = this.#what;
+		const another = this.#shown?.grown !== grown;
+		const same = this.#shown?.specimen === specimen && this.#shown.dark === dark && !(ofPlant && another);
+		const alike = same && !(marked && another);
+		if (visible === figure.object.visible && (alike || !visible)) return;
+		figure.object.visible = visible;
+		if (visible && !alike) {
+			const style = getComputedStyle(this.#view.canvas);
+			if (!same) figure.show(this.#what.shells(specimen, grown), style.color);
+			if (marked && grown) figure.mark(marked(grown), style.accentColor);
+			this.#shown = { specimen, dark, grown };
+		}
+		this.#view.requestRender();
+	}
+
+	/** Where the script does not come, the tool is off again, and the next press asks for it anew. */
+	async #fetch(): Promise<ShellDrawing | undefined> {
+		const figure = await this.#what.figure().catch(() => undefined);
+		if (!figure) {
+			this.#figure = undefined;
+			this.#desk.setToolState(this.#tool, false);
+			this.#desk.notify(this.#what.missed, ["Check the connection and press its button again."]);
+			return undefined;
+		}
+		figure.object.visible = false;
+		this.#view.addOverlay(figure.object);
+		return figure;
+	}
+}
