@@ -12,7 +12,7 @@ const RUNS = 3;
 export async function benchBeds(source) {
 	const { loadCoreFromBytes } = await source("web/src/core/loader.ts");
 	const { model } = await source("web/src/models/stand/index.ts");
-	const { growPlant } = await source("web/src/generate/files/growth.ts");
+	const { growPlant } = await source("web/src/generate/growth.ts");
 	const { fromPreset } = await source("web/src/specimen/from_preset.ts");
 	const { textNames } = await source("tests/bench/flower_requests.ts");
 	const rows = [];

@@ -38,7 +38,7 @@ async function benchCores(source) {
 	const { loadCoreFromBytes } = await source("web/src/core/loader.ts");
 	const loadCore = (wasm) => loadCoreFromBytes(readFileSync(join(repository, "build/core", wasm)));
 	const { model } = await source("web/src/models/stand/index.ts");
-	const { growPlant } = await source("web/src/generate/files/growth.ts");
+	const { growPlant } = await source("web/src/generate/growth.ts");
 	const { fromPreset } = await source("web/src/specimen/from_preset.ts");
 	const rows = [];
 	const memories = new Map();

@@ -21,7 +21,7 @@ async function draw({ cores, model: called, name, size, oversampling, quality, t
 	const { compileCore } = await at("core/loader.ts");
 	const { fromPreset } = await at("specimen/from_preset.ts");
 	const { modelNamed } = await at("models/index.ts");
-	const { growPlant } = await at("generate/files/growth.ts");
+	const { growPlant } = await at("generate/growth.ts");
 	const model = await modelNamed(called);
 	const specimen = fromPreset(model, name);
 	globalThis.cores ??= new Map();

@@ -1,8 +1,8 @@
 /** Gestures: what a hand says, and which two numbers it drives. */
 export default [
 	{
-		file: "web/src/ui/gestures/hand.ts",
-		suites: ["tests/web/ui/gestures/hand.test.ts"],
+		file: "web/src/grammar_editor/gestures/hand.ts",
+		suites: ["tests/web/grammar_editor/gestures/hand.test.ts"],
 		faults: [
 			{
 				id: "gestures-not-mirrored",
@@ -25,8 +25,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/ui/gestures/pair.ts",
-		suites: ["tests/web/ui/gestures/pair.test.ts"],
+		file: "web/src/grammar_editor/gestures/pair.ts",
+		suites: ["tests/web/grammar_editor/gestures/pair.test.ts"],
 		faults: [
 			{
 				id: "gestures-one-left-out",
@@ -37,8 +37,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/ui/gestures/lean.ts",
-		suites: ["tests/web/ui/gestures/lean.test.ts"],
+		file: "web/src/grammar_editor/gestures/lean.ts",
+		suites: ["tests/web/grammar_editor/gestures/lean.test.ts"],
 		faults: [
 			{
 				id: "gestures-bend-in-space",

@@ -71,7 +71,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/members.ts",
+		file: "web/src/generate/members.ts",
 		suites: [`${WEB}/members.test.ts`],
 		faults: [
 			{

@@ -5,7 +5,7 @@ import { Mesh } from "three";
 import { beforeAll, expect, it } from "vitest";
 import { Cores } from "../../../web/src/core/cores";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
-import { growPlant } from "../../../web/src/generate/files/growth";
+import { growPlant } from "../../../web/src/generate/growth";
 import { makeFile } from "../../../web/src/generate/files/make";
 import { model } from "../../../web/src/models/growth/index";
 import type { GrowthOptions } from "../../../web/src/models/model";

@@ -4,7 +4,7 @@ import { Cores } from "../../../web/src/core/cores";
 import { aboutPlant } from "../../../web/src/formats/about_plant";
 import { PLANT_FILES } from "../../../web/src/formats/plant_files";
 import { webGlb } from "../../../web/src/formats/web_glb";
-import { growPlant } from "../../../web/src/generate/files/growth";
+import { growPlant } from "../../../web/src/generate/growth";
 import { makeFile } from "../../../web/src/generate/files/make";
 import { modelNamed, modelNames } from "../../../web/src/models/index";
 import type { Model } from "../../../web/src/models/model";

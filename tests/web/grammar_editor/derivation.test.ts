@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { DERIVATION, type DerivationState } from "../../../web/src/ui/derivation_tool";
+import { DERIVATION, type DerivationState } from "../../../web/src/grammar_editor/derivation_tool";
 import type { AsideOptions, Desk } from "../../../web/src/ui/desk";
 import { Derivation } from "../../../web/src/grammar_editor/derivation";
 import { Superseded } from "../../../web/src/core/errors";

@@ -2,7 +2,7 @@
 import { Client } from "../core/client";
 import type { Block } from "../core/container";
 import { Superseded, UnsupportedError } from "../core/errors";
-import { grownMembers, KeptMembers } from "../models/members";
+import { grownMembers, KeptMembers } from "../generate/members";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";

@@ -7,7 +7,7 @@ import { CoreError } from "../core/errors";
 import { EmptyPlantError, FileTooLargeError } from "../formats/file_error";
 import { FORMS, plantFile } from "../formats/plant_files";
 import { agedOf, hasAges } from "../generate/files/aged";
-import { growPlant } from "../generate/files/growth";
+import { growPlant } from "../generate/growth";
 import { levelledOf } from "../generate/files/levelled";
 import { models, presets } from "../library/catalogue";
 import { modelNames } from "../models/index";

@@ -2,7 +2,7 @@
 import type { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
 import { Superseded } from "../core/errors";
-import { growPlant } from "../generate/files/growth";
+import { growPlant } from "../generate/growth";
 import type { GrowthOptions } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { Document } from "./grown_detail";

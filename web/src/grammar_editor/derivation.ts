@@ -6,7 +6,7 @@ import { Superseded } from "../core/errors";
 import type { Chronicle, ToldModule } from "../plant/chronicle";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
-import { DERIVATION, type DerivationState, type DerivedScene, type MetModule } from "../ui/derivation_tool";
+import { DERIVATION, type DerivationState, type DerivedScene, type MetModule } from "./derivation_tool";
 import type { Desk } from "../ui/desk";
 import { ChronicleReader } from "./chronicle_reader";
 import { drawnBy, litBy } from "./lights";

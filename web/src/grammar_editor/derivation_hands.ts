@@ -3,7 +3,7 @@ import type { Drawn } from "../plant/drawn";
 import type { Plant } from "../plant/plant";
 import { sighted } from "../plant/sighting";
 import type { Specimen } from "../specimen/specimen";
-import { DERIVATION, type DerivationSource, type DerivedScene, type LitDrawing } from "../ui/derivation_tool";
+import { DERIVATION, type DerivationSource, type DerivedScene, type LitDrawing } from "./derivation_tool";
 import type { Desk, DeskState } from "../ui/desk";
 import { PickPointer } from "../ui/pick_pointer";
 import type { Sight, ToolHands, ToolView } from "../ui/tool";

@@ -1,9 +1,9 @@
 import { html, nothing } from "lit";
 import type { TextPlace } from "../plant/chronicle";
 import { ControlElement } from "../ui/control_element";
-import { DERIVATION } from "../ui/derivation_tool";
+import { DERIVATION } from "./derivation_tool";
 import type { Stateful } from "../ui/desk";
-import type { GrammarState } from "../ui/grammar_tool";
+import type { GrammarState } from "./grammar_tool";
 import { icon } from "../ui/icons";
 import { KeyRuns } from "../ui/key_runs";
 import { Editor } from "./editor";

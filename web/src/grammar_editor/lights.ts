@@ -2,7 +2,7 @@
 import type { Chronicle, ModuleSpan, ToldModule } from "../plant/chronicle";
 import { NOT_DRAWN } from "../plant/chronicle";
 import type { Sighted } from "../plant/sighting";
-import type { DerivedScene } from "../ui/derivation_tool";
+import type { DerivedScene } from "./derivation_tool";
 
 type Marks = Pick<DerivedScene, "segments" | "organs">;
 

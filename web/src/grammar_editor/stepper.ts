@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
 import type { TextPlace } from "../plant/chronicle";
 import { ControlElement } from "../ui/control_element";
-import { DERIVATION } from "../ui/derivation_tool";
+import { DERIVATION } from "./derivation_tool";
 import { Derivation } from "./derivation";
 import type { StringEvents } from "./derived_string";
 import type { GrammarDesk } from "./source";

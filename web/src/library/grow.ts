@@ -1,7 +1,7 @@
 /** `grow`: what the library is for. */
 import { aimed } from "../batch/aimed";
 import { measuresOf } from "../formats/measures";
-import { growPlant, untimed } from "../generate/files/growth";
+import { growPlant, untimed } from "../generate/growth";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";

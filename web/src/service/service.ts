@@ -12,7 +12,7 @@ import { writeJson } from "../formats/json";
 import { writeObj } from "../formats/obj";
 import { PLANT_FILES } from "../formats/plant_files";
 import { hasAges } from "../generate/files/aged";
-import { growPlant, untimed } from "../generate/files/growth";
+import { growPlant, untimed } from "../generate/growth";
 import { type Growing, makeFile } from "../generate/files/make";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";

@@ -2,7 +2,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import { independentDraws } from "../../../../web/src/batch/draws";
 import { memberOf } from "../../../../web/src/batch/series";
 import { checkVaried, readVary } from "../../../../web/src/batch/vary";
-import { Axes } from "../../../../web/src/ui/gestures/axis";
+import { Axes } from "../../../../web/src/grammar_editor/gestures/axis";
 import type { GrammarDesk, GrammarSource } from "../../../../web/src/grammar_editor/source";
 import { textOf, withText, withValues } from "../../../../web/src/grammar_editor/source";
 import { FLOWER_FORMATS } from "../../../../web/src/models/flower/formats";

@@ -1,6 +1,6 @@
 /** The ecosystems of Table 2 (Kim, Kim and Cho 2013): steps, nodes a tree, and leaves of natural size. */
 import { beforeAll, expect, it } from "vitest";
-import { growPlant } from "../../../../web/src/generate/files/growth";
+import { growPlant } from "../../../../web/src/generate/growth";
 import { model as growth } from "../../../../web/src/models/growth/index";
 import { model } from "../../../../web/src/models/stand/index";
 import { valuesOf } from "../../../../web/src/models/stand/members";

@@ -1,5 +1,5 @@
 import { expect, it, vi } from "vitest";
-import { growPlant } from "../../../../web/src/generate/files/growth";
+import { growPlant } from "../../../../web/src/generate/growth";
 import { model } from "../../../../web/src/models/stand/index";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { planned, run } from "./stands";

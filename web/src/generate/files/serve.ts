@@ -3,7 +3,7 @@ import { Core } from "../../core/core";
 import { compileCore } from "../../core/loader";
 import { isModel, modelNamed } from "../../models/index";
 import type { Model } from "../../models/model";
-import { growPlant } from "./growth";
+import { growPlant } from "../growth";
 import { type Growing, makeFile } from "./make";
 import type { FileRequest, FromExporter } from "./messages";
 

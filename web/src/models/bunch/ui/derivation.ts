@@ -1,4 +1,4 @@
-import type { DerivationSource } from "../../../ui/derivation_tool";
+import type { DerivationSource } from "../../../grammar_editor/derivation_tool";
 import type { Drawn, DrawnSurface } from "../../../plant/drawn";
 import type { Grown } from "../grown";
 import type { BunchSpecimen } from "../specimen";

@@ -1,7 +1,7 @@
 /** The page's side of the bunch: loaded with the first bunch, in a page alone. */
 import { html } from "lit";
-import { steppedScene } from "../../../ui/derivation_tool";
-import { grammarTools } from "../../../ui/grammar_tool";
+import { steppedScene } from "../../../grammar_editor/derivation_tool";
+import { grammarTools } from "../../../grammar_editor/grammar_tool";
 import type { Face } from "../../../ui/tool";
 import type { Grown } from "../grown";
 import type { BunchSpecimen } from "../specimen";

@@ -1,4 +1,4 @@
-import type { DerivationSource } from "../../../ui/derivation_tool";
+import type { DerivationSource } from "../../../grammar_editor/derivation_tool";
 import { drawnOf } from "../../../plant/drawn";
 import { areaTool } from "../areas/area_tool";
 import type { GrammarPlant } from "../grammar_plant";

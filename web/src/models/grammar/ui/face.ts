@@ -1,8 +1,8 @@
 /** The page's side of the model: loaded with the first plant of it, in a page alone. */
 import { html } from "lit";
-import { steppedScene } from "../../../ui/derivation_tool";
-import { gestureTool } from "../../../ui/gesture_tool";
-import { grammarTools } from "../../../ui/grammar_tool";
+import { steppedScene } from "../../../grammar_editor/derivation_tool";
+import { gestureTool } from "../../../grammar_editor/gesture_tool";
+import { grammarTools } from "../../../grammar_editor/grammar_tool";
 import type { Face } from "../../../ui/tool";
 import { areaPanel, areaTools } from "../areas/area_tool";
 import type { GrammarPlant } from "../grammar_plant";

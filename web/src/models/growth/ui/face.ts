@@ -1,7 +1,7 @@
 /** The page's side of the model: loaded with the first tree of it, in a page alone. */
 import { html } from "lit";
-import { gestureTool } from "../../../ui/gesture_tool";
-import { grammarTools } from "../../../ui/grammar_tool";
+import { gestureTool } from "../../../grammar_editor/gesture_tool";
+import { grammarTools } from "../../../grammar_editor/grammar_tool";
 import type { Face, Tool } from "../../../ui/tool";
 import type { GrowthPlant } from "../growth_plant";
 import type { GrowthSpecimen } from "../specimen";

@@ -1,6 +1,6 @@
 /** The page's side of the model: loaded with the first stand, in a page alone. */
 import { html } from "lit";
-import { grammarTools } from "../../../ui/grammar_tool";
+import { grammarTools } from "../../../grammar_editor/grammar_tool";
 import type { Face } from "../../../ui/tool";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";

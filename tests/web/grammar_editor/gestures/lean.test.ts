@@ -1,8 +1,8 @@
 /** Petrenko 2014, figure 47: the flower bends towards the circle, on the screen. */
 import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { type Axis, atShare } from "../../../../web/src/ui/gestures/axis";
-import { acrossScreen, toTheRight } from "../../../../web/src/ui/gestures/lean";
+import { type Axis, atShare } from "../../../../web/src/grammar_editor/gestures/axis";
+import { acrossScreen, toTheRight } from "../../../../web/src/grammar_editor/gestures/lean";
 
 const BEND: Axis = { id: "constant bend", label: "bend", read: "0", min: -5, max: 5, step: 0.1, value: 0 };
 

@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
-import { DeskElement } from "../desk_element";
+import { DeskElement } from "../../ui/desk_element";
 import type { DrivenBy, GestureState, Gestures } from "../gesture_tool";
-import type { GrammarDesk } from "../../grammar_editor/source";
+import type { GrammarDesk } from "../source";
 import { Axes, type Axis } from "./axis";
 import { nextPair, pairOf } from "./pair";
 

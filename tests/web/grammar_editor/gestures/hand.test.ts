@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { HandReader } from "../../../../web/src/ui/gestures/hand";
+import { HandReader } from "../../../../web/src/grammar_editor/gestures/hand";
 
 /** A hand upright, a tenth of the picture from wrist to knuckle, its palm's middle there; as the camera sees it. */
 function handAt(x: number, y: number, apart = 0.1) {

@@ -3,9 +3,9 @@ import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
 import { type DerivationSource, derivationTool } from "./derivation_tool";
-import type { Desk, Fault } from "./desk";
-import { type GrammarSource, isOwn, withText } from "../grammar_editor/source";
-import { GROWTH_TOPIC, type Tool } from "./tool";
+import type { Desk, Fault } from "../ui/desk";
+import { type GrammarSource, isOwn, withText } from "./source";
+import { GROWTH_TOPIC, type Tool } from "../ui/tool";
 
 /** What the page keeps of the editor. */
 export interface GrammarState {
@@ -93,7 +93,7 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 				group: CONSTANTS,
 				place: "below",
 				draw: (desk) => {
-					void bring(desk, () => import("../grammar_editor/constants"), "The grammar's sliders could not be fetched");
+					void bring(desk, () => import("./constants"), "The grammar's sliders could not be fetched");
 					return html`<panicle-constants .desk=${desk} .source=${source}></panicle-constants>`;
 				},
 			},
@@ -137,7 +137,7 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 
 function show<S extends Specimen, G extends Plant>(desk: Desk<S, G>, tool: Tool<S, G, GrammarState>): void {
 	desk.setToolState(tool, { ...desk.toolState(tool), open: true });
-	void bring(desk, () => import("../grammar_editor/grammar_pane"), "The grammar's editor could not be fetched");
+	void bring(desk, () => import("./grammar_pane"), "The grammar's editor could not be fetched");
 }
 
 /** What the text shows no more is said. */

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { type Axis, atShare, shareOf } from "../../../../web/src/ui/gestures/axis";
-import { pushOf } from "../../../../web/src/ui/gestures/gamepad_driver";
-import { nextPair, pairOf } from "../../../../web/src/ui/gestures/pair";
+import { type Axis, atShare, shareOf } from "../../../../web/src/grammar_editor/gestures/axis";
+import { pushOf } from "../../../../web/src/grammar_editor/gestures/gamepad_driver";
+import { nextPair, pairOf } from "../../../../web/src/grammar_editor/gestures/pair";
 
 const axis = (id: string, min = 0, max = 1, value = 0): Axis => ({
 	id,

@@ -1,6 +1,6 @@
 /** Where on a member others may hang: its organs of the tags that were asked for. */
 import type { Plant } from "../plant/plant";
-import type { Member, MemberAsked } from "./member";
+import type { Member, MemberAsked } from "../models/member";
 
 export function spotsOf(plant: Plant, { spots }: MemberAsked): Pick<Member, "spots"> {
 	return spots ? { spots: Object.fromEntries(spots.map((tag) => [tag, placesOf(plant, tag)])) } : {};

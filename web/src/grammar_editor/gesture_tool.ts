@@ -1,11 +1,11 @@
 import { html, svg } from "lit";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
-import type { Desk } from "./desk";
+import type { Desk } from "../ui/desk";
 import type { Pair } from "./gestures/pair";
-import type { GrammarDesk, GrammarSource } from "../grammar_editor/source";
-import { LateHands } from "./handles/late_hands";
-import type { Tool } from "./tool";
+import type { GrammarDesk, GrammarSource } from "./source";
+import { LateHands } from "../ui/handles/late_hands";
+import type { Tool } from "../ui/tool";
 
 /** What drives the two numbers. */
 export type DrivenBy = "pointer" | "gamepad" | "camera";

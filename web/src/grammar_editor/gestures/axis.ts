@@ -1,11 +1,11 @@
 /** What two axes of a hand can drive: the numbers of the table and those of the document's text, all alike. */
 import { scaleOf } from "../../specimen/lengths";
 import { nearestWithin } from "../../specimen/table";
-import type { Change, DeskState } from "../desk";
-import { decimals } from "../../grammar_editor/outline";
-import { readOutline } from "../../grammar_editor/read_outline";
-import { written } from "../../grammar_editor/scrub";
-import { type GrammarDesk, type GrammarSource, textOf, withValues } from "../../grammar_editor/source";
+import type { Change, DeskState } from "../../ui/desk";
+import { decimals } from "../outline";
+import { readOutline } from "../read_outline";
+import { written } from "../scrub";
+import { type GrammarDesk, type GrammarSource, textOf, withValues } from "../source";
 
 /** A number of the document, and where it may go. */
 export interface Axis {

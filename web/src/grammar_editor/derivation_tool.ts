@@ -5,8 +5,8 @@ import type { Drawn } from "../plant/drawn";
 import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
-import type { Desk, Stateful } from "./desk";
-import type { Tool, ToolHands } from "./tool";
+import type { Desk, Stateful } from "../ui/desk";
+import type { Tool, ToolHands } from "../ui/tool";
 
 /** What draws what shines: render/lit_figure.ts. */
 export interface LitDrawing {
@@ -83,7 +83,7 @@ export function derivationTool<S extends Specimen & WithGrammar, G extends Plant
 			let ended = false;
 			let asked = false;
 			const fetch = async () => {
-				const { DerivationHands } = await import("../grammar_editor/derivation_hands");
+				const { DerivationHands } = await import("./derivation_hands");
 				if (ended) return;
 				hands = new DerivationHands(view, desk, source);
 				hands.update(desk.state);
