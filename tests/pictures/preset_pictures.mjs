@@ -35,7 +35,7 @@ async function draw({ cores, model: called, name, size, oversampling, quality, t
 	if (!globalThis.view) {
 		const canvas = Object.assign(document.createElement("canvas"), { width, height });
 		globalThis.view = new Viewer(canvas, { still: true, reducedMotion: true, theme });
-		globalThis.view.use((await model.figure?.()) ?? partFigure((plant, from) => model.parts(plant, from)));
+		globalThis.view.use((await model.render?.()) ?? partFigure((plant, from) => model.parts(plant, from)));
 	}
 	globalThis.view.show(grown, specimen);
 	const pictures = {};

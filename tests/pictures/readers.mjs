@@ -32,7 +32,7 @@ async function inApp({ cores, name, width, height }) {
 	const specimen = fromPreset(model, name);
 	const canvas = Object.assign(document.createElement("canvas"), { width, height });
 	const view = new Viewer(canvas, { still: true, reducedMotion: true, theme: "light" });
-	view.use(await model.figure());
+	view.use(await model.render());
 	view.show(model.read(core.grow(model.encode(specimen)), specimen), specimen);
 	view.resetView("front");
 	const picture = await view.snapshot(2 * width, 2 * height);

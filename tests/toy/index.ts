@@ -1,6 +1,6 @@
 /** The toy's web side: with toy.cpp (its core) and toy.json (its table) a whole model, without a line about it elsewhere. */
 import type { Block } from "../../web/src/core/container";
-import type { Model } from "../../web/src/models/model";
+import type { PageModel } from "../../web/src/models/page_model";
 import { partsOf } from "../../web/src/plant/parts_of";
 import type { Plant } from "../../web/src/plant/plant";
 import { readPlant } from "../../web/src/plant/read_plant";
@@ -30,7 +30,7 @@ const preset = (name: string, title: string, parameters: Preset["parameters"]): 
 	look: {},
 });
 
-export const model: Model<ToySpecimen, Plant> = {
+export const model: PageModel<ToySpecimen, Plant> = {
 	name: "toy",
 	title: "Toy shrub",
 	noun: "shrub",

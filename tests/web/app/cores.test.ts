@@ -1,12 +1,12 @@
 import { describe, expect, it, vi } from "vitest";
 import { Columns, writeContainer } from "../../../web/src/core/container";
 import { Superseded } from "../../../web/src/core/errors";
-import type { Model } from "../../../web/src/models/model";
+import type { PageModel } from "../../../web/src/models/page_model";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { Cores } from "../../../web/src/app/cores";
 import { toy } from "../toy";
 
-const model = toy as unknown as Model;
+const model = toy as unknown as PageModel;
 const address = (file: string) => (file === "toy.wasm" ? "/cores/toy.wasm" : undefined);
 
 describe("the cores", () => {
@@ -37,7 +37,7 @@ describe("the cores", () => {
 		for (const comes of [true, false]) {
 			let there = false;
 			const grow = vi.fn(async (_order: { blocks: readonly unknown[] }) => ({ columns, milliseconds: 7 }));
-			const needy: Model = {
+			const needy: PageModel = {
 				...model,
 				prepare: async () => {
 					await Promise.resolve();
@@ -68,7 +68,7 @@ describe("the cores", () => {
 		const grow = vi.fn(async (_order: { blocks: readonly unknown[] }) => ({ columns, milliseconds: 7 }));
 		const cores = new Cores(address, { grow, warm: vi.fn(), among: vi.fn() });
 		let come = () => {};
-		const slow: Model = { ...model, prepare: () => new Promise((resolve) => (come = resolve)) };
+		const slow: PageModel = { ...model, prepare: () => new Promise((resolve) => (come = resolve)) };
 		const older = cores.grow(slow, { ...fromPreset(model), seed: 1 });
 		await cores.grow(model, { ...fromPreset(model), seed: 2 });
 		come();

@@ -2,17 +2,17 @@ import { vi } from "vitest";
 import type { Desk } from "../../../web/src/ui/desk";
 import { model as bunch } from "../../../web/src/models/bunch/index";
 import type { BunchDesk } from "../../../web/src/models/bunch/ui/desk";
-import type { Model } from "../../../web/src/models/model";
+import type { PageModel } from "../../../web/src/models/page_model";
 import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { Studio } from "../../../web/src/app/studio";
 import type { Surroundings } from "../../../web/src/app/surroundings";
 import { FIRST_VISIT } from "../../../web/src/app/ui_state";
 
-export const bunchModel = bunch as unknown as Model;
+export const bunchModel = bunch as unknown as PageModel;
 
 /** A studio with a specimen of a model before it, the model's tools included, and what it does outside itself. */
-export async function studioWith(specimen: Specimen, model: Model = bunchModel, ui = FIRST_VISIT) {
+export async function studioWith(specimen: Specimen, model: PageModel = bunchModel, ui = FIRST_VISIT) {
 	const surroundings = {
 		grow: vi.fn(),
 		cancel: vi.fn(),

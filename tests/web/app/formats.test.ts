@@ -3,7 +3,8 @@ import { png } from "../../../web/src/formats/png";
 import { foundInFile } from "../../../web/src/formats/restore";
 import { makeFile } from "../../../web/src/generate/files/make";
 import type { FileRequest } from "../../../web/src/generate/files/messages";
-import type { Format, Model } from "../../../web/src/models/model";
+import type { Format } from "../../../web/src/models/model";
+import type { PageModel } from "../../../web/src/models/page_model";
 import { model as standModel } from "../../../web/src/models/stand/index";
 import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
@@ -12,8 +13,8 @@ import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
 import { bunchModel } from "./desk";
 
-const model = toy as unknown as Model;
-const stand: Model = { ...(standModel as unknown as Model), instanced: () => false };
+const model = toy as unknown as PageModel;
+const stand: PageModel = { ...(standModel as unknown as PageModel), instanced: () => false };
 const shown = (formats: readonly Format[]) => ({
 	model: { ...model, formats },
 	grown: EMPTY_PLANT,
@@ -85,7 +86,7 @@ describe("what can be downloaded", () => {
 
 	it("is a file with instances where parts share meshes", () => {
 		const organs = { ...EMPTY_PLANT.organs, count: 1, mesh: Int32Array.of(0) };
-		const keys = (model: Partial<Model>, grown: Plant = { ...EMPTY_PLANT, organs }) =>
+		const keys = (model: Partial<PageModel>, grown: Plant = { ...EMPTY_PLANT, organs }) =>
 			formatsOf({ ...shown([]), model: { ...shown([]).model, ...model }, grown }, undefined).map(({ key }) => key);
 		expect(keys({})).toContain("glb-instanced");
 		expect(keys({ instanced: () => false })).not.toContain("glb-instanced");
@@ -94,7 +95,7 @@ describe("what can be downloaded", () => {
 
 	it("is what the model makes besides, of what suits it", async () => {
 		const plant = shown([format, { ...format, key: "no", applies: () => false }]);
-		const write = vi.fn((model: Model, request: FileRequest) => makeFile(model, request));
+		const write = vi.fn((model: PageModel, request: FileRequest) => makeFile(model, request));
 		const [own, ...others] = formatsOf(plant, undefined, write).filter(({ key }) => key === "txt" || key === "no");
 		expect(others).toEqual([]);
 		const blob = await own.make({ plant, link: "?v=2", name: "plain-1", options: { triangles: 500 } });

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
-import type { Model } from "../../../web/src/models/model";
+import type { PageModel } from "../../../web/src/models/page_model";
 import type { Plant } from "../../../web/src/plant/plant";
 import type { GrowOptions } from "../../../web/src/app/cores";
 import { Growing } from "../../../web/src/app/growing";
@@ -21,7 +21,7 @@ describe("growing", () => {
 	}
 	let calls: Call[];
 	const studio = {
-		state: { shown: undefined as { model: Model } | undefined, model: bunchModel as Model, specimen: specimen(1) },
+		state: { shown: undefined as { model: PageModel } | undefined, model: bunchModel as PageModel, specimen: specimen(1) },
 		growAgain: vi.fn(),
 		grew: vi.fn(),
 		caughtUp: vi.fn(),
@@ -64,7 +64,7 @@ describe("growing", () => {
 			growing.finish();
 		}
 		expect(studio.growAgain).not.toHaveBeenCalled();
-		studio.state.model = { ...bunchModel, sketch: async () => {} } as Model;
+		studio.state.model = { ...bunchModel, sketch: async () => {} } as PageModel;
 		growing.finish();
 		expect(studio.growAgain).toHaveBeenCalledOnce();
 	});
@@ -142,12 +142,12 @@ describe("growing", () => {
 
 	it("speaks of the model that is asked for, and of the one that stays", async () => {
 		const failing = () => calls[calls.length - 1].reject(new CoreTrap("unreachable"));
-		const beside = growing.grow(toy as unknown as Model, specimen(1));
+		const beside = growing.grow(toy as unknown as PageModel, specimen(1));
 		failing();
 		await beside;
 		expect(studio.notify.mock.lastCall?.[1]).toEqual(["The last bunch stays; any change grows again."]);
 		studio.state.shown = undefined;
-		const first = growing.grow(toy as unknown as Model, specimen(1));
+		const first = growing.grow(toy as unknown as PageModel, specimen(1));
 		failing();
 		await first;
 		expect(studio.fail.mock.lastCall?.[0].details).toEqual(["There is no pole yet; any change grows again."]);

@@ -2,7 +2,7 @@ import { beforeAll, describe, expect, it, vi } from "vitest";
 import { png } from "../../../web/src/formats/png";
 import { withLink } from "../../../web/src/formats/png_link";
 import { model as leaf } from "../../../web/src/models/leaf/index";
-import type { Model } from "../../../web/src/models/model";
+import type { PageModel } from "../../../web/src/models/page_model";
 import { model as tree } from "../../../web/src/models/tree/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { writtenSpecimen } from "../../../web/src/specimen/written";
@@ -15,12 +15,12 @@ vi.mock("../../../web/src/import/mesh_file/read_in_worker", async () => ({
 	readMeshInWorker: (await import("../../../web/src/import/mesh_file/read")).readMeshFile,
 }));
 
-const [leafModel, treeModel] = [leaf, tree] as unknown as Model[];
+const [leafModel, treeModel] = [leaf, tree] as unknown as PageModel[];
 const BALL = ["1 0 0", "-1 0 0", "0 1 0", "0 -1 0", "0 0 1", "0 0 -1"].map((point) => `v ${point}`);
 const FACES = ["1 3 5", "3 2 5", "2 4 5", "4 1 5", "3 1 6", "2 3 6", "4 2 6", "1 4 6"].map((face) => `f ${face}`);
 
 /** A studio with a model's standard preset, and what it says once a file has been brought to it. */
-async function brought(model: Model) {
+async function brought(model: PageModel) {
 	const { studio } = await studioWith(fromPreset(model), model);
 	const said = () => studio.state.notices.map(({ title, details }) => [title, ...details].join(" "));
 	const bring = async (file: File) => {

@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
-import type { Model } from "../../../web/src/models/model";
+import type { PageModel } from "../../../web/src/models/page_model";
 import { findPresets, kindKey, sectionsOf } from "../../../web/src/app/preset_search";
 import { toy } from "../toy";
 import { bunchModel } from "./desk";
 
-const sections = sectionsOf([bunchModel, toy as unknown as Model]);
+const sections = sectionsOf([bunchModel, toy as unknown as PageModel]);
 const found = (query: string, kind?: string) =>
 	findPresets(sections, query, kind).flatMap(({ presets }) => presets.map(({ name }) => name));
 
@@ -17,7 +17,7 @@ describe("the gallery's sections", () => {
 
 	it("leave a kind without presets out", () => {
 		const kinds = [...toy.presets.kinds, { key: "lost", title: "Lost" }];
-		const model = { ...toy, presets: { ...toy.presets, list: toy.presets.list, kinds } } as unknown as Model;
+		const model = { ...toy, presets: { ...toy.presets, list: toy.presets.list, kinds } } as unknown as PageModel;
 		expect(sectionsOf([model]).map(({ kind }) => kind.key)).toEqual(["bare", "flown"]);
 	});
 });

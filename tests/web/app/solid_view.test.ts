@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { Model } from "../../../web/src/models/model";
+import type { PageModel } from "../../../web/src/models/page_model";
 import { SolidView } from "../../../web/src/app/solid_view";
 import type { Studio } from "../../../web/src/app/studio";
 import { specimenFromPreset } from "../bunch";
@@ -195,7 +195,7 @@ describe("the 3-D view", () => {
 		expect(solid.pick(1, 2)).toBe(7);
 		expect(view.mark).toHaveBeenCalled();
 		view.mark.mockClear();
-		studio.choosePreset("plain", toy as unknown as Model);
+		studio.choosePreset("plain", toy as unknown as PageModel);
 		update();
 		studio.setUi({ theme: "dark" });
 		update();
@@ -205,7 +205,7 @@ describe("the 3-D view", () => {
 	it("brings another model's figure before its plant, and only once", async () => {
 		studio.grew(grown, studio.state.specimen);
 		update();
-		studio.choosePreset("plain", toy as unknown as Model);
+		studio.choosePreset("plain", toy as unknown as PageModel);
 		await vi.waitFor(() => expect(studio.state.face).toBeDefined());
 		view.use.mockClear();
 		view.show.mockClear();
@@ -222,7 +222,7 @@ describe("the 3-D view", () => {
 
 	it("fetches a figure that did not come once, and again only when it is asked to or another model was shown", async () => {
 		const figure = vi.fn<() => Promise<never>>(() => Promise.reject(new TypeError("Failed to fetch")));
-		const broken = { ...toy, figure } as unknown as Model;
+		const broken = { ...toy, figure } as unknown as PageModel;
 		studio.grew(grown, studio.state.specimen);
 		const end = studio.subscribe(update);
 		const notices = () => studio.state.notices.filter(({ title }) => title === `The ${toy.noun} cannot be drawn`);

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import type { Model } from "../../../web/src/models/model";
+import type { PageModel } from "../../../web/src/models/page_model";
 import type { Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import type { Studio } from "../../../web/src/app/studio";
@@ -8,7 +8,7 @@ import { toy } from "../toy";
 import { bunchModel, studioWith } from "./desk";
 
 const opened = specimenFromPreset("long-conical");
-const toyModel = toy as unknown as Model;
+const toyModel = toy as unknown as PageModel;
 
 describe("the studio", () => {
 	let studio: Studio;

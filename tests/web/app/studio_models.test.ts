@@ -1,5 +1,5 @@
 import { describe, expect, it, vi } from "vitest";
-import type { Model } from "../../../web/src/models/model";
+import type { PageModel } from "../../../web/src/models/page_model";
 import type { Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { FIRST_VISIT } from "../../../web/src/app/ui_state";
@@ -8,7 +8,7 @@ import { toy } from "../toy";
 import { bunchModel, studioWith } from "./desk";
 
 const opened = specimenFromPreset("long-conical");
-const toyModel = toy as unknown as Model;
+const toyModel = toy as unknown as PageModel;
 
 describe("a preset of another model", () => {
 	it("is one step: its model, its growth and its address, and back", async () => {
@@ -49,7 +49,7 @@ describe("a preset of another model", () => {
 		const tool = { name: "hoist", initial: 0, start, press };
 		const { studio } = await studioWith(opened);
 		const bunchFace = studio.state.face;
-		const model: Model = { ...toyModel, studio: async () => ({ tools: [tool] }) };
+		const model: PageModel = { ...toyModel, ui: async () => ({ tools: [tool] }) };
 		studio.choosePreset("plain", model);
 		expect(studio.state.face).toBeUndefined();
 		await vi.waitFor(() => expect(studio.state.face?.tools).toEqual([tool]));
@@ -66,7 +66,7 @@ describe("a preset of another model", () => {
 
 	it("does without tools that cannot be fetched, and says so", async () => {
 		const { studio } = await studioWith(opened);
-		const broken: Model = { ...toyModel, studio: () => Promise.reject(new Error("offline")) };
+		const broken: PageModel = { ...toyModel, ui: () => Promise.reject(new Error("offline")) };
 		studio.choosePreset("plain", broken);
 		await vi.waitFor(() => expect(studio.state.face).toEqual({ tools: [] }));
 		expect(studio.state.notices.map(({ title }) => title)).toEqual(["The tools of the pole could not be fetched"]);
@@ -76,7 +76,7 @@ describe("a preset of another model", () => {
 		const { studio } = await studioWith(opened);
 		const tools = [{ name: "hoist", initial: 0 }];
 		const face = vi.fn(async () => ({ tools })).mockRejectedValueOnce(new Error("offline"));
-		studio.choosePreset("plain", { ...toyModel, studio: face });
+		studio.choosePreset("plain", { ...toyModel, ui: face });
 		await vi.waitFor(() => expect(studio.state.notices).toHaveLength(1));
 		studio.state.notices[0].again?.();
 		await vi.waitFor(() => expect(studio.state.face).toEqual({ tools }));
@@ -87,7 +87,7 @@ describe("what tools keep", () => {
 	const flag = { name: "flag", initial: { up: false }, recall: (kept: unknown) => ({ up: kept === "up" }) };
 
 	it("is recalled where a tool wants it, and remembered when it changes", async () => {
-		const model: Model = { ...toyModel, studio: async () => ({ tools: [flag] }) };
+		const model: PageModel = { ...toyModel, ui: async () => ({ tools: [flag] }) };
 		const ui = { ...FIRST_VISIT, tools: { toy: { flag: "up" } } };
 		const { studio, surroundings } = await studioWith(fromPreset(toyModel), model, ui);
 		expect(studio.toolState(flag)).toEqual({ up: true });

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { plantInWords } from "../../../web/src/element/plant_in_words";
-import type { Model } from "../../../web/src/models/model";
+import type { PageModel } from "../../../web/src/models/page_model";
 import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 
 it.each([
@@ -10,6 +10,6 @@ it.each([
 	["Oak", "tree", "9.2 m tall, 5,400 leaves", "Oak tree: 9.2 m tall, 5,400 leaves"],
 	["Carrot", "root", "19 cm deep, 60 root tips", "Carrot root: 19 cm deep, 60 root tips"],
 ])("says of a %s that it is a %s, once", (title, noun, words, whole) => {
-	const model = { noun, title: "Plant", presets: { named: () => ({ title }) }, words: () => words } as unknown as Model;
+	const model = { noun, title: "Plant", presets: { named: () => ({ title }) }, words: () => words } as unknown as PageModel;
 	expect(plantInWords({ model, specimen: { preset: "a" } as never, grown: EMPTY_PLANT })).toBe(whole);
 });

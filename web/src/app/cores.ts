@@ -3,7 +3,8 @@ import { Client } from "../core/client";
 import type { Block } from "../core/container";
 import { Superseded, UnsupportedError } from "../core/errors";
 import { grownMembers, KeptMembers } from "../generate/members";
-import type { GrowthOptions, Model } from "../models/model";
+import type { GrowthOptions } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 
@@ -18,7 +19,7 @@ export interface GrowOptions extends GrowthOptions {
 
 /** What grows specimens; rejects as `Client.grow` does. */
 export interface Grower {
-	grow(model: Model, specimen: Specimen, options?: GrowOptions): Promise<Plant>;
+	grow(model: PageModel, specimen: Specimen, options?: GrowOptions): Promise<Plant>;
 }
 
 export class Cores implements Grower {
@@ -43,7 +44,7 @@ export class Cores implements Grower {
 	}
 
 	async grow(
-		model: Model,
+		model: PageModel,
 		specimen: Specimen,
 		{ signal, sketched, grew, ...wanted }: GrowOptions = {},
 	): Promise<Plant> {

@@ -1,21 +1,21 @@
 /** Models' tools and words for the page, each fetched once. */
 import type { Face } from "../ui/tool";
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 
 /** The page's side of a model that has none. */
 export const BARE: Face = { tools: [] };
 
 export class Faces {
-	readonly #faces = new Map<Model, Face>();
+	readonly #faces = new Map<PageModel, Face>();
 
 	/** The face of a model, if it has come. */
-	known(model: Model): Face | undefined {
+	known(model: PageModel): Face | undefined {
 		return this.#faces.get(model);
 	}
 
 	/** @throws what the fetching of its script throws; a later call fetches it again */
-	async of(model: Model): Promise<Face> {
-		const face = this.#faces.get(model) ?? (await model.studio?.()) ?? BARE;
+	async of(model: PageModel): Promise<Face> {
+		const face = this.#faces.get(model) ?? (await model.ui?.()) ?? BARE;
 		this.#faces.set(model, face);
 		return face;
 	}

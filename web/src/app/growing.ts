@@ -1,7 +1,8 @@
 import type { Fault } from "../ui/desk";
 import { GROWTH_TOPIC as GROWTH } from "../ui/tool";
 import { CoreError, CoreTrap, Superseded } from "../core/errors";
-import type { GrowthOptions, Model } from "../models/model";
+import type { GrowthOptions } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Grower } from "./cores";
@@ -33,7 +34,7 @@ export class Growing {
 	}
 
 	/** Grows a specimen, measured unless it says not; a newer call takes its place. */
-	async grow(model: Model, specimen: Specimen, options: GrowthOptions = {}): Promise<void> {
+	async grow(model: PageModel, specimen: Specimen, options: GrowthOptions = {}): Promise<void> {
 		const turn = ++this.#newest;
 		this.#cancel ??= new AbortController();
 		this.#timer ??= this.#patience();

@@ -4,7 +4,7 @@ import { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
 import { loadFigure, loadScene } from "../element/figures";
 import { DEFAULT_MODEL, isModel, modelNamed, modelNames } from "../models/index";
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import { allBut } from "../specimen/all_but";
 import { AddressBar, isForeign, modelInAddress, readAddress, readWholeAddress } from "./address";
 import { Cores } from "./cores";
@@ -63,7 +63,7 @@ const ui = loadUi(localStorageOr());
 applyTheme(ui.theme);
 modelNamed(asked).then(start, refuse);
 
-function start(model: Model): void {
+function start(model: PageModel): void {
 	cores.warm(model.wasm); // Of a family it is not named after the model.
 	loadFigure(model).catch(() => {}); // The stage asks again, and says why not.
 	// A core's client grows what it was asked last: what is looked for is not to take the place of what is shown.

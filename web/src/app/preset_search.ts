@@ -1,10 +1,10 @@
 /** Finding presets by words and by kind. */
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import type { Preset, PresetKind } from "../specimen/presets";
 
 /** The presets of one kind of one model. */
 export interface PresetSection {
-	readonly model: Model;
+	readonly model: PageModel;
 	readonly kind: PresetKind;
 	readonly presets: readonly Preset[];
 }
@@ -15,7 +15,7 @@ export function kindKey({ model, kind }: Pick<PresetSection, "model" | "kind">):
 }
 
 /** Every kind of every model that has presets, in the order of the gallery. */
-export function sectionsOf(models: readonly Model[]): readonly PresetSection[] {
+export function sectionsOf(models: readonly PageModel[]): readonly PresetSection[] {
 	return models
 		.flatMap((model) =>
 			model.presets.kinds.map((kind) => ({

@@ -2,7 +2,7 @@
 import type { Camera, Object3D } from "three";
 import type { Face, Instead, Sight, ToolHands, ToolView } from "../ui/tool";
 import { loadFigure, loadScene } from "../element/figures";
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import { turnedBy } from "../render/orbit_keys";
 import type { Viewer } from "../render/viewer";
@@ -36,10 +36,10 @@ export class SolidView implements ToolView {
 	#disposed = false;
 	readonly #ended = new AbortController();
 	/** Whose figure is on the stage, and whose is on its way. */
-	#figured: Model | undefined;
-	#awaited: Model | undefined;
+	#figured: PageModel | undefined;
+	#awaited: PageModel | undefined;
 	/** The model whose script could not be fetched: it is fetched again on request, or after another model was shown. */
-	#missing: Model | undefined;
+	#missing: PageModel | undefined;
 	#shown: Shown | undefined;
 	#look: StudioState["specimen"]["look"] | undefined;
 	/** What a tool shows, and what is shown of that. */
@@ -250,7 +250,7 @@ export class SolidView implements ToolView {
 	}
 
 	/** Puts a model's figure on the stage, in place of the last one's. */
-	async #use(model: Model): Promise<void> {
+	async #use(model: PageModel): Promise<void> {
 		const figure = await loadFigure(model);
 		if (this.#disposed) return;
 		this.#view.use(figure);
@@ -259,7 +259,7 @@ export class SolidView implements ToolView {
 	}
 
 	/** The same while the page goes on; the newest that was asked for is the one that comes. */
-	async #bring(model: Model): Promise<void> {
+	async #bring(model: PageModel): Promise<void> {
 		if (model === this.#awaited) return;
 		this.#awaited = model;
 		this.#missing = undefined;
@@ -277,7 +277,7 @@ export class SolidView implements ToolView {
 	}
 
 	/** Reports that a model cannot be drawn. The notice updates the view, so fetching again at each update would never end. */
-	#reportMissing(model: Model): void {
+	#reportMissing(model: PageModel): void {
 		this.#awaited = undefined;
 		this.#missing = model;
 		const again = () => void this.#bring(model);

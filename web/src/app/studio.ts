@@ -1,7 +1,7 @@
 import { apply, otherSeed } from "../ui/change";
 import type { Change, Desk, Fault, NoticeOptions, Stateful } from "../ui/desk";
 import type { Face } from "../ui/tool";
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import { fromPreset } from "../specimen/from_preset";
 import * as histories from "../specimen/history";
@@ -33,7 +33,7 @@ export class Studio implements Desk {
 	readonly #listeners = new Set<() => void>();
 	readonly #surroundings: Surroundings;
 	/** Models of all specimens there have been. */
-	readonly #models = new Map<string, Model>();
+	readonly #models = new Map<string, PageModel>();
 	readonly #faces = new Faces();
 	/** Whose a tool is. */
 	readonly #owners = new Map<Stateful<unknown>, string>();
@@ -99,7 +99,7 @@ export class Studio implements Desk {
 	}
 
 	/** Takes a document from outside in place of this one, as one step. */
-	take(model: Model, restored: Restored, from: string): void {
+	take(model: PageModel, restored: Restored, from: string): void {
 		this.#models.set(model.name, model);
 		this.replace(restored.specimen);
 		this.retract(from);
@@ -110,7 +110,7 @@ export class Studio implements Desk {
 	 * Follows the browser's Back and Forward: where they lead to the step before this one or after it, that is undone or
 	 * done again; else it is a step as any document from outside.
 	 */
-	visit(model: Model, restored: Restored, from: string): void {
+	visit(model: PageModel, restored: Restored, from: string): void {
 		const { past, future } = histories.settle(this.#state.history);
 		const leadsTo = (step: Specimen | undefined) => step !== undefined && sameSpecimen(step, restored.specimen);
 		if (leadsTo(past.at(-1))) this.undo();
@@ -119,7 +119,7 @@ export class Studio implements Desk {
 	}
 
 	/** A preset as it was published: of this model, or of another. */
-	choosePreset(name: string, model: Model = this.#state.model): void {
+	choosePreset(name: string, model: PageModel = this.#state.model): void {
 		this.#models.set(model.name, model);
 		this.replace(fromPreset(model, name));
 	}
@@ -205,7 +205,7 @@ export class Studio implements Desk {
 	}
 
 	/** Models whose presets the gallery is to show. */
-	list(catalogue: readonly Model[]): void {
+	list(catalogue: readonly PageModel[]): void {
 		this.#update({ catalogue });
 	}
 
@@ -272,7 +272,7 @@ export class Studio implements Desk {
 	}
 
 	/** Puts the tools of a model on the desk, in place of the last one's. */
-	async #bringFace(model: Model): Promise<void> {
+	async #bringFace(model: PageModel): Promise<void> {
 		for (const end of this.#ends.splice(0)) end();
 		const face = this.#faces.known(model) ?? (await this.#faceOf(model));
 		if (this.#state.model !== model || this.#state.face === face) return;
@@ -282,7 +282,7 @@ export class Studio implements Desk {
 		this.#ends = face.tools.flatMap((tool) => tool.start?.(this) ?? []);
 	}
 
-	#faceOf(model: Model): Promise<Face> {
+	#faceOf(model: PageModel): Promise<Face> {
 		return this.#faces.of(model).catch(() => {
 			const details = ["Sliders and downloads work all the same.", TRY_AGAIN];
 			const again = () => void this.#bringFace(model);

@@ -1,6 +1,6 @@
 import type { DeskState } from "../ui/desk";
 import type { Face } from "../ui/tool";
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import { type History, startHistory } from "../specimen/history";
 import type { Specimen } from "../specimen/specimen";
@@ -10,14 +10,14 @@ import type { UiState } from "./ui_state";
 
 /** What is in the 3-D view: the last plant that grew, of whatever model. */
 export interface Shown {
-	readonly model: Model;
+	readonly model: PageModel;
 	readonly grown: Plant;
 	/** The specimen it grew from. */
 	readonly from: Specimen;
 }
 
 export interface StudioState extends DeskState {
-	readonly model: Model;
+	readonly model: PageModel;
 	/** The model's tools and words; undefined until they have come. */
 	readonly face: Face | undefined;
 	readonly history: History;
@@ -32,7 +32,7 @@ export interface StudioState extends DeskState {
 	/** What models' tools keep. */
 	readonly tools: ToolStates;
 	/** Models whose presets the gallery shows. */
-	readonly catalogue: readonly Model[];
+	readonly catalogue: readonly PageModel[];
 	/** Takes a picture of the 3-D view, as PNG, while there is one. */
 	readonly picture: ((options?: PictureOptions) => Promise<Blob>) | undefined;
 	/** Whether the system is dark. */

@@ -1,5 +1,5 @@
 import type { AsideOptions } from "../ui/desk";
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { UiState } from "./ui_state";
@@ -7,15 +7,15 @@ import type { UiState } from "./ui_state";
 /** What the studio does outside itself; main.ts wires it. */
 export interface Surroundings {
 	/** Asks for growth, measured or not; the newest request wins. */
-	grow(model: Model, specimen: Specimen, options: { passing: boolean }): void;
+	grow(model: PageModel, specimen: Specimen, options: { passing: boolean }): void;
 	/** What a specimen measures, without showing it; rejects as growing does, and with the signal's reason. */
-	measure(model: Model, specimen: Specimen, signal: AbortSignal): Promise<Float32Array>;
+	measure(model: PageModel, specimen: Specimen, signal: AbortSignal): Promise<Float32Array>;
 	/** Grows a specimen without showing it (Desk.aside). */
 	aside(specimen: Specimen, options: AsideOptions): Promise<Plant>;
 	/** Ends a long growth. */
 	cancel(): void;
 	/** The document came to rest: the address bar is to hold it. */
-	settled(model: Model, specimen: Specimen): void;
+	settled(model: PageModel, specimen: Specimen): void;
 	/** The interface changed: remember in what. */
 	remember(ui: UiState, before: UiState): void;
 }

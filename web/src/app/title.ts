@@ -1,6 +1,6 @@
 /** What a plant is called, on the page and in the tab. */
 import type { Tool } from "../ui/tool";
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import { withParameters } from "../specimen/edit";
 import { fromPreset } from "../specimen/from_preset";
 import { growsAlike } from "../specimen/same";
@@ -8,7 +8,7 @@ import type { Specimen } from "../specimen/specimen";
 import { runningBy } from "./panel_groups";
 
 /** "Maple", or "Maple, altered"; what its model calls it, where that does. @param tools the model's */
-export function titleOf(specimen: Specimen, model: Model, tools: readonly Tool[] = []): string {
+export function titleOf(specimen: Specimen, model: PageModel, tools: readonly Tool[] = []): string {
 	const own = model.titled?.(specimen);
 	if (own !== undefined) return own;
 	const title = model.presets.named(specimen.preset)?.title ?? model.title;
@@ -16,7 +16,7 @@ export function titleOf(specimen: Specimen, model: Model, tools: readonly Tool[]
 }
 
 /** Whether it is of another shape than its preset. Another seed is none, nor what a tool's bar runs through. */
-export function isAltered(specimen: Specimen, model: Model, tools: readonly Tool[] = []): boolean {
+export function isAltered(specimen: Specimen, model: PageModel, tools: readonly Tool[] = []): boolean {
 	const preset = presetOf(model, specimen.preset);
 	const values = Object.fromEntries(runningBy(tools).map((key) => [key, preset.parameters[key]]));
 	// A name that no preset has stands for the first.
@@ -25,9 +25,9 @@ export function isAltered(specimen: Specimen, model: Model, tools: readonly Tool
 }
 
 /** The last one: a life that runs asks for it at every frame. */
-let known: { model: Model; name: string; preset: Specimen } | undefined;
+let known: { model: PageModel; name: string; preset: Specimen } | undefined;
 
-function presetOf(model: Model, name: string): Specimen {
+function presetOf(model: PageModel, name: string): Specimen {
 	if (known?.model !== model || known.name !== name) known = { model, name, preset: fromPreset(model, name) };
 	return known.preset;
 }

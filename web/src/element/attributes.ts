@@ -1,6 +1,6 @@
 /** The specimen that an element's attributes say: `preset="riesling" seed="7" age="80"`, `model="leaf"`, `link="?v=2&…"`. */
 import { isModel, modelNamed } from "../models/index";
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import { decodeLink, linkParts, modelInQuery } from "../specimen/link";
 import { Notes } from "../specimen/notes";
 import { isKnown, type Restored, restore } from "../specimen/restore";
@@ -30,7 +30,7 @@ const OF_FRAMEWORKS = /[^a-z0-9_]|^_|^on/;
 
 /** What it is a specimen of, and what was wrong in what was said of it. */
 export interface Said extends Restored {
-	readonly model: Model;
+	readonly model: PageModel;
 }
 
 export type Attributes = Iterable<{ readonly name: string; readonly value: string }>;

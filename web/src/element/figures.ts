@@ -1,5 +1,5 @@
 /** What draws plants: scripts that come when they are first asked for. */
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import { swayOf } from "../plant/sway";
 import type { FigureMaker } from "../render/figure";
@@ -9,7 +9,7 @@ type SceneModule = typeof import("../render/viewer");
 type Maker = FigureMaker<Specimen, Plant>;
 
 let loading: Promise<SceneModule> | undefined;
-const figures = new Map<Model, Promise<Maker>>();
+const figures = new Map<PageModel, Promise<Maker>>();
 
 /** Starts loading the scene's script, the largest of the page; asked for again, it is the same one, unless it failed. */
 export function loadScene(): Promise<SceneModule> {
@@ -23,11 +23,11 @@ export function loadScene(): Promise<SceneModule> {
 }
 
 /** Starts loading what draws a model's plants: its own figure, or the one that draws any parts. */
-export function loadFigure(model: Model): Promise<Maker> {
+export function loadFigure(model: PageModel): Promise<Maker> {
 	const before = figures.get(model);
 	if (before) return before;
 	const figure =
-		model.figure?.() ??
+		model.render?.() ??
 		import("../render/part_figure").then(({ partFigure }) =>
 			partFigure(
 				(grown, from) => model.parts(grown, from),

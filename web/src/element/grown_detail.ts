@@ -1,6 +1,6 @@
 /** What an element shows, and what it tells of it. */
 import { measuresOf, type WrittenMeasures } from "../formats/measures";
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
 import type { Restored } from "../specimen/restore";
@@ -23,7 +23,7 @@ export interface GrownDetail {
 }
 
 export interface Document {
-	readonly model: Model;
+	readonly model: PageModel;
 	readonly specimen: Specimen;
 	readonly notes: readonly string[];
 }
@@ -33,7 +33,7 @@ export interface Shown extends Document {
 	readonly grown: Plant;
 }
 
-export const documentOf = (model: Model, { specimen, notes }: Restored): Document => ({
+export const documentOf = (model: PageModel, { specimen, notes }: Restored): Document => ({
 	model,
 	specimen,
 	notes: notes.map(({ text }) => text),

@@ -1,5 +1,5 @@
 /** The picture of an element's plant: a viewer on the page's one context of the graphics card, turned by hand, by keys or by itself. */
-import type { Model } from "../models/model";
+import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import type { Ray } from "../render/figure";
 import { turnedBy } from "../render/orbit_keys";
@@ -15,7 +15,7 @@ export class SpecimenView {
 	readonly #canvas: HTMLCanvasElement;
 	readonly #viewer: Viewer<Specimen, Plant>;
 	readonly #ended = new AbortController();
-	#figured: Model | undefined;
+	#figured: PageModel | undefined;
 	#seen = false;
 	/** Degrees a second; 0 stands still. */
 	#turning = 0;
@@ -69,7 +69,7 @@ export class SpecimenView {
 	}
 
 	/** Shows a plant in place of the last. */
-	async show(model: Model, grown: Plant, specimen: Specimen): Promise<void> {
+	async show(model: PageModel, grown: Plant, specimen: Specimen): Promise<void> {
 		if (model !== this.#figured) {
 			const figure = await loadFigure(model);
 			if (this.#ended.signal.aborted) return;

@@ -3,15 +3,15 @@
  * here, one of a family that shares its parent's files; nothing else has to be told of it. The one place that imports
  * models.
  */
-import type { Model } from "./model";
+import type { PageModel } from "./page_model";
 
 /** Brings a model; asked for again, it may bring the same one. */
-export type LoadModel = () => Promise<Model>;
+export type LoadModel = () => Promise<PageModel>;
 
 /** What a link means that names no model. */
 export const DEFAULT_MODEL = "bunch";
 
-const folders = import.meta.glob<Model>("./*/index.ts", { import: "model" });
+const folders = import.meta.glob<PageModel>("./*/index.ts", { import: "model" });
 
 /** How each is brought, by name: the default first, then by the alphabet, then what was added. */
 const loaders = new Map<string, LoadModel>(
@@ -19,7 +19,7 @@ const loaders = new Map<string, LoadModel>(
 		.map(([path, load]) => [path.split("/").at(-2) as string, load] as const)
 		.sort(([a], [b]) => Number(b === DEFAULT_MODEL) - Number(a === DEFAULT_MODEL) || (a < b ? -1 : 1)),
 );
-const loading = new Map<string, Promise<Model>>();
+const loading = new Map<string, Promise<PageModel>>();
 
 /**
  * Adds a model from elsewhere, or puts one in another's place: for pages that bring their own, and for tests.
@@ -43,7 +43,7 @@ export function isModel(name: string): boolean {
  * The model of that name, loaded once; where there is none of that name, the default. One that could not be loaded is
  * tried again with the next call.
  */
-export function modelNamed(name: string = DEFAULT_MODEL): Promise<Model> {
+export function modelNamed(name: string = DEFAULT_MODEL): Promise<PageModel> {
 	const known = isModel(name) ? name : DEFAULT_MODEL;
 	const before = loading.get(known);
 	if (before) return before;

@@ -1,20 +1,16 @@
 /**
- * What a model is to everyone else: studio, element, exporters and command line know this interface and the index
- * (index.ts), never a model. A model is a folder beside this file whose index.ts exports one as `model`; how to add one
- * is in docs/adding-a-model.md. Types only.
+ * The interface of a model: its document, requests, plants, parts and files. App, element, writers and command line know this
+ * interface and the index (index.ts), but no model. A model is a folder beside this file whose index.ts exports one as `model`;
+ * docs/adding-a-model.md shows how to add one. Types only.
  *
- * What is here at once is small: document, container, words. What needs Lit or three.js comes by `studio()` and
- * `figure()`, so that the command line and workers never load it.
+ * How a page draws and edits a model is in page_model.ts, so that the command line and workers load neither Lit nor three.js.
  */
-import type { HandlesOf } from "../ui/handles/plant_handle";
-import type { Face } from "../ui/tool";
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 import type { PointLabels } from "../formats/about";
 import type { ChronicleAsked } from "../plant/chronicle";
 import type { Part } from "../plant/part";
 import type { Plant } from "../plant/plant";
-import type { FigureMaker } from "../render/figure";
 import type { Descriptor } from "../specimen/measures";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
@@ -149,11 +145,4 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 
 	/** What can be asked of its measures, where something can. */
 	readonly targets?: Targets<S>;
-
-	/** Where parts are not enough, the model's own way of being drawn: from the module with three.js in it. */
-	figure?(): Promise<FigureMaker<S, G>>;
-	/** Handles on the plant itself, for pages that have it alone; from a module of its own. */
-	handles?(): Promise<HandlesOf<S>>;
-	/** The page's side: tools, flat views, panel sections, read-out, bars: the module with Lit in it. */
-	studio?(): Promise<Face<S, G>>;
 }

@@ -1,17 +1,12 @@
 /** The renderer, and what there is to know of the graphics card behind it. */
 import { NeutralToneMapping, type PerspectiveCamera, SRGBColorSpace, WebGLRenderer } from "three";
 import { NoWebGL2Error } from "./no_webgl2";
+import type { Size } from "./size";
 import { SmoothEdges } from "./smooth_edges";
 
 /** What can be drawn: a `Stage`. */
 export interface Drawable {
 	draw(renderer: WebGLRenderer, camera: PerspectiveCamera, paper: number): void;
-}
-
-/** In pixels. */
-export interface Size {
-	width: number;
-	height: number;
 }
 
 /**

@@ -1,6 +1,6 @@
 import { FramebufferTexture, LinearFilter, RGBFormat, Vector2, type WebGLRenderer } from "three";
 import { FullScreen } from "./full_screen";
-import type { Size } from "./renderer";
+import type { Size } from "./size";
 
 /** Along an edge, which runs across the steepest change of brightness, pixels are blurred, and where one stands alone; all others stay. */
 const FRAGMENT = /* glsl */ `

@@ -3,7 +3,8 @@ import { type Spindle, spindleOf } from "./camera_fit";
 import type { FigureMaker, Ray } from "./figure";
 import { type Frame, FrameLoop } from "./frame_loop";
 import type { Theme } from "./light";
-import { type Drawable, Renderer, type Size } from "./renderer";
+import { type Drawable, Renderer } from "./renderer";
+import type { Size } from "./size";
 import { Stage } from "./stage";
 import { type Gaze, Turntable, type ViewName } from "./turntable";
 

@@ -2,7 +2,7 @@ import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
 import { PLAY } from "../../../../web/src/ui/life_player";
 import { age } from "../../../../web/src/models/bunch/ui/age";
 import { stems } from "../../../../web/src/models/bunch/ui/stems";
-import type { Model } from "../../../../web/src/models/model";
+import type { PageModel } from "../../../../web/src/models/page_model";
 import type { StudioPart } from "../../../../web/src/app/parts/studio_part";
 import { Studio } from "../../../../web/src/app/studio";
 import { FIRST_VISIT } from "../../../../web/src/app/ui_state";
@@ -128,7 +128,7 @@ describe("a part of the page follows", () => {
 		],
 		["a growth that takes long", () => studio.setGrowing(true), ["stage"]],
 		["what there is to save", () => studio.showPicture(async () => new Blob()), ["download"]],
-		["models that have come", () => studio.list([bunchModel, toy as unknown as Model]), ["gallery"]],
+		["models that have come", () => studio.list([bunchModel, toy as unknown as PageModel]), ["gallery"]],
 		["a preset", () => studio.choosePreset("winged-cylindrical"), ["gallery", "history", "variation", ...document]],
 	])("%s", async (_, change, followed) => {
 		expect((await followers(change)).sort()).toEqual([...followed].sort());
@@ -137,7 +137,7 @@ describe("a part of the page follows", () => {
 	it("another model, and its tools once they have come", async () => {
 		parts.delete("life"); // The page has taken it away by then.
 		const all = ["bars", "editors", "gallery", "help", "panel", "readout", "share", "stage", "variation", "views"];
-		expect(await followers(() => studio.choosePreset("plain", toy as unknown as Model))).toEqual(
+		expect(await followers(() => studio.choosePreset("plain", toy as unknown as PageModel))).toEqual(
 			expect.arrayContaining(all),
 		);
 		const tools = vi.waitFor(() => expect(studio.state.face).toBeDefined());

@@ -3,7 +3,7 @@ import { nextStep } from "../../../../web/src/ui/life";
 import type { Face } from "../../../../web/src/ui/tool";
 import type { Core } from "../../../../web/src/core/core";
 import { model as leaf } from "../../../../web/src/models/leaf/index";
-import type { Model } from "../../../../web/src/models/model";
+import type { PageModel } from "../../../../web/src/models/page_model";
 import type { TrailPlant } from "../../../../web/src/models/particles/trails";
 import { GROWTH, LIFE } from "../../../../web/src/models/particles/watch";
 import { model as root } from "../../../../web/src/models/root/index";
@@ -23,7 +23,7 @@ it.each([
 	["tree", tree, inRun(["bonsai"], ["oak", "bonsai", "hedge"])],
 	["root", root, ["tap", "fibrous"]],
 ] as const)("a %s runs in as many steps at any age, each of which is seen, up to the end", (_, each, presets) => {
-	const model = each as unknown as Model<Specimen, TrailPlant>;
+	const model = each as unknown as PageModel<Specimen, TrailPlant>;
 	for (const preset of presets) {
 		const specimen = fromPreset(model, preset);
 		const at = (age: number) => {
@@ -53,8 +53,8 @@ it.each([
 	["tree", tree],
 	["root", root],
 ] as const)("a %s that grows with its age has a life of its own stages, one at a time", async (_, each) => {
-	const model = each as unknown as Model<Specimen, TrailPlant>;
-	const face = (await model.studio?.()) as Face<Specimen, TrailPlant>;
+	const model = each as unknown as PageModel<Specimen, TrailPlant>;
+	const face = (await model.ui?.()) as Face<Specimen, TrailPlant>;
 	const bars = (life: number) => {
 		const specimen = fromPreset(model);
 		const asked = { ...specimen, parameters: { ...specimen.parameters, life } };

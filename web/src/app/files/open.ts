@@ -91,7 +91,7 @@ async function elsewhere(studio: Studio, file: File): Promise<string[]> {
 	const others = modelNames().filter((name) => name !== studio.state.model.name);
 	const taken = others.map(async (name) => {
 		const model = await modelNamed(name);
-		const { tools } = (await model.studio?.()) ?? BARE;
+		const { tools } = (await model.ui?.()) ?? BARE;
 		const drop = applying(tools, fromPreset(model)).find((tool) => tool.drop?.takes(file))?.drop;
 		return drop && `${model.title}: ${drop.words}.`;
 	});

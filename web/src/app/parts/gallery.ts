@@ -2,7 +2,7 @@ import { html, nothing, type PropertyValues } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import { icon } from "../../ui/icons";
 import { rove, stopAt } from "../../ui/roving";
-import type { Model } from "../../models/model";
+import type { PageModel } from "../../models/page_model";
 import type { Preset } from "../../specimen/presets";
 import { findPresets, kindKey, type PresetSection, sectionsOf } from "../preset_search";
 import type { Studio } from "../studio";
@@ -11,7 +11,7 @@ import { openPart } from "./open_part";
 import { StudioPart } from "./studio_part";
 
 /** Rendered by the app itself on the paper of each theme (`npm run pictures -- gallery`). */
-const pictureOf = (model: Model, { name }: Preset, dark: boolean) =>
+const pictureOf = (model: PageModel, { name }: Preset, dark: boolean) =>
 	`${import.meta.env.BASE_URL}gallery/${model.name}/${name}-${dark ? "dark" : "light"}.webp`;
 
 const picture = (src: string) =>
@@ -65,7 +65,7 @@ export class Gallery extends StudioPart {
 			</div>`;
 	}
 
-	#kinds(model: Model, sections: readonly PresetSection[], many: boolean): unknown {
+	#kinds(model: PageModel, sections: readonly PresetSection[], many: boolean): unknown {
 		const options = sections
 			.filter((section) => section.model === model)
 			.map((section) => {
@@ -88,7 +88,7 @@ export class Gallery extends StudioPart {
 		</section>`;
 	}
 
-	#item(studio: Studio, model: Model, preset: Preset): unknown {
+	#item(studio: Studio, model: PageModel, preset: Preset): unknown {
 		const { specimen, dark } = studio.state;
 		const chosen = model.name === specimen.model && preset.name === specimen.preset;
 		return html`<li>

@@ -1,8 +1,11 @@
 /** A plant for several distances, for files that hold all of them. */
 import type { Levels } from "../../formats/lod_glb";
-import type { Model } from "../../models/model";
+import type { GrowthOptions, Model } from "../../models/model";
+import type { Plant } from "../../plant/plant";
 import type { Specimen } from "../../specimen/specimen";
-import type { Growing } from "./make";
+
+/** Grows a specimen, with its meshes where nothing else is wanted. */
+export type Growing = (specimen: Specimen, wanted?: GrowthOptions) => Promise<Plant>;
 
 /** Undefined of models that make no levels. */
 export function levelledOf(model: Model, specimen: Specimen, grow: Growing): Levels | undefined {

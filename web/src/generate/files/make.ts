@@ -3,19 +3,14 @@ import { aboutPlant } from "../../formats/about_plant";
 import { writeJson } from "../../formats/json";
 import { writeObj } from "../../formats/obj";
 import { PLANT_FILES } from "../../formats/plant_files";
-import type { GrowthOptions, Model } from "../../models/model";
-import type { Plant } from "../../plant/plant";
-import type { Specimen } from "../../specimen/specimen";
 import { agedOf } from "./aged";
-import { levelledOf } from "./levelled";
+import { type Growing, levelledOf } from "./levelled";
 import type { FileRequest } from "./messages";
 import { swayed } from "./swayed";
 import { zip } from "./zip";
 
 const encoder = new TextEncoder();
 
-/** Grows a specimen, with its meshes where nothing else is wanted. */
-export type Growing = (specimen: Specimen, wanted?: GrowthOptions) => Promise<Plant>;
 
 /**
  * Makes a file. The same request gives the same bytes.

@@ -4,7 +4,8 @@ import { compileCore } from "../../core/loader";
 import { isModel, modelNamed } from "../../models/index";
 import type { Model } from "../../models/model";
 import { growPlant } from "../growth";
-import { type Growing, makeFile } from "./make";
+import type { Growing } from "./levelled";
+import { makeFile } from "./make";
 import type { FileRequest, FromExporter } from "./messages";
 
 /** Never throws: whatever goes wrong is in the answer. */

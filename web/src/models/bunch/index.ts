@@ -1,5 +1,5 @@
 /** The grape bunch (Huang et al. 2013): docs/bunch.md. */
-import type { Model } from "../model";
+import type { PageModel } from "../page_model";
 import { BUNCH_FORMATS } from "./formats";
 import type { Grown } from "./grown";
 import { fetchLeaf, fetchSketch } from "./leaf";
@@ -38,7 +38,7 @@ export const model = {
 	extras: ({ procedure, plan, second }) => ({ procedure, plan: { ...plan, second } }),
 	formats: BUNCH_FORMATS,
 	targets: bunchTargets,
-	figure: async () => (await import("./render/bunch_figure")).bunchFigure,
+	render: async () => (await import("./render/bunch_figure")).bunchFigure,
 	handles: async () => (await import("./profile/plant_handles")).bunchHandles,
-	studio: async () => (await import("./ui/face")).face,
-} satisfies Model<BunchSpecimen, Grown>;
+	ui: async () => (await import("./ui/face")).face,
+} satisfies PageModel<BunchSpecimen, Grown>;

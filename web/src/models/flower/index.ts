@@ -1,6 +1,6 @@
 /** Flowers from generalized maps (Petrenko 2014): docs/models/flower/flower.md. */
 import { titledBy } from "../../specimen/preset_texts";
-import type { Model } from "../model";
+import type { PageModel } from "../page_model";
 import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
 import { FLOWER_FORMATS } from "./formats";
 import { flowerLevels } from "./levels";
@@ -32,5 +32,5 @@ export const model = {
 	formats: FLOWER_FORMATS,
 	translated: (text) =>
 		isXml(text) ? import("./xml/designed").then(({ grammarOfXml }) => grammarOfXml(text)) : undefined,
-	studio: async () => (await import("./ui/face")).face,
-} satisfies Model<FlowerSpecimen, FlowerPlant>;
+	ui: async () => (await import("./ui/face")).face,
+} satisfies PageModel<FlowerSpecimen, FlowerPlant>;

@@ -1,5 +1,5 @@
 /** Any text grown as a plant: docs/models/grammar/grammar.md. */
-import type { Model } from "../model";
+import type { PageModel } from "../page_model";
 import { GRAMMAR_FORMATS } from "./formats";
 import { type GrammarPlant, readGrammarPlant } from "./grammar_plant";
 import { grammarParts } from "./parts";
@@ -26,6 +26,6 @@ export const model = {
 	words: grammarInWords,
 	record: grammarRecord,
 	handles: async () => (await import("./areas/area_handles")).areaHandlesOf,
-	studio: async () => (await import("./ui/face")).face,
+	ui: async () => (await import("./ui/face")).face,
 	formats: GRAMMAR_FORMATS,
-} satisfies Model<GrammarSpecimen, GrammarPlant>;
+} satisfies PageModel<GrammarSpecimen, GrammarPlant>;

@@ -1,6 +1,6 @@
 /** Trees by divisor functions (Kim, Kim and Cho 2013): docs/models/growth/growth.md. */
 import { titledBy } from "../../specimen/preset_texts";
-import type { Model } from "../model";
+import type { PageModel } from "../page_model";
 import { GROWTH_FORMATS } from "./formats";
 import { fetchLeafOf, type GrowthPlant, readGrowthPlant } from "./growth_plant";
 import { growthLevels } from "./levels";
@@ -30,5 +30,5 @@ export const model = {
 	words: growthInWords,
 	record: growthRecord,
 	formats: GROWTH_FORMATS,
-	studio: async () => (await import("./ui/face")).face,
-} satisfies Model<GrowthSpecimen, GrowthPlant>;
+	ui: async () => (await import("./ui/face")).face,
+} satisfies PageModel<GrowthSpecimen, GrowthPlant>;

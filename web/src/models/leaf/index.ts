@@ -1,5 +1,5 @@
 /** The leaf from the trails of particles (Rodkaew et al. 2003): docs/models/leaf/leaf.md. */
-import type { Model } from "../model";
+import type { PageModel } from "../page_model";
 import { trailRecord } from "../particles/record";
 import { LEAF_FORMATS } from "./formats";
 import type { Leaf } from "./grown";
@@ -22,7 +22,7 @@ export const model = {
 	words: leafInWords,
 	record: trailRecord,
 	formats: LEAF_FORMATS,
-	figure: async () => (await import("./render/leaf_figure")).leafFigure,
+	render: async () => (await import("./render/leaf_figure")).leafFigure,
 	handles: async () => (await import("./outline/plant_handles")).leafHandles,
-	studio: async () => (await import("./ui/face")).face,
-} satisfies Model<LeafSpecimen, Leaf>;
+	ui: async () => (await import("./ui/face")).face,
+} satisfies PageModel<LeafSpecimen, Leaf>;

@@ -1,5 +1,5 @@
 /** The root of particles' trails (Rodkaew et al. 2003, section 4): docs/models/root/root.md. */
-import type { Model } from "../model";
+import type { PageModel } from "../page_model";
 import { boundedBy } from "../particles/boundary/mesh_boundary";
 import { encodeBounded } from "../particles/boundary/request";
 import { woodFormats } from "../particles/boundary/wood_formats";
@@ -24,7 +24,7 @@ export const model = {
 	words: rootInWords,
 	record: trailRecord,
 	formats: woodFormats(rootInWords),
-	figure: async () => (await import("./cut_figure")).cutFigure,
+	render: async () => (await import("./cut_figure")).cutFigure,
 	handles: async () => (await import("./plant_handles")).rootHandles,
-	studio: async () => (await import("./ui/face")).face,
-} satisfies Model<RootSpecimen, WoodenPlant>;
+	ui: async () => (await import("./ui/face")).face,
+} satisfies PageModel<RootSpecimen, WoodenPlant>;

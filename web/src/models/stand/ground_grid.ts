@@ -1,7 +1,12 @@
 /** The ground as the core lays it: a grid that is evenly spaced, row by row from the back; and what is between its places. Pure. */
 import { clamp } from "../../plant/colour";
 import type { PartMesh } from "../../plant/part";
-import type { StandPlant } from "./stand_plant";
+
+/** The part of a stand that its ground is: its size in metres, and its mesh, the first of all. */
+export interface GroundSurface {
+	readonly ground: { readonly width: number; readonly depth: number };
+	readonly meshes: readonly Pick<PartMesh, "positions">[];
+}
 
 /** How many cells it has along each side. */
 export interface GroundGrid {
@@ -35,7 +40,7 @@ export function between(
 }
 
 /** How high the ground is there, metres; beside it, as at its edge. */
-export function heightAt({ ground, meshes }: Pick<StandPlant, "ground" | "meshes">, x: number, z: number): number {
+export function heightAt({ ground, meshes }: GroundSurface, x: number, z: number): number {
 	const [mesh] = meshes;
 	if (!mesh) return 0;
 	const grid = gridOf(mesh);

@@ -1,7 +1,7 @@
 /** Stands of many plants over a ground: docs/models/stand/stand.md. */
 import { titledBy } from "../../specimen/preset_texts";
 import { writeTextFile } from "../../specimen/text_file";
-import type { Model } from "../model";
+import type { PageModel } from "../page_model";
 import { fetchSoil } from "./fetched_soil";
 import { standMembers } from "./members";
 import { standParts } from "./parts";
@@ -55,9 +55,9 @@ export const model = {
 			},
 		},
 	],
-	figure: async () => {
+	render: async () => {
 		const { StandFigure } = await import("./render/stand_figure");
 		return (stage) => new StandFigure(stage);
 	},
-	studio: async () => (await import("./ui/face")).face,
-} satisfies Model<StandSpecimen, StandPlant>;
+	ui: async () => (await import("./ui/face")).face,
+} satisfies PageModel<StandSpecimen, StandPlant>;

@@ -1,7 +1,7 @@
 /** The tree of particles' trails (Rodkaew et al. 2003, section 4): docs/models/tree/tree.md. */
 
 import { leafBlocks } from "../../plant/leaf";
-import type { Model } from "../model";
+import type { PageModel } from "../page_model";
 import { boundedBy } from "../particles/boundary/mesh_boundary";
 import { encodeBounded } from "../particles/boundary/request";
 import { woodFormats } from "../particles/boundary/wood_formats";
@@ -32,7 +32,7 @@ export const model = {
 	words: treeInWords,
 	record: trailRecord,
 	formats: woodFormats(treeInWords),
-	figure: async () => (await import("./tree_figure")).treeFigure,
+	render: async () => (await import("./tree_figure")).treeFigure,
 	handles: async () => (await import("./plant_handles")).treeHandles,
-	studio: async () => (await import("./ui/face")).face,
-} satisfies Model<TreeSpecimen, TreePlant>;
+	ui: async () => (await import("./ui/face")).face,
+} satisfies PageModel<TreeSpecimen, TreePlant>;

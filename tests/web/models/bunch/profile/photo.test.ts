@@ -8,8 +8,8 @@ import {
 	shifted,
 	zoomed,
 } from "../../../../../web/src/models/bunch/photo/photo";
-import { placePhoto, removePhoto } from "../../../../../web/src/models/bunch/photo/place_photo";
-import { changePhoto, photo } from "../../../../../web/src/models/bunch/ui/photo";
+import { placePhoto } from "../../../../../web/src/models/bunch/photo/place_photo";
+import { changePhoto, photo, removePhoto } from "../../../../../web/src/models/bunch/ui/photo";
 import { specimenFromPreset } from "../../../bunch";
 import { bunchDesk, studioWith } from "../../../app/desk";
 

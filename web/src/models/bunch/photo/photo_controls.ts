@@ -2,8 +2,7 @@ import { html, nothing } from "lit";
 import { ControlElement } from "../../../ui/control_element";
 import type { View } from "../profile/handles";
 import type { BunchDesk } from "../ui/desk";
-import { changePhoto, photo } from "../ui/photo";
-import { removePhoto } from "./place_photo";
+import { changePhoto, photo, removePhoto } from "../ui/photo";
 
 const VIEWS: readonly (readonly [View, string])[] = [
 	["front", "Front"],

@@ -29,8 +29,3 @@ export async function placePhoto(desk: BunchDesk, file: Blob): Promise<void> {
 		desk.notify("The photograph was not taken", [error.message], { topic: FILE_TOPIC });
 	}
 }
-
-export function removePhoto(desk: BunchDesk): void {
-	desk.toolState(photo)?.picture.close();
-	desk.setToolState(photo, undefined);
-}

@@ -35,6 +35,11 @@ export function changePhoto(desk: BunchDesk, change: Partial<Photo>): void {
 	if (before) desk.setToolState(photo, { ...before, ...change });
 }
 
+export function removePhoto(desk: BunchDesk): void {
+	desk.toolState(photo)?.picture.close();
+	desk.setToolState(photo, undefined);
+}
+
 function draw(desk: BunchDesk): unknown {
 	const laid = desk.toolState(photo);
 	const words = laid ? "Another photograph…" : "Photograph behind…";

@@ -4,6 +4,12 @@ import { live } from "lit/directives/live.js";
 import { chooseFile } from "../../../ui/choose_file";
 import type { Change } from "../../../ui/desk";
 import { ACCEPT } from "../../../import/mesh_file/accept";
+import type { Group } from "../../../specimen/table";
+import type { Tool } from "../../../ui/tool";
+import type { GrammarPlant } from "../grammar_plant";
+import type { GrammarSpecimen } from "../specimen";
+import { GRAMMAR_TABLE } from "../table";
+import { asksForAreas, fetchedText } from "../texts";
 import { AREA_KINDS, type Area, type AreaKind, degreesOf, type Triple, turnOf } from "./area";
 import {
 	added,
@@ -18,7 +24,7 @@ import {
 	withPath,
 } from "./area_edits";
 import { nameOf } from "./area_handles";
-import { type AreaDesk, type AreaState, areaTool, choose, takeAreaMesh } from "./area_tool";
+import { type AreaDesk, type AreaState, areaTool, choose, hasAreas, takeAreaMesh } from "./area_tool";
 
 /** What the buttons are called; a mesh comes by its own. */
 const WORDS: Readonly<Record<Exclude<AreaKind, "mesh">, string>> = {
@@ -176,3 +182,19 @@ function button(words: string, change: Change | undefined, press: (change: Chang
 	const click = (event: Event) => change && press(change, event.currentTarget as Element);
 	return html`<button class="button" type="button" ?disabled=${!change} @click=${click}>${words}</button>`;
 }
+
+/** The table's, but open and before the others: where there are areas, they are what hands are for. */
+const GROUP: Group = { ...(GRAMMAR_TABLE.groups.find(({ key }) => key === "areas") as Group), closed: false };
+
+/** A section of the panel, also where there is no area yet but a text that asks for one; and what is dropped on the page. */
+export const areaPanel: Tool<GrammarSpecimen, GrammarPlant> = {
+	name: "area-panel",
+	initial: undefined,
+	applies: (specimen) => hasAreas(specimen) || asksForAreas(fetchedText(specimen) ?? ""),
+	panel: { group: GROUP, place: "below", draw: (desk) => drawAreas(desk) },
+	drop: {
+		words: "a closed mesh (OBJ, GLB, STL) becomes a growth area",
+		takes: ({ name }) => /\.(obj|glb|gltf|stl|ply|off|fbx|dae|3mf|3ds|usdz?|blend)$/i.test(name),
+		take: (desk, file) => void takeAreaMesh(desk, file),
+	},
+};

@@ -5,14 +5,10 @@ import { LateHands } from "../../../ui/handles/late_hands";
 import { sameDocument } from "../../../ui/same_document";
 import { shownShells } from "../../../ui/shell_tool";
 import { FILE_TOPIC, type Tool } from "../../../ui/tool";
-import type { Group } from "../../../specimen/table";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
-import { GRAMMAR_TABLE } from "../table";
-import { asksForAreas, fetchedText } from "../texts";
 import { bareAreas } from "../ui/warnings";
 import { added } from "./area_edits";
-import { drawAreas } from "./area_panel";
 import { surfaceOf } from "./surface";
 
 export type AreaDesk = Desk<GrammarSpecimen, GrammarPlant>;
@@ -70,22 +66,6 @@ export const areaTool: Tool<GrammarSpecimen, GrammarPlant, AreaState> = {
 			fetch: async () => new (await import("./area_hands")).AreaHands(view, desk),
 			missed: () => desk.setToolState(areaTool, { handles: false }),
 		}),
-};
-
-/** The table's, but open and before the others: where there are areas, they are what hands are for. */
-const GROUP: Group = { ...(GRAMMAR_TABLE.groups.find(({ key }) => key === "areas") as Group), closed: false };
-
-/** A section of the panel, also where there is no area yet but a text that asks for one; and what is dropped on the page. */
-export const areaPanel: Tool<GrammarSpecimen, GrammarPlant> = {
-	name: "area-panel",
-	initial: undefined,
-	applies: (specimen) => hasAreas(specimen) || asksForAreas(fetchedText(specimen) ?? ""),
-	panel: { group: GROUP, place: "below", draw: (desk) => drawAreas(desk) },
-	drop: {
-		words: "a closed mesh (OBJ, GLB, STL) becomes a growth area",
-		takes: ({ name }) => /\.(obj|glb|gltf|stl|ply|off|fbx|dae|3mf|3ds|usdz?|blend)$/i.test(name),
-		take: (desk, file) => void takeAreaMesh(desk, file),
-	},
 };
 
 export const areaTools: readonly Tool<GrammarSpecimen, GrammarPlant>[] = [
