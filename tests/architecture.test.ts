@@ -4,7 +4,7 @@ import { dirname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
 import { generatedFiles } from "../wasm-core/tools/generate/files.mjs";
-import { beforeModels, coreRooms, knowBuild, webRooms } from "./rooms";
+import { beforeModels, coreModelUses, coreRooms, knowBuild, webModelUses, webRooms } from "./rooms";
 
 const repository = dirname(dirname(fileURLToPath(import.meta.url)));
 
@@ -57,18 +57,39 @@ function importsOf(file: string, text: string): Import[] {
 const webRoomOf = (path: string) => /^web\/src\/(models\/[^/]+(?=\/)|[^/]+)\//.exec(path)?.[1];
 const isOfModel = (room: string) => room.startsWith("models/");
 
-/** Whether the arrow allows an import. */
+/** Whether rooms.ts allows an import. */
 function isAllowed({ from, to, typeOnly }: Pick<Import, "from" | "to" | "typeOnly">): boolean {
 	const [room, other] = [webRoomOf(from), webRoomOf(to)];
 	if (to.startsWith("build/")) return room !== undefined && knowBuild.includes(room);
 	if (!room || !other || room === other) return true;
-	// Models are found by the index alone, and know nothing of it but what they are to be.
-	if (isOfModel(other)) return from === "web/src/models/index.ts";
+	// Models are found by the index, and one may be built on another's folder.
+	if (isOfModel(other)) return from === "web/src/models/index.ts" || `models/${webModelUses[room.slice(7)]}` === other;
+	// A model's folder sees the interfaces alone.
 	if (isOfModel(room))
-		return other === "models" ? typeOnly && to === "web/src/models/model" : beforeModels.includes(other);
-	// The interface is types, of whatever room.
-	if (room === "models" && from === "web/src/models/model.ts") return typeOnly && beforeModels.includes(other);
+		return other === "models" ? typeOnly && /^web\/src\/models\/(page_)?model$/.test(to) : beforeModels.includes(other);
+	// The interface of a model knows no page; what pages add to it are types.
+	if (from === "web/src/models/model.ts") return typeOnly && !["ui", "render", "grammar_editor", "import"].includes(other);
 	return webRooms[room]?.includes(other) ?? false;
+}
+
+/** Circles of modules that import one another, types included. */
+function circlesOf(imports: readonly Import[]): string[][] {
+	const targets = new Map<string, string[]>();
+	for (const { from, to } of imports) {
+		const file = [`${to}.ts`, to].find((each) => files.includes(each));
+		if (file) targets.set(from, [...(targets.get(from) ?? []), file]);
+	}
+	const done = new Set<string>();
+	const circles: string[][] = [];
+	const visit = (file: string, path: string[]): void => {
+		const at = path.indexOf(file);
+		if (at >= 0) circles.push([...path.slice(at), file]);
+		if (at >= 0 || done.has(file)) return;
+		for (const next of targets.get(file) ?? []) visit(next, [...path, file]);
+		done.add(file);
+	};
+	for (const file of targets.keys()) visit(file, []);
+	return circles;
 }
 
 /** Packages that a module comes with: those of everything it imports but lazily. */
@@ -83,8 +104,8 @@ function packagesOf(module: string, seen = new Set<string>()): string[] {
 }
 
 describe("the arrow between the rooms", () => {
-	it.each(coreRooms)("wasm-core/src/%s includes only rooms before it", (room) => {
-		const known = coreRooms.slice(0, coreRooms.indexOf(room) + 1);
+	it.each(Object.keys(coreRooms))("wasm-core/src/%s includes only folders that it may", (room) => {
+		const known = [room, ...(coreRooms[room] as string[])];
 		const against = files
 			.filter((file) => file.startsWith(`wasm-core/src/${room}/`))
 			.flatMap((file) =>
@@ -94,11 +115,17 @@ describe("the arrow between the rooms", () => {
 		expect(against).toEqual([]);
 	});
 
+	it("has CMake link each folder of the core to those that it may include", () => {
+		const lines = [...read("wasm-core/CMakeLists.txt").matchAll(/^panicle_room\(([^)]*)\)$/gm)];
+		const linked = lines.map(([, words]) => words.split(" ")).map(([room, ...uses]) => [room, uses] as const);
+		expect(Object.fromEntries(linked)).toEqual(coreRooms);
+	});
+
 	/** Includes of one model's files by another's, as `from to`. */
 	const betweenModels = (file: string, text: string) => {
 		const own = /^wasm-core\/src\/models\/([^/]+)\//.exec(file)?.[1];
 		const others = [...text.matchAll(/#include "models\/([^/"]+)\//g)].map(([, other]) => other);
-		return own === undefined ? [] : others.filter((other) => other !== own).map((other) => `${own} ${other}`);
+		return own === undefined ? [] : others.filter((other) => other !== own && other !== coreModelUses[own]).map((other) => `${own} ${other}`);
 	};
 
 	it("lets no model of the core include another", () => {
@@ -131,7 +158,8 @@ describe("the arrow between the rooms", () => {
 
 	it("knows every room", () => {
 		const rooms = (prefix: RegExp) => new Set(files.map((file) => prefix.exec(file)?.[1]).filter(Boolean));
-		expect([...rooms(/^wasm-core\/src\/([^/]+)\//)].filter((room) => !coreRooms.includes(room!))).toEqual([]);
+		const ofCore = [...Object.keys(coreRooms), "models", "exports"];
+		expect([...rooms(/^wasm-core\/src\/([^/]+)\//)].filter((room) => !ofCore.includes(room!))).toEqual([]);
 		expect([...rooms(/^web\/src\/([^/]+)\//)].filter((room) => !(room! in webRooms))).toEqual([]);
 	});
 
@@ -150,22 +178,32 @@ describe("the arrow between the rooms", () => {
 		},
 	);
 
+	it("has no circle of imports, types included", () => {
+		const modules = files.filter((file) => /^web\/src\/.*\.ts$/.test(file));
+		expect(circlesOf(modules.flatMap((file) => importsOf(file, read(file)).filter(({ lazy }) => !lazy)))).toEqual([]);
+		const between = (from: string, to: string) => ({ from, to, typeOnly: true, lazy: false });
+		const [one, other] = ["web/src/core/core.ts", "web/src/core/pool.ts"];
+		expect(circlesOf([between(one, "web/src/core/pool"), between(other, "web/src/core/core")])).toEqual([
+			[one, other, one],
+		]);
+	});
+
 	it("sees imports of every form", () => {
 		const text = [
-			'import { a } from "../scene/a";',
-			'import type {\n\tB,\n} from "../studio/b.ts";',
+			'import { a } from "../render/a";',
+			'import type {\n\tB,\n} from "../app/b.ts";',
 			'import "./side";',
-			'const c = await import("../export/c");',
+			'const c = await import("../formats/c");',
 			'new Worker(new URL("../core/worker.ts", import.meta.url));',
 			'import.meta.glob<Model>("../models/*/index.ts", { import: "model" });',
 			'import { LitElement } from "lit";',
 		].join("\n");
 		const found = (to: string, typeOnly = false, lazy = false) => ({ from: "web/src/core/x.ts", to, typeOnly, lazy });
 		expect(importsOf("web/src/core/x.ts", text)).toEqual([
-			found("web/src/scene/a"),
-			found("web/src/studio/b", true),
+			found("web/src/render/a"),
+			found("web/src/app/b", true),
 			found("web/src/core/side"),
-			found("web/src/export/c", false, true),
+			found("web/src/formats/c", false, true),
 			found("web/src/core/worker", false, true),
 			found("web/src/models/*/index", false, true),
 		]);
@@ -190,13 +228,13 @@ describe("the arrow between the rooms", () => {
 	it.each([
 		["core/x.ts", "specimen/link", false],
 		["core/x.ts", "specimen/specimen", true],
-		["scene/x.ts", "models/bunch/grown", true],
-		["studio/x.ts", "models/bunch/index", false],
+		["render/x.ts", "models/bunch/grown", true],
+		["app/x.ts", "models/bunch/index", false],
 		["models/leaf/index.ts", "models/bunch/grown", true],
 		["models/leaf/index.ts", "models/index", false],
 		["models/leaf/index.ts", "app/studio", true],
 		["models/model.ts", "ui/tool", false],
-		["controls/x.ts", "app/studio", true],
+		["ui/x.ts", "app/studio", true],
 		["specimen/x.ts", "plant/plant", true],
 	])("refuses what goes against it: %s → %s", (from, to, typeOnly) => {
 		expect(isAllowed({ from: `web/src/${from}`, to: `web/src/${to}`, typeOnly })).toBe(false);
@@ -206,15 +244,16 @@ describe("the arrow between the rooms", () => {
 		["models/index.ts", "models/*/index", false],
 		["models/leaf/index.ts", "models/model", true],
 		["models/leaf/index.ts", "ui/life", false],
-		["models/model.ts", "render/figure", true],
-		["studio/x.ts", "models/index", false],
+		["models/page_model.ts", "render/figure", true],
+		["models/leaf/index.ts", "models/particles/record", false],
+		["app/x.ts", "models/index", false],
 	])("allows what goes with it: %s → %s", (from, to, typeOnly) => {
 		expect(isAllowed({ from: `web/src/${from}`, to: `web/src/${to}`, typeOnly })).toBe(true);
 	});
 
-	it("lets three rooms alone say where the core lies", () => {
-		expect(isAllowed({ from: "web/src/scene/x.ts", to: "build/core/bunch.wasm", typeOnly: false })).toBe(false);
-		expect(isAllowed({ from: "web/src/studio/x.ts", to: "build/core/bunch.wasm", typeOnly: false })).toBe(true);
+	it("lets only rooms that know the build import the core's files", () => {
+		expect(isAllowed({ from: "web/src/render/x.ts", to: "build/core/bunch.wasm", typeOnly: false })).toBe(false);
+		expect(isAllowed({ from: "web/src/app/x.ts", to: "build/core/bunch.wasm", typeOnly: false })).toBe(true);
 	});
 });
 

@@ -1,37 +1,64 @@
-/** Which room may use which: what tests/architecture.test.ts holds the sources to. */
+/** Which folder may use which: tests/architecture.test.ts compares every include and import with this; docs/architecture.md draws it. */
 
-/** Rooms of the core, each after those it may include. */
-export const coreRooms = [
-	"foundation",
-	"geometry",
-	"generalized_map",
-	"environment",
-	"lsystem",
+/**
+ * Folders of wasm-core/src that all models share, and what each may include besides itself; `panicle_room` in wasm-core/CMakeLists.txt
+ * links the same.
+ */
+export const coreRooms: Record<string, string[]> = {
+	foundation: [],
+	mesh: ["foundation"],
+	spatial: ["foundation"],
+	expression: ["foundation"],
+	generalized_map: ["foundation", "mesh"],
+	stems: ["foundation", "mesh"],
+	light: ["foundation", "mesh", "spatial", "stems"],
+	lsystem: ["foundation", "expression"],
+	foliage: ["foundation", "mesh"],
+	plant: ["foundation", "mesh", "stems"],
+	protocol: ["foundation", "mesh", "foliage", "plant"],
+	lsystem_plant: ["foundation", "mesh", "stems", "light", "expression", "lsystem", "plant", "protocol"],
+};
+
+/** Models of the core that are built on another's folder: leaf, root and tree share the engine of particles. */
+export const coreModelUses: Record<string, string> = { leaf: "particles", root: "particles", tree: "particles" };
+
+/** What a model's folder may import. */
+export const beforeModels = [
+	"core",
+	"specimen",
+	"targets",
 	"plant",
-	"models",
-	"boundary",
+	"formats",
+	"render",
+	"ui",
+	"grammar_editor",
+	"import",
 ];
 
-/** What each room of web/src may import besides itself. `models` is the interface and the index. */
-export const beforeModels = ["core", "specimen", "targets", "plant", "controls", "scene", "export"];
+/** Folders of web/src, and what each may import besides itself, types included. `models` is the interface and the index. */
 export const webRooms: Record<string, string[]> = {
 	core: [],
 	specimen: ["core"],
-	targets: ["specimen"],
 	plant: ["core"],
-	controls: ["core", "specimen", "plant"],
-	scene: ["core", "plant"],
-	export: ["core", "specimen", "plant"],
+	targets: ["specimen"],
+	formats: ["plant", "specimen"],
+	render: ["plant"],
+	ui: ["core", "plant", "specimen"],
+	grammar_editor: ["core", "plant", "specimen", "ui"],
+	import: ["core", "specimen", "ui"],
 	models: beforeModels,
-	files: [...beforeModels, "models"],
-	batch: [...beforeModels, "models", "files"],
-	library: [...beforeModels, "models", "files", "batch"],
-	service: [...beforeModels, "models", "files", "batch"],
+	generate: ["core", "formats", "models", "plant", "specimen"],
+	batch: ["formats", "generate", "models", "plant", "specimen", "targets"],
+	service: ["batch", "core", "formats", "generate", "models", "plant", "specimen"],
+	library: ["batch", "core", "formats", "generate", "models", "plant", "render", "specimen", "targets"],
 	offline: ["core", "service"],
-	element: [...beforeModels, "models", "files"],
-	studio: [...beforeModels, "models", "files", "batch", "element", "offline"],
-	cli: ["core", "specimen", "targets", "plant", "export", "models", "files", "batch", "library"],
+	cli: ["batch", "core", "formats", "generate", "library", "models", "plant", "specimen", "targets"],
+	element: ["core", "formats", "generate", "models", "plant", "render", "specimen", "ui"],
+	app: ["batch", "core", "formats", "generate", "models", "offline", "plant", "render", "specimen", "targets", "ui"],
 };
 
-/** Rooms that say where the built core lies; the others get it from them. */
-export const knowBuild = ["core", "element", "studio", "cli", "service"];
+/** Models of the page that are built on another's folder. */
+export const webModelUses: Record<string, string> = { leaf: "particles", root: "particles", tree: "particles" };
+
+/** Folders that name the built core's files; the others get it from them. */
+export const knowBuild = ["core", "element", "app", "cli", "service"];

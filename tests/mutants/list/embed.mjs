@@ -111,8 +111,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/element/plant_in_words.ts",
-		suites: ["tests/web/element/plant_in_words.test.ts"],
+		file: "web/src/generate/plant_in_words.ts",
+		suites: ["tests/web/generate/plant_in_words.test.ts"],
 		faults: [
 			{
 				id: "element-says-no-kind",

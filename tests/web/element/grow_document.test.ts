@@ -4,7 +4,7 @@ import { Superseded } from "../../../web/src/core/errors";
 import { readAttributes } from "../../../web/src/element/attributes";
 import { growDocument } from "../../../web/src/element/grow_document";
 import type { Document } from "../../../web/src/element/grown_detail";
-import { plantInWords } from "../../../web/src/element/plant_in_words";
+import { plantInWords } from "../../../web/src/generate/plant_in_words";
 import { model } from "../../../web/src/models/stand/index";
 import { grownStand, PLAN, planned, run } from "../models/stand/stands";
 

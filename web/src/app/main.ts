@@ -2,7 +2,7 @@
 import { changed } from "../ui/changed";
 import { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
-import { loadFigure, loadScene } from "../element/figures";
+import { loadFigure, loadScene } from "../models/renderers";
 import { DEFAULT_MODEL, isModel, modelNamed, modelNames } from "../models/index";
 import type { PageModel } from "../models/page_model";
 import { allBut } from "../specimen/all_but";

@@ -1,7 +1,7 @@
 /** The 3-D view as the studio's state wants it; the one place where the studio meets the scene. */
 import type { Camera, Object3D } from "three";
 import type { Face, Instead, Sight, ToolHands, ToolView } from "../ui/tool";
-import { loadFigure, loadScene } from "../element/figures";
+import { loadFigure, loadScene } from "../models/renderers";
 import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import { turnedBy } from "../render/orbit_keys";

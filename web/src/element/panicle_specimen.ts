@@ -20,7 +20,7 @@ import { CurrentDocument } from "./current_document";
 import { Extras } from "./extras/extras";
 import { growDocument } from "./grow_document";
 import { changedIn, type Document, detailOf, documentOf, type GrownDetail, type Shown } from "./grown_detail";
-import { plantInWords } from "./plant_in_words";
+import { plantInWords } from "../generate/plant_in_words";
 import { isDark, type Presence, watchPresence } from "./presence";
 import { shadowTree } from "./shadow_tree";
 import { SpecimenView } from "./specimen_view";

@@ -6,7 +6,7 @@ import { turnedBy } from "../render/orbit_keys";
 import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
 import type { Commons } from "./commons";
-import { loadFigure, loadScene } from "./figures";
+import { loadFigure, loadScene } from "../models/renderers";
 
 /** Degrees a second, where `autorotate` says no number. */
 const TURNING = 20;

@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { keyed } from "lit/directives/keyed.js";
 import { saveFile } from "../../ui/save_file";
-import { plantInWords } from "../../element/plant_in_words";
+import { plantInWords } from "../../generate/plant_in_words";
 import { encodeLink } from "../../specimen/link";
 import { notInLink } from "../address";
 import {

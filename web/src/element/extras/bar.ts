@@ -5,7 +5,7 @@ import { SEED } from "../../specimen/limits";
 import { encodeLink } from "../../specimen/link";
 import { appAddress } from "../app_address";
 import type { Shown } from "../grown_detail";
-import { plantInWords } from "../plant_in_words";
+import { plantInWords } from "../../generate/plant_in_words";
 import type { SpecimenView } from "../specimen_view";
 import { BAR_STYLE } from "./bar_style";
 import type { Extra, ExtrasHost } from "./extras";

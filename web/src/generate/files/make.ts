@@ -3,6 +3,7 @@ import { aboutPlant } from "../../formats/about_plant";
 import { writeJson } from "../../formats/json";
 import { writeObj } from "../../formats/obj";
 import { PLANT_FILES } from "../../formats/plant_files";
+import type { Model } from "../../models/model";
 import { agedOf } from "./aged";
 import { type Growing, levelledOf } from "./levelled";
 import type { FileRequest } from "./messages";
@@ -10,7 +11,6 @@ import { swayed } from "./swayed";
 import { zip } from "./zip";
 
 const encoder = new TextEncoder();
-
 
 /**
  * Makes a file. The same request gives the same bytes.

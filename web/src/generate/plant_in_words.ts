@@ -1,7 +1,16 @@
-import type { Shown } from "./grown_detail";
+import type { Model } from "../models/model";
+import type { Plant } from "../plant/plant";
+import type { Specimen } from "../specimen/specimen";
+
+/** A plant that has grown, with what it grew from. */
+export interface Described {
+	readonly model: Model;
+	readonly specimen: Specimen;
+	readonly grown: Plant;
+}
 
 /** What a plant is, for those who do not see it: "Riesling bunch: 99 berries, 12 cm long", "Oak leaf, 42 cm², …". */
-export function plantInWords({ model, specimen, grown }: Pick<Shown, "model" | "specimen" | "grown">): string {
+export function plantInWords({ model, specimen, grown }: Described): string {
 	const words = model.words(grown, specimen);
 	// Some models' words say of themselves what it is.
 	if (/^[^,:]*/.exec(words.toLowerCase())?.[0].includes(model.noun)) return words;

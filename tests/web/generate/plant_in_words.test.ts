@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { plantInWords } from "../../../web/src/element/plant_in_words";
+import { plantInWords } from "../../../web/src/generate/plant_in_words";
 import type { PageModel } from "../../../web/src/models/page_model";
 import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 

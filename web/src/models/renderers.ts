@@ -1,5 +1,5 @@
 /** What draws plants: scripts that come when they are first asked for. */
-import type { PageModel } from "../models/page_model";
+import type { PageModel } from "./page_model";
 import type { Plant } from "../plant/plant";
 import { swayOf } from "../plant/sway";
 import type { FigureMaker } from "../render/figure";
