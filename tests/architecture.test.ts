@@ -68,7 +68,8 @@ function isAllowed({ from, to, typeOnly }: Pick<Import, "from" | "to" | "typeOnl
 	if (isOfModel(room))
 		return other === "models" ? typeOnly && /^web\/src\/models\/(page_)?model$/.test(to) : beforeModels.includes(other);
 	// The interface of a model knows no page; what pages add to it are types.
-	if (from === "web/src/models/model.ts") return typeOnly && !["ui", "render", "grammar_editor", "import"].includes(other);
+	if (from === "web/src/models/model.ts")
+		return typeOnly && !["ui", "render", "grammar_editor", "import"].includes(other);
 	return webRooms[room]?.includes(other) ?? false;
 }
 
@@ -125,7 +126,9 @@ describe("the arrow between the rooms", () => {
 	const betweenModels = (file: string, text: string) => {
 		const own = /^wasm-core\/src\/models\/([^/]+)\//.exec(file)?.[1];
 		const others = [...text.matchAll(/#include "models\/([^/"]+)\//g)].map(([, other]) => other);
-		return own === undefined ? [] : others.filter((other) => other !== own && other !== coreModelUses[own]).map((other) => `${own} ${other}`);
+		return own === undefined
+			? []
+			: others.filter((other) => other !== own && other !== coreModelUses[own]).map((other) => `${own} ${other}`);
 	};
 
 	it("lets no model of the core include another", () => {

@@ -112,7 +112,8 @@ export function readArguments(args, stages, changed = changedFiles) {
 		return { problem: `No stage, room or model “${unknown.join("”, “")}”; there are: ${known}.` };
 	}
 	const chosen = words.filter((word) => names.includes(word));
-	const parts = words.filter((word) => !names.includes(word));
+	// `app` is both a stage and a room: its word chooses both.
+	const parts = words.filter((word) => rooms().includes(word));
 	const native = [...new Set(parts.flatMap(nativeOf))];
 	const web = [...new Set(parts.flatMap(webOf))];
 	if (native.length > 0 && !chosen.includes("native")) chosen.push("native");

@@ -41,8 +41,6 @@ export function roomsOf(files) {
 	const rooms = coreFolders();
 	if (!files || files.some((file) => OF_ALL_ROOMS.test(file))) return rooms;
 	const named = files.flatMap((file) => OF_A_ROOM.map((pattern) => pattern.exec(file)?.[1])).filter(Boolean);
-	// The table of a model of a family, such as leaf.json, names no folder.
-	if (named.some((name) => !rooms.includes(name) && name !== "models")) return rooms;
 	return [...new Set(named)].filter((name) => rooms.includes(name)).sort();
 }
 

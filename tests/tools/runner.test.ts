@@ -29,7 +29,7 @@ describe("the arguments of a test run", () => {
 
 	it("choose a room's native or web tests", () => {
 		expect(read("lsystem")).toMatchObject({ stages: ["set-up", "native"], native: ["lsystem_tests"], web: [] });
-		expect(read("studio")).toMatchObject({ stages: ["set-up", "wasm", "web"], web: ["tests/web/app/"] });
+		expect(read("ui")).toMatchObject({ stages: ["set-up", "wasm", "web"], web: ["tests/web/ui/"] });
 		expect(read("core")).toMatchObject({
 			stages: ["set-up", "native", "wasm", "web"],
 			native: ["core_tests"],
@@ -37,9 +37,15 @@ describe("the arguments of a test run", () => {
 		});
 	});
 
+	it("choose both the stage and the room where a word names both", () => {
+		expect(read("app")).toMatchObject({ stages: ["set-up", "wasm", "web", "app"], web: ["tests/web/app/"] });
+	});
+
 	it("choose all models' tests, or those of a folder beside the rooms", () => {
 		expect(read("models")).toMatchObject({
-			native: ["bunch_tests", "flower_tests", "grammar_tests", "growth_tests", "particles_tests", "stand_tests"],
+			native: ["bunch", "flower", "grammar", "growth", "leaf", "particles", "root", "stand", "tree"].map(
+				(each) => `${each}_tests`,
+			),
 			web: ["tests/web/models/", "tests/golden/"],
 		});
 		for (const folder of ["fuzz", "golden", "tools", "toy"]) {
@@ -48,7 +54,7 @@ describe("the arguments of a test run", () => {
 	});
 
 	it("choose a stage whole where it is named beside a room", () => {
-		expect(read("types", "web", "studio", "lsystem")).toMatchObject({
+		expect(read("types", "web", "ui", "lsystem")).toMatchObject({
 			stages: ["set-up", "types", "native", "wasm", "web"],
 			native: ["lsystem_tests"],
 			web: [],
@@ -76,7 +82,7 @@ describe("the arguments of a test run", () => {
 		expect(read("bunch", "grapes")).toEqual({ problem: expect.stringMatching(/^No stage, room or model “grapes”; /) });
 		expect(read("--slow")).toEqual({ problem: expect.stringMatching(/^Unknown option --slow/) });
 		expect(read("--changed", "bunch")).toHaveProperty("problem");
-		expect(rooms()).toEqual(expect.arrayContaining(["bunch", "core", "lsystem", "scene", "specimen"]));
+		expect(rooms()).toEqual(expect.arrayContaining(["bunch", "core", "lsystem", "render", "specimen"]));
 	});
 });
 
@@ -126,9 +132,9 @@ describe("the rooms to sanitize", () => {
 
 	it("are all where changes are unknown or concern every room", () => {
 		expect(roomsOf(undefined)).toEqual(coreFolders());
-		for (const file of ["wasm-core/CMakeLists.txt", "tests/core/main.cpp", "wasm-core/parameters/leaf.json"])
+		for (const file of ["wasm-core/CMakeLists.txt", "tests/core/main.cpp"])
 			expect(roomsOf([file])).toEqual(coreFolders());
-		expect(coreFolders()).toEqual(expect.arrayContaining(["boundary", "foundation", "flower"]));
+		expect(coreFolders()).toEqual(expect.arrayContaining(["exports", "foundation", "flower"]));
 		expect(coreFolders()).not.toContain("models");
 	});
 });

@@ -2,10 +2,10 @@
 import wasm from "../../build/core/bunch.wasm?url";
 import { Core } from "../../web/src/core/core";
 import { compileCore } from "../../web/src/core/loader";
-import { bunchFigure } from "../../web/src/models/bunch/render/bunch_figure";
 import type { Grown } from "../../web/src/models/bunch/grown";
 import { bunchParts } from "../../web/src/models/bunch/parts/bunch_parts";
 import { readGrown } from "../../web/src/models/bunch/read_grown";
+import { bunchFigure } from "../../web/src/models/bunch/render/bunch_figure";
 import { encodeRequest } from "../../web/src/models/bunch/request";
 import { BUNCH } from "../../web/src/models/bunch/species";
 import type { BunchSpecimen } from "../../web/src/models/bunch/specimen";

@@ -9,8 +9,6 @@ import { readVary } from "../../web/src/batch/vary";
 import { numberAt, outlineOf, withConstants } from "../../web/src/grammar_editor/outline";
 import { findRange } from "../../web/src/grammar_editor/range_words";
 import { scan } from "../../web/src/grammar_editor/scan";
-import { symbol } from "../../web/src/ui/symbol";
-import { withThousands } from "../../web/src/ui/thousands";
 import { BUNCH } from "../../web/src/models/bunch/species";
 import { readLine } from "../../web/src/models/flower/design/description";
 import { designOf } from "../../web/src/models/flower/design/design";
@@ -28,6 +26,8 @@ import { withVolumes, writtenVolumes } from "../../web/src/models/growth/volumes
 import { fromPreset } from "../../web/src/specimen/from_preset";
 import { readNumber } from "../../web/src/specimen/read_values";
 import { restore } from "../../web/src/specimen/restore";
+import { symbol } from "../../web/src/ui/symbol";
+import { withThousands } from "../../web/src/ui/thousands";
 
 const LONGEST = 256 * 1024;
 /** A text of 256 KiB: some words over and over between two others. */

@@ -4,7 +4,7 @@ const TESTS = "tests/web/models/particles/boundary";
 
 export default [
 	{
-		file: `${SRC}/tree/lay.ts`,
+		file: "web/src/models/tree/lay.ts",
 		suites: [`${TESTS}/grips.test.ts`],
 		faults: [
 			{

@@ -40,8 +40,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/fruit/berry_gauge.cpp`,
-		suites: [`${TESTS}/fruit/berry_surfaces_test.cpp`],
+		file: `${SRC}/berry/berry_gauge.cpp`,
+		suites: [`${TESTS}/berry/berry_surfaces_test.cpp`],
 		faults: [
 			{
 				id: "gauge-berries-unbent",
@@ -58,8 +58,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/fruit/fruit_skin.cpp`,
-		suites: [`${TESTS}/fruit/berry_surfaces_test.cpp`],
+		file: `${SRC}/berry/fruit_skin.cpp`,
+		suites: [`${TESTS}/berry/berry_surfaces_test.cpp`],
 		faults: [
 			{
 				id: "skin-rinds-fold",
@@ -76,8 +76,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/fruit/berry_press.cpp`,
-		suites: [`${TESTS}/fruit/berry_surfaces_test.cpp`],
+		file: `${SRC}/berry/berry_press.cpp`,
+		suites: [`${TESTS}/berry/berry_surfaces_test.cpp`],
 		faults: [
 			{
 				id: "press-all-marked",
@@ -100,8 +100,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/fruit/wrinkles.cpp`,
-		suites: [`${TESTS}/fruit/wrinkles_test.cpp`],
+		file: `${SRC}/berry/wrinkles.cpp`,
+		suites: [`${TESTS}/berry/wrinkles_test.cpp`],
 		faults: [
 			{
 				id: "wrinkles-slope-reversed",
@@ -112,8 +112,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/fruit/projection.cpp`,
-		suites: [`${TESTS}/fruit/projection_test.cpp`],
+		file: `${SRC}/berry/projection.cpp`,
+		suites: [`${TESTS}/berry/projection_test.cpp`],
 		faults: [
 			{
 				id: "projection-tilt-ignored",

@@ -201,7 +201,7 @@ export default [
 		faults: [
 			{
 				id: "text-buffer-never-grows",
-				find: "larger.set(this.#bytes);",
+				find: "if (this.#length > 0) this.#chunks.push(this.#bytes.subarray(0, this.#length));",
 				replace: "",
 				breaks: "large OBJ files lose their beginning",
 			},

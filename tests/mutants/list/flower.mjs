@@ -18,7 +18,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/program.cpp`,
+		file: `${SRC}/syntax/program.cpp`,
 		suites: [`${TESTS}/limits_test.cpp`],
 		faults: [
 			{
@@ -102,7 +102,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/production_reader.cpp`,
+		file: `${SRC}/syntax/production_reader.cpp`,
 		suites: AGAIN,
 		faults: [
 			{
@@ -157,7 +157,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/production_reader.cpp`,
+		file: `${SRC}/syntax/production_reader.cpp`,
 		suites: DERIVATION,
 		faults: [
 			{
@@ -169,7 +169,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/reader.cpp`,
+		file: `${SRC}/syntax/reader.cpp`,
 		suites: DERIVATION,
 		faults: [
 			{
@@ -193,7 +193,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/reader.cpp`,
+		file: `${SRC}/syntax/reader.cpp`,
 		suites: AGAIN,
 		faults: [
 			{

@@ -144,7 +144,7 @@ export default [
 	},
 	{
 		file: `${CORE}/mesh/polygon.cpp`,
-		suites: [`${TESTS}/geometry/polygon_test.cpp`],
+		suites: [`${TESTS}/mesh/polygon_test.cpp`],
 		faults: [
 			{
 				id: "polygon-lines-are-triangles",

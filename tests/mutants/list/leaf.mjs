@@ -1,11 +1,9 @@
 /** The leaf: side veins, margin, blade, measures. */
-const SRC = "wasm-core/src/models/particles";
-const TESTS = "tests/core/models/particles";
 
 export default [
 	{
-		file: `${SRC}/leaf/side_veins.cpp`,
-		suites: [`${TESTS}/leaf/side_veins_test.cpp`],
+		file: "wasm-core/src/models/leaf/side_veins.cpp",
+		suites: ["tests/core/models/leaf/side_veins_test.cpp"],
 		faults: [
 			{
 				id: "side-veins-two-to-a-tooth",
@@ -46,8 +44,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/leaf/margin.cpp`,
-		suites: [`${TESTS}/leaf/side_veins_test.cpp`],
+		file: "wasm-core/src/models/leaf/margin.cpp",
+		suites: ["tests/core/models/leaf/side_veins_test.cpp"],
 		faults: [
 			{
 				id: "margin-without-drawn-teeth",
@@ -58,8 +56,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/leaf/teeth.cpp`,
-		suites: [`${TESTS}/leaf/margin_test.cpp`],
+		file: "wasm-core/src/models/leaf/teeth.cpp",
+		suites: ["tests/core/models/leaf/margin_test.cpp"],
 		faults: [
 			{
 				id: "teeth-tips-forgotten",
@@ -70,8 +68,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/leaf/dress.cpp`,
-		suites: [`${TESTS}/leaf/leaf_dress_test.cpp`],
+		file: "wasm-core/src/models/leaf/dress.cpp",
+		suites: ["tests/core/models/leaf/leaf_dress_test.cpp"],
 		faults: [
 			{
 				id: "petiole-as-thick-as-the-vein",
@@ -82,8 +80,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/leaf/measures/measures.cpp`,
-		suites: [`${TESTS}/leaf/leaf_measures_test.cpp`],
+		file: "wasm-core/src/models/leaf/measures/measures.cpp",
+		suites: ["tests/core/models/leaf/leaf_measures_test.cpp"],
 		faults: [
 			{
 				id: "primaries-of-all-but-one",

@@ -61,7 +61,7 @@ export default [
 		faults: [
 			{
 				id: "command-line-errors-succeed",
-				find: "return error instanceof UsageError ? 2 : 1;",
+				find: "return error instanceof UsageError || error instanceof FileTooLargeError ? 2 : 1;",
 				replace: "return 0;",
 				breaks: "a script goes on where nothing was grown",
 			},

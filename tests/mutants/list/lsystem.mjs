@@ -59,7 +59,7 @@ export default [
 	},
 	{
 		file: `${SRC}/lsystem/derivation/derivation.cpp`,
-		suites: [`${TESTS}/lsystem/chronicle_test.cpp`],
+		suites: [`${TESTS}/lsystem/derivation_trace_test.cpp`],
 		faults: [
 			{
 				id: "derivation-broken-step-stays",
@@ -107,7 +107,7 @@ export default [
 	},
 	{
 		file: `${SRC}/lsystem/trace/refusals.cpp`,
-		suites: [`${TESTS}/lsystem/chronicle_test.cpp`],
+		suites: [`${TESTS}/lsystem/derivation_trace_test.cpp`],
 		faults: [
 			{
 				id: "refusals-draw-for-every-step-alike",
@@ -191,7 +191,7 @@ export default [
 	},
 	{
 		file: `${SRC}/lsystem/trace/derivation_trace.cpp`,
-		suites: [`${TESTS}/lsystem/chronicle_test.cpp`, `${TESTS}/lsystem/chronicle_published_test.cpp`],
+		suites: [`${TESTS}/lsystem/derivation_trace_test.cpp`, `${TESTS}/lsystem/derivation_trace_published_test.cpp`],
 		faults: [
 			{
 				id: "chronicle-reasons-take-work-of-the-plant",

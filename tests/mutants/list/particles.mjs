@@ -4,8 +4,8 @@ const TESTS = "tests/core/models/particles";
 
 export default [
 	{
-		file: `${SRC}/crowd.cpp`,
-		suites: [`${TESTS}/crowd_test.cpp`],
+		file: `${SRC}/particle_system.cpp`,
+		suites: [`${TESTS}/particle_system_test.cpp`],
 		faults: [
 			{
 				id: "crowd-energy-lost-in-meeting",
@@ -132,7 +132,7 @@ export default [
 	},
 	{
 		file: `${SRC}/neighbours.cpp`,
-		suites: [`${TESTS}/crowd_test.cpp`],
+		suites: [`${TESTS}/particle_system_test.cpp`],
 		faults: [
 			{
 				id: "neighbours-lost-by-rounding",

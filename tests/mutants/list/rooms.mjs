@@ -83,7 +83,7 @@ export default [
 	},
 	{
 		file: `${SRC}/spatial/sphere_grid.cpp`,
-		suites: [`${TESTS}/environment/sphere_grid_test.cpp`],
+		suites: [`${TESTS}/spatial/sphere_grid_test.cpp`],
 		faults: [
 			{
 				id: "sphere-grid-meets-its-parent",
@@ -101,7 +101,7 @@ export default [
 	},
 	{
 		file: `${SRC}/spatial/sphere_overlaps.cpp`,
-		suites: [`${TESTS}/environment/touching_test.cpp`],
+		suites: [`${TESTS}/spatial/sphere_overlaps_test.cpp`],
 		faults: [
 			{
 				id: "touching-stems-by-their-start",
@@ -119,7 +119,7 @@ export default [
 	},
 	{
 		file: `${SRC}/light/sky.cpp`,
-		suites: [`${TESTS}/environment/sky_test.cpp`],
+		suites: [`${TESTS}/light/sky_test.cpp`],
 		faults: [
 			{
 				id: "sky-hidden-by-oneself",
@@ -149,7 +149,7 @@ export default [
 	},
 	{
 		file: `${SRC}/light/plant_sky.cpp`,
-		suites: [`${TESTS}/environment/plant_sky_test.cpp`],
+		suites: [`${TESTS}/light/plant_sky_test.cpp`],
 		faults: [
 			{
 				id: "sky-leaves-dark-from-below",
@@ -167,7 +167,7 @@ export default [
 	},
 	{
 		file: `${SRC}/spatial/point_grid.cpp`,
-		suites: [`${TESTS}/environment/point_grid_test.cpp`],
+		suites: [`${TESTS}/spatial/point_grid_test.cpp`],
 		faults: [
 			{
 				id: "point-grid-places-what-is-nowhere",
@@ -179,7 +179,7 @@ export default [
 	},
 	{
 		file: `${SRC}/spatial/closest_points.hpp`,
-		suites: [`${TESTS}/geometry/closest_test.cpp`],
+		suites: [`${TESTS}/spatial/closest_points_test.cpp`],
 		faults: [
 			{
 				id: "closest-without-an-end",
@@ -191,7 +191,7 @@ export default [
 	},
 	{
 		file: `${SRC}/stems/stem_rings.cpp`,
-		suites: [`${TESTS}/geometry/tubes_test.cpp`],
+		suites: [`${TESTS}/stems/tubes_test.cpp`],
 		faults: [
 			{
 				id: "rings-texture-twice-as-long",
@@ -209,7 +209,7 @@ export default [
 	},
 	{
 		file: `${SRC}/stems/stem_thickness.cpp`,
-		suites: [`${TESTS}/geometry/tubes_test.cpp`, "tests/core/models/bunch/stems_test.cpp"],
+		suites: [`${TESTS}/stems/tubes_test.cpp`, "tests/core/models/bunch/stems_test.cpp"],
 		faults: [
 			{
 				id: "thickness-no-receptacle",
@@ -239,7 +239,7 @@ export default [
 	},
 	{
 		file: `${SRC}/lsystem_plant/plain_plant.cpp`,
-		suites: [`${TESTS}/plant/plain_test.cpp`],
+		suites: [`${TESTS}/lsystem_plant/plain_plant_test.cpp`],
 		faults: [
 			{
 				id: "plain-turned-the-wrong-way",
@@ -251,7 +251,7 @@ export default [
 	},
 	{
 		file: `${SRC}/protocol/request.cpp`,
-		suites: [`${TESTS}/protocol/boundary_test.cpp`],
+		suites: [`${TESTS}/exports/panicle_test.cpp`],
 		faults: [
 			{
 				id: "request-unknown-blocks-pass",
@@ -269,7 +269,7 @@ export default [
 	},
 	{
 		file: `${SRC}/protocol/answer.cpp`,
-		suites: [`${TESTS}/protocol/boundary_test.cpp`],
+		suites: [`${TESTS}/exports/panicle_test.cpp`],
 		faults: [
 			{
 				id: "answer-ends-are-starts",
@@ -287,7 +287,7 @@ export default [
 	},
 	{
 		file: `${SRC}/exports/panicle.cpp`,
-		suites: [`${TESTS}/protocol/boundary_test.cpp`],
+		suites: [`${TESTS}/exports/panicle_test.cpp`],
 		faults: [
 			{
 				id: "boundary-notes-twice",

@@ -137,7 +137,7 @@ export default [
 		faults: [
 			{
 				id: "pool-keeps-all-workers",
-				find: "for (const seat of [...this.#seats.keys()].slice(1)) this.#leave(seat);",
+				find: "for (const seat of seats) if (seat !== small) this.#leave(seat);",
 				replace: "",
 				breaks: "a page that has grown a stand keeps the memory of all its workers",
 			},

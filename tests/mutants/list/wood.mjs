@@ -23,7 +23,7 @@ export default [
 	},
 	{
 		file: `${SRC}/trunk.cpp`,
-		suites: [`${TESTS}/trunk_test.cpp`, `${TESTS}/tree_test.cpp`],
+		suites: [`${TESTS}/trunk_test.cpp`, "tests/core/models/tree/tree_test.cpp"],
 		faults: [
 			{
 				id: "trunk-through-the-top",
@@ -35,7 +35,7 @@ export default [
 	},
 	{
 		file: `${SRC}/grown.cpp`,
-		suites: [`${TESTS}/tree_life_test.cpp`],
+		suites: ["tests/core/models/tree/tree_life_test.cpp"],
 		faults: [
 			{
 				id: "grown-by-whole-steps",
@@ -84,7 +84,7 @@ export default [
 	},
 	{
 		file: `${SRC}/obstacles.cpp`,
-		suites: [`${TESTS}/tree_test.cpp`],
+		suites: ["tests/core/models/tree/tree_test.cpp"],
 		faults: [
 			{
 				id: "round-obstacles-let-through",
@@ -96,7 +96,7 @@ export default [
 	},
 	{
 		file: `${SRC}/crown_light.cpp`,
-		suites: [`${TESTS}/tree_test.cpp`],
+		suites: ["tests/core/models/tree/tree_test.cpp"],
 		faults: [
 			{
 				id: "others-take-no-light",
@@ -115,7 +115,7 @@ export default [
 	},
 	{
 		file: "wasm-core/src/stems/wood.cpp",
-		suites: [`${TESTS}/tree_dress_test.cpp`],
+		suites: ["tests/core/models/tree/tree_dress_test.cpp"],
 		faults: [
 			{
 				id: "collars-black",

@@ -1,9 +1,9 @@
 import { describe, expect, it, vi } from "vitest";
+import { Cores } from "../../../web/src/app/cores";
 import { Columns, writeContainer } from "../../../web/src/core/container";
 import { Superseded } from "../../../web/src/core/errors";
 import type { PageModel } from "../../../web/src/models/page_model";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
-import { Cores } from "../../../web/src/app/cores";
 import { toy } from "../toy";
 
 const model = toy as unknown as PageModel;

@@ -1,13 +1,13 @@
 import { vi } from "vitest";
-import type { Desk } from "../../../web/src/ui/desk";
+import { Studio } from "../../../web/src/app/studio";
+import type { Surroundings } from "../../../web/src/app/surroundings";
+import { FIRST_VISIT } from "../../../web/src/app/ui_state";
 import { model as bunch } from "../../../web/src/models/bunch/index";
 import type { BunchDesk } from "../../../web/src/models/bunch/ui/desk";
 import type { PageModel } from "../../../web/src/models/page_model";
 import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import type { Specimen } from "../../../web/src/specimen/specimen";
-import { Studio } from "../../../web/src/app/studio";
-import type { Surroundings } from "../../../web/src/app/surroundings";
-import { FIRST_VISIT } from "../../../web/src/app/ui_state";
+import type { Desk } from "../../../web/src/ui/desk";
 
 export const bunchModel = bunch as unknown as PageModel;
 

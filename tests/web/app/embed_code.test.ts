@@ -1,7 +1,5 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { OWN_ATTRIBUTES } from "../../../web/src/element/attributes";
-import { FRAME_KEYS, frameSettings } from "../../../web/src/element/embed/frame_settings";
 import {
 	EMBED_FORMS,
 	type EmbedChoice,
@@ -9,6 +7,8 @@ import {
 	frameAddress,
 	MODEL_VIEWER,
 } from "../../../web/src/app/files/embed_code";
+import { OWN_ATTRIBUTES } from "../../../web/src/element/attributes";
+import { FRAME_KEYS, frameSettings } from "../../../web/src/element/embed/frame_settings";
 
 const of = {
 	app: "https://plants.example/app/",

@@ -1,4 +1,5 @@
 import { describe, expect, it, vi } from "vitest";
+import { fileName, formatsOf } from "../../../web/src/app/files/formats";
 import { png } from "../../../web/src/formats/png";
 import { foundInFile } from "../../../web/src/formats/restore";
 import { makeFile } from "../../../web/src/generate/files/make";
@@ -8,7 +9,6 @@ import type { PageModel } from "../../../web/src/models/page_model";
 import { model as standModel } from "../../../web/src/models/stand/index";
 import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
-import { fileName, formatsOf } from "../../../web/src/app/files/formats";
 import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
 import { bunchModel } from "./desk";

@@ -1,10 +1,10 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
-import type { PageModel } from "../../../web/src/models/page_model";
-import type { Plant } from "../../../web/src/plant/plant";
 import type { GrowOptions } from "../../../web/src/app/cores";
 import { Growing } from "../../../web/src/app/growing";
 import type { Studio } from "../../../web/src/app/studio";
+import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
+import type { PageModel } from "../../../web/src/models/page_model";
+import type { Plant } from "../../../web/src/plant/plant";
 import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
 import { bunchModel } from "./desk";
@@ -21,7 +21,11 @@ describe("growing", () => {
 	}
 	let calls: Call[];
 	const studio = {
-		state: { shown: undefined as { model: PageModel } | undefined, model: bunchModel as PageModel, specimen: specimen(1) },
+		state: {
+			shown: undefined as { model: PageModel } | undefined,
+			model: bunchModel as PageModel,
+			specimen: specimen(1),
+		},
 		growAgain: vi.fn(),
 		grew: vi.fn(),
 		caughtUp: vi.fn(),

@@ -1,6 +1,6 @@
 import { describe, expect, it, vi } from "vitest";
-import type { Restored } from "../../../web/src/specimen/restore";
 import { openLate } from "../../../web/src/app/late_link";
+import type { Restored } from "../../../web/src/specimen/restore";
 import { specimenFromPreset } from "../bunch";
 import { studioWith } from "./desk";
 

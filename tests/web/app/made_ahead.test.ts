@@ -1,10 +1,10 @@
 import { expect, it, vi } from "vitest";
+import type { Asked, Download } from "../../../web/src/app/files/formats";
+import { MadeAhead, sizeInWords } from "../../../web/src/app/files/made_ahead";
 import { NotFetched } from "../../../web/src/generate/files/exporter";
 import type { PageModel } from "../../../web/src/models/page_model";
 import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
-import type { Asked, Download } from "../../../web/src/app/files/formats";
-import { MadeAhead, sizeInWords } from "../../../web/src/app/files/made_ahead";
 import { toy } from "../toy";
 
 const model = toy as unknown as PageModel;

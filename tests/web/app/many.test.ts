@@ -1,8 +1,8 @@
 import { expect, it } from "vitest";
-import { formatsOf as formatsOfSeries } from "../../../web/src/batch/series";
-import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import { formatsOf } from "../../../web/src/app/files/formats";
 import { formatsOfMany } from "../../../web/src/app/files/many";
+import { formatsOf as formatsOfSeries } from "../../../web/src/batch/series";
+import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import { specimenFromPreset } from "../bunch";
 import { bunchModel } from "./desk";
 

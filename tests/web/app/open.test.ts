@@ -1,4 +1,6 @@
 import { beforeAll, describe, expect, it, vi } from "vitest";
+import { dropsOf } from "../../../web/src/app/files/drops";
+import { openFile } from "../../../web/src/app/files/open";
 import { png } from "../../../web/src/formats/png";
 import { withLink } from "../../../web/src/formats/png_link";
 import { model as leaf } from "../../../web/src/models/leaf/index";
@@ -6,8 +8,6 @@ import type { PageModel } from "../../../web/src/models/page_model";
 import { model as tree } from "../../../web/src/models/tree/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { writtenSpecimen } from "../../../web/src/specimen/written";
-import { dropsOf } from "../../../web/src/app/files/drops";
-import { openFile } from "../../../web/src/app/files/open";
 import { studioWith } from "./desk";
 
 // There are no workers here: files are read on this thread, by the same reader.

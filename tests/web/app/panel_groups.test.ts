@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import type { Tool } from "../../../web/src/ui/tool";
-import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { applying, groupsFor } from "../../../web/src/app/panel_groups";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import type { Tool } from "../../../web/src/ui/tool";
 import { BUNCH, specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
 import { studioWith } from "./desk";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { Plant } from "../../../web/src/plant/plant";
 import { plantToSave } from "../../../web/src/app/files/plant_to_save";
+import type { Plant } from "../../../web/src/plant/plant";
 import { specimenFromPreset } from "../bunch";
 import { studioWith } from "./desk";
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { PageModel } from "../../../web/src/models/page_model";
 import { findPresets, kindKey, sectionsOf } from "../../../web/src/app/preset_search";
+import type { PageModel } from "../../../web/src/models/page_model";
 import { toy } from "../toy";
 import { bunchModel } from "./desk";
 

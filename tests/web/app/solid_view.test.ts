@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { PageModel } from "../../../web/src/models/page_model";
 import { SolidView } from "../../../web/src/app/solid_view";
 import type { Studio } from "../../../web/src/app/studio";
+import type { PageModel } from "../../../web/src/models/page_model";
 import { specimenFromPreset } from "../bunch";
 import { sampleBunch } from "../models/bunch/sample_bunch";
 import { toy } from "../toy";

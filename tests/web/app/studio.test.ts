@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
+import type { Studio } from "../../../web/src/app/studio";
 import type { PageModel } from "../../../web/src/models/page_model";
 import type { Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
-import type { Studio } from "../../../web/src/app/studio";
 import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
 import { bunchModel, studioWith } from "./desk";

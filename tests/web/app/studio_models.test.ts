@@ -1,8 +1,8 @@
 import { describe, expect, it, vi } from "vitest";
+import { FIRST_VISIT } from "../../../web/src/app/ui_state";
 import type { PageModel } from "../../../web/src/models/page_model";
 import type { Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
-import { FIRST_VISIT } from "../../../web/src/app/ui_state";
 import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
 import { bunchModel, studioWith } from "./desk";

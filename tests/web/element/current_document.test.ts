@@ -2,8 +2,8 @@ import { describe, expect, it, vi } from "vitest";
 import { CurrentDocument } from "../../../web/src/element/current_document";
 import { changedIn, documentOf } from "../../../web/src/element/grown_detail";
 import { withSeed } from "../../../web/src/specimen/edit";
-import { specimenFromPreset } from "../bunch";
 import { bunchModel } from "../app/desk";
+import { specimenFromPreset } from "../bunch";
 
 const first = documentOf(bunchModel, { specimen: specimenFromPreset(), notes: [] });
 const seeded = (seed: number) => (before: typeof first) => changedIn(before, (specimen) => withSeed(specimen, seed));

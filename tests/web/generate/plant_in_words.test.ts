@@ -10,6 +10,11 @@ it.each([
 	["Oak", "tree", "9.2 m tall, 5,400 leaves", "Oak tree: 9.2 m tall, 5,400 leaves"],
 	["Carrot", "root", "19 cm deep, 60 root tips", "Carrot root: 19 cm deep, 60 root tips"],
 ])("says of a %s that it is a %s, once", (title, noun, words, whole) => {
-	const model = { noun, title: "Plant", presets: { named: () => ({ title }) }, words: () => words } as unknown as PageModel;
+	const model = {
+		noun,
+		title: "Plant",
+		presets: { named: () => ({ title }) },
+		words: () => words,
+	} as unknown as PageModel;
 	expect(plantInWords({ model, specimen: { preset: "a" } as never, grown: EMPTY_PLANT })).toBe(whole);
 });

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { ChronicleReader, WINDOW, windowAbout } from "../../../web/src/grammar_editor/chronicle_reader";
 import { Superseded } from "../../../web/src/core/errors";
+import { ChronicleReader, WINDOW, windowAbout } from "../../../web/src/grammar_editor/chronicle_reader";
 import type { Chronicle, ChronicleAsked } from "../../../web/src/plant/chronicle";
 
 /** A derivation whose strings double: 1, 2, 4 … modules. */

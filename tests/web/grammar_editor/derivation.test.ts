@@ -1,10 +1,10 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { DERIVATION, type DerivationState } from "../../../web/src/grammar_editor/derivation_tool";
-import type { AsideOptions, Desk } from "../../../web/src/ui/desk";
-import { Derivation } from "../../../web/src/grammar_editor/derivation";
 import { Superseded } from "../../../web/src/core/errors";
+import { Derivation } from "../../../web/src/grammar_editor/derivation";
+import { DERIVATION, type DerivationState } from "../../../web/src/grammar_editor/derivation_tool";
 import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
 import type { Specimen } from "../../../web/src/specimen/specimen";
+import type { AsideOptions, Desk } from "../../../web/src/ui/desk";
 import { algae } from "./told_derivation";
 
 const STEPS = 5;

@@ -11,7 +11,12 @@ import {
 import { describe, expect, it } from "vitest";
 import type { Material } from "../../../web/src/plant/material";
 import { lightUniforms } from "../../../web/src/render/light_shader";
-import { type StandardOptions, setPicture, setSheet, standardMaterial } from "../../../web/src/render/standard_material";
+import {
+	type StandardOptions,
+	setPicture,
+	setSheet,
+	standardMaterial,
+} from "../../../web/src/render/standard_material";
 
 const rich: Material = {
 	name: "Skin",

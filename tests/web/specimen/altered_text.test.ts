@@ -1,4 +1,5 @@
 import { beforeAll, expect, it } from "vitest";
+import { titleOf } from "../../../web/src/app/title";
 import { choose } from "../../../web/src/models/flower/design/choose";
 import { usual } from "../../../web/src/models/flower/design/description";
 import { designOf } from "../../../web/src/models/flower/design/design";
@@ -11,7 +12,6 @@ import { put, volumesOf } from "../../../web/src/models/growth/volumes/volume_to
 import type { Model } from "../../../web/src/models/model";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
-import { titleOf } from "../../../web/src/app/title";
 
 const OWN = "footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)\ntree -> trunk\n";
 const tree = (grammar: string) =>

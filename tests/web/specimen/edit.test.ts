@@ -1,10 +1,10 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../web/src/ui/change";
 import { NUMBER_KEYS } from "../../../web/src/models/bunch/parameters.generated";
 import { withSeed } from "../../../web/src/specimen/edit";
 import { change, startHistory, undo } from "../../../web/src/specimen/history";
 import { growsAlike, sameSpecimen } from "../../../web/src/specimen/same";
+import { apply } from "../../../web/src/ui/change";
 import { BUNCH, MOST_THINNED, specimenFromPreset, thin, unthin, unthinAll, withLook, withParameters } from "../bunch";
 import { anySpecimen, faults } from "./arbitrary";
 

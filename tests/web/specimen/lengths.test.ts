@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
+import { explainedBy, presetInWords } from "../../../web/src/app/explained";
 import { FLOWER_TABLE } from "../../../web/src/models/flower/table";
 import { STAND } from "../../../web/src/models/stand/species";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { rangeInWords, readIn, readOf, scaleOf, typedOf } from "../../../web/src/specimen/lengths";
 import type { Entry, NumberEntry } from "../../../web/src/specimen/table";
-import { explainedBy, presetInWords } from "../../../web/src/app/explained";
 import { BUNCH, entryOf, specimenFromPreset, withParameters } from "../bunch";
 
 const scale = (key: string, unit = 0.25) =>

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { coarseStep } from "../../../web/src/ui/coarse_step";
 import { ROOT_TABLE } from "../../../web/src/models/root/table";
 import { TREE_TABLE } from "../../../web/src/models/tree/table";
+import { coarseStep } from "../../../web/src/ui/coarse_step";
 
 describe("an arrow key on a slider", () => {
 	it("goes ten steps with Shift, either way, and is the browser's without", () => {

@@ -1,9 +1,9 @@
 import { describe, expect, it, vi } from "vitest";
+import type { Model } from "../../../web/src/models/model";
 import { ControlElement } from "../../../web/src/ui/control_element";
 import type { Desk } from "../../../web/src/ui/desk";
-import type { Model } from "../../../web/src/models/model";
-import { specimenFromPreset } from "../bunch";
 import { studioWith } from "../app/desk";
+import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
 
 /** What Lit asks before it draws, without a page to draw in. */

@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { nextStage, nextStep, stageOf } from "../../../web/src/ui/life";
 import { LIFE } from "../../../web/src/models/bunch/ui/age";
 import type { NumberEntry } from "../../../web/src/specimen/table";
+import { nextStage, nextStep, stageOf } from "../../../web/src/ui/life";
 import { entryOf } from "../bunch";
 
 const { min, max } = entryOf(LIFE.parameter) as NumberEntry;

@@ -1,10 +1,10 @@
 import { beforeEach, describe, expect, it } from "vitest";
+import type { Studio } from "../../../web/src/app/studio";
+import { LIFE } from "../../../web/src/models/bunch/ui/age";
 import type { Stateful } from "../../../web/src/ui/desk";
 import { LifePlayer, type PlayState } from "../../../web/src/ui/life_player";
-import { LIFE } from "../../../web/src/models/bunch/ui/age";
-import type { Studio } from "../../../web/src/app/studio";
-import { specimenFromPreset } from "../bunch";
 import { studioWith } from "../app/desk";
+import { specimenFromPreset } from "../bunch";
 
 const opened = specimenFromPreset("long-conical");
 const FRAME = 20;

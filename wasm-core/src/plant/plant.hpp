@@ -104,7 +104,7 @@ struct Count {
   std::uint32_t value = 0;
 };
 
-// What ended a plant's growth before it was whole. The numbers cross the boundary (boundary/panicle.h).
+// What ended a plant's growth before it was whole. The numbers cross the boundary (exports/panicle.h).
 enum class CutShort : std::uint32_t {
   none = 0,
   limit = 1,  // a limit of the core

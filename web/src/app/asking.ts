@@ -1,11 +1,11 @@
 /** Asking for numbers: the page's side of targets/. Loaded when a measure that can be asked for is first unfolded. */
 import { aimed } from "../batch/aimed";
-import type { Stateful } from "../ui/desk";
 import { growsAlike, sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
 import { type Answer, MOST_GROWTHS } from "../targets/solve";
 import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
+import type { Stateful } from "../ui/desk";
 import type { Studio } from "./studio";
 
 export interface Asking {

@@ -1,6 +1,7 @@
 /** Models' tools and words for the page, each fetched once. */
-import type { Face } from "../ui/tool";
+
 import type { PageModel } from "../models/page_model";
+import type { Face } from "../ui/tool";
 
 /** The page's side of a model that has none. */
 export const BARE: Face = { tools: [] };

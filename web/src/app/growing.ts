@@ -1,10 +1,10 @@
-import type { Fault } from "../ui/desk";
-import { GROWTH_TOPIC as GROWTH } from "../ui/tool";
 import { CoreError, CoreTrap, Superseded } from "../core/errors";
 import type { GrowthOptions } from "../models/model";
 import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
+import type { Fault } from "../ui/desk";
+import { GROWTH_TOPIC as GROWTH } from "../ui/tool";
 import type { Grower } from "./cores";
 import { tellInText } from "./fault";
 import type { Studio } from "./studio";

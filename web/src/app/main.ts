@@ -1,11 +1,12 @@
 /** The application's start: wires the store to the core, the address bar and the page, and nothing else. */
-import { changed } from "../ui/changed";
+
 import { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
-import { loadFigure, loadScene } from "../models/renderers";
 import { DEFAULT_MODEL, isModel, modelNamed, modelNames } from "../models/index";
 import type { PageModel } from "../models/page_model";
+import { loadFigure, loadScene } from "../models/renderers";
 import { allBut } from "../specimen/all_but";
+import { changed } from "../ui/changed";
 import { AddressBar, isForeign, modelInAddress, readAddress, readWholeAddress } from "./address";
 import { Cores } from "./cores";
 import { Growing } from "./growing";

@@ -1,7 +1,8 @@
 /** Which of a table's groups and parameters the panel shows: those that the specimen heeds, and what tools add. */
-import type { Tool } from "../ui/tool";
+
 import type { Specimen } from "../specimen/specimen";
 import type { Entry, Group, Table } from "../specimen/table";
+import type { Tool } from "../ui/tool";
 
 export interface PanelGroup {
 	readonly group: Group;

@@ -1,12 +1,12 @@
 /** The 3-D view as the studio's state wants it; the one place where the studio meets the scene. */
 import type { Camera, Object3D } from "three";
-import type { Face, Instead, Sight, ToolHands, ToolView } from "../ui/tool";
-import { loadFigure, loadScene } from "../models/renderers";
 import type { PageModel } from "../models/page_model";
+import { loadFigure, loadScene } from "../models/renderers";
 import type { Plant } from "../plant/plant";
 import { turnedBy } from "../render/orbit_keys";
 import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
+import type { Face, Instead, Sight, ToolHands, ToolView } from "../ui/tool";
 import type { Studio } from "./studio";
 import { lookOf, type PictureOptions, type Shown, type StudioState } from "./studio_state";
 import { TRY_AGAIN } from "./types";

@@ -1,6 +1,3 @@
-import { apply, otherSeed } from "../ui/change";
-import type { Change, Desk, Fault, NoticeOptions, Stateful } from "../ui/desk";
-import type { Face } from "../ui/tool";
 import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import { fromPreset } from "../specimen/from_preset";
@@ -8,6 +5,9 @@ import * as histories from "../specimen/history";
 import type { Restored } from "../specimen/restore";
 import { growsAlike, sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
+import { apply, otherSeed } from "../ui/change";
+import type { Change, Desk, Fault, NoticeOptions, Stateful } from "../ui/desk";
+import type { Face } from "../ui/tool";
 import { BARE, Faces } from "./faces";
 import { afterChange, withNotice, withoutTopic } from "./notice_list";
 import { inStep, type Opening, opened, type StudioState } from "./studio_state";

@@ -1,9 +1,9 @@
-import type { DeskState } from "../ui/desk";
-import type { Face } from "../ui/tool";
 import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import { type History, startHistory } from "../specimen/history";
 import type { Specimen } from "../specimen/specimen";
+import type { DeskState } from "../ui/desk";
+import type { Face } from "../ui/tool";
 import type { ToolStates } from "./tool_states";
 import type { Failure, Notice } from "./types";
 import type { UiState } from "./ui_state";

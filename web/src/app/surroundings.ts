@@ -1,7 +1,7 @@
-import type { AsideOptions } from "../ui/desk";
 import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
+import type { AsideOptions } from "../ui/desk";
 import type { UiState } from "./ui_state";
 
 /** What the studio does outside itself; main.ts wires it. */

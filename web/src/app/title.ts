@@ -1,10 +1,11 @@
 /** What a plant is called, on the page and in the tab. */
-import type { Tool } from "../ui/tool";
+
 import type { PageModel } from "../models/page_model";
 import { withParameters } from "../specimen/edit";
 import { fromPreset } from "../specimen/from_preset";
 import { growsAlike } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
+import type { Tool } from "../ui/tool";
 import { runningBy } from "./panel_groups";
 
 /** "Maple", or "Maple, altered"; what its model calls it, where that does. @param tools the model's */

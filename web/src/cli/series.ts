@@ -13,8 +13,8 @@ import { columnsOf, failedRow, type Line, readLines, rowOf, written } from "../b
 import { Unusable } from "../batch/unusable";
 import { checkVaried, readVary } from "../batch/vary";
 import { Cores } from "../core/cores";
-import { growPlant } from "../generate/growth";
 import { makeFile } from "../generate/files/make";
+import { growPlant } from "../generate/growth";
 import type { Call } from "./arguments";
 import { askedSpecimen } from "./asked_specimen";
 import type { BatchCall } from "./batch_arguments";

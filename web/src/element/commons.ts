@@ -7,8 +7,8 @@ import { holdScripts } from "../core/hold_scripts";
 import { compileCore } from "../core/loader";
 import { Pool } from "../core/pool";
 import { spawnWorker } from "../core/spawn";
-import type { Renderer } from "../render/renderer";
 import { loadScene } from "../models/renderers";
+import type { Renderer } from "../render/renderer";
 
 /** A page that puts one plant in another's place need not start anew. */
 const LINGER = 1000;

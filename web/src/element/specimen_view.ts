@@ -1,12 +1,12 @@
 /** The picture of an element's plant: a viewer on the page's one context of the graphics card, turned by hand, by keys or by itself. */
 import type { PageModel } from "../models/page_model";
+import { loadFigure, loadScene } from "../models/renderers";
 import type { Plant } from "../plant/plant";
 import type { Ray } from "../render/figure";
 import { turnedBy } from "../render/orbit_keys";
 import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
 import type { Commons } from "./commons";
-import { loadFigure, loadScene } from "../models/renderers";
 
 /** Degrees a second, where `autorotate` says no number. */
 const TURNING = 20;

@@ -1,10 +1,10 @@
 /** Growing a specimen of any model, wherever its core lives. */
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
-import { grownMembers, type MembersOptions } from "./members";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
+import { grownMembers, type MembersOptions } from "./members";
 
 /** Has the core of that file (`bunch.wasm`) grow a request. */
 export type Run = (wasm: string, blocks: readonly Block[]) => Promise<Answer>;

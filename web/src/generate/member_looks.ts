@@ -1,11 +1,12 @@
 /** What members look like, from near and from far. */
+
+import type { Member, MemberMesh } from "../models/member";
+import type { Model } from "../models/model";
 import type { Material } from "../plant/material";
 import { PLACE_STEPS, packed, reachOf } from "../plant/packed_mesh";
 import { everyPart, type Part, type Shape } from "../plant/part";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
-import type { Member, MemberMesh } from "../models/member";
-import type { Model } from "../models/model";
 
 /** Triangles of the levels of what makes none itself, from near to far. */
 const TRIANGLES = [3000, 600];

@@ -1,6 +1,7 @@
 /** Where on a member others may hang: its organs of the tags that were asked for. */
-import type { Plant } from "../plant/plant";
+
 import type { Member, MemberAsked } from "../models/member";
+import type { Plant } from "../plant/plant";
 
 export function spotsOf(plant: Plant, { spots }: MemberAsked): Pick<Member, "spots"> {
 	return spots ? { spots: Object.fromEntries(spots.map((tag) => [tag, placesOf(plant, tag)])) } : {};

@@ -5,16 +5,16 @@
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 import { CoreError } from "../core/errors";
+import { isModel, modelNamed, modelNames } from "../models/index";
+import type { Member, MemberAsked, Place } from "../models/member";
+import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { fromPreset } from "../specimen/from_preset";
 import { encodeLink } from "../specimen/link";
 import { restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
-import { isModel, modelNamed, modelNames } from "../models/index";
-import type { Member, MemberAsked, Place } from "../models/member";
 import { Looks, levelsOf } from "./member_looks";
 import { spotsOf } from "./member_spots";
-import type { GrowthOptions, Model } from "../models/model";
 
 /** Has the core of that file (`growth.wasm`) grow a request. */
 export type RunCore = (wasm: string, blocks: readonly Block[]) => Promise<Answer>;

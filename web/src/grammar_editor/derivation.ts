@@ -6,9 +6,9 @@ import { Superseded } from "../core/errors";
 import type { Chronicle, ToldModule } from "../plant/chronicle";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
-import { DERIVATION, type DerivationState, type DerivedScene, type MetModule } from "./derivation_tool";
 import type { Desk } from "../ui/desk";
 import { ChronicleReader } from "./chronicle_reader";
+import { DERIVATION, type DerivationState, type DerivedScene, type MetModule } from "./derivation_tool";
 import { drawnBy, litBy } from "./lights";
 
 export class Derivation {

@@ -3,10 +3,10 @@ import type { Drawn } from "../plant/drawn";
 import type { Plant } from "../plant/plant";
 import { sighted } from "../plant/sighting";
 import type { Specimen } from "../specimen/specimen";
-import { DERIVATION, type DerivationSource, type DerivedScene, type LitDrawing } from "./derivation_tool";
 import type { Desk, DeskState } from "../ui/desk";
 import { PickPointer } from "../ui/pick_pointer";
 import type { Sight, ToolHands, ToolView } from "../ui/tool";
+import { DERIVATION, type DerivationSource, type DerivedScene, type LitDrawing } from "./derivation_tool";
 import { drawnBy, drawnIn } from "./lights";
 
 /** A thread may be missed by so many CSS pixels, and shines at least so wide. */

@@ -2,10 +2,10 @@ import { html, svg } from "lit";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Desk } from "../ui/desk";
-import type { Pair } from "./gestures/pair";
-import type { GrammarDesk, GrammarSource } from "./source";
 import { LateHands } from "../ui/handles/late_hands";
 import type { Tool } from "../ui/tool";
+import type { Pair } from "./gestures/pair";
+import type { GrammarDesk, GrammarSource } from "./source";
 
 /** What drives the two numbers. */
 export type DrivenBy = "pointer" | "gamepad" | "camera";

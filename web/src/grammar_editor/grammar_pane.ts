@@ -1,13 +1,13 @@
 import { html, nothing } from "lit";
 import type { TextPlace } from "../plant/chronicle";
 import { ControlElement } from "../ui/control_element";
-import { DERIVATION } from "./derivation_tool";
 import type { Stateful } from "../ui/desk";
-import type { GrammarState } from "./grammar_tool";
 import { icon } from "../ui/icons";
 import { KeyRuns } from "../ui/key_runs";
+import { DERIVATION } from "./derivation_tool";
 import { Editor } from "./editor";
 import type { Explanation } from "./explain";
+import type { GrammarState } from "./grammar_tool";
 import type { NumberAt } from "./outline";
 import { type GrammarDesk, type GrammarSource, isOwn, textOf, withText } from "./source";
 import type { ShownProductions } from "./stepper";

@@ -2,10 +2,10 @@ import { html, nothing, svg } from "lit";
 import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
-import { type DerivationSource, derivationTool } from "./derivation_tool";
 import type { Desk, Fault } from "../ui/desk";
-import { type GrammarSource, isOwn, withText } from "./source";
 import { GROWTH_TOPIC, type Tool } from "../ui/tool";
+import { type DerivationSource, derivationTool } from "./derivation_tool";
+import { type GrammarSource, isOwn, withText } from "./source";
 
 /** What the page keeps of the editor. */
 export interface GrammarState {

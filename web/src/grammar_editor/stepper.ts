@@ -1,8 +1,8 @@
 import { html, nothing } from "lit";
 import type { TextPlace } from "../plant/chronicle";
 import { ControlElement } from "../ui/control_element";
-import { DERIVATION } from "./derivation_tool";
 import { Derivation } from "./derivation";
+import { DERIVATION } from "./derivation_tool";
 import type { StringEvents } from "./derived_string";
 import type { GrammarDesk } from "./source";
 import STYLE from "./steps.css?inline";

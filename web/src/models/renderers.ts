@@ -1,9 +1,10 @@
 /** What draws plants: scripts that come when they are first asked for. */
-import type { PageModel } from "./page_model";
+
 import type { Plant } from "../plant/plant";
 import { swayOf } from "../plant/sway";
 import type { FigureMaker } from "../render/figure";
 import type { Specimen } from "../specimen/specimen";
+import type { PageModel } from "./page_model";
 
 type SceneModule = typeof import("../render/viewer");
 type Maker = FigureMaker<Specimen, Plant>;

@@ -1,11 +1,11 @@
 import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
-import { PLAY } from "../../../../web/src/ui/life_player";
-import { age } from "../../../../web/src/models/bunch/ui/age";
-import { stems } from "../../../../web/src/models/bunch/ui/stems";
-import type { PageModel } from "../../../../web/src/models/page_model";
 import type { StudioPart } from "../../../../web/src/app/parts/studio_part";
 import { Studio } from "../../../../web/src/app/studio";
 import { FIRST_VISIT } from "../../../../web/src/app/ui_state";
+import { age } from "../../../../web/src/models/bunch/ui/age";
+import { stems } from "../../../../web/src/models/bunch/ui/stems";
+import type { PageModel } from "../../../../web/src/models/page_model";
+import { PLAY } from "../../../../web/src/ui/life_player";
 import { specimenFromPreset } from "../../bunch";
 import { sampleBunch } from "../../models/bunch/sample_bunch";
 import { toy } from "../../toy";

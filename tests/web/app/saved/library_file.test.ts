@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { foundInFile } from "../../../../web/src/formats/restore";
 import { broughtInWords, readLibrary, writeLibrary } from "../../../../web/src/app/saved/library_file";
 import { isSaved, LARGEST_PICTURE, LONGEST_NAME, type Saved, tidyName } from "../../../../web/src/app/saved/saved";
+import { foundInFile } from "../../../../web/src/formats/restore";
 import { inRun } from "../../../long_run.mjs";
 import { savedAs } from "./shelf";
 

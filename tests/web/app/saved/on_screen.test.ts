@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
-import type { Plant } from "../../../../web/src/plant/plant";
 import { openSaved, savedOf } from "../../../../web/src/app/saved/on_screen";
 import type { Studio } from "../../../../web/src/app/studio";
 import { VERSION } from "../../../../web/src/app/version";
+import type { Plant } from "../../../../web/src/plant/plant";
 import { specimenFromPreset } from "../../bunch";
 import { studioWith } from "../desk";
 import { savedAs } from "./shelf";

@@ -5,9 +5,9 @@ import type { FlowerSpecimen } from "../../../../web/src/models/flower/specimen"
 import type { Model } from "../../../../web/src/models/model";
 import { everyPart } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
+import { bunchModel } from "../../app/desk";
 import { specimenFromPreset } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
-import { bunchModel } from "../../app/desk";
 
 const flowerModel = flower as unknown as Model;
 const flowerOf = (preset: string) => fromPreset(flower, preset);

@@ -10,10 +10,10 @@ import type { FileRequest } from "../../../../web/src/generate/files/messages";
 import { answerTo } from "../../../../web/src/generate/files/serve";
 import { berriesCsv } from "../../../../web/src/models/bunch/tables";
 import type { Model } from "../../../../web/src/models/model";
+import { bunchModel } from "../../app/desk";
 import { specimenFromPreset } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 import { documentOf } from "../../formats/reading";
-import { bunchModel } from "../../app/desk";
 
 const specimen = { ...specimenFromPreset("duku"), seed: 3 };
 const link = "https://example.org/?v=2&preset=duku&seed=3";

@@ -1,11 +1,11 @@
 import { describe, expect, it, vi } from "vitest";
+import { exportGlb } from "../../../../web/src/formats/glb";
 import { closedMesh } from "../../../../web/src/import/mesh_file/closed";
 import { readGlb } from "../../../../web/src/import/mesh_file/glb";
 import { readObj } from "../../../../web/src/import/mesh_file/obj";
 import { readMeshFile } from "../../../../web/src/import/mesh_file/read";
 import { MeshFileError, type Soup } from "../../../../web/src/import/mesh_file/soup";
 import { readStl } from "../../../../web/src/import/mesh_file/stl";
-import { exportGlb } from "../../../../web/src/formats/glb";
 import { standardMaterial } from "../../../../web/src/plant/material";
 import { MOST_TRIANGLES } from "../../../../web/src/specimen/closed_mesh";
 

@@ -1,7 +1,5 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import { stageOf } from "../../../../web/src/ui/life";
-import { LifePlayer, type PlayState } from "../../../../web/src/ui/life_player";
-import type { Tool } from "../../../../web/src/ui/tool";
+import { applying, groupsFor } from "../../../../web/src/app/panel_groups";
 import { model as flower } from "../../../../web/src/models/flower/index";
 import { PRESETS } from "../../../../web/src/models/flower/presets.generated";
 import { fetchTexts, heedsAge } from "../../../../web/src/models/flower/texts";
@@ -11,7 +9,9 @@ import { LIFE as OF_TREES } from "../../../../web/src/models/growth/ui/age";
 import type { Model } from "../../../../web/src/models/model";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import type { NumberEntry } from "../../../../web/src/specimen/table";
-import { applying, groupsFor } from "../../../../web/src/app/panel_groups";
+import { stageOf } from "../../../../web/src/ui/life";
+import { LifePlayer, type PlayState } from "../../../../web/src/ui/life_player";
+import type { Tool } from "../../../../web/src/ui/tool";
 import { studioWith } from "../../app/desk";
 
 const tulip = fromPreset(flower, "tulip");

@@ -1,5 +1,6 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
+import { titleOf } from "../../../../web/src/app/title";
 import { modelForText } from "../../../../web/src/models/for_text";
 import { model } from "../../../../web/src/models/grammar/index";
 import { PRESETS } from "../../../../web/src/models/grammar/presets.generated";
@@ -11,7 +12,6 @@ import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import { decodeLink, encodeLink } from "../../../../web/src/specimen/link";
 import { restore } from "../../../../web/src/specimen/restore";
 import { writtenSpecimen } from "../../../../web/src/specimen/written";
-import { titleOf } from "../../../../web/src/app/title";
 
 const standard = fromPreset(model);
 const linked = async (specimen: typeof standard) => {

@@ -4,8 +4,8 @@ import { type Picture, TraceError } from "../../../../web/src/import/tracing/pic
 import type { OutlinePoint, Place } from "../../../../web/src/models/leaf/outline/points";
 import { curveOf } from "../../../../web/src/models/leaf/outline/spline";
 import { leafFromPreset } from "../../../../web/src/models/leaf/species";
-import { asChange } from "../../../../web/src/models/leaf/ui/trace";
 import { MOST_TRACED, traceLeaf } from "../../../../web/src/models/leaf/trace/trace";
+import { asChange } from "../../../../web/src/models/leaf/ui/trace";
 import { inRun } from "../../../long_run.mjs";
 
 type Ink = readonly [red: number, green: number, blue: number, alpha?: number];

@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
+import { titleOf } from "../../../../web/src/app/title";
 import type { Leaf } from "../../../../web/src/models/leaf/grown";
 import { model } from "../../../../web/src/models/leaf/index";
 import { leafFromPreset } from "../../../../web/src/models/leaf/species";
 import { leafInWords } from "../../../../web/src/models/leaf/words";
 import type { Model } from "../../../../web/src/models/model";
-import { titleOf } from "../../../../web/src/app/title";
 
 const maple = leafFromPreset("maple");
 const traced = { ...maple, outline: leafFromPreset("oak").outline };

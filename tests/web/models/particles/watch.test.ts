@@ -1,6 +1,4 @@
 import { beforeAll, expect, it } from "vitest";
-import { nextStep } from "../../../../web/src/ui/life";
-import type { Face } from "../../../../web/src/ui/tool";
 import type { Core } from "../../../../web/src/core/core";
 import { model as leaf } from "../../../../web/src/models/leaf/index";
 import type { PageModel } from "../../../../web/src/models/page_model";
@@ -10,6 +8,8 @@ import { model as root } from "../../../../web/src/models/root/index";
 import { model as tree } from "../../../../web/src/models/tree/index";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../../web/src/specimen/specimen";
+import { nextStep } from "../../../../web/src/ui/life";
+import type { Face } from "../../../../web/src/ui/tool";
 import { inRun } from "../../../long_run.mjs";
 import { particlesCore } from "./boundary/particles";
 

@@ -1,9 +1,9 @@
 import { afterEach, expect, it, vi } from "vitest";
-import type { Desk } from "../../../../web/src/ui/desk";
-import type { ToolView } from "../../../../web/src/ui/tool";
 import type { StandSpecimen } from "../../../../web/src/models/stand/specimen";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { map } from "../../../../web/src/models/stand/ui/map";
+import type { Desk } from "../../../../web/src/ui/desk";
+import type { ToolView } from "../../../../web/src/ui/tool";
 
 afterEach(() => vi.unstubAllGlobals());
 

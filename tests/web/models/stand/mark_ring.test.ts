@@ -1,7 +1,7 @@
 import { type BufferAttribute, type BufferGeometry, type Mesh, PerspectiveCamera, Vector3 } from "three";
 import { beforeAll, expect, it } from "vitest";
-import { MarkRing } from "../../../../web/src/models/stand/render/mark_ring";
 import { heightAt } from "../../../../web/src/models/stand/ground_grid";
+import { MarkRing } from "../../../../web/src/models/stand/render/mark_ring";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { grownStand } from "./stands";
 

@@ -1,6 +1,7 @@
 /** What `Download` offers and how it is made: fetched when the menu is opened for the first time. */
-export { saveFile } from "../../ui/save_file";
+
 export { NotFetched } from "../../generate/files/exporter";
+export { saveFile } from "../../ui/save_file";
 export { fileSettings } from "../parts/file_settings";
 export { menuActions } from "../parts/menu_actions";
 export { fileName, formatsOf } from "./formats";

@@ -1,4 +1,3 @@
-import { FILE_TOPIC } from "../../ui/tool";
 import { readText } from "../../models/for_text";
 import { modelNamed, modelNames } from "../../models/index";
 import { fromPreset } from "../../specimen/from_preset";
@@ -7,6 +6,7 @@ import { decodeLink, linkParts, modelInQuery } from "../../specimen/link";
 import { modelIn, restore } from "../../specimen/restore";
 import { SPECIMEN_VERSION } from "../../specimen/specimen";
 import { TextError } from "../../specimen/text_error";
+import { FILE_TOPIC } from "../../ui/tool";
 import { BARE } from "../faces";
 import { applying } from "../panel_groups";
 import { SAVED } from "../parts/late_parts";

@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
-import { readTyped } from "../../ui/typed";
 import { type MeasureInfo, measureText } from "../../specimen/measures";
 import { fromWritten, writtenFor } from "../../targets/aim";
+import { readTyped } from "../../ui/typed";
 import { ASKING, askFor, heldAims, shareDone } from "../asking";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";

@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
-import { icon } from "../../ui/icons";
 import type { Plant } from "../../plant/plant";
+import { icon } from "../../ui/icons";
 import type { Asked, Download } from "../files/formats";
 import type { MadeAhead } from "../files/made_ahead";
 import type { Studio } from "../studio";

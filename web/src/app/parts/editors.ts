@@ -1,7 +1,7 @@
 import { html } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import type { Tool } from "../../ui/tool";
 import { allBut } from "../../specimen/all_but";
+import type { Tool } from "../../ui/tool";
 import { applying, runningBy } from "../panel_groups";
 import type { Studio } from "../studio";
 import type { StudioState } from "../studio_state";

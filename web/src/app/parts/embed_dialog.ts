@@ -1,8 +1,8 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { keyed } from "lit/directives/keyed.js";
-import { saveFile } from "../../ui/save_file";
 import { plantInWords } from "../../generate/plant_in_words";
 import { encodeLink } from "../../specimen/link";
+import { saveFile } from "../../ui/save_file";
 import { notInLink } from "../address";
 import {
 	type EmbedChoice,

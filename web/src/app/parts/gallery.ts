@@ -1,9 +1,9 @@
 import { html, nothing, type PropertyValues } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import { icon } from "../../ui/icons";
-import { rove, stopAt } from "../../ui/roving";
 import type { PageModel } from "../../models/page_model";
 import type { Preset } from "../../specimen/presets";
+import { icon } from "../../ui/icons";
+import { rove, stopAt } from "../../ui/roving";
 import { findPresets, kindKey, type PresetSection, sectionsOf } from "../preset_search";
 import type { Studio } from "../studio";
 import { SAVED } from "./late_parts";

@@ -1,7 +1,7 @@
 import { html } from "lit";
-import { icon } from "../../ui/icons";
 import { canRedo, canUndo } from "../../specimen/history";
 import { sameSpecimen } from "../../specimen/same";
+import { icon } from "../../ui/icons";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 

@@ -1,6 +1,6 @@
 import { nothing } from "lit";
-import type { Tool } from "../../ui/tool";
 import { allBut } from "../../specimen/all_but";
+import type { Tool } from "../../ui/tool";
 import { applying, runningBy } from "../panel_groups";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";

@@ -1,8 +1,8 @@
 import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
+import { allBut } from "../../specimen/all_but";
 import { control } from "../../ui/control";
 import { symbol } from "../../ui/symbol";
-import { allBut } from "../../specimen/all_but";
 import { type Explained, explainedAt, explainedBy, FIRST_WORDS, presetInWords } from "../explained";
 import { applying, groupsFor, type PanelGroup, runningBy } from "../panel_groups";
 import type { Studio } from "../studio";

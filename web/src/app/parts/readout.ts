@@ -1,10 +1,10 @@
 import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
+import { allBut } from "../../specimen/all_but";
+import type { MeasureInfo } from "../../specimen/measures";
 import { measured } from "../../ui/measured";
 import { term } from "../../ui/term";
 import { withThousands } from "../../ui/thousands";
-import { allBut } from "../../specimen/all_but";
-import type { MeasureInfo } from "../../specimen/measures";
 import { runningBy } from "../panel_groups";
 import type { Studio } from "../studio";
 import type { StudioState } from "../studio_state";

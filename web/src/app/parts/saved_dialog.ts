@@ -1,8 +1,8 @@
 import { html, nothing, type TemplateResult } from "lit";
+import { encodeLink } from "../../specimen/link";
 import { chooseFile } from "../../ui/choose_file";
 import { saveFile } from "../../ui/save_file";
 import { formatCount } from "../../ui/thousands";
-import { encodeLink } from "../../specimen/link";
 import { notInLink } from "../address";
 import type { LibraryStep } from "../saved/library";
 import { type Brought, broughtInWords, readLibrary, writeLibrary } from "../saved/library_file";

@@ -1,9 +1,9 @@
 import { html, nothing } from "lit";
-import { icon } from "../../ui/icons";
-import { rove, stopAt } from "../../ui/roving";
 import { ORBIT_KEYS } from "../../render/orbit_keys";
 import { fromPreset } from "../../specimen/from_preset";
 import { sameSpecimen } from "../../specimen/same";
+import { icon } from "../../ui/icons";
+import { rove, stopAt } from "../../ui/roving";
 import { applying } from "../panel_groups";
 import { SolidView } from "../solid_view";
 import type { Studio } from "../studio";

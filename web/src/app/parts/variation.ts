@@ -1,6 +1,6 @@
 import { html } from "lit";
-import { icon } from "../../ui/icons";
 import { SEED } from "../../specimen/limits";
+import { icon } from "../../ui/icons";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 

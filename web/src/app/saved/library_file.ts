@@ -1,7 +1,8 @@
 /** All that is saved as one file, and back (docs/saved.md). A file comes from anywhere: of what is wrong in it the place is told. */
-import { formatCount } from "../../ui/thousands";
+
 import { LIBRARY_FORMAT } from "../../formats/restore";
 import { DEFAULT_MODEL } from "../../models/index";
+import { formatCount } from "../../ui/thousands";
 import { VERSION } from "../version";
 import { isFingerprint, isTime, LARGEST_PICTURE, modelOf, readLink, readPicture, type Saved, tidyName } from "./saved";
 

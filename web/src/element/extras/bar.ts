@@ -1,11 +1,11 @@
 /** The bar below a plant: turning, age, seed, a file, and the way into the app. Every control has a name, a key and a place to be styled by. */
 import { ageOf } from "../../generate/files/aged";
+import { plantInWords } from "../../generate/plant_in_words";
 import { withParameters, withSeed } from "../../specimen/edit";
 import { SEED } from "../../specimen/limits";
 import { encodeLink } from "../../specimen/link";
 import { appAddress } from "../app_address";
 import type { Shown } from "../grown_detail";
-import { plantInWords } from "../../generate/plant_in_words";
 import type { SpecimenView } from "../specimen_view";
 import { BAR_STYLE } from "./bar_style";
 import type { Extra, ExtrasHost } from "./extras";

@@ -1,10 +1,11 @@
 /** A model's handles over the picture of its plant. */
+
+import { fromPreset } from "../../specimen/from_preset";
+import type { Specimen } from "../../specimen/specimen";
 import { apply } from "../../ui/change";
 import type { Change } from "../../ui/desk";
 import type { HandlesOf } from "../../ui/handles/plant_handle";
 import { PlantHandleLayer } from "../../ui/handles/plant_handle_layer";
-import { fromPreset } from "../../specimen/from_preset";
-import type { Specimen } from "../../specimen/specimen";
 import type { Shown } from "../grown_detail";
 import type { SpecimenView } from "../specimen_view";
 import type { Extra, ExtrasHost } from "./extras";

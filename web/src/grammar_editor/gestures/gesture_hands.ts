@@ -1,8 +1,9 @@
 /** Gestures on the picture: the circle that shows where the two numbers stand, and whatever drives them. */
-import type { DrivenBy, GestureState, Gestures } from "../gesture_tool";
+
 import { ARROWS } from "../../ui/handles/point";
 import { KeyRuns } from "../../ui/key_runs";
 import type { ToolHands, ToolView } from "../../ui/tool";
+import type { DrivenBy, GestureState, Gestures } from "../gesture_tool";
 import { Axes, type Axis, atShare, shareOf } from "./axis";
 import { CameraDriver } from "./camera_driver";
 import type { Driver, DriverEvents } from "./driver";

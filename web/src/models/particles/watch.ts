@@ -1,10 +1,10 @@
+import type { Plant } from "../../plant/plant";
+import type { Specimen } from "../../specimen/specimen";
+import type { Table } from "../../specimen/table";
 import type { Life } from "../../ui/life";
 import type { PlayState } from "../../ui/life_player";
 import { lifeTool } from "../../ui/life_tool";
 import type { Tool } from "../../ui/tool";
-import type { Plant } from "../../plant/plant";
-import type { Specimen } from "../../specimen/specimen";
-import type { Table } from "../../specimen/table";
 
 /** Watching particles run: the bar below the view. */
 export function watching<S extends Specimen, G extends Plant>(

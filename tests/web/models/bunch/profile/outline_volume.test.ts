@@ -1,11 +1,11 @@
 /** The outline that the views draw is the one that the core fills and measures. */
 
 import { beforeAll, describe, expect, it } from "vitest";
-import type { Point } from "../../../../../web/src/ui/handles/point";
 import type { Core } from "../../../../../web/src/core/core";
 import { measureOf } from "../../../../../web/src/models/bunch/measures";
 import { endReach, filledWidth, sideEnvelope } from "../../../../../web/src/models/bunch/profile/envelope";
 import { metresPerPixel, SIDE_HANDLES } from "../../../../../web/src/models/bunch/profile/handles";
+import type { Point } from "../../../../../web/src/ui/handles/point";
 import { type Specimen, specimenFromPreset } from "../../../bunch";
 import { freshCore, growBunch } from "../../../core/wasm";
 

@@ -10,8 +10,8 @@ import {
 } from "../../../../../web/src/models/bunch/photo/photo";
 import { placePhoto } from "../../../../../web/src/models/bunch/photo/place_photo";
 import { changePhoto, photo, removePhoto } from "../../../../../web/src/models/bunch/ui/photo";
-import { specimenFromPreset } from "../../../bunch";
 import { bunchDesk, studioWith } from "../../../app/desk";
+import { specimenFromPreset } from "../../../bunch";
 
 vi.mock("../../../../../web/src/models/bunch/photo/photo_view", () => ({}));
 

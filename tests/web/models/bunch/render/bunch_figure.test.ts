@@ -11,11 +11,11 @@ import {
 	Vector3,
 } from "three";
 import { describe, expect, it } from "vitest";
-import { bunchFigure } from "../../../../../web/src/models/bunch/render/bunch_figure";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { bunchParts } from "../../../../../web/src/models/bunch/parts/bunch_parts";
 import { bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";
 import { AMBER, HALO, SCAR, SEAT, WAX } from "../../../../../web/src/models/bunch/parts/skin_rules";
+import { bunchFigure } from "../../../../../web/src/models/bunch/render/bunch_figure";
 import { everyPart } from "../../../../../web/src/plant/part";
 import { PaperShadow } from "../../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../../web/src/render/stage_light";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { KeptSky } from "../../../../../web/src/models/bunch/render/kept_sky";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import { KeptSky } from "../../../../../web/src/models/bunch/render/kept_sky";
 
 const RACHIS = 0;
 const PEDICEL = 3;

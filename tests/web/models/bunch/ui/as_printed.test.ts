@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { isAsPrinted, setAsPrinted } from "../../../../../web/src/models/bunch/ui/as_printed";
-import { specimenFromPreset } from "../../../bunch";
 import { bunchDesk, studioWith } from "../../../app/desk";
+import { specimenFromPreset } from "../../../bunch";
 
 const opened = specimenFromPreset("grape-15c");
 

@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import { mirror, sides, toggleLock } from "../../../../../web/src/models/bunch/ui/sides";
 import type { Studio } from "../../../../../web/src/app/studio";
-import { specimenFromPreset } from "../../../bunch";
+import { mirror, sides, toggleLock } from "../../../../../web/src/models/bunch/ui/sides";
 import { bunchDesk, studioWith } from "../../../app/desk";
+import { specimenFromPreset } from "../../../bunch";
 
 const opened = specimenFromPreset("grape-15c");
 

@@ -2,8 +2,8 @@ import { expect, it, vi } from "vitest";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { stems } from "../../../../../web/src/models/bunch/ui/stems";
 import { mark, putBack, takeOff, thinning } from "../../../../../web/src/models/bunch/ui/thinning";
-import { MOST_THINNED, specimenFromPreset, thin, unthin } from "../../../bunch";
 import { bunchDesk, studioWith } from "../../../app/desk";
+import { MOST_THINNED, specimenFromPreset, thin, unthin } from "../../../bunch";
 
 const opened = specimenFromPreset("grape-15c");
 

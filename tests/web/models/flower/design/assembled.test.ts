@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { beforeAll, describe, expect, it } from "vitest";
-import { outlineOf } from "../../../../../web/src/grammar_editor/outline";
 import type { Core } from "../../../../../web/src/core/core";
+import { outlineOf } from "../../../../../web/src/grammar_editor/outline";
 import { type Description, readLine, usual } from "../../../../../web/src/models/flower/design/description";
 import { assembled, describedIn, designOf, textOf } from "../../../../../web/src/models/flower/design/design";
 import { KNOTS } from "../../../../../web/src/models/flower/design/margin";

@@ -1,5 +1,4 @@
 import { beforeAll, describe, expect, it, vi } from "vitest";
-import type { NoticeOptions } from "../../../../../web/src/ui/desk";
 import { described } from "../../../../../web/src/models/flower/design/description";
 import { assembled, describedIn, designOf } from "../../../../../web/src/models/flower/design/design";
 import { model } from "../../../../../web/src/models/flower/index";
@@ -12,6 +11,7 @@ import {
 	type FlowerDesk,
 } from "../../../../../web/src/models/flower/ui/design/drafts";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
+import type { NoticeOptions } from "../../../../../web/src/ui/desk";
 
 beforeAll(fetchTexts);
 

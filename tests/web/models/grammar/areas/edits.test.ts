@@ -1,7 +1,4 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/ui/change";
-import type { Change } from "../../../../../web/src/ui/desk";
-import type { PlantHandle, Vector } from "../../../../../web/src/ui/handles/plant_handle";
 import {
 	type Area,
 	degreesOf,
@@ -17,6 +14,9 @@ import { surfaceOf } from "../../../../../web/src/models/grammar/areas/surface";
 import { GRAMMAR } from "../../../../../web/src/models/grammar/species";
 import type { GrammarSpecimen } from "../../../../../web/src/models/grammar/specimen";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
+import { apply } from "../../../../../web/src/ui/change";
+import type { Change } from "../../../../../web/src/ui/desk";
+import type { PlantHandle, Vector } from "../../../../../web/src/ui/handles/plant_handle";
 
 const area = (kind: Area["kind"], centre: Triple, size: Triple = [1, 1, 1], rotation = UNTURNED): Area => ({
 	kind,

@@ -1,6 +1,4 @@
 import { describe, expect, it } from "vitest";
-import type { Change } from "../../../../../web/src/ui/desk";
-import type { PlantHandle } from "../../../../../web/src/ui/handles/plant_handle";
 import {
 	axisOf,
 	type GrowthVolume,
@@ -9,6 +7,8 @@ import {
 	surfaceOf,
 } from "../../../../../web/src/models/growth/volumes/volume";
 import { volumeHandles } from "../../../../../web/src/models/growth/volumes/volume_handles";
+import type { Change } from "../../../../../web/src/ui/desk";
+import type { PlantHandle } from "../../../../../web/src/ui/handles/plant_handle";
 
 const ONE: GrowthVolume = { id: 1, base: 4, height: 10, top: 2, middle: 3, gradient: 0, towards: 0, at: [1, 2] };
 const TWO: GrowthVolume = { id: 2, base: 3, height: 6, top: 1, middle: 3, gradient: 30, towards: 90, at: [-3, 0] };

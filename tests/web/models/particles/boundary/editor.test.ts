@@ -1,5 +1,4 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/ui/change";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { heaviest, inkBranches } from "../../../../../web/src/models/particles/boundary/editor/branches";
 import { FROM_ABOVE } from "../../../../../web/src/models/particles/boundary/editor/facing";
@@ -24,6 +23,7 @@ import { rootLay } from "../../../../../web/src/models/root/lay";
 import { ROOT } from "../../../../../web/src/models/root/species";
 import { treeLay } from "../../../../../web/src/models/tree/lay";
 import { TREE } from "../../../../../web/src/models/tree/species";
+import { apply } from "../../../../../web/src/ui/change";
 import { gripOf, root, tree } from "./particles";
 
 const poseOf = (specimen = tree("oak")) => boundaryPose(treeLay, specimen, tree(specimen.preset));

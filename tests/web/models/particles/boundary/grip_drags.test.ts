@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/ui/change";
-import type { Change } from "../../../../../web/src/ui/desk";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { gripDrags } from "../../../../../web/src/models/particles/boundary/editor/grip_drags";
 import { withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
 import { treeLay } from "../../../../../web/src/models/tree/lay";
 import { TREE } from "../../../../../web/src/models/tree/species";
+import { apply } from "../../../../../web/src/ui/change";
+import type { Change } from "../../../../../web/src/ui/desk";
 import { gripOf, tree } from "./particles";
 
 /** Drags over a specimen that others may change as well. */

@@ -1,5 +1,4 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/ui/change";
 import type { BoundedSpecimen } from "../../../../../web/src/models/particles/boundary/bounded";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import type { Lay } from "../../../../../web/src/models/particles/boundary/editor/lay";
@@ -11,6 +10,7 @@ import { treeLay } from "../../../../../web/src/models/tree/lay";
 import { TREE } from "../../../../../web/src/models/tree/species";
 import { decodeQuery, encodeQuery } from "../../../../../web/src/specimen/link";
 import type { Species } from "../../../../../web/src/specimen/species";
+import { apply } from "../../../../../web/src/ui/change";
 import { gripOf, root, tree } from "./particles";
 
 /** A specimen with what came of a grip in hand, event after event. */

@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/ui/change";
-import { changed } from "../../../../../web/src/ui/changed";
-import type { Desk } from "../../../../../web/src/ui/desk";
 import { layingOut } from "../../../../../web/src/models/particles/boundary/editor/lay";
 import { TREE } from "../../../../../web/src/models/tree/species";
 import type { TreeSpecimen } from "../../../../../web/src/models/tree/specimen";
+import { apply } from "../../../../../web/src/ui/change";
+import { changed } from "../../../../../web/src/ui/changed";
+import type { Desk } from "../../../../../web/src/ui/desk";
 import { tree } from "./particles";
 
 describe("what lays out a boundary", () => {

@@ -1,5 +1,4 @@
 import { describe, expect, it } from "vitest";
-import { apply } from "../../../../../web/src/ui/change";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { footprintIn } from "../../../../../web/src/models/particles/boundary/editor/lay";
 import { planPose } from "../../../../../web/src/models/particles/boundary/editor/plan_pose";
@@ -9,6 +8,7 @@ import { ROOT } from "../../../../../web/src/models/root/species";
 import { treeLay } from "../../../../../web/src/models/tree/lay";
 import { TREE } from "../../../../../web/src/models/tree/species";
 import { decodeQuery, encodeQuery } from "../../../../../web/src/specimen/link";
+import { apply } from "../../../../../web/src/ui/change";
 import { gripOf, growBounded, particlesCore, root, tree } from "./particles";
 
 const poseOf = (specimen = tree("oak")) => boundaryPose(treeLay, specimen, tree(specimen.preset));

@@ -2,8 +2,9 @@
  * What a drag or an arrow key does to the profile: pure functions from parameters to new parameters, in pixels of the
  * profile (handles.ts), clamped to the table's ranges and rounded to whole pixels.
  */
-import { ARROWS, type Point } from "../../../ui/handles/point";
+
 import type { CoreEntry } from "../../../specimen/table";
+import { ARROWS, type Point } from "../../../ui/handles/point";
 import { BUNCH_TABLE } from "../table";
 import {
 	type Handle,

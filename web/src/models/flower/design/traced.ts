@@ -1,10 +1,11 @@
 /** A picture of a petal, a sepal or a leaf → the points of its outline. Pure; what cannot be traced is refused in words for people. */
-import type { Point } from "../../../ui/handles/point";
+
 import { contourOf, smoothed } from "../../../import/tracing/contour";
 import type { Picture } from "../../../import/tracing/picture";
 import { silhouetteOf } from "../../../import/tracing/silhouette";
 import { withoutStalk } from "../../../import/tracing/stalk";
 import { upright } from "../../../import/tracing/upright";
+import type { Point } from "../../../ui/handles/point";
 import { KNOTS, type Margin } from "./margin";
 
 export interface Traced {

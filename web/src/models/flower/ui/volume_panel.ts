@@ -1,13 +1,13 @@
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { repeat } from "lit/directives/repeat.js";
+import { shortFloat } from "../../../formats/numbers";
+import { type GrammarSource, textOf, withText } from "../../../grammar_editor/source";
 import { ControlElement } from "../../../ui/control_element";
 import type { Desk } from "../../../ui/desk";
-import { type GrammarSource, textOf, withText } from "../../../grammar_editor/source";
 import { HeldKey } from "../../../ui/held_key";
 import { sliderRow } from "../../../ui/slider_row";
 import { readTyped } from "../../../ui/typed";
-import { shortFloat } from "../../../formats/numbers";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
 import { type Range, rangeFor, rangeSaid, within } from "./figure_range";

@@ -1,10 +1,10 @@
 /** Growth areas by list and numbers: all that hands do in the view, for keyboards and screen readers as well. */
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
-import { chooseFile } from "../../../ui/choose_file";
-import type { Change } from "../../../ui/desk";
 import { ACCEPT } from "../../../import/mesh_file/accept";
 import type { Group } from "../../../specimen/table";
+import { chooseFile } from "../../../ui/choose_file";
+import type { Change } from "../../../ui/desk";
 import type { Tool } from "../../../ui/tool";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";

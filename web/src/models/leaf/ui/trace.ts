@@ -1,8 +1,8 @@
 import { html } from "lit";
+import { traceFile } from "../../../import/tracing/trace_file";
 import { chooseFile } from "../../../ui/choose_file";
 import type { Change } from "../../../ui/desk";
 import { isPicture, PICTURES } from "../../../ui/picture_file";
-import { traceFile } from "../../../import/tracing/trace_file";
 import type { LeafSpecimen } from "../specimen";
 import type { TracedLeaf } from "../trace/trace";
 import type { LeafDesk, LeafTool } from "./desk";

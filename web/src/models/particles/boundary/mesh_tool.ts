@@ -1,11 +1,11 @@
 /** Closed meshes of one's own as the boundaries: the outer one chosen in the panel or dropped on the page, the inner one chosen. */
 import { html, nothing } from "lit";
-import type { Change, Desk } from "../../../ui/desk";
 import { ACCEPT } from "../../../import/mesh_file/accept";
-import { sameDocument } from "../../../ui/same_document";
-import { FILE_TOPIC, type Tool } from "../../../ui/tool";
 import { type ClosedMesh, sameMesh } from "../../../specimen/closed_mesh";
 import { fromPreset } from "../../../specimen/from_preset";
+import type { Change, Desk } from "../../../ui/desk";
+import { sameDocument } from "../../../ui/same_document";
+import { FILE_TOPIC, type Tool } from "../../../ui/tool";
 import type { BoundedSpecimen } from "./bounded";
 import { meshParameters } from "./mesh_boundary";
 import type { WoodenPlant } from "./wooden_plant";

@@ -2,11 +2,11 @@
 import { html, nothing, svg } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { live } from "lit/directives/live.js";
+import { shortFloat } from "../../../formats/numbers";
 import type { Desk } from "../../../ui/desk";
 import { PickPointer } from "../../../ui/pick_pointer";
 import { takeFocus } from "../../../ui/take_focus";
 import type { Tool } from "../../../ui/tool";
-import { shortFloat } from "../../../formats/numbers";
 import { sortsOf, titlesOf, valuesOf } from "../members";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";

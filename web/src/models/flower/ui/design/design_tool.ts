@@ -1,9 +1,9 @@
 /** Designing a flower: six organs by choices in the panel, and flat views with handles. All is written into the text. */
 import { html, nothing } from "lit";
+import { fromPreset } from "../../../../specimen/from_preset";
 import { isPicture } from "../../../../ui/picture_file";
 import { saveFile } from "../../../../ui/save_file";
 import type { Tool } from "../../../../ui/tool";
-import { fromPreset } from "../../../../specimen/from_preset";
 import type { Description } from "../../design/description";
 import { assembled } from "../../design/design";
 import { designedNear } from "../../design/near";

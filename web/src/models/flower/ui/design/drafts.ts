@@ -1,6 +1,7 @@
 /** Choices and drags written into a flower's text: what was edited by hand is merged in, and what cannot be kept is told. */
-import type { Desk } from "../../../../ui/desk";
+
 import { type GrammarSource, textOf as grownText, withText } from "../../../../grammar_editor/source";
+import type { Desk } from "../../../../ui/desk";
 import { sameDocument } from "../../../../ui/same_document";
 import { choose } from "../../design/choose";
 import { type Description, lineOf } from "../../design/description";

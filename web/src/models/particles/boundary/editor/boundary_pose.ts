@@ -1,6 +1,7 @@
 /** The grips of a boundary from in front. */
-import type { Point } from "../../../../ui/handles/point";
+
 import { lengthInWords } from "../../../../plant/in_words";
+import type { Point } from "../../../../ui/handles/point";
 import type { BoundedSpecimen } from "../bounded";
 import { FROM_FRONT } from "./facing";
 import { footGrips } from "./feet";

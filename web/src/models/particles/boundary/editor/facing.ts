@@ -1,6 +1,7 @@
 /** From where a flat view looks, and what is up in it. */
-import type { Point } from "../../../../ui/handles/point";
+
 import { lengthInWords } from "../../../../plant/in_words";
+import type { Point } from "../../../../ui/handles/point";
 
 export interface Facing {
 	/** The coordinate that is up, and whether it grows that way. */

@@ -1,7 +1,8 @@
 /** How a model's numbers lay out its boundary, seen from in front. Metres; the ground is at height 0. */
+
+import { allBut } from "../../../../specimen/all_but";
 import type { Desk } from "../../../../ui/desk";
 import type { Point } from "../../../../ui/handles/point";
-import { allBut } from "../../../../specimen/all_but";
 import type { BoundedSpecimen, Knot } from "../bounded";
 import { FROM_ABOVE, FROM_FRONT } from "./facing";
 import { contourOf } from "./mesh_outline";

@@ -1,6 +1,7 @@
 /** A mesh as the core stretches it to its boundary's box, and its outline from in front or from above. */
-import type { Point } from "../../../../ui/handles/point";
+
 import type { ClosedMesh } from "../../../../specimen/closed_mesh";
+import type { Point } from "../../../../ui/handles/point";
 
 /** What is worked out of a mesh, once: views ask at every drawing, and a mesh is replaced, never changed. */
 export function once<T>(of: (mesh: ClosedMesh) => T): (mesh: ClosedMesh) => T {

@@ -1,6 +1,7 @@
 /** What the grips of every flat view of a boundary share: their arrow keys, and what they can change. */
-import type { Change } from "../../../../ui/desk";
+
 import { onStep } from "../../../../specimen/table";
+import type { Change } from "../../../../ui/desk";
 import type { BoundedSpecimen } from "../bounded";
 import type { Grip } from "./grip";
 import { type Lay, sizeOf } from "./lay";

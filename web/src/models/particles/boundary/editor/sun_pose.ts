@@ -1,6 +1,7 @@
 /** The sun as a grip on the sky, seen from above: the middle is overhead, the rim the horizon, in front is below. */
-import type { Point } from "../../../../ui/handles/point";
+
 import type { Specimen } from "../../../../specimen/specimen";
+import type { Point } from "../../../../ui/handles/point";
 import type { Pose } from "./grip";
 
 /** Degrees that an arrow key moves, and with Shift. */

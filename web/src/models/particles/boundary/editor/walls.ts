@@ -1,7 +1,8 @@
 /** Boxes and ellipsoids in which nothing grows: in each view one is moved by its middle and sized by its far right corner. */
+
+import { lengthInWords } from "../../../../plant/in_words";
 import type { Change } from "../../../../ui/desk";
 import type { Point } from "../../../../ui/handles/point";
-import { lengthInWords } from "../../../../plant/in_words";
 import type { Bounded } from "../bounded";
 import { FARTHEST, fitted } from "../details/places";
 import { type Facing, moved, placeInWords, seen } from "./facing";
