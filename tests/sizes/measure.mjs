@@ -5,7 +5,7 @@
 import { createHash } from "node:crypto";
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { dirname, join, posix } from "node:path";
-import { buildFolder, modelFolders, moduleOf, repository } from "../../wasm-core/tools/repository.mjs";
+import { buildFolder, moduleNames, moduleOf, repository } from "../../wasm-core/tools/repository.mjs";
 import { emscriptenIdentity, locate } from "../../wasm-core/tools/toolchain.mjs";
 import { listFiles } from "../../web/offline_app.mjs";
 import { gzipped } from "../bench/sizes.mjs";
@@ -41,7 +41,7 @@ function withImports(script, known = new Set()) {
 
 /** Rows of the models' cores, which depend on the compiler. */
 function cores() {
-	return modelFolders().flatMap((name) => [
+	return moduleNames().flatMap((name) => [
 		[`${name}.wasm`, sizeOf(moduleOf(name))],
 		[`${name}.wasm, gzipped`, gzipped(moduleOf(name))],
 	]);

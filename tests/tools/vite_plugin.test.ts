@@ -3,7 +3,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
-import { coreFolder, modelFolders, repository } from "../../wasm-core/tools/repository.mjs";
+import { coreFolder, moduleNames, repository } from "../../wasm-core/tools/repository.mjs";
 import { core } from "../../wasm-core/tools/vite_plugin.mjs";
 
 vi.mock("../../wasm-core/tools/core.mjs", () => ({ buildCore: vi.fn() }));
@@ -99,7 +99,7 @@ it("serves the page when the bunch's core is built, and builds the others after 
 		others.shift()?.();
 		await settled();
 	}
-	expect(build.mock.calls.map(([, targets]) => targets?.[0]).sort()).toEqual(modelFolders());
+	expect(build.mock.calls.map(([, targets]) => targets?.[0]).sort()).toEqual(moduleNames());
 	expect(server.watcher.add).toHaveBeenCalledWith(expect.arrayContaining([join(coreFolder, "grammars")]));
 	expect(server.ws.send).not.toHaveBeenCalledWith({ type: "full-reload" });
 });
@@ -157,8 +157,8 @@ it("gives the page an address for every module, built or not, under the keys tha
 	const files = JSON.parse(/= (\{.*\});$/.exec(code)?.[1] ?? "{}");
 	const address = readFileSync(join(repository, "web/src/core/core_address.ts"), "utf8");
 	const key = /coreFiles\[`(.*)\$\{file\}`\]/.exec(address)?.[1];
-	expect(Object.keys(files)).toEqual(modelFolders().map((model) => `${key}${model}.wasm`));
-	for (const model of modelFolders())
+	expect(Object.keys(files)).toEqual(moduleNames().map((model) => `${key}${model}.wasm`));
+	for (const model of moduleNames())
 		expect(files[`${key}${model}.wasm`]).toMatch(new RegExp(`^/@fs/.*/build/core/${model}\\.wasm$`));
 	const page = plugin.transformIndexHtml("<p>");
 	const script = typeof page === "string" ? "" : page.tags[0].attrs.src;

@@ -9,7 +9,7 @@ import { fileURLToPath } from "node:url";
 import { generateCode } from "./generate/files.mjs";
 import { withLock } from "./lock.mjs";
 import { run } from "./process.mjs";
-import { buildFolder, coreFolder, modelFolders, modulesFolder, repository, testModulesFolder } from "./repository.mjs";
+import { buildFolder, coreFolder, moduleNames, modulesFolder, repository, testModulesFolder } from "./repository.mjs";
 import {
 	emscriptenEnvironment,
 	emscriptenIdentity,
@@ -129,7 +129,7 @@ export async function buildCore(preset = "wasm", targets = [], { sanitizeRooms }
 		if (/warning:/.test(output)) console.error(essence(output));
 		if (preset !== "wasm") return { changed: false };
 		for (const name of ["core-bench.wasm", "toy.wasm"]) publish(name, testModulesFolder);
-		const modules = modelFolders().map((folder) => `${folder}.wasm`);
+		const modules = moduleNames().map((name) => `${name}.wasm`);
 		prune(modules);
 		return { changed: modules.filter((name) => publish(name)).length > 0 };
 	});

@@ -1,5 +1,5 @@
 /** Where things are. Paths are absolute. */
-import { readdirSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -11,7 +11,15 @@ export const buildFolder = join(repository, "build");
 export const modulesFolder = join(buildFolder, "core");
 /** Modules that only tests and the bench load. */
 export const testModulesFolder = join(buildFolder, "core-test");
-/** The module that is linked of a folder of models. */
-export const moduleOf = (folder) => join(modulesFolder, `${folder}.wasm`);
-/** The folders of models: each holds one, or a family of them, and is a module. */
-export const modelFolders = () => readdirSync(join(coreFolder, "src/models")).sort();
+/** The file of a module. */
+export const moduleOf = (name) => join(modulesFolder, `${name}.wasm`);
+
+/** Names of the modules of the core, sorted: a model's own name, or that of its family, whose models share a module. */
+export function moduleNames() {
+	const folder = join(coreFolder, "parameters");
+	const tables = readdirSync(folder)
+		.filter((name) => /^[a-z]+\.json$/.test(name))
+		.map((name) => JSON.parse(readFileSync(join(folder, name), "utf8")));
+	const models = tables.filter((table) => table.model);
+	return [...new Set(models.map(({ model, family }) => family ?? model))].sort();
+}

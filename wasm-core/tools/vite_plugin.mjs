@@ -8,7 +8,7 @@ import { join, sep } from "node:path";
 import { buildCore } from "./core.mjs";
 import { CoreQueue } from "./core_queue.mjs";
 import { generate } from "./generate/files.mjs";
-import { coreFolder, modelFolders, moduleOf, repository } from "./repository.mjs";
+import { coreFolder, moduleNames, moduleOf, repository } from "./repository.mjs";
 
 const watched = ["src", "grammars", "parameters", "tools", "CMakeLists.txt", "CMakePresets.json"].map((name) =>
 	join(coreFolder, name),
@@ -85,7 +85,7 @@ function holdRequests(server, queue) {
 
 async function serveCore(server) {
 	const state = { hasFailed: false, isServing: false };
-	const models = modelFolders().sort((a, b) => Number(b === FIRST) - Number(a === FIRST));
+	const models = moduleNames().sort((a, b) => Number(b === FIRST) - Number(a === FIRST));
 	const send = (model, status) =>
 		server.ws.send({ type: "custom", event: "panicle:core", data: { model, state: status } });
 	const queue = new CoreQueue(models, (model) => build(server, state, [model]), send);
@@ -117,7 +117,7 @@ const served = (file) => join("/@fs/", file).replaceAll(sep, "/");
  * Vite finds on disk.
  */
 function plannedAddresses() {
-	const addresses = modelFolders().map((model) => [`../../../build/core/${model}.wasm`, served(moduleOf(model))]);
+	const addresses = moduleNames().map((model) => [`../../../build/core/${model}.wasm`, served(moduleOf(model))]);
 	return `export const coreFiles = ${JSON.stringify(Object.fromEntries(addresses))};`;
 }
 

@@ -2,7 +2,7 @@
 
 export default [
 	{
-		file: "wasm-core/src/models/leaf/side_veins.cpp",
+		file: "wasm-core/src/models/leaf/shape/side_veins.cpp",
 		suites: ["tests/core/models/leaf/side_veins_test.cpp"],
 		faults: [
 			{
@@ -44,7 +44,7 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/models/leaf/margin.cpp",
+		file: "wasm-core/src/models/leaf/shape/margin.cpp",
 		suites: ["tests/core/models/leaf/side_veins_test.cpp"],
 		faults: [
 			{
@@ -56,7 +56,7 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/models/leaf/teeth.cpp",
+		file: "wasm-core/src/models/leaf/shape/teeth.cpp",
 		suites: ["tests/core/models/leaf/margin_test.cpp"],
 		faults: [
 			{

@@ -226,7 +226,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/models/bunch/measures/bit_image.cpp`,
+		file: `${SRC}/models/bunch/measures/images/bit_image.cpp`,
 		suites: ["tests/core/models/bunch/measures/silhouette_test.cpp"],
 		faults: [
 			{

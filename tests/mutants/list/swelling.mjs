@@ -3,7 +3,7 @@ const NATURAL = "tests/core/models/bunch/natural";
 
 export default [
 	{
-		file: "wasm-core/src/models/bunch/natural/swelling.cpp",
+		file: "wasm-core/src/models/bunch/natural/settling/swelling.cpp",
 		suites: [`${NATURAL}/swelling_test.cpp`],
 		faults: [
 			{ id: "swelling-stems-do-not-part", find: "part_stems();", replace: ";", breaks: "stems go through berries" },
@@ -85,7 +85,7 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/models/bunch/natural/swelling.cpp",
+		file: "wasm-core/src/models/bunch/natural/settling/swelling.cpp",
 		suites: [`${NATURAL}/natural_counts_test.cpp`],
 		faults: [
 			{
@@ -97,7 +97,7 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/models/bunch/natural/thinning.cpp",
+		file: "wasm-core/src/models/bunch/natural/settling/thinning.cpp",
 		suites: [`${NATURAL}/thinning_test.cpp`],
 		faults: [
 			{
@@ -115,7 +115,7 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/models/bunch/natural/spreading.cpp",
+		file: "wasm-core/src/models/bunch/natural/settling/spreading.cpp",
 		suites: [`${NATURAL}/spreading_test.cpp`],
 		faults: [
 			{
@@ -139,7 +139,7 @@ export default [
 		],
 	},
 	{
-		file: "wasm-core/src/models/bunch/natural/swelling.cpp",
+		file: "wasm-core/src/models/bunch/natural/settling/swelling.cpp",
 		suites: ["tests/web/models/bunch/contacts.test.ts"],
 		faults: [
 			{

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "models/bunch/paper/skeleton_drawing.hpp"
 #include "models/bunch/roles.hpp"
-#include "models/bunch/skeleton_drawing.hpp"
 
 namespace panicle::tests {
 

@@ -1,4 +1,4 @@
-#include "models/bunch/skeleton_drawing.hpp"
+#include "models/bunch/paper/skeleton_drawing.hpp"
 
 #include "models/bunch/drawn_text.hpp"
 

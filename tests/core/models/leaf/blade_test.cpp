@@ -1,4 +1,4 @@
-#include "models/leaf/blade.hpp"
+#include "models/leaf/shape/blade.hpp"
 
 #include <doctest/doctest.h>
 

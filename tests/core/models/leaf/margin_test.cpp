@@ -1,4 +1,4 @@
-#include "models/leaf/margin.hpp"
+#include "models/leaf/shape/margin.hpp"
 
 #include <doctest/doctest.h>
 

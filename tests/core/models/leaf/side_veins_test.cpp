@@ -1,4 +1,4 @@
-#include "models/leaf/side_veins.hpp"
+#include "models/leaf/shape/side_veins.hpp"
 
 #include <doctest/doctest.h>
 

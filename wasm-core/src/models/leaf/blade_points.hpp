@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "models/leaf/blade.hpp"
+#include "models/leaf/shape/blade.hpp"
 
 namespace panicle::particles::leaf {
 

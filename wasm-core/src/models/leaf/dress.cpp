@@ -5,8 +5,8 @@
 
 #include "light/plant_sky.hpp"
 #include "mesh/uv_sphere.hpp"
-#include "models/leaf/blade.hpp"
 #include "models/leaf/petiole.hpp"
+#include "models/leaf/shape/blade.hpp"
 #include "stems/tubes.hpp"
 
 namespace panicle::particles::leaf {

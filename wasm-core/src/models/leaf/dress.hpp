@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "models/leaf/bending.hpp"
 #include "models/leaf/request.hpp"
-#include "models/leaf/veins.hpp"
+#include "models/leaf/shape/bending.hpp"
+#include "models/leaf/shape/veins.hpp"
 #include "plant/plant.hpp"
 
 namespace panicle::particles::leaf {

@@ -11,11 +11,11 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "models/leaf/bending.hpp"
-#include "models/leaf/blade.hpp"
 #include "models/leaf/dress.hpp"
 #include "models/leaf/measures/measures.hpp"
-#include "models/leaf/veins.hpp"
+#include "models/leaf/shape/bending.hpp"
+#include "models/leaf/shape/blade.hpp"
+#include "models/leaf/shape/veins.hpp"
 #include "models/particles/moment.hpp"
 #include "models/particles/refusals.hpp"
 #include "models/particles/vein_orders.hpp"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "models/leaf/bending.hpp"
+#include "models/leaf/shape/bending.hpp"
 #include "stems/segment.hpp"
 
 namespace panicle::particles::leaf {

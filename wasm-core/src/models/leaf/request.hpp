@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "models/leaf/margin.hpp"
 #include "models/leaf/parameters.generated.hpp"
+#include "models/leaf/shape/margin.hpp"
 #include "protocol/parameter_values.hpp"
 #include "protocol/request.hpp"
 

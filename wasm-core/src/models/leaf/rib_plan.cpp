@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "models/leaf/midrib.hpp"
-#include "models/leaf/side_veins.hpp"
+#include "models/leaf/shape/side_veins.hpp"
 #include "models/leaf/sides.hpp"
 
 namespace panicle::particles::leaf {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "models/leaf/margin.hpp"
+#include "models/leaf/shape/margin.hpp"
 #include "models/particles/outline.hpp"
 #include "models/particles/ribs.hpp"
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "models/leaf/margin.hpp"
+#include "models/leaf/shape/margin.hpp"
 
 namespace panicle::particles::leaf {
 

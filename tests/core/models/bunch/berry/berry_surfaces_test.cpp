@@ -1,4 +1,4 @@
-#include "models/bunch/berry/berry_surfaces.hpp"
+#include "models/bunch/berry/pressing/berry_surfaces.hpp"
 
 #include <doctest/doctest.h>
 

@@ -12,7 +12,7 @@
 #include "foundation/random.hpp"
 #include "mesh/surface.hpp"
 #include "models/bunch/berry/berry_meridian.hpp"
-#include "models/bunch/berry/berry_surfaces.hpp"
+#include "models/bunch/berry/pressing/berry_surfaces.hpp"
 
 namespace panicle::test {
 

@@ -1,4 +1,4 @@
-#include "models/bunch/berry/projection.hpp"
+#include "models/bunch/berry/pressing/projection.hpp"
 
 #include <doctest/doctest.h>
 

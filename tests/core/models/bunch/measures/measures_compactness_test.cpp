@@ -1,5 +1,5 @@
 // How dense a bunch is.
-#include "models/bunch/measures/measures_compactness.hpp"
+#include "models/bunch/measures/images/measures_compactness.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "models/bunch/measures/silhouette.hpp"
+#include "models/bunch/measures/images/silhouette.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "models/bunch/natural/bending.hpp"
+#include "models/bunch/natural/settling/bending.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "models/bunch/natural/crowding.hpp"
+#include "models/bunch/natural/settling/crowding.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "models/bunch/natural/exposure.hpp"
+#include "models/bunch/natural/settling/exposure.hpp"
 
 #include <doctest/doctest.h>
 

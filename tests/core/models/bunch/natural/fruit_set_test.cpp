@@ -1,4 +1,4 @@
-#include "models/bunch/natural/fruit_set.hpp"
+#include "models/bunch/natural/settling/fruit_set.hpp"
 
 #include <doctest/doctest.h>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "foundation/mathematics.hpp"
-#include "models/bunch/natural/sagging.hpp"
+#include "models/bunch/natural/settling/sagging.hpp"
 #include "models/bunch/specimens.hpp"
 
 using namespace panicle;

@@ -1,4 +1,4 @@
-#include "models/bunch/natural/sagging.hpp"
+#include "models/bunch/natural/settling/sagging.hpp"
 
 #include <doctest/doctest.h>
 

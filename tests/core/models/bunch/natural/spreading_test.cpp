@@ -1,11 +1,11 @@
-#include "models/bunch/natural/spreading.hpp"
+#include "models/bunch/natural/settling/spreading.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "models/bunch/natural/sagging.hpp"
+#include "models/bunch/natural/settling/sagging.hpp"
 
 using namespace panicle;
 using namespace panicle::bunch;

@@ -1,4 +1,4 @@
-#include "models/bunch/natural/swelling.hpp"
+#include "models/bunch/natural/settling/swelling.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "models/bunch/natural/ripening.hpp"
-#include "models/bunch/natural/sagging.hpp"
+#include "models/bunch/natural/settling/sagging.hpp"
 
 using namespace panicle;
 using namespace panicle::bunch;

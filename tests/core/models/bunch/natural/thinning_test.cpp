@@ -1,4 +1,4 @@
-#include "models/bunch/natural/thinning.hpp"
+#include "models/bunch/natural/settling/thinning.hpp"
 
 #include <doctest/doctest.h>
 

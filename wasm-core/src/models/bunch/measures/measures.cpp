@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "foundation/mathematics.hpp"
+#include "models/bunch/measures/images/measures_compactness.hpp"
+#include "models/bunch/measures/images/measures_visibility.hpp"
 #include "models/bunch/measures/measures.generated.hpp"
-#include "models/bunch/measures/measures_compactness.hpp"
 #include "models/bunch/measures/measures_fit.hpp"
 #include "models/bunch/measures/measures_form.hpp"
-#include "models/bunch/measures/measures_visibility.hpp"
 
 namespace panicle::bunch {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "models/bunch/envelope.hpp"
 #include "models/bunch/grown.hpp"
+#include "models/bunch/paper/envelope.hpp"
 #include "models/bunch/stance.hpp"
 
 namespace panicle::bunch {

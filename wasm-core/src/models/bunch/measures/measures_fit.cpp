@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "foundation/mathematics.hpp"
-#include "models/bunch/measures/silhouette.hpp"
+#include "models/bunch/measures/images/silhouette.hpp"
 
 namespace panicle::bunch {
 namespace {

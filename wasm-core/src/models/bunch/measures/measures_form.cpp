@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "foundation/mathematics.hpp"
-#include "models/bunch/berry/projection.hpp"
+#include "models/bunch/berry/pressing/projection.hpp"
 #include "models/bunch/natural/peduncle.hpp"
 
 namespace panicle::bunch {

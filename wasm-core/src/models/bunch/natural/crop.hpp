@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "models/bunch/natural/crowding.hpp"
-#include "models/bunch/natural/fruit_set.hpp"
 #include "models/bunch/natural/hanging.hpp"
+#include "models/bunch/natural/settling/crowding.hpp"
+#include "models/bunch/natural/settling/fruit_set.hpp"
 #include "models/bunch/natural/sprout.hpp"
 
 namespace panicle::bunch {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "models/bunch/paper/skeleton_drawing.hpp"
 #include "models/bunch/skeleton.hpp"
-#include "models/bunch/skeleton_drawing.hpp"
 
 namespace panicle::bunch {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "models/bunch/natural/flowers.hpp"
-#include "models/bunch/natural/swelling.hpp"
+#include "models/bunch/natural/settling/swelling.hpp"
 
 namespace panicle::bunch {
 

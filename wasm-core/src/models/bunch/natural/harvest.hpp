@@ -7,8 +7,8 @@
 
 #include "models/bunch/berry/berry_body.hpp"
 #include "models/bunch/grown.hpp"
-#include "models/bunch/natural/bending.hpp"
 #include "models/bunch/natural/crop.hpp"
+#include "models/bunch/natural/settling/bending.hpp"
 
 namespace panicle::bunch {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "foundation/mathematics.hpp"
-#include "models/bunch/natural/sagging.hpp"
+#include "models/bunch/natural/settling/sagging.hpp"
 #include "models/bunch/shape.hpp"
 #include "models/bunch/units.hpp"
 

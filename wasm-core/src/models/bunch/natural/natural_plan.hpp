@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lsystem/lsystem.hpp"
-#include "models/bunch/envelope.hpp"
+#include "models/bunch/paper/envelope.hpp"
 #include "models/bunch/plan.hpp"
 #include "models/bunch/values.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "models/bunch/natural/luck.hpp"
-#include "models/bunch/natural/sagging.hpp"
+#include "models/bunch/natural/settling/sagging.hpp"
 
 namespace panicle::bunch {
 namespace {

@@ -9,9 +9,9 @@
 #include "models/bunch/natural/individual.hpp"
 #include "models/bunch/natural/ripening.hpp"
 #include "models/bunch/natural/wing.hpp"
+#include "models/bunch/paper/skeleton_drawing.hpp"
 #include "models/bunch/remarks.hpp"
 #include "models/bunch/roles.hpp"
-#include "models/bunch/skeleton_drawing.hpp"
 #include "models/bunch/stock.hpp"
 
 namespace panicle::bunch {

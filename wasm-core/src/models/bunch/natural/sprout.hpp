@@ -10,7 +10,7 @@
 #include "models/bunch/bunch.hpp"
 #include "models/bunch/natural/flowers.hpp"
 #include "models/bunch/natural/natural_plan.hpp"
-#include "models/bunch/natural/swelling.hpp"
+#include "models/bunch/natural/settling/swelling.hpp"
 #include "models/bunch/values.hpp"
 
 namespace panicle::bunch {

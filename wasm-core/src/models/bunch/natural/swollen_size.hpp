@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 
-#include "models/bunch/natural/swelling.hpp"
+#include "models/bunch/natural/settling/swelling.hpp"
 #include "spatial/closest_points.hpp"
 
 namespace panicle::bunch {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "models/bunch/envelope.hpp"
+#include "models/bunch/paper/envelope.hpp"
 #include "models/bunch/skeleton.hpp"
 #include "models/bunch/stance.hpp"
 

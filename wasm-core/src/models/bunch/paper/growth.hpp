@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/bunch/paper/interaction.hpp"
-#include "models/bunch/skeleton_drawing.hpp"
+#include "models/bunch/paper/skeleton_drawing.hpp"
 #include "spatial/sphere_grid.hpp"
 
 namespace panicle::bunch {

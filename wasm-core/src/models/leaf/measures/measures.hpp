@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "models/leaf/margin.hpp"
+#include "models/leaf/shape/margin.hpp"
 #include "models/particles/outline.hpp"
 #include "models/particles/trail_plant.hpp"
 #include "models/particles/trails.hpp"

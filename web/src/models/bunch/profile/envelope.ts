@@ -1,7 +1,7 @@
 /**
  * The envelope the handles mean: what a bunch of that profile should fill (the bare octahedron would make a cylinder a
  * spindle). Per side a quarter ellipse from p1 to (w, r), straight to the narrow width at the height of axis rd,
- * constant to the tip and rounded there. Only drawn; the core decides what grows (wasm-core/src/models/bunch/envelope.hpp).
+ * constant to the tip and rounded there. Only drawn; the core decides what grows (wasm-core/src/models/bunch/paper/envelope.hpp).
  */
 import type { Point } from "../../../ui/handles/point";
 import { PROCEDURES } from "../grown";

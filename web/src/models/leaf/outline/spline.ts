@@ -1,5 +1,5 @@
 /**
- * The curve that an outline's points mean, as the core has it (wasm-core/src/models/leaf/margin.hpp): a closed
+ * The curve that an outline's points mean, as the core has it (wasm-core/src/models/leaf/shape/margin.hpp): a closed
  * centripetal Catmull–Rom spline (Yuksel, Schaefer and Keyser 2011), which breaks at corners and pointed tips: the control there is
  * halfway to the other one, or a third of the way to the next point where that is sharp too.
  */

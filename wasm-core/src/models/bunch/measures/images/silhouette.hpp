@@ -1,0 +1,48 @@
+// Silhouettes: the outlines of berries and stems, filled on a grid of pixels.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "models/bunch/berry/pressing/projection.hpp"
+#include "models/bunch/measures/images/bit_image.hpp"
+
+namespace panicle::bunch {
+
+// Where a picture's pixels lie: square ones, of `pitch`, the first row at the top. A pixel is where its centre is.
+struct PixelGrid {
+  float left = 0, top = 0;
+  float pitch = 1;
+  std::int32_t columns = 0, rows = 0;
+
+  // Over a box, with a margin of `margin` pixels. Centres lie at odd multiples of half a pitch, wherever the box is.
+  static PixelGrid over(glm::vec2 low, glm::vec2 high, float pitch, std::int32_t margin);
+
+  float row_height(std::int32_t row) const { return top - (static_cast<float>(row) + 0.5f) * pitch; }
+  // The rows and columns whose centres lie in a stretch go from the first up to but not the end; far outside the
+  // picture they are held just outside it.
+  std::int32_t first_row(float highest) const { return whole_above((top - highest) / pitch - 0.5f, rows); }
+  std::int32_t end_row(float lowest) const { return whole_above((top - lowest) / pitch - 0.5f, rows); }
+  std::int32_t first_column(float least) const { return whole_above((least - left) / pitch - 0.5f, columns); }
+  std::int32_t end_column(float most) const { return whole_above((most - left) / pitch - 0.5f, columns); }
+  std::int32_t row_at(float height) const { return whole_above((top - height) / pitch, rows) - 1; }
+  std::int32_t column_at(float across) const { return whole_above((across - left) / pitch, columns) - 1; }
+
+  // The least whole number above x or at it, held in −1 … most + 1.
+  static std::int32_t whole_above(float x, std::int32_t most) {
+    const float held = x > -1 ? x < static_cast<float>(most) ? x : static_cast<float>(most) + 1 : -1;
+    const auto whole = static_cast<std::int32_t>(held);
+    return whole + (static_cast<float>(whole) < held);
+  }
+};
+
+// How many pixels an outline has in the picture, and how many of them it was the first to set.
+struct Inked {
+  std::int32_t pixels = 0, fresh = 0;
+};
+
+Inked draw(BitImage& image, const PixelGrid& grid, const ProjectedBerry& berry);
+
+// A stem: all within a radius that goes evenly from that at `start` to that at `end`.
+void draw_stem(BitImage& image, const PixelGrid& grid, glm::vec2 start, float radius, glm::vec2 end, float radius_end);
+
+}  // namespace panicle::bunch

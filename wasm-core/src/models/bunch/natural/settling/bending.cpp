@@ -1,0 +1,159 @@
+#include "models/bunch/natural/settling/bending.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "models/bunch/units.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+constexpr float stub_length = 0.3f;  // of the stalk, left where a berry was
+constexpr float seat_widening = 1.35f;
+constexpr float young_girth = 0.55f;  // of the ripe bunch's stems, while it flowers
+constexpr float stout_at = 0.64f;     // berries' size from which stems thicken no more
+
+float girth_at(float size) { return young_girth + (1 - young_girth) * std::min(1.0f, size / stout_at); }
+
+// `v` as it lies after the least turn that takes `from` onto `onto`, stretched as much.
+glm::vec3 turned_onto(const glm::vec3& v, const glm::vec3& from, const glm::vec3& onto) {
+  const float length = glm::length(from), far = glm::length(onto);
+  if (!(length > 0) || !(far > 0)) return v;
+  const glm::vec3 a = from / length, b = onto / far, axis = glm::cross(a, b);
+  const float cosine = glm::dot(a, b);
+  if (cosine < -0.9999f) return v * (-far / length);
+  const glm::vec3 turned = v * cosine + glm::cross(axis, v) + axis * (glm::dot(axis, v) / (1 + cosine));
+  return turned * (far / length);
+}
+
+class Bending {
+ public:
+  Bending(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
+          std::span<const Outcome> outcomes, std::span<const glm::vec3> ends, float size)
+      : internodes_(internodes), flowers_(flowers), hanging_(hanging), outcomes_(outcomes), ends_(ends), size_(size) {}
+
+  Bent run() {
+    find_what_stays();
+    place_stalks();
+    const float girth = girth_at(size_) * metres_per_millimetre;
+    Bent bent;
+    bent.place_of.assign(internodes_.size(), -1);
+    std::vector<glm::vec3> ends(internodes_.size());
+    for (std::size_t i = 0; i < internodes_.size(); ++i) {
+      if (!stays_[i]) continue;
+      Internode internode = internodes_[i];
+      if (internode.parent >= 0) {
+        const auto parent = static_cast<std::size_t>(internode.parent);
+        internode.start = ends[parent];
+        internode.parent = bent.place_of[parent];
+      }
+      ends[i] = end_of(i, internode.start);
+      internode.end = ends[i];
+      if (hanging_.stalk_from[i] >= 0 && fates_[i] == Fate::stub) internode.state = State::withered;
+      if (seats_[i]) internode.radius_end *= seat_widening;
+      internode.start *= metres_per_millimetre;
+      internode.end *= metres_per_millimetre;
+      internode.radius *= girth;
+      internode.radius_end *= girth;
+      bent.place_of[i] = static_cast<std::int32_t>(bent.internodes.size());
+      bent.internodes.push_back(internode);
+    }
+    return bent;
+  }
+
+ private:
+  bool is_branch(std::size_t i) const { return hanging_.branch_of[i] >= 0; }
+  bool rides(std::size_t i) const { return hanging_.branch_of[i] < 0 && hanging_.stalk_from[i] < 0; }
+
+  void find_what_stays() {
+    std::vector<std::uint8_t> bore(internodes_.size(), 0);
+    stays_.assign(internodes_.size(), 0);
+    for (std::size_t f = 0; f < flowers_.size(); ++f) {
+      const auto bearer = static_cast<std::size_t>(flowers_[f].bearer);
+      bore[bearer] = 1;
+      if (outcomes_[f].fate != Fate::fallen) stays_[bearer] = 1;
+    }
+    for (std::size_t i = internodes_.size(); i-- > 0;) {
+      if (internodes_[i].kind == Kind::rachis || (is_branch(i) && !bore[i])) stays_[i] = 1;
+      if (internodes_[i].parent < 0) continue;
+      const auto parent = static_cast<std::size_t>(internodes_[i].parent);
+      if (bore[i]) bore[parent] = 1;
+      if (stays_[i]) stays_[parent] = 1;
+    }
+    for (std::size_t i = 0; i < internodes_.size(); ++i)
+      if (rides(i)) stays_[i] = stays_[static_cast<std::size_t>(internodes_[i].parent)];
+  }
+
+  // Where the internodes of stalks end: as the flowers that they bear have it, in the middle where these are several.
+  void place_stalks() {
+    fates_.assign(internodes_.size(), Fate::fallen);
+    seats_.assign(internodes_.size(), 0);
+    sums_.assign(internodes_.size(), glm::vec3(0));
+    counts_.assign(internodes_.size(), 0);
+    for (std::size_t f = 0; f < flowers_.size(); ++f) {
+      const auto bearer = static_cast<std::size_t>(flowers_[f].bearer);
+      if (hanging_.stalk_from[bearer] < 0) continue;
+      const auto first = static_cast<std::size_t>(hanging_.stalk_from[bearer]);
+      const glm::vec3 foot = internodes_[first].start, moved = moved_foot(first);
+      const glm::vec3 grown = internodes_[bearer].end - foot;
+      if (outcomes_[f].fate == Fate::berry) seats_[bearer] = 1;
+      for (std::size_t i = bearer;; i = static_cast<std::size_t>(internodes_[i].parent)) {
+        add(i, outcomes_[f].fate, place(outcomes_[f], moved, internodes_[i].end - foot, grown, i == bearer));
+        if (i == first) break;
+      }
+    }
+  }
+
+  glm::vec3 moved_foot(std::size_t first) const {
+    const Internode& internode = internodes_[first];
+    const std::int32_t stem =
+        internode.parent < 0 ? -1 : hanging_.branch_of[static_cast<std::size_t>(internode.parent)];
+    return stem < 0 ? internode.start : ends_[static_cast<std::size_t>(stem)];
+  }
+
+  // Of a point of a stalk, `along` from its foot where it grew; the stalk is `grown` long, and its foot now at `foot`.
+  glm::vec3 place(const Outcome& outcome, const glm::vec3& foot, const glm::vec3& along, const glm::vec3& grown,
+                  bool tip) const {
+    if (outcome.fate == Fate::stub) return foot + along * stub_length;
+    if (outcome.fate == Fate::flower) return foot + along * stalk_at(size_);
+    return tip ? outcome.seat : foot + turned_onto(along, grown, outcome.seat - foot);
+  }
+
+  void add(std::size_t i, Fate fate, const glm::vec3& end) {
+    if (fate < fates_[i]) return;
+    if (fate > fates_[i]) {
+      fates_[i] = fate;
+      counts_[i] = 0;
+    }
+    sums_[i] = counts_[i] == 0 ? end : sums_[i] + end;
+    counts_[i] += 1;
+  }
+
+  glm::vec3 end_of(std::size_t i, const glm::vec3& start) const {
+    if (is_branch(i)) return ends_[static_cast<std::size_t>(hanging_.branch_of[i])];
+    if (rides(i)) return start + (internodes_[i].end - internodes_[i].start);
+    return sums_[i] / counts_[i];
+  }
+
+  std::span<const Internode> internodes_;
+  std::span<const Flower> flowers_;
+  const Hanging& hanging_;
+  std::span<const Outcome> outcomes_;
+  std::span<const glm::vec3> ends_;
+  float size_;
+  std::vector<std::uint8_t> stays_;
+  // Per internode of a stalk: the fate it goes by, whether a berry sits on it, and where it ends, summed over flowers.
+  std::vector<Fate> fates_;
+  std::vector<std::uint8_t> seats_;
+  std::vector<glm::vec3> sums_;
+  std::vector<float> counts_;
+};
+
+}  // namespace
+
+Bent bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
+                   std::span<const Outcome> outcomes, std::span<const glm::vec3> ends, float size) {
+  return Bending(internodes, flowers, hanging, outcomes, ends, size).run();
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,411 @@
+#include "models/bunch/natural/settling/swelling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "foundation/mathematics.hpp"
+#include "models/bunch/natural/settling/sagging.hpp"
+#include "models/bunch/natural/settling/spreading.hpp"
+#include "models/bunch/natural/settling/thinning.hpp"
+#include "models/bunch/natural/swollen_size.hpp"
+#include "spatial/closest_points.hpp"
+#include "spatial/sphere_overlaps.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+// Tuned on the fifteen presets of the paper and 50 random profiles (docs/natural.md has what each does).
+constexpr float margin = 0.35f;       // of the widest berry: how far apart neighbours may be when they are looked for
+constexpr int projections = 2;        // of all constraints in a step
+constexpr int settling = 6;           // steps at the largest size before the last thinning, and after; then some dry
+constexpr int refresh = 4;            // steps between two searches for neighbours
+constexpr float contact_give = 4.0f;  // compliance of two berries' skins: how much they flatten
+constexpr float bound_give = 4.0f;    // of the outline: berries may be pushed out a little
+constexpr float bound_inset = 0.55f;  // how far inside it centres stay, in half-widths
+constexpr float core_inset = 0.8f;    // the same for the core of a long berry, in half-lengths of it
+constexpr float furthest_out = 1.0f;  // beyond that inset, in half-widths, and no further
+constexpr float straighten = 0.5f;    // share of the way back to where its pedicel hangs, a step: pedicels are springs
+constexpr float gravity = 0.012f;     // berry widths that an unsupported berry sinks in a step
+constexpr float shortest = 0.6f;      // of a pedicel, from its foot to the seat: it bends
+constexpr float most_bent = -0.35f;   // cosine of a pedicel's turn at its foot
+constexpr int most_rounds = 64;       // of thinning, where far too many have set
+constexpr float thinning_from = 0.72f;  // size at which berries first press each other off
+constexpr int joining = 8;              // steps in which those that join late catch up
+constexpr int most_joinings = 5;        // lots of them
+constexpr float over_missing = 2.0f;    // as many join as are missing, and more, for some of them will be lost too
+constexpr float near_enough = 0.98f;    // of the number that is wanted
+constexpr float youngest = 0.08f;       // size of one that joins
+constexpr float rounding = 1.0001f;     // times a squared distance: two that are farther apart cannot touch
+
+// A berry and a stem that it may lean on.
+struct Leaning {
+  std::uint32_t berry, stem;
+};
+
+// The way that is left of a unit vector and what is added to it; unit.
+glm::vec3 leaning(const glm::vec3& heading, const glm::vec3& lean) {
+  const glm::vec3 way = heading + lean;
+  const float far = glm::length(way);
+  return far > 1e-3f ? way / far : heading;
+}
+
+// Where a stem is: the point halfway, and the vector from its start to its end.
+struct StemPlace {
+  glm::vec3 middle, along;
+  float length;
+};
+
+StemPlace place_of_stem(const glm::vec3& start, const glm::vec3& end) {
+  const glm::vec3 along = end - start;
+  return {start + along * 0.5f, along, glm::length(along)};
+}
+
+class Solver {
+ public:
+  Solver(std::span<const Branch> branches, std::span<const Swelling> berries, std::span<const Bound> bounds)
+      : branches_(branches), berries_(berries), bounds_(bounds), sagging_(branches, berries) {
+    for (const Branch& branch : branches) ends_.push_back(branch.end);
+    for (const Swelling& berry : berries) {
+      headings_.push_back(berry.heading);
+      centres_.push_back(branches[berry.branch].end + berry.heading * (berry.stalk + berry.half_length * 0.1f));
+    }
+    for (const Swelling& berry : berries) lost_.push_back(berry.late ? Why::not_set : Why{});
+    sizes_.resize(berries.size());
+    rests_.resize(berries.size());
+    for (const Bound& bound : bounds) turns_.emplace_back(bound.stance);
+    leans_ = spread(branches, berries, sagging_.turned(1));
+  }
+
+  void step(float scale, int index) {
+    ++work_.steps;
+    for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = swollen_size(berries_[i], scale);
+    for (const std::uint32_t i : young_)
+      sizes_[i] = swollen_size(berries_[i], youngest + (scale - youngest) * young_share_);
+    if (index % refresh == 0) find_neighbours();
+    std::fill(pushes_.begin(), pushes_.end(), 0.0f);
+    std::fill(bound_pushes_.begin(), bound_pushes_.end(), 0.0f);
+    turned_ = sagging_.turned(scale);
+    sink();
+    for (int k = 0; k < projections; ++k) {
+      hold_branches();
+      hold_pedicels();
+      part_berries(k % 2 == 1);
+      part_stems();
+      keep_within();
+    }
+    if (scale >= thinning_from && young_.empty() && !settled_ && index % refresh == refresh - 1) thin(1);
+  }
+
+  // Until nobody is pressed harder than berries can be.
+  void thin_out() { thin(most_rounds); }
+
+  // Where fewer than `wanted` have found room, others grow up among them, in their order.
+  void join(std::size_t wanted, float scale, int& index) {
+    std::uint32_t next = 0;
+    for (int lot = 0; lot < most_joinings; ++lot) {
+      const std::size_t kept = there();
+      if (static_cast<float>(kept) >= near_enough * static_cast<float>(wanted)) return;
+      auto places = static_cast<std::size_t>(over_missing * static_cast<float>(wanted - kept)) + 1;
+      for (; next < berries_.size() && places > 0; ++next) {
+        if (lost_[next] != Why::not_set) continue;
+        begin(next);
+        --places;
+      }
+      if (young_.empty()) return;
+      for (int k = 1; k <= joining; ++k) {
+        young_share_ = static_cast<float>(k) / joining;
+        if (k == 1) index += (refresh - index % refresh) % refresh;  // they need their neighbours at once
+        step(scale, index++);
+      }
+      thin_out();
+      for (; !young_.empty() && there() > wanted; young_.pop_back())
+        if (!gone(young_.back())) lost_[young_.back()] = Why::not_set;
+      drop_pairs();
+      young_.clear();
+    }
+  }
+
+  // Nobody is lost any more, so that the others are the same ones whoever is taken.
+  void take_by_hand() {
+    settled_ = true;
+    for (std::size_t i = 0; i < berries_.size(); ++i)
+      if (berries_[i].taken && !gone(i)) lost_[i] = Why::by_hand;
+    drop_pairs();
+  }
+
+  Swollen take() {
+    aim();
+    return {std::move(ends_), std::move(centres_), std::move(headings_), std::move(lost_), work_};
+  }
+
+ private:
+  void begin(std::uint32_t i) {
+    const Swelling& berry = berries_[i];
+    lost_[i] = Why{};
+    headings_[i] = berry.heading;
+    centres_[i] = ends_[berry.branch] + berry.heading * (berry.stalk * stalk_at(youngest));
+    young_.push_back(i);
+  }
+
+  std::size_t there() const { return static_cast<std::size_t>(std::count(lost_.begin(), lost_.end(), Why{})); }
+
+  bool gone(std::size_t i) const { return lost_[i] != Why{}; }
+
+  // Berries point away from where their pedicels grow.
+  void aim() {
+    for (std::size_t i = 0; i < berries_.size(); ++i) {
+      const glm::vec3 way = centres_[i] - ends_[berries_[i].branch];
+      const float far = glm::length(way);
+      headings_[i] = far > 1e-4f ? way / far : berries_[i].heading;
+    }
+  }
+
+  // From the nearest point of one berry's core to that of another's.
+  glm::vec3 between_cores(std::size_t i, std::size_t j) const {
+    return between_segments(centres_[j] - centres_[i], {headings_[i], sizes_[i].core}, {headings_[j], sizes_[j].core});
+  }
+
+  // What may meet before the next search: half a margin round every berry and stem. A stem is looked for along all of
+  // its length, which beside young berries is many of theirs.
+  void find_neighbours() {
+    aim();
+    float widest = 0;
+    for (const SwollenSize& size : sizes_) widest = std::max(widest, size.ball + size.core);
+    const float half_margin = 0.5f * margin * widest;
+    std::vector<Sphere> spheres;
+    std::size_t there = 0;
+    for (std::size_t i = 0; i < berries_.size(); ++i) {
+      spheres.push_back({centres_[i], gone(i) ? -1 : sizes_[i].ball + sizes_[i].core + half_margin});
+      there += !gone(i);
+    }
+    nearby_.lay(spheres);
+    pairs_.clear();
+    nearby_.pairs(pairs_, most_pairs * there);
+    pushes_.resize(pairs_.size());
+    bound_pushes_.resize(berries_.size());
+
+    leaning_.clear();
+    for (std::uint32_t k = 0; k < branches_.size(); ++k) {
+      for (const std::uint32_t i : nearby_.along(start_of(k), ends_[k], branches_[k].radius + half_margin))
+        if (berries_[i].branch != k) leaning_.push_back({i, k});
+    }
+  }
+
+  glm::vec3 start_of(std::size_t k) const {
+    const std::int32_t parent = branches_[k].parent;
+    return parent < 0 ? branches_[k].start : ends_[static_cast<std::size_t>(parent)];
+  }
+
+  void sink() {
+    for (std::size_t i = 0; i < berries_.size(); ++i) {
+      const Swelling& berry = berries_[i];
+      const SwollenSize& size = sizes_[i];
+      const float heavy = berry.half_width > 0 ? size.half_width / berry.half_width : 0;
+      rests_[i] = leaning(drooping(turned_[berry.branch] * berry.heading, heavy), leans_[i] * std::min(1.0f, heavy));
+      const glm::vec3 straight = ends_[berry.branch] + rests_[i] * (size.stalk + size.half_length);
+      centres_[i] += (straight - centres_[i]) * straighten;
+      centres_[i].y -= gravity * 2 * size.half_width;
+    }
+  }
+
+  // A branch goes where its parent's end goes, and its own end comes back to where it grew.
+  void hold_branches() {
+    for (std::size_t k = 0; k < branches_.size(); ++k) {
+      const Branch& branch = branches_[k];
+      const glm::vec3 rest = start_of(k) + turned_[k] * (branch.end - branch.start);
+      ends_[k] = rest + (ends_[k] - rest) * branch.give;
+    }
+  }
+
+  void hold_pedicels() {
+    for (std::size_t i = 0; i < berries_.size(); ++i) {
+      if (gone(i)) continue;
+      const Swelling& berry = berries_[i];
+      glm::vec3& foot = ends_[berry.branch];
+      const glm::vec3 way = centres_[i] - foot;
+      const float far = glm::length(way);
+      if (!(far > 1e-4f)) continue;
+      const glm::vec3 heading = way / far;
+      headings_[i] = heading;
+      const SwollenSize& size = sizes_[i];
+      const float most = size.stalk + size.half_length, least = shortest * size.stalk + size.half_length;
+      const float off = far > most ? far - most : far < least ? far - least : 0;
+      const float give = 0.3f * branches_[berry.branch].give;
+      centres_[i] -= heading * (off * (1 - give));
+      foot += heading * (off * give);
+      const float turned = glm::dot(heading, rests_[i]);
+      if (turned < most_bent) centres_[i] += rests_[i] * (0.5f * far * (most_bent - turned));
+    }
+  }
+
+  // Are two berries farther from each other than `reach` for certain, however their cores lie?
+  bool apart(std::uint32_t i, std::uint32_t j, float reach) const {
+    const glm::vec3 between = centres_[j] - centres_[i];
+    const float most = reach + sizes_[i].core + sizes_[j].core;
+    return glm::dot(between, between) > rounding * most * most;
+  }
+
+  void part_berries(bool backwards) {
+    const std::size_t count = pairs_.size();
+    work_.looks += count;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t at = backwards ? count - 1 - k : k;
+      const auto [i, j] = pairs_[at];
+      const float reach = sizes_[i].ball + sizes_[j].ball;
+      if (pushes_[at] == 0 && apart(i, j, reach)) continue;
+      const glm::vec3 between = between_cores(i, j);
+      const float square = glm::dot(between, between);
+      if (square >= reach * reach && pushes_[at] == 0) continue;
+      ++work_.contacts;
+      const float far = std::sqrt(square);
+      const float gap = far - reach;
+      const float push = std::max((-gap - contact_give * pushes_[at]) / (2 + contact_give), -pushes_[at]);
+      pushes_[at] += push;
+      const glm::vec3 way = far > 1e-4f ? between / far : glm::vec3(0, i < j ? 1 : -1, 0);
+      centres_[i] -= way * push;
+      centres_[j] += way * push;
+    }
+  }
+
+  // `leaning_` lists the berries of one stem after another: what is known of a stem serves all its berries, until one
+  // of them pushes its end.
+  void part_stems() {
+    work_.looks += leaning_.size();
+    for (std::size_t at = 0; at < leaning_.size();) {
+      const std::uint32_t k = leaning_[at].stem;
+      const glm::vec3 start = start_of(k);
+      StemPlace stem = place_of_stem(start, ends_[k]);
+      for (; at < leaning_.size() && leaning_[at].stem == k; ++at)
+        if (part_from_stem(leaning_[at].berry, k, stem)) stem = place_of_stem(start, ends_[k]);
+    }
+  }
+
+  // Moves a berry and a stem apart; returns whether they touched.
+  bool part_from_stem(std::uint32_t i, std::uint32_t k, const StemPlace& stem) {
+    const SwollenSize& size = sizes_[i];
+    const float reach = size.ball + branches_[k].radius, most = reach + size.core + stem.length / 2;
+    const glm::vec3 between = stem.middle - centres_[i];
+    if (glm::dot(between, between) > rounding * most * most || gone(i) || !(stem.length > 1e-4f)) return false;
+    const auto [s, t] =
+        closest_points(between, {headings_[i], size.core}, {stem.along / stem.length, stem.length / 2}, parallel_cores);
+    const glm::vec3 way = between + stem.along * (t / stem.length) - headings_[i] * s;
+    const float square = glm::dot(way, way);
+    if (square >= reach * reach || !(square > 1e-8f)) return false;
+    ++work_.contacts;
+    const float far = std::sqrt(square);
+    const float give = 0.5f * branches_[k].give;
+    const glm::vec3 push = way * ((reach - far) / far);
+    centres_[i] -= push * (1 - give);
+    ends_[k] += push * give;
+    return true;
+  }
+
+  void keep_within() {
+    for (std::size_t i = 0; i < berries_.size(); ++i) {
+      if (gone(i)) continue;
+      const Bound& bound = bounds_[berries_[i].bunch];
+      const Uprighting& turn = turns_[berries_[i].bunch];
+      glm::vec3 c = turn.place(centres_[i]);
+      const glm::vec3 before = c;
+      // A long berry reaches as far as its core leans.
+      const SwollenSize& size = sizes_[i];
+      const float upright = headings_[i].y * headings_[i].y, inset = bound_inset * size.half_width;
+      const float lying = inset + core_inset * size.core * (1 - upright);
+      const float standing = inset + core_inset * size.core * upright, length = bound.envelope.length();
+      const float depth = std::clamp(-c.y, standing, std::max(standing, length - standing));
+      c.y = -depth;
+      const float x = std::max(0.005f * length, bound.envelope.half_width(c.x >= 0 ? 0 : 1, depth) - lying);
+      const float z = std::max(0.005f * length, bound.envelope.half_width(c.z >= 0 ? 2 : 3, depth) - lying);
+      const float out = (c.x / x) * (c.x / x) + (c.z / z) * (c.z / z);
+      if (out > 1) {
+        const float back = 1 / std::sqrt(out);
+        c.x *= back;
+        c.z *= back;
+      }
+      glm::vec3 way = c - before;
+      const float off = glm::length(way);
+      if (!(off > 1e-5f)) continue;
+      const float push = std::max(
+          {0.0f, (off - bound_give * bound_pushes_[i]) / (1 + bound_give), off - furthest_out * size.half_width});
+      bound_pushes_[i] += push;
+      way *= push / off;
+      centres_[i] += turn.way_back(way);
+    }
+  }
+
+  // Berries that press on each other, and how deep: the same until something moves.
+  std::vector<Press> presses() {
+    std::vector<Press> presses;
+    presses.reserve(pairs_.size());
+    work_.thinning_looks += pairs_.size();
+    for (const auto [i, j] : pairs_) {
+      if (gone(i) || gone(j)) continue;
+      const float deep = (sizes_[i].ball + sizes_[j].ball - glm::length(between_cores(i, j))) / 2;
+      presses.push_back({i, j, deep});
+    }
+    return presses;
+  }
+
+  // Up to so many rounds, in each of which the most pressed are lost.
+  void thin(int rounds) {
+    std::vector<Press> pressing = presses();
+    for (int round = 0; round < rounds; ++round) {
+      const std::vector<std::uint32_t> lost = crowded_out(pressing, sizes_);
+      if (lost.empty()) break;
+      for (const std::uint32_t i : lost) lost_[i] = Why::no_room;
+      std::erase_if(pressing, [&](const Press& press) { return gone(press.a) || gone(press.b); });
+    }
+    drop_pairs();
+  }
+
+  void drop_pairs() {
+    pairs_.erase(
+        std::remove_if(pairs_.begin(), pairs_.end(), [&](const SpherePair& p) { return gone(p.a) || gone(p.b); }),
+        pairs_.end());
+    pushes_.resize(pairs_.size());
+  }
+
+  std::span<const Branch> branches_;
+  std::span<const Swelling> berries_;
+  std::span<const Bound> bounds_;
+  std::vector<glm::vec3> ends_, centres_, headings_, rests_, leans_;
+  Sagging sagging_;
+  std::span<const glm::quat> turned_;  // the branches, at this step
+  std::vector<SwollenSize> sizes_;     // of the berries, at this step
+  std::vector<std::uint32_t> young_;   // those that are catching up
+  float young_share_ = 1;              // how far they have come
+  std::vector<Why> lost_;
+  bool settled_ = false;
+  std::vector<Uprighting> turns_;
+  TouchingSpheres nearby_;
+  std::vector<SpherePair> pairs_;  // berries that may touch
+  std::vector<Leaning> leaning_;   // by stem
+  std::vector<float> pushes_, bound_pushes_;
+  SwellingWork work_;
+};
+
+}  // namespace
+
+float stalk_at(float size) { return 0.55f + 0.45f * std::min(1.0f, size / 0.6f); }
+
+Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berries, std::span<const Bound> bounds,
+              std::span<const float> scales, std::size_t wanted) {
+  Solver solver(branches, berries, bounds);
+  const auto full = std::max_element(scales.begin(), scales.end());
+  int index = 0;
+  for (auto scale = scales.begin(); scale != scales.end(); ++scale) {
+    solver.step(*scale, index++);
+    if (scale != full) continue;
+    const bool crowded = *scale >= thinning_from;
+    if (crowded) solver.thin_out();
+    if (crowded && wanted > 0) solver.join(wanted, *scale, index);
+    for (int k = 0; k < settling; ++k) solver.step(*scale, index++);
+    if (crowded) solver.thin_out();
+    solver.take_by_hand();
+    for (int k = 0; k < settling; ++k) solver.step(*scale, index++);
+  }
+  return solver.take();
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,119 @@
+#include "models/bunch/paper/skeleton_drawing.hpp"
+
+#include <algorithm>
+
+namespace panicle::bunch {
+
+void SkeletonDrawing::begin(const lsystem::Bound& text, const Roles& roles, bool second, std::int32_t first_axis) {
+  Drawing::begin();
+  roles_ = roles;
+  width_ = lsystem::constant(text, "w", 1);
+  first_segment_ = segments.size();
+  first_ball_ = balls.size();
+  first_axis_ = first_axis;
+  second_ = second;
+  answering_ = false;
+}
+
+void SkeletonDrawing::erase() {
+  segments.resize(first_segment_);
+  parts_.resize(first_segment_);
+  balls.resize(first_ball_);
+}
+
+void SkeletonDrawing::ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage& lineage) {
+  answering_ = false;
+  Question question;
+  if (!slots_for(parameters.size(), question.slots)) return fail(wrong_arity());
+  question.pedicel = parameters[0] == pedicel_type;
+  question.width = question.slots.width ? parameters[question.slots.width] : width_;
+  const bool told = tells(lineage);
+  if (told) chronicle_->add_answer(lineage.module, "asked" + lsystem::numbers_text(parameters));
+  answer_ = answer(question, turtle, parameters, lineage);
+  if (told) chronicle_->add_answer(lineage.module, " →" + lsystem::numbers_text(parameters) + answer_.why);
+  answering_ = true;
+  asked_address_ = lineage.address;
+  ++questions_;
+}
+
+SkeletonDrawing::Answer SkeletonDrawing::answer(const Question& question, const lsystem::Turtle&, std::span<float>,
+                                                const lsystem::Lineage&) {
+  return {question.pedicel, false, question.width, {}};
+}
+
+void SkeletonDrawing::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
+                           const lsystem::Lineage& lineage) {
+  Drawing::line(id, before, after, lineage);
+  if (segments.size() == parts_.size()) return;  // no room
+  Segment& segment = segments.back();
+  const Part* const parent = segment.parent < 0 ? nullptr : &parts_[static_cast<std::size_t>(segment.parent)];
+  const bool answered = answering_ && lineage.address == asked_address_;
+  Part part;
+  if (!second_) part.module = lineage.module;
+  part.kind = answered && answer_.pedicel ? Kind::pedicel : roles_.of(lineage.parent_symbol);
+  if (answered) {
+    part.question = questions_;
+    part.state = answer_.withered ? State::withered : State::grown;
+    part.joint = parent && parent->question == questions_;
+    if (!part.joint && answer_.width > 0) segment.radius = answer_.width * 0.5f;
+  }
+  part.axis = axis_of(segment, part.kind, lineage);
+  part.rachis_depth = (parent ? parent->rachis_depth : 0) + (part.kind == Kind::rachis ? 1 : 0);
+  parts_.push_back(part);
+}
+
+// A first-order axis is what leaves the rachis, but for the end structure in which the rachis itself ends. It has the
+// number of the rachis internode whose tip it leaves; −1 for what is of no axis.
+std::int32_t SkeletonDrawing::axis_of(const Segment& segment, Kind kind, const lsystem::Lineage& lineage) const {
+  if (segment.parent < 0 || kind == Kind::rachis) return -1;
+  const Part& parent = parts_[static_cast<std::size_t>(segment.parent)];
+  if (parent.kind != Kind::rachis) return parent.axis;
+  if (kind == Kind::end && is_rachis(lineage.grandparent_symbol)) return -1;
+  return first_axis_ + parent.rachis_depth - 1;
+}
+
+// What leads to a ball is a pedicel: what an answer draws for one, and what the text's own pedicels and other bearers
+// draw. One whose answer bears nothing is a pedicel too, withered or as the text has it; a thorn beside it is none,
+// and nor is a stem that bears a ball in passing.
+void SkeletonDrawing::settle_pedicels() {
+  std::vector<std::uint8_t> bears(segments.size(), 0), leads_on(segments.size(), 0), fruitful(questions_ + 1, 0);
+  for (const Ball& ball : balls) bears[static_cast<std::size_t>(ball.segment)] = 1;
+  for (std::size_t i = segments.size(); i-- > 0;) {
+    if (!bears[i] && !leads_on[i]) continue;
+    if (parts_[i].question != none) fruitful[parts_[i].question] = 1;
+    if (segments[i].parent >= 0) leads_on[static_cast<std::size_t>(segments[i].parent)] = 1;
+  }
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    Part& part = parts_[i];
+    const bool answered = part.question != none;
+    if (part.kind != Kind::pedicel) {
+      if (bears[i] && !leads_on[i]) part.kind = Kind::pedicel;
+    } else if (!bears[i] && !leads_on[i] && (answered ? fruitful[part.question] != 0 : !balls.empty())) {
+      part.kind = Kind::axis;
+      part.joint = false;
+    }
+    if (part.kind != Kind::pedicel || answered || segments[i].parent < 0) continue;
+    const Part& parent = parts_[static_cast<std::size_t>(segments[i].parent)];
+    part.joint = parent.kind == Kind::pedicel && parent.question == none;
+  }
+}
+
+std::size_t SkeletonDrawing::borne() const {
+  return static_cast<std::size_t>(
+      std::count_if(balls.begin(), balls.end(), [](const Ball& ball) { return ball.segment >= 0; }));
+}
+
+std::uint32_t SkeletonDrawing::finish() {
+  const auto loose = std::erase_if(balls, [](const Ball& ball) { return ball.segment < 0; });
+  settle_pedicels();
+  internodes.reserve(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& segment = segments[i];
+    const Part& part = parts_[i];
+    internodes.push_back({segment.parent, part.kind, part.state, part.axis, segment.start, segment.end, segment.radius,
+                          segment.radius_end, part.joint, part.module});
+  }
+  return static_cast<std::uint32_t>(loose);
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,41 @@
+// The blade as a mesh: a triangulation of the outline, fine along margin and veins, with both faces and a rim.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "models/leaf/shape/bending.hpp"
+#include "models/leaf/shape/margin.hpp"
+#include "models/particles/outline.hpp"
+#include "plant/plant.hpp"
+
+namespace panicle::particles::leaf {
+
+// A piece of a vein in the chart: leaf lengths.
+struct VeinPiece {
+  glm::vec2 from, to;
+  float radius_from, radius_to;
+};
+
+struct BladeForm {
+  float thickness = 0.00025f;  // metres
+  float relief = 1;            // ridges below: of half a vein's width
+  float detail = 1;            // triangles, against the default
+};
+
+// The square of the chart that textures show: uv 0, 0 is `low`, 1, 1 lies `size` further along both axes; leaf lengths.
+struct ChartSquare {
+  glm::vec2 low{0};
+  float size = 1;
+};
+ChartSquare chart_square(const Outline& outline);
+
+// Two meshes of the material `blade`, together closed: `upper`, the face that looks to +Z while flat; `lower`, the
+// other and the rim around. Normals are those of the bent blade: how veins lean is for a picture of normals to say,
+// which has all of them and no corners. Both have the chart as texture coordinates, and the column of their vertices
+// `edge` (float32: distance from the margin, leaf lengths, about). Empty where the outline cannot be triangulated.
+std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins,
+                                  const Bending& bending, const BladeForm& form);
+
+}  // namespace panicle::particles::leaf

@@ -1,0 +1,65 @@
+// Side veins of a leaf's main veins, as ribs.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "models/leaf/midrib.hpp"
+#include "models/leaf/rib_plan.hpp"
+#include "models/leaf/shape/margin.hpp"
+#include "models/particles/outline.hpp"
+#include "models/particles/ribs.hpp"
+
+namespace panicle::particles::leaf {
+
+// The part of the blade into which a main vein sends its own.
+struct Part {
+  std::span<const Ribs> mains = {};          // all main veins of the leaf: what is nearer to another is that one's
+  std::size_t own = 0;                       // among those
+  std::size_t first = 0, tip = 0, last = 0;  // of the margin's points: its right side is before its tip, its left after
+  bool fan = false;                          // whether it reaches below the base too
+
+  bool holds(const glm::vec3& p) const;
+};
+
+class SideVeins {
+ public:
+  // Margin and outline are of the same leaf. All must outlive it.
+  SideVeins(const RibPlan& plan, const Margin& margin, const Outline& outline);
+
+  // So many on each side of a main vein, spread and angled as the plan says, ending as its course says; where that is
+  // not open, before the margin.
+  void lay(Ribs& ribs, const Midrib& midrib, std::uint32_t count, const Part& part) const;
+
+  // One to a lobe's tip, from where the main vein sees it at about the angle planned and well clear of the bays beside
+  // it. False where no place sees it.
+  bool to_lobe(Ribs& ribs, const Midrib& midrib, const glm::vec3& tip) const;
+
+ private:
+  struct Start {
+    std::size_t root;    // place of the main vein
+    float angle, least;  // degrees from it; shorter than this it is none
+  };
+  struct Vein {
+    std::size_t root;
+    std::vector<glm::vec3> places;
+    bool at_margin = false;  // what ended it
+  };
+  std::vector<Start> starts(const Midrib& midrib, std::uint32_t count, float side, bool fan) const;
+  float bent(const Midrib& midrib, const Start& start, float gone) const;
+  Vein walk(const Midrib& midrib, const Start& start, float side, const Part& part) const;
+  Vein arched(const Midrib& midrib, const Start& start, float side, const Part& part, const Vein* above,
+              float clear) const;
+  std::vector<glm::vec3> teeth(float side, const Part& part) const;
+  void into_teeth(const Midrib& midrib, std::span<Vein> veins, std::span<const glm::vec3> teeth) const;
+  std::vector<glm::vec3> way(const Midrib& midrib, std::size_t root, const glm::vec3& end, float bend) const;
+  bool open(const glm::vec3& from, std::span<const glm::vec3> places, float clear, float near_end) const;
+
+  const RibPlan& plan_;
+  const Margin& margin_;
+  const Outline& outline_;
+};
+
+}  // namespace panicle::particles::leaf
