@@ -223,7 +223,7 @@ describe("the arrow between the rooms", () => {
 	});
 
 	it("sees what a module comes with", () => {
-		expect(packagesOf("web/src/models/bunch/ui/face")).toEqual(expect.arrayContaining(["lit"]));
+		expect(packagesOf("web/src/models/bunch/ui/ui")).toEqual(expect.arrayContaining(["lit"]));
 		expect(packagesOf("web/src/render/viewer")).toContain("three");
 		expect(packagesOf("web/src/specimen/link")).toEqual([]);
 	});
@@ -247,7 +247,7 @@ describe("the arrow between the rooms", () => {
 		["models/index.ts", "models/*/index", false],
 		["models/leaf/index.ts", "models/model", true],
 		["models/leaf/index.ts", "ui/life", false],
-		["models/page_model.ts", "render/figure", true],
+		["models/page_model.ts", "render/model_renderer", true],
 		["models/leaf/index.ts", "models/particles/record", false],
 		["app/x.ts", "models/index", false],
 	])("allows what goes with it: %s → %s", (from, to, typeOnly) => {

@@ -32,7 +32,7 @@ export async function benchBunch({ core, instance, source }) {
 	const { readGrown } = await source("web/src/models/bunch/read_grown.ts");
 	const { encodeRequest: blocksOf } = await source("web/src/models/bunch/request.ts");
 	const { PRESETS } = await source("web/src/models/bunch/presets/presets.ts");
-	const { specimenFromPreset } = await source("web/src/models/bunch/species.ts");
+	const { specimenFromPreset } = await source("web/src/models/bunch/schema.ts");
 	/** A request as the bytes that the core receives. */
 	const encodeRequest = (specimen, options) => writeContainer(blocksOf(specimen, options));
 	const reader = { grow: (request) => readGrown(instance.growBytes(request)) };

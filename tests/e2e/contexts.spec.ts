@@ -72,7 +72,7 @@ test("twenty views share one context, and each shows its own plant at its own si
 	page,
 }) => {
 	const seen = await page.evaluate(async () => {
-		const { canvas, grow, pixels, Renderer, Viewer, bunchFigure } = window.views;
+		const { canvas, grow, pixels, Renderer, Viewer, bunchRenderer } = window.views;
 		const asked = HTMLCanvasElement.prototype.getContext;
 		let contexts = 0;
 		HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...all: unknown[]) {
@@ -85,7 +85,7 @@ test("twenty views share one context, and each shows its own plant at its own si
 		const views = Array.from({ length: 20 }, (_, i) => {
 			const shown = canvas(40 + 2 * i, 60);
 			const viewer = new Viewer<never, never>(shown, { still: true, reducedMotion: true, renderer });
-			viewer.use(bunchFigure as never);
+			viewer.use(bunchRenderer as never);
 			const skin = hues[i % 2];
 			const { grown, specimen } = grow(`?v=2&preset=redcurrant&count=8&skin=${skin}&unripe=${skin}&bloom=0`);
 			viewer.show(grown as never, specimen as never);

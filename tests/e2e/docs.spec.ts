@@ -1,7 +1,7 @@
 /** Every example of the pages for people, in their order: commands, scripts, pages (tests/docs/ reads and runs them). */
 import { pathToFileURL } from "node:url";
 import { prepare } from "../../wasm-core/tools/toolchain.mjs";
-import { Desk } from "../docs/desk";
+import { EditorContext } from "../docs/desk";
 import { examplesOf, pages, partOf, plainly, textOf } from "../docs/examples";
 import { freePort } from "../free_port.mjs";
 import { isLongRun } from "../long_run.mjs";
@@ -26,7 +26,7 @@ for (const name of pages()) {
 	test(`docs/${name}.md: its examples do what it says`, { tag: name === IN_GATE ? [] : "@long" }, async ({ page }) => {
 		// Many programs, one after the other.
 		test.slow();
-		const desk = await Desk.at(project, python);
+		const desk = await EditorContext.at(project, python);
 		const host = await serveUnder("/", pathToFileURL(desk.folder).href);
 		await standInForModelViewer(page);
 		try {

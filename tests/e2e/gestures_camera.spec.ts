@@ -16,7 +16,7 @@ const FLOWER = "?v=2&model=flower&preset=tulip";
 const circle = (page: Page) => page.getByRole("button", { name: /^bend/ });
 
 /** Stands in for @mediapipe/hands: every picture has the hand that the test puts into `globalThis.hand`. */
-const INJECTED = `globalThis.Hands = class {
+const INJECTED = `globalThis.CanvasInteraction = class {
 	setOptions() {}
 	onResults(listener) { this.listener = listener; }
 	async initialize() {}

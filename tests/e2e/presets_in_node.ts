@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 import { loadCoreFromBytes } from "../../web/src/core/loader";
 import { PRESETS } from "../../web/src/models/bunch/presets/presets";
-import { specimenFromPreset } from "../../web/src/models/bunch/species";
+import { specimenFromPreset } from "../../web/src/models/bunch/schema";
 import { inRun } from "../long_run.mjs";
 import { growBunch } from "../web/core/wasm";
 

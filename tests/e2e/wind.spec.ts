@@ -48,13 +48,13 @@ test.describe("to the eye", () => {
 	test.afterAll(() => host.close());
 
 	/** A bunch's own shaders, and three's with a shadow map. */
-	for (const figure of ["bunchFigure", "partFigure"] as const) {
+	for (const figure of ["bunchRenderer", "partRenderer"] as const) {
 		test(`what ${figure} draws sways while the wind blows, and is at rest before, after and in pictures`, {
 			tag: "@long",
 		}, async ({ page }) => {
 			await openViews(page, host.address);
 			const { moved, pictured, left } = await page.evaluate(async (figure) => {
-				const { bunchFigure, bunchParts, canvas, grow, partFigure, pixels, swayOf, Viewer } = window.views;
+				const { bunchRenderer, bunchParts, canvas, grow, partRenderer, pixels, swayOf, Viewer } = window.views;
 				const [side, drawn] = [96, canvas(96, 96)];
 				const copy = new OffscreenCanvas(side, side).getContext("2d", {
 					willReadFrequently: true,
@@ -74,7 +74,7 @@ test.describe("to the eye", () => {
 				});
 				const { grown, specimen } = grow("?v=2&preset=redcurrant&count=20");
 				const parts = () => bunchParts(grown, specimen);
-				viewer.use(figure === "bunchFigure" ? bunchFigure : partFigure(parts, undefined, swayOf));
+				viewer.use(figure === "bunchRenderer" ? bunchRenderer : partRenderer(parts, undefined, swayOf));
 				viewer.show(grown, specimen);
 				await viewer.whenIdle();
 				const rest = frames[frames.length - 1];

@@ -36,7 +36,7 @@ function digest(grown: Grown) {
 /** The fingerprints, and a hash of the light at the vertices, which they do not cover. */
 function printsOf(columns: Columns) {
 	const { fingerprint, meshFingerprint } = readPlant({ columns, milliseconds: 0 });
-	const sky = createHash("sha1").update(columns.octets("berries.sky")).update(columns.octets("mesh.stems.sky"));
+	const sky = createHash("sha1").update(columns.uint8("berries.sky")).update(columns.uint8("mesh.stems.sky"));
 	return { fingerprint, meshFingerprint, sky: sky.digest("hex") };
 }
 

@@ -91,7 +91,10 @@ export function sources(folders = ["wasm-core/src", "web/src", "tests"]) {
 		encoding: "utf8",
 	})
 		.split("\n")
-		.filter((file) => /\.(ts|mjs|cpp|hpp|h)$/.test(file) && !file.includes(".generated.") && !file.startsWith("tests/language/"));
+		.filter(
+			(file) =>
+				/\.(ts|mjs|cpp|hpp|h)$/.test(file) && !file.includes(".generated.") && !file.startsWith("tests/language/"),
+		);
 }
 
 /** Every use below some folders, with its file. */

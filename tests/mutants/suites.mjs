@@ -15,7 +15,7 @@ const VITEST = ["--config", "tests/mutants/vitest.config.ts"];
  * Runs a program with all that it starts, in the long run's extent: a mutant may be caught by a test that the gate leaves out. `late` tells
  * that it was ended because it took too long.
  */
-function run(folder, command, args, { patience = 600_000, env = {} } = {}) {
+function run(folder, command, args, { step_budget = 600_000, env = {} } = {}) {
 	return new Promise((resolve) => {
 		const child = spawn(command, args, {
 			cwd: folder,
@@ -28,7 +28,7 @@ function run(folder, command, args, { patience = 600_000, env = {} } = {}) {
 		const timer = setTimeout(() => {
 			late = true;
 			process.kill(-child.pid, "SIGKILL");
-		}, patience);
+		}, step_budget);
 		for (const stream of [child.stdout, child.stderr]) stream.on("data", (piece) => (output += piece));
 		child.on("error", (error) => resolve({ status: 127, output: error.message, late }));
 		child.on("close", (status) => {
@@ -62,25 +62,27 @@ const BUILDS = {
 const escaped = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 
 const RUNS = {
-	core: async (folder, suites, patience) => {
+	core: async (folder, suites, step_budget) => {
 		const programs = [...new Set(suites.map(({ path }) => programOf(path)))];
 		for (const program of programs) {
 			const files = suites.filter(({ path }) => programOf(path) === program).map(({ path }) => `*/${path}`);
 			const args = ["--no-colors", "--abort-after=1", `--source-file=${files.join(",")}`];
-			const ended = await run(folder, join(folder, "build/native", program), args, { patience });
+			const ended = await run(folder, join(folder, "build/native", program), args, { step_budget });
 			if (ended.status !== 0) return ended;
 			if (/test cases: +0 /.test(ended.output)) throw new Error(`${files} holds no test of ${program}.`);
 		}
 		return { status: 0, output: "", late: false };
 	},
-	web: (folder, suites, patience) =>
-		node(folder, "node_modules/vitest/vitest.mjs", ["run", ...VITEST, ...suites.map(({ path }) => path)], { patience }),
-	e2e: async (folder, suites, patience) => {
+	web: (folder, suites, step_budget) =>
+		node(folder, "node_modules/vitest/vitest.mjs", ["run", ...VITEST, ...suites.map(({ path }) => path)], {
+			step_budget,
+		}),
+	e2e: async (folder, suites, step_budget) => {
 		const titles = suites.map(({ title }) => title).filter(Boolean);
 		const grep = titles.length === suites.length ? ["--grep", titles.map(escaped).join("|")] : [];
 		const args = ["test", ...new Set(suites.map(({ path }) => path)), ...grep, "--max-failures=1"];
 		const env = { PANICLE_PORT: String(await freePort()), PANICLE_E2E_REPORT: "" };
-		const ended = await node(folder, "node_modules/@playwright/test/cli.js", args, { patience, env });
+		const ended = await node(folder, "node_modules/@playwright/test/cli.js", args, { step_budget, env });
 		if (/No tests found/.test(ended.output))
 			throw new Error(`No test of ${suites.map(({ path }) => path)} has that title.`);
 		return ended;

@@ -5,7 +5,7 @@ import { moduleOf, repository } from "../../wasm-core/tools/repository.mjs";
 import { loadCoreFromBytes } from "../../web/src/core/loader";
 import { exportJson } from "../../web/src/formats/json";
 import { model } from "../../web/src/models/leaf/index";
-import { leafFromPreset } from "../../web/src/models/leaf/species";
+import { leafFromPreset } from "../../web/src/models/leaf/schema";
 import type { DocsFile } from "./docs_file";
 import { figureOf } from "./leaf_veins";
 

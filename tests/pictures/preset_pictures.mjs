@@ -16,7 +16,7 @@ import { openSources } from "./sources_page.mjs";
 async function draw({ cores, model: called, name, size, oversampling, quality, theme, views, zoom = 1 }) {
 	const at = (path) => import(/* @vite-ignore */ `/src/${path}`);
 	const { Viewer } = await at("render/viewer.ts");
-	const { partFigure } = await at("render/part_figure.ts");
+	const { partRenderer } = await at("render/part_renderer.ts");
 	const { Core } = await at("core/core.ts");
 	const { compileCore } = await at("core/loader.ts");
 	const { fromPreset } = await at("specimen/from_preset.ts");
@@ -35,7 +35,7 @@ async function draw({ cores, model: called, name, size, oversampling, quality, t
 	if (!globalThis.view) {
 		const canvas = Object.assign(document.createElement("canvas"), { width, height });
 		globalThis.view = new Viewer(canvas, { still: true, reducedMotion: true, theme });
-		globalThis.view.use((await model.render?.()) ?? partFigure((plant, from) => model.parts(plant, from)));
+		globalThis.view.use((await model.render?.()) ?? partRenderer((plant, from) => model.parts(plant, from)));
 	}
 	globalThis.view.show(grown, specimen);
 	const pictures = {};

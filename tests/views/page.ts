@@ -5,14 +5,14 @@ import { compileCore } from "../../web/src/core/loader";
 import type { Grown } from "../../web/src/models/bunch/grown";
 import { bunchParts } from "../../web/src/models/bunch/parts/bunch_parts";
 import { readGrown } from "../../web/src/models/bunch/read_grown";
-import { bunchFigure } from "../../web/src/models/bunch/render/bunch_figure";
+import { bunchRenderer } from "../../web/src/models/bunch/render/bunch_renderer";
 import { encodeRequest } from "../../web/src/models/bunch/request";
-import { BUNCH } from "../../web/src/models/bunch/species";
+import { BUNCH } from "../../web/src/models/bunch/schema";
 import type { BunchSpecimen } from "../../web/src/models/bunch/specimen";
 import type { Material } from "../../web/src/plant/material";
 import { swayOf } from "../../web/src/plant/sway";
 import { blurred, COSINE_SHARPNESS, rigOf, type Theme } from "../../web/src/render/light";
-import { partFigure } from "../../web/src/render/part_figure";
+import { partRenderer } from "../../web/src/render/part_renderer";
 import { Renderer } from "../../web/src/render/renderer";
 import { Viewer, type ViewerOptions } from "../../web/src/render/viewer";
 import { decodeQuery } from "../../web/src/specimen/link";
@@ -41,7 +41,7 @@ function view(query: string, [width, height]: readonly [number, number], options
 		checked: true,
 		...options,
 	});
-	viewer.use(bunchFigure);
+	viewer.use(bunchRenderer);
 	const { grown, specimen } = grow(query);
 	viewer.show(grown, specimen);
 	return viewer;
@@ -65,7 +65,7 @@ function card(viewer: Viewer<undefined, undefined>, albedo: number, theme: Theme
 		indices: Uint32Array.from([0, 1, 2, 0, 2, 3]),
 	};
 	const material: Material = { name: "Card", colour: [albedo, albedo, albedo], roughness: 1, specular: 0 };
-	viewer.use(partFigure(() => [{ name: "Card", shape: { mesh, material } }]));
+	viewer.use(partRenderer(() => [{ name: "Card", shape: { mesh, material } }]));
 	viewer.show(undefined, undefined);
 	viewer.resetView("front");
 	const { key, rim, surroundings } = rigOf(theme);
@@ -79,6 +79,6 @@ function card(viewer: Viewer<undefined, undefined>, albedo: number, theme: Theme
 	});
 }
 
-const tools = { grow, canvas, view, card, pixels, Viewer, Renderer, bunchFigure, partFigure, bunchParts, swayOf };
+const tools = { grow, canvas, view, card, pixels, Viewer, Renderer, bunchRenderer, partRenderer, bunchParts, swayOf };
 export type Views = typeof tools;
 Object.assign(window, { views: tools });

@@ -6,7 +6,7 @@ import { foundInFile } from "../../web/src/formats/restore";
 import type { Grown } from "../../web/src/models/bunch/grown";
 import { model } from "../../web/src/models/bunch/index";
 import { PRESETS } from "../../web/src/models/bunch/presets/presets";
-import { BUNCH } from "../../web/src/models/bunch/species";
+import { BUNCH } from "../../web/src/models/bunch/schema";
 import type { BunchSpecimen, Look } from "../../web/src/models/bunch/specimen";
 import * as edit from "../../web/src/specimen/edit";
 import * as link from "../../web/src/specimen/link";
@@ -23,7 +23,7 @@ export {
 	unthin,
 	unthinAll,
 } from "../../web/src/models/bunch/details/thinned";
-export { BUNCH, specimenFromPreset } from "../../web/src/models/bunch/species";
+export { BUNCH, specimenFromPreset } from "../../web/src/models/bunch/schema";
 export type { BunchSpecimen as Specimen, Look };
 
 export const ENTRIES: readonly Entry[] = BUNCH.table.entries;

@@ -2,8 +2,8 @@
 import type { Model } from "../../web/src/models/model";
 import { EMPTY_PLANT, type Plant } from "../../web/src/plant/plant";
 import type { MeasureInfo } from "../../web/src/specimen/measures";
+import type { Field } from "../../web/src/specimen/model_schema";
 import { numbersIn, type Preset, Presets } from "../../web/src/specimen/presets";
-import type { Detail } from "../../web/src/specimen/species";
 import type { Specimen } from "../../web/src/specimen/specimen";
 import { type Entry, Table } from "../../web/src/specimen/table";
 
@@ -77,7 +77,7 @@ const TABLE = new Table(
 );
 
 /** A text that links pack into their fragment. */
-const motto: Detail<ToySpecimen> = {
+const motto: Field<ToySpecimen> = {
 	keys: ["motto"],
 	fresh: () => ({ motto: "" }),
 	read: (specimen, key, value, notes) => {

@@ -45,7 +45,8 @@ constexpr float step = 0.35f, merge = 0.7f, pull = 0.75f;  // of the spacing, an
 double run_crowd(std::uint32_t particles, bool flat) {
   const Start start = start_of(particles, flat);
   const Straight guide(target);
-  Crowd crowd(start.places, 1, guide, {.step = step * start.spacing, .merge = merge * start.spacing, .pull = pull});
+  ParticleSystem crowd(start.places, 1, guide,
+                       {.step = step * start.spacing, .merge = merge * start.spacing, .pull = pull});
   crowd.run();
   return crowd.trails().size() > 0 ? crowd.merges() : -1;
 }

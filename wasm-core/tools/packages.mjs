@@ -54,10 +54,10 @@ export function isOlder(a, b) {
 }
 
 /**
- * What a rehearsal of apt-get says against installing, and the packages that this distribution cannot provide: those it
+ * What a warmUp of apt-get says against installing, and the packages that this distribution cannot provide: those it
  * does not know, and those older than `oldest` says. Null when nothing does.
  *
- * @param {{ status: number, output: string }} rehearsal
+ * @param {{ status: number, output: string }} warmUp
  * @param {Record<string, string>} oldest version by package
  * @returns {{ why: string, unfit: string[] } | null}
  */

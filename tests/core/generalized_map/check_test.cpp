@@ -8,7 +8,7 @@
 
 namespace panicle::generalized_map {
 
-struct Tampering {
+struct RawAccess {
   static std::uint32_t& alpha(Map& map, std::uint32_t i, std::uint32_t d) { return map.alpha_[i][d]; }
   static std::uint32_t& volume_of(Map& map, std::uint32_t d) { return map.volume_[d]; }
   static Face& face_of(Map& map, std::uint32_t d) { return map.face_[d]; }
@@ -45,40 +45,40 @@ TEST_CASE("every kind of fault is found and named") {
     spoil(map);
     return check(map).fault;
   };
-  CHECK(spoilt([](Map& map) { Tampering::alpha(map, 3, 5) = map.darts(); }) == Fault::dangling);
-  CHECK(spoilt([](Map& map) { Tampering::alpha(map, 1, 5) = none; }) == Fault::dangling);
-  CHECK(spoilt([](Map& map) { Tampering::alpha(map, 0, 5) = 9; }) == Fault::involution);
-  CHECK(spoilt([](Map& map) { Tampering::alpha(map, 1, 5) = 5; }) == Fault::involution);
+  CHECK(spoilt([](Map& map) { RawAccess::alpha(map, 3, 5) = map.darts(); }) == Fault::dangling);
+  CHECK(spoilt([](Map& map) { RawAccess::alpha(map, 1, 5) = none; }) == Fault::dangling);
+  CHECK(spoilt([](Map& map) { RawAccess::alpha(map, 0, 5) = 9; }) == Fault::involution);
+  CHECK(spoilt([](Map& map) { RawAccess::alpha(map, 1, 5) = 5; }) == Fault::involution);
   CHECK(spoilt([](Map& map) {
           const std::uint32_t other = map.alpha(1, 5);
-          Tampering::alpha(map, 1, 5) = 5;
-          Tampering::alpha(map, 1, other) = other;
+          RawAccess::alpha(map, 1, 5) = 5;
+          RawAccess::alpha(map, 1, other) = other;
         }) == Fault::fixed);
   CHECK(spoilt([](Map& map) {  // two edges of different faces, each sewn to the other's at one end alone
           const std::uint32_t a = map.base_corner(1, 0), b = map.base_corner(1, 2);
           const std::uint32_t a2 = map.alpha(2, a), b2 = map.alpha(2, b);
-          Tampering::sew(map, 2, a, b2);
-          Tampering::sew(map, 2, b, a2);
+          RawAccess::sew(map, 2, a, b2);
+          RawAccess::sew(map, 2, b, a2);
         }) == Fault::product);
-  CHECK(spoilt([](Map& map) { Tampering::volume_of(map, 7) = 99; }) == Fault::foreign);
-  CHECK(spoilt([](Map& map) { Tampering::volume_of(map, 7) = 1; }) == Fault::foreign);
-  CHECK(spoilt([](Map& map) { Tampering::face_of(map, 7) = 3; }) == Fault::foreign);
+  CHECK(spoilt([](Map& map) { RawAccess::volume_of(map, 7) = 99; }) == Fault::foreign);
+  CHECK(spoilt([](Map& map) { RawAccess::volume_of(map, 7) = 1; }) == Fault::foreign);
+  CHECK(spoilt([](Map& map) { RawAccess::face_of(map, 7) = 3; }) == Fault::foreign);
   CHECK(spoilt([](Map& map) {  // two free sides of one volume sewn to each other
           const std::uint32_t v = map.grow(3, end_face, 6, 0).volume;
           std::uint32_t a = map.dart_of(v, side(1)), b = map.dart_of(v, side(3));
           for (int i = 0; i < 8; ++i) {
-            Tampering::sew(map, 3, a, b);
+            RawAccess::sew(map, 3, a, b);
             a = map.alpha(i % 2, a);
             b = map.alpha(i % 2, b);
           }
         }) == Fault::folded);
-  CHECK(spoilt([](Map& map) { ++Tampering::volume(map, 1).vertices; }) == Fault::cells);
-  CHECK(spoilt([](Map& map) { --Tampering::volume(map, 1).edges; }) == Fault::cells);
-  CHECK(spoilt([](Map& map) { ++Tampering::volume(map, 1).faces; }) == Fault::cells);
-  CHECK(spoilt([](Map& map) { std::swap(Tampering::corner(map, 0), Tampering::corner(map, 5)); }) == Fault::corner);
-  CHECK(spoilt([](Map& map) { Tampering::volume(map, 1).parent = 77; }) == Fault::descent);
-  CHECK(spoilt([](Map& map) { Tampering::volume(map, 1).parent_face = 6; }) == Fault::descent);
-  CHECK(spoilt([](Map& map) { Tampering::volume(map, 3).attached = false; }) == Fault::descent);
+  CHECK(spoilt([](Map& map) { ++RawAccess::volume(map, 1).vertices; }) == Fault::cells);
+  CHECK(spoilt([](Map& map) { --RawAccess::volume(map, 1).edges; }) == Fault::cells);
+  CHECK(spoilt([](Map& map) { ++RawAccess::volume(map, 1).faces; }) == Fault::cells);
+  CHECK(spoilt([](Map& map) { std::swap(RawAccess::corner(map, 0), RawAccess::corner(map, 5)); }) == Fault::corner);
+  CHECK(spoilt([](Map& map) { RawAccess::volume(map, 1).parent = 77; }) == Fault::descent);
+  CHECK(spoilt([](Map& map) { RawAccess::volume(map, 1).parent_face = 6; }) == Fault::descent);
+  CHECK(spoilt([](Map& map) { RawAccess::volume(map, 3).attached = false; }) == Fault::descent);
 }
 
 TEST_CASE("no single number of a map can be changed unnoticed") {
@@ -87,7 +87,7 @@ TEST_CASE("no single number of a map can be changed unnoticed") {
   Map map = whole;
   for (std::uint32_t d = 0; d < map.darts(); ++d) {
     for (std::uint32_t i = 0; i < 4; ++i) {
-      std::uint32_t& alpha = Tampering::alpha(map, i, d);
+      std::uint32_t& alpha = RawAccess::alpha(map, i, d);
       const std::uint32_t was = alpha;
       for (const std::uint32_t other : {d ^ 1, (d + 7) % map.darts(), d, map.darts() + d}) {
         if (other == was) continue;
@@ -96,12 +96,12 @@ TEST_CASE("no single number of a map can be changed unnoticed") {
       }
       alpha = was;
     }
-    Tampering::volume_of(map, d) ^= 1;
+    RawAccess::volume_of(map, d) ^= 1;
     unnoticed += check(map).fault == Fault::nothing;
-    Tampering::volume_of(map, d) ^= 1;
-    Tampering::face_of(map, d) ^= 1;
+    RawAccess::volume_of(map, d) ^= 1;
+    RawAccess::face_of(map, d) ^= 1;
     unnoticed += check(map).fault == Fault::nothing;
-    Tampering::face_of(map, d) ^= 1;
+    RawAccess::face_of(map, d) ^= 1;
   }
   CHECK(unnoticed == 0);
   CHECK(found(map) == "nothing");

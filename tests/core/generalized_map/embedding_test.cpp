@@ -157,7 +157,7 @@ TEST_CASE("what is attached has a base of its own, in the middle of the face") {
 TEST_CASE("what is glued meets in the mean of what both propose") {
   Map map = corner_of_cubes();
   const Placed apart(map, {cube, cube, cube});
-  const Hinge hinge = map.adjacent(1, side(2), 0, side(4));
+  const Adjacency hinge = map.adjacent(1, side(2), 0, side(4));
   map.glue(1, side(2), 2, side(4));
   const Placed together(map, {cube, cube, cube});
   // The face's other edge: two places have become one.
@@ -171,7 +171,7 @@ TEST_CASE("what is glued meets in the mean of what both propose") {
 
 TEST_CASE("a vertex of a cut that nobody proposes lies midway on its edge, and what stands there on it") {
   Map map = stack_of(4, 2);
-  const Parted parted = map.split(1, side(2), 0, 0);
+  const SplitResult parted = map.split(1, side(2), 0, 0);
   // Half as long, and half as far from there: what it was before.
   const Placed placed(map, {cube, {0, 0, 0, 1, 0.5f, 1}, {0, 0, 0, 0.5f, 1, 1}});
   std::uint32_t midway = 0;

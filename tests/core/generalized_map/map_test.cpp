@@ -113,7 +113,7 @@ TEST_CASE("a map has no more darts than it may") {
 TEST_CASE("adjacent faces are glued about their edge") {
   Map map = corner_of_cubes(5);
   // Volumes 1 and 2 stand at right angles on two sides of a cube: what looks at the corner between them meets there.
-  const Hinge hinge = map.adjacent(1, side(2), 5, side(4));
+  const Adjacency hinge = map.adjacent(1, side(2), 5, side(4));
   CHECK(hinge.volume == 2);
   CHECK(map.adjacent(1, side(2), 6, side(4)).volume == none);
   CHECK(map.adjacent(1, side(4), 5, side(2)).volume == none);

@@ -23,7 +23,7 @@ TEST_CASE("split along its end, a prism is two: the rest below, the part above")
   for (const std::uint32_t n : {3u, 4u, 7u}) {
     CAPTURE(n);
     Map map = stack_of(n, 3, 1);
-    const Parted parted = map.split(1, end_face, 2, 3);
+    const SplitResult parted = map.split(1, end_face, 2, 3);
     CHECK(parted.refusal == Refusal::nothing);
     CHECK(parted.rest == 1);
     CHECK(parted.part == 3);
@@ -49,7 +49,7 @@ TEST_CASE("split along its end, a prism is two: the rest below, the part above")
 
 TEST_CASE("split along its base, the part stands on the support and the rest on the part") {
   Map map = stack_of(5, 2, 1);
-  const Parted parted = map.split(1, base_face, 2, 3);
+  const SplitResult parted = map.split(1, base_face, 2, 3);
   CHECK(is_whole(map));
   CHECK(is_prism(map, 1, 5));
   CHECK(is_prism(map, 2, 5));
@@ -67,7 +67,7 @@ TEST_CASE("split along a side, the part is a cube that stands on the cut and the
   Map map;
   map.plant(6, 1);
   map.grow(0, side(2), 4, 4);
-  const Parted parted = map.split(0, side(2), 1, 2);
+  const SplitResult parted = map.split(0, side(2), 1, 2);
   CHECK(is_whole(map));
   CHECK(map.darts() == 72 + 48 + 48);
   CHECK(is_prism(map, 0, 6));
@@ -113,7 +113,7 @@ TEST_CASE("neighbours split in one step are cut along one surface, others each f
     map.grow(0, side(3), 4, 0);  // its C3 looks up, as the first's end does
     CHECK(map.split(0, end_face, 0, 0, together ? 1 : none).refusal == Refusal::nothing);
     const std::uint32_t before = orbits(map, of_cell(0));
-    const Parted parted = map.split(1, side(3), 0, 0, together ? 1 : none);
+    const SplitResult parted = map.split(1, side(3), 0, 0, together ? 1 : none);
     CHECK(is_whole(map));
     if (!together) {
       CHECK(map.cuts().size() == 8);
@@ -135,7 +135,7 @@ TEST_CASE("a volume that is split from both sides in one step is cut twice") {
   Map map;
   map.plant(4, 0);
   map.split(0, side(1), 0, 0, 1);
-  const Parted parted = map.split(0, side(3), 0, 0, 1);
+  const SplitResult parted = map.split(0, side(3), 0, 0, 1);
   CHECK(is_whole(map));
   CHECK(is_prism(map, 0, 4));
   CHECK(is_prism(map, parted.part, 4));
@@ -147,7 +147,7 @@ TEST_CASE("a face that a neighbour has divided, and one with a vertex more, are 
   map.plant(4, 0);
   map.grow(0, side(3), 4, 0);
   map.split(0, side(4), 0, 0);  // across volume 1's base
-  const Parted parted = map.split(1, side(1), 0, 0);
+  const SplitResult parted = map.split(1, side(1), 0, 0);
   CHECK(parted.refusal == Refusal::nothing);
   CHECK(is_whole(map));
   CHECK(is_prism(map, parted.part, 5));
@@ -190,7 +190,7 @@ TEST_CASE("what stands unsewn on the face that is cut off goes with it") {
   CHECK_FALSE(map.is_free(0, side(1)));
   CHECK(map.is_free(3, side(1)));
   // What itself stands unsewn, and is split along its base, leaves its place to the part.
-  const Parted parted = map.split(1, base_face, 0, 0);
+  const SplitResult parted = map.split(1, base_face, 0, 0);
   CHECK(is_whole(map));
   CHECK(map.volume(parted.part).attached);
   CHECK(map.volume(parted.part).parent == 3);
@@ -202,7 +202,7 @@ TEST_CASE("the widest prism is split eighty times, each in proportion to its sid
   constexpr std::uint32_t n = largest_order;
   Map map = stack_of(n, 1, 1);
   for (std::uint32_t i = 0; i < 79; ++i) {
-    const Parted parted = map.split(0, end_face, 1, 2);
+    const SplitResult parted = map.split(0, end_face, 1, 2);
     REQUIRE(parted.refusal == Refusal::nothing);
     CHECK(is_prism(map, 0, n));
     CHECK(is_prism(map, parted.part, n));

@@ -7,14 +7,14 @@
 namespace panicle {
 namespace {
 
-const std::vector<Lamp> above{{{0, 1, 0}, 1}};
+const std::vector<LightDirection> above{{{0, 1, 0}, 1}};
 
 TEST_CASE("cells of a box that is not finite, or has very many of them along an axis, are one along that axis") {
   constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   constexpr float large = std::numeric_limits<float>::max();
   for (const float far : {infinity, nan, large, -infinity})
     for (const float edge : {1.0f, infinity, nan, 0.0f, 1e-30f}) {
-      MatterCells cells({-far, 0, 0}, {far, 2, 2}, edge);
+      DensityGrid cells({-far, 0, 0}, {far, 2, 2}, edge);
       cells.put({0, 0, 0}, 1);
       cells.put({nan, infinity, -infinity}, 1);
       cells.put({large, -large, 1}, 1);
@@ -27,7 +27,7 @@ TEST_CASE("cells of a box that is not finite, or has very many of them along an 
 
 TEST_CASE("matter beside the cells is in the nearest one") {
   const auto dark = [](const glm::vec3& place) {
-    MatterCells cells({0, 0, 0}, {3, 3, 3}, 1);
+    DensityGrid cells({0, 0, 0}, {3, 3, 3}, 1);
     cells.put(place, 5);
     return cells.light(above);
   };

@@ -70,7 +70,7 @@ TEST_CASE("a sheet is discs that face as it does; what goes round is balls of a 
     CHECK(speck.owner == 7);
   }
   specks.clear();
-  const Mesh ball = make_ball(6);  // so few triangles that each is one speck would be flat
+  const Mesh ball = make_uv_sphere(6);  // so few triangles that each is one speck would be flat
   add_specks(
       ball,
       {0, static_cast<std::uint32_t>(ball.positions.size() / 3), 0, static_cast<std::uint32_t>(ball.indices.size())}, 7,

@@ -8,8 +8,8 @@
 namespace panicle {
 namespace {
 
-std::vector<Screen> crowd(float scale) {
-  std::vector<Screen> screens;
+std::vector<Occluder> crowd(float scale) {
+  std::vector<Occluder> screens;
   for (std::uint64_t i = 0; i < 2000; ++i) {
     const auto draw = [&](std::uint64_t stream) { return random_unit(3, stream, i); };
     screens.push_back({scale * glm::vec3(draw(0), draw(1), draw(2)), scale * scale * 0.01f});
@@ -21,24 +21,24 @@ std::vector<Screen> crowd(float scale) {
 
 TEST_CASE("matter is laid into the cells that its places are in") {
   // Three cells in a row, an area of 0.5 in the last one, of which half a length of 2 is in the way of a cell's middle.
-  MatterCells cells({0, 0, 0}, {5, 0, 0}, 2);
+  DensityGrid cells({0, 0, 0}, {5, 0, 0}, 2);
   cells.put({4.5f, 0.1f, 0.1f}, 0.5f);
   const std::vector<float> matter = {0, 0, 0.5f / 8};
-  for (const std::vector<Lamp>& lamps : {all_round(12), overcast(7)}) {
+  for (const std::vector<LightDirection>& lamps : {all_round(12), overcast(7)}) {
     const VoxelLight expected({0, 0, 0}, 2, 3, 1, 1, matter, lamps), light = cells.light(lamps);
     for (float x = -1; x < 8; x += 0.5f) CHECK(light.at({x, 1, 1}) == expected.at({x, 1, 1}));
     CHECK(light.at({5, 1, 1}) < light.at({1, 1, 1}));
   }
   // What lies beside the lattice counts in the cell next to it.
-  MatterCells beside({0, 0, 0}, {5, 0, 0}, 2);
+  DensityGrid beside({0, 0, 0}, {5, 0, 0}, 2);
   beside.put({99, -3, 7}, 0.5f);
   CHECK(beside.light(all_round(12)).at({5, 1, 1}) == cells.light(all_round(12)).at({5, 1, 1}));
 }
 
 TEST_CASE("a plant is open about its edge and dark within, however large it is") {
-  const Openness alone({}, {});
+  const SkyVisibility alone({}, {});
   CHECK(alone.at({1, 2, 3}) == 255);
-  const Openness small({}, crowd(1)), large({}, crowd(64));
+  const SkyVisibility small({}, crowd(1)), large({}, crowd(64));
   const int within = small.at({0.5f, 0.5f, 0.5f}), above = small.at({0.5f, 1.2f, 0.5f});
   CHECK(within < 60);
   CHECK(above > 2 * within);
@@ -47,7 +47,7 @@ TEST_CASE("a plant is open about its edge and dark within, however large it is")
 }
 
 TEST_CASE("many places at once are as open as each of them alone, outside the lattice too") {
-  const Openness open({}, crowd(1));
+  const SkyVisibility open({}, crowd(1));
   std::vector<glm::vec3> places;
   for (std::uint64_t i = 0; i < 403; ++i) places.push_back(2.0f * random_direction(5, 1, i) * random_unit(5, 2, i));
   const std::vector<std::uint8_t> bytes =
@@ -63,8 +63,8 @@ TEST_CASE("a rod hides as much as a screen of a quarter of its surface") {
   rod.radius_end = 0.1f;
   const std::vector<Segment> rods(1, rod);
   // Its surface: 2π × 0.15 × 2. The lattice is told by the same ends.
-  const std::vector<Screen> screens = {{{0, 1, 0}, 0.25f * 3.14159265f * 0.3f * 2}, {{0, 0, 0}, 0}, {{0, 2, 0}, 0}};
-  const Openness of_rod(rods, {}), of_screen({}, screens);
+  const std::vector<Occluder> screens = {{{0, 1, 0}, 0.25f * 3.14159265f * 0.3f * 2}, {{0, 0, 0}, 0}, {{0, 2, 0}, 0}};
+  const SkyVisibility of_rod(rods, {}), of_screen({}, screens);
   for (float y = 0; y <= 2; y += 0.125f) CHECK(of_rod.at({0, y, 0}) == of_screen.at({0, y, 0}));
   CHECK(of_rod.at({0, 1, 0}) < 250);
 }

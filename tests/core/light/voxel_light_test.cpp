@@ -14,7 +14,7 @@ constexpr std::uint32_t across = 40, up = 24;
 constexpr float edge = 0.25f;
 
 // A box 10 × 6 × 10 from the origin, with `k` in all of it, or above and below two heights only.
-VoxelLight filled(float k, const std::vector<Lamp>& lamps, float from = 0, float to = 100) {
+VoxelLight filled(float k, const std::vector<LightDirection>& lamps, float from = 0, float to = 100) {
   std::vector<float> matter;
   for (std::uint32_t z = 0; z < across; ++z)
     for (std::uint32_t y = 0; y < up; ++y)
@@ -60,7 +60,7 @@ TEST_CASE("a block casts its shadow where it stands between, and nowhere else") 
     for (std::uint32_t y = 12; y < 16; ++y)
       for (std::uint32_t x = 16; x < 24; ++x) matter[at(x, y, z)] = 50;
   const glm::vec3 way = glm::normalize(glm::vec3(1, 1, 0));
-  const VoxelLight light({0, 0, 0}, edge, across, up, across, matter, std::vector<Lamp>{{way, 1}});
+  const VoxelLight light({0, 0, 0}, edge, across, up, across, matter, std::vector<LightDirection>{{way, 1}});
   const glm::vec3 block(5, 3.5f, 5);
   CHECK(light.at(block - 2.5f * way) < 0.01f);
   CHECK(light.at(block + 2.5f * way) > 0.99f);
@@ -72,7 +72,7 @@ TEST_CASE("what comes of all lamps where nothing is in the way is all of it") {
   for (const auto& lamps : {overcast(24), all_round(32)}) {
     float shares = 0;
     glm::vec3 mean(0);
-    for (const Lamp& lamp : lamps) {
+    for (const LightDirection& lamp : lamps) {
       CHECK(glm::length(lamp.towards) == doctest::Approx(1).epsilon(1e-5));
       shares += lamp.share;
       mean += lamp.share * lamp.towards;
@@ -84,11 +84,11 @@ TEST_CASE("what comes of all lamps where nothing is in the way is all of it") {
   }
   // The mean height of a cosine weighted sky is 2/3; of all directions 0.
   float sky = 0, all = 0;
-  for (const Lamp& lamp : overcast(24)) {
+  for (const LightDirection& lamp : overcast(24)) {
     CHECK(lamp.towards.y > 0);
     sky += lamp.share * lamp.towards.y;
   }
-  for (const Lamp& lamp : all_round(32)) all += lamp.share * lamp.towards.y;
+  for (const LightDirection& lamp : all_round(32)) all += lamp.share * lamp.towards.y;
   CHECK(sky == doctest::Approx(2.0f / 3).epsilon(0.01));
   CHECK(std::fabs(all) < 0.01f);
 }

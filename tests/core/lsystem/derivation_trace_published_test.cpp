@@ -8,10 +8,10 @@
 using namespace panicle;
 using namespace panicle::tests;
 using expression::Place;
-using lsystem::Chronicle;
-using lsystem::ChronicleAsked;
+using lsystem::DerivationTrace;
 using lsystem::ModuleSpan;
-using lsystem::ToldModule;
+using lsystem::TraceEntry;
+using lsystem::TraceRequest;
 
 namespace {
 
@@ -31,7 +31,7 @@ struct Grown {
   Limits limits;
   std::optional<std::uint32_t> steps;
 
-  Chronicle tell(const ChronicleAsked& asked) const {
+  DerivationTrace tell(const TraceRequest& asked) const {
     return sound(lsystem::chronicle(*bound, 1, steps, limits, around, asked));
   }
   Derived derive() const { return sound(lsystem::develop_so_far(*bound, 1, steps, limits, around)); }
@@ -58,13 +58,13 @@ bool stands(const Grown& grown, const Place& place, const std::string& module) {
 bool same(const Place& one, const Place& other) { return one.line == other.line && one.column == other.column; }
 
 // Children are the modules of the next step that have this parent, and descendants theirs.
-void check_module(const Grown& grown, const Chronicle& before, const Chronicle& after, std::size_t i) {
-  const ToldModule& module = before.modules()[i];
+void check_module(const Grown& grown, const DerivationTrace& before, const DerivationTrace& after, std::size_t i) {
+  const TraceEntry& module = before.modules()[i];
   const ModuleSpan children = module.children;
   std::uint32_t descendants = 0;
   for (std::uint32_t child = children.first; child < children.first + children.count; ++child) {
     if (child - after.first() >= after.modules().size()) return;
-    const ToldModule& told = after.modules()[child - after.first()];
+    const TraceEntry& told = after.modules()[child - after.first()];
     CHECK(told.parent == before.first() + i);
     CHECK(told.last.first == module.last.first + descendants);
     descendants += told.last.count;
@@ -81,15 +81,15 @@ void check_module(const Grown& grown, const Chronicle& before, const Chronicle& 
 
 // A step and the one after it, from a module on.
 void check_steps(const Grown& grown, std::uint32_t step, std::uint32_t first) {
-  const Chronicle before = grown.tell({.step = step, .first = first, .count = 60});
+  const DerivationTrace before = grown.tell({.step = step, .first = first, .count = 60});
   if (before.modules().empty()) return;
-  const Chronicle after =
-      grown.tell({.step = step + 1, .first = before.modules()[0].children.first, .count = ChronicleAsked::most});
+  const DerivationTrace after =
+      grown.tell({.step = step + 1, .first = before.modules()[0].children.first, .count = TraceRequest::most});
   CHECK(before.counts() == after.counts());
   CHECK(after.step() == step + 1);
   std::uint32_t next = before.modules()[0].children.first, last = before.modules()[0].last.first;
   for (std::size_t i = 0; i < before.modules().size(); ++i) {
-    const ToldModule& module = before.modules()[i];
+    const TraceEntry& module = before.modules()[i];
     // One after the other, without a gap.
     CHECK(module.children.first == next);
     CHECK(module.last.first == last);
@@ -113,7 +113,7 @@ void check_last(const Grown& grown) {
     texts.push_back(lsystem::module_text(*grown.bound->program, at));
   for (const std::uint32_t first : {0u, modules / 2, modules - std::min(modules, 30u)}) {
     const std::uint32_t module = std::min(modules, first + 7) - 1;
-    const Chronicle last = grown.tell({.step = 0xffffffff, .first = first, .count = 30, .module = module});
+    const DerivationTrace last = grown.tell({.step = 0xffffffff, .first = first, .count = 30, .module = module});
     CHECK(last.counts().back() == modules);
     CHECK(last.modules().size() == std::min(30u, modules - first));
     // Where a limit ends a step, what was answered before it stands in the string.
@@ -123,7 +123,7 @@ void check_last(const Grown& grown) {
     REQUIRE(last.trail().size() == last.counts().size());
     CHECK(last.trail().back() == module);
     const std::uint32_t step = last.step() / 2;
-    const Chronicle on_the_way = grown.tell({.step = step, .first = last.trail()[step], .count = 1});
+    const DerivationTrace on_the_way = grown.tell({.step = step, .first = last.trail()[step], .count = 1});
     REQUIRE(on_the_way.modules().size() == 1);
     CHECK(on_the_way.modules()[0].last.first <= module);
     CHECK(module - on_the_way.modules()[0].last.first < on_the_way.modules()[0].last.count);
@@ -131,7 +131,7 @@ void check_last(const Grown& grown) {
 }
 
 void check(const Grown& grown) {
-  const Chronicle axiom = grown.tell({.count = 1});
+  const DerivationTrace axiom = grown.tell({.count = 1});
   for (const std::uint32_t step : {0u, axiom.steps() / 2, axiom.steps() - std::min(1u, axiom.steps())}) {
     if (step >= axiom.steps()) continue;
     const std::uint32_t count = axiom.counts()[step];
@@ -184,13 +184,13 @@ TEST_CASE("a production that is told, applied anew, writes the children that are
     const Grown grown = published_grown(name);
     const lsystem::Program& program = lsystem::program_of(*grown.bound);
     if (program.in_context || program.locates || program.lineages || name == "topiary") continue;
-    const Chronicle axiom = grown.tell({.count = 1});
+    const DerivationTrace axiom = grown.tell({.count = 1});
     const std::uint32_t step = axiom.steps() / 2;
     if (step >= axiom.steps()) continue;
-    const Chronicle before = grown.tell({.step = step, .first = axiom.counts()[step] / 2, .count = 200});
-    const Chronicle after = grown.tell({.step = step + 1, .first = before.modules()[0].children.first});
+    const DerivationTrace before = grown.tell({.step = step, .first = axiom.counts()[step] / 2, .count = 200});
+    const DerivationTrace after = grown.tell({.step = step + 1, .first = before.modules()[0].children.first});
     std::size_t here = 0;
-    for (const ToldModule& module : before.modules()) {
+    for (const TraceEntry& module : before.modules()) {
       const std::uint32_t from = module.children.first - after.first();
       if (module.fires.line == 0 || from + module.children.count > after.modules().size() || ++here > 6) continue;
       const std::string text = with_axiom(grown.text, module.text);

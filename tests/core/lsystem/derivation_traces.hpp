@@ -15,8 +15,8 @@ class Drawn : public Listener {
   void cut(const Turtle&) override {}
 };
 
-inline lsystem::Chronicle told(const Bound& bound, std::optional<std::uint32_t> steps,
-                               const lsystem::ChronicleAsked& asked, const lsystem::Surroundings& around = {}) {
+inline lsystem::DerivationTrace told(const BoundProgram& bound, std::optional<std::uint32_t> steps,
+                                     const lsystem::TraceRequest& asked, const lsystem::Surroundings& around = {}) {
   return sound(lsystem::chronicle(bound, 1, steps, Limits{}, around, asked));
 }
 

@@ -45,7 +45,7 @@ inline Limits small_limits() {
 }
 
 // Steps and answers in turn. Whatever is answered, the string stays whole.
-inline Diagnostic asked_and_answered(const Bound& bound, Contrary& listener, const Limits& limits) {
+inline Diagnostic asked_and_answered(const BoundProgram& bound, Contrary& listener, const Limits& limits) {
   lsystem::Derivation derivation(bound, 1, limits);
   while (derivation.steps() < 12 && derivation.ask({}, listener)) {
     derivation.step();

@@ -11,25 +11,25 @@
 
 namespace panicle::tests {
 
-using lsystem::Bound;
+using lsystem::BoundProgram;
 using lsystem::Derived;
 using lsystem::Inputs;
 using lsystem::Lineage;
 using lsystem::Listener;
 using lsystem::Turtle;
 
-using BoundPointer = std::shared_ptr<const Bound>;
+using BoundPointer = std::shared_ptr<const BoundProgram>;
 
 inline BoundPointer compiled(std::string_view text, const Inputs& inputs = {},
                              lsystem::Lineages lineages = lsystem::Lineages::where_needed) {
   return sound(lsystem::bind(sound(lsystem::compile(text, Limits{}, lineages)), inputs, Limits{}));
 }
 
-inline std::string text_of(const Bound& bound, const Derived& derived) {
+inline std::string text_of(const BoundProgram& bound, const Derived& derived) {
   return lsystem::to_text(lsystem::program_of(bound), *derived.string);
 }
 
-inline Derived derived(const Bound& bound, std::uint32_t steps, std::uint64_t seed = 1) {
+inline Derived derived(const BoundProgram& bound, std::uint32_t steps, std::uint64_t seed = 1) {
   return sound(lsystem::develop(bound, seed, steps, Limits{}));
 }
 
@@ -100,7 +100,7 @@ class Recorder : public Listener {
   int cuts = 0;
 };
 
-inline void draw(const Bound& bound, const Derived& string, Recorder& recorder, std::uint64_t seed = 1) {
+inline void draw(const BoundProgram& bound, const Derived& string, Recorder& recorder, std::uint64_t seed = 1) {
   const auto drawn = lsystem::interpret(bound, *string.string, {}, recorder, seed, Limits{});
   if (!drawn) FAIL(drawn.error().message);
   CHECK(drawn.value() == recorder.lines.size());

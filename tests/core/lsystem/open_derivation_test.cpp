@@ -8,7 +8,7 @@ using lsystem::Derivation;
 
 namespace {
 
-std::string text_of(const Bound& bound, const Derivation& derivation) {
+std::string text_of(const BoundProgram& bound, const Derivation& derivation) {
   return lsystem::to_text(lsystem::program_of(bound), derivation.string());
 }
 

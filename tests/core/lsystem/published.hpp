@@ -58,18 +58,19 @@ void modules_of(const lsystem::String& string, const Each& each) {
   }
 }
 
-inline std::string_view name_of(const Bound& bound, std::uint32_t symbol) {
+inline std::string_view name_of(const BoundProgram& bound, std::uint32_t symbol) {
   return lsystem::symbols(lsystem::program_of(bound))[symbol];
 }
 
-inline std::uint64_t count_of(const Bound& bound, const lsystem::String& string, std::string_view symbol) {
+inline std::uint64_t count_of(const BoundProgram& bound, const lsystem::String& string, std::string_view symbol) {
   std::uint64_t count = 0;
   modules_of(string, [&](std::uint32_t s, std::span<const float>) { count += name_of(bound, s) == symbol; });
   return count;
 }
 
 // The first parameters of all modules of a symbol.
-inline std::vector<float> parameters_of(const Bound& bound, const lsystem::String& string, std::string_view symbol) {
+inline std::vector<float> parameters_of(const BoundProgram& bound, const lsystem::String& string,
+                                        std::string_view symbol) {
   std::vector<float> found;
   modules_of(string, [&](std::uint32_t s, std::span<const float> parameters) {
     if (name_of(bound, s) == symbol) found.push_back(parameters[0]);
@@ -78,7 +79,7 @@ inline std::vector<float> parameters_of(const Bound& bound, const lsystem::Strin
 }
 
 // As tests/golden/oracle.test.ts works them out.
-inline std::uint32_t symbols_hash(const Bound& bound, const lsystem::String& string) {
+inline std::uint32_t symbols_hash(const BoundProgram& bound, const lsystem::String& string) {
   std::uint32_t value = 0x811c9dc5;
   modules_of(string, [&](std::uint32_t symbol, std::span<const float>) {
     for (const char c : std::string(name_of(bound, symbol)) + " ")

@@ -11,7 +11,7 @@ namespace {
 
 class Roll : public Recorder {
  public:
-  explicit Roll(const Bound& bound) : roles_(lsystem::roles(lsystem::program_of(bound))) {}
+  explicit Roll(const BoundProgram& bound) : roles_(lsystem::roles(lsystem::program_of(bound))) {}
   void line(std::int32_t id, const Turtle& before, const Turtle& after, const Lineage& lineage) override {
     Recorder::line(id, before, after, lineage);
     called.push_back(name_of(lineage.parent_symbol) + "<" + name_of(lineage.grandparent_symbol));

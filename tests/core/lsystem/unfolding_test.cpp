@@ -8,7 +8,7 @@ using namespace panicle::tests;
 
 namespace {
 
-std::string unfolded(const Bound& bound, std::uint64_t seed) {
+std::string unfolded(const BoundProgram& bound, std::uint64_t seed) {
   return text_of(bound, sound(lsystem::unfold(bound, seed, Limits{})));
 }
 

@@ -125,7 +125,7 @@ TEST_CASE("what a text says and nothing heeds is noted") {
 }
 
 TEST_CASE("the ball is closed, round and faces outwards") {
-  const Mesh ball = make_ball(12);
+  const Mesh ball = make_uv_sphere(12);
   double volume = 0;
   const auto at = [&](std::uint32_t i) {
     return glm::vec3(ball.positions[3 * i], ball.positions[3 * i + 1], ball.positions[3 * i + 2]);

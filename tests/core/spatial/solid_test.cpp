@@ -126,12 +126,12 @@ bool winds_about(const Surface& surface, const glm::dvec3& p) {
 
 TEST_CASE("the index of large triangles has larger cells and a bounded size, and finds the same places inside") {
   const Surface surface = spanning_tetrahedra(400);
-  const auto budget = std::make_shared<LookBudget>(LookBudget::usual, 1000);
+  const auto budget = std::make_shared<QueryBudget>(QueryBudget::usual, 1000);
   const Solid coarse(surface, budget), fine(surface);
   CHECK(budget->members_each() < 5000);
   CHECK(coarse.members() <= budget->members_each());
   CHECK(fine.members() > 20 * coarse.members());
-  CHECK(fine.members() <= LookBudget().members_each());
+  CHECK(fine.members() <= QueryBudget().members_each());
   int inside = 0;
   for (std::uint64_t i = 0; i < 1000; ++i) {
     const glm::vec3 p = 0.5f + dart(i, 0.5f);
@@ -145,12 +145,12 @@ TEST_CASE("the index of large triangles has larger cells and a bounded size, and
 
 TEST_CASE("the index of very many large triangles has a bounded size") {
   const Surface surface = spanning_tetrahedra(8000);
-  CHECK(Solid(surface).members() <= LookBudget().members_each());
+  CHECK(Solid(surface).members() <= QueryBudget().members_each());
 }
 
 TEST_CASE("looks at triangles are counted, and a solid whose budget is used up contains no place and is exhausted") {
   const Surface surface = spanning_tetrahedra(400);
-  const auto budget = std::make_shared<LookBudget>(), small = std::make_shared<LookBudget>(1'000'000);
+  const auto budget = std::make_shared<QueryBudget>(), small = std::make_shared<QueryBudget>(1'000'000);
   const Solid solid(surface, budget), refused(surface, small);
   const std::uint64_t before = budget->left();
   int inside = 0, looked = 0;
@@ -166,7 +166,7 @@ TEST_CASE("looks at triangles are counted, and a solid whose budget is used up c
   CHECK(refused.leaving({0.5f, 0.5f, 0.5f}, {1, 0, 0}, 1) == 0);
   // Another solid of the same plant has the same budget.
   CHECK(Solid(box({0, 0, 0}, {1, 1, 1}), small).is_exhausted());
-  CHECK(LookBudget::error().reason == Reason::limit);
+  CHECK(QueryBudget::error().reason == Reason::limit);
   // A ray that meets triangles is counted, too.
   const std::uint64_t then = budget->left();
   for (std::uint64_t i = 0; i < 100; ++i) solid.leaving(0.5f + dart(i, 0.5f), {1, 0, 0}, 1);

@@ -27,7 +27,7 @@ std::vector<Sphere> random_spheres(std::uint64_t seed) {
 
 std::vector<SpherePair> pairs_of(std::span<const Sphere> spheres) {
   std::vector<SpherePair> found;
-  TouchingSpheres(spheres).pairs(found);
+  SphereOverlapQuery(spheres).pairs(found);
   return found;
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("the pairs are those that looking at all would find, in their order") 
     all += expected.size();
     CHECK(pairs_of(spheres) == expected);
     std::vector<SpherePair> few;
-    TouchingSpheres(spheres).pairs(few, 5);
+    SphereOverlapQuery(spheres).pairs(few, 5);
     expected.resize(std::min<std::size_t>(expected.size(), 5));
     CHECK(few == expected);
   }
@@ -70,7 +70,7 @@ TEST_CASE("a stem meets the spheres that looking at all would find, however long
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);
     const std::vector<Sphere> spheres = random_spheres(seed);
-    TouchingSpheres touching(spheres);
+    SphereOverlapQuery touching(spheres);
     for (std::uint64_t k = 0; k < 40; ++k) {
       const glm::vec3 start = random_direction(seed, 10, k) * (8 * random_unit(seed, 11, k));
       const float lengths[] = {0, 1e-3f, 1, 5, 40, 3000};
@@ -96,7 +96,7 @@ TEST_CASE("spheres that are not finite or have no radius touch nothing; laid ane
                                        {{0, nan, 0}, 1}, {{0, 0, 0}, nan},      {{0, 0, 0}, -1}};
   CHECK(pairs_of(spheres) == std::vector<SpherePair>{{0, 2}});
   CHECK(pairs_of({}).empty());
-  TouchingSpheres touching(spheres);
+  SphereOverlapQuery touching(spheres);
   CHECK(touching.along({0, 5, 0}, {0, -5, 0}, 0.1f).size() == 2);
   for (const glm::vec3& nowhere : {glm::vec3(nan), glm::vec3(0, nan, 0), glm::vec3(infinite)})
     CHECK(touching.along({0, 0, 0}, nowhere, 1).empty());

@@ -45,7 +45,7 @@ export async function growthInput(model: Model, link: string): Promise<Record<st
 	const { query, fragment } = linkParts(link);
 	const { specimen } = await decodeLink(model, query, fragment);
 	const text = model.name === "grammar" ? withoutComments(await textOf(specimen)) : (specimen as WithGrammar).grammar;
-	const parameters = model.table.core.filter((entry) => model.table.heeds(specimen, entry));
+	const parameters = model.table.core.filter((entry) => model.table.isActive(specimen, entry));
 	const fields = Object.entries(specimen).filter(([field]) => !NO_INPUT.includes(field));
 	const input: Record<string, unknown> = {
 		...Object.fromEntries(parameters.map(({ key }) => [key, specimen.parameters[key]])),

@@ -125,7 +125,7 @@ export default [
 	},
 	{
 		file: `${SRC}/boundary/grown_room.ts`,
-		suites: ["tests/web/models/tree/tree_figure.test.ts"],
+		suites: ["tests/web/models/tree/tree_renderer.test.ts"],
 		faults: [
 			{
 				id: "young-looks-grown",

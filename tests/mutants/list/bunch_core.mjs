@@ -118,7 +118,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/skeleton_drawing.cpp`,
+		file: `${SRC}/paper/skeleton_drawing.cpp`,
 		suites: [`${TESTS}/skeleton_drawing_test.cpp`, `${TESTS}/bunch_test.cpp`],
 		faults: [
 			{
@@ -143,7 +143,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/envelope.cpp`,
+		file: `${SRC}/paper/envelope.cpp`,
 		suites: [`${TESTS}/natural/natural_plan_test.cpp`],
 		faults: [
 			{

@@ -4,7 +4,7 @@ const TESTS = "tests/core/models/bunch/natural";
 
 export default [
 	{
-		file: `${SRC}/fruit_set.cpp`,
+		file: `${SRC}/settling/fruit_set.cpp`,
 		suites: [`${TESTS}/fruit_set_test.cpp`],
 		faults: [
 			{
@@ -76,7 +76,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/crowding.cpp`,
+		file: `${SRC}/settling/crowding.cpp`,
 		suites: [`${TESTS}/crowding_test.cpp`],
 		faults: [
 			{

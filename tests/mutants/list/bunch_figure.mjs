@@ -118,8 +118,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/bunch_figure.ts`,
-		suites: [`${TESTS}/bunch_figure.test.ts`],
+		file: `${SRC}/bunch_renderer.ts`,
+		suites: [`${TESTS}/bunch_renderer.test.ts`],
 		faults: [
 			{
 				id: "figure-stems-with-berries",

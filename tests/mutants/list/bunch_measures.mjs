@@ -34,7 +34,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/measures_compactness.cpp`,
+		file: `${SRC}/images/measures_compactness.cpp`,
 		suites: [`${TESTS}/measures_compactness_test.cpp`],
 		faults: [
 			{
@@ -76,7 +76,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/measures_visibility.cpp`,
+		file: `${SRC}/images/measures_visibility.cpp`,
 		suites: [`${TESTS}/measures_visibility_test.cpp`],
 		faults: [
 			{
@@ -106,7 +106,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/silhouette.cpp`,
+		file: `${SRC}/images/silhouette.cpp`,
 		suites: [`${TESTS}/silhouette_test.cpp`],
 		faults: [
 			{

@@ -136,7 +136,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/sagging.cpp`,
+		file: `${SRC}/settling/sagging.cpp`,
 		suites: [`${TESTS}/sagging_test.cpp`],
 		faults: [
 			{

@@ -160,7 +160,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/octahedron_figure.ts`,
+		file: `${SRC}/octahedron_renderer.ts`,
 		suites: [`${TESTS}/octahedron.test.ts`],
 		faults: [
 			{

@@ -93,7 +93,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/bending.cpp`,
+		file: `${SRC}/settling/bending.cpp`,
 		suites: [`${TESTS}/bending_test.cpp`],
 		faults: [
 			{
@@ -189,7 +189,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/exposure.cpp`,
+		file: `${SRC}/settling/exposure.cpp`,
 		suites: [`${TESTS}/exposure_test.cpp`],
 		faults: [
 			{

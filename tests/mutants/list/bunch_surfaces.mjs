@@ -76,7 +76,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/berry/berry_press.cpp`,
+		file: `${SRC}/berry/pressing/berry_press.cpp`,
 		suites: [`${TESTS}/berry/berry_surfaces_test.cpp`],
 		faults: [
 			{
@@ -112,7 +112,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/berry/projection.cpp`,
+		file: `${SRC}/berry/pressing/projection.cpp`,
 		suites: [`${TESTS}/berry/projection_test.cpp`],
 		faults: [
 			{

@@ -91,7 +91,7 @@ export default [
 			},
 			{
 				id: "aged-heeded-by-all",
-				find: "return table.heeds(specimen, entry) &&",
+				find: "return table.isActive(specimen, entry) &&",
 				replace: "return",
 				breaks: "a growth is offered of the paper's bunches, which have no age",
 			},

@@ -31,7 +31,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/flower/species.ts",
+		file: "web/src/models/flower/schema.ts",
 		suites: ["tests/web/models/flower/claims.test.ts"],
 		faults: [
 			{

@@ -49,8 +49,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/render/turntable.ts",
-		suites: ["tests/web/render/turntable.test.ts"],
+		file: "web/src/render/camera_controller.ts",
+		suites: ["tests/web/render/camera_controller.test.ts"],
 		faults: [
 			{
 				id: "gestures-out-of-the-picture",

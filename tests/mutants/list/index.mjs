@@ -6,7 +6,7 @@ import browsers from "./browsers.mjs";
 import bunchCore from "./bunch_core.mjs";
 import bunchCrop from "./bunch_crop.mjs";
 import bunchExport from "./bunch_export.mjs";
-import bunchFigure from "./bunch_figure.mjs";
+import bunchRenderer from "./bunch_figure.mjs";
 import bunchIndividual from "./bunch_individual.mjs";
 import bunchMeasures from "./bunch_measures.mjs";
 import bunchNatural from "./bunch_natural.mjs";
@@ -93,7 +93,7 @@ export const groups = [
 	...bunchExport,
 	...exporting,
 	...baked,
-	...bunchFigure,
+	...bunchRenderer,
 	...saved,
 	...scene,
 	...wind,

@@ -58,8 +58,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/render/wardrobe.ts",
-		suites: ["tests/web/render/part_figure.test.ts"],
+		file: "web/src/render/material_cache.ts",
+		suites: ["tests/web/render/part_renderer.test.ts"],
 		faults: [
 			{
 				id: "wardrobe-keeps-first-pictures",

@@ -64,8 +64,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/app/renewal.ts",
-		suites: ["tests/web/app/renewal.test.ts"],
+		file: "web/src/app/app_updater.ts",
+		suites: ["tests/web/app/app_updater.test.ts"],
 		faults: [
 			{
 				id: "renewal-keeps-against-the-wish",

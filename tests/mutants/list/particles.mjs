@@ -21,7 +21,7 @@ export default [
 			},
 			{
 				id: "crowd-joins-its-own",
-				find: "|| heir(node.particle) == self ||",
+				find: "|| union_root(node.particle) == self ||",
 				replace: "||",
 				breaks: "a particle ends in its own trail, and its energy never arrives",
 				hangs: true,
@@ -33,10 +33,10 @@ export default [
 				breaks: "energy that joins a trail already home is lost",
 			},
 			{
-				id: "crowd-without-patience",
+				id: "crowd-without-step-budget",
 				find: "const bool alone = steps_ > patience_ || count < 2;",
 				replace: "const bool alone = count < 2;",
-				breaks: "bends hold two in a circle for ever",
+				breaks: "bends hold two in a circle without end",
 			},
 			{
 				id: "crowd-out-of-the-shape",

@@ -126,7 +126,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/indexed_shelf.ts`,
+		file: `${SRC}/indexed_store.ts`,
 		suites: [`${E2E}: two tabs see`],
 		faults: [
 			{

@@ -16,8 +16,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/turntable.ts`,
-		suites: [`${TESTS}/turntable.test.ts`],
+		file: `${SRC}/camera_controller.ts`,
+		suites: [`${TESTS}/camera_controller.test.ts`],
 		faults: [
 			{
 				id: "turntable-orbit-reversed",
@@ -227,8 +227,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/render/shell_figure.ts",
-		suites: ["tests/web/render/shell_figure.test.ts"],
+		file: "web/src/render/shell_renderer.ts",
+		suites: ["tests/web/render/shell_renderer.test.ts"],
 		faults: [
 			{
 				id: "shell-edges-looked-for-again",

@@ -93,8 +93,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/render/ground_figure.ts",
-		suites: [`${WEB}/ground_figure.test.ts`],
+		file: "web/src/models/stand/render/ground_renderer.ts",
+		suites: [`${WEB}/ground_renderer.test.ts`],
 		faults: [
 			{
 				id: "stand-ground-built-anew",
@@ -123,8 +123,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/render/stand_figure.ts",
-		suites: [`${WEB}/stand_figure.test.ts`],
+		file: "web/src/models/stand/render/stand_renderer.ts",
+		suites: [`${WEB}/stand_renderer.test.ts`],
 		faults: [
 			{
 				id: "stand-stays-bright-without-a-ring",
@@ -152,14 +152,14 @@ export default [
 			},
 			{
 				id: "stand-ribbons-are-too-thin",
-				find: "vec3 out_ = normal + brim.xyz * (1.0 - max(0.0, dot(normal, brim.xyz)));",
+				find: "vec3 out_ = normal + edgeNormal.xyz * (1.0 - max(0.0, dot(normal, edgeNormal.xyz)));",
 				replace: "vec3 out_ = normal;",
 				breaks: "far blades of grass are rows of dashes",
 			},
 			{
 				id: "stand-widened-as-if-unscaled",
-				find: "brim.w * brim.w * length(batchingMatrix[0].xyz) * metre",
-				replace: "brim.w * brim.w * metre",
+				find: "edgeNormal.w * edgeNormal.w * length(batchingMatrix[0].xyz) * metre",
+				replace: "edgeNormal.w * edgeNormal.w * metre",
 				breaks: "stems of small plants are dashes, those of large ones clubs",
 			},
 		],
@@ -219,8 +219,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/stand/render/brims.ts",
-		suites: [`${WEB}/brims.test.ts`],
+		file: "web/src/models/stand/render/edge_normals.ts",
+		suites: [`${WEB}/edge_normals.test.ts`],
 		faults: [
 			{
 				id: "stand-thin-stems-made-longer",
@@ -229,7 +229,7 @@ export default [
 				breaks: "stems thinner than a pixel are made longer, and stay rows of dashes",
 			},
 			{
-				id: "stand-brims-found-again",
+				id: "stand-edge-normals-found-again",
 				find: "known.get(mesh) ?? found(mesh)",
 				replace: "found(mesh)",
 				breaks: "who walks through many plants halts as each comes near, also for the tenth time",

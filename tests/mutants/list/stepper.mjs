@@ -4,8 +4,8 @@ const TESTS = "tests/web/grammar_editor";
 
 export default [
 	{
-		file: `${SRC}/chronicle_reader.ts`,
-		suites: [`${TESTS}/chronicle_reader.test.ts`],
+		file: `${SRC}/trace_reader.ts`,
+		suites: [`${TESTS}/trace_reader.test.ts`],
 		faults: [
 			{
 				id: "stepper-string-of-another-step",

@@ -129,7 +129,7 @@ export default [
 		faults: [
 			{
 				id: "panel-shows-what-is-unheeded",
-				find: "table.heeds(specimen, entry) && ",
+				find: "table.isActive(specimen, entry) && ",
 				replace: "",
 				breaks: "sliders that do nothing are shown",
 			},

@@ -46,8 +46,8 @@ export default [
 			},
 			{
 				id: "swelling-by-hand-is-no-room",
-				find: "lost_[i] = Why::by_hand;",
-				replace: "lost_[i] = Why::no_room;",
+				find: "lost_[i] = RemovalReason::by_hand;",
+				replace: "lost_[i] = RemovalReason::no_room;",
 				breaks: "a berry taken off by hand is said to have found no room",
 			},
 			{

@@ -126,7 +126,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/render/shell_figure.ts",
+		file: "web/src/render/shell_renderer.ts",
 		suites: ["tests/web/render/shell_marks.test.ts"],
 		faults: [
 			{

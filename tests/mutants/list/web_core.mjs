@@ -77,8 +77,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/seat.ts`,
-		suites: [`${TESTS}/seat.test.ts`, `${TESTS}/pool.test.ts`],
+		file: `${SRC}/pool_worker.ts`,
+		suites: [`${TESTS}/pool_worker.test.ts`, `${TESTS}/pool.test.ts`],
 		faults: [
 			{
 				id: "seat-uncloneable-waits",
@@ -167,8 +167,8 @@ export default [
 			},
 			{
 				id: "read-all-pressed",
-				find: 'pressed: columns.octets("berries.pressed"),',
-				replace: 'pressed: columns.octets("berries.pressed").fill(255),',
+				find: 'pressed: columns.uint8("berries.pressed"),',
+				replace: 'pressed: columns.uint8("berries.pressed").fill(255),',
 				breaks: "no berry has wax",
 			},
 			{

@@ -1,8 +1,8 @@
 /** Wind: in the view and in files. */
 export default [
 	{
-		file: "web/src/render/part_figure.ts",
-		suites: ["tests/web/render/part_figure.test.ts"],
+		file: "web/src/render/part_renderer.ts",
+		suites: ["tests/web/render/part_renderer.test.ts"],
 		faults: [
 			{
 				id: "wind-lost-shadows-stay-away",

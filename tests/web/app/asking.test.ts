@@ -3,7 +3,7 @@ import { ASKING, askFor, heldAims } from "../../../web/src/app/asking";
 import type { Studio } from "../../../web/src/app/studio";
 import { MOST_GROWTHS } from "../../../web/src/targets/solve";
 import { BUNCH, type Specimen, specimenFromPreset } from "../bunch";
-import { studioWith } from "./desk";
+import { studioWith } from "./context";
 
 const KEYS = BUNCH.table.measures.map(({ key }) => key);
 

@@ -11,7 +11,7 @@ import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
-import { bunchModel } from "./desk";
+import { bunchModel } from "./context";
 
 const model = toy as unknown as PageModel;
 const stand: PageModel = { ...(standModel as unknown as PageModel), instanced: () => false };

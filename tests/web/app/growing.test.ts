@@ -7,7 +7,7 @@ import type { PageModel } from "../../../web/src/models/page_model";
 import type { Plant } from "../../../web/src/plant/plant";
 import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
-import { bunchModel } from "./desk";
+import { bunchModel } from "./context";
 
 const specimen = (seed: number) => ({ ...specimenFromPreset("duku"), seed });
 const bunch = (fingerprint: string) => ({ fingerprint }) as Plant;

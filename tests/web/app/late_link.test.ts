@@ -2,7 +2,7 @@ import { describe, expect, it, vi } from "vitest";
 import { openLate } from "../../../web/src/app/late_link";
 import type { Restored } from "../../../web/src/specimen/restore";
 import { specimenFromPreset } from "../bunch";
-import { studioWith } from "./desk";
+import { studioWith } from "./context";
 
 const linked: Restored = { specimen: { ...specimenFromPreset("duku"), seed: 77 }, notes: [] };
 

@@ -4,7 +4,7 @@ import { formatsOfMany } from "../../../web/src/app/files/many";
 import { formatsOf as formatsOfSeries } from "../../../web/src/batch/series";
 import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import { specimenFromPreset } from "../bunch";
-import { bunchModel } from "./desk";
+import { bunchModel } from "./context";
 
 it("offers of many what a series can make, and so no life", () => {
 	const shown = { model: bunchModel, grown: EMPTY_PLANT, from: specimenFromPreset("riesling") };

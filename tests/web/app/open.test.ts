@@ -8,7 +8,7 @@ import type { PageModel } from "../../../web/src/models/page_model";
 import { model as tree } from "../../../web/src/models/tree/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { writtenSpecimen } from "../../../web/src/specimen/written";
-import { studioWith } from "./desk";
+import { studioWith } from "./context";
 
 // There are no workers here: files are read on this thread, by the same reader.
 vi.mock("../../../web/src/import/mesh_file/read_in_worker", async () => ({

@@ -4,14 +4,14 @@ import { fromPreset } from "../../../web/src/specimen/from_preset";
 import type { Tool } from "../../../web/src/ui/tool";
 import { BUNCH, specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
-import { studioWith } from "./desk";
+import { studioWith } from "./context";
 
 const keysOf = (groups: ReturnType<typeof groupsFor>) => groups.map(({ group }) => group.key);
 const entriesOf = (groups: ReturnType<typeof groupsFor>) =>
 	groups.flatMap(({ entries }) => entries.map(({ key }) => key));
 
 describe("the panel's groups", () => {
-	it("hold what the specimen heeds, in the table's order, and no group without anything", () => {
+	it("hold what the specimen isActive, in the table's order, and no group without anything", () => {
 		expect(entriesOf(groupsFor(toy.table, fromPreset(toy), []))).toEqual(["height", "flag", "paint"]);
 		expect(entriesOf(groupsFor(toy.table, fromPreset(toy, "märz"), []))).toEqual(["height", "flag", "wind", "paint"]);
 		expect(keysOf(groupsFor(toy.table, fromPreset(toy), []))).toEqual(["pole"]);
@@ -41,7 +41,7 @@ describe("the panel's groups", () => {
 		expect(keysOf(groupsFor(toy.table, fromPreset(toy), tools))).toEqual(["front", "pole", "end"]);
 	});
 
-	it("of a bunch show what its procedure heeds; the age stands below the view", async () => {
+	it("of a bunch show what its procedure isActive; the age stands below the view", async () => {
 		const { studio } = await studioWith(specimenFromPreset());
 		const shown = (version: number) => {
 			const specimen = specimenFromPreset(undefined, version);

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { plantToSave } from "../../../web/src/app/files/plant_to_save";
 import type { Plant } from "../../../web/src/plant/plant";
 import { specimenFromPreset } from "../bunch";
-import { studioWith } from "./desk";
+import { studioWith } from "./context";
 
 const opened = specimenFromPreset("long-conical");
 const plant = (fingerprint: string) => ({ fingerprint }) as Plant;

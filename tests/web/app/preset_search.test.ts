@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { findPresets, kindKey, sectionsOf } from "../../../web/src/app/preset_search";
 import type { PageModel } from "../../../web/src/models/page_model";
 import { toy } from "../toy";
-import { bunchModel } from "./desk";
+import { bunchModel } from "./context";
 
 const sections = sectionsOf([bunchModel, toy as unknown as PageModel]);
 const found = (query: string, kind?: string) =>

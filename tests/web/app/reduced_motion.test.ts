@@ -1,7 +1,7 @@
 import { afterEach, expect, it, vi } from "vitest";
 import { SolidView } from "../../../web/src/app/solid_view";
 import { specimenFromPreset } from "../bunch";
-import { studioWith } from "./desk";
+import { studioWith } from "./context";
 
 /** What the view is told, in place of a graphics card. */
 const view = vi.hoisted(() => ({ use: vi.fn(), dispose: vi.fn(), modes: ["whole"], reducedMotion: false }));

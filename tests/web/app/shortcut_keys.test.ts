@@ -2,7 +2,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { listenForShortcuts } from "../../../web/src/app/shortcuts";
 import type { Studio } from "../../../web/src/app/studio";
 import { specimenFromPreset } from "../bunch";
-import { studioWith } from "./desk";
+import { studioWith } from "./context";
 
 describe("the page's keys", () => {
 	let studio: Studio;

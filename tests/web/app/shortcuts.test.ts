@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { shortcuts } from "../../../web/src/app/shortcut_list";
 import { specimenFromPreset } from "../bunch";
-import { studioWith } from "./desk";
+import { studioWith } from "./context";
 
 it("lists the page's keys and the model's, each letter once", async () => {
 	const { studio } = await studioWith(specimenFromPreset());

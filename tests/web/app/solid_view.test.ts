@@ -5,7 +5,7 @@ import type { PageModel } from "../../../web/src/models/page_model";
 import { specimenFromPreset } from "../bunch";
 import { sampleBunch } from "../models/bunch/sample_bunch";
 import { toy } from "../toy";
-import { bunchModel, studioWith } from "./desk";
+import { bunchModel, studioWith } from "./context";
 
 /** What the view is told, in place of a graphics card. */
 const view = vi.hoisted(() => ({

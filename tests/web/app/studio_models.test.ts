@@ -5,7 +5,7 @@ import type { Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
-import { bunchModel, studioWith } from "./desk";
+import { bunchModel, studioWith } from "./context";
 
 const opened = specimenFromPreset("long-conical");
 const toyModel = toy as unknown as PageModel;

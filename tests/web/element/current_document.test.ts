@@ -2,7 +2,7 @@ import { describe, expect, it, vi } from "vitest";
 import { CurrentDocument } from "../../../web/src/element/current_document";
 import { changedIn, documentOf } from "../../../web/src/element/grown_detail";
 import { withSeed } from "../../../web/src/specimen/edit";
-import { bunchModel } from "../app/desk";
+import { bunchModel } from "../app/context";
 import { specimenFromPreset } from "../bunch";
 
 const first = documentOf(bunchModel, { specimen: specimenFromPreset(), notes: [] });

@@ -5,7 +5,7 @@ import { aboutPlant } from "../../../web/src/formats/about_plant";
 import { exportObj } from "../../../web/src/formats/obj";
 import { plantFile } from "../../../web/src/formats/plant_files";
 import type { Part } from "../../../web/src/plant/part";
-import { bunchModel } from "../app/desk";
+import { bunchModel } from "../app/context";
 import { specimenFromPreset } from "../bunch";
 import { freshCore, growBunch } from "../core/wasm";
 import { load, meshesOf } from "./reading";

@@ -4,7 +4,7 @@ import { Derivation } from "../../../web/src/grammar_editor/derivation";
 import { DERIVATION, type DerivationState } from "../../../web/src/grammar_editor/derivation_tool";
 import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
 import type { Specimen } from "../../../web/src/specimen/specimen";
-import type { AsideOptions, Desk } from "../../../web/src/ui/desk";
+import type { AsideOptions, EditorContext } from "../../../web/src/ui/editor_context";
 import { algae } from "./told_derivation";
 
 const STEPS = 5;
@@ -44,7 +44,7 @@ describe("a derivation that is looked at", () => {
 	let derivation: Derivation;
 	beforeEach(async () => {
 		({ desk, aside, plants, followers, tool } = laid());
-		derivation = new Derivation(desk as unknown as Desk, () => {});
+		derivation = new Derivation(desk as unknown as EditorContext, () => {});
 		followers.push(derivation);
 		await settle();
 	});

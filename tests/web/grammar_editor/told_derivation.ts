@@ -1,5 +1,5 @@
 /** Lindenmayer's algae (A → AB, B → A) told as the core tells a derivation, worked out here: a source for what asks of one. */
-import type { Chronicle, ChronicleAsked, ModuleSpan } from "../../../web/src/plant/chronicle";
+import type { DerivationTrace, ModuleSpan, TraceRequest } from "../../../web/src/plant/derivation_trace";
 
 interface Written {
 	readonly text: string;
@@ -25,7 +25,7 @@ function stringsOf(steps: number): Written[][] {
 }
 
 /** What the core tells of it; a segment for each module of the last string, in turn. */
-export function algae({ step, first = 0, count = 2000, module }: ChronicleAsked, steps: number): Chronicle {
+export function algae({ step, first = 0, count = 2000, module }: TraceRequest, steps: number): DerivationTrace {
 	const strings = stringsOf(steps);
 	const at = Math.min(step, steps);
 	const descendants = (index: number): ModuleSpan => {

@@ -12,7 +12,7 @@ import {
 	partsOfModule,
 	stepInWords,
 } from "../../../web/src/grammar_editor/told_module";
-import { NOT_DRAWN, type ToldModule } from "../../../web/src/plant/chronicle";
+import { NOT_DRAWN, type ToldModule } from "../../../web/src/plant/derivation_trace";
 
 const module: ToldModule = {
 	text: "B(3,0.5)",

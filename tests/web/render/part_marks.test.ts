@@ -2,14 +2,14 @@ import { Group, type Mesh, Vector3 } from "three";
 import { expect, it } from "vitest";
 import type { Part } from "../../../web/src/plant/part";
 import { PaperShadow } from "../../../web/src/render/paper_shadow";
-import { partFigure } from "../../../web/src/render/part_figure";
+import { partRenderer } from "../../../web/src/render/part_renderer";
 import { StageLight } from "../../../web/src/render/stage_light";
 import { windUniforms } from "../../../web/src/render/wind";
 import { PULP, tetrahedron } from "../formats/toy_parts";
 
 it("marks cells by geometry of their own, so that what is thrown away with a mark is nothing of the plant's", () => {
 	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
-	const figure = partFigure<unknown, Part[]>((parts) => parts)(stage);
+	const figure = partRenderer<unknown, Part[]>((parts) => parts)(stage);
 	const mesh = { ...tetrahedron([0, 0, 0], 1), cells: Uint32Array.of(1, 2, 2, 1) };
 	figure.show([{ name: "Petal", shape: { mesh, material: PULP } }], {});
 	const [shown] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);

@@ -1,6 +1,6 @@
 import type { LineSegments, Mesh, MeshBasicMaterial } from "three";
 import { expect, it } from "vitest";
-import { ShellFigure } from "../../../web/src/render/shell_figure";
+import { ShellRenderer } from "../../../web/src/render/shell_renderer";
 
 const tetrahedron = (x: number) => ({
 	points: [x, 0, 0, x + 1, 0, 0, x, 0, 1, x, 1, 0],
@@ -8,7 +8,7 @@ const tetrahedron = (x: number) => ({
 });
 
 it("marks the surfaces that are asked for, faces and edges, and no other", () => {
-	const figure = new ShellFigure();
+	const figure = new ShellRenderer();
 	figure.show([tetrahedron(0), tetrahedron(2), tetrahedron(4)], "#112233");
 	const colours = () =>
 		figure.object.children.map(

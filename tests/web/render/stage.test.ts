@@ -1,14 +1,14 @@
 import { Object3D, type PerspectiveCamera } from "three";
 import { describe, expect, it, vi } from "vitest";
-import type { Figure, FigureStage } from "../../../web/src/render/figure";
+import type { ModelRenderer, RendererStage } from "../../../web/src/render/model_renderer";
 import { Stage } from "../../../web/src/render/stage";
 
 /** A figure that keeps a diary. */
 function figure() {
 	const calls: string[] = [];
-	let stage: FigureStage | undefined;
+	let stage: RendererStage | undefined;
 	const object = new Object3D();
-	const make = (given: FigureStage): Figure<string, number> => {
+	const make = (given: RendererStage): ModelRenderer<string, number> => {
 		stage = given;
 		given.root.add(object);
 		return {
@@ -25,7 +25,7 @@ function figure() {
 			},
 		};
 	};
-	return { make, calls, object, given: () => stage as FigureStage };
+	return { make, calls, object, given: () => stage as RendererStage };
 }
 
 const RAY = { origin: [0, 0, 1], direction: [0, 0, -1] } as const;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { explainedBy, presetInWords } from "../../../web/src/app/explained";
 import { FLOWER_TABLE } from "../../../web/src/models/flower/table";
-import { STAND } from "../../../web/src/models/stand/species";
+import { STAND } from "../../../web/src/models/stand/schema";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { rangeInWords, readIn, readOf, scaleOf, typedOf } from "../../../web/src/specimen/lengths";
 import type { Entry, NumberEntry } from "../../../web/src/specimen/table";

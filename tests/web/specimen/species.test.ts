@@ -78,10 +78,10 @@ describe("a specimen of any model", () => {
 		expect(withLook(toy, pole, { paint: "00ff00", height: 2 }).look).toEqual({ paint: "00ff00" });
 	});
 
-	it("heeds what its choices let it", () => {
+	it("isActive what its choices let it", () => {
 		const wind = toy.table.entry("wind");
 		if (!wind) throw new Error("no wind");
-		expect([toy.table.heeds(fromPreset(toy), wind), toy.table.heeds(fromPreset(toy, "märz"), wind)]).toEqual([
+		expect([toy.table.isActive(fromPreset(toy), wind), toy.table.isActive(fromPreset(toy, "märz"), wind)]).toEqual([
 			false,
 			true,
 		]);

@@ -1,5 +1,5 @@
 import { describe, expect, it, vi } from "vitest";
-import { specimenFromPreset } from "../../../web/src/models/bunch/species";
+import { specimenFromPreset } from "../../../web/src/models/bunch/schema";
 import type { BunchSpecimen } from "../../../web/src/models/bunch/specimen";
 import { together } from "../../../web/src/targets/lever";
 import { type Means, MOST_GROWTHS, solve } from "../../../web/src/targets/solve";

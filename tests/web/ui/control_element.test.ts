@@ -1,8 +1,8 @@
 import { describe, expect, it, vi } from "vitest";
 import type { Model } from "../../../web/src/models/model";
 import { ControlElement } from "../../../web/src/ui/control_element";
-import type { Desk } from "../../../web/src/ui/desk";
-import { studioWith } from "../app/desk";
+import type { EditorContext } from "../../../web/src/ui/editor_context";
+import { studioWith } from "../app/context";
 import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
 
@@ -10,7 +10,7 @@ import { toy } from "../toy";
 class Probe extends ControlElement {
 	readonly drawn = vi.fn();
 
-	protected override draw(desk: Desk): unknown {
+	protected override draw(desk: EditorContext): unknown {
 		this.drawn(desk.state.model.name);
 		return "";
 	}

@@ -1,9 +1,9 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { Studio } from "../../../web/src/app/studio";
 import { LIFE } from "../../../web/src/models/bunch/ui/age";
-import type { Stateful } from "../../../web/src/ui/desk";
+import type { Stateful } from "../../../web/src/ui/editor_context";
 import { LifePlayer, type PlayState } from "../../../web/src/ui/life_player";
-import { studioWith } from "../app/desk";
+import { studioWith } from "../app/context";
 import { specimenFromPreset } from "../bunch";
 
 const opened = specimenFromPreset("long-conical");

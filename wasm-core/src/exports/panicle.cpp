@@ -33,9 +33,9 @@ CompiledTexts& compiled_texts() {
 }
 
 // What a model keeps from its last growth. Natively several are linked, and it is that of the one asked for last.
-Keeping& kept_of(const Model& model) {
+CacheSlot& kept_of(const Model& model) {
   static const Model* whose = nullptr;
-  static Keeping kept;
+  static CacheSlot kept;
   if (whose != &model) kept.reset();
   whose = &model;
   return kept;

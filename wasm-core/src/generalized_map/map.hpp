@@ -69,13 +69,13 @@ struct Grown {
   bool attached = false;  // orders differ: it stands on the face, sewn to nothing
 };
 
-struct Parted {
+struct SplitResult {
   Refusal refusal = Refusal::nothing;
   std::uint32_t rest = none, part = none;
 };
 
 // A face that another could be glued to, and a dart of each, which would meet.
-struct Hinge {
+struct Adjacency {
   std::uint32_t volume = none;
   std::uint32_t own = none, other = none;
 };
@@ -128,9 +128,9 @@ class Map {
   Refusal glue(std::uint32_t v, Face face, std::uint32_t other, Face other_face);
 
   // The first free face `other_face`, of a volume of that label which `fits(volume)`, that has a gap with this one;
-  // `Hinge{}` where there is none. `glue` may still find them unequal.
+  // `Adjacency{}` where there is none. `glue` may still find them unequal.
   template <class Fits>
-  Hinge adjacent(std::uint32_t v, Face face, std::uint32_t label, Face other_face, Fits fits) const {
+  Adjacency adjacent(std::uint32_t v, Face face, std::uint32_t label, Face other_face, Fits fits) const {
     if (!has(v, face) || !is_free(v, face)) return {};
     const std::uint32_t start = dart_of(v, face);
     std::uint32_t d = start;
@@ -142,7 +142,7 @@ class Map {
     } while (d != start);
     return {};
   }
-  Hinge adjacent(std::uint32_t v, Face face, std::uint32_t label, Face other_face) const {
+  Adjacency adjacent(std::uint32_t v, Face face, std::uint32_t label, Face other_face) const {
     return adjacent(v, face, label, other_face, [](std::uint32_t) { return true; });
   }
 
@@ -153,12 +153,12 @@ class Map {
   // The cut goes through each edge that leaves F, so those who share these edges get a vertex more, and those who share
   // the divided faces an edge across theirs. Splits with the same `step` (other than `none`) meet in the vertices that
   // one of them has made: neighbours that are split in one step of a derivation are cut all along one surface.
-  Parted split(std::uint32_t v, Face face, std::uint32_t rest_label, std::uint32_t part_label,
-               std::uint32_t step = none);
+  SplitResult split(std::uint32_t v, Face face, std::uint32_t rest_label, std::uint32_t part_label,
+                    std::uint32_t step = none);
 
  private:
   friend class Splitting;
-  friend struct Tampering;  // tests spoil maps to see that it is noticed
+  friend struct RawAccess;  // tests spoil maps to see that it is noticed
 
   bool room_for(std::uint64_t darts) const { return this->darts() + darts <= most_; }
   std::uint32_t add_darts(std::uint32_t count, std::uint32_t v, Face face);

@@ -296,7 +296,8 @@ class Splitting {
   std::vector<std::uint32_t> fan_, scratch_;
 };
 
-Parted Map::split(std::uint32_t v, Face face, std::uint32_t rest_label, std::uint32_t part_label, std::uint32_t step) {
+SplitResult Map::split(std::uint32_t v, Face face, std::uint32_t rest_label, std::uint32_t part_label,
+                       std::uint32_t step) {
   if (!has(v, face)) return {Refusal::no_face};
   Splitting splitting(*this, v, face);
   if (!splitting.is_even()) return {Refusal::uneven};

@@ -19,7 +19,7 @@ std::int32_t cell_of(float place, std::int32_t count) {
 
 }  // namespace
 
-MatterCells::MatterCells(const glm::vec3& low, const glm::vec3& high, float edge)
+DensityGrid::DensityGrid(const glm::vec3& low, const glm::vec3& high, float edge)
     : low_(low),
       edge_(edge),
       per_volume_(1 / (edge * edge * edge)),
@@ -27,13 +27,13 @@ MatterCells::MatterCells(const glm::vec3& low, const glm::vec3& high, float edge
       matter_(static_cast<std::size_t>(count_.x) * static_cast<std::size_t>(count_.y) *
               static_cast<std::size_t>(count_.z)) {}
 
-void MatterCells::put(const glm::vec3& place, float area) {
+void DensityGrid::put(const glm::vec3& place, float area) {
   const glm::vec3 cells = (place - low_) / edge_;
   const glm::ivec3 at(cell_of(cells.x, count_.x), cell_of(cells.y, count_.y), cell_of(cells.z, count_.z));
   matter_[static_cast<std::size_t>((at.z * count_.y + at.y) * count_.x + at.x)] += area * per_volume_;
 }
 
-VoxelLight MatterCells::light(std::span<const Lamp> lamps) const {
+VoxelLight DensityGrid::light(std::span<const LightDirection> lamps) const {
   const auto words = [](std::int32_t value) { return static_cast<std::uint32_t>(value); };
   return {low_, edge_, words(count_.x), words(count_.y), words(count_.z), matter_, lamps};
 }

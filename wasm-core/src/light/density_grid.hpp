@@ -11,11 +11,11 @@
 
 namespace panicle {
 
-class MatterCells {
+class DensityGrid {
  public:
   // Empty cells of `edge` from the corner `low`, as many as hold `high`; a single one along an axis where their
   // number would not be finite, or at least 4,096.
-  MatterCells(const glm::vec3& low, const glm::vec3& high, float edge);
+  DensityGrid(const glm::vec3& low, const glm::vec3& high, float edge);
 
   // Something at a place (what is beside the lattice: in the cell next to it) that hides so much area, taken over all
   // directions: half of a sheet's area, a quarter of a rod's surface.
@@ -24,7 +24,7 @@ class MatterCells {
   // The number of cells.
   std::size_t cells() const { return matter_.size(); }
 
-  VoxelLight light(std::span<const Lamp> lamps) const;
+  VoxelLight light(std::span<const LightDirection> lamps) const;
 
  private:
   glm::vec3 low_;

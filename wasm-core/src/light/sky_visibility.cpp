@@ -13,7 +13,7 @@ namespace {
 
 constexpr float least = 1e-6f;  // a lattice's longest edge
 
-VoxelLight light_of(std::span<const Segment> segments, std::span<const Screen> screens, float cells,
+VoxelLight light_of(std::span<const Segment> segments, std::span<const Occluder> screens, float cells,
                     std::uint32_t directions) {
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
   const auto hold = [&](const glm::vec3& p) {
@@ -24,13 +24,13 @@ VoxelLight light_of(std::span<const Segment> segments, std::span<const Screen> s
     hold(segment.start);
     hold(segment.end);
   }
-  for (const Screen& screen : screens) hold(screen.place);
+  for (const Occluder& screen : screens) hold(screen.place);
   if (!(low.x <= high.x)) low = high = glm::vec3(0);
   const glm::vec3 size = high - low;
   const float edge = std::max({size.x, size.y, size.z, least}) / cells;
   // A cell of air about all, for what looks out.
-  MatterCells matter(low - edge, high + edge, edge);
-  for (const Screen& screen : screens) matter.put(screen.place, screen.area);
+  DensityGrid matter(low - edge, high + edge, edge);
+  for (const Occluder& screen : screens) matter.put(screen.place, screen.area);
   // A rod hides a quarter of its surface.
   for (const Segment& segment : segments)
     matter.put(0.5f * (segment.start + segment.end),
@@ -40,13 +40,13 @@ VoxelLight light_of(std::span<const Segment> segments, std::span<const Screen> s
 
 }  // namespace
 
-Openness::Openness(std::span<const Segment> segments, std::span<const Screen> screens, float cells,
-                   std::uint32_t directions)
+SkyVisibility::SkyVisibility(std::span<const Segment> segments, std::span<const Occluder> screens, float cells,
+                             std::uint32_t directions)
     : light_(light_of(segments, screens, cells, directions)) {}
 
-std::uint8_t Openness::at(const glm::vec3& place) const { return byte_of(light_.at(place)); }
+std::uint8_t SkyVisibility::at(const glm::vec3& place) const { return byte_of(light_.at(place)); }
 
-std::vector<std::uint8_t> Openness::of(const Mesh& mesh) const {
+std::vector<std::uint8_t> SkyVisibility::of(const Mesh& mesh) const {
   return of(mesh.positions.size() / 3, [&](std::size_t v) {
     const float* const p = &mesh.positions[3 * v];
     return glm::vec3(p[0], p[1], p[2]);

@@ -15,17 +15,17 @@
 namespace panicle {
 
 // Something without thickness, or round, that hides some sky.
-struct Screen {
+struct Occluder {
   glm::vec3 place{0};
   float area = 0;  // that it hides, taken over all directions
 };
 
-class Openness {
+class SkyVisibility {
  public:
   // Of rods and screens. What lies between their ends has so many cells along its longest edge, lit from so many
   // directions.
-  Openness(std::span<const Segment> segments, std::span<const Screen> screens, float cells = 32,
-           std::uint32_t directions = 32);
+  SkyVisibility(std::span<const Segment> segments, std::span<const Occluder> screens, float cells = 32,
+                std::uint32_t directions = 32);
 
   // 255 all of the sky, 0 none.
   std::uint8_t at(const glm::vec3& place) const;

@@ -22,8 +22,8 @@ Four gathered(const float* at, std::size_t stride, std::size_t count) {
 
 }  // namespace
 
-std::vector<Lamp> overcast(std::uint32_t count) {
-  std::vector<Lamp> lamps;
+std::vector<LightDirection> overcast(std::uint32_t count) {
+  std::vector<LightDirection> lamps;
   const auto all = static_cast<float>(count);
   for (std::uint32_t k = 0; k < count; ++k) {
     // Uniform on the disc below is cosine weighted above.
@@ -34,8 +34,8 @@ std::vector<Lamp> overcast(std::uint32_t count) {
   return lamps;
 }
 
-std::vector<Lamp> all_round(std::uint32_t count) {
-  std::vector<Lamp> lamps;
+std::vector<LightDirection> all_round(std::uint32_t count) {
+  std::vector<LightDirection> lamps;
   const auto all = static_cast<float>(count);
   for (std::uint32_t k = 0; k < count; ++k) {
     // Uniform along the axis is uniform on the sphere (Archimedes).
@@ -47,13 +47,13 @@ std::vector<Lamp> all_round(std::uint32_t count) {
 }
 
 VoxelLight::VoxelLight(const glm::vec3& low, float edge, std::uint32_t x, std::uint32_t y, std::uint32_t z,
-                       std::span<const float> matter, std::span<const Lamp> lamps)
+                       std::span<const float> matter, std::span<const LightDirection> lamps)
     : low_(low),
       edge_(edge),
       count_{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), static_cast<std::int32_t>(z)},
       light_(matter.size(), 0.0f) {
   Planes planes;
-  for (const Lamp& lamp : lamps) shine(lamp, matter, planes);
+  for (const LightDirection& lamp : lamps) shine(lamp, matter, planes);
 }
 
 std::array<std::uint32_t, 3> VoxelLight::counts() const {
@@ -67,7 +67,7 @@ std::size_t VoxelLight::index(std::int32_t x, std::int32_t y, std::int32_t z) co
 
 // Layer by layer away from the lamp, across the axis that it lies nearest to: what a cell's middle is behind is what
 // the place towards the lamp in the layer before is behind, and the matter on the way.
-void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter, Planes& planes) {
+void VoxelLight::shine(const LightDirection& lamp, std::span<const float> matter, Planes& planes) {
   int main = 0;
   for (int k = 1; k < 3; ++k)
     if (std::fabs(lamp.towards[k]) > std::fabs(lamp.towards[main])) main = k;

@@ -12,23 +12,23 @@
 namespace panicle {
 
 // Where light comes from: unit vectors towards it, and how much of all of it comes from there.
-struct Lamp {
+struct LightDirection {
   glm::vec3 towards;
   float share;
 };
 
 // An overcast sky: `count` directions above the horizon, as many the higher they are (by their cosine), as good as
 // equal.
-std::vector<Lamp> overcast(std::uint32_t count);
+std::vector<LightDirection> overcast(std::uint32_t count);
 // All directions alike, below the horizon too: `count` of them.
-std::vector<Lamp> all_round(std::uint32_t count);
+std::vector<LightDirection> all_round(std::uint32_t count);
 
 class VoxelLight {
  public:
   // Cells of `edge`, `x` × `y` × `z` of them from the corner `low`. `matter`: what is in each, x fastest; light that
   // has gone a length of 1 through 1 of it is exp(−1) of what it was.
   VoxelLight(const glm::vec3& low, float edge, std::uint32_t x, std::uint32_t y, std::uint32_t z,
-             std::span<const float> matter, std::span<const Lamp> lamps);
+             std::span<const float> matter, std::span<const LightDirection> lamps);
 
   // The share of all light that comes to a place, 0 … 1: between the middles of cells in between, outside the box as at
   // its edge.
@@ -54,7 +54,7 @@ class VoxelLight {
   struct Planes {
     std::vector<float> before, here;
   };
-  void shine(const Lamp& lamp, std::span<const float> matter, Planes& planes);
+  void shine(const LightDirection& lamp, std::span<const float> matter, Planes& planes);
   std::size_t index(std::int32_t x, std::int32_t y, std::int32_t z) const;
 
   glm::vec3 low_;

@@ -55,18 +55,18 @@ Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limi
                                                Lineages lineages = Lineages::where_needed,
                                                Notation notation = Notation::huang);
 
-class Bound;  // a program with its inputs and all that follows from them alone; immutable, shared freely
+class BoundProgram;  // a program with its inputs and all that follows from them alone; immutable, shared freely
 
 // Costs a small part of what compiling does: every request may bind anew. Errors: bad_input (an input without a value,
 // or one that is no finite number), evaluation (a #define or a number for the turtle that is none); with line and
 // column.
-Result<std::shared_ptr<const Bound>> bind(std::shared_ptr<const Program> program, const Inputs& inputs,
-                                          const Limits& limits);
+Result<std::shared_ptr<const BoundProgram>> bind(std::shared_ptr<const Program> program, const Inputs& inputs,
+                                                 const Limits& limits);
 
-const Program& program_of(const Bound& bound);
+const Program& program_of(const BoundProgram& bound);
 
 // The value of a `#define` or scalar `#input`, or `otherwise`.
-float constant(const Bound& bound, std::string_view name, float otherwise);
+float constant(const BoundProgram& bound, std::string_view name, float otherwise);
 
 // What was given and what follows from it, for tools: in the order of the text.
 struct Definition {
@@ -75,7 +75,7 @@ struct Definition {
   Kind kind = Kind::define;
   std::vector<float> values;  // one, but for an array
 };
-std::span<const Definition> definitions(const Bound& bound);
+std::span<const Definition> definitions(const BoundProgram& bound);
 // Symbols that productions rewrite, without repetition, in the order of the text.
 std::vector<std::string_view> predecessors(const Program& program);
 
@@ -128,19 +128,19 @@ struct Derived {
 };
 
 // What the text says in its line `derivation length: …`, if there is one.
-std::optional<std::uint32_t> derivation_length(const Bound& bound);
+std::optional<std::uint32_t> derivation_length(const BoundProgram& bound);
 
 // The string that a grammar grows to: after `steps` steps where they are given, else after as many as the text says,
 // else where nothing rewrites any more (`unfold`). Random values are hashes of (seed, stream, address of the module in
 // the derivation tree), `stream` being the call's own place in its production; with steps those of conditions and
 // weights are of the step as well (docs/language.md). Errors: evaluation, with line and column; limit, also where more
 // than `limits.steps` steps are asked for. For a string between steps, or answers to ?E: derivation.hpp.
-Result<Derived> develop(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
+Result<Derived> develop(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
                         const Limits& limits, const Surroundings& around = {});
 
 // The same, but where a limit ends it, it is the string after the last whole step, and `stopped` says why. Such a text
 // is derived by steps, also where it gives none.
-Result<Derived> develop_so_far(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
+Result<Derived> develop_so_far(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
                                const Limits& limits, const Surroundings& around = {});
 
 // The string that steps without end would lead to, without the strings between: each module is rewritten to its end
@@ -149,7 +149,8 @@ Result<Derived> develop_so_far(const Bound& bound, std::uint64_t seed, std::opti
 // has neighbours, steps are taken, as `develop` tells of them. A random condition draws once. Else `steps` is the
 // deepest module's generation, `modules_written` the length. Errors: evaluation, with line and column; limit, also
 // where there is no end.
-Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits, const Surroundings& around = {});
+Result<Derived> unfold(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
+                       const Surroundings& around = {});
 
 // How many modules a string has.
 std::uint64_t length(const String& string);
@@ -161,12 +162,12 @@ std::string to_text(const Program& program, const String& string);
 // Walks the string from left to right and tells the listener. Returns how many lines were drawn. Errors: evaluation
 // (an answer or a position that is no number), limit (brackets, answers), syntax (an answer that cannot be drawn).
 // `watcher` is told which productions answer.
-Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
-                                std::uint64_t seed, const Limits& limits, const Space* space = nullptr,
-                                Watcher* watcher = nullptr);
+Result<std::uint32_t> interpret(const BoundProgram& bound, const String& string, const Turtle& start,
+                                Listener& listener, std::uint64_t seed, const Limits& limits,
+                                const Space* space = nullptr, Watcher* watcher = nullptr);
 
 // The same, but ?E neither asks nor draws: for strings whose questions are answered between steps (derivation.hpp).
-Result<std::uint32_t> trace(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
+Result<std::uint32_t> trace(const BoundProgram& bound, const String& string, const Turtle& start, Listener& listener,
                             std::uint64_t seed, const Limits& limits, const Space* space = nullptr);
 
 }  // namespace panicle::lsystem

@@ -7,12 +7,12 @@
 namespace panicle {
 namespace {
 
-using lsystem::ToldModule;
+using lsystem::TraceEntry;
 using Words = std::vector<std::uint32_t>;
 
-std::string lines_of(const std::vector<ToldModule>& modules, std::string ToldModule::* text) {
+std::string lines_of(const std::vector<TraceEntry>& modules, std::string TraceEntry::* text) {
   std::string all;
-  for (const ToldModule& told : modules) {
+  for (const TraceEntry& told : modules) {
     if (&told != modules.data()) all += '\n';
     all += told.*text;
   }
@@ -20,9 +20,9 @@ std::string lines_of(const std::vector<ToldModule>& modules, std::string ToldMod
 }
 
 // One line for each module: its refusals as `3:1 its condition is false`, separated by tabs.
-std::string refusals_of(const std::vector<ToldModule>& modules) {
+std::string refusals_of(const std::vector<TraceEntry>& modules) {
   std::string all;
-  for (const ToldModule& told : modules) {
+  for (const TraceEntry& told : modules) {
     if (&told != modules.data()) all += '\n';
     for (const lsystem::Refusal& refusal : told.refusals) {
       if (&refusal != told.refusals.data()) all += '\t';
@@ -33,15 +33,15 @@ std::string refusals_of(const std::vector<ToldModule>& modules) {
   return all;
 }
 
-Words pairs_of(const std::vector<ToldModule>& modules, expression::Place ToldModule::* place) {
-  return column_of<std::uint32_t>(modules, 2, [place](const ToldModule& told, std::uint32_t* at) {
+Words pairs_of(const std::vector<TraceEntry>& modules, expression::Place TraceEntry::* place) {
+  return column_of<std::uint32_t>(modules, 2, [place](const TraceEntry& told, std::uint32_t* at) {
     at[0] = (told.*place).line;
     at[1] = (told.*place).column;
   });
 }
 
-Words pairs_of(const std::vector<ToldModule>& modules, lsystem::ModuleSpan ToldModule::* span) {
-  return column_of<std::uint32_t>(modules, 2, [span](const ToldModule& told, std::uint32_t* at) {
+Words pairs_of(const std::vector<TraceEntry>& modules, lsystem::ModuleSpan TraceEntry::* span) {
+  return column_of<std::uint32_t>(modules, 2, [span](const TraceEntry& told, std::uint32_t* at) {
     at[0] = (told.*span).first;
     at[1] = (told.*span).count;
   });
@@ -49,48 +49,48 @@ Words pairs_of(const std::vector<ToldModule>& modules, lsystem::ModuleSpan ToldM
 
 }  // namespace
 
-Result<std::optional<lsystem::ChronicleAsked>> read_chronicle(Request& request) {
-  using lsystem::ChronicleAsked;
-  ChronicleAsked asked;
+Result<std::optional<lsystem::TraceRequest>> read_chronicle(Request& request) {
+  using lsystem::TraceRequest;
+  TraceRequest asked;
   asked.step = request.word("chronicle_step");
   asked.first = request.word("chronicle_first");
-  asked.count = request.word("chronicle_count", ChronicleAsked::most);
+  asked.count = request.word("chronicle_count", TraceRequest::most);
   if (request.has("chronicle_module")) asked.module = request.word("chronicle_module");
-  if (!request.wants("chronicle")) return std::optional<ChronicleAsked>();
-  if (asked.count > ChronicleAsked::most)
+  if (!request.wants("chronicle")) return std::optional<TraceRequest>();
+  if (asked.count > TraceRequest::most)
     return Diagnostic{
         Reason::bad_request,
-        "At most " + std::to_string(ChronicleAsked::most) + " modules of a derivation are told at once; ask for fewer.",
+        "At most " + std::to_string(TraceRequest::most) + " modules of a derivation are told at once; ask for fewer.",
         0, 0};
   return std::optional(asked);
 }
 
-std::string cut_short(const lsystem::Chronicle& chronicle) {
+std::string cut_short(const lsystem::DerivationTrace& chronicle) {
   return "The derivation is told as far as it goes in steps. " + chronicle.stopped().message;
 }
 
-void add_chronicle(Plant& plant, const lsystem::Chronicle& chronicle) {
-  const std::vector<ToldModule>& modules = chronicle.modules();
+void add_chronicle(Plant& plant, const lsystem::DerivationTrace& chronicle) {
+  const std::vector<TraceEntry>& modules = chronicle.modules();
   Columns& columns = plant.columns;
   columns.add("chronicle.window",
               Words{chronicle.step(), chronicle.first(), static_cast<std::uint32_t>(modules.size())});
   columns.add("chronicle.counts", chronicle.counts());
-  columns.add("chronicle.modules", lines_of(modules, &ToldModule::text));
-  columns.add("chronicle.parent", column_of<std::uint32_t>(modules, 1, [](const ToldModule& told, std::uint32_t* at) {
+  columns.add("chronicle.modules", lines_of(modules, &TraceEntry::text));
+  columns.add("chronicle.parent", column_of<std::uint32_t>(modules, 1, [](const TraceEntry& told, std::uint32_t* at) {
                 *at = told.parent;
               }));
-  columns.add("chronicle.production", pairs_of(modules, &ToldModule::production), 2);
-  columns.add("chronicle.fires", pairs_of(modules, &ToldModule::fires), 2);
+  columns.add("chronicle.production", pairs_of(modules, &TraceEntry::production), 2);
+  columns.add("chronicle.fires", pairs_of(modules, &TraceEntry::fires), 2);
   columns.add("chronicle.refusals", refusals_of(modules));
-  columns.add("chronicle.values", lines_of(modules, &ToldModule::values));
+  columns.add("chronicle.values", lines_of(modules, &TraceEntry::values));
   columns.add(
       "chronicle.chance",
       column_of<float>(
-          modules, 3, [](const ToldModule& told, float* at) { std::copy(told.chance.begin(), told.chance.end(), at); }),
+          modules, 3, [](const TraceEntry& told, float* at) { std::copy(told.chance.begin(), told.chance.end(), at); }),
       3);
-  columns.add("chronicle.children", pairs_of(modules, &ToldModule::children), 2);
-  columns.add("chronicle.last", pairs_of(modules, &ToldModule::last), 2);
-  columns.add("chronicle.answers", lines_of(modules, &ToldModule::answer));
+  columns.add("chronicle.children", pairs_of(modules, &TraceEntry::children), 2);
+  columns.add("chronicle.last", pairs_of(modules, &TraceEntry::last), 2);
+  columns.add("chronicle.answers", lines_of(modules, &TraceEntry::answer));
   if (!chronicle.trail().empty()) columns.add("chronicle.trail", chronicle.trail());
 }
 

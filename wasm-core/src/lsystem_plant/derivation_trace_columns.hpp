@@ -3,7 +3,7 @@
 // A request asks by the word `chronicle` among its outputs, and says
 //   chronicle_step     uint32: 0 is the axiom, which is the default; beyond the last: the last
 //   chronicle_first    uint32: index of a module in that step's string; 0 by default
-//   chronicle_count    uint32: how many from there on; at most ChronicleAsked::most, which is the default
+//   chronicle_count    uint32: how many from there on; at most TraceRequest::most, which is the default
 //   chronicle_module   uint32: a module of the last string, whose ancestors are wanted
 // and the plant has, a row for each module of the window but for the first two and the last,
 //   chronicle.window       uint32 x 3: the step that is told, its first module that is, and how many are
@@ -33,12 +33,12 @@
 namespace panicle {
 
 // Nothing where the request does not ask. Errors: bad_request, for a window that is too long.
-Result<std::optional<lsystem::ChronicleAsked>> read_chronicle(Request& request);
+Result<std::optional<lsystem::TraceRequest>> read_chronicle(Request& request);
 
 // What cut a telling short that the plant itself was not cut short by: texts without a derivation length are derived at
 // one go, and told in steps, which cost more.
-std::string cut_short(const lsystem::Chronicle& chronicle);
+std::string cut_short(const lsystem::DerivationTrace& chronicle);
 
-void add_chronicle(Plant& plant, const lsystem::Chronicle& chronicle);
+void add_chronicle(Plant& plant, const lsystem::DerivationTrace& chronicle);
 
 }  // namespace panicle

@@ -33,7 +33,7 @@ Sky surroundings_of(const Plant& plant) {
 
 // A mean over each ball, which hides nothing from itself.
 std::vector<std::uint8_t> sky_of_organs(Sky& sky, const Plant& plant) {
-  const Mesh ball = make_ball(8);
+  const Mesh ball = make_uv_sphere(8);
   std::vector<std::uint8_t> points(ball.positions.size() / 3), means;
   for (const Organ& organ : plant.organs) {
     sky.face(
@@ -58,7 +58,7 @@ void add_meshes(Plant& plant, const PlainOptions& options) {
   }
   columns.add("segment", std::move(stems.segment));
   plant.meshes.push_back({"stems", "stem", std::move(stems.mesh), {}, std::move(columns)});
-  if (!plant.organs.empty()) plant.meshes.push_back({"balls", "skin", make_ball(options.ball_segments), {}, {}});
+  if (!plant.organs.empty()) plant.meshes.push_back({"balls", "skin", make_uv_sphere(options.ball_segments), {}, {}});
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace panicle {
 
-Mesh make_ball(std::uint32_t segments) {
+Mesh make_uv_sphere(std::uint32_t segments) {
   const std::uint32_t round = std::max(segments, 3u), rows = std::max(round / 2, 2u);
   Mesh ball;
   for (std::uint32_t row = 0; row <= rows; ++row) {

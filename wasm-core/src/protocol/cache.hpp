@@ -7,13 +7,13 @@
 
 namespace panicle {
 
-struct Kept {
+struct Cache {
   // In all, of one model: what is larger is let go.
   static constexpr std::size_t most_bytes = 64 * 1024 * 1024;
 
-  virtual ~Kept() = default;
+  virtual ~Cache() = default;
 };
 
-using Keeping = std::unique_ptr<Kept>;
+using CacheSlot = std::unique_ptr<Cache>;
 
 }  // namespace panicle

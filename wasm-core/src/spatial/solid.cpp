@@ -35,7 +35,7 @@ constexpr float rounding = 4e-6f;
 
 }  // namespace
 
-Solid::Solid(Surface surface, std::shared_ptr<LookBudget> budget)
+Solid::Solid(Surface surface, std::shared_ptr<QueryBudget> budget)
     : surface_(std::move(surface)), budget_(std::move(budget)) {
   const std::vector<glm::vec3>& points = surface_.points;
   if (points.empty()) return;

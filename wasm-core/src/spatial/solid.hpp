@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "spatial/closed_surface.hpp"
-#include "spatial/look_budget.hpp"
+#include "spatial/query_budget.hpp"
 #include "spatial/region.hpp"
 
 namespace panicle {
@@ -21,11 +21,11 @@ namespace panicle {
 // Time and memory are bounded for every surface. The index has at most as many entries as the budget allows: where
 // large triangles would have more, its cells are larger. The triangles that a query looks at are counted against the
 // budget. Once that is used up, the solid contains no place, queries take no time, and is_exhausted() is true: the
-// model then returns LookBudget::error().
+// model then returns QueryBudget::error().
 class Solid final : public Region {
  public:
   // `budget`: shared by the solids of one plant.
-  explicit Solid(Surface surface, std::shared_ptr<LookBudget> budget = std::make_shared<LookBudget>());
+  explicit Solid(Surface surface, std::shared_ptr<QueryBudget> budget = std::make_shared<QueryBudget>());
 
   const Surface& surface() const { return surface_; }
   glm::vec3 low() const override { return low_; }
@@ -84,7 +84,7 @@ class Solid final : public Region {
   }
 
   Surface surface_;
-  std::shared_ptr<LookBudget> budget_;
+  std::shared_ptr<QueryBudget> budget_;
   glm::vec3 low_{0}, high_{0};
   float edge_ = 1, per_edge_ = 1;
   glm::ivec3 count_{0};

@@ -25,7 +25,7 @@ Four within_unit(const Four& v) {
 
 }  // namespace
 
-void TouchingSpheres::lay(std::span<const Sphere> spheres) {
+void SphereOverlapQuery::lay(std::span<const Sphere> spheres) {
   constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
   largest_ = 0;
   centres_.clear();
@@ -49,7 +49,7 @@ void TouchingSpheres::lay(std::span<const Sphere> spheres) {
 }
 
 // Finds the spheres from index `least` on that touch a stem.
-void TouchingSpheres::look(const glm::vec3& start, const glm::vec3& way, float radius, std::uint32_t least) {
+void SphereOverlapQuery::look(const glm::vec3& start, const glm::vec3& way, float radius, std::uint32_t least) {
   found_.clear();
   const glm::vec3 end = start + way, room(margin * (radius + largest_));
   const float square = glm::dot(way, way);
@@ -76,7 +76,7 @@ void TouchingSpheres::look(const glm::vec3& start, const glm::vec3& way, float r
   std::sort(found_.begin(), found_.end());
 }
 
-void TouchingSpheres::pairs(std::vector<SpherePair>& found, std::size_t most) {
+void SphereOverlapQuery::pairs(std::vector<SpherePair>& found, std::size_t most) {
   for (std::uint32_t a = 0; a < centres_.size() && found.size() < most; ++a) {
     look(centres_[a], glm::vec3(0), radii_[a], a + 1);
     for (const std::uint32_t b : found_) {
@@ -85,7 +85,7 @@ void TouchingSpheres::pairs(std::vector<SpherePair>& found, std::size_t most) {
   }
 }
 
-std::span<const std::uint32_t> TouchingSpheres::along(const glm::vec3& start, const glm::vec3& end, float radius) {
+std::span<const std::uint32_t> SphereOverlapQuery::along(const glm::vec3& start, const glm::vec3& end, float radius) {
   look(start, end - start, radius, 0);
   return found_;
 }

@@ -20,10 +20,10 @@ struct SpherePair {
 
 // Answers are in ascending order of the spheres' indices and do not hang on the grid. Spheres that are not finite,
 // those with a negative radius, and stems whose length's square is not finite touch nothing.
-class TouchingSpheres {
+class SphereOverlapQuery {
  public:
-  TouchingSpheres() = default;
-  explicit TouchingSpheres(std::span<const Sphere> spheres) { lay(spheres); }
+  SphereOverlapQuery() = default;
+  explicit SphereOverlapQuery(std::span<const Sphere> spheres) { lay(spheres); }
 
   // Forgets what was there; memory is kept.
   void lay(std::span<const Sphere> spheres);

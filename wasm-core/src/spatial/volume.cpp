@@ -36,7 +36,7 @@ glm::quat sound(const glm::quat& q) {
 }  // namespace
 
 Volume::Volume(Kind kind, const glm::vec3& centre, const glm::vec3& size, const glm::quat& rotation,
-               const Surface& mesh, std::shared_ptr<LookBudget> budget)
+               const Surface& mesh, std::shared_ptr<QueryBudget> budget)
     : kind_(kind),
       centre_(centre),
       half_(glm::max(0.5f * (kind == Kind::sphere ? glm::vec3(size.x) : size), least)),

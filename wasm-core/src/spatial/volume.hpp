@@ -20,7 +20,7 @@ class Volume {
   // whatever unit it is; what it winds about is inside (Solid, which has the budget). `rotation` is brought to unit
   // length.
   Volume(Kind kind, const glm::vec3& centre, const glm::vec3& size, const glm::quat& rotation, const Surface& mesh = {},
-         std::shared_ptr<LookBudget> budget = std::make_shared<LookBudget>());
+         std::shared_ptr<QueryBudget> budget = std::make_shared<QueryBudget>());
 
   bool contains(const glm::vec3& p) const;
   // How far one comes from a place inside, on a way of unit length, and is still inside: 0 from outside, at most

@@ -9,8 +9,8 @@ import {
 	isQueryWhole,
 	modelInQuery,
 } from "../specimen/link";
+import type { ModelSchema } from "../specimen/model_schema";
 import type { Restored } from "../specimen/restore";
-import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 
 type Address = Pick<Location, "search" | "hash">;
@@ -22,7 +22,7 @@ export function modelInAddress({ search }: Pick<Location, "search">): string | u
 
 /** What the address says, at once; a text in the fragment has to be unpacked and follows by `readWholeAddress`. */
 export function readAddress<S extends Specimen>(
-	species: Species<S>,
+	species: ModelSchema<S>,
 	{ search, hash }: Address,
 ): Restored<S> & { whole: boolean } {
 	return { ...decodeQuery(species, search), whole: !hasPacked(species, hash) };
@@ -30,25 +30,25 @@ export function readAddress<S extends Specimen>(
 
 /** What the address says, its fragment included. */
 export function readWholeAddress<S extends Specimen>(
-	species: Species<S>,
+	species: ModelSchema<S>,
 	{ search, hash }: Address,
 ): Promise<Restored<S>> {
 	return decodeLink(species, search, hash);
 }
 
 /** The whole link, for copying and for files. */
-export async function linkOf<S extends Specimen>(species: Species<S>, specimen: S): Promise<string> {
+export async function linkOf<S extends Specimen>(species: ModelSchema<S>, specimen: S): Promise<string> {
 	return `${location.origin}${location.pathname}${await encodeLink(species, specimen)}`;
 }
 
 /** What a link does not hold of a specimen, in words. */
-export function notInLink<S extends Specimen>(species: Species<S>, specimen: S): string[] {
+export function notInLink<S extends Specimen>(species: ModelSchema<S>, specimen: S): string[] {
 	const preset = fromPreset(species, specimen.preset);
 	return species.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, preset) ?? []);
 }
 
 /** Whether a fragment is none of a specimen's: an element's id, or whatever was typed. */
-export function isForeign<S extends Specimen>(species: Species<S>, { hash }: Pick<Location, "hash">): boolean {
+export function isForeign<S extends Specimen>(species: ModelSchema<S>, { hash }: Pick<Location, "hash">): boolean {
 	return hash.length > 1 && !hasPacked(species, hash);
 }
 
@@ -76,7 +76,7 @@ export class AddressBar {
 		this.#origin = originOf(specimen);
 	}
 
-	async write<S extends Specimen>(species: Species<S>, specimen: S): Promise<void> {
+	async write<S extends Specimen>(species: ModelSchema<S>, specimen: S): Promise<void> {
 		this.#newest = specimen;
 		const whole = isQueryWhole(species, specimen);
 		const link = whole ? encodeQuery(species, specimen) : await encodeLink(species, specimen);

@@ -5,7 +5,7 @@ import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
 import { type Answer, MOST_GROWTHS } from "../targets/solve";
 import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
-import type { Stateful } from "../ui/desk";
+import type { Stateful } from "../ui/editor_context";
 import type { Studio } from "./studio";
 
 export interface Asking {

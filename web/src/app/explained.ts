@@ -1,6 +1,6 @@
 /** One sentence about whatever of the panel is under the pointer or in focus: a parameter or a measure. */
 import { readIn, readOf, type Scale, scaleOf } from "../specimen/lengths";
-import type { Species } from "../specimen/species";
+import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 import { type Entry, valueIn } from "../specimen/table";
 
@@ -16,7 +16,7 @@ export const FIRST_WORDS =
 	"What is under the pointer is explained here. Double-click a slider to bring its preset's value back.";
 
 /** What the panel's `data-key` stands for; measures have `measure-` before their key. */
-export function explainedBy(species: Species, specimen: Specimen, key: string): Explained | undefined {
+export function explainedBy(species: ModelSchema, specimen: Specimen, key: string): Explained | undefined {
 	const { table } = species;
 	const entry = table.entry(key);
 	if (entry)
@@ -38,7 +38,7 @@ export function explainedAt(place: Element): Explained | undefined {
 }
 
 /** The preset's value of a parameter as a person reads it; undefined for what is no parameter. */
-export function presetInWords(species: Species, preset: Specimen, key: string): string | undefined {
+export function presetInWords(species: ModelSchema, preset: Specimen, key: string): string | undefined {
 	const entry = species.table.entry(key);
 	if (!entry) return undefined;
 	const value = valueIn(preset, entry);

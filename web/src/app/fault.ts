@@ -1,4 +1,4 @@
-import type { Fault } from "../ui/desk";
+import type { Fault } from "../ui/editor_context";
 import { GROWTH_TOPIC } from "../ui/tool";
 import type { Studio } from "./studio";
 

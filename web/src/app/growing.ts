@@ -3,7 +3,7 @@ import type { GrowthOptions } from "../models/model";
 import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
-import type { Fault } from "../ui/desk";
+import type { Fault } from "../ui/editor_context";
 import { GROWTH_TOPIC as GROWTH } from "../ui/tool";
 import type { Grower } from "./cores";
 import { tellInText } from "./fault";

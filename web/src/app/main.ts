@@ -4,10 +4,11 @@ import { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
 import { DEFAULT_MODEL, isModel, modelNamed, modelNames } from "../models/index";
 import type { PageModel } from "../models/page_model";
-import { loadFigure, loadScene } from "../models/renderers";
+import { loadRenderer, loadScene } from "../models/renderers";
 import { allBut } from "../specimen/all_but";
 import { changed } from "../ui/changed";
 import { AddressBar, isForeign, modelInAddress, readAddress, readWholeAddress } from "./address";
+import { AppUpdater } from "./app_updater";
 import { Cores } from "./cores";
 import { Growing } from "./growing";
 import { openLate } from "./late_link";
@@ -15,7 +16,6 @@ import { runningBy } from "./panel_groups";
 import { HELP, SAVED } from "./parts/late_parts";
 import { openPart } from "./parts/open_part";
 import type { StudioPart } from "./parts/studio_part";
-import { Renewal } from "./renewal";
 import { listenForShortcuts } from "./shortcuts";
 import { listenForSkips } from "./skips";
 import { Studio } from "./studio";
@@ -66,7 +66,7 @@ modelNamed(asked).then(start, refuse);
 
 function start(model: PageModel): void {
 	cores.warm(model.wasm); // Of a family it is not named after the model.
-	loadFigure(model).catch(() => {}); // The stage asks again, and says why not.
+	loadRenderer(model).catch(() => {}); // The stage asks again, and says why not.
 	// A core's client grows what it was asked last: what is looked for is not to take the place of what is shown.
 	const searching = new Cores(coreAddress, new Client());
 	// Its worker starts when something is first asked of it.
@@ -129,10 +129,10 @@ function followOtherTabs(studio: Studio): void {
 }
 
 /** Keeps the built app for when there is no network, and offers its next version. What is worked on changes by the minute. */
-function renewing(studio: Studio): Renewal | undefined {
+function renewing(studio: Studio): AppUpdater | undefined {
 	if (!import.meta.env.PROD) return undefined;
 	const details = ["Reload when it suits: the plant stays as it is, its steps of Undo go."];
-	const renewal = new Renewal((reload) => {
+	const renewal = new AppUpdater((reload) => {
 		studio.notify("A new version is here", details, { topic: "version", act: { words: "Reload", run: reload } });
 	});
 	// What can be tried again may be gone for good. Vite's own event is of the scripts, whoever asked for them.
@@ -148,7 +148,7 @@ function renewing(studio: Studio): Renewal | undefined {
 }
 
 /** Once the first plant is drawn, or is known not to come, what was a sketch of it follows, and the gallery gets every model's presets. */
-function followFirst(studio: Studio, growing: Growing, renewal: Renewal | undefined): void {
+function followFirst(studio: Studio, growing: Growing, renewal: AppUpdater | undefined): void {
 	const end = studio.subscribe(async () => {
 		const { shown, failure } = studio.state;
 		if (!shown && !failure) return;

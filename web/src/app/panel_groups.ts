@@ -1,4 +1,4 @@
-/** Which of a table's groups and parameters the panel shows: those that the specimen heeds, and what tools add. */
+/** Which of a table's groups and parameters the panel shows: those that the specimen isActive, and what tools add. */
 
 import type { Specimen } from "../specimen/specimen";
 import type { Entry, Group, Table } from "../specimen/table";
@@ -18,7 +18,7 @@ export interface PanelGroup {
  */
 export function groupsFor(table: Table, specimen: Specimen, tools: readonly Tool[]): readonly PanelGroup[] {
 	const elsewhere = new Set(tools.flatMap(({ parameters = [] }) => parameters));
-	const heeded = table.entries.filter((entry) => table.heeds(specimen, entry) && !elsewhere.has(entry.key));
+	const heeded = table.entries.filter((entry) => table.isActive(specimen, entry) && !elsewhere.has(entry.key));
 	const brought = tools.flatMap(({ panel }) => (typeof panel?.group === "object" ? [panel.group] : []));
 	const [last, first] = [true, false].map((end) =>
 		[...new Set(brought)].filter((group) => (group.last ?? false) === end),

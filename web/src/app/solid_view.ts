@@ -1,12 +1,12 @@
 /** The 3-D view as the studio's state wants it; the one place where the studio meets the scene. */
 import type { Camera, Object3D } from "three";
 import type { PageModel } from "../models/page_model";
-import { loadFigure, loadScene } from "../models/renderers";
+import { loadRenderer, loadScene } from "../models/renderers";
 import type { Plant } from "../plant/plant";
 import { turnedBy } from "../render/orbit_keys";
 import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
-import type { Face, Instead, Sight, ToolHands, ToolView } from "../ui/tool";
+import type { Instead, ModelUi, Sight, ToolInteraction, ToolView } from "../ui/tool";
 import type { Studio } from "./studio";
 import { lookOf, type PictureOptions, type Shown, type StudioState } from "./studio_state";
 import { TRY_AGAIN } from "./types";
@@ -49,8 +49,8 @@ export class SolidView implements ToolView {
 	#taking = 0;
 	#dark: boolean | undefined;
 	/** The hands of the tools of `#face`. */
-	#hands: ToolHands[] = [];
-	#face: Face | undefined;
+	#hands: ToolInteraction[] = [];
+	#face: ModelUi | undefined;
 
 	private constructor(
 		canvas: HTMLCanvasElement,
@@ -68,7 +68,7 @@ export class SolidView implements ToolView {
 	static async create(canvas: HTMLCanvasElement, studio: Studio, events: SolidViewEvents): Promise<SolidView> {
 		const { model, dark } = studio.state;
 		// Both first: a canvas gives one context, so that nothing may fail once it is taken.
-		const [{ Viewer }] = await Promise.all([loadScene(), loadFigure(model)]);
+		const [{ Viewer }] = await Promise.all([loadScene(), loadRenderer(model)]);
 		const theme = dark ? "dark" : "light";
 		const above = new Set<() => void>();
 		const view = new Viewer<Specimen, Plant>(canvas, {
@@ -251,7 +251,7 @@ export class SolidView implements ToolView {
 
 	/** Puts a model's figure on the stage, in place of the last one's. */
 	async #use(model: PageModel): Promise<void> {
-		const figure = await loadFigure(model);
+		const figure = await loadRenderer(model);
 		if (this.#disposed) return;
 		this.#view.use(figure);
 		this.#figured = model;
@@ -265,7 +265,7 @@ export class SolidView implements ToolView {
 		this.#missing = undefined;
 		const isWanted = () => model === this.#awaited && !this.#disposed;
 		try {
-			await loadFigure(model);
+			await loadRenderer(model);
 			if (isWanted()) await this.#use(model);
 		} catch {
 			if (isWanted()) this.#reportMissing(model);
@@ -286,7 +286,7 @@ export class SolidView implements ToolView {
 	}
 
 	/** Gives the canvas into the hands of a model's tools. */
-	#arm(face: Face | undefined): void {
+	#arm(face: ModelUi | undefined): void {
 		if (face === this.#face) return;
 		this.#instead = undefined;
 		for (const hands of this.#hands) hands.dispose();

@@ -6,9 +6,9 @@ import type { Restored } from "../specimen/restore";
 import { growsAlike, sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
 import { apply, otherSeed } from "../ui/change";
-import type { Change, Desk, Fault, NoticeOptions, Stateful } from "../ui/desk";
-import type { Face } from "../ui/tool";
-import { BARE, Faces } from "./faces";
+import type { Change, EditorContext, Fault, NoticeOptions, Stateful } from "../ui/editor_context";
+import type { ModelUi } from "../ui/tool";
+import { BARE, Faces } from "./model_uis";
 import { afterChange, withNotice, withoutTopic } from "./notice_list";
 import { inStep, type Opening, opened, type StudioState } from "./studio_state";
 import type { Surroundings } from "./surroundings";
@@ -24,7 +24,7 @@ const DRAG = "drag";
  * The one place where the page's state lives. It flows one way: a part calls an action, the action replaces the state,
  * every part draws the new one. What models' tools keep is here too, and unknown.
  */
-export class Studio implements Desk {
+export class Studio implements EditorContext {
 	#state: StudioState;
 	/** What a specimen measures, and what it grows into, without showing it; the end of what grows now. */
 	readonly measure: Surroundings["measure"];
@@ -282,7 +282,7 @@ export class Studio implements Desk {
 		this.#ends = face.tools.flatMap((tool) => tool.start?.(this) ?? []);
 	}
 
-	#faceOf(model: PageModel): Promise<Face> {
+	#faceOf(model: PageModel): Promise<ModelUi> {
 		return this.#faces.of(model).catch(() => {
 			const details = ["Sliders and downloads work all the same.", TRY_AGAIN];
 			const again = () => void this.#bringFace(model);

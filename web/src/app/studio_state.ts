@@ -2,8 +2,8 @@ import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import { type History, startHistory } from "../specimen/history";
 import type { Specimen } from "../specimen/specimen";
-import type { DeskState } from "../ui/desk";
-import type { Face } from "../ui/tool";
+import type { EditorState } from "../ui/editor_context";
+import type { ModelUi } from "../ui/tool";
 import type { ToolStates } from "./tool_states";
 import type { Failure, Notice } from "./types";
 import type { UiState } from "./ui_state";
@@ -16,10 +16,10 @@ export interface Shown {
 	readonly from: Specimen;
 }
 
-export interface StudioState extends DeskState {
+export interface StudioState extends EditorState {
 	readonly model: PageModel;
 	/** The model's tools and words; undefined until they have come. */
-	readonly face: Face | undefined;
+	readonly face: ModelUi | undefined;
 	readonly history: History;
 	/** Stays whatever goes wrong. */
 	readonly shown: Shown | undefined;

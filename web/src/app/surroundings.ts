@@ -1,7 +1,7 @@
 import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
-import type { AsideOptions } from "../ui/desk";
+import type { AsideOptions } from "../ui/editor_context";
 import type { UiState } from "./ui_state";
 
 /** What the studio does outside itself; main.ts wires it. */
@@ -10,7 +10,7 @@ export interface Surroundings {
 	grow(model: PageModel, specimen: Specimen, options: { passing: boolean }): void;
 	/** What a specimen measures, without showing it; rejects as growing does, and with the signal's reason. */
 	measure(model: PageModel, specimen: Specimen, signal: AbortSignal): Promise<Float32Array>;
-	/** Grows a specimen without showing it (Desk.aside). */
+	/** Grows a specimen without showing it (EditorContext.aside). */
 	aside(specimen: Specimen, options: AsideOptions): Promise<Plant>;
 	/** Ends a long growth. */
 	cancel(): void;

@@ -1,5 +1,5 @@
 /** What models' tools keep on the page: plain data by the names of model and tool. */
-import type { Stateful } from "../ui/desk";
+import type { Stateful } from "../ui/editor_context";
 
 export type ToolStates = Readonly<Record<string, Readonly<Record<string, unknown>>>>;
 

@@ -1,4 +1,4 @@
-import type { NoticeOptions } from "../ui/desk";
+import type { NoticeOptions } from "../ui/editor_context";
 
 /** Why there is no plant at all, said in its place. */
 export interface Failure {

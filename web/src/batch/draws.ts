@@ -6,7 +6,7 @@
  */
 import { DEFAULT_SEED } from "../specimen/from_preset";
 import { encodeQuery, textsOf } from "../specimen/link";
-import type { Species } from "../specimen/species";
+import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 
 export interface Draws {
@@ -19,13 +19,13 @@ export interface Draws {
 }
 
 /** What all plants of a series have in common, as one text: the query without its seed, and the texts of the fragment, not packed. */
-export function specificationOf<S extends Specimen>(species: Species<S>, from: S): string {
+export function specificationOf<S extends Specimen>(species: ModelSchema<S>, from: S): string {
 	const common = { ...from, seed: DEFAULT_SEED };
 	return JSON.stringify([species.name, from.preset, encodeQuery(species, common), ...textsOf(species, common)]);
 }
 
 /** Draws that are independent between plants, quantities, varieties and settings: a hash of all four. */
-export function independentDraws<S extends Specimen>(species: Species<S>, from: S): Draws {
+export function independentDraws<S extends Specimen>(species: ModelSchema<S>, from: S): Draws {
 	const draw = hashFunction(specificationOf(species, from));
 	return {
 		literal: false,

@@ -1,8 +1,8 @@
 /** What is varied from plant to plant of a series: `age=60..110,density=3..8,fruit=lychee|duku`. */
 import { halvesOf, keyAndValue } from "../specimen/halves";
+import type { ModelSchema } from "../specimen/model_schema";
 import { readNumber } from "../specimen/read_values";
 import { type Restored, restore } from "../specimen/restore";
-import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 import { type Entry, nearestWithin, onStep } from "../specimen/table";
 import type { Draws } from "./draws";
@@ -11,7 +11,7 @@ import { Unusable } from "./unusable";
 /** A parameter and where its values come from: anywhere from one number to another, or one of a few. */
 export type Varied = {
 	readonly entry: Entry;
-	/** Whether it is no parameter, but a name of the text's own (`named` of specimen/species.ts). */
+	/** Whether it is no parameter, but a name of the text's own (`named` of specimen/model_schema.ts). */
 	readonly own?: true;
 } & ({ readonly from: number; readonly to: number } | { readonly values: readonly string[] });
 
@@ -19,7 +19,7 @@ export type Varied = {
  * @param from the specimen that all plants have but for what is varied
  * @throws Unusable
  */
-export function readVary<S extends Specimen>(species: Species<S>, text: string, from: S): Varied[] {
+export function readVary<S extends Specimen>(species: ModelSchema<S>, text: string, from: S): Varied[] {
 	const varied = text.split(",").map((part) => readOne(species, part.trim(), from));
 	const keys = varied.map(({ entry }) => entry.key);
 	const twice = keys.find((key, index) => keys.indexOf(key) < index);
@@ -27,7 +27,7 @@ export function readVary<S extends Specimen>(species: Species<S>, text: string, 
 	return varied;
 }
 
-function readOne<S extends Specimen>(species: Species<S>, part: string, from: S): Varied {
+function readOne<S extends Specimen>(species: ModelSchema<S>, part: string, from: S): Varied {
 	const [key, values] = keyAndValue(part) ?? [];
 	if (!key || !values) throw new Unusable(`“${part}”: write KEY=FROM..TO or KEY=ONE|ANOTHER, as in age=60..110`);
 	const entry = entryOf(species, key) ?? constantOf(key);
@@ -49,7 +49,7 @@ function readOne<S extends Specimen>(species: Species<S>, part: string, from: S)
 }
 
 /** The parameter of that key; undefined where it may be a name of the text's own. */
-function entryOf<S extends Specimen>({ table, details }: Species<S>, key: string): Entry | undefined {
+function entryOf<S extends Specimen>({ table, details }: ModelSchema<S>, key: string): Entry | undefined {
 	const entry = table.entry(key);
 	if (entry) return entry;
 	const [first, ...others] = table.linked(key);
@@ -73,7 +73,7 @@ const constantOf = (key: string): Entry => ({
 
 /** The specimen with values of what is varied. */
 export function withVaried<S extends Specimen>(
-	species: Species<S>,
+	species: ModelSchema<S>,
 	from: S,
 	values: readonly (readonly [Varied, value: string])[],
 ): Restored<S> {
@@ -94,7 +94,7 @@ export function withVaried<S extends Specimen>(
  * @throws Unusable
  */
 export async function checkVaried<S extends Specimen>(
-	species: Species<S>,
+	species: ModelSchema<S>,
 	varied: readonly Varied[],
 	from: S,
 ): Promise<void> {
@@ -105,7 +105,7 @@ export async function checkVaried<S extends Specimen>(
 
 /** Refuses what would not be used as it is. */
 function check<S extends Specimen>(
-	species: Species<S>,
+	species: ModelSchema<S>,
 	{ entry, own }: { entry: Entry; own: { own?: true } },
 	value: string,
 	from: S,

@@ -1,7 +1,7 @@
 /** The words of the command line → what is asked for, still unread. */
 import { parseArgs } from "node:util";
 import type { FileOptions } from "../formats/plant_files";
-import { type ChronicleAsked, MOST_TOLD } from "../plant/chronicle";
+import { MOST_TOLD, type TraceRequest } from "../plant/derivation_trace";
 import { BATCH_OPTIONS, type BatchCall, readBatch } from "./batch_arguments";
 import { UsageError } from "./usage";
 
@@ -21,7 +21,7 @@ export interface Call {
 	/** Whether the JSON is to have the derived string. */
 	string: boolean;
 	/** Which part of the derivation the JSON is to tell of. */
-	chronicle: ChronicleAsked | undefined;
+	chronicle: TraceRequest | undefined;
 	/** Which of the files that end like `out`. */
 	form: string | undefined;
 	files: FileOptions;
@@ -56,7 +56,7 @@ export function readArguments(words: readonly string[]): Call {
 		grammarFile: last(values.grammar),
 		boundaryFile: last(values.boundary),
 		string: values.string ?? false,
-		chronicle: values.chronicle === undefined ? undefined : readChronicle(values.chronicle.at(-1) ?? ""),
+		chronicle: values.chronicle === undefined ? undefined : readTrace(values.chronicle.at(-1) ?? ""),
 		...(values.seconds ? numberOf("seconds", last(values.seconds), 0.1, 1_000_000) : {}),
 		out: last(values.out),
 		form: last(values.form),
@@ -114,7 +114,7 @@ function readSetting(setting: string): [string, string] {
 }
 
 /** @throws UsageError where it is no step, with what of its string */
-function readChronicle(text: string): ChronicleAsked {
+function readTrace(text: string): TraceRequest {
 	const [step, first, count] = text.split(",").map((word) => (/^\s*\d+\s*$/.test(word) ? Number(word) : Number.NaN));
 	const fits = [step, first ?? 0].every((value) => value <= 0xffffffff) && (count ?? 0) <= MOST_TOLD;
 	if (!fits || text.split(",").length > 3)

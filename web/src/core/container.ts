@@ -141,7 +141,7 @@ export class Columns {
 		return this.#of(name, "uint32") as Uint32Array<ArrayBuffer>;
 	}
 
-	octets(name: string): Uint8Array<ArrayBuffer> {
+	uint8(name: string): Uint8Array<ArrayBuffer> {
 		return this.#of(name, "uint8") as Uint8Array<ArrayBuffer>;
 	}
 

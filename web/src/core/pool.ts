@@ -7,7 +7,7 @@ import { Columns } from "./container";
 import type { Answer } from "./core";
 import { CoreError, CoreTrap, Superseded, UnsupportedError } from "./errors";
 import type { FromWorker } from "./messages";
-import { type Compiling, Seat } from "./seat";
+import { type Compiling, PoolWorker } from "./pool_worker";
 
 /** What is to be grown: by which module, and the blocks of the request. */
 export interface Order {
@@ -53,11 +53,11 @@ export class Pool {
 	readonly #options: Required<PoolOptions>;
 	readonly #modules = new Map<string, Promise<WebAssembly.Module>>();
 	/** The seats, each with what it is at; the spare is none of them. */
-	readonly #seats = new Map<Seat, Job | undefined>();
+	readonly #seats = new Map<PoolWorker, Job | undefined>();
 	/** Memory that the cores of seats held after their last growth, bytes. */
-	readonly #memory = new WeakMap<Seat, number>();
+	readonly #memory = new WeakMap<PoolWorker, number>();
 	readonly #waiting: Job[] = [];
-	#spare: Seat | undefined;
+	#spare: PoolWorker | undefined;
 	#spareTimer: ReturnType<typeof setTimeout> | undefined;
 	#restTimer: ReturnType<typeof setTimeout> | undefined;
 	#lastId = 0;
@@ -69,7 +69,7 @@ export class Pool {
 	/** Starts a worker and fetches a module now, for requests to come. What fails here is told when one does. */
 	warm(wasm: string): void {
 		try {
-			if (this.#seats.size === 0) this.#newSeat().warm(this.#compiling(wasm));
+			if (this.#seats.size === 0) this.#newWorker().warm(this.#compiling(wasm));
 		} catch {
 			// The first request tries again, and says why not.
 		}
@@ -130,7 +130,7 @@ export class Pool {
 
 	#begin(job: Job): void {
 		try {
-			const seat = this.#freeSeat();
+			const seat = this.#freeWorker();
 			if (!seat) {
 				this.#waiting.push(job);
 				return;
@@ -145,23 +145,23 @@ export class Pool {
 	}
 
 	/** A seat without work: one that is there, the spare, a new one; none where there are enough. */
-	#freeSeat(): Seat | undefined {
+	#freeWorker(): PoolWorker | undefined {
 		for (const [seat, job] of this.#seats) if (!job) return seat;
 		if (this.#seats.size >= this.#options.seats) return undefined;
 		const spare = this.#spare;
 		this.#spare = undefined;
 		if (spare) this.#seats.set(spare, undefined);
-		return spare ?? this.#newSeat();
+		return spare ?? this.#newWorker();
 	}
 
-	#newSeat(): Seat {
-		const seat = this.#makeSeat();
+	#newWorker(): PoolWorker {
+		const seat = this.#makeWorker();
 		this.#seats.set(seat, undefined);
 		return seat;
 	}
 
-	#makeSeat(): Seat {
-		const seat: Seat = new Seat(this.#options.spawn, {
+	#makeWorker(): PoolWorker {
+		const seat: PoolWorker = new PoolWorker(this.#options.spawn, {
 			answered: (message) => this.#answered(seat, message),
 			died: (message, started) =>
 				this.#lost(seat, started ? new CoreTrap(`The worker ended: ${message}.`) : noWorker(message)),
@@ -169,7 +169,7 @@ export class Pool {
 		return seat;
 	}
 
-	#answered(seat: Seat, message: Exclude<FromWorker, { type: "ready" | "broken" }>): void {
+	#answered(seat: PoolWorker, message: Exclude<FromWorker, { type: "ready" | "broken" }>): void {
 		const job = this.#seats.get(seat);
 		if (!job || message.id !== job.id) return;
 		if (message.type === "trapped") {
@@ -207,7 +207,7 @@ export class Pool {
 	}
 
 	/** A worker is gone. Its request is tried once more on another. */
-	#lost(seat: Seat, error: Error): void {
+	#lost(seat: PoolWorker, error: Error): void {
 		if (this.#spare === seat) this.#spare = undefined;
 		if (!this.#seats.has(seat)) return;
 		const job = this.#seats.get(seat);
@@ -222,12 +222,12 @@ export class Pool {
 		this.#next();
 	}
 
-	#seatOf(job: Job): Seat | undefined {
+	#seatOf(job: Job): PoolWorker | undefined {
 		for (const [seat, each] of this.#seats) if (each === job) return seat;
 		return undefined;
 	}
 
-	#leave(seat: Seat): void {
+	#leave(seat: PoolWorker): void {
 		seat.end();
 		this.#seats.delete(seat);
 	}
@@ -258,7 +258,7 @@ export class Pool {
 			this.#spareTimer = undefined;
 			if (this.#spare || this.#modules.size === 0) return;
 			try {
-				this.#spare = this.#makeSeat();
+				this.#spare = this.#makeWorker();
 				for (const [wasm, module] of this.#modules) this.#spare.warm({ wasm, module });
 			} catch {
 				this.#spare = undefined; // Cancelling will start one, or say why not.

@@ -1,8 +1,8 @@
 /** The picture of an element's plant: a viewer on the page's one context of the graphics card, turned by hand, by keys or by itself. */
 import type { PageModel } from "../models/page_model";
-import { loadFigure, loadScene } from "../models/renderers";
+import { loadRenderer, loadScene } from "../models/renderers";
 import type { Plant } from "../plant/plant";
-import type { Ray } from "../render/figure";
+import type { Ray } from "../render/model_renderer";
 import { turnedBy } from "../render/orbit_keys";
 import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
@@ -71,7 +71,7 @@ export class SpecimenView {
 	/** Shows a plant in place of the last. */
 	async show(model: PageModel, grown: Plant, specimen: Specimen): Promise<void> {
 		if (model !== this.#figured) {
-			const figure = await loadFigure(model);
+			const figure = await loadRenderer(model);
 			if (this.#ended.signal.aborted) return;
 			this.#viewer.use(figure);
 			this.#figured = model;

@@ -1,13 +1,13 @@
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
-import type { Species } from "../specimen/species";
+import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 import { writtenSpecimen } from "../specimen/written";
 import type { About, PointLabels } from "./about";
 import { measuresOf } from "./measures";
 
 /** A model as far as files with meshes go. */
-export interface Described<S extends Specimen, G extends Plant> extends Species<S> {
+export interface Described<S extends Specimen, G extends Plant> extends ModelSchema<S> {
 	/** How points on its plants are labelled. */
 	readonly labels?: PointLabels;
 	/** What such files say of the plant besides what they say of every plant. */

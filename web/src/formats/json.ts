@@ -3,10 +3,10 @@
  * shortest decimal that reads back as the same float32, so the fingerprint can be computed again from the document
  * (docs/fingerprint.md).
  */
-import type { Chronicle, ToldModule } from "../plant/chronicle";
+import type { DerivationTrace, ToldModule } from "../plant/derivation_trace";
 import type { Organs, Plant, Segments } from "../plant/plant";
 import type { Descriptor } from "../specimen/measures";
-import type { Species } from "../specimen/species";
+import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { classesOf, type WrittenClass } from "./classes";
@@ -49,7 +49,7 @@ export interface OrganRecord {
 }
 
 /** A derivation, and a window of one of its strings. */
-export interface ChronicleRecord {
+export interface TraceRecord {
 	/** How many modules each step's string has; the axiom's first. */
 	counts: number[];
 	/** The step that is told. */
@@ -74,14 +74,14 @@ export interface PlantDocument<S extends Specimen> {
 	/** Absent where nothing is borne. */
 	organs?: OrganRecord[];
 	/** How its text was derived, where that was asked for. */
-	chronicle?: ChronicleRecord;
+	chronicle?: TraceRecord;
 	notes: string[];
 	fingerprint: string;
 	timings: Plant["timings"];
 }
 
 /** A model as far as documents go. */
-export interface Recorded<S extends Specimen, G extends Plant, R extends object> extends Species<S> {
+export interface Recorded<S extends Specimen, G extends Plant, R extends object> extends ModelSchema<S> {
 	/** Descriptors besides those of its measures. */
 	readonly descriptors?: readonly Descriptor<S>[];
 	/** What the document has of the plant besides, or in place of, what it has of every plant: `Rows` where there are many alike. */
@@ -163,7 +163,7 @@ function contents<S extends Specimen, G extends Plant, R extends object>(
 	};
 }
 
-function chronicleRecord({ counts, step, first, modules }: Chronicle): ChronicleRecord {
+function chronicleRecord({ counts, step, first, modules }: DerivationTrace): TraceRecord {
 	return { counts: [...counts], step, first, modules };
 }
 

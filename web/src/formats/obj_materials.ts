@@ -1,5 +1,5 @@
 /**
- * What an OBJ calls its materials by. It knows no colours of vertices that every reader heeds: parts of one material and
+ * What an OBJ calls its materials by. It knows no colours of vertices that every reader isActive: parts of one material and
  * one variant are written in the mean of theirs.
  */
 import { type Colour, meanColour } from "../plant/colour";

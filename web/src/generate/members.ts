@@ -212,8 +212,8 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 
 /** What a model knows nothing of makes no other plant. */
 function heeded({ details }: Model, { surroundings, ...asked }: MemberAsked): MemberAsked {
-	const heeds = surroundings !== undefined && details.some(({ keys }) => keys.includes("surroundings"));
-	return heeds ? { ...asked, surroundings } : asked;
+	const isActive = surroundings !== undefined && details.some(({ keys }) => keys.includes("surroundings"));
+	return isActive ? { ...asked, surroundings } : asked;
 }
 
 /** What to fetch follows from what is chosen, and of numbers from whether there is any of it. */

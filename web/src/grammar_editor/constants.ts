@@ -9,7 +9,7 @@ import { refusal } from "../ui/typed";
 import { type Constant, type Curve, decimals, type NumberAt, type Outline } from "./outline";
 import { readOutline } from "./read_outline";
 import { written } from "./scrub";
-import { type GrammarDesk, type GrammarSource, isOwn, textOf, withText, withValues } from "./source";
+import { type GrammarContext, type GrammarSource, isOwn, textOf, withText, withValues } from "./source";
 import "./curve_editor";
 
 /** A longer list has a search, and only the rows in sight are in the page. */
@@ -17,7 +17,7 @@ const MOST_LISTED = 60;
 const NOT_FETCHED = "The list of constants could not be fetched";
 
 /** Sliders of a text’s constants, and its curves: what they change goes into the document’s values, or into a text of its own. */
-export class Constants extends ControlElement<GrammarDesk> {
+export class Constants extends ControlElement<GrammarContext> {
 	static override properties = { ...ControlElement.properties, source: { attribute: false } };
 	declare source: GrammarSource;
 
@@ -164,7 +164,7 @@ export class Constants extends ControlElement<GrammarDesk> {
 	}
 }
 
-async function fetchLongList(desk: GrammarDesk): Promise<void> {
+async function fetchLongList(desk: GrammarContext): Promise<void> {
 	try {
 		await import("../ui/long_list");
 	} catch {

@@ -3,18 +3,18 @@
  * a text with a mistake leaves it as it is. What the view has to know stands in the tool's state.
  */
 import { Superseded } from "../core/errors";
-import type { Chronicle, ToldModule } from "../plant/chronicle";
+import type { DerivationTrace, ToldModule } from "../plant/derivation_trace";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
-import type { Desk } from "../ui/desk";
-import { ChronicleReader } from "./chronicle_reader";
+import type { EditorContext } from "../ui/editor_context";
 import { DERIVATION, type DerivationState, type DerivedScene, type MetModule } from "./derivation_tool";
 import { drawnBy, litBy } from "./lights";
+import { TraceReader } from "./trace_reader";
 
 export class Derivation {
-	readonly #desk: Desk;
+	readonly #desk: EditorContext;
 	readonly #changed: () => void;
-	readonly #reader = new ChronicleReader(() => this.#read());
+	readonly #reader = new TraceReader(() => this.#read());
 	#from: Specimen | undefined;
 	/** Index in the string of the step that is shown. */
 	#chosen: number | undefined;
@@ -27,13 +27,13 @@ export class Derivation {
 	#closed = false;
 
 	/** @param changed called when there is something else to show */
-	constructor(desk: Desk, changed: () => void) {
+	constructor(desk: EditorContext, changed: () => void) {
 		this.#desk = desk;
 		this.#changed = changed;
 		this.follow();
 	}
 
-	get page(): Chronicle | undefined {
+	get page(): DerivationTrace | undefined {
 		return this.#reader.page;
 	}
 
@@ -219,7 +219,7 @@ export class Derivation {
 	}
 
 	/** The document's own plant. */
-	#showWhole({ counts, segments, organs }: Chronicle, grown: Plant, from: Specimen): void {
+	#showWhole({ counts, segments, organs }: DerivationTrace, grown: Plant, from: Specimen): void {
 		this.#show({ step: counts.length - 1, grown, from, instead: false, segments, organs });
 	}
 

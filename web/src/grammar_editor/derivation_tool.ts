@@ -1,14 +1,14 @@
 /** A derivation beside its plant: what of it is shown in the 3-D view, and what is pointed at there (docs/studio.md#steps). */
 import type { Object3D } from "three";
-import type { ModuleSpan } from "../plant/chronicle";
+import type { ModuleSpan } from "../plant/derivation_trace";
 import type { Drawn } from "../plant/drawn";
 import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
-import type { Desk, Stateful } from "../ui/desk";
-import type { Tool, ToolHands } from "../ui/tool";
+import type { EditorContext, Stateful } from "../ui/editor_context";
+import type { Tool, ToolInteraction } from "../ui/tool";
 
-/** What draws what shines: render/lit_figure.ts. */
+/** What draws what shines: render/lit_renderer.ts. */
 export interface LitDrawing {
 	readonly object: Object3D;
 	show(drawn: Drawn, segments: readonly number[], organs: readonly number[], thin: number, colour: string): void;
@@ -22,7 +22,7 @@ export interface DerivationSource<S extends Specimen = Specimen, G extends Plant
 	/** Fetches what makes it shine. */
 	figure(): Promise<LitDrawing>;
 	/** Whether the pointer is another tool's now. */
-	taken?(desk: Desk<S, G>): boolean;
+	taken?(desk: EditorContext<S, G>): boolean;
 }
 
 /** A plant that a step's string has drawn: the document's own after the last. */
@@ -62,7 +62,7 @@ export interface DerivationState {
 export const DERIVATION: Stateful<DerivationState> = { name: "derivation", initial: { open: false, follows: true } };
 
 /** The plant of a step, where the view shows one in place of the document's; for the words below it. */
-export function steppedScene<S extends Specimen, G extends Plant>(desk: Desk<S, G>): DerivedScene | undefined {
+export function steppedScene<S extends Specimen, G extends Plant>(desk: EditorContext<S, G>): DerivedScene | undefined {
 	const { scene } = desk.toolState(DERIVATION);
 	return scene?.instead ? scene : undefined;
 }
@@ -79,13 +79,13 @@ export function derivationTool<S extends Specimen & WithGrammar, G extends Plant
 			{ keys: ["Enter"], does: "In the string of a step: to the production, in the grammar" },
 		],
 		hands: (view, desk) => {
-			let hands: ToolHands<S, G> | undefined;
+			let hands: ToolInteraction<S, G> | undefined;
 			let ended = false;
 			let asked = false;
 			const fetch = async () => {
-				const { DerivationHands } = await import("./derivation_hands");
+				const { DerivationInteraction } = await import("./derivation_interaction");
 				if (ended) return;
-				hands = new DerivationHands(view, desk, source);
+				hands = new DerivationInteraction(view, desk, source);
 				hands.update(desk.state);
 			};
 			return {

@@ -1,5 +1,5 @@
 import { html, LitElement, nothing, type PropertyValues } from "lit";
-import type { Chronicle, ToldModule } from "../plant/chronicle";
+import type { DerivationTrace, ToldModule } from "../plant/derivation_trace";
 import { partsOfModule } from "./told_module";
 
 /** Modules that a page key goes on. */
@@ -34,7 +34,7 @@ export class DerivedString extends LitElement {
 		label: { attribute: false },
 		events: { attribute: false },
 	};
-	declare page: Chronicle | undefined;
+	declare page: DerivationTrace | undefined;
 	/** Whether another is on its way. */
 	declare busy: boolean;
 	declare chosen: number | undefined;
@@ -63,7 +63,7 @@ export class DerivedString extends LitElement {
 		>${page?.modules.map((module, index) => this.#module(module, page.first + index, page))}</div>`;
 	}
 
-	#module(module: ToldModule, index: number, { counts, step }: Chronicle): unknown {
+	#module(module: ToldModule, index: number, { counts, step }: DerivationTrace): unknown {
 		const { text, fires, production, answer } = module;
 		const [symbol, parameters] = partsOfModule(text);
 		const { line } = this;

@@ -1,11 +1,11 @@
 import { html, svg } from "lit";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
-import type { Desk } from "../ui/desk";
-import { LateHands } from "../ui/handles/late_hands";
+import type { EditorContext } from "../ui/editor_context";
+import { LazyInteraction } from "../ui/handles/lazy_interaction";
 import type { Tool } from "../ui/tool";
 import type { Pair } from "./gestures/pair";
-import type { GrammarDesk, GrammarSource } from "./source";
+import type { GrammarContext, GrammarSource } from "./source";
 
 /** What drives the two numbers. */
 export type DrivenBy = "pointer" | "gamepad" | "camera";
@@ -21,7 +21,7 @@ export type GestureTool = Tool<Specimen, Plant, GestureState>;
 
 /** What all that has to do with gestures is given. */
 export interface Gestures {
-	readonly desk: GrammarDesk;
+	readonly desk: GrammarContext;
 	readonly tool: GestureTool;
 	readonly source?: GrammarSource;
 }
@@ -55,18 +55,18 @@ export function gestureTool<S extends Specimen, G extends Plant>(source?: Gramma
 			draw: (desk) => html`<panicle-gestures .desk=${desk} .gestures=${gestures(desk)}></panicle-gestures>`,
 		},
 		hands: (view, desk) =>
-			new LateHands({
+			new LazyInteraction({
 				desk,
 				wanted: () => desk.toolState(tool).open,
 				fetch: async () => {
-					const { GestureHands } = await import("./gestures/gestures");
-					return new GestureHands(view, gestures(desk));
+					const { GestureInteraction } = await import("./gestures/gestures");
+					return new GestureInteraction(view, gestures(desk));
 				},
 				missed: () => desk.setToolState(tool, { ...desk.toolState(tool), open: false }),
 			}),
 	};
-	const gestures = (desk: Desk): Gestures => ({
-		desk: desk as GrammarDesk,
+	const gestures = (desk: EditorContext): Gestures => ({
+		desk: desk as GrammarContext,
 		tool,
 		...(source ? { source: source as unknown as GrammarSource } : {}),
 	});

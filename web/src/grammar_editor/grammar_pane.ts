@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
-import type { TextPlace } from "../plant/chronicle";
+import type { TextPlace } from "../plant/derivation_trace";
 import { ControlElement } from "../ui/control_element";
-import type { Stateful } from "../ui/desk";
+import type { Stateful } from "../ui/editor_context";
 import { icon } from "../ui/icons";
 import { KeyRuns } from "../ui/key_runs";
 import { DERIVATION } from "./derivation_tool";
@@ -9,7 +9,7 @@ import { Editor } from "./editor";
 import type { Explanation } from "./explain";
 import type { GrammarState } from "./grammar_tool";
 import type { NumberAt } from "./outline";
-import { type GrammarDesk, type GrammarSource, isOwn, textOf, withText } from "./source";
+import { type GrammarContext, type GrammarSource, isOwn, textOf, withText } from "./source";
 import type { ShownProductions } from "./stepper";
 import { type Problem, problemsOf } from "./told";
 import { TypingRoom } from "./typing_room";
@@ -28,7 +28,7 @@ const MOST_SAID = 50;
 const OPENS = ".stage-tools [aria-label=Grammar]";
 
 /** The grammar beside its plant: every change grows at once, and what is wrong with it is shown where it stands. */
-export class GrammarPane extends ControlElement<GrammarDesk> {
+export class GrammarPane extends ControlElement<GrammarContext> {
 	static override properties = {
 		...ControlElement.properties,
 		source: { attribute: false },
@@ -77,7 +77,7 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 		if (opener instanceof HTMLElement) opener.focus();
 	}
 
-	protected override shows({ state }: GrammarDesk): readonly unknown[] {
+	protected override shows({ state }: GrammarContext): readonly unknown[] {
 		const { open } = this.desk.toolState(DERIVATION);
 		return [
 			this.#text(),
@@ -89,7 +89,7 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 		];
 	}
 
-	protected override draw({ state }: GrammarDesk): unknown {
+	protected override draw({ state }: GrammarContext): unknown {
 		const { noun } = this.source;
 		const { specimen } = state;
 		const own = isOwn(specimen);

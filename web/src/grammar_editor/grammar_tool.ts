@@ -2,7 +2,7 @@ import { html, nothing, svg } from "lit";
 import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
-import type { Desk, Fault } from "../ui/desk";
+import type { EditorContext, Fault } from "../ui/editor_context";
 import { GROWTH_TOPIC, type Tool } from "../ui/tool";
 import { type DerivationSource, derivationTool } from "./derivation_tool";
 import { type GrammarSource, isOwn, withText } from "./source";
@@ -46,7 +46,7 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 ): readonly Tool<S, G>[] {
 	const tool = editorTool<S, G>(source, derived !== undefined);
 	const { group = OWN, noun } = source;
-	const drop = (desk: Desk<S, G>) =>
+	const drop = (desk: EditorContext<S, G>) =>
 		desk.set(withText(source as unknown as GrammarSource, desk.state.specimen, undefined));
 	const words = "Use the built-in grammar";
 	const own: Tool<S, G, boolean> = {
@@ -135,14 +135,14 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 	return tool;
 }
 
-function show<S extends Specimen, G extends Plant>(desk: Desk<S, G>, tool: Tool<S, G, GrammarState>): void {
+function show<S extends Specimen, G extends Plant>(desk: EditorContext<S, G>, tool: Tool<S, G, GrammarState>): void {
 	desk.setToolState(tool, { ...desk.toolState(tool), open: true });
 	void bring(desk, () => import("./grammar_pane"), "The grammar's editor could not be fetched");
 }
 
 /** What the text shows no more is said. */
 function close<S extends Specimen, G extends Plant>(
-	desk: Desk<S, G>,
+	desk: EditorContext<S, G>,
 	tool: Tool<S, G, GrammarState>,
 	noun: string,
 ): void {
@@ -152,7 +152,7 @@ function close<S extends Specimen, G extends Plant>(
 }
 
 function tell<S extends Specimen, G extends Plant>(
-	desk: Desk<S, G>,
+	desk: EditorContext<S, G>,
 	tool: Tool<S, G, GrammarState>,
 	noun: string,
 	{ line, column, message }: Fault,
@@ -165,7 +165,7 @@ function tell<S extends Specimen, G extends Plant>(
 }
 
 async function bring<S extends Specimen, G extends Plant>(
-	desk: Desk<S, G>,
+	desk: EditorContext<S, G>,
 	fetch: () => Promise<unknown>,
 	failed: string,
 ): Promise<void> {

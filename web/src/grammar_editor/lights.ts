@@ -1,6 +1,6 @@
 /** Which things of a plant which modules have drawn, and which modules of one string are those of another. */
-import type { Chronicle, ModuleSpan, ToldModule } from "../plant/chronicle";
-import { NOT_DRAWN } from "../plant/chronicle";
+import type { DerivationTrace, ModuleSpan, ToldModule } from "../plant/derivation_trace";
+import { NOT_DRAWN } from "../plant/derivation_trace";
 import type { Sighted } from "../plant/sighting";
 import type { DerivedScene } from "./derivation_tool";
 
@@ -35,7 +35,7 @@ export function drawnIn({ segments, organs }: Marks, { segment, organ }: Sighted
 export function litBy(
 	index: number,
 	module: Pick<ToldModule, "last">,
-	{ step, counts }: Pick<Chronicle, "step" | "counts">,
+	{ step, counts }: Pick<DerivationTrace, "step" | "counts">,
 	scene: Pick<DerivedScene, "step"> | undefined,
 ): ModuleSpan | undefined {
 	if (scene?.step === step) return { first: index, count: 1 };

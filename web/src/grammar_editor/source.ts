@@ -3,7 +3,7 @@ import type { Plant } from "../plant/plant";
 import { type Constants, inOrder, isHeld, MOST_CONSTANTS, type WithConstants } from "../specimen/constants";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
-import type { Change, Desk } from "../ui/desk";
+import type { Change, EditorContext } from "../ui/editor_context";
 import type { Dialect } from "./dialect";
 import { withConstants } from "./outline";
 import { readOutline } from "./read_outline";
@@ -133,4 +133,4 @@ function valued({ dialect, governed }: GrammarSource, text: string, constants: C
 }
 
 /** What all of the studio that has to do with grammars is given. */
-export type GrammarDesk = Desk<Specimen & WithGrammar>;
+export type GrammarContext = EditorContext<Specimen & WithGrammar>;

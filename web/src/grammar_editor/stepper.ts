@@ -1,10 +1,10 @@
 import { html, nothing } from "lit";
-import type { TextPlace } from "../plant/chronicle";
+import type { TextPlace } from "../plant/derivation_trace";
 import { ControlElement } from "../ui/control_element";
 import { Derivation } from "./derivation";
 import { DERIVATION } from "./derivation_tool";
 import type { StringEvents } from "./derived_string";
-import type { GrammarDesk } from "./source";
+import type { GrammarContext } from "./source";
 import STYLE from "./steps.css?inline";
 import {
 	answerInWords,
@@ -35,7 +35,7 @@ export interface ShownProductions {
 }
 
 /** The derivation step by step: its strings, what was rewritten by what and with which values, what was asked and answered. */
-export class Stepper extends ControlElement<GrammarDesk> {
+export class Stepper extends ControlElement<GrammarContext> {
 	static override properties = {
 		...ControlElement.properties,
 		line: { attribute: false },
@@ -66,7 +66,7 @@ export class Stepper extends ControlElement<GrammarDesk> {
 		this.shown({});
 	}
 
-	protected override shows({ state }: GrammarDesk): readonly unknown[] {
+	protected override shows({ state }: GrammarContext): readonly unknown[] {
 		const { met, follows, scene } = this.desk.toolState(DERIVATION);
 		return [state.grown, state.grownFrom, met, follows, scene];
 	}

@@ -1,5 +1,5 @@
 /** What the core says of a grammar: the fault that keeps it from growing, and the remarks of the last plant. */
-import type { Fault } from "../ui/desk";
+import type { Fault } from "../ui/editor_context";
 
 /** Something said of a place in the text. */
 export interface Problem {

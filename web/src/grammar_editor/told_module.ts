@@ -1,5 +1,5 @@
 /** What there is to say of a module of a derivation, in plain words. */
-import type { Chance, ModuleAnswer, ToldModule } from "../plant/chronicle";
+import type { Chance, ModuleAnswer, ToldModule } from "../plant/derivation_trace";
 
 /** "1,240 modules". */
 export function countInWords(count: number): string {

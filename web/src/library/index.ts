@@ -6,8 +6,16 @@
 export { CoreError, type CoreReason, CoreTrap, UnsupportedError } from "../core/errors";
 export type { OrganRecord, SegmentRecord, Vector } from "../formats/json";
 export type { FileOptions } from "../formats/plant_files";
-export type { Chance, Chronicle, ModuleAnswer, ModuleSpan, Refusal, TextPlace, ToldModule } from "../plant/chronicle";
 export type { Colour } from "../plant/colour";
+export type {
+	Chance,
+	DerivationTrace,
+	ModuleAnswer,
+	ModuleSpan,
+	Refusal,
+	TextPlace,
+	ToldModule,
+} from "../plant/derivation_trace";
 export type { Material, Picture, Textures } from "../plant/material";
 export type { Extras, Instances, Part, PartMesh, Shape } from "../plant/part";
 export type { Mesh, MeshRun, Organs, Plant, PlantMesh, Segments } from "../plant/plant";

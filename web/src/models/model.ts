@@ -8,11 +8,11 @@
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 import type { PointLabels } from "../formats/about";
-import type { ChronicleAsked } from "../plant/chronicle";
+import type { TraceRequest } from "../plant/derivation_trace";
 import type { Part } from "../plant/part";
 import type { Plant } from "../plant/plant";
 import type { Descriptor } from "../specimen/measures";
-import type { Species } from "../specimen/species";
+import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 import type { Levers } from "../targets/lever";
 import type { Member, MemberAsked } from "./member";
@@ -32,7 +32,7 @@ export interface GrowthOptions {
 	/** Of the derivation, in place of what document and text say, of models that have one to tell of. */
 	steps?: number;
 	/** Which step of the derivation is to be told, of models that have one to tell of (`chronicles`); the default is none. */
-	chronicle?: ChronicleAsked;
+	chronicle?: TraceRequest;
 	/** Whether all of its topology is wanted, of models that tell it; the default is yes, but not in passing. */
 	map?: boolean;
 	/** Whether meshes for four distances are wanted, of models that make such (`levels`); the default is no. */
@@ -74,7 +74,7 @@ export interface Format<S extends Specimen = Specimen, G extends Plant = Plant> 
 	make(grown: G, specimen: S, link: string): Promise<string | Uint8Array<ArrayBuffer>>;
 }
 
-export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> extends Species<S> {
+export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> extends ModelSchema<S> {
 	/** Whether what its links mean is not yet frozen: the page and `--list` say so. */
 	readonly preview?: true;
 	/** What a person calls it, as a heading: "Grape bunch". */

@@ -2,12 +2,12 @@
 
 import type { Plant } from "../plant/plant";
 import { swayOf } from "../plant/sway";
-import type { FigureMaker } from "../render/figure";
+import type { RendererFactory } from "../render/model_renderer";
 import type { Specimen } from "../specimen/specimen";
 import type { PageModel } from "./page_model";
 
 type SceneModule = typeof import("../render/viewer");
-type Maker = FigureMaker<Specimen, Plant>;
+type Maker = RendererFactory<Specimen, Plant>;
 
 let loading: Promise<SceneModule> | undefined;
 const figures = new Map<PageModel, Promise<Maker>>();
@@ -24,13 +24,13 @@ export function loadScene(): Promise<SceneModule> {
 }
 
 /** Starts loading what draws a model's plants: its own figure, or the one that draws any parts. */
-export function loadFigure(model: PageModel): Promise<Maker> {
+export function loadRenderer(model: PageModel): Promise<Maker> {
 	const before = figures.get(model);
 	if (before) return before;
 	const figure =
 		model.render?.() ??
-		import("../render/part_figure").then(({ partFigure }) =>
-			partFigure(
+		import("../render/part_renderer").then(({ partRenderer }) =>
+			partRenderer(
 				(grown, from) => model.parts(grown, from),
 				undefined,
 				(grown) => swayOf(grown),

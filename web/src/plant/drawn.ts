@@ -1,6 +1,6 @@
 /**
  * What a plant's modules have drawn, one by one: what is pointed at in a view, and what is made to shine there. Segments go by their
- * index, organs too, as `Chronicle.segments` and `organs` count them. Metres.
+ * index, organs too, as `DerivationTrace.segments` and `organs` count them. Metres.
  */
 import { TRANSFORM } from "./part";
 import type { MeshRun, Plant, PlantMesh } from "./plant";

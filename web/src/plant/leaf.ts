@@ -51,13 +51,13 @@ export async function readLeaf({ data }: LeafFile): Promise<BorneLeaf> {
 	const uvs = Float32Array.from(columns.ints("uvs"), (value) => value / STEPS);
 	const leaf = {
 		points: uvs.map((value, at) => (at % 2 === 0 ? left + size * value : bottom + size * (1 - value))),
-		between: Float32Array.from(columns.octets("between"), (value) => value / STEEPS),
+		between: Float32Array.from(columns.uint8("between"), (value) => value / STEEPS),
 		uvs,
 		indices: columns.words("indices"),
 		...(columns.has("petiole") ? { petiole: columns.floats("petiole") } : {}),
 	};
 	if (!columns.has("veins")) return leaf;
-	return { ...leaf, veins: { side: columns.width("veins"), shares: columns.octets("veins") } };
+	return { ...leaf, veins: { side: columns.width("veins"), shares: columns.uint8("veins") } };
 }
 
 /** As a request has it (wasm-core/src/foliage/flat_leaf.hpp). */

@@ -1,6 +1,6 @@
 /** What every model gives back, typed: the plant that scene, exporters and panels read. Metres, +Y up. */
 
-import type { Chronicle } from "./chronicle";
+import type { DerivationTrace } from "./derivation_trace";
 
 /** Triangles; normals are of unit length, indices go counter-clockwise seen from outside. */
 export interface Mesh {
@@ -98,7 +98,7 @@ export interface Plant {
 	/** The same over the meshes; absent if not asked for. */
 	meshFingerprint?: string;
 	/** How its text was derived; absent if not asked for. */
-	chronicle?: Chronicle;
+	chronicle?: DerivationTrace;
 	/** Wall time measured by the caller, in milliseconds. */
 	timings: { grow: number };
 }

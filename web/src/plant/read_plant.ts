@@ -1,7 +1,7 @@
 /** Columns of an answer → plant (layout: wasm-core/src/exports/panicle.h). Arrays are views of the answer's bytes. */
 import type { Columns } from "../core/container";
 import type { Answer } from "../core/core";
-import { readChronicle } from "./chronicle";
+import { readTrace } from "./derivation_trace";
 import { EMPTY_PLANT, type Mesh, type MeshRun, type Organs, type Plant, type PlantMesh, type Segments } from "./plant";
 
 /** Of `cut_short`: the time limit of the host, and not a limit of the core. */
@@ -22,7 +22,7 @@ export function readPlant({ columns, milliseconds }: Answer): Plant {
 	};
 	if (columns.has("measures")) plant.measures = columns.floats("measures");
 	if (columns.has("cut_short")) plant.cutShort = columns.words("cut_short")[0] === CUT_BY_TIME ? "time" : "limit";
-	const chronicle = readChronicle(columns);
+	const chronicle = readTrace(columns);
 	if (chronicle) plant.chronicle = chronicle;
 	if (columns.has("mesh_fingerprint")) plant.meshFingerprint = hexadecimal(columns.words("mesh_fingerprint"));
 	return plant;
@@ -69,7 +69,7 @@ function readPlantMesh(columns: Columns, name: string): PlantMesh {
 /** The column `sky`, where it was asked for. */
 export function readSky(columns: Columns, prefix: string): { sky?: Uint8Array } {
 	const name = `${prefix}sky`;
-	return columns.has(name) ? { sky: columns.octets(name) } : {};
+	return columns.has(name) ? { sky: columns.uint8(name) } : {};
 }
 
 /** The arrays of a mesh whose columns begin with `prefix`. */

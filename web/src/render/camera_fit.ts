@@ -17,7 +17,7 @@ export interface Bodies {
 }
 
 /** A plant as it looks when spun about its upright axis: a stack of rings. */
-export interface Spindle {
+export interface BoundingProfile {
 	/** The upright axis midway between the plant's sides, and the height midway between its ends. */
 	centre: [x: number, y: number, z: number];
 	/** 3 × rings: distance from the axis, height over the centre, thickness (a ball's radius). */
@@ -36,13 +36,17 @@ const MOST_RINGS = 2000;
 const LEVELS = 400;
 
 /** Spins a plant. */
-export function spindleOf({ spheres, points }: Bodies): Spindle {
-	const low: Spindle["centre"] = [Infinity, Infinity, Infinity];
-	const high: Spindle["centre"] = [-Infinity, -Infinity, -Infinity];
+export function spindleOf({ spheres, points }: Bodies): BoundingProfile {
+	const low: BoundingProfile["centre"] = [Infinity, Infinity, Infinity];
+	const high: BoundingProfile["centre"] = [-Infinity, -Infinity, -Infinity];
 	stretch(low, high, points, 3);
 	stretch(low, high, spheres, 4);
 	if (!(low[0] <= high[0])) return { centre: [0, 0, 0], rings: new Float32Array([0.05, 0, 0]) };
-	const centre: Spindle["centre"] = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2])];
+	const centre: BoundingProfile["centre"] = [
+		0.5 * (low[0] + high[0]),
+		0.5 * (low[1] + high[1]),
+		0.5 * (low[2] + high[2]),
+	];
 	const rings = new Float32Array((spheres.length / 4 + points.length / 3) * 3);
 	const rest = spin(centre, spheres, 4, rings);
 	spin(centre, points, 3, rest);
@@ -50,7 +54,12 @@ export function spindleOf({ spheres, points }: Bodies): Spindle {
 }
 
 /** Makes a box hold points, or balls of four numbers. */
-function stretch(low: Spindle["centre"], high: Spindle["centre"], bodies: Float32Array, stride: 3 | 4): void {
+function stretch(
+	low: BoundingProfile["centre"],
+	high: BoundingProfile["centre"],
+	bodies: Float32Array,
+	stride: 3 | 4,
+): void {
 	let [lowX, lowY, lowZ] = low;
 	let [highX, highY, highZ] = high;
 	for (let i = 0; i + stride <= bodies.length; i += stride) {
@@ -67,7 +76,12 @@ function stretch(low: Spindle["centre"], high: Spindle["centre"], bodies: Float3
 }
 
 /** Writes the rings of points, or of balls of four numbers; returns the room that is left. */
-function spin([x, y, z]: Spindle["centre"], bodies: Float32Array, stride: 3 | 4, rings: Float32Array): Float32Array {
+function spin(
+	[x, y, z]: BoundingProfile["centre"],
+	bodies: Float32Array,
+	stride: 3 | 4,
+	rings: Float32Array,
+): Float32Array {
 	let at = 0;
 	for (let i = 0; i + stride <= bodies.length; i += stride) {
 		const [across, along] = [bodies[i] - x, bodies[i + 2] - z];
@@ -114,7 +128,7 @@ export interface Lens {
  * @param margin share of the view's height and width kept free on each side
  * @param elevation of the camera over the target's horizon, radians
  */
-export function fitView(spindle: Spindle, fov: number, aspect: number, margin: number, elevation: number): Fit {
+export function fitView(spindle: BoundingProfile, fov: number, aspect: number, margin: number, elevation: number): Fit {
 	const { centre, rings } = spindle;
 	let radius = 0;
 	let breadth = 0;
@@ -128,12 +142,12 @@ export function fitView(spindle: Spindle, fov: number, aspect: number, margin: n
 }
 
 /** Whether a view that was fitted to another plant shows all of this one, whichever way both are turned about the view's target. */
-export function showsWhole(view: Fit, spindle: Spindle, lens: Lens): boolean {
+export function showsWhole(view: Fit, spindle: BoundingProfile, lens: Lens): boolean {
 	return wholeFrom(spindle, view.target, lens, 0) <= view.distance;
 }
 
 /** The nearest distance to a target from which a plant that is turned about it is seen whole; `margin` as in `fitView`. */
-function wholeFrom({ centre, rings }: Spindle, target: Fit["target"], lens: Lens, margin: number): number {
+function wholeFrom({ centre, rings }: BoundingProfile, target: Fit["target"], lens: Lens, margin: number): number {
 	const { fov, aspect, elevation } = lens;
 	const tall = Math.tan(fov / 2) * (1 - 2 * margin);
 	const wide = Math.tan(fov / 2) * aspect * (1 - 2 * margin);

@@ -11,7 +11,7 @@ import {
 	Vector3,
 } from "three";
 import { everyPart, type Instances, type Part, type PartMesh, TRANSFORM } from "../plant/part";
-import type { Wardrobe } from "./wardrobe";
+import type { MaterialCache } from "./material_cache";
 
 export type PartObject = Mesh<BufferGeometry, MeshStandardMaterial>;
 
@@ -54,7 +54,7 @@ export class PartMeshes {
 	readonly #own: BufferGeometry[] = [];
 
 	/** @param wardrobe whose materials they wear; it stays whose it is */
-	constructor(parts: Iterable<Part>, wardrobe: Pick<Wardrobe, "materialOf">) {
+	constructor(parts: Iterable<Part>, wardrobe: Pick<MaterialCache, "materialOf">) {
 		for (const { name, shape } of everyPart(parts)) {
 			if (!shape) continue;
 			const { mesh, instances } = shape;

@@ -1,8 +1,8 @@
 import { Group, type PerspectiveCamera, Scene, type WebGLRenderer } from "three";
 import { Backdrop } from "./backdrop";
 import type { Bodies } from "./camera_fit";
-import type { Figure, FigureMaker, Ray } from "./figure";
 import type { Theme } from "./light";
+import type { ModelRenderer, Ray, RendererFactory } from "./model_renderer";
 import { PaperShadow } from "./paper_shadow";
 import type { Drawable } from "./renderer";
 import { StageLight } from "./stage_light";
@@ -16,7 +16,7 @@ export class Stage<S, G> implements Drawable {
 	readonly #shadow = new PaperShadow();
 	readonly #backdrop = new Backdrop(this.#shadow.texture);
 	#root = new Group();
-	#figure: Figure<S, G> | undefined;
+	#figure: ModelRenderer<S, G> | undefined;
 	#mode = "";
 	#marked: number | undefined;
 	#whole: ReadonlySet<number> | undefined;
@@ -31,7 +31,7 @@ export class Stage<S, G> implements Drawable {
 	}
 
 	/** Puts a figure in place of the last. */
-	use(make: FigureMaker<S, G>): void {
+	use(make: RendererFactory<S, G>): void {
 		this.#figure?.dispose();
 		this.#root.removeFromParent();
 		this.#root = new Group();
@@ -48,9 +48,9 @@ export class Stage<S, G> implements Drawable {
 	}
 
 	/** Draws the paper alone, and in passing has every program built, while the first plant is still growing. */
-	readonly rehearsal: Drawable = {
+	readonly warmUp: Drawable = {
 		draw: (renderer, camera, paper) => {
-			this.#figure?.rehearse?.();
+			this.#figure?.warmUp?.();
 			this.#fill();
 			this.draw(renderer, camera, paper);
 			this.#empty();

@@ -1,12 +1,12 @@
 import { type Object3D, type PerspectiveCamera, Vector3 } from "three";
-import { type Spindle, spindleOf } from "./camera_fit";
-import type { FigureMaker, Ray } from "./figure";
+import { CameraController, type Gaze, type ViewName } from "./camera_controller";
+import { type BoundingProfile, spindleOf } from "./camera_fit";
 import { type Frame, FrameLoop } from "./frame_loop";
 import type { Theme } from "./light";
+import type { Ray, RendererFactory } from "./model_renderer";
 import { type Drawable, Renderer } from "./renderer";
 import type { Size } from "./size";
 import { Stage } from "./stage";
-import { type Gaze, Turntable, type ViewName } from "./turntable";
 
 export interface ViewerOptions {
 	/** No gliding, no damping. */
@@ -46,9 +46,9 @@ export class Viewer<S, G> {
 	/** Of a canvas that what was drawn is copied to, by a renderer that serves others, too. */
 	readonly #copied: CanvasRenderingContext2D | undefined;
 	readonly #stage = new Stage<S, G>(() => this.#loop.request());
-	readonly #turntable: Turntable;
+	readonly #turntable: CameraController;
 	readonly #loop: FrameLoop;
-	#spindle: Spindle | undefined;
+	#spindle: BoundingProfile | undefined;
 	#held = false;
 	#rendered = 0;
 	#size = { width: 1, height: 1 };
@@ -60,7 +60,7 @@ export class Viewer<S, G> {
 		this.#renderer = options.renderer ?? new Renderer(canvas, options.checked ?? false);
 		if (options.renderer) this.#copied = canvas.getContext("2d", { alpha: false }) ?? undefined;
 		this.#loop = new FrameLoop((frame) => this.#frame(frame), window.devicePixelRatio, this.#renderer.slow);
-		this.#turntable = new Turntable(canvas, options.reducedMotion ?? false, () => this.#loop.request(true));
+		this.#turntable = new CameraController(canvas, options.reducedMotion ?? false, () => this.#loop.request(true));
 		if (options.still) this.#turntable.controls.disconnect();
 		this.setTheme(options.theme ?? "light");
 		this.#renderer.canvas.addEventListener("webglcontextlost", this.#onLost);
@@ -69,12 +69,12 @@ export class Viewer<S, G> {
 	}
 
 	/** Plants are drawn by this figure from now on; the last one is taken off the stage. */
-	use(make: FigureMaker<S, G>): void {
+	use(make: RendererFactory<S, G>): void {
 		this.#stage.use(make);
 		this.#spindle = undefined;
 		this.#turntable.forget(this.#stage.elevation);
 		this.camera.updateMatrixWorld();
-		if (!this.#renderer.lost) this.#submit(this.#stage.rehearsal, this.#loop.rest);
+		if (!this.#renderer.lost) this.#submit(this.#stage.warmUp, this.#loop.rest);
 		this.#loop.request();
 	}
 

@@ -1,7 +1,8 @@
 /** The detail of models whose texts have constants: values in place of what their `#define`s say. */
+
+import type { Field } from "./model_schema";
 import { type Notes, quote } from "./notes";
 import { isRecord, readNumber } from "./read_values";
-import type { Detail } from "./species";
 import type { Specimen } from "./specimen";
 
 /** What a specimen with this detail holds. */
@@ -26,7 +27,7 @@ export const isHeld = (name: string, value: number): boolean =>
 /** @param names those that a specimen's text defines, once it has been fetched */
 export function constantValues<S extends Specimen & WithConstants>(
 	names: (specimen: S) => Promise<readonly string[]>,
-): Detail<S> {
+): Field<S> {
 	return {
 		keys: ["define", "constants"],
 		settings: ["define=NAME:VALUE,…"],

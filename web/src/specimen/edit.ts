@@ -2,13 +2,13 @@
  * Changes to a specimen that controls make: always in range, always on the steps that a link can hold. What a change leaves out
  * stays the same object, so that nothing is drawn anew for it.
  */
-import type { Species } from "./species";
+import type { ModelSchema } from "./model_schema";
 import type { Specimen } from "./specimen";
 import { nearestWithin } from "./table";
 
 /** Sets parameters; the model's details bring along what goes with them. */
 export function withParameters<S extends Specimen>(
-	{ table, details }: Species<S>,
+	{ table, details }: ModelSchema<S>,
 	specimen: S,
 	changes: Readonly<Partial<Record<string, number>>>,
 ): S {
@@ -25,7 +25,7 @@ export function withParameters<S extends Specimen>(
 
 /** Sets values of the look: colours of six hexadecimal digits, or numbers. */
 export function withLook<S extends Specimen>(
-	{ table }: Species<S>,
+	{ table }: ModelSchema<S>,
 	specimen: S,
 	changes: Readonly<Partial<Record<string, number | string>>>,
 ): S {

@@ -1,4 +1,4 @@
-import type { Species } from "./species";
+import type { ModelSchema } from "./model_schema";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 
 /** The seed of a link that names none. */
@@ -10,7 +10,7 @@ export const DEFAULT_SEED = 1;
  * @param version of the link that names the preset: what is younger than the link has the value it means there
  */
 export function fromPreset<S extends Specimen>(
-	{ name: model, table, presets, details }: Species<S>,
+	{ name: model, table, presets, details }: ModelSchema<S>,
 	name: string = presets.standard,
 	version: number = SPECIMEN_VERSION,
 ): S {

@@ -1,7 +1,7 @@
 /** The detail of models that are grown by a grammar: its text, in place of the built-in one. */
 import { GRAMMAR_BYTES, overlongText } from "./limits";
+import type { Field } from "./model_schema";
 import { type Notes, quote } from "./notes";
-import type { Detail } from "./species";
 import type { Specimen } from "./specimen";
 
 /** What a specimen with this detail holds. */
@@ -13,7 +13,7 @@ export interface WithGrammar {
 const BUILT_IN = "the built-in grammar is used";
 
 /** @param claims whether a text that names no model is for this one; "any": each that no other model claims; absent: none is */
-export function grammarText<S extends Specimen & WithGrammar>(claims?: ((text: string) => boolean) | "any"): Detail<S> {
+export function grammarText<S extends Specimen & WithGrammar>(claims?: ((text: string) => boolean) | "any"): Field<S> {
 	return {
 		keys: ["grammar"],
 		...(claims === "any" ? { takesAny: true } : claims ? { claims } : {}),

@@ -6,9 +6,9 @@
 
 import { compressText, expandText } from "./compressed_text";
 import { DEFAULT_SEED, fromPreset } from "./from_preset";
+import type { ModelSchema, Packed } from "./model_schema";
 import { Notes } from "./notes";
 import { type Restored, restore } from "./restore";
-import type { Packed, Species } from "./species";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import { writtenIn } from "./table";
 
@@ -19,14 +19,14 @@ export const LONGEST_QUERY = 16 * 1024;
 export const LONGEST_FRAGMENT = 512 * 1024;
 
 /** `?v=2&…#g=…`: the whole specimen. */
-export async function encodeLink<S extends Specimen>(species: Species<S>, specimen: S): Promise<string> {
+export async function encodeLink<S extends Specimen>(species: ModelSchema<S>, specimen: S): Promise<string> {
 	const texts = textsOf(species, specimen);
 	const packed = await Promise.all(texts.map(async ([key, text]) => `${key}=${await compressText(text)}`));
 	return `${encodeQuery(species, specimen)}${packed.length > 0 ? `#${packed.join("&")}` : ""}`;
 }
 
 /** `?v=2&…`: the specimen without its long texts. */
-export function encodeQuery<S extends Specimen>(species: Species<S>, specimen: S): string {
+export function encodeQuery<S extends Specimen>(species: ModelSchema<S>, specimen: S): string {
 	const preset = fromPreset(species, specimen.preset);
 	const parts = [`v=${SPECIMEN_VERSION}`];
 	if (!species.unnamed) parts.push(`model=${species.name}`);
@@ -44,12 +44,12 @@ export function encodeQuery<S extends Specimen>(species: Species<S>, specimen: S
 }
 
 /** Whether the query alone is the whole link. */
-export function isQueryWhole<S extends Specimen>(species: Species<S>, specimen: S): boolean {
+export function isQueryWhole<S extends Specimen>(species: ModelSchema<S>, specimen: S): boolean {
 	return textsOf(species, specimen).length === 0;
 }
 
 /** The texts that its fragment carries, by their keys, not packed. */
-export function textsOf<S extends Specimen>(species: Species<S>, specimen: S): [key: string, text: string][] {
+export function textsOf<S extends Specimen>(species: ModelSchema<S>, specimen: S): [key: string, text: string][] {
 	return packedOf(species).flatMap(({ link, textOf }) => {
 		const text = textOf(specimen);
 		const same = text === undefined || text === textOf(fromPreset(species, specimen.preset));
@@ -63,7 +63,7 @@ export function textsOf<S extends Specimen>(species: Species<S>, specimen: S): [
  * @param hash the fragment, with or without its `#`
  */
 export async function decodeLink<S extends Specimen>(
-	species: Species<S>,
+	species: ModelSchema<S>,
 	search: string,
 	hash = "",
 ): Promise<Restored<S>> {
@@ -77,7 +77,7 @@ export async function decodeLink<S extends Specimen>(
 }
 
 /** Reads the query alone: at once, and all there is to most links. */
-export function decodeQuery<S extends Specimen>(species: Species<S>, search: string): Restored<S> {
+export function decodeQuery<S extends Specimen>(species: ModelSchema<S>, search: string): Restored<S> {
 	const notes = new Notes();
 	return restored(species, valuesOf(search, notes), notes);
 }
@@ -96,11 +96,15 @@ export function modelInQuery(search: string): string | undefined {
 }
 
 /** Whether a fragment holds anything of a specimen, so that the link needs `decodeLink`. */
-export function hasPacked<S extends Specimen>(species: Species<S>, hash: string): boolean {
+export function hasPacked<S extends Specimen>(species: ModelSchema<S>, hash: string): boolean {
 	return packedOf(species).some(({ link }) => inFragment(hash, link).length > 0);
 }
 
-function restored<S extends Specimen>(species: Species<S>, values: Record<string, string>, notes: Notes): Restored<S> {
+function restored<S extends Specimen>(
+	species: ModelSchema<S>,
+	values: Record<string, string>,
+	notes: Notes,
+): Restored<S> {
 	const { specimen, notes: more } = restore(species, values);
 	for (const { unlinked } of species.details) unlinked?.missing(specimen, notes);
 	return { specimen, notes: [...notes.all(), ...more] };
@@ -116,7 +120,7 @@ function valuesOf(search: string, notes: Notes): Record<string, string> {
 	return Object.fromEntries(values);
 }
 
-function packedOf<S extends Specimen>({ details }: Species<S>): Packed<S>[] {
+function packedOf<S extends Specimen>({ details }: ModelSchema<S>): Packed<S>[] {
 	return details.flatMap(({ packed }) => packed ?? []);
 }
 

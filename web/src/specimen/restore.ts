@@ -4,10 +4,10 @@
  */
 import { fromPreset } from "./from_preset";
 import { SEED } from "./limits";
+import type { ModelSchema } from "./model_schema";
 import { type Note, Notes, quote } from "./notes";
 import { isRecord, readChoice, readColour, readNumber, readNumbers } from "./read_values";
 import { readWithin } from "./read_within";
-import type { Species } from "./species";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import { type Entry, valueIn, writtenIn } from "./table";
 
@@ -23,7 +23,7 @@ const GROUPS = ["parameters", "look"];
 const READ_FIRST = new Set(["v", "model", "preset"]);
 
 /** Whether a key of a link or a table key means something here. */
-export function isKnown<S extends Specimen>({ table, details }: Species<S>, key: string): boolean {
+export function isKnown<S extends Specimen>({ table, details }: ModelSchema<S>, key: string): boolean {
 	if (READ_FIRST.has(key) || key === "seed") return true;
 	if (table.entry(key) !== undefined || table.linked(key).length > 0) return true;
 	return details.some(({ keys }) => keys.includes(key));
@@ -39,7 +39,7 @@ export function isKnown<S extends Specimen>({ table, details }: Species<S>, key:
  * @param record what came in; anything but an object is noted and passed over
  * @param from   the specimen whose values hold where the record is silent; without one, the record's preset
  */
-export function restore<S extends Specimen>(species: Species<S>, record: unknown, from?: S): Restored<S> {
+export function restore<S extends Specimen>(species: ModelSchema<S>, record: unknown, from?: S): Restored<S> {
 	const notes = new Notes();
 	const parts = flatten(species, record, notes);
 	const named = new Map(parts);
@@ -62,7 +62,7 @@ export function modelIn(record: unknown): string | undefined {
 	return typeof named === "string" ? named : undefined;
 }
 
-function flatten<S extends Specimen>({ details }: Species<S>, record: unknown, notes: Notes): [string, unknown][] {
+function flatten<S extends Specimen>({ details }: ModelSchema<S>, record: unknown, notes: Notes): [string, unknown][] {
 	if (!isRecord(record)) {
 		if (record !== undefined && record !== null) notes.add("specimen", `${quote(record)} is not a specimen`, "ignored");
 		return [];
@@ -90,7 +90,7 @@ function readVersion(value: unknown, silent: number, notes: Notes): number {
 }
 
 /** What says no version is read as the first, in which some presets never were. */
-function noteYounger<S extends Specimen>({ presets }: Species<S>, value: unknown, notes: Notes): void {
+function noteYounger<S extends Specimen>({ presets }: ModelSchema<S>, value: unknown, notes: Notes): void {
 	const { title, since = 1 } = (typeof value === "string" && presets.named(value)) || {};
 	if (since > 1)
 		notes.add(
@@ -106,7 +106,7 @@ function readModel(name: string, value: unknown, notes: Notes): void {
 
 /** A copy that may be written to. */
 function readPreset<S extends Specimen>(
-	species: Species<S>,
+	species: ModelSchema<S>,
 	value: unknown,
 	version: number,
 	from: S | undefined,
@@ -121,7 +121,7 @@ function readPreset<S extends Specimen>(
 }
 
 function readPart<S extends Specimen>(
-	{ table, details }: Species<S>,
+	{ table, details }: ModelSchema<S>,
 	specimen: S,
 	key: string,
 	value: unknown,

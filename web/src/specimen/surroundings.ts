@@ -1,7 +1,8 @@
 /** The detail of models whose plants heed what stands about them: what that is, as a stand worked it out for one of its plants. */
+
+import type { Field } from "./model_schema";
 import { type Notes, quote } from "./notes";
 import { readNumbers } from "./read_values";
-import type { Detail } from "./species";
 import type { Specimen } from "./specimen";
 
 /** What a specimen with this detail holds. */
@@ -20,7 +21,7 @@ const STEEPEST = 90;
 const ROOM = [0.01, 99] as const;
 const ALONE = "it stands alone";
 
-export function surroundingsDetail<S extends Specimen & WithSurroundings>(): Detail<S> {
+export function surroundingsDetail<S extends Specimen & WithSurroundings>(): Field<S> {
 	return {
 		keys: ["about", "surroundings"],
 		settings: ["about=DEGREES × 8,METRES × 8"],

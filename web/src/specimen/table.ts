@@ -112,7 +112,7 @@ export class Table {
 	}
 
 	/** Whether a specimen's choices let it heed something. */
-	heeds(specimen: Specimen, { where = {} }: Pick<Entry, "where">): boolean {
+	isActive(specimen: Specimen, { where = {} }: Pick<Entry, "where">): boolean {
 		return Object.entries(where).every(([key, option]) => this.option(specimen, key) === option);
 	}
 

@@ -3,7 +3,7 @@
  * a comment in the first line as a link's query: `/* Panicle ?v=2&model=growth&preset=oak` and the comment's end.
  */
 import { decodeQuery, encodeQuery } from "./link";
-import type { Species } from "./species";
+import type { ModelSchema } from "./model_schema";
 import type { Specimen } from "./specimen";
 
 const FIRST_LINE = /^\uFEFF?\/\* Panicle (\?\S*) \*\/\r?\n/;
@@ -17,7 +17,7 @@ export interface TextFile {
 }
 
 /** @param text what the specimen grows by */
-export function writeTextFile<S extends Specimen>(species: Species<S>, specimen: S, text: string): string {
+export function writeTextFile<S extends Specimen>(species: ModelSchema<S>, specimen: S, text: string): string {
 	// Nothing in it ends the comment.
 	const query = encodeQuery(species, specimen).replaceAll("*/", "*%2F");
 	return `/* Panicle ${query} */\n${text}`;
@@ -30,6 +30,6 @@ export function readTextFile(file: string): TextFile {
 }
 
 /** The specimen that the file says, but for its text; undefined where the file says none. */
-export function specimenOf<S extends Specimen>(species: Species<S>, { query }: TextFile): S | undefined {
+export function specimenOf<S extends Specimen>(species: ModelSchema<S>, { query }: TextFile): S | undefined {
 	return query === undefined ? undefined : decodeQuery(species, query).specimen;
 }

@@ -1,4 +1,4 @@
-import type { Species } from "./species";
+import type { ModelSchema } from "./model_schema";
 import type { Specimen } from "./specimen";
 import { writtenIn } from "./table";
 
@@ -8,7 +8,7 @@ export type WrittenSpecimen<S extends Specimen = Specimen> = Omit<S, "parameters
 };
 
 /** What goes into JSON and glTF; `restore` brings it back as it was. */
-export function writtenSpecimen<S extends Specimen>({ table }: Species<S>, specimen: S): WrittenSpecimen<S> {
+export function writtenSpecimen<S extends Specimen>({ table }: ModelSchema<S>, specimen: S): WrittenSpecimen<S> {
 	const parameters = Object.fromEntries(table.core.map((entry) => [entry.key, writtenIn(specimen, entry)]));
 	return { ...specimen, parameters: parameters as WrittenSpecimen<S>["parameters"] };
 }

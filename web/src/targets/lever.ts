@@ -1,6 +1,6 @@
 /** What moves a measure: a model's word on which of its parameters do. */
 import { withParameters } from "../specimen/edit";
-import type { Species } from "../specimen/species";
+import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 
 /** One number by which a measure can be moved: a parameter, or several that move together. */
@@ -20,7 +20,11 @@ export interface Lever<S extends Specimen = Specimen> {
 export type Levers<S extends Specimen = Specimen> = Readonly<Record<string, readonly Lever<S>[]>>;
 
 /** Parameters that keep their proportions; the first leads, and is the lever's value. */
-export function together<S extends Specimen>(species: Species<S>, power: number, ...keys: readonly string[]): Lever<S> {
+export function together<S extends Specimen>(
+	species: ModelSchema<S>,
+	power: number,
+	...keys: readonly string[]
+): Lever<S> {
 	const [lead, ...others] = keys;
 	const entry = species.table.entry(lead);
 	if (!entry || entry.kind === "colour") throw new RangeError(`${lead} is no number of the ${species.name}.`);

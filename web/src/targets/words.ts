@@ -1,7 +1,7 @@
 /** What came of what was asked, in words. */
 import { readIn, scaleOf } from "../specimen/lengths";
 import { measureText } from "../specimen/measures";
-import type { Species } from "../specimen/species";
+import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 import { reachedText, toleranceOf } from "./aim";
 import type { Answer, Reached } from "./solve";
@@ -22,11 +22,11 @@ const MOST_NAMED = 3;
 
 /** What differs between two specimens, the most changed first: "Length 120 → 143.4 mm, Density 6 → 7.1 and 3 more". */
 export function changesInWords<S extends Specimen>(
-	species: Pick<Species<S>, "table" | "lengths">,
+	species: Pick<ModelSchema<S>, "table" | "lengths">,
 	from: S,
 	to: S,
 ): string {
-	const heeded = species.table.core.filter((entry) => species.table.heeds(to, entry));
+	const heeded = species.table.core.filter((entry) => species.table.isActive(to, entry));
 	const changes = heeded.flatMap((entry) => {
 		// A length that goes with the scale is the scale's.
 		if (from.parameters[entry.key] === to.parameters[entry.key]) return [];

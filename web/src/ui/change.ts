@@ -1,13 +1,13 @@
 /** The pure half of the store: what a control's change makes of the document. */
 
 import { withLook, withParameters, withSeed } from "../specimen/edit";
-import type { Species } from "../specimen/species";
+import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
-import type { Change } from "./desk";
+import type { Change } from "./editor_context";
 
 /** The specimen with the change in it. */
 export function apply<S extends Specimen>(
-	species: Species<S>,
+	species: ModelSchema<S>,
 	specimen: S,
 	{ parameters = {}, look = {}, details = {}, seed }: Change,
 ): S {

@@ -1,11 +1,11 @@
 import { html } from "lit";
 import type { ColourEntry } from "../specimen/table";
-import type { Desk } from "./desk";
+import type { EditorContext } from "./editor_context";
 import { EntryElement } from "./entry_element";
 
 /** A colour of the look: the system's picker and the same six digits to type. */
 export class ColourControl extends EntryElement<ColourEntry> {
-	protected override draw(desk: Desk): unknown {
+	protected override draw(desk: EditorContext): unknown {
 		const { key, label, help } = this.entry;
 		const { value } = this;
 		return html`<div class="control colour ${value === this.published ? "" : "changed"}" data-key=${key}>

@@ -1,15 +1,15 @@
 import type { PropertyValues } from "lit";
-import type { Species } from "../specimen/species";
-import type { Desk } from "./desk";
-import { DeskElement } from "./desk_element";
+import type { ModelSchema } from "../specimen/model_schema";
+import type { EditorContext } from "./editor_context";
+import { EditorElement } from "./editor_element";
 
 /**
  * A control that belongs to one model. When another model comes to the desk it stands still until the page takes it away:
  * what it would draw is not there any more.
  */
-export abstract class ControlElement<D extends Desk = Desk> extends DeskElement<D> {
+export abstract class ControlElement<D extends EditorContext = EditorContext> extends EditorElement<D> {
 	/** The model that was on the desk when the page last put the control to use. */
-	#model: Species | undefined;
+	#model: ModelSchema | undefined;
 
 	protected override shouldUpdate(changed: PropertyValues): boolean {
 		if (!super.shouldUpdate(changed)) return false;

@@ -1,6 +1,6 @@
 import { type Entry, valueIn } from "../specimen/table";
 import { ControlElement } from "./control_element";
-import type { Change } from "./desk";
+import type { Change } from "./editor_context";
 
 /** The control of one parameter. A double click on its name, or Delete, brings the preset's value back. */
 export abstract class EntryElement<E extends Entry> extends ControlElement {

@@ -3,7 +3,7 @@ import { live } from "lit/directives/live.js";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
 import { coarseStep } from "./coarse_step";
 import { ControlElement } from "./control_element";
-import type { Desk, Stateful } from "./desk";
+import type { EditorContext, Stateful } from "./editor_context";
 import { HeldKey } from "./held_key";
 import { icon } from "./icons";
 import { type Life, nextStage, nextStep, SPEEDS, stageOf } from "./life";
@@ -24,11 +24,11 @@ export class LifeBar extends ControlElement {
 
 	readonly #held = new HeldKey(() => this.desk.settle());
 
-	protected override shows(desk: Desk): readonly unknown[] {
+	protected override shows(desk: EditorContext): readonly unknown[] {
 		return [this.age, desk.toolState(this.play), desk.state.grown !== undefined];
 	}
 
-	protected override draw(desk: Desk): unknown {
+	protected override draw(desk: EditorContext): unknown {
 		const { life, age } = this;
 		const { min, max, step, unit } = this.#entry;
 		const words = spoken(unit);

@@ -3,7 +3,7 @@
  * the newest question only, so that nothing queues however long a growth takes.
  */
 import type { Specimen } from "../specimen/specimen";
-import type { Desk, Stateful } from "./desk";
+import type { EditorContext, Stateful } from "./editor_context";
 import { type Life, nextStage } from "./life";
 
 /** How long each stage stands where motion is unwelcome, in milliseconds. */
@@ -30,7 +30,7 @@ export interface PlayState {
 }
 
 export class LifePlayer {
-	readonly #desk: Desk;
+	readonly #desk: EditorContext;
 	readonly #life: Life;
 	readonly #state: Stateful<PlayState>;
 	readonly #clock: Clock;
@@ -44,7 +44,7 @@ export class LifePlayer {
 	#made: Specimen | undefined;
 
 	/** @param state where it stands whether the life runs: whoever wants it to run or to stop says so there */
-	constructor(desk: Desk, life: Life, state: Stateful<PlayState>, clock: Clock = FRAMES) {
+	constructor(desk: EditorContext, life: Life, state: Stateful<PlayState>, clock: Clock = FRAMES) {
 		this.#desk = desk;
 		this.#life = life;
 		this.#state = state;

@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
 import { rangeInWords, readOf, type Scale, scaleOf, typedOf } from "../specimen/lengths";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
-import type { Change } from "./desk";
+import type { Change } from "./editor_context";
 import { EntryElement } from "./entry_element";
 import { HeldKey } from "./held_key";
 import { OWN_LENGTHS } from "./own_lengths";

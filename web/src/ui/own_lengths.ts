@@ -1,4 +1,4 @@
-import type { Stateful } from "./desk";
+import type { Stateful } from "./editor_context";
 
 /** Whether lengths that a model counts in a unit of its own say that too, beside the millimetres. */
 export const OWN_LENGTHS: Stateful<boolean> & Required<Pick<Stateful<boolean>, "recall">> = {

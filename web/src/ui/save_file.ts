@@ -1,4 +1,4 @@
-/** Hands a file to the browser's downloads. */
+/** CanvasInteraction a file to the browser's downloads. */
 export function saveFile(blob: Blob, name: string): void {
 	const anchor = document.createElement("a");
 	anchor.href = URL.createObjectURL(blob);

@@ -4,10 +4,10 @@ import type { Object3D } from "three";
 import type { Plant } from "../plant/plant";
 import type { ClosedMesh } from "../specimen/closed_mesh";
 import type { Specimen } from "../specimen/specimen";
-import type { Desk, DeskState } from "./desk";
-import type { Tool, ToolHands, ToolView } from "./tool";
+import type { EditorContext, EditorState } from "./editor_context";
+import type { Tool, ToolInteraction, ToolView } from "./tool";
 
-/** What draws them: render/shell_figure.ts. */
+/** What draws them: render/shell_renderer.ts. */
 export interface ShellDrawing {
 	readonly object: Object3D;
 	/** @param colour any CSS colour */
@@ -51,9 +51,9 @@ export function shownShells<S extends Specimen, G extends Plant>(shown: ShownShe
 	return tool;
 }
 
-class ShellHands<S extends Specimen, G extends Plant> implements ToolHands<S, G> {
+class ShellHands<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
 	readonly #view: ToolView;
-	readonly #desk: Desk<S, G>;
+	readonly #desk: EditorContext<S, G>;
 	readonly #what: ShownShells<S, G>;
 	readonly #tool: Tool<S, G, boolean>;
 	/** Loaded when first asked for. */
@@ -61,7 +61,7 @@ class ShellHands<S extends Specimen, G extends Plant> implements ToolHands<S, G>
 	#shown: { readonly specimen: S; readonly dark: boolean; readonly grown: G | undefined } | undefined;
 	#disposed = false;
 
-	constructor(view: ToolView, desk: Desk<S, G>, what: ShownShells<S, G>, tool: Tool<S, G, boolean>) {
+	constructor(view: ToolView, desk: EditorContext<S, G>, what: ShownShells<S, G>, tool: Tool<S, G, boolean>) {
 		this.#view = view;
 		this.#desk = desk;
 		this.#what = what;
@@ -89,7 +89,7 @@ class ShellHands<S extends Specimen, G extends Plant> implements ToolHands<S, G>
 		return this.#desk.toolState(this.#tool) && (this.#what.applies?.(specimen) ?? true);
 	}
 
-	#show(figure: ShellDrawing, { specimen, dark, grown }: DeskState<S, G>): void {
+	#show(figure: ShellDrawing, { specimen, dark, grown }: EditorState<S, G>): void {
 		const visible = this.#visible(specimen);
 		const { marked, ofPlant = false } = this.#what;
 		const another = this.#shown?.grown !== grown;

@@ -247,7 +247,7 @@ TEST_CASE("a bunch whose telling a limit cuts is whole, and its own modules are 
     set(request, Parameter::procedure, system == 4 ? 1 : 0);
     request.grammar = text;
     Grown plain = grown(request);
-    request.chronicle = lsystem::ChronicleAsked{.step = 9999};
+    request.chronicle = lsystem::TraceRequest{.step = 9999};
     Limits limits;
     limits.work = 8000;
     auto cut = bunch::grow(request, limits);

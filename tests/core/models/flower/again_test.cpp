@@ -24,7 +24,7 @@ struct Asked {
   std::vector<float> values = {};
 };
 
-Result<Plant> ask(const Asked& asked, Keeping* kept) {
+Result<Plant> ask(const Asked& asked, CacheSlot* kept) {
   const std::string name = "flower";
   const std::vector<float> parameters = {0, asked.age, asked.smooth};
   const std::vector<std::uint32_t> seed = {asked.seed};
@@ -42,7 +42,7 @@ Result<Plant> ask(const Asked& asked, Keeping* kept) {
 }
 
 // All that an answer has, as text; the message of what cannot be grown.
-std::string answer(const Asked& asked, Keeping* kept) {
+std::string answer(const Asked& asked, CacheSlot* kept) {
   const auto grown = ask(asked, kept);
   if (!grown) return grown.error().message + std::to_string(grown.error().line);
   std::string all = std::to_string(grown->fingerprint);
@@ -122,7 +122,7 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
       "#define A(4,0,0,0,2,2,2,1)\n#axiom: A\nA{}{math.random(0,1) < 0.5}{} -> A[A]_{C1}\n"
       "A{}{step < 8*age}{} -> A[A(,<math.random(0,9)>)]_{E}";
   for (const char* name : {"table-3", "figure-16", "petal", "lucky"}) {
-    Keeping kept;
+    CacheSlot kept;
     const std::string whole = std::string_view(name) == "lucky" ? lucky : text_named(name);
     const auto all = figures(whole);
     Asked asked{whole};
@@ -213,7 +213,7 @@ TEST_CASE("an m that is no material is told with the line that gives it") {
   CHECK_FALSE(noted("#define A(4,0,0,0,2,2,2,255)" + rest + "A -> A[A]_{E}", "has m"));
 }
 
-TEST_CASE("figures that only place the map are no part of its bones") {
+TEST_CASE("figures that only place the map are no part of its structure_key") {
   const auto same = [](std::string_view a, std::string_view b) { return same_map(program_of(a), program_of(b)); };
   const std::string text =
       "#define k=3\n#define n=5\n#define A(n,0,0,0,1,2,k,1)\n#axiom: A(, 4)\n#define finalStep=6\n"

@@ -37,7 +37,7 @@ TEST_CASE("four leaves at once stand as each of them alone") {
   for (std::uint64_t k = 0; k < 300; ++k) {
     const glm::vec3 along = random_direction(1, 1, k), one = beside(along);
     const Twig twig{along, one, glm::cross(along, one)};
-    LeafLuck luck{};
+    LeafNoise luck{};
     for (int i = 0; i < 4; ++i) {
       const std::uint64_t address = hash_combine(k, static_cast<std::uint64_t>(i));
       luck.about[i] = 6 * random_unit(1, 2, address);
@@ -61,7 +61,7 @@ TEST_CASE("where nothing says which way a leaf looks, it still stands") {
   for (const float height : {-1.0f, 0.0f, 1.0f})
     for (const glm::vec3& along : {glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(1, 0, 0)}) {
       const glm::vec3 one = beside(along);
-      LeafLuck luck{};
+      LeafNoise luck{};
       luck.about = Four{0, 0.25f, 0.5f, 0.75f};
       luck.height = all_of(height);
       luck.around = luck.about;

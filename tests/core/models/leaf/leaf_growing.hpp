@@ -21,7 +21,7 @@ extern const Model model;
 
 inline constexpr float absent = std::numeric_limits<float>::quiet_NaN();
 
-struct Wish {
+struct CropTarget {
   std::map<Parameter, float> parameters = {};
   std::vector<float> outline = {};
   std::uint32_t seed = 1;
@@ -29,7 +29,7 @@ struct Wish {
   std::vector<float> detail = {};
 };
 
-inline Result<Plant> grown(const Wish& wish, const Limits& limits = {}) {
+inline Result<Plant> grown(const CropTarget& wish, const Limits& limits = {}) {
   std::vector<float> parameters(parameter_count, absent);
   for (const auto& [key, value] : wish.parameters) parameters[static_cast<std::size_t>(key)] = value;
   const std::string name = "leaf";
@@ -47,7 +47,7 @@ inline Result<Plant> grown(const Wish& wish, const Limits& limits = {}) {
   return leaf::model.grow(request, limits);
 }
 
-inline Plant leaf_of(const Wish& wish) {
+inline Plant leaf_of(const CropTarget& wish) {
   auto plant = grown(wish);
   REQUIRE(plant);
   return std::move(plant.value());

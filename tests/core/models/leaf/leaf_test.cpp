@@ -101,7 +101,7 @@ TEST_CASE("so it is of outlines, seeds and rules at random") {
   for (std::uint32_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
     const auto chance = [&](std::uint64_t stream) { return random_unit(seed, stream, 7); };
-    Wish wish{.outline = random_outline(seed), .seed = seed};
+    CropTarget wish{.outline = random_outline(seed), .seed = seed};
     wish.parameters = {{Parameter::particles, std::floor(1 + 600 * chance(1))},
                        {Parameter::pattern, static_cast<float>(seed % 3)},
                        {Parameter::ribs, static_cast<float>(seed % 4)},
@@ -150,7 +150,7 @@ TEST_CASE("a palmate leaf has a tree for each lobe, a pinnate one a midrib and s
 }
 
 TEST_CASE("a growth is its request's: the same twice, another with another seed") {
-  const Wish wish{{{Parameter::particles, 300}}, {}, 5, "meshes mesh_fingerprint"};
+  const CropTarget wish{{{Parameter::particles, 300}}, {}, 5, "meshes mesh_fingerprint"};
   const Plant one = leaf_of(wish), again = leaf_of(wish);
   CHECK(one.fingerprint == again.fingerprint);
   CHECK(one.mesh_fingerprint == again.mesh_fingerprint);

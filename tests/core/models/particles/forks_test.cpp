@@ -73,7 +73,7 @@ TEST_CASE("where a crown is waisted, forks draw no more of a trail out of it tha
   const Solid crown(form_between(Form::spline, spline_through(waist), {}, {-3, 2, -3}, {3, 8, 3}));
   const auto [starts, spacing, extent] = scatter_all(crown, Pattern::blue, 600, 1);
   const Trunk guide(glm::vec3(0), {.ahead = 2 * spacing, .bole = 1}, &crown);
-  Crowd crowd(starts, 1, guide, {.step = 0.35f * spacing, .merge = 0.7f * spacing, .pull = 1});
+  ParticleSystem crowd(starts, 1, guide, {.step = 0.35f * spacing, .merge = 0.7f * spacing, .pull = 1});
   crowd.run();
   Trails trails = crowd.trails();
   smooth(trails, guide, 1);

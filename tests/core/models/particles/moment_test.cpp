@@ -14,7 +14,7 @@ TEST_CASE("at the beginning all particles stand where they start, at the end all
   const Round disc(true);
   const Straight guide({0, -1, 0});
   const auto starts = scatter(disc, Pattern::blue, 300, spacing_of(disc, 300), 3);
-  Crowd crowd(starts, 2, guide, {.step = 0.04f, .merge = 0.07f, .join = 0.02f});
+  ParticleSystem crowd(starts, 2, guide, {.step = 0.04f, .merge = 0.07f, .join = 0.02f});
   crowd.run();
   const Trails whole = crowd.trails(), trails = simplified(whole, 0.005f);
 
@@ -38,7 +38,7 @@ TEST_CASE("between, no energy is lost, trees keep their order and everyone moves
   const Round disc(true);
   const Straight guide({0.3f, -1, 0});
   const auto starts = scatter(disc, Pattern::jittered, 200, spacing_of(disc, 200), 8);
-  Crowd crowd(starts, 1, guide, {.step = 0.05f, .merge = 0.09f});
+  ParticleSystem crowd(starts, 1, guide, {.step = 0.05f, .merge = 0.09f});
   crowd.run();
   const Trails trails = simplified(crowd.trails(), 0.004f);
   float before = 0;

@@ -18,7 +18,7 @@ namespace {
 Rules rules_for(float spacing) { return {.step = 0.35f * spacing, .merge = 0.7f * spacing}; }
 
 // What holds of the trails of any crowd that has run.
-void check_tree(const Crowd& crowd, const Trails& trails, std::size_t started, double energy) {
+void check_tree(const ParticleSystem& crowd, const Trails& trails, std::size_t started, double energy) {
   REQUIRE(trails.size() >= 1);
   CHECK(trails.next[0] == -1);
   std::size_t starts = 0;
@@ -62,7 +62,7 @@ TEST_CASE("all energy arrives and trails form one tree, for any shape, seed, rul
     rules.join = seed % 4 == 0 ? spacing * chance(6) : 0;
     const Straight guide(3.0f * random_direction(seed, 7, 0) * chance(8));
     const double energy = seed % 11 == 0 ? 3 : 1;
-    Crowd crowd(starts, energy, guide, rules);
+    ParticleSystem crowd(starts, energy, guide, rules);
     crowd.run();
     check_tree(crowd, crowd.trails(), starts.size(), energy);
     CHECK(crowd.stragglers() == 0);
@@ -74,10 +74,10 @@ TEST_CASE("all run until they have arrived, or have moved as often as they may")
   const Straight guide({0, 0, 0});
   const std::vector<glm::vec3> starts{{1, 0, 0}, {0, 2, 0}};
   const Rules rules{.step = 0.1f, .merge = 0.1f, .pull = 0};
-  Crowd whole(starts, 1, guide, rules);
+  ParticleSystem whole(starts, 1, guide, rules);
   CHECK(whole.run());
   CHECK(whole.arrived() == 2);
-  Crowd short_of_one(starts, 1, guide, rules);
+  ParticleSystem short_of_one(starts, 1, guide, rules);
   CHECK_FALSE(short_of_one.run(whole.moves() - 1));
   CHECK(short_of_one.arrived() == 1);
   CHECK(short_of_one.moves() == whole.moves() - 1);
@@ -102,7 +102,7 @@ TEST_CASE("whoever shares a place or a line is dealt with: one, two, many at a p
     for (const bool printed : {false, true})
       for (const float pull : {0.0f, 0.75f, 1.0f, 2.0f}) {
         Rules rules{.step = 0.1f, .merge = 0.05f, .pull = pull, .printed = printed, .join = 0.05f};
-        Crowd crowd(starts, 1, guide, rules);
+        ParticleSystem crowd(starts, 1, guide, rules);
         crowd.run();
         check_tree(crowd, crowd.trails(), starts.size(), 1);
       }
@@ -111,7 +111,7 @@ TEST_CASE("whoever shares a place or a line is dealt with: one, two, many at a p
 TEST_CASE("a particle alone goes straight, step by step, and its last segment ends exactly at the target") {
   const Straight guide({0.05f, 0, 0});
   const glm::vec3 start(1, 0, 0);
-  Crowd crowd(std::span(&start, 1), 1, guide, {.step = 0.1f, .merge = 0.1f});
+  ParticleSystem crowd(std::span(&start, 1), 1, guide, {.step = 0.1f, .merge = 0.1f});
   crowd.run();
   CHECK(crowd.steps() == 10);
   const Trails trails = crowd.trails();
@@ -127,7 +127,7 @@ TEST_CASE("the two pulls add up as their weights say; as printed every move is a
   const Straight guide({0, -10, 0});
   const std::vector<glm::vec3> starts = {{0, 0, 0}, {1, 0, 0}};
   const auto first_move = [&](const Rules& rules) {
-    Crowd crowd(starts, 1, guide, rules);
+    ParticleSystem crowd(starts, 1, guide, rules);
     crowd.step();
     REQUIRE(crowd.places().size() == 2);
     return crowd.places()[0];
@@ -146,7 +146,7 @@ TEST_CASE("the two pulls add up as their weights say; as printed every move is a
 TEST_CASE("the particle in front waits for one straight behind it") {
   const Straight guide({0, -10, 0});
   const std::vector<glm::vec3> starts = {{0, 0, 0}, {0, 1, 0}};
-  Crowd crowd(starts, 1, guide, {.step = 0.1f, .merge = 0.1f, .pull = 1});
+  ParticleSystem crowd(starts, 1, guide, {.step = 0.1f, .merge = 0.1f, .pull = 1});
   crowd.step();
   CHECK(crowd.places()[0] == starts[0]);
   CHECK(crowd.places()[1].y == doctest::Approx(0.9f));
@@ -162,7 +162,7 @@ TEST_CASE("the heavier goes on from the mean by energy, and energies add") {
   const Straight guide({0, -10, 0});
   // The outer two meet first; then they, twice as heavy, meet the third.
   const std::vector<glm::vec3> starts = {{0, 0, 0}, {0.3f, 0, 0}, {0.36f, 0, 0}};
-  Crowd crowd(starts, 1, guide, {.step = 1e-4f, .merge = 0.1f});
+  ParticleSystem crowd(starts, 1, guide, {.step = 1e-4f, .merge = 0.1f});
   crowd.step();
   REQUIRE(crowd.places().size() == 2);
   CHECK(crowd.energies()[0] == 1);
@@ -183,7 +183,7 @@ TEST_CASE("where their mean is outside, the heavier goes on from where it is") {
   // The two at one place meet first.
   for (const std::vector<glm::vec3>& starts : {std::vector<glm::vec3>{{0.1f, 0, 0}, {-0.1f, 0, 0}, {-0.1f, 0, 0}},
                                                {{-0.1f, 0, 0}, {-0.1f, 0, 0}, {0.1f, 0, 0}}}) {
-    Crowd crowd(starts, 1, guide, {.step = 1e-4f, .merge = 0.3f});
+    ParticleSystem crowd(starts, 1, guide, {.step = 1e-4f, .merge = 0.3f});
     while (crowd.places().size() > 1) crowd.step();
     CHECK(crowd.energies()[0] == 3);
     CHECK(crowd.places()[0].x == near(-0.1f, 0.01));
@@ -198,7 +198,7 @@ TEST_CASE("a step that would leave the shape is taken towards the aim alone") {
     bool open(const glm::vec3& p) const override { return p.x < 0.01f || p.x > 0.9f; }
   } guide({0, -10, 0});
   const std::vector<glm::vec3> starts = {{0, 0, 0}, {1, 0, 0}};
-  Crowd crowd(starts, 1, guide, {.step = 0.3f, .merge = 0.01f});
+  ParticleSystem crowd(starts, 1, guide, {.step = 0.3f, .merge = 0.01f});
   crowd.step();
   CHECK(crowd.places()[0] == glm::vec3(0, -0.3f, 0));
   CHECK(crowd.places()[1] == glm::vec3(1, -0.3f, 0));
@@ -224,7 +224,7 @@ TEST_CASE("crowds see nobody through a wall, walk round it, and start no trail t
       const auto starts = scatter(region, Pattern::blue, 400, spacing, seed);
       Rules rules = rules_for(spacing);
       rules.join = join;
-      Crowd crowd(starts, 1, guide, rules);
+      ParticleSystem crowd(starts, 1, guide, rules);
       crowd.run();
       const Trails trails = crowd.trails();
       check_tree(crowd, trails, starts.size(), 1);
@@ -247,7 +247,7 @@ TEST_CASE("two whose ways lead apart draw each other back, until they are let go
   } guide({0, -5, 0});
   const std::vector<glm::vec3> starts = {{-1, 0, 0}, {1, 0, 0}};
   const float longest = guide.way(starts[0]);
-  Crowd crowd(starts, 1, guide, {.step = 0.1f, .merge = 0.1f, .pull = 1});
+  ParticleSystem crowd(starts, 1, guide, {.step = 0.1f, .merge = 0.1f, .pull = 1});
   for (int step = 0; step < static_cast<int>(4 * longest / 0.1f); ++step) crowd.step();
   CHECK(crowd.places()[0] == starts[0]);
   CHECK(crowd.places()[1] == starts[1]);
@@ -265,7 +265,7 @@ TEST_CASE("whoever never comes to the target is led there after four ways more")
     glm::vec3 aim(const glm::vec3& p) const override { return p + glm::vec3(p.y, -p.x, 0); }
   } guide({0, 0, 0});
   const std::vector<glm::vec3> starts = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}};
-  Crowd crowd(starts, 1, guide, {.step = 0.05f, .merge = 0.02f});
+  ParticleSystem crowd(starts, 1, guide, {.step = 0.05f, .merge = 0.02f});
   crowd.run();
   CHECK(crowd.steps() <= 2 * (4 * 20 + 1) + 1);
   CHECK(crowd.stragglers() > 0);
@@ -280,7 +280,7 @@ TEST_CASE("with joining, a leaf's trails cross a fraction as often") {
   const auto crossings = [&](float join) {
     Rules rules = rules_for(spacing);
     rules.join = join * spacing;
-    Crowd crowd(starts, 1, guide, rules);
+    ParticleSystem crowd(starts, 1, guide, rules);
     crowd.run();
     const Trails trails = crowd.trails();
     const auto side = [](const glm::vec3& a, const glm::vec3& b, const glm::vec3& p) {
@@ -305,7 +305,7 @@ TEST_CASE("the order of starts is all that names them: the same starts give the 
   const auto starts = scatter(region, Pattern::blue, 700, spacing_of(region, 700), 4);
   const Straight guide({0, -2, 0});
   const auto run = [&] {
-    Crowd crowd(starts, 1, guide, rules_for(0.2f));
+    ParticleSystem crowd(starts, 1, guide, rules_for(0.2f));
     crowd.run();
     return crowd.trails();
   };

@@ -27,7 +27,7 @@ Run run(std::uint32_t count, bool flat) {
   const Round region(flat);
   const float spacing = spacing_of(region, count);
   const auto starts = scatter(region, Pattern::blue, count, spacing, 2);
-  Crowd crowd(starts, 1, petiole, {.step = 0.35f * spacing, .merge = 0.7f * spacing});
+  ParticleSystem crowd(starts, 1, petiole, {.step = 0.35f * spacing, .merge = 0.7f * spacing});
   crowd.run();
   return {spacing, crowd.trails()};
 }

@@ -51,7 +51,7 @@ TEST_CASE("ways bend the more the farther from the axis, and end at the target a
     habit.bend = way;
     const Trunk guide({0, 0, 0}, habit);
     const std::vector<glm::vec3> starts{{2, 4, 0}, {-2, 4, 0}, {0, 5, 2}, {0, 5, -2}};
-    Crowd crowd(starts, 1, guide, {.step = 0.05f, .merge = 0.1f, .pull = 1});
+    ParticleSystem crowd(starts, 1, guide, {.step = 0.05f, .merge = 0.1f, .pull = 1});
     crowd.run();
     CHECK(crowd.arrived() == 4);
     CHECK(crowd.stragglers() == 0);
@@ -79,7 +79,7 @@ TEST_CASE("particles leave the crown downwards alone, however strongly their way
   const TrunkHabit habit{.slant = 0.2f, .ahead = 2 * spacing, .bend = {0, 0.9f, 0}, .reach = 0.3f};
   const auto above = [&](const Region* outer) {
     const Trunk guide({0, 0, 0}, habit, outer);
-    Crowd crowd(starts, 1, guide, {.step = 0.35f * spacing, .merge = 0.7f * spacing, .pull = 1});
+    ParticleSystem crowd(starts, 1, guide, {.step = 0.35f * spacing, .merge = 0.7f * spacing, .pull = 1});
     crowd.run();
     const Trails trails = crowd.trails();
     return std::count_if(trails.places.begin(), trails.places.end(),
@@ -112,7 +112,7 @@ TEST_CASE("obstacles hide what is behind them, and are gone round") {
   std::vector<glm::vec3> starts;
   for (float z = -1.8f; z < 2; z += 0.4f)
     for (float y = 1; y < 4.5f; y += 0.5f) starts.emplace_back(1.5f, y, z);
-  Crowd crowd(starts, 1, trunk, {.step = 0.05f, .merge = 0.1f, .pull = 1});
+  ParticleSystem crowd(starts, 1, trunk, {.step = 0.05f, .merge = 0.1f, .pull = 1});
   crowd.run();
   const Trails trails = crowd.trails();
   const Obstacles bare(wall, 0, 0, 100);

@@ -55,7 +55,7 @@ TEST_CASE("trails of a bent blade stay in it, at once and once they are polished
   const auto starts = scatter(hook, Pattern::blue, 600, spacing_of(hook, 600), 4);
   const float spacing = spacing_of(hook, 600);
   const Venation guide(hook, petiole, 0.8f, spacing);
-  Crowd crowd(starts, 1, guide, {.step = 0.35f * spacing, .merge = 0.7f * spacing, .join = 0.25f * spacing});
+  ParticleSystem crowd(starts, 1, guide, {.step = 0.35f * spacing, .merge = 0.7f * spacing, .join = 0.25f * spacing});
   crowd.run();
   CHECK(crowd.stragglers() == 0);
   Trails trails = crowd.trails();

@@ -6,7 +6,7 @@ import { Gallery } from "../../../../web/src/app/parts/gallery";
 import type { Studio } from "../../../../web/src/app/studio";
 import { specimenFromPreset } from "../../bunch";
 import { sampleBunch } from "../../models/bunch/sample_bunch";
-import { studioWith } from "../desk";
+import { studioWith } from "../context";
 
 const field = { focus: vi.fn() };
 let studio: Studio;

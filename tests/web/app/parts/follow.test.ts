@@ -9,7 +9,7 @@ import { PLAY } from "../../../../web/src/ui/life_player";
 import { specimenFromPreset } from "../../bunch";
 import { sampleBunch } from "../../models/bunch/sample_bunch";
 import { toy } from "../../toy";
-import { bunchModel } from "../desk";
+import { bunchModel } from "../context";
 
 const PARTS = {
 	bars: () => import("../../../../web/src/app/parts/bars").then(({ Bars }) => Bars),

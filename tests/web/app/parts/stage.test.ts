@@ -3,7 +3,7 @@ import { Stage } from "../../../../web/src/app/parts/stage";
 import { Studio } from "../../../../web/src/app/studio";
 import { specimenFromPreset } from "../../bunch";
 import { sampleBunch } from "../../models/bunch/sample_bunch";
-import { studioWith } from "../desk";
+import { studioWith } from "../context";
 
 const solid = vi.hoisted(() => ({ update: vi.fn(), resize: vi.fn(), dispose: vi.fn() }));
 vi.mock("../../../../web/src/app/solid_view", () => ({ SolidView: { create: async () => solid } }));

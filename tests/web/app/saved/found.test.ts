@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { findSaved } from "../../../../web/src/app/saved/found";
-import { savedAs } from "./shelf";
+import { savedAs } from "./saved_store";
 
 const all = [savedAs("Beta 10", { at: 3 }), savedAs("Crémant", { at: 1 }), savedAs("beta 9", { at: 2 })];
 const find = (query: string, order: "newest" | "oldest" | "name" = "newest") =>

@@ -1,12 +1,12 @@
 import { describe, expect, it, vi } from "vitest";
 import { Library, type Tabs } from "../../../../web/src/app/saved/library";
-import { SharedShelf, savedAs } from "./shelf";
+import { SharedStore, savedAs } from "./saved_store";
 
 const namesOf = (library: Library) => library.all.map(({ name }) => name).sort();
 
 /** Two tabs of one browser: what one says the other hears. */
 function twoTabs() {
-	const shelf = new SharedShelf();
+	const shelf = new SharedStore();
 	const tabs: Tabs[] = [];
 	const tab = () => {
 		const own: Tabs = {

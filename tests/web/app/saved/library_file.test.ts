@@ -4,7 +4,7 @@ import { broughtInWords, readLibrary, writeLibrary } from "../../../../web/src/a
 import { isSaved, LARGEST_PICTURE, LONGEST_NAME, type Saved, tidyName } from "../../../../web/src/app/saved/saved";
 import { foundInFile } from "../../../../web/src/formats/restore";
 import { inRun } from "../../../long_run.mjs";
-import { savedAs } from "./shelf";
+import { savedAs } from "./saved_store";
 
 /** The head of a JPEG of that size, and something after it. */
 function jpeg(width = 192, height = 240, bytes = 40): Uint8Array<ArrayBuffer> {

@@ -4,8 +4,8 @@ import type { Studio } from "../../../../web/src/app/studio";
 import { VERSION } from "../../../../web/src/app/version";
 import type { Plant } from "../../../../web/src/plant/plant";
 import { specimenFromPreset } from "../../bunch";
-import { studioWith } from "../desk";
-import { savedAs } from "./shelf";
+import { studioWith } from "../context";
+import { savedAs } from "./saved_store";
 
 const FINGERPRINT = "0123456789abcdef";
 const GRAMMAR = "axiom: F\n/* of my own */";

@@ -5,7 +5,7 @@ import type { FlowerSpecimen } from "../../../../web/src/models/flower/specimen"
 import type { Model } from "../../../../web/src/models/model";
 import { everyPart } from "../../../../web/src/plant/part";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
-import { bunchModel } from "../../app/desk";
+import { bunchModel } from "../../app/context";
 import { specimenFromPreset } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 

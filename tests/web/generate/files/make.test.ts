@@ -10,7 +10,7 @@ import type { FileRequest } from "../../../../web/src/generate/files/messages";
 import { answerTo } from "../../../../web/src/generate/files/serve";
 import { berriesCsv } from "../../../../web/src/models/bunch/tables";
 import type { Model } from "../../../../web/src/models/model";
-import { bunchModel } from "../../app/desk";
+import { bunchModel } from "../../app/context";
 import { specimenFromPreset } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 import { documentOf } from "../../formats/reading";

@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 import { applying, groupsFor } from "../../../../web/src/app/panel_groups";
 import { model as flower } from "../../../../web/src/models/flower/index";
 import { PRESETS } from "../../../../web/src/models/flower/presets.generated";
-import { fetchTexts, heedsAge } from "../../../../web/src/models/flower/texts";
+import { fetchTexts, usesAge } from "../../../../web/src/models/flower/texts";
 import { age as flowerAge, LIFE } from "../../../../web/src/models/flower/ui/age";
 import { model as growth } from "../../../../web/src/models/growth/index";
 import { LIFE as OF_TREES } from "../../../../web/src/models/growth/ui/age";
@@ -12,7 +12,7 @@ import type { NumberEntry } from "../../../../web/src/specimen/table";
 import { stageOf } from "../../../../web/src/ui/life";
 import { LifePlayer, type PlayState } from "../../../../web/src/ui/life_player";
 import type { Tool } from "../../../../web/src/ui/tool";
-import { studioWith } from "../../app/desk";
+import { studioWith } from "../../app/context";
 
 const tulip = fromPreset(flower, "tulip");
 const FRAME = 20;
@@ -29,12 +29,12 @@ describe("the life of a flower and of a tree", () => {
 
 	it("is told where the text says anything of age, in a word or in colours; elsewhere the panel has its slider", async () => {
 		await fetchTexts();
-		const deaf = PRESETS.filter(({ name }) => !heedsAge(fromPreset(flower, name))).map(({ name }) => name);
+		const deaf = PRESETS.filter(({ name }) => !usesAge(fromPreset(flower, name))).map(({ name }) => name);
 		expect(deaf).toEqual(["figure-16", "petal", "table-3"]);
 		const text = (line: string) => ({ ...tulip, grammar: `#define A(4,0,0,0,1,1,1,1)\n${line}\n#axiom: A\n` });
-		expect(heedsAge(text("/* age */ @ age @"))).toBe(false);
-		expect(heedsAge(text('#material 1 petal "ff0000" wilted "800000"'))).toBe(true);
-		expect(heedsAge(text('#material 1 petal "ff0000" name "bud"'))).toBe(false);
+		expect(usesAge(text("/* age */ @ age @"))).toBe(false);
+		expect(usesAge(text('#material 1 petal "ff0000" wilted "800000"'))).toBe(true);
+		expect(usesAge(text('#material 1 petal "ff0000" name "bud"'))).toBe(false);
 		const shown = (specimen: typeof tulip) => {
 			const groups = groupsFor(flower.table, specimen, applying([flowerAge as unknown as Tool], specimen));
 			return groups.flatMap(({ entries }) => entries.map(({ key }) => key));

@@ -2,7 +2,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it } from "vitest";
-import { FLOWER } from "../../../../web/src/models/flower/species";
+import { FLOWER } from "../../../../web/src/models/flower/schema";
 import { xmlOf } from "../../../../web/src/models/flower/xml/write";
 import { readText } from "../../../../web/src/models/for_text";
 

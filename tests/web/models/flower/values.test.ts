@@ -3,7 +3,7 @@ import { independentDraws } from "../../../../web/src/batch/draws";
 import { memberOf } from "../../../../web/src/batch/series";
 import { checkVaried, readVary } from "../../../../web/src/batch/vary";
 import { Axes } from "../../../../web/src/grammar_editor/gestures/axis";
-import type { GrammarDesk, GrammarSource } from "../../../../web/src/grammar_editor/source";
+import type { GrammarContext, GrammarSource } from "../../../../web/src/grammar_editor/source";
 import { textOf, withText, withValues } from "../../../../web/src/grammar_editor/source";
 import { FLOWER_FORMATS } from "../../../../web/src/models/flower/formats";
 import { model } from "../../../../web/src/models/flower/index";
@@ -87,7 +87,7 @@ describe("a value", () => {
 		const poppy = { ...fromPreset(model, "poppy"), constants: { finalStep: 5 } };
 		const text = fetchedText(poppy) ?? "";
 		expect(text).toMatch(/^#define finalStep=\d+/m);
-		const desk = { state: { model, specimen: poppy } } as unknown as GrammarDesk;
+		const desk = { state: { model, specimen: poppy } } as unknown as GrammarContext;
 		const ids = new Axes(desk, source, () => {}).all.map(({ id }) => id);
 		expect(ids).toContain("constant length");
 		expect(ids).toContain("parameter steps");

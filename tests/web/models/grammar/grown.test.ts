@@ -66,7 +66,7 @@ describe("a plant that a text grows", () => {
 		expect(coarse.fingerprint).toBe(fine.fingerprint);
 	});
 
-	it("heeds constants and steps", () => {
+	it("isActive constants and steps", () => {
 		const wide = grow(of(TWIGS, { constants: { spread: 90 } }));
 		expect(wide.segments.ends[6 + 4]).toBeCloseTo(0.01);
 		expect(wide.segments.ends[6 + 3]).toBeCloseTo(-0.01);

@@ -49,7 +49,7 @@ it("figure 5: its tree has leaves that are about to fall, and shaken loses some 
 it("figure 6: its tree has a child trunk as it stands in the gallery, from 1 m to half as high as its parent", () => {
 	const specimen = fromPreset(model, "figure-6");
 	const { columns } = core.grow(model.encode(specimen, { meshes: false }));
-	const child = columns.octets("volumes.child");
+	const child = columns.uint8("volumes.child");
 	const shape = columns.floats("volumes.shape");
 	const height = (volume: number) => shape[5 * volume + 1];
 	expect(child[0]).toBe(0);

@@ -29,7 +29,7 @@ describe("levels of a tree", () => {
 		for (const name of columns.lines("meshes")) {
 			expect(columns.text(`mesh.${name}.material`)).toBe("level");
 			expect(columns.lines(`mesh.${name}.runs.names`)).toEqual(["bark", "leaves", "blossoms"]);
-			expect(columns.octets(`mesh.${name}.sky`)).toHaveLength(columns.floats(`mesh.${name}.positions`).length / 3);
+			expect(columns.uint8(`mesh.${name}.sky`)).toHaveLength(columns.floats(`mesh.${name}.positions`).length / 3);
 		}
 	});
 
@@ -43,7 +43,7 @@ describe("levels of a tree", () => {
 			for (const name of names.map((each) => `mesh.${each}`)) {
 				expect(some.floats(`${name}.positions`)).toEqual(all.floats(`${name}.positions`));
 				expect(some.words(`${name}.indices`)).toEqual(all.words(`${name}.indices`));
-				expect(some.octets(`${name}.sky`)).toEqual(all.octets(`${name}.sky`));
+				expect(some.uint8(`${name}.sky`)).toEqual(all.uint8(`${name}.sky`));
 			}
 		}
 		for (const levelCount of [0, 5]) expect(() => grown({ levels: true, levelCount })).toThrow("one to four levels");

@@ -6,7 +6,7 @@ import { bakedParts } from "../../../../web/src/models/leaf/bake/baked_parts";
 import { lightMesh } from "../../../../web/src/models/leaf/bake/light_mesh";
 import type { Leaf } from "../../../../web/src/models/leaf/grown";
 import { model } from "../../../../web/src/models/leaf/index";
-import { leafFromPreset } from "../../../../web/src/models/leaf/species";
+import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
 import type { Picture } from "../../../../web/src/plant/material";
 import type { PartMesh, Shape } from "../../../../web/src/plant/part";
 import type { PlantMesh } from "../../../../web/src/plant/plant";

@@ -6,7 +6,7 @@ import { model } from "../../../../web/src/models/leaf/index";
 import { bladeFields } from "../../../../web/src/models/leaf/parts/blade_fields";
 import { FacePictures } from "../../../../web/src/models/leaf/parts/face_pictures";
 import { FAINTEST, SHEATH, veinRaster } from "../../../../web/src/models/leaf/parts/vein_raster";
-import { leafFromPreset } from "../../../../web/src/models/leaf/species";
+import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
 import type { LeafSpecimen } from "../../../../web/src/models/leaf/specimen";
 import { polygonArea } from "../../../../web/src/models/leaf/words";
 import { linear } from "../../../../web/src/plant/colour";

@@ -11,7 +11,7 @@ import type { Leaf } from "../../../../web/src/models/leaf/grown";
 import { model } from "../../../../web/src/models/leaf/index";
 import { movePoint } from "../../../../web/src/models/leaf/outline/points";
 import { curveOf, enclosesBlade } from "../../../../web/src/models/leaf/outline/spline";
-import { leafFromPreset } from "../../../../web/src/models/leaf/species";
+import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
 import type { LeafSpecimen } from "../../../../web/src/models/leaf/specimen";
 import { leafSvg } from "../../../../web/src/models/leaf/svg";
 import { polygonArea } from "../../../../web/src/models/leaf/words";

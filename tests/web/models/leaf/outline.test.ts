@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { movePoint } from "../../../../web/src/models/leaf/outline/points";
-import { LEAF, leafFromPreset } from "../../../../web/src/models/leaf/species";
+import { LEAF, leafFromPreset } from "../../../../web/src/models/leaf/schema";
 import type { LeafSpecimen } from "../../../../web/src/models/leaf/specimen";
 import { decodeLink, encodeLink, encodeQuery } from "../../../../web/src/specimen/link";
 import { restore } from "../../../../web/src/specimen/restore";

@@ -5,7 +5,7 @@ import type { Core } from "../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../web/src/core/loader";
 import { model } from "../../../../web/src/models/leaf/index";
 import { curveOf } from "../../../../web/src/models/leaf/outline/spline";
-import { leafFromPreset } from "../../../../web/src/models/leaf/species";
+import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
 
 let core: Core;
 beforeAll(async () => {

@@ -3,7 +3,7 @@ import { contourOf } from "../../../../web/src/import/tracing/contour";
 import { type Picture, TraceError } from "../../../../web/src/import/tracing/picture";
 import type { OutlinePoint, Place } from "../../../../web/src/models/leaf/outline/points";
 import { curveOf } from "../../../../web/src/models/leaf/outline/spline";
-import { leafFromPreset } from "../../../../web/src/models/leaf/species";
+import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
 import { MOST_TRACED, traceLeaf } from "../../../../web/src/models/leaf/trace/trace";
 import { asChange } from "../../../../web/src/models/leaf/ui/trace";
 import { inRun } from "../../../long_run.mjs";

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { titleOf } from "../../../../web/src/app/title";
 import type { Leaf } from "../../../../web/src/models/leaf/grown";
 import { model } from "../../../../web/src/models/leaf/index";
-import { leafFromPreset } from "../../../../web/src/models/leaf/species";
+import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
 import { leafInWords } from "../../../../web/src/models/leaf/words";
 import type { Model } from "../../../../web/src/models/model";
 

@@ -1,9 +1,9 @@
 import { expect, it, vi } from "vitest";
 import { traceLeafFile } from "../../../../web/src/models/leaf/ui/trace";
 import { takeMesh } from "../../../../web/src/models/particles/boundary/mesh_tool";
-import { TREE } from "../../../../web/src/models/tree/species";
+import { TREE } from "../../../../web/src/models/tree/schema";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
-import type { Change } from "../../../../web/src/ui/desk";
+import type { Change } from "../../../../web/src/ui/editor_context";
 
 vi.mock("../../../../web/src/import/tracing/read_picture", () => ({ readPicture: async () => ({}) }));
 vi.mock("../../../../web/src/models/leaf/trace/trace", () => ({

@@ -9,7 +9,7 @@ import { model as tree } from "../../../../web/src/models/tree/index";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../../web/src/specimen/specimen";
 import { nextStep } from "../../../../web/src/ui/life";
-import type { Face } from "../../../../web/src/ui/tool";
+import type { ModelUi } from "../../../../web/src/ui/tool";
 import { inRun } from "../../../long_run.mjs";
 import { particlesCore } from "./boundary/particles";
 
@@ -54,7 +54,7 @@ it.each([
 	["root", root],
 ] as const)("a %s that grows with its age has a life of its own stages, one at a time", async (_, each) => {
 	const model = each as unknown as PageModel<Specimen, TrailPlant>;
-	const face = (await model.ui?.()) as Face<Specimen, TrailPlant>;
+	const face = (await model.ui?.()) as ModelUi<Specimen, TrailPlant>;
 	const bars = (life: number) => {
 		const specimen = fromPreset(model);
 		const asked = { ...specimen, parameters: { ...specimen.parameters, life } };

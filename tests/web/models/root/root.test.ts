@@ -1,7 +1,7 @@
 import { Group, type Mesh } from "three";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { cutFigure } from "../../../../web/src/models/root/cut_figure";
+import { cutRenderer } from "../../../../web/src/models/root/cut_renderer";
 import { model } from "../../../../web/src/models/root/index";
 import { pit } from "../../../../web/src/models/root/soil";
 import type { RootSpecimen } from "../../../../web/src/models/root/specimen";
@@ -78,7 +78,7 @@ describe("the pit about a root", () => {
 
 	it("stands about the root on the stage, throws no shadow, and goes with it", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
-		const figure = cutFigure(stage);
+		const figure = cutRenderer(stage);
 		const specimen = fromPreset(model, "carrot");
 		const plant = grow(specimen);
 		figure.show(plant, specimen);
@@ -96,7 +96,7 @@ describe("the pit about a root", () => {
 
 	it("is not dug anew while particles run, and is dug for the whole root when they rest", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
-		const figure = cutFigure(stage);
+		const figure = cutRenderer(stage);
 		const at = (age: number, reach = 1) => {
 			const specimen = fromPreset(model, "tap");
 			const { parameters } = specimen;

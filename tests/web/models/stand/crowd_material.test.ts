@@ -18,9 +18,9 @@ const widening = piece(programOf(made()).vertexShader, "float metre", "gl_Positi
 
 /**
  * So many pixels wide a stem is drawn that is so many wide.
- * @param normal which way its surfaces look, and `brim` which way its margin is: across it, as shares
+ * @param normal which way its surfaces look, and `edgeNormal` which way its margin is: across it, as shares
  */
-function drawn(pixels: number, { normal = 1, brim = 1, seen = PIXELS } = {}): number {
+function drawn(pixels: number, { normal = 1, edgeNormal = 1, seen = PIXELS } = {}): number {
 	const metres = (pixels * HIGH) / PIXELS;
 	const far = 10;
 	const mvPosition = { xyz: 0.5 * metres, z: -far };
@@ -28,7 +28,7 @@ function drawn(pixels: number, { normal = 1, brim = 1, seen = PIXELS } = {}): nu
 		...{ mvPosition, normal, viewPixels: seen, modelViewMatrix: 1 },
 		projectionMatrix: [undefined, { y: (2 * far) / HIGH }],
 		batchingMatrix: [{ xyz: UNIT }],
-		brim: { xyz: brim, w: Math.sqrt(metres / UNIT) },
+		edgeNormal: { xyz: edgeNormal, w: Math.sqrt(metres / UNIT) },
 	});
 	return (2 * mvPosition.xyz * seen) / HIGH;
 }
@@ -49,7 +49,7 @@ it("leaves what is wide enough, and makes nothing more than four times as wide",
 
 it("makes ribbons wider across their margins, as far as tubes out of their middle", () => {
 	expect(drawn(0.6, { normal: 0 })).toBeCloseTo(drawn(0.6), 9);
-	expect(drawn(0.6, { brim: 0 })).toBeCloseTo(drawn(0.6), 9);
+	expect(drawn(0.6, { edgeNormal: 0 })).toBeCloseTo(drawn(0.6), 9);
 });
 
 it("widens by the pixels of what is drawn: a picture of more needs less", () => {
@@ -68,7 +68,7 @@ it("reads its foot out of its matrix in the view and in the shadow, and is drawn
 		expect(vertexShader).toMatch(/vec4 stem = [\s\S]*batchingMatrix\[3\]\.w = 1\.0;/);
 	const [{ vertexShader, fragmentShader }] = shaders;
 	expect(vertexShader).toMatch(
-		/attribute vec4 brim;[\s\S]*vec4 windy = batchingMatrix[\s\S]*worldPosition = modelMatrix \* windy;/,
+		/attribute vec4 edgeNormal;[\s\S]*vec4 windy = batchingMatrix[\s\S]*worldPosition = modelMatrix \* windy;/,
 	);
 	expect(fragmentShader).toContain("if (grain >= vColor.a) discard;");
 });

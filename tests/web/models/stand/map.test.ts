@@ -2,7 +2,7 @@ import { afterEach, expect, it, vi } from "vitest";
 import type { StandSpecimen } from "../../../../web/src/models/stand/specimen";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { map } from "../../../../web/src/models/stand/ui/map";
-import type { Desk } from "../../../../web/src/ui/desk";
+import type { EditorContext } from "../../../../web/src/ui/editor_context";
 import type { ToolView } from "../../../../web/src/ui/tool";
 
 afterEach(() => vi.unstubAllGlobals());
@@ -23,7 +23,7 @@ it.each([
 	const focus = vi.fn();
 	const canvas = { focus, addEventListener: () => {}, classList: { toggle: () => {} } };
 	const view = { canvas, mark: vi.fn(), pick: () => undefined } as unknown as ToolView;
-	const hands = map.hands?.(view, desk as unknown as Desk<StandSpecimen, StandPlant>);
+	const hands = map.hands?.(view, desk as unknown as EditorContext<StandSpecimen, StandPlant>);
 	hands?.update(desk.state as never);
 	expect(focus).not.toHaveBeenCalled();
 	chosen = undefined;
@@ -61,7 +61,7 @@ it.each([
 		classList: { toggle: () => {} },
 	};
 	const view = { canvas, mark: vi.fn(), pick: () => undefined } as unknown as ToolView;
-	const hands = map.hands?.(view, desk as unknown as Desk<StandSpecimen, StandPlant>);
+	const hands = map.hands?.(view, desk as unknown as EditorContext<StandSpecimen, StandPlant>);
 	const press = (key: string) => {
 		const event = new Event("keydown", { cancelable: true });
 		Object.defineProperties(event, { key: { value: key }, target: { value: target } });

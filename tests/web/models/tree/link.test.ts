@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { TREE } from "../../../../web/src/models/tree/species";
+import { TREE } from "../../../../web/src/models/tree/schema";
 import { decodeQuery } from "../../../../web/src/specimen/link";
 
 it("a link's number that stands alone is asked for as one", () => {

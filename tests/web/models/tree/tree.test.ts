@@ -61,7 +61,7 @@ describe("a tree's presets", () => {
 });
 
 describe("a tree", () => {
-	it("heeds a profile, targets, obstacles and a mesh", () => {
+	it("isActive a profile, targets, obstacles and a mesh", () => {
 		const fingerprint = (specimen: TreeSpecimen) => grow(specimen, { meshes: false }).fingerprint;
 		const usual = fingerprint(small());
 		const mesh = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
@@ -72,7 +72,7 @@ describe("a tree", () => {
 			{ ...small(oak, { shape: 5 }), volume: mesh },
 		];
 		expect(new Set([usual, ...others.map(fingerprint)]).size).toBe(5);
-		// Nothing but the shape that it is for heeds a profile.
+		// Nothing but the shape that it is for isActive a profile.
 		const box = small(fromPreset(model, "box"));
 		expect(fingerprint({ ...box, profile: [[1, 0], [1, 0.5], [1, 1]] })).toBe(fingerprint(box)); // biome-ignore format: a table
 	});

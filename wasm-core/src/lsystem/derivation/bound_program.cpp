@@ -43,7 +43,7 @@ class Binder {
         scalars_(inputs.scalars),
         arrays_(inputs.arrays),
         limits_(limits),
-        bound_(std::make_shared<Bound>()) {
+        bound_(std::make_shared<BoundProgram>()) {
     bound_->program = std::move(program);
     bound_->registers = program_.code.registers;
     bound_->precise = program_.code.precise;
@@ -51,7 +51,7 @@ class Binder {
     bound_->words = program_.words;
   }
 
-  Result<std::shared_ptr<const Bound>> run() {
+  Result<std::shared_ptr<const BoundProgram>> run() {
     for (const Declaration& declaration : program_.declarations) {
       const bool array = declaration.kind == Definition::Kind::array;
       if (!(array ? list(declaration) : scalar(declaration))) return trouble_;
@@ -63,7 +63,7 @@ class Binder {
       if (program_.depths[i].given && !depth(program_.depths[i], bound_->depths[i])) return trouble_;
     work_out();
     if (!fill_in()) return trouble_;
-    return std::shared_ptr<const Bound>(std::move(bound_));
+    return std::shared_ptr<const BoundProgram>(std::move(bound_));
   }
 
  private:
@@ -200,27 +200,27 @@ class Binder {
   const Index<Inputs::Scalar> scalars_;
   const Index<Inputs::Array> arrays_;
   const Limits& limits_;
-  std::shared_ptr<Bound> bound_;
+  std::shared_ptr<BoundProgram> bound_;
   Diagnostic trouble_;
 };
 
 }  // namespace
 
-Result<std::shared_ptr<const Bound>> bind(std::shared_ptr<const Program> program, const Inputs& inputs,
-                                          const Limits& limits) {
+Result<std::shared_ptr<const BoundProgram>> bind(std::shared_ptr<const Program> program, const Inputs& inputs,
+                                                 const Limits& limits) {
   return Binder(std::move(program), inputs, limits).run();
 }
 
-const Program& program_of(const Bound& bound) { return *bound.program; }
+const Program& program_of(const BoundProgram& bound) { return *bound.program; }
 
-float constant(const Bound& bound, std::string_view name, float otherwise) {
+float constant(const BoundProgram& bound, std::string_view name, float otherwise) {
   const auto found = std::find_if(bound.definitions.begin(), bound.definitions.end(),
                                   [&](const Definition& definition) { return definition.name == name; });
   return found != bound.definitions.end() && found->kind != Definition::Kind::array ? found->values[0] : otherwise;
 }
 
-std::optional<std::uint32_t> derivation_length(const Bound& bound) { return bound.steps; }
+std::optional<std::uint32_t> derivation_length(const BoundProgram& bound) { return bound.steps; }
 
-std::span<const Definition> definitions(const Bound& bound) { return bound.definitions; }
+std::span<const Definition> definitions(const BoundProgram& bound) { return bound.definitions; }
 
 }  // namespace panicle::lsystem

@@ -11,7 +11,7 @@
 
 namespace panicle::lsystem {
 
-class Bound {
+class BoundProgram {
  public:
   std::shared_ptr<const Program> program;
   std::vector<float> registers;           // as Code::registers, with what the inputs decide
@@ -20,7 +20,7 @@ class Bound {
   std::vector<std::uint32_t> words;       // as Program::words, with what the inputs decide
   std::vector<Definition> definitions;
   std::optional<std::uint32_t> steps;                         // the derivation length
-  std::array<std::optional<float>, settings_count> settings;  // by Said
+  std::array<std::optional<float>, settings_count> settings;  // by GlobalSetting
   std::array<std::uint32_t, 2> depths = {1, 1};               // of decomposition and homomorphism
 };
 

@@ -15,7 +15,7 @@
 
 namespace panicle::lsystem {
 
-Derivation::Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits, Chance chance,
+Derivation::Derivation(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, Chance chance,
                        const Surroundings& around)
     : bound_(bound),
       program_(*bound.program),
@@ -154,8 +154,8 @@ bool Derivation::step() {
 
 bool Derivation::ask(const Turtle& start, Listener& listener) {
   if (machine_.failed()) return false;
-  if (listener.hears_first()) {
-    listener.hear();
+  if (listener.observes_first()) {
+    listener.observation_begins();
     const auto heard = trace(bound_, now_.string, start, listener, seed_, limits_, around_.space);
     if (!heard) return machine_.fail(heard.error());
     listener.answers_begin();
@@ -277,8 +277,8 @@ Derived with_string(Derived derived, Derivation&& derivation) {
   return derived;
 }
 
-Result<Derived> derive(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps, const Limits& limits,
-                       const Surroundings& around) {
+Result<Derived> derive(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
+                       const Limits& limits, const Surroundings& around) {
   const bool to_rest = !steps;
   WorkBudget own(limits.work, limits.bytes);
   const Limits counted = limits.counted_by(own);
@@ -298,7 +298,7 @@ Result<Derived> whole(Result<Derived> derived) {
 
 // What unfolding gives or, where a limit ends that, what steps lead to. Each has half of the work that is left: so
 // steps lead to the same string whether someone watches them or not.
-Result<Derived> unfold_or_derive(const Bound& bound, std::uint64_t seed, const Limits& limits,
+Result<Derived> unfold_or_derive(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
                                  const Surroundings& around) {
   WorkBudget own(limits.work, limits.bytes);
   const Limits shared = limits.counted_by(own);
@@ -312,7 +312,7 @@ Result<Derived> unfold_or_derive(const Bound& bound, std::uint64_t seed, const L
   return derive(bound, seed, {}, shared, around);
 }
 
-std::optional<std::uint32_t> steps_of(const Bound& bound, std::optional<std::uint32_t> asked) {
+std::optional<std::uint32_t> steps_of(const BoundProgram& bound, std::optional<std::uint32_t> asked) {
   return asked ? asked : derivation_length(bound);
 }
 
@@ -323,12 +323,12 @@ Diagnostic too_many_asked(std::uint32_t steps, const Limits& limits) {
 
 }  // namespace
 
-Result<Derived> develop_to_rest(const Bound& bound, std::uint64_t seed, const Limits& limits,
+Result<Derived> develop_to_rest(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
                                 const Surroundings& around) {
   return whole(derive(bound, seed, {}, limits, around));
 }
 
-Result<Derived> develop(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> asked,
+Result<Derived> develop(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> asked,
                         const Limits& limits, const Surroundings& around) {
   const std::optional<std::uint32_t> steps = steps_of(bound, asked);
   if (!steps) return unfold(bound, seed, limits, around);
@@ -336,7 +336,7 @@ Result<Derived> develop(const Bound& bound, std::uint64_t seed, std::optional<st
   return whole(derive(bound, seed, steps, limits, around));
 }
 
-Result<Derived> develop_so_far(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> asked,
+Result<Derived> develop_so_far(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> asked,
                                const Limits& limits, const Surroundings& around) {
   const std::optional<std::uint32_t> steps = steps_of(bound, asked);
   if (steps && *steps > limits.steps) return too_many_asked(*steps, limits);

@@ -26,7 +26,7 @@ class Derivation {
   enum class Chance : std::uint8_t { each_step, once };
 
   // Begins with the axiom. `bound` and what surrounds the plant must outlive the derivation.
-  Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits, Chance chance = Chance::each_step,
+  Derivation(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, Chance chance = Chance::each_step,
              const Surroundings& around = {});
 
   // Rewrites all modules once, those of ?E only where they have been answered since the last step. Whether anything was
@@ -73,7 +73,7 @@ class Derivation {
   bool append_module(const std::uint32_t* module);
   bool locate();
 
-  const Bound& bound_;
+  const BoundProgram& bound_;
   const Program& program_;
   Limits limits_;
   Chance chance_;
@@ -96,7 +96,7 @@ class Derivation {
 
 // The string that steps lead to until nothing is rewritten any more, for productions that see each other's work: what
 // `unfold` gives for those. A random condition draws the same in every step. Errors as there.
-Result<Derived> develop_to_rest(const Bound& bound, std::uint64_t seed, const Limits& limits,
+Result<Derived> develop_to_rest(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
                                 const Surroundings& around = {});
 
 }  // namespace panicle::lsystem

@@ -8,7 +8,7 @@
 
 namespace panicle::lsystem {
 
-Machine::Machine(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space)
+Machine::Machine(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space)
     : program_(*bound.program),
       limits_(limits),
       own_budget_(limits.work, limits.bytes),

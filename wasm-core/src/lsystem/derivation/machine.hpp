@@ -14,7 +14,7 @@ namespace panicle::lsystem {
 
 class Machine {
  public:
-  Machine(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space = nullptr);
+  Machine(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space = nullptr);
   Machine(const Machine&) = delete;
 
   // The production that rewrites `module`, its parameters loaded; null when none does, or when `failed()`. A block of

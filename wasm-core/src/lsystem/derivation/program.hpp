@@ -35,7 +35,7 @@ enum class Demand : std::uint8_t { none, finite, not_negative };
 
 // A successor (or the axiom): words to copy, then places in the copy to fill in.
 struct Template {
-  std::uint32_t first = 0;  // in Bound::words; room for a copy in whole blocks follows
+  std::uint32_t first = 0;  // in BoundProgram::words; room for a copy in whole blocks follows
   std::uint32_t words = 0;
   std::uint32_t modules = 0;
   std::uint32_t cost = 0;  // units of work that writing it takes
@@ -132,7 +132,7 @@ class Program {
   std::vector<Rules> rules;                            // of derivation, by symbol
   std::array<std::vector<Rules>, purposes> rules_for;  // of the others, by symbol; empty where there are none
   std::array<Value, 2> depths;                         // of decomposition and homomorphism
-  std::array<Value, settings_count> settings;          // by Said
+  std::array<Value, settings_count> settings;          // by GlobalSetting
   bool asks = false;                                   // whether a module asks the environment
   bool locates = false;                                // whether a module asks for the turtle's place or axes
   std::vector<std::uint32_t> predecessors;             // in the order of the text

@@ -27,7 +27,7 @@ bool any(Action) { return true; }
 
 }  // namespace
 
-Silence::Silence(const Program& program, const Rules* images, bool heard)
+SkippableSymbols::SkippableSymbols(const Program& program, const Rules* images, bool heard)
     : program_(program), images_(images), quiet_(program.symbols.size()) {
   for (std::uint32_t symbol = 0; symbol < quiet_.size(); ++symbol) {
     bool quiet = !means(symbol, heard ? any : leads_on);
@@ -38,13 +38,13 @@ Silence::Silence(const Program& program, const Rules* images, bool heard)
   }
 }
 
-bool Silence::means(std::uint32_t symbol, bool (*what)(Action)) const {
+bool SkippableSymbols::means(std::uint32_t symbol, bool (*what)(Action)) const {
   const std::uint8_t meaning = program_.meanings[symbol];
   return meaning != no_meaning && what(turtle_symbols[meaning].action);
 }
 
 // As leaves do: whether all ways are in branches, and there is no polygon, which could be left open in one.
-bool Silence::comes_back(const Template& image) const {
+bool SkippableSymbols::comes_back(const Template& image) const {
   std::uint32_t open = 0;
   const std::uint32_t* at = program_.words.data() + image.first;
   for (const std::uint32_t* const end = at + image.words; at < end; at += words_of(*at)) {
@@ -62,7 +62,7 @@ bool Silence::comes_back(const Template& image) const {
 
 // A growing plant asks at its tips. One walk over the headers finds the branches that need not be walked by the turtle,
 // each in the order of its [; of one that asks the end is its beginning.
-void Silence::find_branches(const String& string) {
+void SkippableSymbols::find_branches(const String& string) {
   std::vector<std::size_t> open;
   std::uint64_t offset = 0;
   for (const std::uint32_t* at = string.begin(); at < string.end(); at += words_of(*at)) {

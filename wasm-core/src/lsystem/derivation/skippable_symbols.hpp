@@ -10,10 +10,10 @@
 
 namespace panicle::lsystem {
 
-class Silence {
+class SkippableSymbols {
  public:
   // `images` are what draws in the place of modules, by symbol, null for none; they and `program` must outlive it.
-  Silence(const Program& program, const Rules* images, bool heard);
+  SkippableSymbols(const Program& program, const Rules* images, bool heard);
 
   // Whether every module of a symbol can be passed over.
   bool covers(std::uint32_t symbol) const { return quiet_[symbol] != 0; }

@@ -15,7 +15,7 @@ namespace {
 
 class Unfolding {
  public:
-  Unfolding(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space)
+  Unfolding(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space)
       : machine_(bound, seed, limits, space), program_(*bound.program), limits_(limits) {}
 
   Result<Derived> run() {
@@ -102,7 +102,8 @@ class Unfolding {
 
 }  // namespace
 
-Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits, const Surroundings& around) {
+Result<Derived> unfold(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
+                       const Surroundings& around) {
   const bool asked = around.answers != nullptr && bound.program->asks;
   if (asked || around.watcher != nullptr || bound.program->by_steps())
     return develop_to_rest(bound, seed, limits, around);

@@ -152,8 +152,8 @@ class Compiler {
 
   // What contexts do not see.
   bool sight() {
-    const SightTree& sight = grammar_.sight;
-    const bool consider = sight.kind == SightTree::Kind::consider;
+    const ContextFilterTree& sight = grammar_.sight;
+    const bool consider = sight.kind == ContextFilterTree::Kind::consider;
     program_->passed_over.assign(program_->symbols.size(), consider);
     Names listed;
     for (const Named& symbol : sight.symbols) {

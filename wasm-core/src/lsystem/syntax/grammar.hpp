@@ -16,7 +16,7 @@ enum class Purpose : std::uint8_t { derivation, decomposition, homomorphism };
 inline constexpr std::size_t purposes = 3;
 
 // What a text says once for all its modules: `angle increment: 25`, `tropism: 0, -1, 0, 0.2`.
-enum class Said : std::uint8_t {
+enum class GlobalSetting : std::uint8_t {
   angle_increment,
   line_length,
   line_width,
@@ -88,7 +88,7 @@ struct RoleTree {
 };
 
 // `ignore: symbols` or `consider: symbols`: what contexts see.
-struct SightTree {
+struct ContextFilterTree {
   enum class Kind : std::uint8_t { all, ignore, consider };
   Kind kind = Kind::all;
   std::vector<Named> symbols;
@@ -99,12 +99,12 @@ struct Grammar {
   bool doubles = false;  // `#numbers double`
   std::vector<DefinitionTree> definitions;
   std::vector<CurveTree> curves;
-  std::array<Expression, settings_count> settings;  // by Said
+  std::array<Expression, settings_count> settings;  // by GlobalSetting
   std::array<Expression, 2> depths;                 // of decomposition and homomorphism, where given
   std::vector<std::string_view> systems = {{}};     // names; the first is the text itself
   Expression steps;                                 // `derivation length: expression`, where given
   std::vector<RoleTree> roles;
-  SightTree sight;
+  ContextFilterTree sight;
   std::vector<ModuleTree> axiom;
   std::vector<ProductionTree> productions;
 };

@@ -16,14 +16,14 @@ constexpr std::size_t most_points = 256;  // of a curve
 // A line that says something once for all modules, by its words up to the colon.
 struct SettingLine {
   std::array<std::string_view, 3> words;
-  Said first;
+  GlobalSetting first;
   std::size_t values;
 };
-constexpr SettingLine setting_lines[] = {{{"angle", "increment", ""}, Said::angle_increment, 1},
-                                         {{"line", "length", ""}, Said::line_length, 1},
-                                         {{"line", "width", ""}, Said::line_width, 1},
-                                         {{"line", "width", "increment"}, Said::line_width_increment, 1},
-                                         {{"tropism", "", ""}, Said::tropism_x, 4}};
+constexpr SettingLine setting_lines[] = {{{"angle", "increment", ""}, GlobalSetting::angle_increment, 1},
+                                         {{"line", "length", ""}, GlobalSetting::line_length, 1},
+                                         {{"line", "width", ""}, GlobalSetting::line_width, 1},
+                                         {{"line", "width", "increment"}, GlobalSetting::line_width_increment, 1},
+                                         {{"tropism", "", ""}, GlobalSetting::tropism_x, 4}};
 
 class GrammarParser : public ProductionReader {
  public:
@@ -516,10 +516,10 @@ class GrammarParser : public ProductionReader {
 
   bool sight() {
     const Token& keyword = tokens_[at_];
-    SightTree& sight = grammar_.sight;
-    if (sight.kind != SightTree::Kind::all)
+    ContextFilterTree& sight = grammar_.sight;
+    if (sight.kind != ContextFilterTree::Kind::all)
       return wrong(keyword.place, "What contexts see is said twice; keep one line with ignore: or consider:.");
-    sight.kind = keyword.says("ignore") ? SightTree::Kind::ignore : SightTree::Kind::consider;
+    sight.kind = keyword.says("ignore") ? ContextFilterTree::Kind::ignore : ContextFilterTree::Kind::consider;
     at_ += 2;
     while (at_ < end_) {
       Named symbol{{}, here()};

@@ -304,7 +304,7 @@ class ProductionChecker {
   // Whether contexts match the symbol: `ignore:` and `consider:` hide others.
   bool is_visible(std::string_view name) const {
     const bool listed = listed_.find(name) != none;
-    return grammar_.sight.kind == SightTree::Kind::consider ? listed : !listed;
+    return grammar_.sight.kind == ContextFilterTree::Kind::consider ? listed : !listed;
   }
 
   // One level of brackets.

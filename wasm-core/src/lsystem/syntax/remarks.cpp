@@ -105,19 +105,20 @@ class Reader {
     if (!known(module.name)) unknown(module);
   }
 
-  bool said(Said which) const { return grammar_.settings[static_cast<std::size_t>(which)].given(); }
+  bool said(GlobalSetting which) const { return grammar_.settings[static_cast<std::size_t>(which)].given(); }
 
   // What stands in for an argument is said once, unless the text says it.
   void bare(const ModuleTree& module) {
     const bool cpfg = grammar_.notation == Notation::cpfg;
     if (module.name == "!" && !cpfg)
       once("!", module.place, "! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).");
-    if ((module.name == "!" || module.name == "#") && cpfg && !said(Said::line_width_increment))
+    if ((module.name == "!" || module.name == "#") && cpfg && !said(GlobalSetting::line_width_increment))
       once("!", module.place,
            "% without an argument changes the width by the line width increment, which is 0 until a line such as line "
            "width increment: 0.1 says another.",
            {module.name});
-    if (module.name.size() != 1 || turns.find(module.name[0]) == std::string_view::npos || said(Said::angle_increment))
+    if (module.name.size() != 1 || turns.find(module.name[0]) == std::string_view::npos ||
+        said(GlobalSetting::angle_increment))
       return;
     if (!angle_.empty())
       once("angle", module.place,

@@ -26,7 +26,7 @@ class SymbolTable {
   bool is_derived(std::uint32_t symbol, std::size_t arity) const { return (derived_[symbol] >> arity & 1) != 0; }
   // By a production of whatever purpose.
   bool is_rewritten(std::uint32_t symbol) const { return rewritten_[symbol] != 0; }
-  // Modules whose lineage someone may ask for: those that write others, and those that listeners hear of.
+  // Modules whose lineage someone may ask for: those that write others, and those that listeners observe.
   bool remembers(std::uint32_t symbol) const;
   // `FF` or `AB` where F, A and B mean something and the whole does not: in cpfg two modules, here one that does
   // nothing.

@@ -29,18 +29,18 @@ std::string numbers_text(std::span<const float> numbers) {
   return text;
 }
 
-void Chronicle::begins(const String& string) {
+void DerivationTrace::begins(const String& string) {
   counts_ = {static_cast<std::uint32_t>(string.modules)};
   if (tells_this()) {
     for (std::uint32_t i = asked_.first; i < parts_.size() && written_.size() < asked_.count; ++i)
-      write(ToldModule::none, parts_[i]);
+      write(TraceEntry::none, parts_[i]);
     take_window(string);
   }
   parts_.clear();
   begin_step(string);
 }
 
-void Chronicle::ends(const String& string) {
+void DerivationTrace::ends(const String& string) {
   find_refusals();  // the string is the one before where nothing was rewritten
   copied_until(counts_.back());
   for (; border_ < borders_.size(); ++border_) borders_[border_] = new_;
@@ -51,7 +51,7 @@ void Chronicle::ends(const String& string) {
   begin_step(string);
 }
 
-void Chronicle::begin_step(const String& string) {
+void DerivationTrace::begin_step(const String& string) {
   string_ = &string;
   word_ = index_ = old_ = new_ = 0;
   border_ = 0;
@@ -59,7 +59,7 @@ void Chronicle::begin_step(const String& string) {
 }
 
 // Why productions do not rewrite the window's modules, before anything has.
-void Chronicle::find_refusals() {
+void DerivationTrace::find_refusals() {
   if (!tells_this() || std::exchange(refused_, true)) return;
   std::optional<std::uint32_t> step;
   if (by_steps_) step = asked_.step;
@@ -71,18 +71,18 @@ void Chronicle::find_refusals() {
   for (std::size_t i = 0; i < modules_.size(); ++i) modules_[i].refusals = refusals.of(words_[i]);
 }
 
-std::uint32_t Chronicle::index_of(std::uint64_t word) {
+std::uint32_t DerivationTrace::index_of(std::uint64_t word) {
   for (; word_ < word; ++index_) word_ += words_of(string_->begin()[word_]);
   return index_;
 }
 
-ToldModule* Chronicle::find_told(std::uint32_t index) {
+TraceEntry* DerivationTrace::find_told(std::uint32_t index) {
   const bool there =
       string_ != nullptr && tells_this() && index >= asked_.first && index - asked_.first < modules_.size();
   return there ? &modules_[index - asked_.first] : nullptr;
 }
 
-void Chronicle::rewrites(std::uint64_t at) {
+void DerivationTrace::rewrites(std::uint64_t at) {
   if (string_ == nullptr) return;
   rewriting_ = index_of(at);
   if (drawing_ == nullptr) find_refusals();
@@ -90,9 +90,9 @@ void Chronicle::rewrites(std::uint64_t at) {
   parts_.clear();
 }
 
-void Chronicle::applied(const Production& production, const Machine& machine) {
+void DerivationTrace::applied(const Production& production, const Machine& machine) {
   production_ = &production;
-  ToldModule* const told = find_told(rewriting_);
+  TraceEntry* const told = find_told(rewriting_);
   if (told == nullptr) return;
   told->fires = production.place;
   told->values = values_of(production, machine);
@@ -100,27 +100,27 @@ void Chronicle::applied(const Production& production, const Machine& machine) {
 }
 
 // Where nothing is decomposed, all is written by the production that was applied.
-void Chronicle::rewritten(std::uint64_t modules) {
+void DerivationTrace::rewritten(std::uint64_t modules) {
   const auto count = static_cast<std::uint32_t>(modules);
   for (std::uint32_t i = 0; tells_next() && i < count; ++i)
     if (new_ + i >= asked_.first) write(rewriting_, i < parts_.size() ? parts_[i] : production_);
   change(1, count);
 }
 
-void Chronicle::removes(std::uint64_t at, std::uint64_t modules) {
+void DerivationTrace::removes(std::uint64_t at, std::uint64_t modules) {
   find_refusals();
   copied_until(index_of(at));
   change(static_cast<std::uint32_t>(modules), 0);
 }
 
 // The window's next module.
-void Chronicle::write(std::uint32_t parent, const Production* production) {
+void DerivationTrace::write(std::uint32_t parent, const Production* production) {
   if (written_.size() >= asked_.count) return;
   written_.emplace_back().parent = parent;
   if (production != nullptr) written_.back().production = production->place;
 }
 
-void Chronicle::copied_until(std::uint32_t index) {
+void DerivationTrace::copied_until(std::uint32_t index) {
   const std::int64_t moved = std::int64_t{new_} - old_;
   const auto overlap = [&](std::int64_t first, std::size_t count, const auto& each) {
     const std::int64_t end = std::min<std::int64_t>(index, first + static_cast<std::int64_t>(count));
@@ -137,16 +137,16 @@ void Chronicle::copied_until(std::uint32_t index) {
 }
 
 // What stands next in the string before, `removed` modules, has become `written` in the one after.
-void Chronicle::change(std::uint32_t removed, std::uint32_t written) {
+void DerivationTrace::change(std::uint32_t removed, std::uint32_t written) {
   for (std::uint32_t i = 0; i < removed; ++i)
-    if (ToldModule* const told = find_told(old_ + i)) told->children = {new_, written};
+    if (TraceEntry* const told = find_told(old_ + i)) told->children = {new_, written};
   for (; border_ < borders_.size() && borders_[border_] < old_ + removed; ++border_) borders_[border_] = new_;
   old_ += removed;
   new_ += written;
   if (asked_.module && changes_.size() < most_rewritten) changes_.push_back({old_ - removed, old_, new_});
 }
 
-void Chronicle::take_window(const String& string) {
+void DerivationTrace::take_window(const String& string) {
   const std::uint32_t count = counts_.back(), first = std::min(asked_.first, count);
   written_.resize(std::min(asked_.count, count - first));
   modules_ = std::move(written_);
@@ -155,7 +155,7 @@ void Chronicle::take_window(const String& string) {
   whole_borders_ = borders_;
   const std::uint32_t* at = string.begin();
   for (std::uint32_t i = 0; i < first; ++i) at += words_of(*at);
-  for (ToldModule& told : modules_) {
+  for (TraceEntry& told : modules_) {
     words_.push_back(static_cast<std::uint64_t>(at - string.begin()));
     told.text = module_text(*program_, at);
     if (program_->asks_turtle(symbol_of(*at))) told.answer = "written" + parameters_text(at);
@@ -163,7 +163,7 @@ void Chronicle::take_window(const String& string) {
   }
 }
 
-std::string Chronicle::values_of(const Production& production, const Machine& machine) const {
+std::string DerivationTrace::values_of(const Production& production, const Machine& machine) const {
   const Range names = program_->named_in[static_cast<std::size_t>(&production - program_->productions.data())];
   std::string text;
   for (std::uint32_t i = names.begin; i < names.end; ++i) {
@@ -176,13 +176,13 @@ std::string Chronicle::values_of(const Production& production, const Machine& ma
   return text;
 }
 
-void Chronicle::asks() {
+void DerivationTrace::asks() {
   questions_.clear();
   for (std::size_t i = 0; tells_this() && i < words_.size(); ++i)
     questions_.push_back(parameters_text(string_->begin() + words_[i]));
 }
 
-void Chronicle::answered() {
+void DerivationTrace::answered() {
   answered_ = true;
   for (std::size_t i = 0; i < questions_.size(); ++i) {
     const std::uint32_t* const module = string_->begin() + words_[i];
@@ -191,7 +191,7 @@ void Chronicle::answered() {
   }
 }
 
-void Chronicle::finish(std::uint32_t steps, const Diagnostic& stopped, const String& last) {
+void DerivationTrace::finish(std::uint32_t steps, const Diagnostic& stopped, const String& last) {
   stopped_ = stopped;
   counts_.resize(std::min<std::size_t>(counts_.size(), steps + 1));
   string_ = &last;
@@ -201,7 +201,7 @@ void Chronicle::finish(std::uint32_t steps, const Diagnostic& stopped, const Str
   space_ = nullptr;
   // What of a step that never ended has been told.
   for (std::uint32_t i = 0; tells_this() && i < modules_.size(); ++i) {
-    ToldModule& told = modules_[i];
+    TraceEntry& told = modules_[i];
     told.fires = {};
     told.values.clear();
     told.chance = {};
@@ -215,7 +215,7 @@ void Chronicle::finish(std::uint32_t steps, const Diagnostic& stopped, const Str
 }
 
 // Of a module of the string after the step that follows `step`.
-std::uint32_t Chronicle::ancestor_of(std::uint32_t module, std::uint32_t step) const {
+std::uint32_t DerivationTrace::ancestor_of(std::uint32_t module, std::uint32_t step) const {
   const auto begin = changes_.begin() + static_cast<std::ptrdiff_t>(step == 0 ? 0 : changes_end_[step - 1]);
   const auto end = changes_.begin() + static_cast<std::ptrdiff_t>(changes_end_[step]);
   const auto found = std::upper_bound(begin, end, module,
@@ -225,21 +225,21 @@ std::uint32_t Chronicle::ancestor_of(std::uint32_t module, std::uint32_t step) c
   return copied ? before.old_end + (module - before.new_end) : found->old_begin;
 }
 
-void Chronicle::watch_drawing(std::shared_ptr<const String> last) {
+void DerivationTrace::watch_drawing(std::shared_ptr<const String> last) {
   drawing_ = std::move(last);
   begin_step(*drawing_);
 }
 
-void Chronicle::add_answer(std::uint32_t module, std::string_view answer) {
-  if (ToldModule* const told = find_told(module)) told->answer += answer;
+void DerivationTrace::add_answer(std::uint32_t module, std::string_view answer) {
+  if (TraceEntry* const told = find_told(module)) told->answer += answer;
 }
 
-Result<Chronicle> chronicle(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
-                            const Limits& limits, const Surroundings& around, ChronicleAsked asked) {
+Result<DerivationTrace> chronicle(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
+                                  const Limits& limits, const Surroundings& around, TraceRequest asked) {
   const WorkBudget::TimePassed clock = limits.budget == nullptr ? nullptr : limits.budget->clock();
   for (;;) {
     const bool by_steps = steps || derivation_length(bound);
-    Chronicle told(bound, seed, limits, around.space, by_steps, asked);
+    DerivationTrace told(bound, seed, limits, around.space, by_steps, asked);
     Surroundings watched = around;
     watched.watcher = &told;
     // With a budget of its own, so that it comes as far as the derivation that is traced.

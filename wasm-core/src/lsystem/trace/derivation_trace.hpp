@@ -19,7 +19,7 @@
 
 namespace panicle::lsystem {
 
-struct ChronicleAsked {
+struct TraceRequest {
   static constexpr std::uint32_t most = 2000;  // modules of a window
 
   std::uint32_t step = 0;                    // 0 is the axiom; beyond the last: the last
@@ -33,7 +33,7 @@ struct ModuleSpan {
 };
 
 // A module of the window. Places are those of productions: 0, 0 for none.
-struct ToldModule {
+struct TraceEntry {
   static constexpr std::uint32_t none = 0xffffffff;
 
   std::string text;                  // as strings have it
@@ -48,14 +48,14 @@ struct ToldModule {
   std::string answer;                // `asked 1 0 → 1 3; why`, or `written 0 1 0`
 };
 
-class Chronicle final : public Watcher {
+class DerivationTrace final : public Watcher {
  public:
   static constexpr std::size_t most_rewritten = 4'000'000;  // in all steps, for ancestors to be found
 
   // Of a derivation that has these; `bound` and the space must last until `finish`. `by_steps`: whether each step draws
   // anew (Derivation::Chance).
-  Chronicle(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space, bool by_steps,
-            const ChronicleAsked& asked)
+  DerivationTrace(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space,
+                  bool by_steps, const TraceRequest& asked)
       : program_(bound.program),
         bound_(&bound),
         seed_(seed),
@@ -70,7 +70,7 @@ class Chronicle final : public Watcher {
   std::uint32_t steps() const { return static_cast<std::uint32_t>(counts_.size()) - 1; }
   // Of each step's string, the axiom's first.
   const std::vector<std::uint32_t>& counts() const { return counts_; }
-  const std::vector<ToldModule>& modules() const { return modules_; }
+  const std::vector<TraceEntry>& modules() const { return modules_; }
   // By step, the ancestor of the module that was asked for; empty where none was, the last string has no such module or
   // too much was rewritten.
   const std::vector<std::uint32_t>& trail() const { return trail_; }
@@ -106,7 +106,7 @@ class Chronicle final : public Watcher {
 
   bool tells_this() const { return steps() == asked_.step; }
   bool tells_next() const { return steps() + 1 == asked_.step; }
-  ToldModule* find_told(std::uint32_t index);
+  TraceEntry* find_told(std::uint32_t index);
   void begin_step(const String& string);
   void find_refusals();
   std::uint32_t index_of(std::uint64_t word);
@@ -118,14 +118,14 @@ class Chronicle final : public Watcher {
   std::uint32_t ancestor_of(std::uint32_t module, std::uint32_t step) const;
 
   std::shared_ptr<const Program> program_;
-  const Bound* bound_;  // null once it is finished
+  const BoundProgram* bound_;  // null once it is finished
   std::uint64_t seed_;
   Limits limits_;
   const Space* space_;
   bool by_steps_;
-  ChronicleAsked asked_;
+  TraceRequest asked_;
   std::vector<std::uint32_t> counts_;
-  std::vector<ToldModule> modules_;
+  std::vector<TraceEntry> modules_;
   std::vector<std::uint32_t> trail_;
   Diagnostic stopped_;
 
@@ -139,7 +139,7 @@ class Chronicle final : public Watcher {
   bool answered_ = false;  // ?E, since the step before
   bool refused_ = false;   // whether the window has its refusals
   std::vector<const Production*> parts_;
-  std::vector<ToldModule> written_;           // of the window, what is known before its string is there
+  std::vector<TraceEntry> written_;           // of the window, what is known before its string is there
   std::vector<std::uint64_t> words_;          // where the window's modules stand
   std::vector<std::string> questions_;        // that they ask
   std::vector<std::uint32_t> borders_;        // where each one's descendants begin, and where those of the last end
@@ -153,7 +153,7 @@ class Chronicle final : public Watcher {
 std::string numbers_text(std::span<const float> numbers);
 
 // Derives once more as `develop_so_far` does, under watch. Errors as there.
-Result<Chronicle> chronicle(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
-                            const Limits& limits, const Surroundings& around, ChronicleAsked asked);
+Result<DerivationTrace> chronicle(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
+                                  const Limits& limits, const Surroundings& around, TraceRequest asked);
 
 }  // namespace panicle::lsystem

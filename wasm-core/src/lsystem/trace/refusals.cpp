@@ -6,7 +6,7 @@
 
 namespace panicle::lsystem {
 
-Refusals::Refusals(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space,
+Refusals::Refusals(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space,
                    const String& string, std::optional<std::uint32_t> step, bool answered)
     : program_(*bound.program),
       machine_(bound, seed, limits, space),

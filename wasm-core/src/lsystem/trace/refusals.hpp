@@ -26,8 +26,8 @@ class Refusals {
 
   // Random draws are those of `step`; without one, each module draws once for all steps. `answered`: whether ?E has
   // been answered since the step before. The references must outlive this object.
-  Refusals(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space, const String& string,
-           std::optional<std::uint32_t> step, bool answered);
+  Refusals(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space,
+           const String& string, std::optional<std::uint32_t> step, bool answered);
 
   // The reasons for the module that begins at word `at` of the string: one for every production of its symbol but the
   // one that rewrites it, in the order of the text. Call it for modules in the order of the string. Empty once the work

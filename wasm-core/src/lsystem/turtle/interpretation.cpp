@@ -35,8 +35,8 @@ enum class Questions : std::uint8_t {
 
 class Interpreter {
  public:
-  Interpreter(const Bound& bound, const Turtle& start, Listener& listener, std::uint64_t seed, const Limits& limits,
-              const Space* space, Watcher* watcher = nullptr)
+  Interpreter(const BoundProgram& bound, const Turtle& start, Listener& listener, std::uint64_t seed,
+              const Limits& limits, const Space* space, Watcher* watcher = nullptr)
       : machine_(bound, seed, limits, space),
         bound_(bound),
         program_(*bound.program),
@@ -46,11 +46,12 @@ class Interpreter {
         turtle_(start),
         turns_(program_.notation == Notation::cpfg ? -1.0f : 1.0f) {
     if (program_.has(Purpose::homomorphism)) images_ = program_.rules_of(Purpose::homomorphism).data();
-    if (const auto& width = bound.settings[static_cast<std::size_t>(Said::line_width)]) turtle_.width = *width;
-    const auto said = [&](Said which) { return bound.settings[static_cast<std::size_t>(which)]; };
-    if (said(Said::tropism_x))
-      turtle_.tropism = {*said(Said::tropism_x), *said(Said::tropism_y), *said(Said::tropism_z)};
-    turtle_.elasticity = said(Said::elasticity).value_or(turtle_.elasticity);
+    if (const auto& width = bound.settings[static_cast<std::size_t>(GlobalSetting::line_width)]) turtle_.width = *width;
+    const auto said = [&](GlobalSetting which) { return bound.settings[static_cast<std::size_t>(which)]; };
+    if (said(GlobalSetting::tropism_x))
+      turtle_.tropism = {*said(GlobalSetting::tropism_x), *said(GlobalSetting::tropism_y),
+                         *said(GlobalSetting::tropism_z)};
+    turtle_.elasticity = said(GlobalSetting::elasticity).value_or(turtle_.elasticity);
   }
 
   // `answered` is the string itself where answers are written into it.
@@ -59,7 +60,7 @@ class Interpreter {
     answered_ = answered;
     if (questions == Questions::drawn && program_.not_drawable.reason != Reason::none) return program_.not_drawable;
     const bool unheard = questions == Questions::located;
-    Silence silence(program_, images_, !unheard);
+    SkippableSymbols silence(program_, images_, !unheard);
     if (unheard) silence.find_branches(string);
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
@@ -133,11 +134,11 @@ class Interpreter {
 
   // What stands in for an argument that was left out.
   float standard(const TurtleSymbol& symbol) const {
-    if (symbol.setting == Setting::angle_increment) return said(Said::angle_increment, symbol.standard);
-    if (symbol.setting == Setting::line_length) return said(Said::line_length, symbol.standard);
+    if (symbol.setting == Setting::angle_increment) return said(GlobalSetting::angle_increment, symbol.standard);
+    if (symbol.setting == Setting::line_length) return said(GlobalSetting::line_length, symbol.standard);
     return symbol.standard;
   }
-  float said(Said which, float otherwise) const {
+  float said(GlobalSetting which, float otherwise) const {
     return bound_.settings[static_cast<std::size_t>(which)].value_or(otherwise);
   }
 
@@ -210,12 +211,12 @@ class Interpreter {
       case Action::ask:
         return ask(module);
       default:
-        act_seldom(symbol.action, module, bearer, value, given);
+        act_rarely(symbol.action, module, bearer, value, given);
     }
     return false;
   }
 
-  void act_seldom(Action action, const std::uint32_t* module, const std::uint32_t* bearer, float value, bool given) {
+  void act_rarely(Action action, const std::uint32_t* module, const std::uint32_t* bearer, float value, bool given) {
     switch (action) {
       case Action::level:
         level(turtle_);
@@ -291,7 +292,7 @@ class Interpreter {
   // `!` narrows and `#` widens where they are not told how wide; in the paper's notation ! alone is 1.
   void set_width(float value, bool given, float sign) {
     if (!given && program_.notation == Notation::cpfg) {
-      const float by = said(Said::line_width_increment, 0);
+      const float by = said(GlobalSetting::line_width_increment, 0);
       turtle_.width = std::max(0.0f, turtle_.width + sign * by);
     } else if (given || sign < 0) {
       turtle_.width = value;
@@ -473,7 +474,7 @@ class Interpreter {
   }
 
   Machine machine_;
-  const Bound& bound_;
+  const BoundProgram& bound_;
   const Program& program_;
   const Limits& limits_;
   Listener& listener_;
@@ -494,39 +495,40 @@ class Interpreter {
 };
 
 // Hears nothing.
-class Unheard : public Listener {
+class NullListener : public Listener {
   void line(std::int32_t, const Turtle&, const Turtle&, const Lineage&) override {}
   void sphere(const Turtle&, float, const Lineage&) override {}
   void ask(const Turtle&, std::span<float>, const Lineage&) override {}
   void cut(const Turtle&) override {}
 };
 
-Diagnostic write_into(const Bound& bound, String& string, const Turtle& start, Listener& listener, std::uint64_t seed,
-                      const Limits& limits, const Space* space, Questions questions) {
+Diagnostic write_into(const BoundProgram& bound, String& string, const Turtle& start, Listener& listener,
+                      std::uint64_t seed, const Limits& limits, const Space* space, Questions questions) {
   const auto walked = Interpreter(bound, start, listener, seed, limits, space).run(string, questions, &string);
   return walked ? Diagnostic{} : walked.error();
 }
 
 }  // namespace
 
-Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
-                                std::uint64_t seed, const Limits& limits, const Space* space, Watcher* watcher) {
+Result<std::uint32_t> interpret(const BoundProgram& bound, const String& string, const Turtle& start,
+                                Listener& listener, std::uint64_t seed, const Limits& limits, const Space* space,
+                                Watcher* watcher) {
   return Interpreter(bound, start, listener, seed, limits, space, watcher).run(string, Questions::drawn);
 }
 
-Result<std::uint32_t> trace(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
+Result<std::uint32_t> trace(const BoundProgram& bound, const String& string, const Turtle& start, Listener& listener,
                             std::uint64_t seed, const Limits& limits, const Space* space) {
   return Interpreter(bound, start, listener, seed, limits, space).run(string, Questions::unasked);
 }
 
-Diagnostic answer(const Bound& bound, String& string, const Turtle& start, Listener& listener, std::uint64_t seed,
-                  const Limits& limits, const Space* space) {
+Diagnostic answer(const BoundProgram& bound, String& string, const Turtle& start, Listener& listener,
+                  std::uint64_t seed, const Limits& limits, const Space* space) {
   return write_into(bound, string, start, listener, seed, limits, space, Questions::written);
 }
 
-Diagnostic locate(const Bound& bound, String& string, const Turtle& start, std::uint64_t seed, const Limits& limits,
-                  const Space* space) {
-  Unheard unheard;
+Diagnostic locate(const BoundProgram& bound, String& string, const Turtle& start, std::uint64_t seed,
+                  const Limits& limits, const Space* space) {
+  NullListener unheard;
   return write_into(bound, string, start, unheard, seed, limits, space, Questions::located);
 }
 

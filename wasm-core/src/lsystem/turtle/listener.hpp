@@ -32,10 +32,10 @@ class Listener {
   virtual void sphere(const Turtle& turtle, float radius, const Lineage& lineage) = 0;
   // ?E asks: change `parameters` into the answer. The production that matches the answer is applied at once, in place.
   virtual void ask(const Turtle& turtle, std::span<float> parameters, const Lineage& lineage) = 0;
-  // Whether it wants to hear the whole string before it answers any of it: then Derivation::ask walks it twice, and
+  // Whether it wants to observe the whole string before it answers any of it: then Derivation::ask walks it twice, and
   // tells when it is to be heard and when answers begin.
-  virtual bool hears_first() const { return false; }
-  virtual void hear() {}
+  virtual bool observes_first() const { return false; }
+  virtual void observation_begins() {}
   virtual void answers_begin() {}
   // % cut the rest of a branch here.
   virtual void cut(const Turtle& turtle) = 0;

@@ -18,15 +18,15 @@ namespace panicle::bunch {
 
 struct Request {
   std::uint32_t seed = 1;
-  std::vector<float> parameters;                     // in the order of parameter_table; NaN or missing: the default
-  std::int32_t m = 0;                                // rachis segments in place of the profile's; 0: from the profile
-  std::vector<std::int32_t> n;                       // n₁ … n₍m−1₎ in place of the profile's; empty: from the profile
-  std::string_view grammar;                          // empty: the procedure's own
-  std::shared_ptr<const lsystem::Program> program;   // that text compiled, with lineages; null: compiled here
-  std::optional<std::uint32_t> steps;                // of the derivation, in place of the text's own
-  std::vector<std::uint32_t> thinned;                // berries taken off by hand, by id
-  std::optional<lsystem::ChronicleAsked> chronicle;  // which step of the first bunch's derivation is told
-  FlatLeaf leaf;                                     // what leaves on the cane are made from
+  std::vector<float> parameters;                    // in the order of parameter_table; NaN or missing: the default
+  std::int32_t m = 0;                               // rachis segments in place of the profile's; 0: from the profile
+  std::vector<std::int32_t> n;                      // n₁ … n₍m−1₎ in place of the profile's; empty: from the profile
+  std::string_view grammar;                         // empty: the procedure's own
+  std::shared_ptr<const lsystem::Program> program;  // that text compiled, with lineages; null: compiled here
+  std::optional<std::uint32_t> steps;               // of the derivation, in place of the text's own
+  std::vector<std::uint32_t> thinned;               // berries taken off by hand, by id
+  std::optional<lsystem::TraceRequest> chronicle;   // which step of the first bunch's derivation is told
+  FlatLeaf leaf;                                    // what leaves on the cane are made from
   bool meshes = true;
   bool measures = true;
   bool sky = false;                  // of the meshes' vertices, where they are asked for

@@ -39,7 +39,7 @@ struct Traits {
 };
 
 // Why a pedicel bears no berry.
-enum class Why : std::uint32_t {
+enum class RemovalReason : std::uint32_t {
   not_set = 1,  // its flower did not set: more flowers than berries are wanted
   no_room = 2,  // pressed harder than berries can be
   outside = 3,  // could not be kept within the outline
@@ -48,7 +48,7 @@ enum class Why : std::uint32_t {
 
 struct Thinned {
   std::uint32_t id = 0;
-  Why why = Why::not_set;
+  RemovalReason why = RemovalReason::not_set;
   glm::vec3 place{0};  // where its pedicel begins, metres
 };
 
@@ -94,12 +94,12 @@ struct Grown {
   std::vector<Thinned> thinned;  // the natural procedure's
   std::vector<float> measures;   // in the order of measures.generated.hpp; NaN: does not apply; empty: not asked for
   std::optional<StemMesh> stem;
-  std::optional<Mesh> berry;                    // the shared berry, unit radius
-  std::optional<BerrySurfaces> surfaces;        // the natural procedure's berries, each with its own surface
-  std::optional<FlowerMesh> flower;             // the shared flower, where a berry has not yet set or keeps its sepals
-  std::optional<Foliage> foliage;               // leaves and cane, where they were asked for
-  std::optional<SkyBytes> sky;                  // where it was asked for
-  std::optional<lsystem::Chronicle> chronicle;  // where it was asked for: how the first bunch's text was derived
+  std::optional<Mesh> berry;              // the shared berry, unit radius
+  std::optional<BerrySurfaces> surfaces;  // the natural procedure's berries, each with its own surface
+  std::optional<FlowerMesh> flower;       // the shared flower, where a berry has not yet set or keeps its sepals
+  std::optional<Foliage> foliage;         // leaves and cane, where they were asked for
+  std::optional<SkyBytes> sky;            // where it was asked for
+  std::optional<lsystem::DerivationTrace> chronicle;  // where it was asked for: how the first bunch's text was derived
   std::vector<std::string> notes;
   std::uint64_t fingerprint = 0;       // skeleton and organs (docs/fingerprint.md)
   std::uint64_t mesh_fingerprint = 0;  // 0 without meshes

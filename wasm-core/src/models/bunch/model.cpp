@@ -137,7 +137,7 @@ void add_sky(Plant& plant, SkyBytes sky) {
 
 // What was derived, and what of it drew what is there.
 void add_told(Plant& plant, const Grown& grown) {
-  const lsystem::Chronicle& chronicle = *grown.chronicle;
+  const lsystem::DerivationTrace& chronicle = *grown.chronicle;
   // A limit leaves another last string than was drawn.
   const bool whole = chronicle.stopped().reason == Reason::none;
   if (!whole) plant.notes.push_back(cut_short(chronicle));

@@ -21,7 +21,7 @@
 //   berries.spheres     float32 × 4 each: centre, radius;  berries.directions × 3;  berries.parent: int32, its pedicel
 //   berries.id          uint32 each
 //   berries.width … .seeds   float32 each: what grown.hpp calls Traits
-//   thinned.id, thinned.why  uint32 each (Why);  thinned.places: float32 × 3 each
+//   thinned.id, thinned.why  uint32 each (RemovalReason);  thinned.places: float32 × 3 each
 //   berries.pattern.uvs      float32 × 2, berries.pattern.indices: uint32 × 3: of the pattern that all surfaces share
 //   berries.positions        float32 × 3, berries.normals × 3, berries.pressed: uint8; of each berry's own surface
 //   berries.sky              uint8: of each vertex of each berry, the pattern's or the shared mesh's, berry by berry;

@@ -4,7 +4,7 @@
 
 namespace panicle::bunch {
 
-void remark_text(const lsystem::Bound& text, const Values& values, std::string_view procedure,
+void remark_text(const lsystem::BoundProgram& text, const Values& values, std::string_view procedure,
                  std::span<const Parameter> besides, std::vector<std::string>& notes) {
   std::vector<lsystem::Inputs::Scalar> heeded;
   for (const ParameterInfo* info : values.defining()) {

@@ -16,7 +16,7 @@ namespace panicle::bunch {
 // A note for each thing that the text says and nothing heeds, and for each parameter that was given, is heeded by
 // `procedure` and replaces a #define that the text does not have, so that it changes nothing; `besides` are those that
 // the procedure itself heeds.
-void remark_text(const lsystem::Bound& text, const Values& values, std::string_view procedure,
+void remark_text(const lsystem::BoundProgram& text, const Values& values, std::string_view procedure,
                  std::span<const Parameter> besides, std::vector<std::string>& notes);
 
 // What came of a text.

@@ -14,7 +14,7 @@ Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& reque
   return lsystem::compile(request.grammar.empty() ? built_in : request.grammar, limits, lsystem::Lineages::always);
 }
 
-Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uint64_t seed,
+Result<Stock> derive_stock(std::shared_ptr<const lsystem::BoundProgram> bound, std::uint64_t seed,
                            std::optional<std::uint32_t> steps, const Limits& limits) {
   auto derived = lsystem::develop(*bound, seed, steps, limits);
   if (!derived) return derived.error();
@@ -23,8 +23,8 @@ Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uin
 
 std::uint64_t second_seed(std::uint64_t seed) { return hash_combine(seed, hash_text("second bunch")); }
 
-Result<std::optional<lsystem::Chronicle>> tell(const Stock& stock, const Request& request, const Limits& limits) {
-  if (!request.chronicle) return std::optional<lsystem::Chronicle>();
+Result<std::optional<lsystem::DerivationTrace>> tell(const Stock& stock, const Request& request, const Limits& limits) {
+  if (!request.chronicle) return std::optional<lsystem::DerivationTrace>();
   auto told = lsystem::chronicle(*stock.bound, stock.seed, request.steps, limits, {}, *request.chronicle);
   if (!told) return told.error();
   // One that came to a limit has another last string than is drawn.
@@ -33,7 +33,7 @@ Result<std::optional<lsystem::Chronicle>> tell(const Stock& stock, const Request
 }
 
 Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener,
-                     lsystem::Chronicle* chronicle) {
+                     lsystem::DerivationTrace* chronicle) {
   lsystem::Turtle turtle;
   const auto& [lean, side, foot] = stock.stance;
   turtle.position = foot;

@@ -14,7 +14,7 @@
 namespace panicle::bunch {
 
 struct Stock {
-  std::shared_ptr<const lsystem::Bound> bound;
+  std::shared_ptr<const lsystem::BoundProgram> bound;
   std::shared_ptr<const lsystem::String> string;
   std::uint64_t seed = 0;
   std::int32_t first_axis = 0;
@@ -27,18 +27,18 @@ Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& reque
                                                             const Limits& limits);
 
 // `steps` as for lsystem::develop.
-Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uint64_t seed,
+Result<Stock> derive_stock(std::shared_ptr<const lsystem::BoundProgram> bound, std::uint64_t seed,
                            std::optional<std::uint32_t> steps, const Limits& limits);
 
 // The seed of the second bunch of a specimen.
 std::uint64_t second_seed(std::uint64_t seed);
 
 // Its derivation told, where the request asks. Errors: those of lsystem::chronicle.
-Result<std::optional<lsystem::Chronicle>> tell(const Stock& stock, const Request& request, const Limits& limits);
+Result<std::optional<lsystem::DerivationTrace>> tell(const Stock& stock, const Request& request, const Limits& limits);
 
 // Walks the derived string from p1 on, and tells the chronicle, if any, what answers. Returns what the interpretation
 // itself ran into.
 Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener,
-                     lsystem::Chronicle* chronicle = nullptr);
+                     lsystem::DerivationTrace* chronicle = nullptr);
 
 }  // namespace panicle::bunch

@@ -492,7 +492,7 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
 }
 
 bool same_map(const Program& program, const Program& other) {
-  return program.bones == other.bones && program.notes == other.notes &&
+  return program.structure_key == other.structure_key && program.notes == other.notes &&
          std::equal(program.grammars.begin(), program.grammars.end(), other.grammars.begin(), other.grammars.end(),
                     [](const Grammar& a, const Grammar& b) { return a.once_bound.size() == b.once_bound.size(); });
 }

@@ -280,7 +280,7 @@ void Levels::add_to(Plant& plant, const Program& program, const Derived& derived
   std::array<bool, 256> is_known{};
   for (std::size_t i = 0; i < numbers.size(); ++i)
     index[numbers[i]] = static_cast<std::uint8_t>(i), is_known[numbers[i]] = true;
-  std::vector<Screen> screens;
+  std::vector<Occluder> screens;
   const std::size_t first = plant.meshes.size();
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     const Level& level = levels_[k];
@@ -308,7 +308,7 @@ void Levels::add_to(Plant& plant, const Program& program, const Derived& derived
     }
     out.columns.add("paint", std::move(paint));
   }
-  const Openness open(plant.segments, screens, sky_cells, sky_directions);
+  const SkyVisibility open(plant.segments, screens, sky_cells, sky_directions);
   for (std::size_t i = first; i < plant.meshes.size(); ++i)
     plant.meshes[i].columns.add("sky", open.of(plant.meshes[i].mesh));
 }

@@ -258,7 +258,7 @@ struct Grown {
 };
 
 // The last flower first. Of a bed's there are several: plants of one text whose maps differ come by turns.
-struct LastFlowers : Kept {
+struct LastFlowers : Cache {
   std::vector<std::unique_ptr<Grown>> all;
 };
 
@@ -318,7 +318,7 @@ void let_go(LastFlowers& last) {
   if (!all.front()->derived.whole) all.erase(all.begin());
   std::uint64_t bytes = 0;
   std::size_t count = 0;
-  while (count < all.size() && count < most_kept && (bytes += all[count]->bytes()) <= Kept::most_bytes) ++count;
+  while (count < all.size() && count < most_kept && (bytes += all[count]->bytes()) <= Cache::most_bytes) ++count;
   all.resize(count);
 }
 
@@ -340,7 +340,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const FlowerValues values(asked, plant.notes);
   given.steps = values.whole(steps);
   given.age = values[age];
-  Keeping* const kept = request.kept();
+  CacheSlot* const kept = request.kept();
   std::unique_ptr<LastFlowers> last(kept ? static_cast<LastFlowers*>(kept->release()) : nullptr);
   if (!last) last = std::make_unique<LastFlowers>();
   const auto flower = grown(text, given, limits, !meshes, *last);

@@ -215,7 +215,7 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
   if (numbers != numbers_ || parts_.empty()) part(numbers);
   numbers_ = std::move(numbers);
 
-  std::vector<Screen> screens;
+  std::vector<Occluder> screens;
   for (const Part& part : parts_) {
     PlantMesh& mesh = plant.meshes.emplace_back();
     mesh.name = std::string("m").append(std::to_string(part.number));
@@ -252,7 +252,7 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
     }
   }
   if (!sky) return;
-  const Openness open(plant.segments, screens);
+  const SkyVisibility open(plant.segments, screens);
   for (PlantMesh& mesh : plant.meshes) mesh.columns.add("sky", open.of(mesh.mesh));
 }
 

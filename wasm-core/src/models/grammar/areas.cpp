@@ -93,7 +93,7 @@ Result<Areas> Areas::read(Request& request, const Limits& limits) {
   if (const auto refusal = too_many_triangles(stock.triangles.size() / 3, limits)) return *refusal;
   if (!sound(places) || !sound(path) || !sound(stock.points))
     return refused("A number of an area is not finite or beyond 10 km.");
-  areas.budget_ = std::make_shared<LookBudget>(limits.looks, kinds.size());
+  areas.budget_ = std::make_shared<QueryBudget>(limits.looks, kinds.size());
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (kinds[i] > static_cast<std::uint32_t>(Volume::Kind::mesh)) return refused("An area is of an unknown kind.");
     const auto kind = static_cast<Volume::Kind>(kinds[i]);

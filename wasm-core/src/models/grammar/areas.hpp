@@ -71,7 +71,7 @@ class Areas final : public expression::Space {
   const Volume* find(float area) const;
   void tell_forks(lsystem::Inputs& inputs) const;
 
-  std::shared_ptr<LookBudget> budget_;  // of all meshes
+  std::shared_ptr<QueryBudget> budget_;  // of all meshes
   std::vector<Form> forms_;
   std::vector<Volume> volumes_;
   std::vector<glm::vec3> path_;

@@ -71,13 +71,14 @@ glm::vec4 quaternion_of(const glm::mat3& m) {
 template <class Rows, class Read>
 void add_marks(Columns& columns, const std::string& of, bool marked, const Rows& rows, Read mark_of) {
   columns.add(of + ".module", column_of<std::uint32_t>(rows, 1, [&](const auto& row, std::uint32_t* at) {
-                *at = marked ? mark_of(row).module : lsystem::ToldModule::none;
+                *at = marked ? mark_of(row).module : lsystem::TraceEntry::none;
               }));
   columns.add(of + ".colour",
               column_of<std::uint8_t>(rows, 1, [&](const auto& row, std::uint8_t* at) { *at = mark_of(row).colour; }));
 }
 
-std::vector<std::uint8_t> sky_of(const Openness& open, const std::vector<Segment>& segments, const StemMesh& stems) {
+std::vector<std::uint8_t> sky_of(const SkyVisibility& open, const std::vector<Segment>& segments,
+                                 const StemMesh& stems) {
   if (segments.size() < many) return open.of(stems.mesh);
   std::vector<std::uint8_t> of_segments;
   of_segments.reserve(segments.size());
@@ -95,7 +96,7 @@ glm::vec3 along(const Organ& organ, float distance) {
 }
 
 // A cell is told what is in it as a whole. A leaf that stands out of it is lit by what is beyond, and that one is seen.
-std::uint8_t sky_of(const Openness& open, const Organ& organ) {
+std::uint8_t sky_of(const SkyVisibility& open, const Organ& organ) {
   const std::uint8_t base = open.at(organ.position);
   return organ.tag < first_surface_tag ? base : std::max(base, open.at(along(organ, organ.scale + open.edge())));
 }
@@ -112,7 +113,7 @@ TubeOptions tubes_of(const std::vector<Segment>& segments, const Dress& habit) {
 
 // Tubes, a run a colour.
 PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, const Dress& habit,
-                   const Openness* open) {
+                   const SkyVisibility* open) {
   std::vector<std::int32_t> groups;
   groups.reserve(marks.size());
   for (const Mark& mark : marks) groups.push_back(mark.colour);
@@ -132,7 +133,7 @@ PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> m
 }
 
 // Half of a sheet's area: what it hides, taken over all sides.
-Screen screen_of(std::span<const glm::vec3> corners, float metres) {
+Occluder screen_of(std::span<const glm::vec3> corners, float metres) {
   glm::vec3 sum(0), twice(0);
   for (const glm::vec3& corner : corners) sum += corner;
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
@@ -140,8 +141,8 @@ Screen screen_of(std::span<const glm::vec3> corners, float metres) {
   return {sum * (metres / static_cast<float>(std::max<std::size_t>(corners.size(), 1))), 0.25f * glm::length(twice)};
 }
 
-std::vector<Screen> screens_of(const Plant& plant, const Sketch& sketch, float metres) {
-  std::vector<Screen> screens;
+std::vector<Occluder> screens_of(const Plant& plant, const Sketch& sketch, float metres) {
+  std::vector<Occluder> screens;
   for (const Organ& organ : plant.organs) {
     const float square = organ.scale * organ.scale;
     if (organ.tag == ball_tag) screens.push_back({organ.position, pi * square});
@@ -167,8 +168,11 @@ void add_shared(Plant& plant) {
     if (mesh < 0) {
       mesh = static_cast<std::int32_t>(plant.meshes.size());
       if (organ.tag == ball_tag) {
-        plant.meshes.push_back(
-            {"balls", "skin", make_ball(borne[ball_tag] > many_surfaces ? many_ball_segments : ball_segments), {}, {}});
+        plant.meshes.push_back({"balls",
+                                "skin",
+                                make_uv_sphere(borne[ball_tag] > many_surfaces ? many_ball_segments : ball_segments),
+                                {},
+                                {}});
       } else {
         const std::uint32_t which = organ.tag - first_surface_tag;
         const Surface& surface = surfaces[which];
@@ -193,7 +197,7 @@ void note_empty(Plant& plant, std::uint32_t empty) {
 }
 
 void add_meshes(Plant& plant, const Sketch& sketch, const Dress& habit) {
-  std::optional<Openness> open;
+  std::optional<SkyVisibility> open;
   if (habit.sky) open.emplace(plant.segments, screens_of(plant, sketch, habit.metres));
   PlantMesh stems = stems_of(plant.segments, sketch.lines, habit, open ? &*open : nullptr);
   std::uint32_t empty = 0;

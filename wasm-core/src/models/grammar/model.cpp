@@ -36,7 +36,7 @@ struct Asked {
   std::span<const float> parameters;
   lsystem::Inputs inputs;
   bool meshes = true, measures = false, sky = false, coarse = false, mesh_fingerprint = false, string = false;
-  std::optional<lsystem::ChronicleAsked> chronicle;
+  std::optional<lsystem::TraceRequest> chronicle;
 };
 
 // A name a line, and as many values.
@@ -118,9 +118,9 @@ void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belong
 }
 
 // The derivation told, where that is asked for.
-Result<std::optional<lsystem::Chronicle>> tell(const lsystem::Bound& bound, const Asked& asked, const Limits& limits,
-                                               const lsystem::Surroundings& around) {
-  if (!asked.chronicle) return std::optional<lsystem::Chronicle>();
+Result<std::optional<lsystem::DerivationTrace>> tell(const lsystem::BoundProgram& bound, const Asked& asked,
+                                                     const Limits& limits, const lsystem::Surroundings& around) {
+  if (!asked.chronicle) return std::optional<lsystem::DerivationTrace>();
   Limits of_derivation = limits;
   of_derivation.work = limits.work_of_derivation();
   auto told = lsystem::chronicle(bound, asked.seed, asked.steps, of_derivation, around, *asked.chronicle);
@@ -161,7 +161,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
   Sketch sketch(limits);
   sketch.begin();
   const auto drawn = lsystem::trace(*bound.value(), string, standing(), sketch, asked->seed, limits, around.space);
-  if (areas->is_exhausted()) return LookBudget::error();
+  if (areas->is_exhausted()) return QueryBudget::error();
   const Diagnostic undrawn = drawn ? Diagnostic{} : drawn.error();
   if (undrawn.reason != Reason::none && undrawn.reason != Reason::limit) return undrawn;
   for (const Diagnostic& stopped : {derived->stopped, undrawn, sketch.trouble()}) {
@@ -174,7 +174,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
 
   const auto told = tell(*bound.value(), asked.value(), limits, around);
   if (!told) return told.error();
-  const std::optional<lsystem::Chronicle>& chronicle = told.value();
+  const std::optional<lsystem::DerivationTrace>& chronicle = told.value();
   const bool whole = !chronicle || chronicle->counts().back() == lsystem::length(string);
   dress(plant, sketch,
         {.metres = metres,

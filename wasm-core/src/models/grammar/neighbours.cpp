@@ -23,7 +23,7 @@ void Neighbours::answers_begin() {
   cells_.clear();
 }
 
-void Neighbours::hear() {
+void Neighbours::observation_begins() {
   answering_ = false;
   ends_.clear();
 }
@@ -70,7 +70,7 @@ std::unique_ptr<VoxelLight> Neighbours::light(float edge) const {
   high += edge;
   const glm::vec3 size = high - low;
   const float cell = std::max(edge, std::max({size.x, size.y, size.z}) / most_cells);
-  MatterCells matter(low, high, cell);
+  DensityGrid matter(low, high, cell);
   budget_.spend(ends_.size() + matter.cells() * lamps / 8);
   for (const glm::vec3& end : ends_) matter.put(end, matter_of_an_end * cell * cell);
   return std::make_unique<VoxelLight>(matter.light(overcast(lamps)));

@@ -22,8 +22,8 @@ class Neighbours : public lsystem::Listener {
   // Answering takes work of the budget, which must outlive it.
   explicit Neighbours(WorkBudget& budget) : budget_(budget) {}
 
-  bool hears_first() const override { return true; }
-  void hear() override;
+  bool observes_first() const override { return true; }
+  void observation_begins() override;
   void answers_begin() override;
   void line(std::int32_t, const lsystem::Turtle&, const lsystem::Turtle& after, const lsystem::Lineage&) override;
   void sphere(const lsystem::Turtle&, float, const lsystem::Lineage&) override {}

@@ -29,7 +29,7 @@ Mark mark_of(const lsystem::Turtle& turtle, const lsystem::Lineage& lineage, std
 }  // namespace
 
 Sketch::Sketch(const Limits& limits) : Drawing(limits) {
-  bytes_ = {bytes_of(make_ball(many_ball_segments)), corner_bytes};
+  bytes_ = {bytes_of(make_uv_sphere(many_ball_segments)), corner_bytes};
   for (std::uint32_t which = 0; which < surfaces.size(); ++which) bytes_.push_back(bytes_of(make_surface(which, true)));
 }
 

@@ -146,7 +146,7 @@ Mesh turned(std::span<const Knot> outline, std::uint32_t sides) {
 
 // On the turtle, not about it.
 Mesh berry(std::uint32_t sides) {
-  Mesh mesh = make_ball(sides);
+  Mesh mesh = make_uv_sphere(sides);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
     mesh.positions[i] = 0.5f * mesh.positions[i] + (i % 3 == 1 ? 0.5f : 0);
   return mesh;

@@ -19,7 +19,7 @@ constexpr int about_count = 4;
 constexpr float about_height = 40, about_share = 0.18f;
 constexpr float contrast = 1.5f;  // what light that grows from dark to full in an edge counts against the sky
 
-MatterCells cells_of(const Population& population) {
+DensityGrid cells_of(const Population& population) {
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
   for (const GrowthVolume& volume : population.volumes) {
     const glm::vec3 top = volume.at + volume.height * VolumeShape(volume).axis();
@@ -35,8 +35,8 @@ MatterCells cells_of(const Population& population) {
 }
 
 // Even all about, few as they are: trees would lean else.
-std::vector<Lamp> even_sky() {
-  std::vector<Lamp> lamps{{{0, 1, 0}, 1 - about_share * about_count}};
+std::vector<LightDirection> even_sky() {
+  std::vector<LightDirection> lamps{{{0, 1, 0}, 1 - about_share * about_count}};
   const SinCos high = sincos_degrees(about_height);
   for (int i = 0; i < about_count; ++i) {
     const SinCos way = sincos_degrees(360.0f * static_cast<float>(i) / about_count);
@@ -49,9 +49,9 @@ std::vector<Lamp> even_sky() {
 
 CrownLight::CrownLight(const Population& population, const Surroundings& about)
     : matter_(cells_of(population)), lamps_(about.dimmed(even_sky())) {
-  const auto middle = [](const std::vector<Lamp>& lamps) {
+  const auto middle = [](const std::vector<LightDirection>& lamps) {
     glm::vec3 sum(0);
-    for (const Lamp& lamp : lamps) sum += lamp.share * lamp.towards;
+    for (const LightDirection& lamp : lamps) sum += lamp.share * lamp.towards;
     return sum;
   };
   if (about.alone()) return;

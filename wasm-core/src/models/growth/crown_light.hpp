@@ -23,8 +23,8 @@ class CrownLight {
   glm::vec3 from(const glm::vec3& place) const;
 
  private:
-  MatterCells matter_;
-  std::vector<Lamp> lamps_;
+  DensityGrid matter_;
+  std::vector<LightDirection> lamps_;
   glm::vec3 sky_{0, 1, 0};
   std::optional<VoxelLight> light_;  // none before anything hides some
 };

@@ -90,7 +90,7 @@ class Crown {
     Place place;
     if (!place_of(l, place)) return;
     const Twig twig{place.along, place.one, place.other};
-    LeafLuck luck{};
+    LeafNoise luck{};
     std::array<Which, 4> four;
     std::uint32_t held = 0;
     const auto hang = [&] {

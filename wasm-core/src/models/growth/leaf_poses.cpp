@@ -43,14 +43,14 @@ std::array<glm::vec4, 4> turns_to(const FourVectors& up, const FourVectors& fron
   return turns;
 }
 
-FourVectors side_of(const Twig& twig, const LeafLuck& luck) {
+FourVectors side_of(const Twig& twig, const LeafNoise& luck) {
   const FourSinCos about = sincos_turns(luck.about);
   return about.cosine * all_of(twig.one) + about.sine * all_of(twig.other);
 }
 
 }  // namespace
 
-std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafLuck& luck, float stray) {
+std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafNoise& luck, float stray) {
   const FourVectors along = all_of(twig.along);
   FourVectors out = panicle::all_of(0.6f) * along + side_of(twig, luck);
   out.y -= droop;
@@ -64,7 +64,7 @@ std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafLuck& luck, floa
   return turns_to(unit(out - dot(out, face) * face, beside(face)), face);
 }
 
-std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafLuck& luck) {
+std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafNoise& luck) {
   const FourVectors out = unit(all_of(twig.along) + panicle::all_of(0.5f) * side_of(twig, luck));
   return turns_to(out, beside(out));
 }

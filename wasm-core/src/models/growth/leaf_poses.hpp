@@ -15,13 +15,13 @@ struct Twig {
 
 // Of each leaf: how far it stands round about the twig, and a direction by which it is strewn: its height, −1 … 1, and
 // its way round. In turns.
-struct LeafLuck {
+struct LeafNoise {
   Four about, height, around;
 };
 
 // From a leaf's frame (its tip at +Y, its face to +Z) to where it stands: unit quaternions x y z w.
 // `stray`: how far faces look elsewhere than to the sky, against that.
-std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafLuck& luck, float stray);
-std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafLuck& luck);
+std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafNoise& luck, float stray);
+std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafNoise& luck);
 
 }  // namespace panicle::growth

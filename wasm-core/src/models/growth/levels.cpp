@@ -68,7 +68,7 @@ struct Run {
 };
 
 // What is borne, as one run of each level.
-struct Crowd {
+struct ParticleSystem {
   const char* name;
   Sheets sheets;
   Box reach = {};  // of the corners of all in the first level
@@ -85,7 +85,7 @@ class Maker {
       for (std::uint32_t k = 0; k < n; ++k)
         turns_[n][k] = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(n));
     find_shoots();
-    for (const Crowd& crowd : crowds_) leafy_ |= tells_outline(crowd.sheets);
+    for (const ParticleSystem& crowd : crowds_) leafy_ |= tells_outline(crowd.sheets);
   }
 
   Levels run(std::size_t count) {
@@ -93,19 +93,19 @@ class Maker {
     made_.tolerance.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
       if (k == 1)
-        for (Crowd& crowd : crowds_) crowd.sheets.sort();
+        for (ParticleSystem& crowd : crowds_) crowd.sheets.sort();
       make(k);
     }
     return std::move(made_);
   }
 
  private:
-  static Openness openness_of(const Moment& moment, std::span<const Crowd> crowds) {
-    std::vector<Screen> screens;
+  static SkyVisibility openness_of(const Moment& moment, std::span<const ParticleSystem> crowds) {
+    std::vector<Occluder> screens;
     std::size_t count = 0;
-    for (const Crowd& crowd : crowds) count += crowd.sheets.all().size();
+    for (const ParticleSystem& crowd : crowds) count += crowd.sheets.all().size();
     screens.reserve(count);
-    for (const Crowd& crowd : crowds)
+    for (const ParticleSystem& crowd : crowds)
       for (const Sheet& sheet : crowd.sheets.all()) screens.push_back({sheet.middle, 0.5f * sheet.area});
     return {moment.segments, screens, sky_cells, sky_directions};
   }
@@ -143,7 +143,7 @@ class Maker {
     end_run("bark");
     if (level == 0) {
       first_wood_ = triangles();
-      for (Crowd& crowd : crowds_) {
+      for (ParticleSystem& crowd : crowds_) {
         open_room(4 * crowd.sheets.all().size(), 2 * crowd.sheets.all().size());
         const std::span<const Sheet> all = crowd.sheets.all();
         const std::vector<std::uint8_t> sky = sky_of(all);
@@ -154,7 +154,7 @@ class Maker {
       if (made_.meshes.size() > 1) find_reaches(out.runs);
     } else {
       const float left = static_cast<float>(first_all_) / fall(level) - static_cast<float>(triangles());
-      for (const Crowd& crowd : crowds_) {
+      for (const ParticleSystem& crowd : crowds_) {
         add_merged(level, crowd, left);
         end_run(crowd.name);
       }
@@ -165,7 +165,7 @@ class Maker {
 
   std::size_t sheet_count() const {
     std::size_t all = 0;
-    for (const Crowd& crowd : crowds_) all += crowd.sheets.all().size();
+    for (const ParticleSystem& crowd : crowds_) all += crowd.sheets.all().size();
     return all;
   }
 
@@ -365,7 +365,7 @@ class Maker {
   }
 
   // Each crowd gets as much of the triangles that are left as it has of all sheets.
-  void add_merged(std::size_t level, const Crowd& crowd, float left) {
+  void add_merged(std::size_t level, const ParticleSystem& crowd, float left) {
     const std::size_t own = crowd.sheets.all().size();
     if (own == 0) return;
     const float share = static_cast<float>(own) / static_cast<float>(sheet_count());
@@ -382,8 +382,8 @@ class Maker {
   }
 
   const Moment& moment_;
-  std::array<Crowd, 2> crowds_;
-  Openness open_;
+  std::array<ParticleSystem, 2> crowds_;
+  SkyVisibility open_;
   Levels made_;
   std::vector<Run> shoots_;
   Box tree_, whole_;  // of its nodes, and of the first level

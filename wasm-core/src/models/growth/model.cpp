@@ -171,13 +171,13 @@ void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky
   StemMesh stems = sweep_wood(plant.segments, moment.axes, moment.feet, foot);
   Columns columns;
   if (sky) {
-    std::vector<Screen> screens;
+    std::vector<Occluder> screens;
     for (const Organ& organ : plant.organs) {
       if (organ.tag == bunch_tag) continue;  // a place, and nothing yet
       const float area = organ.tag == blossom_tag ? blossom.area : blade.area;
       screens.push_back({organ.position, 0.5f * area * organ.scale * organ.scale});
     }
-    const Openness open(plant.segments, screens);
+    const SkyVisibility open(plant.segments, screens);
     std::vector<std::uint8_t> of_organs;
     for (const Organ& organ : plant.organs) of_organs.push_back(open.at(organ.position));
     columns.add("sky", open.of(stems.mesh));

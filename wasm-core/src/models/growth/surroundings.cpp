@@ -57,9 +57,9 @@ bool Surroundings::holds(const glm::vec3& p) const {
   return way_x * (p.z - z) - way_z * (p.x - x) >= 0;
 }
 
-std::vector<Lamp> Surroundings::dimmed(std::vector<Lamp> lamps) const {
+std::vector<LightDirection> Surroundings::dimmed(std::vector<LightDirection> lamps) const {
   if (alone_) return lamps;
-  for (Lamp& lamp : lamps) {
+  for (LightDirection& lamp : lamps) {
     const glm::vec3& way = lamp.towards;
     float turns = arc_tangent(way.z, way.x) * (static_cast<float>(sides) / (2 * pi));
     if (turns < 0) turns += static_cast<float>(sides);

@@ -75,7 +75,7 @@ void dress(Plant& plant, const Asked& asked, const Veins& veins, std::span<const
   }
   if (plant.organs.empty()) return;
   const auto ball = static_cast<std::int32_t>(plant.meshes.size());
-  plant.meshes.push_back({"particle", "skin", make_ball(ball_segments), {}, {}});
+  plant.meshes.push_back({"particle", "skin", make_uv_sphere(ball_segments), {}, {}});
   for (Organ& organ : plant.organs) organ.mesh = ball;
 }
 

@@ -20,10 +20,10 @@ constexpr float most_along = 20'000, wider = 1.05f;
 
 }  // namespace
 
-std::vector<Lamp> lamps_of(const LightHabit& habit) {
-  std::vector<Lamp> lamps;
+std::vector<LightDirection> lamps_of(const LightHabit& habit) {
+  std::vector<LightDirection> lamps;
   if (habit.sky > 0) lamps = overcast(directions);
-  for (Lamp& lamp : lamps) lamp.share *= habit.sky;
+  for (LightDirection& lamp : lamps) lamp.share *= habit.sky;
   if (habit.sky < 1) lamps.push_back({habit.sun, 1 - habit.sky});
   return lamps;
 }

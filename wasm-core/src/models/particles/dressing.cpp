@@ -35,8 +35,8 @@ std::vector<std::int32_t> axes_of(const Grown& grown, std::size_t segments) {
 }
 
 // What hides sky beside the wood: a leaf, half of its area.
-std::vector<Screen> leaves_of(const Plant& plant, std::uint32_t leaf_tag, float leaf_area) {
-  std::vector<Screen> leaves;
+std::vector<Occluder> leaves_of(const Plant& plant, std::uint32_t leaf_tag, float leaf_area) {
+  std::vector<Occluder> leaves;
   for (const Organ& organ : plant.organs)
     if (organ.tag == leaf_tag) leaves.push_back({organ.position, 0.5f * leaf_area * organ.scale * organ.scale});
   return leaves;
@@ -51,7 +51,7 @@ void dress(Plant& plant, const Grown& grown, const DressHabit& habit) {
   StemMesh stems = sweep_wood(plant.segments, axes_of(grown, plant.segments.size()), targets, habit.foot);
   Columns columns;
   if (habit.sky) {
-    const Openness open(plant.segments, leaves_of(plant, habit.leaf, habit.leaf_area));
+    const SkyVisibility open(plant.segments, leaves_of(plant, habit.leaf, habit.leaf_area));
     std::vector<std::uint8_t> of_organs;
     for (const Organ& organ : plant.organs) of_organs.push_back(open.at(organ.position));
     columns.add("sky", open.of(stems.mesh));

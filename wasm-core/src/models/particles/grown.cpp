@@ -8,7 +8,7 @@
 
 #include "models/particles/extent.hpp"
 #include "models/particles/moment.hpp"
-#include "spatial/look_budget.hpp"
+#include "spatial/query_budget.hpp"
 
 namespace panicle::particles {
 namespace {
@@ -72,7 +72,7 @@ Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer,
                         std::uint32_t traveller, const Limits& limits) {
   // What is young has the grown one's spacing, and so fewer particles.
   auto [starts, spacing, room] = scatter_all(region, habit.pattern, habit.count, request.seed, habit.growth);
-  if (region.is_exhausted()) return LookBudget::error();
+  if (region.is_exhausted()) return QueryBudget::error();
   const float step = habit.motion.rules.step * spacing;
   const Obstacles obstacles(request.obstacles, request.rounds, clearance(request, targets, spacing), floor, ceiling);
   const bool any = !starts.empty();
@@ -85,7 +85,7 @@ Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer,
   note_on(targets, outer, habit.trunk.way, plant.notes);
   Result<Wood> wooden = run(starts, targets, spacing, habit.motion, habit.trunk, habit.twigs, {region, outer},
                             obstacles, request.seed, limits);
-  if (region.is_exhausted()) return LookBudget::error();
+  if (region.is_exhausted()) return QueryBudget::error();
   if (!wooden) return wooden.error();
   Grown grown;
   grown.room = room.size;

@@ -10,7 +10,7 @@ namespace panicle::particles {
 namespace {
 
 constexpr std::uint32_t home = ~0u;
-constexpr float patience = 4;              // ways
+constexpr float step_budget = 4;           // ways
 constexpr std::uint32_t ways_asked = 100;  // of as many starts, evenly
 constexpr float standing = 1e-6f;          // of a step: less is waiting
 constexpr std::uint32_t cells_a_particle = 24;
@@ -23,7 +23,7 @@ glm::vec3 towards(const glm::vec3& from, const glm::vec3& to) {
 
 }  // namespace
 
-Crowd::Crowd(std::span<const glm::vec3> starts, double energy, const Guide& guide, const Rules& rules)
+ParticleSystem::ParticleSystem(std::span<const glm::vec3> starts, double energy, const Guide& guide, const Rules& rules)
     : guide_(&guide),
       rules_(rules),
       energy_(energy),
@@ -48,7 +48,7 @@ Crowd::Crowd(std::span<const glm::vec3> starts, double energy, const Guide& guid
     low = glm::min(low, starts[i]);
     high = glm::max(high, starts[i]);
   }
-  const float strides = rules.step > 0 ? patience * longest / rules.step : 0;
+  const float strides = rules.step > 0 ? step_budget * longest / rules.step : 0;
   patience_ = 1 + static_cast<std::uint32_t>(std::min(strides, 1e9f));
   if (rules_.join > 0) {
     grid_ = TrailGrid(low, high, rules_.join, cells_a_particle * started_ + 64);
@@ -56,12 +56,12 @@ Crowd::Crowd(std::span<const glm::vec3> starts, double energy, const Guide& guid
   }
 }
 
-bool Crowd::step() {
+bool ParticleSystem::step() {
   if (places_.empty()) return false;
   ++steps_;
   moves_ += places_.size();
   if (steps_ > 2 * patience_) {
-    for (std::uint32_t slot = 0; slot < places_.size(); ++slot) lead_home(slot);
+    for (std::uint32_t slot = 0; slot < places_.size(); ++slot) find_root(slot);
     stragglers_ = static_cast<std::uint32_t>(places_.size());
     leave();
     return true;
@@ -79,7 +79,7 @@ bool Crowd::step() {
 }
 
 // Finds each one's nearest neighbour and the stride that follows.
-void Crowd::look() {
+void ParticleSystem::look() {
   const auto count = static_cast<std::uint32_t>(places_.size());
   const bool alone = steps_ > patience_ || count < 2;
   if (!alone) neighbours_.lay(places_);
@@ -106,7 +106,7 @@ void Crowd::look() {
   aims_.clear();
 }
 
-void Crowd::move() {
+void ParticleSystem::move() {
   for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
     const glm::vec3& place = places_[slot];
     if (glm::distance(place, guide_->target()) <= rules_.step && guide_->sees(place, guide_->target()))
@@ -116,7 +116,7 @@ void Crowd::move() {
   }
 }
 
-void Crowd::meet() {
+void ParticleSystem::meet() {
   if (places_.size() < 2) return;
   neighbours_.lay(places_);
   pairs_.clear();
@@ -144,7 +144,7 @@ void Crowd::meet() {
 
 // Whoever is near an older trail ahead ends in it. Those that are left will look from where they are now: what they aim
 // at is kept until then.
-void Crowd::join() {
+void ParticleSystem::join() {
   aims_.resize(places_.size());
   for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
     if (gone_[slot]) continue;
@@ -159,12 +159,12 @@ void Crowd::join() {
       const glm::vec3 way = node.place - place;
       const float square = glm::dot(way, way);
       if (square > best || (square == best && found >= 0 && found < at)) return;
-      if (!(glm::dot(way, ahead) > 0) || heir(node.particle) == self || !guide_->sees(place, node.place)) return;
+      if (!(glm::dot(way, ahead) > 0) || union_root(node.particle) == self || !guide_->sees(place, node.place)) return;
       best = square;
       found = at;
     });
     if (found < 0) continue;
-    const std::uint32_t other = heir(nodes_[static_cast<std::size_t>(found)].particle);
+    const std::uint32_t other = union_root(nodes_[static_cast<std::size_t>(found)].particle);
     link(slot, found);
     if (slots_[other] == home)
       arrived_ += energies_[slot];
@@ -179,13 +179,13 @@ void Crowd::join() {
 }
 
 // Leads on from where a particle is.
-void Crowd::link(std::uint32_t slot, std::int32_t to) {
+void ParticleSystem::link(std::uint32_t slot, std::int32_t to) {
   Node& node = nodes_[static_cast<std::size_t>(nodes_at_[slot])];
   node.next = to;
   node.born = steps_;
 }
 
-void Crowd::go(std::uint32_t slot, const glm::vec3& to) {
+void ParticleSystem::go(std::uint32_t slot, const glm::vec3& to) {
   if (to == places_[slot]) return;
   link(slot, static_cast<std::int32_t>(nodes_.size()));
   nodes_at_[slot] = static_cast<std::int32_t>(nodes_.size());
@@ -194,7 +194,7 @@ void Crowd::go(std::uint32_t slot, const glm::vec3& to) {
 }
 
 // From aim to aim, as long as that leads nearer.
-void Crowd::lead_home(std::uint32_t slot) {
+void ParticleSystem::find_root(std::uint32_t slot) {
   for (float left = guide_->way(places_[slot]);;) {
     const glm::vec3 aim = guide_->aim(places_[slot]);
     const float then = guide_->way(aim);
@@ -205,7 +205,7 @@ void Crowd::lead_home(std::uint32_t slot) {
   arrive(slot);
 }
 
-void Crowd::arrive(std::uint32_t slot) {
+void ParticleSystem::arrive(std::uint32_t slot) {
   link(slot, 0);
   arrived_ += energies_[slot];
   slots_[particles_[slot]] = home;
@@ -213,7 +213,7 @@ void Crowd::arrive(std::uint32_t slot) {
 }
 
 // Whose particle `particle` is now.
-std::uint32_t Crowd::heir(std::uint32_t particle) {
+std::uint32_t ParticleSystem::union_root(std::uint32_t particle) {
   while (heirs_[particle] != particle) {
     heirs_[particle] = heirs_[heirs_[particle]];
     particle = heirs_[particle];
@@ -222,7 +222,7 @@ std::uint32_t Crowd::heir(std::uint32_t particle) {
 }
 
 // Takes those that are gone out of the slots.
-void Crowd::leave() {
+void ParticleSystem::leave() {
   std::uint32_t kept = 0;
   for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
     if (gone_[slot]) continue;
@@ -242,7 +242,7 @@ void Crowd::leave() {
   gone_.assign(kept, 0);
 }
 
-Trails Crowd::trails() const {
+Trails ParticleSystem::trails() const {
   const std::size_t count = nodes_.size();
   std::vector<std::int32_t> leads, number(count), next{-1};
   leads.reserve(count);

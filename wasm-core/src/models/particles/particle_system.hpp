@@ -26,10 +26,10 @@ namespace panicle::particles {
 // - With `join`, a particle ends in an older trail that lies ahead and is not its own; its energy runs on there.
 // - After four times the steps that the longest of a hundred ways takes, none heeds its neighbours any more: bends can
 //   hold two in a circle for ever. Whoever has not arrived after as many again is led there from aim to aim.
-class Crowd {
+class ParticleSystem {
  public:
   // `guide` must outlive the crowd. `rules.merge` below the least that ends is taken as that.
-  Crowd(std::span<const glm::vec3> starts, double energy, const Guide& guide, const Rules& rules);
+  ParticleSystem(std::span<const glm::vec3> starts, double energy, const Guide& guide, const Rules& rules);
 
   // Moves everyone once. False, and nothing happens, once all have arrived.
   bool step();
@@ -69,8 +69,8 @@ class Crowd {
   void link(std::uint32_t slot, std::int32_t to);
   void go(std::uint32_t slot, const glm::vec3& to);
   void arrive(std::uint32_t slot);
-  void lead_home(std::uint32_t slot);
-  std::uint32_t heir(std::uint32_t particle);
+  void find_root(std::uint32_t slot);
+  std::uint32_t union_root(std::uint32_t particle);
 
   const Guide* guide_;
   Rules rules_;

@@ -95,7 +95,7 @@ Result<Wood> run(std::span<const glm::vec3> starts, std::span<const glm::vec3> t
       ++wood.unreachable;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const Trunk& guide = guides[i];
-    Crowd crowd(bound[i], motion.energy, guide, rules);
+    ParticleSystem crowd(bound[i], motion.energy, guide, rules);
     if (!crowd.run(limits.moves - moves)) return still_running(limits);
     moves += crowd.moves();
     Trails trails = gathered(crowd.trails(), axes[i], guide, trunk * spacing, rules.step);

@@ -86,7 +86,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const glm::vec3 extent = size * glm::vec3(values[width], values[reach], values[depth]);
   const glm::vec3 high(0.5f * extent.x, ground, 0.5f * extent.z), low(-high.x, ground - extent.y, -high.z);
   const Surface whole = form_between(form, profile_of(read->profile, carrot), read->volume, low, high);
-  const auto budget = std::make_shared<LookBudget>(limits.looks);
+  const auto budget = std::make_shared<QueryBudget>(limits.looks);
   const Solid outer(whole, budget);
   // Bare is what lies about the collar.
   if (!read->hollow.triangles.empty()) note_seams(read->hollow, "inner boundary", plant.notes);
@@ -120,7 +120,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
            .sky = read->sky,
            .foot = {.stump = 0.01f * size * values[stump], .standing = false}});
     for (Organ& organ : plant.organs) organ.mesh = 1;
-    if (!plant.organs.empty()) plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
+    if (!plant.organs.empty()) plant.meshes.push_back({"balls", "skin", make_uv_sphere(ball_segments), {}, {}});
   }
   plant.fingerprint = fingerprint_of(plant);
   if (read->meshes && read->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);

@@ -16,7 +16,7 @@ constexpr float billow = 0.24f, spray = 0.09f;
 }  // namespace
 
 Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, const Surface& mesh,
-                   const Surface& hollow, const std::shared_ptr<LookBudget>& budget) {
+                   const Surface& hollow, const std::shared_ptr<QueryBudget>& budget) {
   const auto crowns = static_cast<float>(habit.crowns), stems = static_cast<float>(habit.stems);
   const glm::vec3 half = 0.5f * habit.growth * habit.size;
   const float lowest = habit.growth * habit.trunk;

@@ -47,7 +47,7 @@ struct Crowns {
 // `inner_boundary`. `budget`: of both boundaries.
 Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, const Surface& mesh,
                    const Surface& hollow = {},
-                   const std::shared_ptr<LookBudget>& budget = std::make_shared<LookBudget>());
+                   const std::shared_ptr<QueryBudget>& budget = std::make_shared<QueryBudget>());
 
 // What is between the boundaries, as dense as light and the top's hormone let it be.
 class Foliage final : public Region {

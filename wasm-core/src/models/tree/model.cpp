@@ -127,7 +127,7 @@ void add_meshes(Plant& plant, const Grown& grown, const Blade& blade, std::size_
   const std::int32_t leaf_mesh = leafy ? 1 : -1, ball_mesh = leafy ? 2 : 1;
   for (Organ& organ : plant.organs) organ.mesh = organ.tag == leaf_tag ? leaf_mesh : ball_mesh;
   if (leafy) plant.meshes.push_back({"leaves", "blade", blade.mesh, {}, {}});
-  if (first_leaf > 0) plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
+  if (first_leaf > 0) plant.meshes.push_back({"balls", "skin", make_uv_sphere(ball_segments), {}, {}});
 }
 
 void add_light(Plant& plant, const VoxelLight& light) {
@@ -156,7 +156,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (habit.form == Form::mesh) note_on(read->volume, habit.form, plant.notes);
   if (!read->hollow.triangles.empty()) note_seams(read->hollow, "inner boundary", plant.notes);
   Crowns crowns_made = make_crowns(habit, profile_of(read->profile, egg), read->volume, read->hollow,
-                                   std::make_shared<LookBudget>(limits.looks));
+                                   std::make_shared<QueryBudget>(limits.looks));
   if (!read->targets.empty()) crowns_made.feet = read->targets;
 
   const LightHabit light_habit{towards_sun(values[sun], values[sun_height]), values[sky],

@@ -4,7 +4,7 @@ import { linkOf } from "../address";
 import type { Shown } from "../studio_state";
 import type { Asked, Download } from "./formats";
 
-/** What a format heeds of what was asked for: two askings that agree in it give the same file. */
+/** What a format isActive of what was asked for: two askings that agree in it give the same file. */
 const keyOf = ({ key }: Download, { link, name, options }: Asked) => JSON.stringify([key, link, name, options]);
 
 export class MadeAhead {

@@ -7,7 +7,7 @@ import { modelIn, restore } from "../../specimen/restore";
 import { SPECIMEN_VERSION } from "../../specimen/specimen";
 import { TextError } from "../../specimen/text_error";
 import { FILE_TOPIC } from "../../ui/tool";
-import { BARE } from "../faces";
+import { BARE } from "../model_uis";
 import { applying } from "../panel_groups";
 import { SAVED } from "../parts/late_parts";
 import { openPart } from "../parts/open_part";

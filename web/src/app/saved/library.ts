@@ -1,5 +1,5 @@
 import { type Saved, sameness, uniqueName } from "./saved";
-import { type Edit, edited, type Shelf } from "./shelf";
+import { type Edit, edited, type SavedStore } from "./saved_store";
 
 /** Tells the page's other tabs, and hears of them; a BroadcastChannel is one. */
 export interface Tabs {
@@ -32,7 +32,7 @@ const MOST_PICTURES = 500;
  * can be exported or tried again: nothing is lost unsaid.
  */
 export class Library {
-	readonly #shelf: Shelf;
+	readonly #shelf: SavedStore;
 	readonly #tabs: Tabs | undefined;
 	readonly #listeners = new Set<() => void>();
 	#kept: readonly Saved[] = [];
@@ -42,7 +42,7 @@ export class Library {
 	#steps: readonly Step[] = [];
 	#trouble: string | undefined;
 
-	constructor(shelf: Shelf, tabs?: Tabs) {
+	constructor(shelf: SavedStore, tabs?: Tabs) {
 		this.#shelf = shelf;
 		this.#tabs = tabs;
 		if (tabs) tabs.onmessage = () => void this.read();

@@ -1,4 +1,4 @@
-import { IndexedShelf } from "./indexed_shelf";
+import { IndexedStore } from "./indexed_store";
 import { Library } from "./library";
 
 let own: Library | undefined;
@@ -6,7 +6,7 @@ let own: Library | undefined;
 /** The page's library: in this browser, the same in all tabs. Whoever leaves the page with something unkept is asked. */
 export function ownLibrary(): Library {
 	if (own) return own;
-	const library = new Library(new IndexedShelf(), new BroadcastChannel("panicle.saved"));
+	const library = new Library(new IndexedStore(), new BroadcastChannel("panicle.saved"));
 	addEventListener("beforeunload", (event) => {
 		if (library.unkept.length > 0) event.preventDefault();
 	});

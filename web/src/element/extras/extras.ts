@@ -1,7 +1,7 @@
 /** What an element has besides its plant where attributes ask for it, each from a script that comes when it is first wanted. */
 import type { Shown } from "../grown_detail";
 import type { SpecimenView } from "../specimen_view";
-import type { Hands } from "./hands";
+import type { CanvasInteraction } from "./interaction";
 
 /** Something that follows the plant shown. */
 export interface Extra {
@@ -14,7 +14,7 @@ export interface Extra {
 export interface ExtrasHost {
 	readonly element: HTMLElement & { toFile(format: string): Promise<Blob> };
 	readonly root: ShadowRoot;
-	readonly hands: Hands;
+	readonly hands: CanvasInteraction;
 	/** The view of the plant; only ever asked for when one is shown. */
 	view(): Promise<SpecimenView>;
 }

@@ -3,7 +3,7 @@
 import { fromPreset } from "../../specimen/from_preset";
 import type { Specimen } from "../../specimen/specimen";
 import { apply } from "../../ui/change";
-import type { Change } from "../../ui/desk";
+import type { Change } from "../../ui/editor_context";
 import type { HandlesOf } from "../../ui/handles/plant_handle";
 import { PlantHandleLayer } from "../../ui/handles/plant_handle_layer";
 import type { Shown } from "../grown_detail";

@@ -14,7 +14,7 @@ const STEPS = 24;
 export function ageOf({ table, ages }: Pick<Model, "table" | "ages">, specimen: Specimen): NumberEntry | undefined {
 	const entry = table.entry(AGE);
 	if (!entry || entry.kind === "colour" || entry.kind === "choice") return undefined;
-	return table.heeds(specimen, entry) && (ages?.(specimen) ?? true) ? entry : undefined;
+	return table.isActive(specimen, entry) && (ages?.(specimen) ?? true) ? entry : undefined;
 }
 
 /** Whether a specimen has ages; of some models that is known once they are prepared for it. */

@@ -1,11 +1,11 @@
 /** What two axes of a hand can drive: the numbers of the table and those of the document's text, all alike. */
 import { scaleOf } from "../../specimen/lengths";
 import { nearestWithin } from "../../specimen/table";
-import type { Change, DeskState } from "../../ui/desk";
+import type { Change, EditorState } from "../../ui/editor_context";
 import { decimals } from "../outline";
 import { readOutline } from "../read_outline";
 import { written } from "../scrub";
-import { type GrammarDesk, type GrammarSource, textOf, withValues } from "../source";
+import { type GrammarContext, type GrammarSource, textOf, withValues } from "../source";
 
 /** A number of the document, and where it may go. */
 export interface Axis {
@@ -22,7 +22,7 @@ export interface Axis {
 
 /** The axes of a document, and what it becomes where they stand elsewhere. */
 export class Axes {
-	readonly #desk: GrammarDesk;
+	readonly #desk: GrammarContext;
 	readonly #source: GrammarSource | undefined;
 	readonly #later: () => void;
 
@@ -30,7 +30,7 @@ export class Axes {
 	 * @param source where the text is from whose constants are axes; absent where there is none
 	 * @param later called once a text has come that was yet to be fetched: its axes are there
 	 */
-	constructor(desk: GrammarDesk, source: GrammarSource | undefined, later: () => void) {
+	constructor(desk: GrammarContext, source: GrammarSource | undefined, later: () => void) {
 		this.#desk = desk;
 		this.#source = source;
 		this.#later = later;
@@ -74,10 +74,10 @@ export class Axes {
 	}
 }
 
-function parametersOf({ model, specimen }: DeskState): readonly Axis[] {
+function parametersOf({ model, specimen }: EditorState): readonly Axis[] {
 	return model.table.entries.flatMap((entry) => {
 		if (entry.look || (entry.kind !== "number" && entry.kind !== "integer")) return [];
-		if (!model.table.heeds(specimen, entry)) return [];
+		if (!model.table.isActive(specimen, entry)) return [];
 		const { key, label, min, max, step } = entry;
 		const value = specimen.parameters[key];
 		const { unit, per } = scaleOf(model, specimen, entry);

@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
-import { DeskElement } from "../../ui/desk_element";
+import { EditorElement } from "../../ui/editor_element";
 import type { DrivenBy, GestureState, Gestures } from "../gesture_tool";
-import type { GrammarDesk } from "../source";
+import type { GrammarContext } from "../source";
 import { Axes, type Axis } from "./axis";
 import { nextPair, pairOf } from "./pair";
 
@@ -12,18 +12,18 @@ const DRIVERS: readonly (readonly [by: DrivenBy, words: string])[] = [
 ];
 
 /** Which two numbers are driven, and by what. */
-class GestureBar extends DeskElement<GrammarDesk> {
-	static override properties = { ...DeskElement.properties, gestures: { attribute: false } };
+class GestureBar extends EditorElement<GrammarContext> {
+	static override properties = { ...EditorElement.properties, gestures: { attribute: false } };
 	declare gestures: Gestures;
 
 	#axes: Axes | undefined;
 
-	protected override shows(desk: GrammarDesk): readonly unknown[] {
+	protected override shows(desk: GrammarContext): readonly unknown[] {
 		const { specimen } = desk.state;
 		return [desk.toolState(this.gestures.tool), specimen.preset, specimen.grammar, specimen.parameters];
 	}
 
-	protected override draw(desk: GrammarDesk): unknown {
+	protected override draw(desk: GrammarContext): unknown {
 		this.#axes ??= new Axes(desk, this.gestures.source, () => this.requestUpdate());
 		const state = desk.toolState(this.gestures.tool);
 		if (!state.open) return nothing;

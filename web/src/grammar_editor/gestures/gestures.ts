@@ -1,4 +1,4 @@
 /** All that gestures are on the page, fetched with the first. */
 import "./gesture_bar";
 
-export { GestureHands } from "./gesture_hands";
+export { GestureInteraction } from "./gesture_interaction";

@@ -1,4 +1,4 @@
-import type { Desk } from "../../ui/desk";
+import type { EditorContext } from "../../ui/editor_context";
 import { sameDocument } from "../../ui/same_document";
 import { FILE_TOPIC } from "../../ui/tool";
 import type { Picture } from "./picture";
@@ -12,7 +12,7 @@ export interface Tracing<T> {
 }
 
 /** Takes the outline of what is in a picture for the document that is on the desk; what is wrong with the picture is said. */
-export async function traceFile<T>(desk: Desk, file: Blob, tracing: Tracing<T>): Promise<void> {
+export async function traceFile<T>(desk: EditorContext, file: Blob, tracing: Tracing<T>): Promise<void> {
 	const isStill = sameDocument(desk);
 	const again = () => void traceFile(desk, file, tracing);
 	const [reader, trace, words, bitmaps] = await Promise.all([

@@ -11,7 +11,7 @@ import { BUNCH_LABELS } from "./parts/point_labels";
 import { readGrown } from "./read_grown";
 import { bunchRecord } from "./record";
 import { encodeRequest } from "./request";
-import { BUNCH, hasLeaves } from "./species";
+import { BUNCH, hasLeaves } from "./schema";
 import type { BunchSpecimen } from "./specimen";
 import { bunchTargets } from "./targets";
 import { bunchInWords } from "./words";
@@ -38,7 +38,7 @@ export const model = {
 	extras: ({ procedure, plan, second }) => ({ procedure, plan: { ...plan, second } }),
 	formats: BUNCH_FORMATS,
 	targets: bunchTargets,
-	render: async () => (await import("./render/bunch_figure")).bunchFigure,
+	render: async () => (await import("./render/bunch_renderer")).bunchRenderer,
 	handles: async () => (await import("./profile/plant_handles")).bunchHandles,
-	ui: async () => (await import("./ui/face")).face,
+	ui: async () => (await import("./ui/ui")).face,
 } satisfies PageModel<BunchSpecimen, Grown>;

@@ -5,7 +5,7 @@ import { type Lever, type Levers, together } from "../../targets/lever";
 import type { MeasureKey } from "./measures.generated";
 import type { NumberKey } from "./parameters.generated";
 import { metresPerPixel, type ShapeKey } from "./profile/handles";
-import { BUNCH, procedureOf } from "./species";
+import { BUNCH, procedureOf } from "./schema";
 import type { BunchSpecimen } from "./specimen";
 
 type BunchLever = Lever<BunchSpecimen>;

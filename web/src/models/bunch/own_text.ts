@@ -1,5 +1,5 @@
 /** What there is to say of a bunch that a text of one's own grows; the core gets a text either way, and does not know. */
-import { procedureOf } from "./species";
+import { procedureOf } from "./schema";
 import type { BunchSpecimen } from "./specimen";
 
 export function ownTextNotes(specimen: BunchSpecimen): string[] {

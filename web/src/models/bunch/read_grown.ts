@@ -72,7 +72,7 @@ function readPlan(columns: Columns, name: string): Plan {
 function readInternodes(columns: Columns, { segments }: Plant): Internodes {
 	const { count, parent, tag, ends, radii } = segments;
 	const axis = columns.ints("segments.axis");
-	return { count, parent, kind: tag, axis, state: columns.octets("segments.state"), ends, radii };
+	return { count, parent, kind: tag, axis, state: columns.uint8("segments.state"), ends, radii };
 }
 
 function readBerries(columns: Columns): Berries {
@@ -108,7 +108,7 @@ function readSurfaces(columns: Columns): BerrySurfaces {
 		indices: columns.words("berries.pattern.indices"),
 		positions: columns.floats("berries.positions"),
 		normals: columns.floats("berries.normals"),
-		pressed: columns.octets("berries.pressed"),
+		pressed: columns.uint8("berries.pressed"),
 		...readSky(columns, "berries."),
 	};
 }

@@ -1,7 +1,7 @@
 /** Specimen → the blocks of a request, as wasm-core/src/models/bunch/model.hpp lists them. */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
-import { type ChronicleAsked, chronicleBlocks } from "../../plant/chronicle";
+import { chronicleBlocks, type TraceRequest } from "../../plant/derivation_trace";
 import { overlongText } from "../../specimen/limits";
 import type { CoreEntry } from "../../specimen/table";
 import { INPUT_N_LENGTH } from "./details/inputs";
@@ -9,7 +9,7 @@ import { GRAPE_BUNCH_3, GRAPE_BUNCH_4 } from "./grammars.generated";
 import type { Procedure } from "./grown";
 import { caneLeafBlocks } from "./leaf";
 import type { NumberKey } from "./parameters.generated";
-import { hasLeaves, procedureOf } from "./species";
+import { hasLeaves, procedureOf } from "./schema";
 import type { BunchSpecimen as Specimen } from "./specimen";
 import { BUNCH_TABLE } from "./table";
 
@@ -28,7 +28,7 @@ export interface RequestOptions {
 	/** Of the derivation; the text's own by default. */
 	steps?: number;
 	/** Which step of the derivation is to be told; the default is none. */
-	chronicle?: ChronicleAsked;
+	chronicle?: TraceRequest;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
 	meshFingerprint?: boolean;
 	/** Sides of a stem's tube; the core's own choice by default. */

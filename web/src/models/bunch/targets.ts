@@ -1,6 +1,6 @@
 /** Which measures of a bunch can be asked for; how is in levers.ts, which nobody needs before. */
 import type { MeasureKey } from "./measures.generated";
-import { procedureOf } from "./species";
+import { procedureOf } from "./schema";
 import type { BunchSpecimen } from "./specimen";
 
 const PAPER: readonly MeasureKey[] = [

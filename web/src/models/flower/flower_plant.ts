@@ -78,7 +78,7 @@ export function readFlowerPlant(answer: Answer): FlowerPlant {
 		cells: meshes.map(({ name }) => columns.words(`mesh.${name}.volume`)),
 		levels: all
 			.filter(({ name }) => LEVEL.test(name))
-			.map((mesh) => ({ mesh, paint: columns.octets(`mesh.${mesh.name}.paint`) })),
+			.map((mesh) => ({ mesh, paint: columns.uint8(`mesh.${mesh.name}.paint`) })),
 		volumes: columns.has("volumes.label") ? readVolumes(columns) : NO_VOLUMES,
 		...(columns.has("alpha0") ? { darts: readDarts(columns) } : {}),
 		numbers: columns.has("materials.number") ? columns.words("materials.number") : NONE,
@@ -96,7 +96,7 @@ function readVolumes(columns: Answer["columns"]): Volumes {
 		order: columns.words("volumes.order"),
 		parent: columns.words("volumes.parent"),
 		face: columns.words("volumes.face"),
-		attached: columns.octets("volumes.attached"),
+		attached: columns.uint8("volumes.attached"),
 		line: columns.words("volumes.line"),
 		call: columns.words("volumes.call"),
 		values: columns.floats("volumes.values"),

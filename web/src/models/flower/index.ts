@@ -7,9 +7,9 @@ import { flowerLevels } from "./levels";
 import { flowerParts } from "./parts";
 import { flowerRecord, tooHeavy } from "./record";
 import { encodeFlower } from "./request";
-import { FLOWER, isXml } from "./species";
+import { FLOWER, isXml } from "./schema";
 import type { FlowerSpecimen } from "./specimen";
-import { fetchedText, fetchTexts, heedsAge } from "./texts";
+import { fetchedText, fetchTexts, usesAge } from "./texts";
 import { flowerInWords } from "./words";
 
 export const model = {
@@ -22,7 +22,7 @@ export const model = {
 	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
 	encode: encodeFlower,
 	read: readFlowerPlant,
-	ages: heedsAge,
+	ages: usesAge,
 	parts: flowerParts,
 	levels: flowerLevels,
 	titled: titledBy("A flower grammar of one’s own", fetchedText),
@@ -32,5 +32,5 @@ export const model = {
 	formats: FLOWER_FORMATS,
 	translated: (text) =>
 		isXml(text) ? import("./xml/designed").then(({ grammarOfXml }) => grammarOfXml(text)) : undefined,
-	ui: async () => (await import("./ui/face")).face,
+	ui: async () => (await import("./ui/ui")).face,
 } satisfies PageModel<FlowerSpecimen, FlowerPlant>;

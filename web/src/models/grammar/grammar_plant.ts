@@ -38,17 +38,17 @@ export function readGrammarPlant(answer: Answer, { areas }: WithAreas = {}): Gra
 	const plant = readPlant(answer);
 	const marks = (of: string): Marks =>
 		columns.has(`${of}.module`)
-			? { module: columns.words(`${of}.module`), colour: columns.octets(`${of}.colour`) }
+			? { module: columns.words(`${of}.module`), colour: columns.uint8(`${of}.colour`) }
 			: { module: new Uint32Array(0), colour: new Uint8Array(0) };
 	const coloured = plant.meshes.filter(({ name }) => columns.has(`mesh.${name}.colour`));
 	return {
 		...plant,
 		lines: marks("segments"),
 		borne: marks("organs"),
-		runColours: Object.fromEntries(coloured.map(({ name }) => [name, columns.octets(`mesh.${name}.colour`)])),
+		runColours: Object.fromEntries(coloured.map(({ name }) => [name, columns.uint8(`mesh.${name}.colour`)])),
 		...(areas ? { areas } : {}),
 		...(columns.has("segments.area")
-			? { belongs: { area: columns.octets("segments.area"), main: columns.octets("segments.main") } }
+			? { belongs: { area: columns.uint8("segments.area"), main: columns.uint8("segments.main") } }
 			: {}),
 		...(columns.has("mesh.blades.organ") ? { bladeOrgans: columns.words("mesh.blades.organ") } : {}),
 		...(columns.has("areas.volume")

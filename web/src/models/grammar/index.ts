@@ -5,7 +5,7 @@ import { type GrammarPlant, readGrammarPlant } from "./grammar_plant";
 import { grammarParts } from "./parts";
 import { grammarRecord } from "./record";
 import { encodeGrammar } from "./request";
-import { GRAMMAR } from "./species";
+import { GRAMMAR } from "./schema";
 import type { GrammarSpecimen } from "./specimen";
 import { fetchTexts } from "./texts";
 import { grammarInWords, titleOfText } from "./words";
@@ -26,6 +26,6 @@ export const model = {
 	words: grammarInWords,
 	record: grammarRecord,
 	handles: async () => (await import("./areas/area_handles")).areaHandlesOf,
-	ui: async () => (await import("./ui/face")).face,
+	ui: async () => (await import("./ui/ui")).face,
 	formats: GRAMMAR_FORMATS,
 } satisfies PageModel<GrammarSpecimen, GrammarPlant>;

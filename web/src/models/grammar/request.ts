@@ -1,7 +1,7 @@
 /** Specimen → the blocks of a request, as wasm-core/src/models/grammar/model.hpp lists them. */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
-import { chronicleBlocks } from "../../plant/chronicle";
+import { chronicleBlocks } from "../../plant/derivation_trace";
 import type { GrowthOptions } from "../model";
 import { areaBlocks } from "./areas/blocks";
 import type { GrammarSpecimen } from "./specimen";

@@ -2,7 +2,7 @@
 import { writeTextFile } from "../../specimen/text_file";
 import type { Format } from "../model";
 import type { GrowthPlant } from "./growth_plant";
-import { GROWTH } from "./species";
+import { GROWTH } from "./schema";
 import type { GrowthSpecimen } from "./specimen";
 import { fetchedText, fetchTexts } from "./texts";
 

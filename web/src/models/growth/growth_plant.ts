@@ -32,14 +32,14 @@ export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): Growt
 		columns.floats("volumes.shape"),
 		columns.floats("volumes.at"),
 	];
-	const child = columns.octets("volumes.child");
+	const child = columns.uint8("volumes.child");
 	const middles = columns.floats("volumes.middle");
 	const { veins } = leafOf(specimen) ?? {};
 	return {
 		...readPlant(answer),
 		shoots: {
 			shoot: columns.words("segments.shoot"),
-			order: columns.octets("segments.order"),
+			order: columns.uint8("segments.order"),
 			born: columns.words("segments.born"),
 		},
 		volumes: [...ids].flatMap((id, i) =>

@@ -7,7 +7,7 @@ import { growthLevels } from "./levels";
 import { growthParts } from "./parts";
 import { growthRecord } from "./record";
 import { encodeGrowth } from "./request";
-import { GROWTH } from "./species";
+import { GROWTH } from "./schema";
 import type { GrowthSpecimen } from "./specimen";
 import { fetchedText, fetchTexts } from "./texts";
 import { growthInWords } from "./words";
@@ -30,5 +30,5 @@ export const model = {
 	words: growthInWords,
 	record: growthRecord,
 	formats: GROWTH_FORMATS,
-	ui: async () => (await import("./ui/face")).face,
+	ui: async () => (await import("./ui/ui")).face,
 } satisfies PageModel<GrowthSpecimen, GrowthPlant>;

@@ -6,7 +6,7 @@ import type { Leaf } from "./grown";
 import { leafParts } from "./parts/leaf_parts";
 import { readLeaf } from "./read_leaf";
 import { encodeLeaf } from "./request";
-import { LEAF } from "./species";
+import { LEAF } from "./schema";
 import type { LeafSpecimen } from "./specimen";
 import { leafInWords } from "./words";
 
@@ -22,7 +22,7 @@ export const model = {
 	words: leafInWords,
 	record: trailRecord,
 	formats: LEAF_FORMATS,
-	render: async () => (await import("./render/leaf_figure")).leafFigure,
+	render: async () => (await import("./render/leaf_renderer")).leafRenderer,
 	handles: async () => (await import("./outline/plant_handles")).leafHandles,
-	ui: async () => (await import("./ui/face")).face,
+	ui: async () => (await import("./ui/ui")).face,
 } satisfies PageModel<LeafSpecimen, Leaf>;

@@ -2,7 +2,7 @@
 
 import type { Leaf } from "./grown";
 import { packOutline } from "./outline/packed";
-import { LEAF, leafFromPreset } from "./species";
+import { LEAF, leafFromPreset } from "./schema";
 import type { LeafSpecimen } from "./specimen";
 
 /**

@@ -6,7 +6,7 @@ import { woodFormats } from "../particles/boundary/wood_formats";
 import { readWoodenPlant, type WoodenPlant } from "../particles/boundary/wooden_plant";
 import { trailRecord } from "../particles/record";
 import { rootParts } from "./root_parts";
-import { ROOT } from "./species";
+import { ROOT } from "./schema";
 import type { RootSpecimen } from "./specimen";
 import { rootInWords } from "./words";
 
@@ -24,7 +24,7 @@ export const model = {
 	words: rootInWords,
 	record: trailRecord,
 	formats: woodFormats(rootInWords),
-	render: async () => (await import("./cut_figure")).cutFigure,
+	render: async () => (await import("./cut_renderer")).cutRenderer,
 	handles: async () => (await import("./plant_handles")).rootHandles,
-	ui: async () => (await import("./ui/face")).face,
+	ui: async () => (await import("./ui/ui")).face,
 } satisfies PageModel<RootSpecimen, WoodenPlant>;

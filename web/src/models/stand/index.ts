@@ -7,7 +7,7 @@ import { standMembers } from "./members";
 import { standParts } from "./parts";
 import { placementsCsv, standRecord } from "./record";
 import { encodeStand } from "./request";
-import { STAND } from "./species";
+import { STAND } from "./schema";
 import type { StandSpecimen } from "./specimen";
 import { readStand, type StandPlant } from "./stand_plant";
 import { fetchedText, fetchTexts } from "./texts";
@@ -56,8 +56,8 @@ export const model = {
 		},
 	],
 	render: async () => {
-		const { StandFigure } = await import("./render/stand_figure");
-		return (stage) => new StandFigure(stage);
+		const { StandRenderer } = await import("./render/stand_renderer");
+		return (stage) => new StandRenderer(stage);
 	},
-	ui: async () => (await import("./ui/face")).face,
+	ui: async () => (await import("./ui/ui")).face,
 } satisfies PageModel<StandSpecimen, StandPlant>;

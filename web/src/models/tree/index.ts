@@ -6,7 +6,7 @@ import { boundedBy } from "../particles/boundary/mesh_boundary";
 import { encodeBounded } from "../particles/boundary/request";
 import { woodFormats } from "../particles/boundary/wood_formats";
 import { trailRecord } from "../particles/record";
-import { TREE } from "./species";
+import { TREE } from "./schema";
 import type { TreeSpecimen } from "./specimen";
 import { treeParts } from "./tree_parts";
 import { fetchLeafOf, leafOf, readTree, type TreePlant } from "./tree_plant";
@@ -32,7 +32,7 @@ export const model = {
 	words: treeInWords,
 	record: trailRecord,
 	formats: woodFormats(treeInWords),
-	render: async () => (await import("./tree_figure")).treeFigure,
+	render: async () => (await import("./tree_renderer")).treeRenderer,
 	handles: async () => (await import("./plant_handles")).treeHandles,
-	ui: async () => (await import("./ui/face")).face,
+	ui: async () => (await import("./ui/ui")).face,
 } satisfies PageModel<TreeSpecimen, TreePlant>;

@@ -1,5 +1,5 @@
 /** Handles on the plant itself, in three dimensions: what a model says of them. Types only. */
-import type { Change } from "../desk";
+import type { Change } from "../editor_context";
 
 export type Vector = readonly [x: number, y: number, z: number];
 

@@ -2,7 +2,7 @@
  * Handles over the picture of a plant: buttons that stand where the handles are, dragged by mouse, pen and finger, stepped by
  * arrow keys. One of them is a stop of the Tab key, Page Up and Page Down lead to the others.
  */
-import type { Change } from "../desk";
+import type { Change } from "../editor_context";
 import { EscapeKey } from "./escape_key";
 import { placeUnder, type Ray, visibleWays } from "./handle_ways";
 import type { PlantHandle, PlantHandles, Vector } from "./plant_handle";

@@ -26,8 +26,8 @@ std::size_t setting(const FruitSet& set) {
       std::count_if(set.volumes.begin(), set.volumes.end(), [](float volume) { return volume > 0; }));
 }
 
-Wish wish_of(float count) {
-  Wish wish;
+CropTarget wish_of(float count) {
+  CropTarget wish;
   wish.count = count;
   wish.density = 5;
   wish.most = 80;
@@ -57,7 +57,7 @@ Sprout brush(std::uint32_t flowers) {
   return sprout;
 }
 
-Crop crop_of(const Sprout& sprout, const Wish& wish) {
+Crop crop_of(const Sprout& sprout, const CropTarget& wish) {
   std::vector<Bud> buds;
   for (std::size_t i = 0; i < sprout.flowers.size(); ++i)
     buds.push_back({sprout.internodes[static_cast<std::size_t>(sprout.flowers[i].bearer)].end, random_unit(5, 6, i)});
@@ -90,13 +90,13 @@ TEST_CASE("stand-ins are those whose turn is next, and none where no count was a
 TEST_CASE(
     "where some of a count find no room others stand in, one swelling for all, and who did not set is not there") {
   const Sprout sprout = brush(160);
-  Wish wish = wish_of(84);
+  CropTarget wish = wish_of(84);
   wish.limit = 160;
   wish.most = 160;
   wish.make.size = 17;
   const Crop crop = crop_of(sprout, wish);
   const auto lost =
-      static_cast<std::size_t>(std::count(crop.swollen.lost.begin(), crop.swollen.lost.end(), Why::no_room));
+      static_cast<std::size_t>(std::count(crop.swollen.lost.begin(), crop.swollen.lost.end(), RemovalReason::no_room));
   CHECK(lost > 0);                            // it is a crowd
   CHECK(crop.fruitlets.size() > 84);          // so others have set
   CHECK(crop.fruitlets.size() - lost >= 80);  // and found room
@@ -105,13 +105,13 @@ TEST_CASE(
   CHECK(crop.swollen.centres.size() == crop.fruitlets.size());
   CHECK(crop.swollen.directions.size() == crop.fruitlets.size());
   for (std::size_t k = 0; k < crop.fruitlets.size(); ++k) {
-    CHECK(crop.swollen.lost[k] != Why::not_set);
+    CHECK(crop.swollen.lost[k] != RemovalReason::not_set);
     if (k > 0) CHECK(crop.fruitlets[k].flower > crop.fruitlets[k - 1].flower);
   }
 }
 
 TEST_CASE("berries taken off by hand are known by their ids") {
-  Wish wish = wish_of(0);
+  CropTarget wish = wish_of(0);
   wish.taken = {3, 9};
   std::vector<Flower> flowers;
   for (std::uint32_t i = 0; i < 12; ++i) flowers.push_back(flower_on(0, {0, -1, 0}, i));

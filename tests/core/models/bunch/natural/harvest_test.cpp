@@ -15,7 +15,7 @@ struct Late {
   Sprout sprout;
   Hanging hanging;
   Crop crop;
-  explicit Late(Why lost) {
+  explicit Late(RemovalReason lost) {
     const Twig twig;
     sprout.internodes = twig.internodes;
     sprout.flowers = twig.flowers;
@@ -37,35 +37,36 @@ struct Late {
 }  // namespace
 
 TEST_CASE("a berry is as large as its age has it, in metres, and sits on its pedicel") {
-  const Harvest ripe = Late(Why{}).at(100, 1);
+  const Harvest ripe = Late(RemovalReason{}).at(100, 1);
   REQUIRE(ripe.bodies.size() == 1);
   CHECK(ripe.bodies[0].half_width == 10);
   CHECK(ripe.bodies[0].half_length == 15);
   CHECK(ripe.berries[0].centre.x == doctest::Approx(0.04));
   CHECK(ripe.berries[0].radius == doctest::Approx(0.01 * 1.1447));  // cube root of 1.5
   CHECK(ripe.berries[0].parent == 2);
-  CHECK(Late(Why{}).at(30, 0.5f).bodies[0].half_width == 5);
-  const std::vector<Outcome> outcomes = outcomes_of(Late(Why{}).crop, Late(Why{}).sprout.flowers, 1, 100, 1);
-  CHECK(outcomes[0].fate == Fate::berry);
+  CHECK(Late(RemovalReason{}).at(30, 0.5f).bodies[0].half_width == 5);
+  const std::vector<Outcome> outcomes =
+      outcomes_of(Late(RemovalReason{}).crop, Late(RemovalReason{}).sprout.flowers, 1, 100, 1);
+  CHECK(outcomes[0].fate == FlowerState::berry);
   CHECK(outcomes[0].seat.x == doctest::Approx(40 - 0.96 * 15));
 }
 
 TEST_CASE("flowers that do not set hang there until they fall; then they are listed where their pedicel began") {
-  const Harvest early = Late(Why{}).at(5, 0.08f);
+  const Harvest early = Late(RemovalReason{}).at(5, 0.08f);
   REQUIRE(early.bodies.size() == 2);
   CHECK(early.flowers[1] == 1);
   CHECK(early.bodies[1].half_width == doctest::Approx(0.75));
   CHECK(early.thinned.empty());
-  const Harvest late = Late(Why{}).at(12, 0.1f);
+  const Harvest late = Late(RemovalReason{}).at(12, 0.1f);
   CHECK(late.bodies.size() == 1);
   REQUIRE(late.thinned.size() == 1);
-  CHECK(late.thinned[0].why == Why::not_set);
+  CHECK(late.thinned[0].why == RemovalReason::not_set);
   CHECK(late.thinned[0].id == 1);
   CHECK(glm::length(late.thinned[0].place - glm::vec3(0.02f, -0.05f, 0)) < 1e-7f);
 }
 
 TEST_CASE("a lost berry is listed with its reason where its pedicel hung, in metres") {
-  for (const Why why : {Why::no_room, Why::by_hand}) {
+  for (const RemovalReason why : {RemovalReason::no_room, RemovalReason::by_hand}) {
     const Harvest poor = Late(why).at(100, 1);
     CHECK(poor.bodies.empty());
     REQUIRE(poor.thinned.size() == 2);

@@ -106,7 +106,7 @@ TEST_CASE("a berry taken off by hand is gone, says so, and leaves the others whe
   const Grown less = grown(request);
   CHECK(less.counts.berries == whole.counts.berries - 1);
   CHECK(std::count_if(less.thinned.begin(), less.thinned.end(),
-                      [&](const Thinned& one) { return one.id == id && one.why == Why::by_hand; }) == 1);
+                      [&](const Thinned& one) { return one.id == id && one.why == RemovalReason::by_hand; }) == 1);
   std::map<std::uint32_t, glm::vec3> places;
   for (const Berry& berry : whole.berries) places[berry.id] = berry.centre;
   double way = 0;
@@ -121,14 +121,14 @@ TEST_CASE("what is not there says where it hung: on the skeleton, in metres") {
   Request request = natural_request(table3[2].profile());
   set(request, Parameter::count, 600);  // more than there is room for
   const Grown bunch = grown(request);
-  std::set<Why> reasons;
+  std::set<RemovalReason> reasons;
   for (const Thinned& one : bunch.thinned) {
     reasons.insert(one.why);
     float nearest = 1;
     for (const Internode& internode : bunch.internodes)
       nearest = std::min({nearest, glm::length(internode.end - one.place), glm::length(internode.start - one.place)});
     CHECK(nearest < 0.02f);  // branches bend by less
-    if (one.why == Why::no_room) CHECK(nearest < 1e-6f);
+    if (one.why == RemovalReason::no_room) CHECK(nearest < 1e-6f);
   }
-  CHECK(reasons == std::set<Why>{Why::not_set, Why::no_room});
+  CHECK(reasons == std::set<RemovalReason>{RemovalReason::not_set, RemovalReason::no_room});
 }

@@ -20,7 +20,7 @@ void check_whole(const Grown& bunch) {
   CHECK(bunch.natural);
   CHECK(bunch.traits.size() == bunch.berries.size());
   std::uint32_t lost = 0;
-  for (const Thinned& one : bunch.thinned) lost += one.why != Why::not_set;
+  for (const Thinned& one : bunch.thinned) lost += one.why != RemovalReason::not_set;
   CHECK(bunch.counts.withered == lost);
   CHECK(bunch.counts.berries + bunch.counts.withered == bunch.counts.pedicels);
   std::set<std::int32_t> parents;

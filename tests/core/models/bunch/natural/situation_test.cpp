@@ -20,7 +20,7 @@ Situation at(const glm::vec3& foot, const glm::vec3& heading, const glm::vec3& s
   const std::vector<Internode> internodes{stem(-1, Kind::axis, {0, 0, 0}, foot),
                                           stem(0, Kind::pedicel, foot, foot + heading)};
   const std::vector<Flower> flowers{flower_on(1, heading)};
-  const std::vector<Bound> bounds{{drum, lean}};
+  const std::vector<BunchEnvelope> bounds{{drum, lean}};
   return situate(flowers, internodes, bounds, 10, sun)[0];
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("a place is the bunch's own, and what it is lit by is the world's, how
     const std::vector<Internode> internodes{stem(-1, Kind::axis, start, start + on)};
     std::vector<Flower> turned = flowers;
     turned[0].heading = upright.way_back({0, 0, 1});
-    const std::vector<Bound> bounds{{drum, stance}};
+    const std::vector<BunchEnvelope> bounds{{drum, stance}};
     return situate(turned, internodes, bounds, 10, sun)[0];
   };
   const Situation upright = hung({}, towards_sun(0, 0));
@@ -98,7 +98,7 @@ TEST_CASE("turns to set are spread evenly over an axis, and the second bunch has
 
 TEST_CASE("a raceme's flowers are in their place however far their pedicels reach") {
   const glm::vec3 foot(0, -100, 0), far(95, -100, 0);
-  const std::vector<Bound> bounds{{drum, 0}};
+  const std::vector<BunchEnvelope> bounds{{drum, 0}};
   const std::vector<Flower> flowers{flower_on(1, {1, 0, 0})};
   const auto misplaced = [&](Kind bearing) {
     const std::vector<Internode> internodes{stem(-1, bearing, {0, 0, 0}, foot), stem(0, Kind::pedicel, foot, far)};

@@ -18,7 +18,8 @@ namespace {
 const std::vector<float> ripe = sizes_until(100);
 
 // A roomy outline: a drum 200 mm long and as wide.
-const std::vector<Bound> roomy{{Envelope(Profile{400, {{{230, 40}, {230, 40}, {230, 40}, {230, 40}}}}, 0.5f, 110), 0}};
+const std::vector<BunchEnvelope> roomy{
+    {Envelope(Profile{400, {{{230, 40}, {230, 40}, {230, 40}, {230, 40}}}}, 0.5f, 110), 0}};
 
 Swelling berry_at(std::uint32_t branch, const glm::vec3& heading, float half = 8) {
   Swelling berry;
@@ -35,7 +36,7 @@ TEST_CASE("a berry alone hangs at its pedicel's end, which droops") {
   const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 2, 0}};
   const std::vector<Swelling> berries{berry_at(0, {1, 0, 0})};
   const Swollen one = swell(branches, berries, roomy, ripe);
-  CHECK(one.lost[0] == Why{});
+  CHECK(one.lost[0] == RemovalReason{});
   const float far = glm::length(one.centres[0] - one.ends[0]);
   CHECK(far <= 16.01f);
   CHECK(far >= 0.6f * 8 + 8 - 0.01f);
@@ -81,7 +82,8 @@ TEST_CASE("a loaded branch gives way, a stiff one does not") {
 }
 
 TEST_CASE("berries keep to the outline as far as they may") {
-  const std::vector<Bound> narrow{{Envelope(Profile{400, {{{40, 40}, {40, 40}, {40, 40}, {40, 40}}}}, 0.5f, 20), 0}};
+  const std::vector<BunchEnvelope> narrow{
+      {Envelope(Profile{400, {{{40, 40}, {40, 40}, {40, 40}, {40, 40}}}}, 0.5f, 20), 0}};
   const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
   std::vector<Swelling> berries{berry_at(0, {1, 0, 0}), berry_at(0, {-1, 0, 0})};
   for (Swelling& berry : berries) berry.stalk = 30;  // which would bear them 18 mm beyond it
@@ -115,15 +117,15 @@ TEST_CASE("a berry that cannot get room is lost, and only then; one taken by han
   }
   const Swollen crowd = swell(branches, berries, roomy, ripe);
   int lost = 0;
-  for (const Why why : crowd.lost) lost += why == Why::no_room;
+  for (const RemovalReason why : crowd.lost) lost += why == RemovalReason::no_room;
   CHECK(lost > 0);
   CHECK(lost < 36);
 
   std::vector<Swelling> few{berries[0], berries[7]};
   few[1].taken = true;
   const Swollen taken = swell(branches, few, roomy, ripe);
-  CHECK(taken.lost[0] == Why{});
-  CHECK(taken.lost[1] == Why::by_hand);
+  CHECK(taken.lost[0] == RemovalReason{});
+  CHECK(taken.lost[1] == RemovalReason::by_hand);
 }
 
 TEST_CASE("nothing to swell is no trouble") {
@@ -165,7 +167,8 @@ TEST_CASE("berries press each other off while they swell: who is gone does not c
     }
     const auto lost = [&](float age) {
       int count = 0;
-      for (const Why why : swell(branches, berries, roomy, sizes_until(age)).lost) count += why == Why::no_room;
+      for (const RemovalReason why : swell(branches, berries, roomy, sizes_until(age)).lost)
+        count += why == RemovalReason::no_room;
       return count;
     };
     CHECK(lost(100) > 0);
@@ -183,18 +186,20 @@ TEST_CASE("late berries join where others found no room, in their order, and onl
     berries.push_back(berry_at(k < 20 ? 0 : 1, {out * turn.cosine, y, out * turn.sine}, k < 20 ? 14.0f : 8.0f));
     berries.back().late = k >= 20;
   }
-  const auto there = [](const Swollen& some) { return std::count(some.lost.begin(), some.lost.end(), Why{}); };
+  const auto there = [](const Swollen& some) {
+    return std::count(some.lost.begin(), some.lost.end(), RemovalReason{});
+  };
   const Swollen alone = swell(branches, berries, roomy, ripe);
-  for (std::size_t k = 20; k < 24; ++k) CHECK(alone.lost[k] == Why::not_set);
+  for (std::size_t k = 20; k < 24; ++k) CHECK(alone.lost[k] == RemovalReason::not_set);
   const auto kept = static_cast<std::size_t>(there(alone));
   REQUIRE(kept < 20);
   const Swollen enough = swell(branches, berries, roomy, ripe, kept);
-  for (std::size_t k = 20; k < 24; ++k) CHECK(enough.lost[k] == Why::not_set);
+  for (std::size_t k = 20; k < 24; ++k) CHECK(enough.lost[k] == RemovalReason::not_set);
   const Swollen more = swell(branches, berries, roomy, ripe, kept + 1);
-  CHECK(more.lost[20] == Why{});
+  CHECK(more.lost[20] == RemovalReason{});
   CHECK(there(more) > there(alone));
   for (std::size_t k = 20; k < 24; ++k)
-    if (more.lost[k] == Why{}) CHECK(glm::length(more.centres[k] - more.ends[1]) < 16.1f);
+    if (more.lost[k] == RemovalReason{}) CHECK(glm::length(more.centres[k] - more.ends[1]) < 16.1f);
 }
 
 TEST_CASE("pedicels are little over half as long in flower, and grow until berries are six tenths of their size") {
@@ -221,7 +226,8 @@ TEST_CASE("what a branch gives way by, it keeps: further the readier it is") {
 }
 
 TEST_CASE("a pedicel does not turn round, though the outline would have its berry behind it") {
-  const std::vector<Bound> narrow{{Envelope(Profile{400, {{{40, 40}, {40, 40}, {40, 40}, {40, 40}}}}, 0.5f, 20), 0}};
+  const std::vector<BunchEnvelope> narrow{
+      {Envelope(Profile{400, {{{40, 40}, {40, 40}, {40, 40}, {40, 40}}}}, 0.5f, 20), 0}};
   // It grows outwards, from well outside.
   const std::vector<Branch> branches{{{0, 0, 0}, {34, -100, 0}, -1, 1, 0}};
   const Swollen kept = swell(branches, std::vector<Swelling>{berry_at(0, {1, 0, 0})}, narrow, ripe);

@@ -10,7 +10,7 @@ import {
 } from "../../../../../web/src/models/bunch/photo/photo";
 import { placePhoto } from "../../../../../web/src/models/bunch/photo/place_photo";
 import { changePhoto, photo, removePhoto } from "../../../../../web/src/models/bunch/ui/photo";
-import { bunchDesk, studioWith } from "../../../app/desk";
+import { bunchContext, studioWith } from "../../../app/context";
 import { specimenFromPreset } from "../../../bunch";
 
 vi.mock("../../../../../web/src/models/bunch/photo/photo_view", () => ({}));
@@ -74,7 +74,7 @@ describe("the photograph's tool", () => {
 
 	it("lays a picture behind the front view; it stays through undo, is in no link, and goes when it is told to", async () => {
 		const { studio, surroundings } = await studioWith(specimenFromPreset());
-		const desk = bunchDesk(studio);
+		const desk = bunchContext(studio);
 		const first = picture();
 		bitmaps.mockResolvedValue(first);
 		await placePhoto(desk, new Blob());
@@ -102,22 +102,22 @@ describe("the photograph's tool", () => {
 		bitmaps.mockImplementation(async (_, resize) =>
 			resize ? { width: resize.resizeWidth, height: resize.resizeHeight, close: vi.fn() } : large,
 		);
-		await placePhoto(bunchDesk(studio), new Blob());
-		expect(bunchDesk(studio).toolState(photo)?.picture).toMatchObject({ width: 2000, height: 1000 });
+		await placePhoto(bunchContext(studio), new Blob());
+		expect(bunchContext(studio).toolState(photo)?.picture).toMatchObject({ width: 2000, height: 1000 });
 		expect(large.close).toHaveBeenCalled();
 	});
 
 	it("says what is wrong with a file", async () => {
 		const { studio } = await studioWith(specimenFromPreset());
 		bitmaps.mockRejectedValue(new Error("not decodable"));
-		await placePhoto(bunchDesk(studio), new Blob());
+		await placePhoto(bunchContext(studio), new Blob());
 		expect(studio.state.notices).toMatchObject([
 			{
 				title: "The photograph was not taken",
 				details: ["The file is no picture that this browser reads. Use a JPEG, PNG or WebP."],
 			},
 		]);
-		expect(bunchDesk(studio).toolState(photo)).toBeUndefined();
+		expect(bunchContext(studio).toolState(photo)).toBeUndefined();
 	});
 
 	it.each([

@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { pickBerry } from "../../../../../web/src/models/bunch/render/picking";
-import type { Vector } from "../../../../../web/src/render/figure";
+import type { Vector } from "../../../../../web/src/render/model_renderer";
 import { evenly } from "../../../evenly";
 import { pressedBunch } from "../pressed_bunch";
 

@@ -1,11 +1,11 @@
 import { describe, expect, it, vi } from "vitest";
 import { cane } from "../../../../../web/src/models/bunch/ui/cane";
-import type { BunchDesk } from "../../../../../web/src/models/bunch/ui/desk";
+import type { BunchContext } from "../../../../../web/src/models/bunch/ui/context";
 import { type Specimen, specimenFromPreset, withParameters } from "../../../bunch";
 
 function deskWith(specimen: Specimen) {
 	const set = vi.fn();
-	return { desk: { state: { specimen }, set } as unknown as BunchDesk, set };
+	return { desk: { state: { specimen }, set } as unknown as BunchContext, set };
 }
 
 describe("the cane's button", () => {

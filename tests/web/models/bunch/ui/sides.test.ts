@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { Studio } from "../../../../../web/src/app/studio";
 import { mirror, sides, toggleLock } from "../../../../../web/src/models/bunch/ui/sides";
-import { bunchDesk, studioWith } from "../../../app/desk";
+import { bunchContext, studioWith } from "../../../app/context";
 import { specimenFromPreset } from "../../../bunch";
 
 const opened = specimenFromPreset("grape-15c");
@@ -21,7 +21,7 @@ describe("the two sides of a pair", () => {
 		["leftRight", "p3", "p4"],
 		["frontBack", "p5", "p6"],
 	] as const)("%s: locked, come together at once, and undoing that is one step", (pair, from, to) => {
-		toggleLock(bunchDesk(studio), pair);
+		toggleLock(bunchContext(studio), pair);
 		expect([parameters()[`${to}w`], parameters()[`${to}r`]]).toEqual([
 			parameters()[`${from}w`],
 			parameters()[`${from}r`],
@@ -34,7 +34,7 @@ describe("the two sides of a pair", () => {
 		expect(studio.state.specimen).toEqual(opened);
 		expect(studio.toolState(sides)[pair]).toBe(true);
 		expect(remembered()).toMatchObject({ sides: { [pair]: true } });
-		toggleLock(bunchDesk(studio), pair);
+		toggleLock(bunchContext(studio), pair);
 		expect(studio.state.specimen).toEqual(opened);
 	});
 
@@ -53,7 +53,7 @@ describe("the two sides of a pair", () => {
 	] as const)("%s: mirrored as one step, locked or not", (pair, a, b) => {
 		studio.setToolState(sides, { leftRight: true, frontBack: true });
 		const before = opened.parameters;
-		mirror(bunchDesk(studio), pair);
+		mirror(bunchContext(studio), pair);
 		expect(parameters()).toEqual({
 			...before,
 			[`${a}w`]: before[`${b}w`],

@@ -2,14 +2,14 @@ import { expect, it, vi } from "vitest";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { stems } from "../../../../../web/src/models/bunch/ui/stems";
 import { mark, putBack, takeOff, thinning } from "../../../../../web/src/models/bunch/ui/thinning";
-import { bunchDesk, studioWith } from "../../../app/desk";
+import { bunchContext, studioWith } from "../../../app/context";
 import { MOST_THINNED, specimenFromPreset, thin, unthin } from "../../../bunch";
 
 const opened = specimenFromPreset("grape-15c");
 
 it("takes berries off by hand, one step each, and puts them all back as one", async () => {
 	const { studio, surroundings } = await studioWith(opened);
-	const desk = bunchDesk(studio);
+	const desk = bunchContext(studio);
 	const thinned = () => desk.state.specimen.thinned;
 	takeOff(desk, 7, 9);
 	expect(desk.toolState(thinning).marked).toBe(9);
@@ -82,7 +82,7 @@ function fakeView() {
 
 async function armed() {
 	const { studio } = await studioWith(opened);
-	const desk = bunchDesk(studio);
+	const desk = bunchContext(studio);
 	studio.grew({ berries: { ids: Uint32Array.of(40, 41) } } as unknown as Grown, opened);
 	const fake = fakeView();
 	const hands = thinning.hands?.(fake.view, desk);

@@ -8,10 +8,10 @@ import {
 	Drafts,
 	descriptionsIn,
 	designIn,
-	type FlowerDesk,
+	type FlowerContext,
 } from "../../../../../web/src/models/flower/ui/design/drafts";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
-import type { NoticeOptions } from "../../../../../web/src/ui/desk";
+import type { NoticeOptions } from "../../../../../web/src/ui/editor_context";
 
 beforeAll(fetchTexts);
 
@@ -22,12 +22,12 @@ function deskWith(grammar: string | undefined, specimen: FlowerSpecimen = fromPr
 		state.specimen = { ...state.specimen, ...details };
 	};
 	const notify = vi.fn<(title: string, details?: readonly string[], options?: NoticeOptions) => void>();
-	const desk = { state, edit: take, set: take, settle: () => {}, notify } as unknown as FlowerDesk;
+	const desk = { state, edit: take, set: take, settle: () => {}, notify } as unknown as FlowerContext;
 	return { desk, state, notify };
 }
 
 /** The organs, one of them with another number. */
-function withNumber(desk: FlowerDesk, organ: "petal" | "stamen", key: string, value: number) {
+function withNumber(desk: FlowerContext, organ: "petal" | "stamen", key: string, value: number) {
 	const design = designIn(desk.state.specimen);
 	if (!design) throw new Error("no design");
 	return descriptionsIn(design).map((each) => (each.organ === organ ? described(each, { [key]: value }) : each));

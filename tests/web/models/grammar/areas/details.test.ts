@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { type Area, MOST_AREAS, UNTURNED } from "../../../../../web/src/models/grammar/areas/area";
 import { areaBlocks } from "../../../../../web/src/models/grammar/areas/blocks";
 import { fittedArea } from "../../../../../web/src/models/grammar/details/areas";
-import { GRAMMAR } from "../../../../../web/src/models/grammar/species";
+import { GRAMMAR } from "../../../../../web/src/models/grammar/schema";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { decodeLink, decodeQuery, encodeLink } from "../../../../../web/src/specimen/link";
 import { restore } from "../../../../../web/src/specimen/restore";

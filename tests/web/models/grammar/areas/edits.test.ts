@@ -11,11 +11,11 @@ import {
 import * as edits from "../../../../../web/src/models/grammar/areas/area_edits";
 import { areaHandles, areaHandlesOf } from "../../../../../web/src/models/grammar/areas/area_handles";
 import { surfaceOf } from "../../../../../web/src/models/grammar/areas/surface";
-import { GRAMMAR } from "../../../../../web/src/models/grammar/species";
+import { GRAMMAR } from "../../../../../web/src/models/grammar/schema";
 import type { GrammarSpecimen } from "../../../../../web/src/models/grammar/specimen";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { apply } from "../../../../../web/src/ui/change";
-import type { Change } from "../../../../../web/src/ui/desk";
+import type { Change } from "../../../../../web/src/ui/editor_context";
 import type { PlantHandle, Vector } from "../../../../../web/src/ui/handles/plant_handle";
 
 const area = (kind: Area["kind"], centre: Triple, size: Triple = [1, 1, 1], rotation = UNTURNED): Area => ({

@@ -7,7 +7,7 @@ import {
 	surfaceOf,
 } from "../../../../../web/src/models/growth/volumes/volume";
 import { volumeHandles } from "../../../../../web/src/models/growth/volumes/volume_handles";
-import type { Change } from "../../../../../web/src/ui/desk";
+import type { Change } from "../../../../../web/src/ui/editor_context";
 import type { PlantHandle } from "../../../../../web/src/ui/handles/plant_handle";
 
 const ONE: GrowthVolume = { id: 1, base: 4, height: 10, top: 2, middle: 3, gradient: 0, towards: 0, at: [1, 2] };

@@ -3,7 +3,7 @@ import type { Core } from "../../../../../web/src/core/core";
 import { model } from "../../../../../web/src/models/leaf/index";
 import { bent } from "../../../../../web/src/models/leaf/outline/bent";
 import { curveOf } from "../../../../../web/src/models/leaf/outline/spline";
-import { leafFromPreset } from "../../../../../web/src/models/leaf/species";
+import { leafFromPreset } from "../../../../../web/src/models/leaf/schema";
 import type { LeafSpecimen } from "../../../../../web/src/models/leaf/specimen";
 import { freshCore } from "../../../core/wasm";
 

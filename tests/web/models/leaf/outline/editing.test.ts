@@ -14,7 +14,7 @@ import { CROSSES, pointInWords } from "../../../../../web/src/models/leaf/outlin
 import { MOST_POINTS, movePoint, type OutlinePoints } from "../../../../../web/src/models/leaf/outline/points";
 import { curveOf } from "../../../../../web/src/models/leaf/outline/spline";
 import { inserted, pressed } from "../../../../../web/src/models/leaf/outline/steps";
-import { leafFromPreset } from "../../../../../web/src/models/leaf/species";
+import { leafFromPreset } from "../../../../../web/src/models/leaf/schema";
 
 const { outline: oak } = leafFromPreset("oak");
 const SAME = { mirror: true };

@@ -19,7 +19,7 @@ import {
 	turnKind,
 } from "../../../../../web/src/models/leaf/outline/points";
 import { curveOf, enclosesBlade, nearestSpan, spansOf } from "../../../../../web/src/models/leaf/outline/spline";
-import { LEAF, leafFromPreset } from "../../../../../web/src/models/leaf/species";
+import { LEAF, leafFromPreset } from "../../../../../web/src/models/leaf/schema";
 
 const { outline: oak } = leafFromPreset("oak");
 const [SAME, ALONE] = [{ mirror: true }, { mirror: false }];

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { MOST_KNOTS } from "../../../../../web/src/models/particles/boundary/details/profile";
-import { TREE } from "../../../../../web/src/models/tree/species";
+import { TREE } from "../../../../../web/src/models/tree/schema";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { decodeLink, decodeQuery, encodeLink } from "../../../../../web/src/specimen/link";
 import { restore } from "../../../../../web/src/specimen/restore";

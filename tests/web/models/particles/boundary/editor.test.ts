@@ -20,9 +20,9 @@ import {
 	withWall,
 } from "../../../../../web/src/models/particles/boundary/editor/walls";
 import { rootLay } from "../../../../../web/src/models/root/lay";
-import { ROOT } from "../../../../../web/src/models/root/species";
+import { ROOT } from "../../../../../web/src/models/root/schema";
 import { treeLay } from "../../../../../web/src/models/tree/lay";
-import { TREE } from "../../../../../web/src/models/tree/species";
+import { TREE } from "../../../../../web/src/models/tree/schema";
 import { apply } from "../../../../../web/src/ui/change";
 import { gripOf, root, tree } from "./particles";
 

@@ -3,9 +3,9 @@ import { boundaryPose } from "../../../../../web/src/models/particles/boundary/e
 import { gripDrags } from "../../../../../web/src/models/particles/boundary/editor/grip_drags";
 import { withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
 import { treeLay } from "../../../../../web/src/models/tree/lay";
-import { TREE } from "../../../../../web/src/models/tree/species";
+import { TREE } from "../../../../../web/src/models/tree/schema";
 import { apply } from "../../../../../web/src/ui/change";
-import type { Change } from "../../../../../web/src/ui/desk";
+import type { Change } from "../../../../../web/src/ui/editor_context";
 import { gripOf, tree } from "./particles";
 
 /** Drags over a specimen that others may change as well. */

@@ -5,18 +5,18 @@ import type { Lay } from "../../../../../web/src/models/particles/boundary/edito
 import { planPose } from "../../../../../web/src/models/particles/boundary/editor/plan_pose";
 import { wallsOf, withRound, withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
 import { rootLay } from "../../../../../web/src/models/root/lay";
-import { ROOT } from "../../../../../web/src/models/root/species";
+import { ROOT } from "../../../../../web/src/models/root/schema";
 import { treeLay } from "../../../../../web/src/models/tree/lay";
-import { TREE } from "../../../../../web/src/models/tree/species";
+import { TREE } from "../../../../../web/src/models/tree/schema";
 import { decodeQuery, encodeQuery } from "../../../../../web/src/specimen/link";
-import type { Species } from "../../../../../web/src/specimen/species";
+import type { ModelSchema } from "../../../../../web/src/specimen/model_schema";
 import { apply } from "../../../../../web/src/ui/change";
 import { gripOf, root, tree } from "./particles";
 
 /** A specimen with what came of a grip in hand, event after event. */
 function held<S extends BoundedSpecimen>(
 	lay: Lay<S>,
-	species: Species<S>,
+	species: ModelSchema<S>,
 	specimen: S,
 	id: string,
 	y: number,

@@ -1,15 +1,15 @@
 import { describe, expect, it } from "vitest";
 import { layingOut } from "../../../../../web/src/models/particles/boundary/editor/lay";
-import { TREE } from "../../../../../web/src/models/tree/species";
+import { TREE } from "../../../../../web/src/models/tree/schema";
 import type { TreeSpecimen } from "../../../../../web/src/models/tree/specimen";
 import { apply } from "../../../../../web/src/ui/change";
 import { changed } from "../../../../../web/src/ui/changed";
-import type { Desk } from "../../../../../web/src/ui/desk";
+import type { EditorContext } from "../../../../../web/src/ui/editor_context";
 import { tree } from "./particles";
 
 describe("what lays out a boundary", () => {
 	const piecesOf = (specimen = tree("oak"), preset = tree("oak")) =>
-		layingOut({ state: { specimen }, preset } as Pick<Desk<TreeSpecimen>, "state" | "preset">);
+		layingOut({ state: { specimen }, preset } as Pick<EditorContext<TreeSpecimen>, "state" | "preset">);
 	const same = (specimen: TreeSpecimen) => !changed(piecesOf(oak, oak), piecesOf(specimen, oak));
 	const oak = tree("oak");
 

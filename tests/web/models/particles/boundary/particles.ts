@@ -7,8 +7,8 @@ import type { Grip, Pose } from "../../../../../web/src/models/particles/boundar
 import type { RequestOptions } from "../../../../../web/src/models/particles/boundary/request";
 import { encodeBounded } from "../../../../../web/src/models/particles/boundary/request";
 import { readWoodenPlant, type WoodenPlant } from "../../../../../web/src/models/particles/boundary/wooden_plant";
-import { ROOT } from "../../../../../web/src/models/root/species";
-import { TREE } from "../../../../../web/src/models/tree/species";
+import { ROOT } from "../../../../../web/src/models/root/schema";
+import { TREE } from "../../../../../web/src/models/tree/schema";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import type { Table } from "../../../../../web/src/specimen/table";
 

@@ -4,9 +4,9 @@ import { footprintIn } from "../../../../../web/src/models/particles/boundary/ed
 import { planPose } from "../../../../../web/src/models/particles/boundary/editor/plan_pose";
 import { wallsOf, withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
 import { rootLay } from "../../../../../web/src/models/root/lay";
-import { ROOT } from "../../../../../web/src/models/root/species";
+import { ROOT } from "../../../../../web/src/models/root/schema";
 import { treeLay } from "../../../../../web/src/models/tree/lay";
-import { TREE } from "../../../../../web/src/models/tree/species";
+import { TREE } from "../../../../../web/src/models/tree/schema";
 import { decodeQuery, encodeQuery } from "../../../../../web/src/specimen/link";
 import { apply } from "../../../../../web/src/ui/change";
 import { gripOf, growBounded, particlesCore, root, tree } from "./particles";

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { contourOf } from "../../../../../web/src/models/particles/boundary/editor/mesh_outline";
 import { shellsOf } from "../../../../../web/src/models/particles/boundary/editor/shell";
 import { treeLay } from "../../../../../web/src/models/tree/lay";
-import { TREE } from "../../../../../web/src/models/tree/species";
+import { TREE } from "../../../../../web/src/models/tree/schema";
 import { tree } from "./particles";
 
 describe("a dropped mesh", () => {

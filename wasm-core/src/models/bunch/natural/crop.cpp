@@ -24,7 +24,7 @@ void settle(Crop& crop) {
   std::vector<std::size_t> kept;
   std::vector<std::int32_t> flowers;
   for (std::size_t k = 0; k < crop.fruitlets.size(); ++k) {
-    if (crop.swollen.lost[k] == Why::not_set) {
+    if (crop.swollen.lost[k] == RemovalReason::not_set) {
       crop.set.volumes[crop.fruitlets[k].flower] = 0;
     } else {
       kept.push_back(k);
@@ -42,7 +42,7 @@ void settle(Crop& crop) {
 
 }  // namespace
 
-FruitSet set_fruit(std::span<const float> ranks, float fill, const Wish& wish) {
+FruitSet set_fruit(std::span<const float> ranks, float fill, const CropTarget& wish) {
   const std::vector<float> own(ranks.begin(), ranks.end());
   if (wish.count > 0) return {choose_count(own, std::min(wish.count, wish.most)), false};
   std::vector<float> volumes = choose_set(own, fill);
@@ -51,7 +51,8 @@ FruitSet set_fruit(std::span<const float> ranks, float fill, const Wish& wish) {
   return {choose_count(own, wish.most), true};
 }
 
-std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes, const Wish& wish) {
+std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes,
+                                     const CropTarget& wish) {
   std::vector<std::uint32_t> in_turn;
   if (!(wish.count > 0)) return in_turn;
   const auto most = static_cast<std::size_t>(
@@ -63,7 +64,7 @@ std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<con
 
 std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::size_t regular,
                                    std::span<const float> volumes, std::span<const float> shares,
-                                   std::span<const Flower> flowers, const Wish& wish) {
+                                   std::span<const Flower> flowers, const CropTarget& wish) {
   std::vector<Fruitlet> fruitlets;
   std::vector<float> own_shares, own_volumes;
   for (const std::uint32_t i : setting) {
@@ -80,7 +81,7 @@ std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::
 }
 
 Crop grow_crop(const Sprout& sprout, const Hanging& hanging, std::span<const Bud> buds, std::span<const float> shares,
-               const Wish& wish, std::span<const float> sizes) {
+               const CropTarget& wish, std::span<const float> sizes) {
   Crop crop;
   crop.elongation = wish.make.elongation;
   const std::vector<float> ranks = ranks_of(buds, wish.make.size);

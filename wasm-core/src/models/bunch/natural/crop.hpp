@@ -13,7 +13,7 @@
 namespace panicle::bunch {
 
 // How many berries there are to be, and of what make.
-struct Wish {
+struct CropTarget {
   float count = 0;          // asked for; 0 leaves it to the density
   float density = 0;        // the note asked for, 1 … 9
   float most = 0;           // more there cannot be
@@ -28,16 +28,17 @@ struct FruitSet {
 };
 
 // `fill` is the share of space that the density takes.
-FruitSet set_fruit(std::span<const float> ranks, float fill, const Wish& wish);
+FruitSet set_fruit(std::span<const float> ranks, float fill, const CropTarget& wish);
 
 // Flowers that set where some of a count find no room, in their order: as many as could be wanted for that.
-std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes, const Wish& wish);
+std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes,
+                                     const CropTarget& wish);
 
 // The berries of `setting`, flowers whose `volumes` are above 0; the mean width of the first `regular` ones is that
 // wished for, whatever lot they have drawn. `shares` are the flowers' width_share.
 std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::size_t regular,
                                    std::span<const float> volumes, std::span<const float> shares,
-                                   std::span<const Flower> flowers, const Wish& wish);
+                                   std::span<const Flower> flowers, const CropTarget& wish);
 
 struct Crop {
   FruitSet set;
@@ -49,11 +50,11 @@ struct Crop {
   // At a size over the ripe one; millimetres.
   float half_width(std::size_t berry, float size) const { return fruitlets[berry].half_width * size; }
   float half_length(std::size_t berry, float size) const { return half_width(berry, size) * elongation; }
-  bool is_lost(std::size_t berry) const { return swollen.lost[berry] != Why{}; }
+  bool is_lost(std::size_t berry) const { return swollen.lost[berry] != RemovalReason{}; }
 };
 
 // `sizes` are those through which berries swell (ripening.hpp).
 Crop grow_crop(const Sprout& sprout, const Hanging& hanging, std::span<const Bud> buds, std::span<const float> shares,
-               const Wish& wish, std::span<const float> sizes);
+               const CropTarget& wish, std::span<const float> sizes);
 
 }  // namespace panicle::bunch

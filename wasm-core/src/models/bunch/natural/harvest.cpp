@@ -26,11 +26,11 @@ std::vector<Outcome> outcomes_of(const Crop& crop, std::span<const Flower> flowe
   std::vector<Outcome> outcomes(flowers.size());
   for (std::size_t i = 0; i < flowers.size(); ++i)
     if (!(crop.set.volumes[i] > 0) && age < falls_at(luck_of(flowers[i], seed, "fall")))
-      outcomes[i].fate = Fate::flower;
+      outcomes[i].fate = FlowerState::flower;
   const Swollen& swollen = crop.swollen;
   for (std::size_t k = 0; k < crop.fruitlets.size(); ++k) {
     Outcome& outcome = outcomes[crop.fruitlets[k].flower];
-    outcome.fate = crop.is_lost(k) ? Fate::stub : Fate::berry;
+    outcome.fate = crop.is_lost(k) ? FlowerState::stub : FlowerState::berry;
     outcome.seat = swollen.centres[k] - swollen.directions[k] * (seat_depth * crop.half_length(k, size));
   }
   return outcomes;
@@ -55,15 +55,15 @@ Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, 
   const float half = ovary_width(ripe_width) / 2;
   for (std::uint32_t i = 0; i < outcomes.size(); ++i) {
     const Flower& flower = sprout.flowers[i];
-    if (outcomes[i].fate == Fate::flower) {
+    if (outcomes[i].fate == FlowerState::flower) {
       const std::int32_t place = place_of(flower);
       const glm::vec3 end = bent.internodes[static_cast<std::size_t>(place)].end / metres_per_millimetre;
       add(harvest, i, flower, place, {end + flower.heading * half, flower.heading, half, half, 0, flower.id});
-    } else if (outcomes[i].fate == Fate::fallen) {
+    } else if (outcomes[i].fate == FlowerState::fallen) {
       const std::int32_t from = hanging.stalk_from[static_cast<std::size_t>(flower.bearer)];
       const Internode& first = sprout.internodes[static_cast<std::size_t>(from < 0 ? flower.bearer : from)];
       harvest.thinned.push_back(
-          {flower.id, Why::not_set, (from < 0 ? first.end : first.start) * metres_per_millimetre});
+          {flower.id, RemovalReason::not_set, (from < 0 ? first.end : first.start) * metres_per_millimetre});
     }
   }
   return harvest;

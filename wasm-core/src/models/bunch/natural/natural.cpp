@@ -30,8 +30,9 @@ using enum Parameter;
 
 constexpr float count_met = 0.97f;  // of a count: fewer want a note
 
-Wish wish_for(const Request& request, const Values& values, const Limits& limits, std::span<const NaturalPlan> plans) {
-  Wish wish;
+CropTarget wish_for(const Request& request, const Values& values, const Limits& limits,
+                    std::span<const NaturalPlan> plans) {
+  CropTarget wish;
   wish.count = values[count];
   wish.density = values[density];
   wish.limit = limits.bodies;
@@ -156,18 +157,18 @@ void add_meshes(Grown& grown, const Request& request, const Values& values, cons
   grown.foliage = foliage_for(request, values, envelope, grown.internodes, grown.notes);
 }
 
-std::vector<float> measures_of(const Grown& grown, std::span<const Bound> bounds) {
+std::vector<float> measures_of(const Grown& grown, std::span<const BunchEnvelope> bounds) {
   std::vector<HungEnvelope> envelopes;
-  for (const Bound& bound : bounds) envelopes.push_back({bound.envelope, bound.stance});
+  for (const BunchEnvelope& bound : bounds) envelopes.push_back({bound.envelope, bound.stance});
   return measure(grown, envelopes);
 }
 
 // Whether there are as many berries as were wished for.
-void remark_crop(const Crop& crop, const Wish& wish, std::size_t flowers, std::vector<std::string>& notes) {
+void remark_crop(const Crop& crop, const CropTarget& wish, std::size_t flowers, std::vector<std::string>& notes) {
   if (crop.set.full)
     notes.push_back("A bunch has " + std::to_string(wish.limit) +
                     " berries at the most; larger berries or a smaller profile fill the outline.");
-  const auto lost = std::count(crop.swollen.lost.begin(), crop.swollen.lost.end(), Why::no_room);
+  const auto lost = std::count(crop.swollen.lost.begin(), crop.swollen.lost.end(), RemovalReason::no_room);
   const std::size_t kept = crop.fruitlets.size() - static_cast<std::size_t>(lost);
   if (wish.count == 0 || static_cast<float>(kept) >= count_met * wish.count || flowers == 0) return;
   const std::string asked = std::to_string(static_cast<std::uint32_t>(wish.count)) + " berries asked for";
@@ -178,22 +179,23 @@ void remark_crop(const Crop& crop, const Wish& wish, std::size_t flowers, std::v
                     " found room; smaller berries or a larger profile leave room for more.");
 }
 
-std::string_view fate_of(Why why) {
+std::string_view fate_of(RemovalReason why) {
   switch (why) {
-    case Why::not_set:
+    case RemovalReason::not_set:
       return "; its flower did not set, for more flowers than berries were wanted";
-    case Why::no_room:
+    case RemovalReason::no_room:
       return "; its berry was pressed harder than berries can be, and withered";
-    case Why::outside:
+    case RemovalReason::outside:
       return "; its berry could not be kept within the outline, and withered";
-    case Why::by_hand:
+    case RemovalReason::by_hand:
       return "; its berry was taken off by hand";
   }
   return {};
 }
 
 // What has become of the flowers, told of the modules that bore them.
-void tell_fates(lsystem::Chronicle& chronicle, std::span<const Flower> flowers, const Crop& crop, const Harvest& hung) {
+void tell_fates(lsystem::DerivationTrace& chronicle, std::span<const Flower> flowers, const Crop& crop,
+                const Harvest& hung) {
   for (std::size_t k = 0; k < hung.berries.size(); ++k)
     if (const std::uint32_t module = hung.berries[k].module; module != no_module)
       chronicle.add_answer(module, crop.set.volumes[hung.flowers[k]] > 0 ? "; its flower set, and it bears the berry"
@@ -215,7 +217,7 @@ Diagnostic grow_natural(const Request& request, const Values& values, const Limi
 
   const glm::vec3 sunward = towards_sun(values[sun], values[sun_height]);
   const std::vector<Situation> situations = situate(flowers, bunch.internodes, bunch.bounds, values[size], sunward);
-  const Wish wish = wish_for(request, values, limits, bunch.plans);
+  const CropTarget wish = wish_for(request, values, limits, bunch.plans);
   const Hanging hanging = hang(bunch.internodes, flowers, values[bend]);
   const Crop crop = grow_crop(bunch, hanging, buds_of(flowers, situations, values, request.seed),
                               shares_of(flowers, situations, values, request.seed), wish, sizes_until(values[age]));

@@ -209,7 +209,7 @@ float fill_of(float density) {
   return fills[below] + (fills[below + 1] - fills[below]) * (place - static_cast<float>(below));
 }
 
-TextConstants constants_of(const lsystem::Bound& text, const TextConstants& before) {
+TextConstants constants_of(const lsystem::BoundProgram& text, const TextConstants& before) {
   const TextConstants standard;
   TextConstants found = before;
   found.tip_spacing = lsystem::constant(text, "near", standard.tip_spacing);

@@ -24,7 +24,7 @@ struct TextConstants {
 };
 
 // What `text` has; `flowers_per_end` and `wider` as in `before`.
-TextConstants constants_of(const lsystem::Bound& text, const TextConstants& before);
+TextConstants constants_of(const lsystem::BoundProgram& text, const TextConstants& before);
 
 // Millimetres and degrees. Everything but the number of axes changes smoothly with the profile; an axis more begins
 // with no length.

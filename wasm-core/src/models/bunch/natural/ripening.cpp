@@ -35,7 +35,7 @@ std::vector<float> sizes_until(float age) {
   return sizes;
 }
 
-Stage stage_at(float age, const Fortune& fortune) {
+Stage stage_at(float age, const RemovalOutcome& fortune) {
   const float middle = 0.45f;
   const float order =
       fortune.along < middle ? 0.6f * (middle - fortune.along) / middle : (fortune.along - middle) / (1 - middle);

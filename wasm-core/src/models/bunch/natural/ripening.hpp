@@ -17,7 +17,7 @@ float relief_at(float age);
 // Sizes through which berries swell, step by step, up to that of an age.
 std::vector<float> sizes_until(float age);
 
-struct Fortune {
+struct RemovalOutcome {
   float along = 0;     // 0 at the base … 1 at the tip of the bunch
   float luck = 0.5f;   // 0 … 1, the berry's own
   float exposure = 0;  // 0 … 1
@@ -31,7 +31,7 @@ struct Stage {
 
 // Flowers open in the middle, then at the base, then at the tip (Huang et al. 2013, section 3); berries colour one by
 // one, those in the sun first.
-Stage stage_at(float age, const Fortune& fortune);
+Stage stage_at(float age, const RemovalOutcome& fortune);
 
 // The age at which a flower that does not set falls.
 float falls_at(float luck);

@@ -35,14 +35,14 @@ Situation situated(const glm::vec3& own, const Envelope& envelope, const Upright
 }  // namespace
 
 std::vector<Situation> situate(std::span<const Flower> flowers, std::span<const Internode> internodes,
-                               std::span<const Bound> bounds, float size, const glm::vec3& sun) {
+                               std::span<const BunchEnvelope> bounds, float size, const glm::vec3& sun) {
   std::vector<Situation> situations;
   situations.reserve(flowers.size());
   for (const Flower& flower : flowers) {
     const Internode& bearer = internodes[static_cast<std::size_t>(flower.bearer)];
     const std::size_t first = beginning_of(internodes, static_cast<std::size_t>(flower.bearer));
     const float stalk = glm::length(bearer.end - internodes[first].start);
-    const Bound& bound = bounds[flower.bunch];
+    const BunchEnvelope& bound = bounds[flower.bunch];
     const Uprighting upright(bound.stance);
     const glm::vec3 way = drooping(upright.way(flower.heading), 1);
     const glm::vec3 own = upright.place(internodes[first].start) + way * (stalk + 0.5f * size);

@@ -23,7 +23,7 @@ struct Situation {
 
 // One a flower. Millimetres; `size` is a berry's width, `sun` a unit vector towards it.
 std::vector<Situation> situate(std::span<const Flower> flowers, std::span<const Internode> internodes,
-                               std::span<const Bound> bounds, float size, const glm::vec3& sun);
+                               std::span<const BunchEnvelope> bounds, float size, const glm::vec3& sun);
 
 // A unit vector towards a sun that stands `round` degrees from the front to the right and `height` above the horizon.
 glm::vec3 towards_sun(float round, float height);

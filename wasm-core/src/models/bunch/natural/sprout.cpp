@@ -36,7 +36,7 @@ float slender_of(float wing) { return 0.5f + 0.5f * wing; }
 // One bunch before it is drawn.
 struct Seedling {
   NaturalPlan plan;
-  std::shared_ptr<const lsystem::Bound> text;
+  std::shared_ptr<const lsystem::BoundProgram> text;
 };
 
 class Sower {
@@ -167,7 +167,7 @@ class Sower {
       if (!told) return told.error();
       sprout.chronicle = std::move(told.value());
     }
-    lsystem::Chronicle* const chronicle = first && sprout.chronicle ? &*sprout.chronicle : nullptr;
+    lsystem::DerivationTrace* const chronicle = first && sprout.chronicle ? &*sprout.chronicle : nullptr;
     drawing.tell(chronicle);
     const Diagnostic trouble = interpret(stock.value(), limits_, drawing, chronicle);
     return trouble.reason == Reason::none ? drawing.trouble() : trouble;

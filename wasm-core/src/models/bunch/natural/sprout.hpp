@@ -18,11 +18,11 @@ namespace panicle::bunch {
 struct Sprout {
   Profile profile;                    // the seed's own
   std::vector<NaturalPlan> plans;     // of the bunch, and of the second where there is one
-  std::vector<Bound> bounds;          // their outlines, millimetres
+  std::vector<BunchEnvelope> bounds;  // their outlines, millimetres
   std::vector<Internode> internodes;  // parents first; millimetres
   std::vector<Flower> flowers;
   std::int32_t second_root = -1;  // the internode that the second bunch begins with
-  std::optional<lsystem::Chronicle> chronicle;
+  std::optional<lsystem::DerivationTrace> chronicle;
 };
 
 // Plans each bunch with the constants of the text, so that both lay the same nodes; where flowers are counted on, also

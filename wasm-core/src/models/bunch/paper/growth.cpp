@@ -12,7 +12,7 @@ namespace panicle::bunch {
 Growth::Growth(const InteractionOptions& options, const Limits& limits, float largest)
     : SkeletonDrawing(limits), options_(options), structure_(largest) {}
 
-void Growth::begin(const lsystem::Bound& text, const Roles& roles, bool second, std::uint64_t seed,
+void Growth::begin(const lsystem::BoundProgram& text, const Roles& roles, bool second, std::uint64_t seed,
                    std::int32_t first_axis) {
   SkeletonDrawing::begin(text, roles, second, first_axis);
   constants_.narrowing = lsystem::constant(text, "r_w", 1);

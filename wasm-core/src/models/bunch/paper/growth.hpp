@@ -20,7 +20,8 @@ class Growth final : public SkeletonDrawing {
 
   // The next interpretation's text and seed, of the first bunch or the second; its first-order axes count on from
   // `first_axis`.
-  void begin(const lsystem::Bound& text, const Roles& roles, bool second, std::uint64_t seed, std::int32_t first_axis);
+  void begin(const lsystem::BoundProgram& text, const Roles& roles, bool second, std::uint64_t seed,
+             std::int32_t first_axis);
 
   // Between the two, an interpretation lays its rachis and nothing else: it takes its room, and the same text
   // interpreted later finds it again. What grows in between has to make way.

@@ -56,7 +56,7 @@ Result<Planned> plan_stocks(const Request& request, const Values& values, const 
 
 // Interprets a bunch into the growth, among what stands there already.
 Diagnostic grow_stock(const Stock& stock, const Roles& roles, const Limits& limits, Growth& growth, bool second,
-                      lsystem::Chronicle* chronicle = nullptr) {
+                      lsystem::DerivationTrace* chronicle = nullptr) {
   growth.begin(*stock.bound, roles, second, stock.seed, stock.first_axis);
   const Diagnostic trouble = interpret(stock, limits, growth, chronicle);
   return trouble.reason == Reason::none ? growth.trouble() : trouble;
@@ -65,7 +65,7 @@ Diagnostic grow_stock(const Stock& stock, const Roles& roles, const Limits& limi
 // The second bunch's rachis is laid first, for it would find no way through the first's berries; the berries of both
 // come later, as in nature. `second_from` becomes the number of the second's first berry.
 Diagnostic grow_stocks(const Planned& planned, const Roles& roles, const Limits& limits, Growth& growth,
-                       lsystem::Chronicle* chronicle, std::size_t& second_from) {
+                       lsystem::DerivationTrace* chronicle, std::size_t& second_from) {
   Diagnostic trouble;
   if (planned.second) {
     growth.begin_laying();
@@ -105,7 +105,7 @@ std::vector<Berry> berries_of(std::span<const Ball> balls, std::size_t second_fr
 
 // How far an end structure reaches sideways, in the paper's units: its twig, its pedicel and a berry, by the rates that
 // the text has (L-system 3's names), or the table where it has none.
-float end_reach(const lsystem::Bound& text, const Values& values) {
+float end_reach(const lsystem::BoundProgram& text, const Values& values) {
   const auto rate = [&](Parameter key) {
     return lsystem::constant(text, parameter_table[static_cast<std::size_t>(key)].define, values[key]);
   };
@@ -130,7 +130,7 @@ Diagnostic grow_paper(const Request& request, const Values& values, const Limits
   using enum Parameter;
   const auto planned = plan_stocks(request, values, limits, grown);
   if (!planned) return planned.error();
-  const lsystem::Bound& text = *planned->first.bound;
+  const lsystem::BoundProgram& text = *planned->first.bound;
   const Roles roles = roles_of(lsystem::program_of(text), grown.notes);
 
   const InteractionOptions interaction{values[delta], static_cast<std::uint32_t>(values[t]), values[sag]};
@@ -138,7 +138,7 @@ Diagnostic grow_paper(const Request& request, const Values& values, const Limits
   auto told = tell(planned->first, request, limits);
   if (!told) return told.error();
   grown.chronicle = std::move(told.value());
-  lsystem::Chronicle* const chronicle = grown.chronicle ? &*grown.chronicle : nullptr;
+  lsystem::DerivationTrace* const chronicle = grown.chronicle ? &*grown.chronicle : nullptr;
   std::size_t second_from = 0;
   Diagnostic trouble = grow_stocks(planned.value(), roles, limits, growth, chronicle, second_from);
   if (trouble.reason != Reason::none) return trouble;

@@ -4,7 +4,8 @@
 
 namespace panicle::bunch {
 
-void SkeletonDrawing::begin(const lsystem::Bound& text, const Roles& roles, bool second, std::int32_t first_axis) {
+void SkeletonDrawing::begin(const lsystem::BoundProgram& text, const Roles& roles, bool second,
+                            std::int32_t first_axis) {
   Drawing::begin();
   roles_ = roles;
   width_ = lsystem::constant(text, "w", 1);

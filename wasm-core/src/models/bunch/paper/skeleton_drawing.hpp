@@ -22,10 +22,10 @@ class SkeletonDrawing : public Drawing {
   using Drawing::Drawing;
 
   // The next interpretation's text, of the first bunch or the second; its first-order axes count on from `first_axis`.
-  void begin(const lsystem::Bound& text, const Roles& roles, bool second, std::int32_t first_axis);
+  void begin(const lsystem::BoundProgram& text, const Roles& roles, bool second, std::int32_t first_axis);
 
   // From now on what modules of the first bunch ask and are answered is told here, if anywhere.
-  void tell(lsystem::Chronicle* chronicle) { chronicle_ = chronicle; }
+  void tell(lsystem::DerivationTrace* chronicle) { chronicle_ = chronicle; }
 
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;
@@ -92,7 +92,7 @@ class SkeletonDrawing : public Drawing {
   std::size_t first_segment_ = 0, first_ball_ = 0;  // of this interpretation
   std::int32_t first_axis_ = 0;
   bool second_ = false;
-  lsystem::Chronicle* chronicle_ = nullptr;
+  lsystem::DerivationTrace* chronicle_ = nullptr;
 
   Answer answer_;  // the last
   bool answering_ = false;

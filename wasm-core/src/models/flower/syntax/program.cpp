@@ -190,7 +190,7 @@ float light_through(std::string_view kind) {
 
 std::uint64_t Program::bytes() const {
   std::uint64_t bytes = bytes_of(grammars) + bytes_of(labels) + bytes_of(variables) + bytes_of(productions) +
-                        bytes_of(materials) + bytes_of(bones) + bytes_of(notes) + bytes_of(code.instructions) +
+                        bytes_of(materials) + bytes_of(structure_key) + bytes_of(notes) + bytes_of(code.instructions) +
                         bytes_of(code.places) + bytes_of(code.registers) + bytes_of(code.streams);
   for (const std::string& note : notes) bytes += bytes_of(note);
   for (const Production& production : productions) {

@@ -190,7 +190,7 @@ struct Program {
   bool luck_rebuilds = false;                         // or on what is drawn but in variables of the text
   // The text less all that only places the map: materials, and the figures of numbers that no order, face, condition or
   // number of steps depends on.
-  std::string bones;
+  std::string structure_key;
   expression::Code code;
   std::vector<std::string> notes;
 

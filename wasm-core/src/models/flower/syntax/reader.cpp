@@ -429,25 +429,26 @@ void Reader::write_bones() {
     if (program_.variables[i].rebuilds) pin(definitions_[i].begin, definitions_[i].end);
   for (const auto& [variable, statement] : calls_)
     if (program_.variables[variable].rebuilds) pin(statement.begin, statement.end);
-  program_.bones.reserve(5 * tokens_.size());
+  program_.structure_key.reserve(5 * tokens_.size());
   std::uint32_t grammar = 0;
   for (const Statement& each : statements_) {
     for (; grammar < each.grammar; ++grammar)
-      program_.bones.append("\n#module ").append(program_.grammars[grammar + 1].name);
+      program_.structure_key.append("\n#module ").append(program_.grammars[grammar + 1].name);
     if (tokens_[each.begin].is('#') && tokens_[each.begin + 1].is("material")) continue;
     for (std::size_t at = each.begin; at < each.end; ++at) {
       const Token& token = tokens_[at];
-      if (at == each.begin || token.first_on_line) program_.bones.append("\n").append(std::to_string(token.place.line));
-      program_.bones += ' ';
+      if (at == each.begin || token.first_on_line)
+        program_.structure_key.append("\n").append(std::to_string(token.place.line));
+      program_.structure_key += ' ';
       const bool is_free = token.kind == TokenKind::number && figures_[at] == Figure::free;
-      program_.bones.append(is_free ? std::string_view("0") : token.text);
+      program_.structure_key.append(is_free ? std::string_view("0") : token.text);
     }
   }
   // What variables take counts as work, and figures may change it: equal parts are worked out once.
   const auto add = [&](const expression::Value& value) {
-    program_.bones.append(" ").append(std::to_string(value.code.size()));
+    program_.structure_key.append(" ").append(std::to_string(value.code.size()));
   };
-  program_.bones += '\n';
+  program_.structure_key += '\n';
   for (const Grammar& each : program_.grammars) add(each.final_step.value);
   for (const Variable& variable : program_.variables) add(variable.number.value);
   for (const Production& production : program_.productions)

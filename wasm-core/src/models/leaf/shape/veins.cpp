@@ -114,7 +114,7 @@ Result<Veins> grow_veins(const Asked& asked, const Limits& limits, std::vector<s
   std::uint64_t moves = 0;
   for (std::size_t k = 0; k < guides.size(); ++k) {
     const Venation& guide = *guides[k];
-    Crowd crowd(shares[k], static_cast<double>(values[energy]), guide, rules);
+    ParticleSystem crowd(shares[k], static_cast<double>(values[energy]), guide, rules);
     if (!crowd.run(limits.moves - moves)) return still_running(limits);
     moves += crowd.moves();
     Trails trails = crowd.trails();

@@ -1,8 +1,9 @@
 /** The paper's grammars' own inputs, in place of those that the profile gives: m rachis segments, n₁ … n₍m−1₎. */
+
+import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
 import { readList, readNumbers } from "../../../specimen/read_values";
 import { readWithin } from "../../../specimen/read_within";
-import type { Detail } from "../../../specimen/species";
 import type { BunchSpecimen } from "../specimen";
 
 /** Rachis segments, and segments of each first-order axis. */
@@ -11,7 +12,7 @@ const INPUT_N = { kind: "integer", min: 0, max: 100 } as const;
 /** Values of `n`: n₁ … n₍m−1₎ of the longest rachis. */
 export const INPUT_N_LENGTH = INPUT_M.max - 1;
 
-export const grammarInputs: Detail<BunchSpecimen> = {
+export const grammarInputs: Field<BunchSpecimen> = {
 	keys: ["m", "n"],
 	settings: ["m", "n=N1,N2,…"],
 	group: "inputs",

@@ -1,8 +1,8 @@
 /** The smallest and the largest radius of the paper's berries never cross. */
-import type { Detail } from "../../../specimen/species";
+import type { Field } from "../../../specimen/model_schema";
 import type { BunchSpecimen } from "../specimen";
 
-export const radii: Detail<BunchSpecimen> = {
+export const radii: Field<BunchSpecimen> = {
 	keys: [],
 	agree: ({ parameters }, notes) => {
 		const { rmin, rmax } = parameters;

@@ -1,7 +1,8 @@
 /** Berries taken off by hand. */
+
+import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
 import { readList, readNumber } from "../../../specimen/read_values";
-import type { Detail } from "../../../specimen/species";
 import type { BunchSpecimen } from "../specimen";
 
 /** Ids of berries are below this (exports/panicle.h). */
@@ -9,7 +10,7 @@ export const BERRY_IDS = 2 ** 30;
 /** Berries that can be taken off by hand: a link of as many still fits an address bar. */
 export const MOST_THINNED = 500;
 
-export const thinnedBerries: Detail<BunchSpecimen> = {
+export const thinnedBerries: Field<BunchSpecimen> = {
 	keys: ["thin", "thinned"],
 	settings: ["thin=ID.ID.…"],
 	fresh: () => ({ thinned: [] }),

@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
 import { ControlElement } from "../../../ui/control_element";
 import type { View } from "../profile/handles";
-import type { BunchDesk } from "../ui/desk";
+import type { BunchContext } from "../ui/context";
 import { changePhoto, photo, removePhoto } from "../ui/photo";
 
 const VIEWS: readonly (readonly [View, string])[] = [
@@ -10,12 +10,12 @@ const VIEWS: readonly (readonly [View, string])[] = [
 ];
 
 /** What there is to a photograph that has been laid: loose or fast, behind which view, how plain, away. */
-export class PhotoControls extends ControlElement<BunchDesk> {
-	protected override shows(desk: BunchDesk): readonly unknown[] {
+export class PhotoControls extends ControlElement<BunchContext> {
+	protected override shows(desk: BunchContext): readonly unknown[] {
 		return [desk.toolState(photo)];
 	}
 
-	protected override draw(desk: BunchDesk): unknown {
+	protected override draw(desk: BunchContext): unknown {
 		const laid = desk.toolState(photo);
 		if (!laid) return nothing;
 		const { view, opacity, loose } = laid;

@@ -1,7 +1,7 @@
 /** Lays photographs behind flat views. */
 import { PictureError, readBitmap } from "../../../ui/read_bitmap";
 import { FILE_TOPIC } from "../../../ui/tool";
-import type { BunchDesk } from "../ui/desk";
+import type { BunchContext } from "../ui/context";
 import { photo } from "../ui/photo";
 import { fitted } from "./photo";
 import "./photo_controls";
@@ -12,7 +12,7 @@ const LONGEST = 2000;
 const OPACITY = 0.6;
 
 /** Lays a picture behind a view, as high as the bunch; what is wrong with it is said. */
-export async function placePhoto(desk: BunchDesk, file: Blob): Promise<void> {
+export async function placePhoto(desk: BunchContext, file: Blob): Promise<void> {
 	try {
 		const picture = await readBitmap(file, LONGEST);
 		const before = desk.toolState(photo);

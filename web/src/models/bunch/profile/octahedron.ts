@@ -9,7 +9,7 @@ import type { BunchSpecimen as Specimen } from "../specimen";
 import { type ProfileDrags, profileDrags } from "./drag_session";
 import { type Freedom, handleVector, type Ray, rayToView, visibleFreedom } from "./handle_ray";
 import { HANDLES, type Handle, type Locks } from "./handles";
-import { type OctahedronColours, OctahedronFigure } from "./octahedron_figure";
+import { type OctahedronColours, OctahedronRenderer } from "./octahedron_renderer";
 
 type Parameters = Specimen["parameters"];
 
@@ -34,7 +34,7 @@ const TOUCH_REACH = 26;
 
 export class OctahedronHandles {
 	readonly #host: OctahedronHost;
-	readonly #figure: OctahedronFigure;
+	readonly #figure: OctahedronRenderer;
 	readonly #raycaster = new Raycaster();
 	/** What of its handle's freedom each pointer sees. */
 	readonly #freedoms = new Map<number, Freedom>();
@@ -45,7 +45,7 @@ export class OctahedronHandles {
 
 	constructor(host: OctahedronHost) {
 		this.#host = host;
-		this.#figure = new OctahedronFigure(host.canvas);
+		this.#figure = new OctahedronRenderer(host.canvas);
 		this.#drags = profileDrags<Parameters>({
 			handles: () => HANDLES,
 			locks: () => host.locks(),

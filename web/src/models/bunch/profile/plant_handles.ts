@@ -1,5 +1,5 @@
 /** The octahedron's handles on the bunch itself. */
-import type { Change } from "../../../ui/desk";
+import type { Change } from "../../../ui/editor_context";
 import type { HandlesOf, PlantHandle, Vector } from "../../../ui/handles/plant_handle";
 import type { BunchSpecimen } from "../specimen";
 import { dragHandle } from "./drag";

@@ -1,4 +1,4 @@
-import type { Vector } from "../../../render/figure";
+import type { Vector } from "../../../render/model_renderer";
 import { lampHidden } from "../../../render/occlusion";
 import { SphereIndex } from "../../../render/sphere_index";
 import type { Receivers } from "./receivers";

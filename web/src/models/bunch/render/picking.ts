@@ -1,4 +1,4 @@
-import type { Ray, Vector } from "../../../render/figure";
+import type { Ray, Vector } from "../../../render/model_renderer";
 import type { Berries } from "../grown";
 import { halvesOf } from "../traits";
 

@@ -1,7 +1,7 @@
 import type { Life } from "../../../ui/life";
 import { lifeTool } from "../../../ui/life_tool";
 import { FRUIT_SET } from "../words";
-import { isNatural } from "./desk";
+import { isNatural } from "./context";
 import { FLOWER } from "./icons";
 
 /** The stages of a bunch's life. Past ripe, a bunch is named for where it goes from there on. */

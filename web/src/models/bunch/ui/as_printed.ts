@@ -1,7 +1,7 @@
 import { html } from "lit";
-import type { Change } from "../../../ui/desk";
+import type { Change } from "../../../ui/editor_context";
 import type { BunchSpecimen } from "../specimen";
-import { type BunchDesk, type BunchTool, isPaper } from "./desk";
+import { type BunchContext, type BunchTool, isPaper } from "./context";
 
 type Bent = Pick<BunchSpecimen["parameters"], "fit" | "vary">;
 
@@ -28,7 +28,7 @@ export function isAsPrinted({ parameters }: Pick<BunchSpecimen, "parameters">): 
 }
 
 /** `fit` and `vary` to 0, or back to the values they had before (else the preset's). */
-export function setAsPrinted(desk: BunchDesk, on: boolean): void {
+export function setAsPrinted(desk: BunchContext, on: boolean): void {
 	const { specimen } = desk.state;
 	const { fit, vary } = specimen.parameters;
 	const before = desk.toolState(asPrinted);

@@ -1,5 +1,5 @@
 import type { BunchSpecimen } from "../specimen";
-import { type BunchTool, isNatural } from "./desk";
+import { type BunchTool, isNatural } from "./context";
 import { LEAF } from "./icons";
 
 /** As many leaves as hang beside a bunch without hiding it. */

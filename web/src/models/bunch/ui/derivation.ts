@@ -7,7 +7,7 @@ import { thinning } from "./thinning";
 /** What the stepper has to know of bunches: internodes, and as organs the berries, each with its own surface or as the ball they share. */
 export const derivation: DerivationSource<BunchSpecimen, Grown> = {
 	drawn: berriesDrawn,
-	figure: async () => new (await import("../../../render/lit_figure")).LitFigure(),
+	figure: async () => new (await import("../../../render/lit_renderer")).LitRenderer(),
 	taken: (desk) => desk.toolState(thinning).on,
 };
 

@@ -1,7 +1,7 @@
 import type { GrammarSource } from "../../../grammar_editor/source";
 import { INTERNODE_KINDS } from "../grown";
 import { BUILT_IN } from "../request";
-import { procedureOf } from "../species";
+import { procedureOf } from "../schema";
 import type { BunchSpecimen } from "../specimen";
 import { BUNCH_TABLE } from "../table";
 

@@ -1,5 +1,5 @@
 import { html } from "lit";
-import type { BunchDesk, BunchTool } from "./desk";
+import type { BunchContext, BunchTool } from "./context";
 
 /** Says that the grammar's inputs do not follow the handles, and offers to let them again. */
 export const inputs: BunchTool = {
@@ -9,7 +9,7 @@ export const inputs: BunchTool = {
 	panel: { group: "shape", place: "above", draw },
 };
 
-function draw(desk: BunchDesk): unknown {
+function draw(desk: BunchContext): unknown {
 	const { m, n } = desk.state.specimen.inputs ?? {};
 	const given = [m === undefined ? [] : [`m = ${m}`], n === undefined ? [] : [`n = ${n.join(", ")}`]].flat().join("; ");
 	return html`<div class="override">
@@ -18,7 +18,7 @@ function draw(desk: BunchDesk): unknown {
 	</div>`;
 }
 
-function follow(desk: BunchDesk): void {
+function follow(desk: BunchContext): void {
 	const { inputs: _, ...specimen } = desk.state.specimen;
 	desk.replace(specimen);
 }

@@ -1,9 +1,9 @@
-import type { ToolHands, ToolView } from "../../../ui/tool";
+import type { ToolInteraction, ToolView } from "../../../ui/tool";
 import type { Grown } from "../grown";
 import type { OctahedronHandles } from "../profile/octahedron";
-import type { OctahedronColours } from "../profile/octahedron_figure";
+import type { OctahedronColours } from "../profile/octahedron_renderer";
 import type { BunchSpecimen } from "../specimen";
-import type { BunchDesk, BunchState, BunchTool } from "./desk";
+import type { BunchContext, BunchState, BunchTool } from "./context";
 import { OCTAHEDRON } from "./icons";
 import { sides } from "./sides";
 
@@ -20,15 +20,15 @@ export const octahedron: BunchTool<boolean> = {
 /** An outline or a handle near the view's edge must stay whole: style/stage.css. */
 const WHOLE_SURFACE = "handles";
 
-class OctahedronHands implements ToolHands<BunchSpecimen, Grown> {
+class OctahedronHands implements ToolInteraction<BunchSpecimen, Grown> {
 	readonly #view: ToolView;
-	readonly #desk: BunchDesk;
+	readonly #desk: BunchContext;
 	/** Loaded when first asked for. */
 	#handles: Promise<OctahedronHandles | undefined> | undefined;
 	#dark: boolean | undefined;
 	#disposed = false;
 
-	constructor(view: ToolView, desk: BunchDesk) {
+	constructor(view: ToolView, desk: BunchContext) {
 		this.#view = view;
 		this.#desk = desk;
 	}

@@ -3,7 +3,7 @@ import { chooseFile } from "../../../ui/choose_file";
 import { isPicture, PICTURES } from "../../../ui/picture_file";
 import { FILE_TOPIC } from "../../../ui/tool";
 import type { Photo } from "../photo/photo";
-import type { BunchDesk, BunchTool } from "./desk";
+import type { BunchContext, BunchTool } from "./context";
 
 /** A photograph that lies behind a flat view, to fit the handles to. It is the page's alone: in no link, in no file, sent nowhere. */
 export const photo: BunchTool<Photo | undefined> = {
@@ -18,7 +18,7 @@ export const photo: BunchTool<Photo | undefined> = {
 };
 
 /** Fetches what lays it (photo/place_photo.ts), and does. */
-async function takePhoto(desk: BunchDesk, file: Blob): Promise<void> {
+async function takePhoto(desk: BunchContext, file: Blob): Promise<void> {
 	const again = () => void takePhoto(desk, file);
 	const lay = await import("../photo/place_photo").catch(() => undefined);
 	if (lay) await lay.placePhoto(desk, file);
@@ -30,17 +30,17 @@ async function takePhoto(desk: BunchDesk, file: Blob): Promise<void> {
 }
 
 /** Changes what there is of it; nothing where it has gone. */
-export function changePhoto(desk: BunchDesk, change: Partial<Photo>): void {
+export function changePhoto(desk: BunchContext, change: Partial<Photo>): void {
 	const before = desk.toolState(photo);
 	if (before) desk.setToolState(photo, { ...before, ...change });
 }
 
-export function removePhoto(desk: BunchDesk): void {
+export function removePhoto(desk: BunchContext): void {
 	desk.toolState(photo)?.picture.close();
 	desk.setToolState(photo, undefined);
 }
 
-function draw(desk: BunchDesk): unknown {
+function draw(desk: BunchContext): unknown {
 	const laid = desk.toolState(photo);
 	const words = laid ? "Another photograph…" : "Photograph behind…";
 	const take = (file: File) => void takePhoto(desk, file);

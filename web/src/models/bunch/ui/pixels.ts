@@ -1,6 +1,6 @@
 import { html } from "lit";
 import { OWN_LENGTHS } from "../../../ui/own_lengths";
-import type { BunchTool } from "./desk";
+import type { BunchTool } from "./context";
 
 /** The switch that shows the paper's pixels beside the millimetres. */
 export const pixels: BunchTool<boolean> = {

@@ -2,7 +2,7 @@ import { html } from "lit";
 import type { Placement } from "../photo/photo";
 import type { View } from "../profile/handles";
 import type { ProfileEvent } from "../profile/profile_event";
-import type { BunchDesk, BunchTool } from "./desk";
+import type { BunchContext, BunchTool } from "./context";
 import { changePhoto, photo } from "./photo";
 import { pixels } from "./pixels";
 import { sides } from "./sides";
@@ -13,7 +13,7 @@ function profile(view: View, title: string): BunchTool {
 	return { name: view, initial: undefined, editor: { title, draw: (desk) => draw(desk, view) } };
 }
 
-function draw(desk: BunchDesk, view: View): unknown {
+function draw(desk: BunchContext, view: View): unknown {
 	const { specimen, grown } = desk.state;
 	const laid = desk.toolState(photo);
 	return html`<panicle-profile

@@ -3,7 +3,7 @@ import { icon } from "../../../ui/icons";
 import { mirrorFrontBack, mirrorLeftRight, withOpposites } from "../profile/drag";
 import { type Locks, type Shape, SIDES } from "../profile/handles";
 import type { BunchSpecimen } from "../specimen";
-import type { BunchDesk, BunchTool } from "./desk";
+import type { BunchContext, BunchTool } from "./context";
 import { MIRROR } from "./icons";
 
 type Pair = keyof Locks;
@@ -23,7 +23,7 @@ export const sides: BunchTool<Locks> = {
 };
 
 /** Locking brings the two sides together at once, so that what is shown is what is locked. */
-export function toggleLock(desk: BunchDesk, pair: Pair): void {
+export function toggleLock(desk: BunchContext, pair: Pair): void {
 	const locks = desk.toolState(sides);
 	desk.setToolState(sides, { ...locks, [pair]: !locks[pair] });
 	if (!locks[pair]) desk.set({ parameters: brought(desk.state.specimen, pair) });
@@ -37,7 +37,7 @@ function brought({ parameters }: BunchSpecimen, pair: Pair): Partial<Shape> {
 }
 
 /** Exchanges the two sides of a pair; every number is named, so that locks have nothing to add. */
-export function mirror(desk: BunchDesk, pair: Pair): void {
+export function mirror(desk: BunchContext, pair: Pair): void {
 	const { parameters } = desk.state.specimen;
 	desk.set({ parameters: pair === "leftRight" ? mirrorLeftRight(parameters) : mirrorFrontBack(parameters) });
 }
@@ -47,7 +47,7 @@ const PAIRS = [
 	["frontBack", "front–back"],
 ] as const;
 
-function draw(desk: BunchDesk): unknown {
+function draw(desk: BunchContext): unknown {
 	const locks = desk.toolState(sides);
 	return html`<div class="actions">
 		${PAIRS.map(

@@ -1,4 +1,4 @@
-import type { BunchTool } from "./desk";
+import type { BunchTool } from "./context";
 import { STEMS } from "./icons";
 
 /** Leaves the berries away in the 3-D view, and marks withered pedicels. */

@@ -1,7 +1,7 @@
 import { html } from "lit";
 import { PickPointer } from "../../../ui/pick_pointer";
 import { thin, unthinAll } from "../details/thinned";
-import { type BunchDesk, type BunchTool, isNatural } from "./desk";
+import { type BunchContext, type BunchTool, isNatural } from "./context";
 import { THIN } from "./icons";
 import { stems } from "./stems";
 
@@ -48,18 +48,18 @@ export const thinning: BunchTool<ThinningState> = {
 };
 
 /** Points at a berry, or at none. */
-export function mark(desk: BunchDesk, id: number | undefined): void {
+export function mark(desk: BunchContext, id: number | undefined): void {
 	const state = desk.toolState(thinning);
 	if (id !== state.marked) desk.setToolState(thinning, { ...state, marked: id });
 }
 
 /** Takes a berry off; the mark goes on to `next`. */
-export function takeOff(desk: BunchDesk, id: number, next?: number): void {
+export function takeOff(desk: BunchContext, id: number, next?: number): void {
 	desk.replace(thin(desk.state.specimen, id));
 	mark(desk, next);
 }
 
 /** Gives back every berry that was taken off. */
-export function putBack(desk: BunchDesk): void {
+export function putBack(desk: BunchContext): void {
 	desk.replace(unthinAll(desk.state.specimen));
 }

@@ -4,7 +4,7 @@ import { ControlElement } from "../../../ui/control_element";
 import { icon } from "../../../ui/icons";
 import type { Berries, Grown } from "../grown";
 import { fromTheTop, placeInWords, widthInWords } from "./berry_places";
-import type { BunchDesk } from "./desk";
+import type { BunchContext } from "./context";
 import { THIN } from "./icons";
 import { mark, putBack, takeOff, thinning } from "./thinning";
 
@@ -12,13 +12,13 @@ import { mark, putBack, takeOff, thinning } from "./thinning";
  * Thinning by hand without a pointer: a slider goes from berry to berry, from the top of the bunch down, and the view
  * marks where it is; Delete or the button takes the berry off. The pointer's way is in the 3-D view.
  */
-export class Thinning extends ControlElement<BunchDesk> {
+export class Thinning extends ControlElement<BunchContext> {
 	#orderOf: Berries | undefined;
 	#order: number[] = [];
 	/** Where the slider was last, so that it stays there when its berry goes. */
 	#at = 0;
 
-	protected override draw(desk: BunchDesk): unknown {
+	protected override draw(desk: BunchContext): unknown {
 		const { grown, specimen } = desk.state;
 		const { marked } = desk.toolState(thinning);
 		if (!grown || grown.berries.count === 0) return nothing;

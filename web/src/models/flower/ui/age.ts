@@ -2,7 +2,7 @@ import type { Life } from "../../../ui/life";
 import { lifeTool } from "../../../ui/life_tool";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
-import { heedsAge } from "../texts";
+import { usesAge } from "../texts";
 
 /** The stages of a flower's life: of most texts nothing but where things stand depends on it, so that the same map is placed anew. */
 export const LIFE: Life = {
@@ -23,4 +23,4 @@ export const LIFE: Life = {
 };
 
 /** Of a text that says nothing of age nothing would change. */
-export const age = lifeTool<FlowerSpecimen, FlowerPlant>(LIFE, heedsAge);
+export const age = lifeTool<FlowerSpecimen, FlowerPlant>(LIFE, usesAge);

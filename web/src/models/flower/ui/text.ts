@@ -1,6 +1,6 @@
 import type { GrammarSource } from "../../../grammar_editor/source";
 import { fromPreset } from "../../../specimen/from_preset";
-import { FLOWER } from "../species";
+import { FLOWER } from "../schema";
 import type { FlowerSpecimen } from "../specimen";
 import { fetchedText, fetchTexts } from "../texts";
 import { FLOWER_LANGUAGE } from "./language";

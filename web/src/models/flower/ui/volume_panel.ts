@@ -4,7 +4,7 @@ import { repeat } from "lit/directives/repeat.js";
 import { shortFloat } from "../../../formats/numbers";
 import { type GrammarSource, textOf, withText } from "../../../grammar_editor/source";
 import { ControlElement } from "../../../ui/control_element";
-import type { Desk } from "../../../ui/desk";
+import type { EditorContext } from "../../../ui/editor_context";
 import { HeldKey } from "../../../ui/held_key";
 import { sliderRow } from "../../../ui/slider_row";
 import { readTyped } from "../../../ui/typed";
@@ -17,14 +17,14 @@ import { type Figure, type Said, saidOf } from "./said";
 import { source } from "./text";
 
 /** The numbers of the chosen volume, and sliders of what the text says of it: what they change is written into the text. */
-export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant>> {
+export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, FlowerPlant>> {
 	static override properties = {
 		...ControlElement.properties,
 		chosenIn: { attribute: false },
 		choose: { attribute: false },
 	};
 	/** Asked of what stands now: a number that was told may be of a flower that has gone. */
-	declare chosenIn: (desk: Desk<FlowerSpecimen, FlowerPlant>) => number | undefined;
+	declare chosenIn: (desk: EditorContext<FlowerSpecimen, FlowerPlant>) => number | undefined;
 	declare choose: (volume: number | undefined) => void;
 
 	readonly #held = new HeldKey(() => this.desk.settle());
@@ -38,7 +38,7 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 		return [this.chosenIn(this.desk), grown, this.#text()];
 	}
 
-	protected override draw(desk: Desk<FlowerSpecimen, FlowerPlant>): unknown {
+	protected override draw(desk: EditorContext<FlowerSpecimen, FlowerPlant>): unknown {
 		const { grown } = desk.state;
 		const count = grown?.volumes.order.length ?? 0;
 		const chosen = this.chosenIn(desk);

@@ -1,6 +1,6 @@
 /** A click on a volume of the flower: its numbers, and what the text says of it, which a hand can change (Petrenko 2014, section 3.4). */
 import { html } from "lit";
-import type { Desk } from "../../../ui/desk";
+import type { EditorContext } from "../../../ui/editor_context";
 import { PickPointer } from "../../../ui/pick_pointer";
 import type { Tool } from "../../../ui/tool";
 import type { FlowerPlant } from "../flower_plant";
@@ -9,7 +9,7 @@ import { type ChosenVolume, chosenOf, stillChosen } from "./chosen_volume";
 import { type Organ, organOf } from "./organ";
 import "./volume_panel";
 
-export type FlowerDesk = Desk<FlowerSpecimen, FlowerPlant>;
+export type FlowerContext = EditorContext<FlowerSpecimen, FlowerPlant>;
 
 const VOLUME = {
 	key: "volume",
@@ -56,19 +56,19 @@ export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, Choice | undefined> =
 /** The last one asked for: it is marked at every change of the state. */
 let lastOrgan: { readonly grown: FlowerPlant; readonly chosen: number; readonly organ: Organ } | undefined;
 
-function organIn({ state: { grown } }: FlowerDesk, chosen: number): Organ | undefined {
+function organIn({ state: { grown } }: FlowerContext, chosen: number): Organ | undefined {
 	if (!grown) return undefined;
 	if (lastOrgan?.grown !== grown || lastOrgan.chosen !== chosen)
 		lastOrgan = { grown, chosen, organ: organOf(grown.volumes, chosen) };
 	return lastOrgan.organ;
 }
 
-export function chosenIn(desk: FlowerDesk): number | undefined {
+export function chosenIn(desk: FlowerContext): number | undefined {
 	const choice = desk.toolState(volumeTool);
 	return choice?.preset === desk.state.specimen.preset ? stillChosen(desk.state.grown, choice.volume) : undefined;
 }
 
-export function choose(desk: FlowerDesk, chosen: number | undefined): void {
+export function choose(desk: FlowerContext, chosen: number | undefined): void {
 	const volume = chosenOf(desk.state.grown, chosen);
 	desk.setToolState(volumeTool, volume && { volume, preset: desk.state.specimen.preset });
 }

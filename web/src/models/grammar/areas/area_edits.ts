@@ -1,5 +1,5 @@
 /** What hands and buttons make of areas and of the main branch's path. Pure. */
-import type { Change } from "../../../ui/desk";
+import type { Change } from "../../../ui/editor_context";
 import { fittedArea, fittedPath } from "../details/areas";
 import { type Area, type AreaKind, MOST_AREAS, MOST_PATH, type Triple, UNTURNED, type WithAreas } from "./area";
 

@@ -1,5 +1,5 @@
 /** Areas and path as handles in the 3-D view: each area's middle, of the chosen one its sides and turns; each place of a drawn path. */
-import type { Change } from "../../../ui/desk";
+import type { Change } from "../../../ui/editor_context";
 import type { PlantHandle, PlantHandles, Vector } from "../../../ui/handles/plant_handle";
 import {
 	type Area,

@@ -4,7 +4,7 @@ import { live } from "lit/directives/live.js";
 import { ACCEPT } from "../../../import/mesh_file/accept";
 import type { Group } from "../../../specimen/table";
 import { chooseFile } from "../../../ui/choose_file";
-import type { Change } from "../../../ui/desk";
+import type { Change } from "../../../ui/editor_context";
 import type { Tool } from "../../../ui/tool";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
@@ -24,7 +24,7 @@ import {
 	withPath,
 } from "./area_edits";
 import { nameOf } from "./area_handles";
-import { type AreaDesk, type AreaState, areaTool, choose, hasAreas, takeAreaMesh } from "./area_tool";
+import { type AreaContext, type AreaState, areaTool, choose, hasAreas, takeAreaMesh } from "./area_tool";
 
 /** What the buttons are called; a mesh comes by its own. */
 const WORDS: Readonly<Record<Exclude<AreaKind, "mesh">, string>> = {
@@ -35,7 +35,7 @@ const WORDS: Readonly<Record<Exclude<AreaKind, "mesh">, string>> = {
 	cone: "Cone",
 };
 
-export function drawAreas(desk: AreaDesk): unknown {
+export function drawAreas(desk: AreaContext): unknown {
 	const { specimen } = desk.state;
 	const { areas = [] } = specimen;
 	const { chosen } = desk.toolState(areaTool);
@@ -66,7 +66,7 @@ export function drawAreas(desk: AreaDesk): unknown {
 		${areas.length > 0 ? drawPath(desk) : nothing}`;
 }
 
-function drawArea(desk: AreaDesk, area: Area, index: number): unknown {
+function drawArea(desk: AreaContext, area: Area, index: number): unknown {
 	const { specimen } = desk.state;
 	const put = (change: Partial<Area>) => desk.set(changed(specimen, index, change));
 	const degrees = degreesOf(area.rotation);
@@ -139,7 +139,7 @@ const DRAWING = {
 	fork: "Draw in the picture, from a place of the main branch to the areas that the new branch passes.",
 } as const;
 
-function drawPath(desk: AreaDesk): unknown {
+function drawPath(desk: AreaContext): unknown {
 	const { specimen } = desk.state;
 	const state = desk.toolState(areaTool);
 	const places = placesOf(specimen);

@@ -1,7 +1,7 @@
 /** Growth areas in the page: as glass and with handles in the 3-D view, in the panel by numbers. */
 import { svg } from "lit";
-import type { Desk } from "../../../ui/desk";
-import { LateHands } from "../../../ui/handles/late_hands";
+import type { EditorContext } from "../../../ui/editor_context";
+import { LazyInteraction } from "../../../ui/handles/lazy_interaction";
 import { sameDocument } from "../../../ui/same_document";
 import { shownShells } from "../../../ui/shell_tool";
 import { FILE_TOPIC, type Tool } from "../../../ui/tool";
@@ -11,7 +11,7 @@ import { bareAreas } from "../ui/warnings";
 import { added } from "./area_edits";
 import { surfaceOf } from "./surface";
 
-export type AreaDesk = Desk<GrammarSpecimen, GrammarPlant>;
+export type AreaContext = EditorContext<GrammarSpecimen, GrammarPlant>;
 
 /** What of the areas is in hand. */
 export interface AreaState {
@@ -39,7 +39,7 @@ const areaGlass = shownShells<GrammarSpecimen, GrammarPlant>({
 	initial: true,
 	missed: "The areas could not be fetched",
 	applies: hasAreas,
-	figure: async () => new (await import("../../../render/shell_figure")).ShellFigure(),
+	figure: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
 	shells: ({ areas = [] }) => areas.map(surfaceOf),
 	marked: bareAreas,
 });
@@ -60,10 +60,10 @@ export const areaTool: Tool<GrammarSpecimen, GrammarPlant, AreaState> = {
 		{ keys: ["Page Up", "Page Down"], does: "On a handle of an area: to the next one" },
 	],
 	hands: (view, desk) =>
-		new LateHands({
+		new LazyInteraction({
 			desk,
 			wanted: ({ specimen }) => desk.toolState(areaTool).handles && hasAreas(specimen),
-			fetch: async () => new (await import("./area_hands")).AreaHands(view, desk),
+			fetch: async () => new (await import("./area_interaction")).AreaInteraction(view, desk),
 			missed: () => desk.setToolState(areaTool, { handles: false }),
 		}),
 };
@@ -74,7 +74,7 @@ export const areaTools: readonly Tool<GrammarSpecimen, GrammarPlant>[] = [
 ];
 
 /** Makes a file's mesh one more area, as one step; whatever is wrong with it is said. */
-export async function takeAreaMesh(desk: AreaDesk, file: File): Promise<void> {
+export async function takeAreaMesh(desk: AreaContext, file: File): Promise<void> {
 	const isStill = sameDocument(desk);
 	const say = (title: string, words: string) => desk.notify(title, [words], { topic: FILE_TOPIC });
 	const reader = await import("../../../import/mesh_file/read_in_worker").catch(() => undefined);
@@ -102,6 +102,6 @@ export async function takeAreaMesh(desk: AreaDesk, file: File): Promise<void> {
 }
 
 /** Shows an area's handles and numbers; none's where undefined. */
-export function choose(desk: AreaDesk, chosen: number | undefined): void {
+export function choose(desk: AreaContext, chosen: number | undefined): void {
 	desk.setToolState(areaTool, { ...desk.toolState(areaTool), handles: true, chosen });
 }

@@ -1,8 +1,8 @@
 /** The volumes that a text may ask for by bound() and reach(), and the way of its main branch. */
 import { readClosedMesh, sameMesh } from "../../../specimen/closed_mesh";
+import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
 import { isRecord, readNumbers } from "../../../specimen/read_values";
-import type { Detail } from "../../../specimen/species";
 import { onStep } from "../../../specimen/table";
 import {
 	AREA_KINDS,
@@ -25,7 +25,7 @@ const SLACK = 1e-3;
 const MILLIMETRES = 1000;
 
 /** `areas=box:0,0.8,0:1,1,1;cone:0,2,0:1,2,1:0,0,0.38,0.92`: kind, centre, size, and the turn where there is one. */
-export const areas: Detail<GrammarSpecimen> = {
+export const areas: Field<GrammarSpecimen> = {
 	keys: ["areas"],
 	settings: ["areas=KIND:X,Y,Z:W,H,D:QX,QY,QZ,QW;…"],
 	read: (specimen, key, value, notes) => {
@@ -49,7 +49,7 @@ export const areas: Detail<GrammarSpecimen> = {
 };
 
 /** `path=x,y,z,x,y,z,…`: places that the main branch passes, metres. */
-export const path: Detail<GrammarSpecimen> = {
+export const path: Field<GrammarSpecimen> = {
 	keys: ["path"],
 	settings: ["path=X,Y,Z,…"],
 	read: (specimen, key, value, notes) => {
@@ -65,7 +65,7 @@ export const path: Detail<GrammarSpecimen> = {
 };
 
 /** `from=0,1,2,1`: of each place of the path the one that the main branch comes from there, counted from 1, where it forks. */
-export const from: Detail<GrammarSpecimen> = {
+export const from: Field<GrammarSpecimen> = {
 	keys: ["from"],
 	settings: ["from=0,1,…"],
 	read: (specimen, key, value, notes) => {

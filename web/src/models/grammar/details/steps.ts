@@ -1,13 +1,14 @@
 /** How many steps a text is derived for, in place of what it says itself. */
+
+import type { Field } from "../../../specimen/model_schema";
 import { readWithin } from "../../../specimen/read_within";
-import type { Detail } from "../../../specimen/species";
 import type { GrammarSpecimen } from "../specimen";
 
 /** The core's own limit (wasm-core/src/foundation/limits.hpp). */
 export const MOST_STEPS = 4096;
 const STEPS = { kind: "integer", min: 0, max: MOST_STEPS } as const;
 
-export const steps: Detail<GrammarSpecimen> = {
+export const steps: Field<GrammarSpecimen> = {
 	keys: ["steps"],
 	settings: ["steps=N"],
 	read: (specimen, key, value, notes) => {

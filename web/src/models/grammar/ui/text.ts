@@ -1,7 +1,7 @@
 import type { GrammarSource } from "../../../grammar_editor/source";
 import { fromPreset } from "../../../specimen/from_preset";
 import type { GrammarPlant } from "../grammar_plant";
-import { GRAMMAR } from "../species";
+import { GRAMMAR } from "../schema";
 import type { GrammarSpecimen } from "../specimen";
 import { fetchedText, fetchTexts } from "../texts";
 import { warningsOf } from "./warnings";

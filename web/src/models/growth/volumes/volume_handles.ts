@@ -1,5 +1,5 @@
 /** Growth volumes as handles in the 3-D view: where each stands, and of the chosen one its height, lean and widths. */
-import type { Change } from "../../../ui/desk";
+import type { Change } from "../../../ui/editor_context";
 import type { PlantHandle, PlantHandles, Vector } from "../../../ui/handles/plant_handle";
 import { acrossOf, axisOf, type GrowthVolume, meanWidth, placeIn, radiusAt } from "./volume";
 

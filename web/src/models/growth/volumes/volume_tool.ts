@@ -1,7 +1,7 @@
 /** Growth volumes in the page: as glass and with handles in the 3-D view. What hands make of them is written into the text. */
 import { svg } from "lit";
-import type { Change, Desk } from "../../../ui/desk";
-import { LateHands } from "../../../ui/handles/late_hands";
+import type { Change, EditorContext } from "../../../ui/editor_context";
+import { LazyInteraction } from "../../../ui/handles/lazy_interaction";
 import { shownShells } from "../../../ui/shell_tool";
 import type { Tool } from "../../../ui/tool";
 import type { GrowthPlant } from "../growth_plant";
@@ -10,7 +10,7 @@ import { fetchedText } from "../texts";
 import { withVolumes, writtenVolumes } from "./footprint";
 import { type GrowthVolume, surfaceOf } from "./volume";
 
-export type VolumeDesk = Desk<GrowthSpecimen, GrowthPlant>;
+export type VolumeContext = EditorContext<GrowthSpecimen, GrowthPlant>;
 
 /** What of the volumes is in hand. */
 export interface VolumeState {
@@ -42,7 +42,7 @@ const volumeGlass = shownShells<GrowthSpecimen, GrowthPlant>({
 	initial: true,
 	missed: "The volumes could not be fetched",
 	ofPlant: true,
-	figure: async () => new (await import("../../../render/shell_figure")).ShellFigure(),
+	figure: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
 	shells: (specimen, grown) => volumesOf(specimen, grown).map(surfaceOf),
 });
 
@@ -61,10 +61,10 @@ export const volumeTool: Tool<GrowthSpecimen, GrowthPlant, VolumeState> = {
 		{ keys: ["Page Up", "Page Down"], does: "On a handle of a growth volume: to the next one" },
 	],
 	hands: (view, desk) =>
-		new LateHands({
+		new LazyInteraction({
 			desk,
 			wanted: () => desk.toolState(volumeTool).handles,
-			fetch: async () => new (await import("./volume_hands")).VolumeHands(view, desk),
+			fetch: async () => new (await import("./volume_interaction")).VolumeInteraction(view, desk),
 			missed: () => desk.setToolState(volumeTool, { ...desk.toolState(volumeTool), handles: false }),
 		}),
 };

@@ -1,7 +1,7 @@
 import { aboutPlant } from "../../../formats/about_plant";
 import { exportGlb } from "../../../formats/glb";
 import type { Leaf } from "../grown";
-import { LEAF } from "../species";
+import { LEAF } from "../schema";
 import type { LeafSpecimen } from "../specimen";
 import { type BakeOptions, bakedParts } from "./baked_parts";
 

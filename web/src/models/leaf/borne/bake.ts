@@ -4,7 +4,7 @@ import type { LeafFile } from "../../../plant/leaf";
 import { outlineOf } from "../presets/presets";
 import { readLeaf } from "../read_leaf";
 import { encodeLeaf } from "../request";
-import { leafFromPreset } from "../species";
+import { leafFromPreset } from "../schema";
 import type { LeafSpecimen } from "../specimen";
 import { type BorneOptions, borneLeaf } from "./borne_leaf";
 

@@ -1,7 +1,8 @@
 /** The outline that a leaf has: the preset's, moved by hand, or traced from a picture. */
+
+import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
 import { isRecord, readNumber } from "../../../specimen/read_values";
-import type { Detail } from "../../../specimen/species";
 import { packOutline, unpackOutline } from "../outline/packed";
 import { doubleArea, FEWEST_POINTS, KINDS, type Kind, MOST_POINTS, type OutlinePoint, placed } from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
@@ -11,7 +12,7 @@ const KEY = "outline";
 const LINK = "o";
 const BEFORE = "the preset's is used";
 
-export const outlinePoints: Detail<LeafSpecimen> = {
+export const outlinePoints: Field<LeafSpecimen> = {
 	keys: [LINK, KEY],
 	fresh: () => ({ outline: [] }),
 	read(specimen, key, value, notes) {

@@ -1,5 +1,5 @@
 /** The outline's points on the leaf itself. */
-import type { Change } from "../../../ui/desk";
+import type { Change } from "../../../ui/editor_context";
 import type { HandlesOf, Vector } from "../../../ui/handles/plant_handle";
 import type { LeafSpecimen } from "../specimen";
 import { bent } from "./bent";

@@ -5,7 +5,7 @@ import type { OutlineEvent } from "../outline/outline_event";
 import { CROSSES } from "../outline/outline_words";
 import { madeSymmetric, type OutlinePoint } from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
-import type { LeafDesk, LeafTool } from "./desk";
+import type { LeafContext, LeafTool } from "./context";
 import "../outline/outline_view";
 
 /** The flat view of the outline with its points. The state: whether both sides move as one. */
@@ -24,7 +24,7 @@ export const outline: LeafTool<boolean> = {
 
 const GESTURE = "outline";
 
-function draw(desk: LeafDesk): unknown {
+function draw(desk: LeafContext): unknown {
 	const { specimen, grown, grownFrom } = desk.state;
 	return html`<panicle-outline
 		.points=${specimen.outline} .veins=${grown && veinsOf(grown, (grownFrom ?? specimen).parameters.length)}
@@ -36,14 +36,14 @@ function draw(desk: LeafDesk): unknown {
 }
 
 /** Locking brings the left side to the right one's shape at once, so that what is shown is what is locked. */
-export function toggleMirror(desk: LeafDesk): void {
+export function toggleMirror(desk: LeafContext): void {
 	const mirror = !desk.toolState(outline);
 	desk.setToolState(outline, mirror);
 	if (mirror) setOutline(desk, madeSymmetric(desk.state.specimen.outline));
 }
 
 /** Another outline as one step; one that encloses nothing is none. */
-export function setOutline(desk: LeafDesk, points: OutlinePoint[]): void {
+export function setOutline(desk: LeafContext, points: OutlinePoint[]): void {
 	if (enclosesBlade(points)) desk.set({ details: { outline: points } });
 }
 

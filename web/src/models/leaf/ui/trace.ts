@@ -1,11 +1,11 @@
 import { html } from "lit";
 import { traceFile } from "../../../import/tracing/trace_file";
 import { chooseFile } from "../../../ui/choose_file";
-import type { Change } from "../../../ui/desk";
+import type { Change } from "../../../ui/editor_context";
 import { isPicture, PICTURES } from "../../../ui/picture_file";
 import type { LeafSpecimen } from "../specimen";
 import type { TracedLeaf } from "../trace/trace";
-import type { LeafDesk, LeafTool } from "./desk";
+import type { LeafContext, LeafTool } from "./context";
 
 /** An outline from a picture: chosen in the panel, or dropped on the page. */
 export const trace: LeafTool = {
@@ -19,7 +19,7 @@ export const trace: LeafTool = {
 	},
 };
 
-function draw(desk: LeafDesk): unknown {
+function draw(desk: LeafContext): unknown {
 	const altered = desk.state.specimen.outline !== desk.preset.outline;
 	const take = (file: File) => void traceLeafFile(desk, file);
 	return html`<div class="actions">
@@ -32,7 +32,7 @@ function draw(desk: LeafDesk): unknown {
 }
 
 /** Takes the outline of the leaf in a picture, as one step; what is wrong with the picture is said. */
-export function traceLeafFile(desk: LeafDesk, file: Blob): Promise<void> {
+export function traceLeafFile(desk: LeafContext, file: Blob): Promise<void> {
 	return traceFile(desk, file, {
 		tracer: async () => (await import("../trace/trace")).traceLeaf,
 		take: (traced) => {

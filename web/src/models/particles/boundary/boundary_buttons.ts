@@ -1,6 +1,6 @@
 /** What fingers press for what keys do to grips: points, obstacles and targets come and go. */
 import { html, nothing } from "lit";
-import type { Change, Desk } from "../../../ui/desk";
+import type { Change, EditorContext } from "../../../ui/editor_context";
 import type { BoundedSpecimen } from "./bounded";
 import { MOST_OBSTACLES, MOST_TARGETS } from "./details/places";
 import { boundaryPose } from "./editor/boundary_pose";
@@ -12,7 +12,7 @@ import { countOfWalls, wallsOf, withRound, withWall } from "./editor/walls";
 import { MEANT } from "./meant";
 import type { WoodenPlant } from "./wooden_plant";
 
-export function boundaryButtons<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, lay: Lay<S>): unknown {
+export function boundaryButtons<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
 	const { specimen } = desk.state;
 	const meant = gripIn(boundaryPose(lay, specimen, desk.preset), desk.toolState(MEANT));
 	const button = (words: string, change: (() => Change) | undefined) => html`<button
@@ -33,7 +33,7 @@ export function boundaryButtons<S extends BoundedSpecimen>(desk: Desk<S, WoodenP
 }
 
 /** Why numbers or hands do nothing to the targets, and the way out. */
-function targetsInWords<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, lay: Lay<S>): unknown {
+function targetsInWords<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
 	const { specimen } = desk.state;
 	const them = `${lay.target.toLowerCase()}s`;
 	if (specimen.targets) {
@@ -48,7 +48,7 @@ function targetsInWords<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, l
 		: nothing;
 }
 
-function shapedByHand<S extends BoundedSpecimen>({ state }: Desk<S, WoodenPlant>, lay: Lay<S>): Change {
+function shapedByHand<S extends BoundedSpecimen>({ state }: EditorContext<S, WoodenPlant>, lay: Lay<S>): Change {
 	const entry = state.model.table.entry("shape");
 	const shape = entry?.kind === "choice" ? entry.options.indexOf("spline") : -1;
 	return { parameters: { shape }, details: { profile: asProfile(lay, state.specimen) } };

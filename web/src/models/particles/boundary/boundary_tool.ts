@@ -1,7 +1,7 @@
 /** The flat view of outer and inner boundary from in front. */
 import { html } from "lit";
 import { guard } from "lit/directives/guard.js";
-import type { Desk } from "../../../ui/desk";
+import type { EditorContext } from "../../../ui/editor_context";
 import type { Tool } from "../../../ui/tool";
 import { boundaryButtons } from "./boundary_buttons";
 import type { BoundedSpecimen } from "./bounded";
@@ -30,7 +30,7 @@ export function boundaryTool<S extends BoundedSpecimen>(lay: Lay<S>, group: stri
 	};
 }
 
-function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, lay: Lay<S>): unknown {
+function draw<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
 	const { specimen, grown } = desk.state;
 	const laidBy = layingOut(desk);
 	return html`<panicle-boundary

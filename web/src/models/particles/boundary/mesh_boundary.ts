@@ -2,7 +2,7 @@
 
 import type { ClosedMesh } from "../../../specimen/closed_mesh";
 import { withParameters } from "../../../specimen/edit";
-import type { Species } from "../../../specimen/species";
+import type { ModelSchema } from "../../../specimen/model_schema";
 import type { Table } from "../../../specimen/table";
 import type { BoundedSpecimen } from "./bounded";
 
@@ -29,7 +29,7 @@ export function meshParameters(table: Table, { points }: ClosedMesh, tall: numbe
  * @throws MeshFileError with the reason in plain words
  */
 export async function boundedBy<S extends BoundedSpecimen>(
-	species: Species<S>,
+	species: ModelSchema<S>,
 	specimen: S,
 	file: File,
 	height: string,

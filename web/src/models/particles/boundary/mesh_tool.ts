@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import { ACCEPT } from "../../../import/mesh_file/accept";
 import { type ClosedMesh, sameMesh } from "../../../specimen/closed_mesh";
 import { fromPreset } from "../../../specimen/from_preset";
-import type { Change, Desk } from "../../../ui/desk";
+import type { Change, EditorContext } from "../../../ui/editor_context";
 import { sameDocument } from "../../../ui/same_document";
 import { FILE_TOPIC, type Tool } from "../../../ui/tool";
 import type { BoundedSpecimen } from "./bounded";
@@ -35,7 +35,7 @@ interface Taken {
 	change(mesh: ClosedMesh): Change;
 }
 
-function outer<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: string): Taken {
+function outer<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, height: string): Taken {
 	return {
 		words: "The mesh is the boundary now",
 		change: (volume) => {
@@ -46,7 +46,7 @@ function outer<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: st
 }
 
 /** The inner boundary; where nothing was bare, it is as large as the table's. */
-function inner<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>): Taken {
+function inner<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>): Taken {
 	return {
 		words: "The mesh is the inner boundary now",
 		change: (hollow) => {
@@ -58,7 +58,7 @@ function inner<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>): Taken {
 	};
 }
 
-function drawOuter<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: string): unknown {
+function drawOuter<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, height: string): unknown {
 	const { specimen, model } = desk.state;
 	if (model.table.option(specimen, "shape") !== "mesh") return nothing;
 	const { volume } = specimen;
@@ -76,7 +76,7 @@ function drawOuter<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height
 	</div>`;
 }
 
-function drawInner<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>): unknown {
+function drawInner<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>): unknown {
 	const { specimen, model } = desk.state;
 	const { hollow } = specimen;
 	const { hollow: own } = fromPreset(model, specimen.preset);
@@ -93,13 +93,13 @@ function drawInner<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>): unkno
 	</div>`;
 }
 
-function chooser<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, label: string, taken: Taken): unknown {
+function chooser<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, label: string, taken: Taken): unknown {
 	return html`<label class="button">${label}
 		<input class="unseen" type="file" accept=${ACCEPT} @change=${(event: Event) => choose(event, desk, taken)}>
 	</label>`;
 }
 
-function choose<S extends BoundedSpecimen>(event: Event, desk: Desk<S, WoodenPlant>, taken: Taken): void {
+function choose<S extends BoundedSpecimen>(event: Event, desk: EditorContext<S, WoodenPlant>, taken: Taken): void {
 	const input = event.target as HTMLInputElement;
 	const file = input.files?.[0];
 	if (file) void take(desk, file, taken);
@@ -108,11 +108,11 @@ function choose<S extends BoundedSpecimen>(event: Event, desk: Desk<S, WoodenPla
 }
 
 /** Makes a file's mesh the outer boundary, as one step; whatever is wrong with it is said. */
-export const takeMesh = <S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, file: File, height: string) =>
+export const takeMesh = <S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, file: File, height: string) =>
 	take(desk, file, outer(desk, height));
 
 async function take<S extends BoundedSpecimen>(
-	desk: Desk<S, WoodenPlant>,
+	desk: EditorContext<S, WoodenPlant>,
 	file: File,
 	{ words, change }: Taken,
 ): Promise<void> {

@@ -1,7 +1,7 @@
 /** The flat view from above: depth of the boundary, obstacles, targets. */
 import { html } from "lit";
 import { guard } from "lit/directives/guard.js";
-import type { Desk } from "../../../ui/desk";
+import type { EditorContext } from "../../../ui/editor_context";
 import type { Tool } from "../../../ui/tool";
 import type { BoundedSpecimen } from "./bounded";
 import { feetOf } from "./editor/feet";
@@ -18,7 +18,7 @@ export function planTool<S extends BoundedSpecimen>(lay: Lay<S>): Tool<S, Wooden
 	return { name: "plan", initial: undefined, editor: { title: "Plan", draw: (desk) => draw(desk, lay) } };
 }
 
-function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, lay: Lay<S>): unknown {
+function draw<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
 	const { specimen, grown, held } = desk.state;
 	const laidBy = layingOut(desk);
 	return html`<panicle-plan

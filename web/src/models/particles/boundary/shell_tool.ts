@@ -15,6 +15,6 @@ export const shellTool = <S extends BoundedSpecimen>(lay: Lay<S>): Tool<S, Woode
 		icon: ICON,
 		label: "Boundary in 3-D",
 		missed: "The boundary could not be fetched",
-		figure: async () => new (await import("../../../render/shell_figure")).ShellFigure(),
+		figure: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
 		shells: (specimen) => shellsOf(lay, specimen),
 	});

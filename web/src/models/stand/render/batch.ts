@@ -10,7 +10,7 @@ import {
 } from "three";
 import type { Colour } from "../../../plant/colour";
 import type { PackedMesh } from "../../../plant/packed_mesh";
-import { BRIM, brimsOf } from "./brims";
+import { BRIM, edgeNormalsOf } from "./edge_normals";
 import { STEPS } from "./level_choice";
 
 /** A plant's meshes of one material: as many as it has levels. */
@@ -109,7 +109,7 @@ function geometryOf(mesh: PackedMesh): BufferGeometry {
 	geometry.setAttribute("position", new BufferAttribute(positions, 3, true));
 	geometry.setAttribute("normal", new BufferAttribute(normals, 3, true));
 	geometry.setAttribute("sky", new BufferAttribute(sky, 1, true));
-	geometry.setAttribute("brim", new BufferAttribute(brimsOf(mesh), BRIM, true));
+	geometry.setAttribute("edgeNormal", new BufferAttribute(edgeNormalsOf(mesh), BRIM, true));
 	if (colours) geometry.setAttribute("color", new BufferAttribute(colours, 3, true));
 	geometry.setIndex(new BufferAttribute(indices, 1));
 	return geometry;

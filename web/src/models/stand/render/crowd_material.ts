@@ -39,10 +39,10 @@ const WIDEST = 4;
 const ENOUGH = 1.3;
 const WIDENED = /* glsl */ `
 float metre = 0.5 * projectionMatrix[1].y * viewPixels / max(-mvPosition.z, 1e-4);
-float across = brim.w * brim.w * length(batchingMatrix[0].xyz) * metre;
+float across = edgeNormal.w * edgeNormal.w * length(batchingMatrix[0].xyz) * metre;
 float lacking = min(clamp(${float(ENOUGH)} - 0.5 * across, 0.0, 1.0), ${float(WIDEST - 1)} * across);
 if (lacking > 0.0) {
-	vec3 out_ = normal + brim.xyz * (1.0 - max(0.0, dot(normal, brim.xyz)));
+	vec3 out_ = normal + edgeNormal.xyz * (1.0 - max(0.0, dot(normal, edgeNormal.xyz)));
 	mvPosition.xyz += 0.5 * lacking / metre * mat3(modelViewMatrix) * (mat3(batchingMatrix) * out_ / length(batchingMatrix[0].xyz));
 }
 `;
@@ -92,7 +92,10 @@ export function crowdMaterial(
 		lit(shader, renderer);
 		Object.assign(shader.uniforms, wind, { viewPixels });
 		shader.vertexShader = shader.vertexShader
-			.replace("#include <common>", `#include <common>\nattribute vec4 brim;\nuniform float viewPixels;\n${WIND_CHUNK}`)
+			.replace(
+				"#include <common>",
+				`#include <common>\nattribute vec4 edgeNormal;\nuniform float viewPixels;\n${WIND_CHUNK}`,
+			)
 			.replace("#include <batching_vertex>", STEM)
 			.replace("#include <project_vertex>", SWAYING)
 			.replace("#include <worldpos_vertex>", IN_WORLD);

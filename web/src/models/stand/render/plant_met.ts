@@ -1,5 +1,5 @@
 /** Which plant of a stand a line of sight meets first: crowns are taken for the upright ellipsoids that hold them. */
-import type { Ray } from "../../../render/figure";
+import type { Ray } from "../../../render/model_renderer";
 import type { StandPlant } from "../stand_plant";
 
 /** Twigs reach farther than what looks like a crown. */

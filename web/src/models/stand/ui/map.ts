@@ -3,7 +3,7 @@ import { html, nothing, svg } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { live } from "lit/directives/live.js";
 import { shortFloat } from "../../../formats/numbers";
-import type { Desk } from "../../../ui/desk";
+import type { EditorContext } from "../../../ui/editor_context";
 import { PickPointer } from "../../../ui/pick_pointer";
 import { takeFocus } from "../../../ui/take_focus";
 import type { Tool } from "../../../ui/tool";
@@ -17,7 +17,7 @@ const MARGIN = 0.05;
 /** A click so far beside a plant still means it, as a share of the map's width. */
 const NEAR = 0.04;
 
-type StandDesk = Desk<StandSpecimen, StandPlant>;
+type StandContext = EditorContext<StandSpecimen, StandPlant>;
 /** The plant that is chosen. */
 type Chosen = number | undefined;
 
@@ -71,12 +71,12 @@ function isFree({ target }: KeyboardEvent): boolean {
 }
 
 /** A plan of fewer plants may have come since. */
-function chosenIn(desk: StandDesk): Chosen {
+function chosenIn(desk: StandContext): Chosen {
 	const chosen = desk.toolState(map);
 	return chosen !== undefined && chosen < (desk.state.grown?.places.count ?? 0) ? chosen : undefined;
 }
 
-function drawMap(desk: StandDesk, stand: StandPlant): unknown {
+function drawMap(desk: StandContext, stand: StandPlant): unknown {
 	const { width, depth } = stand.ground;
 	const [wide, deep] = shownOf(stand);
 	const titles = titlesOf(stand);
@@ -155,7 +155,7 @@ function nearest(stand: StandPlant, { currentTarget, clientX, clientY }: MouseEv
 	return found;
 }
 
-function choose(desk: StandDesk, { places }: StandPlant, number: number): void {
+function choose(desk: StandContext, { places }: StandPlant, number: number): void {
 	const fits = Number.isInteger(number) && number >= 1 && number <= places.count;
 	desk.setToolState(map, fits ? number - 1 : undefined);
 }
@@ -177,7 +177,7 @@ function tell(stand: StandPlant, titles: readonly string[], plant: number): unkn
 const linkOf = ({ members, memberOf }: StandPlant, plant: number): string | undefined => members[memberOf[plant]]?.link;
 
 /** The same in the picture, in few words. */
-function drawChip(desk: StandDesk, stand: StandPlant, plant: number): unknown {
+function drawChip(desk: StandContext, stand: StandPlant, plant: number): unknown {
 	const link = linkOf(stand, plant);
 	return html`<span>${titlesOf(stand)[stand.places.kind[plant]]}</span>
 		${link === undefined ? nothing : html`<a class="button" href=${link}>Open alone</a>`}

@@ -1,9 +1,9 @@
 /** Walking through a stand: by keys, by a drag that looks around, by buttons. */
 import { html, nothing, svg } from "lit";
-import type { Desk } from "../../../ui/desk";
-import { DeskElement } from "../../../ui/desk_element";
+import type { EditorContext } from "../../../ui/editor_context";
+import { EditorElement } from "../../../ui/editor_element";
 import { takeFocus } from "../../../ui/take_focus";
-import type { Tool, ToolHands, ToolView } from "../../../ui/tool";
+import type { Tool, ToolInteraction, ToolView } from "../../../ui/tool";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
 import { atFront, gazeOf, type Pose, type Step, stepped, turned } from "../walker";
@@ -12,7 +12,7 @@ const WALK = svg`<path d="M10.5 3.2a1.3 1.3 0 1 1 0 2.6 1.3 1.3 0 0 1 0-2.6M9.8 
 
 /** Where one walks; undefined who does not. */
 type Walking = Pose | undefined;
-type StandDesk = Desk<StandSpecimen, StandPlant>;
+type StandContext = EditorContext<StandSpecimen, StandPlant>;
 
 const KEYS: Readonly<Record<string, Step>> = {
 	KeyW: "forward",
@@ -56,22 +56,22 @@ export const walk: Tool<StandSpecimen, StandPlant, Walking> = {
 		title: "Walk",
 		draw: (desk) => html`<panicle-walk-bar .desk=${desk}></panicle-walk-bar>`,
 	},
-	hands: (view, desk) => new WalkHands(view, desk),
+	hands: (view, desk) => new WalkInteraction(view, desk),
 };
 
-function go(desk: StandDesk, step: Step): void {
+function go(desk: StandContext, step: Step): void {
 	const { grown } = desk.state;
 	const pose = desk.toolState(walk);
 	if (grown && pose) desk.setToolState(walk, stepped(pose, step, grown));
 }
 
 /** The steps as buttons, while one walks. */
-class WalkBar extends DeskElement<StandDesk> {
-	protected override shows(desk: StandDesk): readonly unknown[] {
+class WalkBar extends EditorElement<StandContext> {
+	protected override shows(desk: StandContext): readonly unknown[] {
 		return [desk.toolState(walk) !== undefined];
 	}
 
-	protected override draw(desk: StandDesk): unknown {
+	protected override draw(desk: StandContext): unknown {
 		if (desk.toolState(walk) === undefined) return nothing;
 		return html`<p class="walk-keys">Arrow keys walk and turn, a drag looks around, Esc leaves.</p>
 		<div class="walk-bar">
@@ -87,15 +87,15 @@ class WalkBar extends DeskElement<StandDesk> {
 
 customElements.define("panicle-walk-bar", WalkBar);
 
-class WalkHands implements ToolHands<StandSpecimen, StandPlant> {
+class WalkInteraction implements ToolInteraction<StandSpecimen, StandPlant> {
 	readonly #view: ToolView;
-	readonly #desk: StandDesk;
+	readonly #desk: StandContext;
 	readonly #ended = new AbortController();
 	#shown: Walking;
 	#ground: StandPlant["meshes"] | undefined;
 	#drag: { readonly pointer: number; x: number; y: number } | undefined;
 
-	constructor(view: ToolView, desk: StandDesk) {
+	constructor(view: ToolView, desk: StandContext) {
 		this.#view = view;
 		this.#desk = desk;
 		const { canvas } = view;

@@ -17,7 +17,7 @@ export function readLight({ columns }: Answer): LightGrid | undefined {
 	if (!columns.has("light.cells")) return undefined;
 	const [x, y, z] = columns.words("light.counts");
 	const [lowX, lowY, lowZ, edge] = columns.floats("light.box");
-	return { cells: columns.octets("light.cells"), counts: [x, y, z], low: [lowX, lowY, lowZ], edge };
+	return { cells: columns.uint8("light.cells"), counts: [x, y, z], low: [lowX, lowY, lowZ], edge };
 }
 
 /** The points that show a grid: the middles of its cells, metres, and of each its red, green, blue and opacity, 0 … 1. */

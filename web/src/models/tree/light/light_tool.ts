@@ -1,6 +1,6 @@
 /** The light in a tree's crown, cell by cell, on and off (Rodkaew et al. 2003, figure 8). */
 import { svg } from "lit";
-import { LateHands } from "../../../ui/handles/late_hands";
+import { LazyInteraction } from "../../../ui/handles/lazy_interaction";
 import type { Tool } from "../../../ui/tool";
 import type { TreeSpecimen } from "../specimen";
 import type { TreePlant } from "../tree_plant";
@@ -15,10 +15,10 @@ export const lightTool: LightTool = {
 	press: (desk) => desk.setToolState(lightTool, !desk.toolState(lightTool)),
 	button: { icon: ICON, label: "Light in the crown", pressed: (desk) => desk.toolState(lightTool) },
 	hands: (view, desk) =>
-		new LateHands<TreeSpecimen, TreePlant>({
+		new LazyInteraction<TreeSpecimen, TreePlant>({
 			desk,
 			wanted: () => desk.toolState(lightTool),
-			fetch: async () => new (await import("./light_hands")).LightHands(view, desk, lightTool),
+			fetch: async () => new (await import("./light_interaction")).LightHands(view, desk, lightTool),
 			missed: () => desk.setToolState(lightTool, false),
 		}),
 };

@@ -189,7 +189,7 @@ BerryContacts find_contacts(std::span<const BerryFrame> frames, const BerryMerid
   BerryContacts result;
   result.first.assign(frames.size() + 1, 0);
   std::vector<SpherePair> pairs;
-  TouchingSpheres(spheres).pairs(pairs);
+  SphereOverlapQuery(spheres).pairs(pairs);
   for (const auto& [a, b] : pairs) {
     if (const auto plane = plane_between(frames[a], frames[b], meridian, reach)) {
       contacts.push_back({a, b, *plane});

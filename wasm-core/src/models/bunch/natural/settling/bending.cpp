@@ -49,7 +49,7 @@ class Bending {
       }
       ends[i] = end_of(i, internode.start);
       internode.end = ends[i];
-      if (hanging_.stalk_from[i] >= 0 && fates_[i] == Fate::stub) internode.state = State::withered;
+      if (hanging_.stalk_from[i] >= 0 && states_[i] == FlowerState::stub) internode.state = State::withered;
       if (seats_[i]) internode.radius_end *= seat_widening;
       internode.start *= metres_per_millimetre;
       internode.end *= metres_per_millimetre;
@@ -71,7 +71,7 @@ class Bending {
     for (std::size_t f = 0; f < flowers_.size(); ++f) {
       const auto bearer = static_cast<std::size_t>(flowers_[f].bearer);
       bore[bearer] = 1;
-      if (outcomes_[f].fate != Fate::fallen) stays_[bearer] = 1;
+      if (outcomes_[f].fate != FlowerState::fallen) stays_[bearer] = 1;
     }
     for (std::size_t i = internodes_.size(); i-- > 0;) {
       if (internodes_[i].kind == Kind::rachis || (is_branch(i) && !bore[i])) stays_[i] = 1;
@@ -86,7 +86,7 @@ class Bending {
 
   // Where the internodes of stalks end: as the flowers that they bear have it, in the middle where these are several.
   void place_stalks() {
-    fates_.assign(internodes_.size(), Fate::fallen);
+    states_.assign(internodes_.size(), FlowerState::fallen);
     seats_.assign(internodes_.size(), 0);
     sums_.assign(internodes_.size(), glm::vec3(0));
     counts_.assign(internodes_.size(), 0);
@@ -96,7 +96,7 @@ class Bending {
       const auto first = static_cast<std::size_t>(hanging_.stalk_from[bearer]);
       const glm::vec3 foot = internodes_[first].start, moved = moved_foot(first);
       const glm::vec3 grown = internodes_[bearer].end - foot;
-      if (outcomes_[f].fate == Fate::berry) seats_[bearer] = 1;
+      if (outcomes_[f].fate == FlowerState::berry) seats_[bearer] = 1;
       for (std::size_t i = bearer;; i = static_cast<std::size_t>(internodes_[i].parent)) {
         add(i, outcomes_[f].fate, place(outcomes_[f], moved, internodes_[i].end - foot, grown, i == bearer));
         if (i == first) break;
@@ -114,15 +114,15 @@ class Bending {
   // Of a point of a stalk, `along` from its foot where it grew; the stalk is `grown` long, and its foot now at `foot`.
   glm::vec3 place(const Outcome& outcome, const glm::vec3& foot, const glm::vec3& along, const glm::vec3& grown,
                   bool tip) const {
-    if (outcome.fate == Fate::stub) return foot + along * stub_length;
-    if (outcome.fate == Fate::flower) return foot + along * stalk_at(size_);
+    if (outcome.fate == FlowerState::stub) return foot + along * stub_length;
+    if (outcome.fate == FlowerState::flower) return foot + along * stalk_at(size_);
     return tip ? outcome.seat : foot + turned_onto(along, grown, outcome.seat - foot);
   }
 
-  void add(std::size_t i, Fate fate, const glm::vec3& end) {
-    if (fate < fates_[i]) return;
-    if (fate > fates_[i]) {
-      fates_[i] = fate;
+  void add(std::size_t i, FlowerState fate, const glm::vec3& end) {
+    if (fate < states_[i]) return;
+    if (fate > states_[i]) {
+      states_[i] = fate;
       counts_[i] = 0;
     }
     sums_[i] = counts_[i] == 0 ? end : sums_[i] + end;
@@ -143,7 +143,7 @@ class Bending {
   float size_;
   std::vector<std::uint8_t> stays_;
   // Per internode of a stalk: the fate it goes by, whether a berry sits on it, and where it ends, summed over flowers.
-  std::vector<Fate> fates_;
+  std::vector<FlowerState> states_;
   std::vector<std::uint8_t> seats_;
   std::vector<glm::vec3> sums_;
   std::vector<float> counts_;

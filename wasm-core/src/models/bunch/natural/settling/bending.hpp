@@ -12,7 +12,7 @@
 namespace panicle::bunch {
 
 // What has become of a flower. Where several share a stalk, it goes by the last of these that one of them has.
-enum class Fate : std::uint8_t {
+enum class FlowerState : std::uint8_t {
   fallen,  // and its stalk with it
   stub,    // its berry was lost, its stalk is withered
   flower,  // it hangs there and will not set
@@ -20,7 +20,7 @@ enum class Fate : std::uint8_t {
 };
 
 struct Outcome {
-  Fate fate = Fate::fallen;
+  FlowerState fate = FlowerState::fallen;
   glm::vec3 seat{0};  // of a berry: where its stalk ends, millimetres
 };
 

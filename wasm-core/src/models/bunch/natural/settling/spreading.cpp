@@ -62,7 +62,7 @@ std::vector<SpherePair> neighbours(std::span<const Hung> all, std::span<const Sw
   for (std::size_t i = 0; i < all.size(); ++i)
     spheres.push_back({all[i].centre, berries[i].late ? -1 : all[i].size.ball + all[i].size.core});
   std::vector<SpherePair> pairs;
-  TouchingSpheres(spheres).pairs(pairs, most_pairs * all.size());
+  SphereOverlapQuery(spheres).pairs(pairs, most_pairs * all.size());
   return pairs;
 }
 

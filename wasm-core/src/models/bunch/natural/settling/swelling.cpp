@@ -63,17 +63,17 @@ StemPlace place_of_stem(const glm::vec3& start, const glm::vec3& end) {
 
 class Solver {
  public:
-  Solver(std::span<const Branch> branches, std::span<const Swelling> berries, std::span<const Bound> bounds)
+  Solver(std::span<const Branch> branches, std::span<const Swelling> berries, std::span<const BunchEnvelope> bounds)
       : branches_(branches), berries_(berries), bounds_(bounds), sagging_(branches, berries) {
     for (const Branch& branch : branches) ends_.push_back(branch.end);
     for (const Swelling& berry : berries) {
       headings_.push_back(berry.heading);
       centres_.push_back(branches[berry.branch].end + berry.heading * (berry.stalk + berry.half_length * 0.1f));
     }
-    for (const Swelling& berry : berries) lost_.push_back(berry.late ? Why::not_set : Why{});
+    for (const Swelling& berry : berries) lost_.push_back(berry.late ? RemovalReason::not_set : RemovalReason{});
     sizes_.resize(berries.size());
     rests_.resize(berries.size());
-    for (const Bound& bound : bounds) turns_.emplace_back(bound.stance);
+    for (const BunchEnvelope& bound : bounds) turns_.emplace_back(bound.stance);
     leans_ = spread(branches, berries, sagging_.turned(1));
   }
 
@@ -108,7 +108,7 @@ class Solver {
       if (static_cast<float>(kept) >= near_enough * static_cast<float>(wanted)) return;
       auto places = static_cast<std::size_t>(over_missing * static_cast<float>(wanted - kept)) + 1;
       for (; next < berries_.size() && places > 0; ++next) {
-        if (lost_[next] != Why::not_set) continue;
+        if (lost_[next] != RemovalReason::not_set) continue;
         begin(next);
         --places;
       }
@@ -120,7 +120,7 @@ class Solver {
       }
       thin_out();
       for (; !young_.empty() && there() > wanted; young_.pop_back())
-        if (!gone(young_.back())) lost_[young_.back()] = Why::not_set;
+        if (!gone(young_.back())) lost_[young_.back()] = RemovalReason::not_set;
       drop_pairs();
       young_.clear();
     }
@@ -130,7 +130,7 @@ class Solver {
   void take_by_hand() {
     settled_ = true;
     for (std::size_t i = 0; i < berries_.size(); ++i)
-      if (berries_[i].taken && !gone(i)) lost_[i] = Why::by_hand;
+      if (berries_[i].taken && !gone(i)) lost_[i] = RemovalReason::by_hand;
     drop_pairs();
   }
 
@@ -142,15 +142,17 @@ class Solver {
  private:
   void begin(std::uint32_t i) {
     const Swelling& berry = berries_[i];
-    lost_[i] = Why{};
+    lost_[i] = RemovalReason{};
     headings_[i] = berry.heading;
     centres_[i] = ends_[berry.branch] + berry.heading * (berry.stalk * stalk_at(youngest));
     young_.push_back(i);
   }
 
-  std::size_t there() const { return static_cast<std::size_t>(std::count(lost_.begin(), lost_.end(), Why{})); }
+  std::size_t there() const {
+    return static_cast<std::size_t>(std::count(lost_.begin(), lost_.end(), RemovalReason{}));
+  }
 
-  bool gone(std::size_t i) const { return lost_[i] != Why{}; }
+  bool gone(std::size_t i) const { return lost_[i] != RemovalReason{}; }
 
   // Berries point away from where their pedicels grow.
   void aim() {
@@ -304,7 +306,7 @@ class Solver {
   void keep_within() {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
       if (gone(i)) continue;
-      const Bound& bound = bounds_[berries_[i].bunch];
+      const BunchEnvelope& bound = bounds_[berries_[i].bunch];
       const Uprighting& turn = turns_[berries_[i].bunch];
       glm::vec3 c = turn.place(centres_[i]);
       const glm::vec3 before = c;
@@ -353,7 +355,7 @@ class Solver {
     for (int round = 0; round < rounds; ++round) {
       const std::vector<std::uint32_t> lost = crowded_out(pressing, sizes_);
       if (lost.empty()) break;
-      for (const std::uint32_t i : lost) lost_[i] = Why::no_room;
+      for (const std::uint32_t i : lost) lost_[i] = RemovalReason::no_room;
       std::erase_if(pressing, [&](const Press& press) { return gone(press.a) || gone(press.b); });
     }
     drop_pairs();
@@ -368,17 +370,17 @@ class Solver {
 
   std::span<const Branch> branches_;
   std::span<const Swelling> berries_;
-  std::span<const Bound> bounds_;
+  std::span<const BunchEnvelope> bounds_;
   std::vector<glm::vec3> ends_, centres_, headings_, rests_, leans_;
   Sagging sagging_;
   std::span<const glm::quat> turned_;  // the branches, at this step
   std::vector<SwollenSize> sizes_;     // of the berries, at this step
   std::vector<std::uint32_t> young_;   // those that are catching up
   float young_share_ = 1;              // how far they have come
-  std::vector<Why> lost_;
+  std::vector<RemovalReason> lost_;
   bool settled_ = false;
   std::vector<Uprighting> turns_;
-  TouchingSpheres nearby_;
+  SphereOverlapQuery nearby_;
   std::vector<SpherePair> pairs_;  // berries that may touch
   std::vector<Leaning> leaning_;   // by stem
   std::vector<float> pushes_, bound_pushes_;
@@ -389,8 +391,8 @@ class Solver {
 
 float stalk_at(float size) { return 0.55f + 0.45f * std::min(1.0f, size / 0.6f); }
 
-Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berries, std::span<const Bound> bounds,
-              std::span<const float> scales, std::size_t wanted) {
+Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berries,
+              std::span<const BunchEnvelope> bounds, std::span<const float> scales, std::size_t wanted) {
   Solver solver(branches, berries, bounds);
   const auto full = std::max_element(scales.begin(), scales.end());
   int index = 0;

@@ -36,7 +36,7 @@ struct Swelling {
 };
 
 // An outline as it hangs; millimetres.
-struct Bound {
+struct BunchEnvelope {
   Envelope envelope;
   Stance stance;
 };
@@ -45,7 +45,7 @@ struct Swollen {
   std::vector<glm::vec3> ends;        // of the branches
   std::vector<glm::vec3> centres;     // of the berries
   std::vector<glm::vec3> directions;  // unit, from the pedicel's foot to the berry's tip
-  std::vector<Why> lost;              // of the berries; 0 for those that are there, not_set for who never joined
+  std::vector<RemovalReason> lost;    // of the berries; 0 for those that are there, not_set for who never joined
   SwellingWork work;
 };
 
@@ -54,7 +54,7 @@ float stalk_at(float size);
 
 // `scales`: the berries' size over the ripe one, step by step; the last is the size they end with. Where fewer than
 // `wanted` berries find room, late ones grow up in the gaps; 0: none do.
-Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berries, std::span<const Bound> bounds,
-              std::span<const float> scales, std::size_t wanted = 0);
+Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berries,
+              std::span<const BunchEnvelope> bounds, std::span<const float> scales, std::size_t wanted = 0);
 
 }  // namespace panicle::bunch

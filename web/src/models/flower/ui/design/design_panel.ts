@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { chooseFile } from "../../../../ui/choose_file";
 import { ControlElement } from "../../../../ui/control_element";
-import type { Stateful } from "../../../../ui/desk";
+import type { Stateful } from "../../../../ui/editor_context";
 import { HeldKey } from "../../../../ui/held_key";
 import { PICTURES } from "../../../../ui/picture_file";
 import { sliderRow } from "../../../../ui/slider_row";
@@ -14,7 +14,7 @@ import { type Description, described } from "../../design/description";
 import { type Design, describedIn } from "../../design/design";
 import { FIELDS, type Field, type NumberField, ORGANS, type Organ } from "../../design/organs";
 import { DRAWN } from "../../design/shapes";
-import { type Drafts, descriptionsIn, designIn, type FlowerDesk, writing } from "./drafts";
+import { type Drafts, descriptionsIn, designIn, type FlowerContext, writing } from "./drafts";
 import { floralFormula } from "./floral_diagram";
 import { pointsOf } from "./outline_scene";
 import { traceInto } from "./trace";
@@ -33,7 +33,7 @@ const UNHEEDED: Readonly<Record<string, (values: Description["values"]) => boole
 	lip: ({ symmetry }) => symmetry !== "irregular",
 };
 
-class OrgansPanel extends ControlElement<FlowerDesk> {
+class OrgansPanel extends ControlElement<FlowerContext> {
 	static override properties = {
 		...ControlElement.properties,
 		tool: { attribute: false },
@@ -46,11 +46,11 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 	#refused: { readonly of: string; readonly value: number; readonly text: string } | undefined;
 	readonly #held = new HeldKey(() => this.drafts.settle(this.desk));
 
-	protected override shows({ state, toolState }: FlowerDesk): readonly unknown[] {
+	protected override shows({ state, toolState }: FlowerContext): readonly unknown[] {
 		return [designIn(state.specimen), toolState.call(this.desk, this.tool)];
 	}
 
-	protected override draw(desk: FlowerDesk): unknown {
+	protected override draw(desk: FlowerContext): unknown {
 		const design = designIn(desk.state.specimen);
 		return design ? this.#draw(design) : nothing;
 	}

@@ -9,10 +9,10 @@ import { assembled } from "../../design/design";
 import { designedNear } from "../../design/near";
 import { ORGANS, type Organ } from "../../design/organs";
 import type { FlowerPlant } from "../../flower_plant";
-import { FLOWER } from "../../species";
+import { FLOWER } from "../../schema";
 import type { FlowerSpecimen } from "../../specimen";
 import type { DesignEvent } from "./design_view";
-import { Drafts, descriptionsIn, designIn, type FlowerDesk, writing } from "./drafts";
+import { Drafts, descriptionsIn, designIn, type FlowerContext, writing } from "./drafts";
 import { elevation } from "./elevation";
 import { floralDiagram } from "./floral_diagram";
 import { outlineScene } from "./outline_scene";
@@ -100,7 +100,7 @@ function view(
 }
 
 function draw(
-	desk: FlowerDesk,
+	desk: FlowerContext,
 	title: string,
 	of: (descriptions: readonly Description[], chosen: Organ) => Scene,
 ): unknown {
@@ -115,7 +115,7 @@ function draw(
 }
 
 /** A flat view as a file, with nothing chosen in it. */
-function saveScene(desk: FlowerDesk, name: string, of: (descriptions: readonly Description[]) => Scene): void {
+function saveScene(desk: FlowerContext, name: string, of: (descriptions: readonly Description[]) => Scene): void {
 	const { specimen } = desk.state;
 	const design = designIn(specimen);
 	if (!design) return;
@@ -125,7 +125,7 @@ function saveScene(desk: FlowerDesk, name: string, of: (descriptions: readonly D
 }
 
 /** Whoever takes hold of an organ's handle means that organ. */
-function meant(desk: FlowerDesk, handle: string): void {
+function meant(desk: FlowerContext, handle: string): void {
 	const organ = ORGANS.find((each) => handle.startsWith(`${each}-`));
 	if (organ && organ !== desk.toolState(designTool)) desk.setToolState(designTool, organ);
 }

@@ -1,7 +1,7 @@
 /** Choices and drags written into a flower's text: what was edited by hand is merged in, and what cannot be kept is told. */
 
 import { type GrammarSource, textOf as grownText, withText } from "../../../../grammar_editor/source";
-import type { Desk } from "../../../../ui/desk";
+import type { EditorContext } from "../../../../ui/editor_context";
 import { sameDocument } from "../../../../ui/same_document";
 import { choose } from "../../design/choose";
 import { type Description, lineOf } from "../../design/description";
@@ -11,7 +11,7 @@ import type { FlowerSpecimen } from "../../specimen";
 import { fetchedText } from "../../texts";
 import { source } from "../text";
 
-export type FlowerDesk = Desk<FlowerSpecimen, FlowerPlant>;
+export type FlowerContext = EditorContext<FlowerSpecimen, FlowerPlant>;
 
 const GESTURE = "design";
 
@@ -64,7 +64,7 @@ export class Drafts {
 	#last: Written | undefined;
 
 	/** While the hand moves. */
-	edit(desk: FlowerDesk, descriptions: readonly Description[], run?: string): void {
+	edit(desk: FlowerContext, descriptions: readonly Description[], run?: string): void {
 		// What is there now may be of another hand: an undo, the editor, another plant.
 		const { specimen } = desk.state;
 		if (!this.#last || valuedText(specimen) !== this.#last.text) this.#before = designIn(specimen);
@@ -74,7 +74,7 @@ export class Drafts {
 	}
 
 	/** Its end: one step, and what was lost is told. */
-	settle(desk: FlowerDesk): void {
+	settle(desk: FlowerContext): void {
 		desk.settle(GESTURE);
 		const done = this.#last;
 		this.#before = undefined;
@@ -83,7 +83,7 @@ export class Drafts {
 	}
 
 	/** A choice by itself. */
-	set(desk: FlowerDesk, description: Description): void {
+	set(desk: FlowerContext, description: Description): void {
 		const design = designIn(desk.state.specimen);
 		if (!design) return;
 		const all = descriptionsIn(design).map((each) => (each.organ === description.organ ? description : each));
@@ -94,7 +94,7 @@ export class Drafts {
 
 const MOST_TOLD = 4;
 
-function tell(desk: FlowerDesk, { text, lost, kept }: Written): void {
+function tell(desk: FlowerContext, { text, lost, kept }: Written): void {
 	const isStill = sameDocument(desk);
 	const keep = () => {
 		if (isStill() && valuedText(desk.state.specimen) === text) desk.set(writing(desk.state.specimen, kept));

@@ -4,10 +4,10 @@ import { described } from "../../design/description";
 import { describedIn } from "../../design/design";
 import type { Organ } from "../../design/organs";
 import { DRAWN } from "../../design/shapes";
-import { type Drafts, designIn, type FlowerDesk } from "./drafts";
+import { type Drafts, designIn, type FlowerContext } from "./drafts";
 
 /** Takes the outline of what is in a picture for an organ, as one step; what is wrong with the picture is said. */
-export function traceInto(desk: FlowerDesk, drafts: Drafts, organ: Organ, file: Blob): Promise<void> {
+export function traceInto(desk: FlowerContext, drafts: Drafts, organ: Organ, file: Blob): Promise<void> {
 	return traceFile(desk, file, {
 		tracer: async () => {
 			const { tracedMargin } = await import("../../design/traced");

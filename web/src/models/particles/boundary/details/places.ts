@@ -1,7 +1,8 @@
 /** Lists of numbers in metres: the places that particles make for, the boxes in which nothing grows. */
+
+import type { Field } from "../../../../specimen/model_schema";
 import { type Notes, quote } from "../../../../specimen/notes";
 import { readList, readNumbers } from "../../../../specimen/read_values";
-import type { Detail } from "../../../../specimen/species";
 import { onStep } from "../../../../specimen/table";
 import type { Bounded, BoundedSpecimen } from "../bounded";
 
@@ -13,7 +14,7 @@ export const MOST_TARGETS = 60;
 /** As many as the core takes, boxes and round ones together (wasm-core/src/models/particles/obstacles.hpp). */
 export const MOST_OBSTACLES = 16;
 
-type Field = "targets" | "obstacles" | "rounds";
+type ListKey = "targets" | "obstacles" | "rounds";
 
 interface Kind {
 	/** Numbers of one of them. */
@@ -35,31 +36,31 @@ const BOXES: Kind = {
 	],
 };
 
-const KINDS: Readonly<Record<Field, Kind>> = {
+const KINDS: Readonly<Record<ListKey, Kind>> = {
 	targets: { width: 3, most: MOST_TARGETS, one: "places like “0,0,0”", ordered: (row) => row },
 	obstacles: BOXES,
 	rounds: BOXES,
 };
 
 /** Rows as a link can hold them: no more than it takes, within reach, on its steps. */
-export function fitted(field: Field, rows: readonly (readonly number[])[]): number[] {
+export function fitted(field: ListKey, rows: readonly (readonly number[])[]): number[] {
 	const { most, ordered } = KINDS[field];
 	const near = (value: number) => onStep(Math.min(Math.max(value, -FARTHEST), FARTHEST));
 	return rows.slice(0, most).flatMap((row) => ordered(row.map(near)));
 }
 
 /** `targets=x,y,z,…`. */
-export function targetsOf<S extends BoundedSpecimen>(): Detail<S> {
+export function targetsOf<S extends BoundedSpecimen>(): Field<S> {
 	return list("targets", "targets=X,Y,Z,…");
 }
 
 /** `obstacles=x,y,z,x,y,z,…`: two opposite corners of each box. */
-export function obstaclesOf<S extends BoundedSpecimen>(): Detail<S> {
+export function obstaclesOf<S extends BoundedSpecimen>(): Field<S> {
 	return list("obstacles", "obstacles=X,Y,Z,X,Y,Z,…");
 }
 
 /** `rounds=x,y,z,x,y,z,…`: two opposite corners of the box that each ellipsoid fills. */
-export function roundsOf<S extends BoundedSpecimen>(): Detail<S> {
+export function roundsOf<S extends BoundedSpecimen>(): Field<S> {
 	return { ...list<S>("rounds", "rounds=X,Y,Z,X,Y,Z,…"), agree: withObstacles };
 }
 
@@ -74,7 +75,7 @@ function withObstacles(specimen: Bounded, notes: Notes): void {
 	else delete specimen.rounds;
 }
 
-function list<S extends BoundedSpecimen>(field: Field, setting: string): Detail<S> {
+function list<S extends BoundedSpecimen>(field: ListKey, setting: string): Field<S> {
 	return {
 		keys: [field],
 		settings: [setting],
@@ -91,7 +92,7 @@ function list<S extends BoundedSpecimen>(field: Field, setting: string): Detail<
 }
 
 /** None where there are none; undefined where they cannot be read. */
-function readRows(field: Field, key: string, value: unknown, notes: Notes): number[] | undefined {
+function readRows(field: ListKey, key: string, value: unknown, notes: Notes): number[] | undefined {
 	const { width, most, one } = KINDS[field];
 	if (value === "" || (Array.isArray(value) && value.length === 0)) return [];
 	const numbers = readNumbers(Array.isArray(value) ? readList(value).flat() : value);

@@ -1,7 +1,8 @@
 /** The profile that a boundary of the shape `spline` is turned from. */
+
+import type { Field } from "../../../../specimen/model_schema";
 import { type Notes, quote } from "../../../../specimen/notes";
 import { readList, readNumbers } from "../../../../specimen/read_values";
-import type { Detail } from "../../../../specimen/species";
 import { onStep } from "../../../../specimen/table";
 import type { BoundedSpecimen, Knot } from "../bounded";
 
@@ -16,7 +17,7 @@ export function knotAt(radius: number, height: number): Knot {
 }
 
 /** Links say `profile=radius,height,…` in shares; files a list of pairs. */
-export function profileOf<S extends BoundedSpecimen>(): Detail<S> {
+export function profileOf<S extends BoundedSpecimen>(): Field<S> {
 	return {
 		keys: ["profile"],
 		settings: ["profile=RADIUS,HEIGHT,…"],

@@ -1,6 +1,6 @@
 /** Closed meshes of one's own as the outer and the inner boundary. Files carry them; they are too long for a link. */
 import { readClosedMesh, sameMesh } from "../../../../specimen/closed_mesh";
-import type { Detail } from "../../../../specimen/species";
+import type { Field } from "../../../../specimen/model_schema";
 import type { Table } from "../../../../specimen/table";
 import type { BoundedSpecimen } from "../bounded";
 
@@ -9,7 +9,7 @@ const keep = (instead: string) =>
 const MISSING = "links are too short for one, so an ellipsoid stands in its place until a file with it is dropped";
 
 /** @param table where the shape is chosen */
-export function volumeOf<S extends BoundedSpecimen>(table: Table): Detail<S> {
+export function volumeOf<S extends BoundedSpecimen>(table: Table): Field<S> {
 	const shows = (specimen: S) => table.option(specimen, "shape") === "mesh";
 	return {
 		keys: ["volume"],
@@ -34,7 +34,7 @@ const keepHollow = (instead: string) =>
 	`It is too short for the inner boundary's mesh, in whose place it brings ${instead}: download JSON or GLB to keep the mesh.`;
 
 /** The mesh of the inner boundary. */
-export function hollowOf<S extends BoundedSpecimen>(): Detail<S> {
+export function hollowOf<S extends BoundedSpecimen>(): Field<S> {
 	return {
 		keys: ["hollow"],
 		read: (specimen, key, value, notes) => {

@@ -1,7 +1,7 @@
 /** Targets as grips: where trunks stand, or roots begin. */
 
 import { onStep } from "../../../../specimen/table";
-import type { Change } from "../../../../ui/desk";
+import type { Change } from "../../../../ui/editor_context";
 import type { BoundedSpecimen } from "../bounded";
 import { fitted, MOST_TARGETS } from "../details/places";
 import { type Facing, moved, placeInWords, seen } from "./facing";

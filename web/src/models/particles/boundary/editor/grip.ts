@@ -1,5 +1,5 @@
 /** What a flat view is given to be drawn and dragged, and what it tells. */
-import type { Change } from "../../../../ui/desk";
+import type { Change } from "../../../../ui/editor_context";
 import { ARROWS, type Point } from "../../../../ui/handles/point";
 
 /** Something to take hold of, and what hands do to it: changes of the specimen that the pose was made of. */

@@ -1,5 +1,5 @@
 /** Drags of grips, one at a time: places are in the view's units, what they change are parts of a specimen. */
-import type { Change } from "../../../../ui/desk";
+import type { Change } from "../../../../ui/editor_context";
 import { type DragHost, DragSession } from "../../../../ui/handles/drag_session";
 import { gripIn, type Pose } from "./grip";
 

@@ -3,7 +3,7 @@
  * behind the grips.
  */
 import { html, type PropertyValues, type TemplateResult } from "lit";
-import type { Change } from "../../../../ui/desk";
+import type { Change } from "../../../../ui/editor_context";
 import { HandleView } from "../../../../ui/handles/handle_view";
 import type { Point } from "../../../../ui/handles/point";
 import { drawValue, valueStyle } from "../../../../ui/handles/value_label";

@@ -1,7 +1,7 @@
 /** The points of a profile as grips. */
 
 import { lengthInWords } from "../../../../plant/in_words";
-import type { Change } from "../../../../ui/desk";
+import type { Change } from "../../../../ui/editor_context";
 import type { Point } from "../../../../ui/handles/point";
 import type { BoundedSpecimen, Knot } from "../bounded";
 import { FEWEST_KNOTS, knotAt, MOST_KNOTS } from "../details/profile";

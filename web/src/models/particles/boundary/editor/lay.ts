@@ -1,7 +1,7 @@
 /** How a model's numbers lay out its boundary, seen from in front. Metres; the ground is at height 0. */
 
 import { allBut } from "../../../../specimen/all_but";
-import type { Desk } from "../../../../ui/desk";
+import type { EditorContext } from "../../../../ui/editor_context";
 import type { Point } from "../../../../ui/handles/point";
 import type { BoundedSpecimen, Knot } from "../bounded";
 import { FROM_ABOVE, FROM_FRONT } from "./facing";
@@ -49,7 +49,10 @@ export interface Lay<S extends BoundedSpecimen = BoundedSpecimen> {
 }
 
 /** All that lays out a boundary: how far particles have run to fill it does not, nor how old it is. */
-export function layingOut<S extends BoundedSpecimen>({ state, preset }: Pick<Desk<S>, "state" | "preset">): unknown[] {
+export function layingOut<S extends BoundedSpecimen>({
+	state,
+	preset,
+}: Pick<EditorContext<S>, "state" | "preset">): unknown[] {
 	return [preset, ...allBut(state.specimen, ["age"])];
 }
 

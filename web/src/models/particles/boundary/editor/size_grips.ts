@@ -1,7 +1,7 @@
 /** The ends and the side of a boundary's box as grips. */
 
 import { lengthInWords } from "../../../../plant/in_words";
-import type { Change } from "../../../../ui/desk";
+import type { Change } from "../../../../ui/editor_context";
 import type { BoundedSpecimen } from "../bounded";
 import { axisOf, type Box, type Lay, LEAST } from "./lay";
 import type { Unstepped } from "./stepped";

@@ -1,7 +1,7 @@
 /** What the grips of every flat view of a boundary share: their arrow keys, and what they can change. */
 
 import { onStep } from "../../../../specimen/table";
-import type { Change } from "../../../../ui/desk";
+import type { Change } from "../../../../ui/editor_context";
 import type { BoundedSpecimen } from "../bounded";
 import type { Grip } from "./grip";
 import { type Lay, sizeOf } from "./lay";

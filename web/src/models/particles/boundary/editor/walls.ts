@@ -1,7 +1,7 @@
 /** Boxes and ellipsoids in which nothing grows: in each view one is moved by its middle and sized by its far right corner. */
 
 import { lengthInWords } from "../../../../plant/in_words";
-import type { Change } from "../../../../ui/desk";
+import type { Change } from "../../../../ui/editor_context";
 import type { Point } from "../../../../ui/handles/point";
 import type { Bounded } from "../bounded";
 import { FARTHEST, fitted } from "../details/places";

@@ -1,0 +1,176 @@
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { AppUpdater } from "../../../web/src/app/app_updater";
+import { FakeCaches } from "../offline/fake_caches";
+
+const folder = "https://plants.example/app/";
+
+class Worker extends EventTarget {
+	postMessage = vi.fn();
+	constructor(public state: string) {
+		super();
+	}
+	become(state: string): void {
+		this.state = state;
+		this.dispatchEvent(new Event("statechange"));
+	}
+}
+
+/** A registration whose worker answers for the page already. */
+class Registration extends EventTarget {
+	scope = folder;
+	active: Worker | null = new Worker("activated");
+	installing: Worker | null = null;
+	waiting: Worker | null = null;
+	update = vi.fn(async () => {});
+	unregister = vi.fn(async () => true);
+}
+
+let registration: Registration;
+let workers: EventTarget;
+let caches: FakeCaches;
+let page: () => Promise<Response>;
+const reload = vi.fn();
+const offer = vi.fn<(reload: () => void) => void>();
+
+beforeEach(() => {
+	vi.useFakeTimers();
+	registration = new Registration();
+	workers = Object.assign(new EventTarget(), {
+		controller: registration.active,
+		getRegistration: async () => undefined,
+		register: async () => registration,
+		ready: Promise.resolve(registration),
+	});
+	page = async () => new Response('<script src="./assets/index-1.js">');
+	vi.stubGlobal("window", {});
+	vi.stubGlobal("location", { reload });
+	caches = new FakeCaches();
+	vi.stubGlobal("caches", caches);
+	vi.stubGlobal("navigator", { onLine: true, serviceWorker: workers });
+	vi.stubGlobal("fetch", () => page());
+	const document = { baseURI: folder, querySelector: () => ({ src: `${folder}assets/index-1.js` }) };
+	vi.stubGlobal("document", Object.assign(new EventTarget(), document));
+});
+afterEach(() => {
+	vi.unstubAllGlobals();
+	vi.useRealTimers();
+	vi.clearAllMocks();
+});
+
+async function started(): Promise<AppUpdater> {
+	const renewal = new AppUpdater(offer);
+	const starting = renewal.start();
+	await vi.runAllTimersAsync();
+	await starting;
+	return renewal;
+}
+
+/** The next version comes: what becomes of it when it has all it needs. */
+async function arrives(become: (worker: Worker) => void): Promise<Worker> {
+	const worker = new Worker("installing");
+	registration.installing = worker;
+	registration.dispatchEvent(new Event("updatefound"));
+	await vi.runAllTimersAsync();
+	expect(offer).not.toHaveBeenCalled();
+	registration.installing = null;
+	become(worker);
+	await vi.runAllTimersAsync();
+	return worker;
+}
+
+it("has the app kept, unless a person is to be spared data", async () => {
+	await started();
+	expect(registration.active?.postMessage).toHaveBeenLastCalledWith({ type: "opened", keep: true });
+	vi.stubGlobal("navigator", { onLine: true, serviceWorker: workers, connection: { saveData: true } });
+	await started();
+	expect(registration.active?.postMessage).toHaveBeenLastCalledWith({ type: "opened", keep: false });
+});
+
+it("offers a version that waits, and goes over to it when that is taken", async () => {
+	await started();
+	const next = await arrives((worker) => {
+		registration.waiting = worker;
+		worker.become("installed");
+	});
+	expect(offer).toHaveBeenCalledOnce();
+	expect(next.postMessage).not.toHaveBeenCalled();
+	offer.mock.lastCall?.[0]();
+	expect(next.postMessage).toHaveBeenCalledExactlyOnceWith({ type: "take over" });
+	expect(reload).not.toHaveBeenCalled();
+	workers.dispatchEvent(new Event("controllerchange"));
+	expect(reload).toHaveBeenCalledOnce();
+});
+
+it("leaves a page alone when another tab goes over to the new version", async () => {
+	await started();
+	await arrives((worker) => {
+		registration.waiting = worker;
+		worker.become("installed");
+	});
+	workers.dispatchEvent(new Event("controllerchange"));
+	expect(reload).not.toHaveBeenCalled();
+	registration.waiting = null;
+	offer.mock.lastCall?.[0]();
+	expect(reload).toHaveBeenCalledOnce();
+});
+
+it("offers nothing where the next version has failed, or had nothing to wait for", async () => {
+	await started();
+	await arrives((worker) => worker.become("redundant"));
+	await arrives((worker) => {
+		registration.active = worker;
+		worker.become("activated");
+	});
+	expect(offer).not.toHaveBeenCalled();
+});
+
+const newer = async () => new Response('<script src="./assets/index-2.js">');
+
+it("looks for a newer page when part of this one did not come", async () => {
+	const renewal = await started();
+	const look = () => Promise.all([renewal.look(), vi.runAllTimersAsync()]);
+	await look();
+	page = async () => new Response("", { status: 503 });
+	await look();
+	page = () => Promise.reject(new TypeError("no network"));
+	await look();
+	expect(offer).not.toHaveBeenCalled();
+	page = newer;
+	await look();
+	expect(offer).toHaveBeenCalledOnce();
+});
+
+it("leaves what it keeps for a newer page that cannot be kept", async () => {
+	page = newer;
+	await caches.open(`panicle ${folder} 1`);
+	await started();
+	expect(registration.update).toHaveBeenCalledOnce();
+	expect(offer).toHaveBeenCalledOnce();
+	expect(registration.unregister).not.toHaveBeenCalled();
+	offer.mock.lastCall?.[0]();
+	await vi.runAllTimersAsync();
+	expect(registration.unregister).toHaveBeenCalledOnce();
+	expect(await caches.keys()).toEqual([]);
+	expect(reload).toHaveBeenCalledOnce();
+});
+
+it("keeps a newer page that waits", async () => {
+	page = newer;
+	registration.waiting = new Worker("installed");
+	await started();
+	offer.mock.lastCall?.[0]();
+	await vi.runAllTimersAsync();
+	expect(registration.waiting?.postMessage).toHaveBeenCalledExactlyOnceWith({ type: "take over" });
+	expect(registration.unregister).not.toHaveBeenCalled();
+});
+
+it("asks for a new version when it is turned to, once an hour at the most", async () => {
+	await started();
+	const turnTo = () => document.dispatchEvent(new Event("visibilitychange"));
+	turnTo();
+	expect(registration.update).not.toHaveBeenCalled();
+	vi.setSystemTime(Date.now() + 3_600_001);
+	turnTo();
+	turnTo();
+	expect(registration.update).toHaveBeenCalledOnce();
+});

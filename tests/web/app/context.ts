@@ -1,0 +1,32 @@
+import { vi } from "vitest";
+import { Studio } from "../../../web/src/app/studio";
+import type { Surroundings } from "../../../web/src/app/surroundings";
+import { FIRST_VISIT } from "../../../web/src/app/ui_state";
+import { model as bunch } from "../../../web/src/models/bunch/index";
+import type { BunchContext } from "../../../web/src/models/bunch/ui/context";
+import type { PageModel } from "../../../web/src/models/page_model";
+import { EMPTY_PLANT } from "../../../web/src/plant/plant";
+import type { Specimen } from "../../../web/src/specimen/specimen";
+import type { EditorContext } from "../../../web/src/ui/editor_context";
+
+export const bunchModel = bunch as unknown as PageModel;
+
+/** A studio with a specimen of a model before it, the model's tools included, and what it does outside itself. */
+export async function studioWith(specimen: Specimen, model: PageModel = bunchModel, ui = FIRST_VISIT) {
+	const surroundings = {
+		grow: vi.fn(),
+		cancel: vi.fn(),
+		measure: vi.fn<Surroundings["measure"]>(async () => new Float32Array()),
+		aside: vi.fn<Surroundings["aside"]>(async () => EMPTY_PLANT),
+		settled: vi.fn(),
+		remember: vi.fn(),
+	};
+	const studio = new Studio({ model, specimen, ui, systemDark: false }, surroundings);
+	await vi.waitFor(() => {
+		if (!studio.state.face) throw new Error("The tools have not come yet.");
+	});
+	return { studio, surroundings };
+}
+
+/** The same as what the bunch's tools know it as. */
+export const bunchContext = (studio: Studio) => studio as EditorContext as unknown as BunchContext;

@@ -1,0 +1,206 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { Superseded } from "../../../web/src/core/errors";
+import { TraceReader, WINDOW, windowAbout } from "../../../web/src/grammar_editor/trace_reader";
+import type { DerivationTrace, TraceRequest } from "../../../web/src/plant/derivation_trace";
+
+/** A derivation whose strings double: 1, 2, 4 … modules. */
+function told({ step, first = 0, count = WINDOW }: TraceRequest, steps = 12): DerivationTrace {
+	const counts = Uint32Array.from({ length: steps + 1 }, (_, index) => 2 ** index);
+	const at = Math.min(step, steps);
+	const length = Math.max(0, Math.min(count, counts[at] - first));
+	const modules = Array.from({ length }, (_, index) => ({
+		text: `A(${at},${first + index})`,
+		values: [],
+		children: { first: 2 * (first + index), count: 2 },
+		last: { first: 0, count: 1 },
+	}));
+	return { counts, step: at, first, modules, segments: new Uint32Array(0), organs: new Uint32Array(0) };
+}
+
+/** Asks that are answered by hand. */
+function byHand() {
+	const asks: {
+		asked: TraceRequest;
+		signal: AbortSignal;
+		answer(chronicle?: DerivationTrace): void;
+		fail(error: Error): void;
+	}[] = [];
+	const ask = (asked: TraceRequest, signal: AbortSignal) =>
+		new Promise<DerivationTrace>((resolve, reject) => {
+			signal.addEventListener("abort", () => reject(signal.reason));
+			asks.push({ asked, signal, answer: (chronicle = told(asked)) => resolve(chronicle), fail: reject });
+		});
+	return { ask, asks };
+}
+
+const settle = () => vi.advanceTimersByTimeAsync(0);
+const shown = ({ page }: TraceReader) => page?.modules[0]?.text;
+
+describe("a derivation read window by window", () => {
+	beforeEach(() => void vi.useFakeTimers());
+	afterEach(() => void vi.useRealTimers());
+
+	async function opened() {
+		const { ask, asks } = byHand();
+		const changed = vi.fn();
+		const reader = new TraceReader(changed);
+		reader.begin(ask);
+		asks[0].answer();
+		await settle();
+		return { reader, ask, asks, changed };
+	}
+
+	it("begins with the last step", async () => {
+		const { reader, changed } = await opened();
+		expect(reader.step).toBe(12);
+		expect(shown(reader)).toBe("A(12,0)");
+		expect(reader.counts).toHaveLength(13);
+		expect(changed).toHaveBeenCalled();
+	});
+
+	it("never gives a string of another step than the one that is asked for, however fast these follow", async () => {
+		const { reader, asks } = await opened();
+		for (const step of [11, 10, 9, 8, 7]) {
+			reader.want({ step, about: 0 });
+			expect(reader.page).toBeUndefined();
+		}
+		// One is under way, of the others the newest waits.
+		expect(asks.map(({ asked }) => asked.step).slice(1)).toEqual([11]);
+		asks[1].answer();
+		await settle();
+		expect(reader.page).toBeUndefined();
+		expect(asks.map(({ asked }) => asked.step).slice(1)).toEqual([11, 7]);
+		asks[2].answer();
+		await settle();
+		expect(shown(reader)).toBe("A(7,0)");
+		// What was answered meanwhile is kept.
+		reader.want({ step: 11, about: 0 });
+		expect(shown(reader)).toBe("A(11,0)");
+		expect(asks).toHaveLength(3);
+	});
+
+	it("ends a question that takes long and is wanted no more", async () => {
+		const { reader, asks } = await opened();
+		reader.want({ step: 3, about: 0 });
+		await vi.advanceTimersByTimeAsync(100);
+		reader.want({ step: 4, about: 0 });
+		expect(asks[1].signal.aborted).toBe(false);
+		await vi.advanceTimersByTimeAsync(150);
+		expect(asks[1].signal.aborted).toBe(true);
+		expect(asks[2].asked.step).toBe(4);
+		asks[2].answer();
+		await settle();
+		expect(shown(reader)).toBe("A(4,0)");
+		expect(reader.fault).toBeUndefined();
+	});
+
+	it("goes on with a question that takes long and is wanted again", async () => {
+		const { reader, asks } = await opened();
+		for (const step of [3, 4, 3]) reader.want({ step, about: 0 });
+		await vi.advanceTimersByTimeAsync(1000);
+		expect(asks[1].signal.aborted).toBe(false);
+		reader.want({ step: 4, about: 0 });
+		expect(asks[1].signal.aborted).toBe(false);
+		await settle();
+		expect(asks[1].signal.aborted).toBe(true);
+		// The same of another document is another question.
+		const next = byHand();
+		for (const step of [5, 6]) reader.want({ step, about: 0 });
+		reader.begin(next.ask);
+		reader.want({ step: 4, about: 0 });
+		await vi.advanceTimersByTimeAsync(1000);
+		expect(asks[2].signal.aborted).toBe(true);
+	});
+
+	it("keeps a window of the same step until the one farther on has come", async () => {
+		const { reader, asks } = await opened();
+		reader.want({ step: 12, about: 3000 });
+		expect(shown(reader)).toBe("A(12,0)");
+		expect(asks[1].asked.first).toBe(2800);
+		asks[1].answer();
+		await settle();
+		expect(reader.page?.first).toBe(2800);
+	});
+
+	it("keeps the last document's string, as such, until another's has come, and drops what comes late of it", async () => {
+		const { reader, asks } = await opened();
+		const next = byHand();
+		reader.want({ step: 5, about: 0 });
+		reader.begin(next.ask);
+		expect(reader.stale).toBe(false); // There is none: step 5 was awaited.
+		asks[1].answer({ ...told({ step: 5 }), modules: [] });
+		await settle();
+		expect(reader.page).toBeUndefined();
+		next.asks[0].answer();
+		await settle();
+		expect(shown(reader)).toBe("A(5,0)");
+		const third = byHand();
+		reader.begin(third.ask);
+		expect(reader.stale).toBe(true);
+		expect(shown(reader)).toBe("A(5,0)");
+		third.asks[0].answer();
+		await settle();
+		expect(reader.stale).toBe(false);
+	});
+
+	it("stays within a string that has become shorter, and a derivation that has", async () => {
+		const { reader, asks } = await opened();
+		const next = byHand();
+		reader.want({ step: undefined, about: 4000 });
+		asks[1].answer();
+		await settle();
+		reader.begin(next.ask);
+		next.asks[0].answer({ ...told(next.asks[0].asked, 3), modules: [] });
+		await settle();
+		expect(next.asks[1].asked.first).toBe(0);
+		next.asks[1].answer(told(next.asks[1].asked, 3));
+		await settle();
+		expect(reader.step).toBe(3);
+		expect(shown(reader)).toBe("A(3,0)");
+	});
+
+	it("says why nothing comes, and goes on with the next question", async () => {
+		const { reader, asks } = await opened();
+		reader.want({ step: 2, about: 0 });
+		asks[1].fail(new Error("The core broke."));
+		await settle();
+		expect(reader.fault).toBe("The core broke.");
+		expect(reader.page).toBeUndefined();
+		// The other steps are in reach.
+		expect(reader.counts).toHaveLength(13);
+		reader.want({ step: 1, about: 0 });
+		asks[2].answer();
+		await settle();
+		expect(reader.fault).toBeUndefined();
+		expect(shown(reader)).toBe("A(1,0)");
+		const next = byHand();
+		reader.begin(next.ask);
+		next.asks[0].fail(new Error("The text is wrong."));
+		await settle();
+		expect(reader.counts).toBeUndefined();
+	});
+
+	it("asks again where another question has taken its place", async () => {
+		const { reader, asks } = await opened();
+		reader.want({ step: 2, about: 0 });
+		asks[1].fail(new Superseded());
+		await settle();
+		expect(reader.fault).toBeUndefined();
+		expect(asks.map(({ asked }) => asked.step).slice(1)).toEqual([2, 2]);
+		asks[2].answer();
+		await settle();
+		expect(shown(reader)).toBe("A(2,0)");
+	});
+});
+
+it("windows begin where they are found again, and hold what they are about", () => {
+	for (const length of [1, 599, 601, 5000, 1_000_003]) {
+		for (const about of [0, 1, 250, 4999, length - 1].filter((each) => each >= 0 && each < length)) {
+			const first = windowAbout(about, length);
+			expect(first % 200).toBe(0);
+			expect(first).toBeLessThanOrEqual(about);
+			expect(first + WINDOW).toBeGreaterThan(about);
+			expect(first === 0 || first < length).toBe(true);
+		}
+	}
+});

@@ -1,0 +1,146 @@
+/** How a bunch's text was derived, and what its environment found. */
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../web/src/core/core";
+import type { Grown } from "../../../../web/src/models/bunch/grown";
+import {
+	type DerivationTrace,
+	MOST_TOLD,
+	NOT_DRAWN,
+	type ToldModule,
+} from "../../../../web/src/plant/derivation_trace";
+import { type Specimen, specimenFromPreset, withParameters } from "../../bunch";
+import { freshCore, growBunch } from "../../core/wasm";
+
+let core: Core;
+beforeAll(async () => {
+	core = await freshCore();
+});
+
+const LAST = 0xffffffff;
+const bare = { meshes: false, measures: false };
+
+function tell(specimen: Specimen, first = 0): Grown & { chronicle: DerivationTrace } {
+	const grown = growBunch(core, specimen, { ...bare, chronicle: { step: LAST, first } });
+	if (!grown.chronicle) throw new Error("Nothing was told.");
+	return { ...grown, chronicle: grown.chronicle };
+}
+
+/** All modules of the last string. */
+function lastString(specimen: Specimen): ToldModule[] {
+	const modules: ToldModule[] = [];
+	for (;;) {
+		const more = tell(specimen, modules.length).chronicle.modules;
+		modules.push(...more);
+		if (more.length < MOST_TOLD) return modules;
+	}
+}
+
+const words = ({ answer }: ToldModule) => answer?.words ?? "";
+const withWords = (modules: ToldModule[], pattern: RegExp) => modules.filter((each) => pattern.test(words(each)));
+
+describe("the paper's bunch, told", () => {
+	const crowded = () => withParameters(specimenFromPreset("cylindrical", 1), { rmin: 30, rmax: 40 });
+
+	it("says of each pedicel whether its berry found room, and of each internode whether it was cut", () => {
+		const specimen = crowded();
+		const { counts } = growBunch(core, specimen, bare);
+		const modules = lastString(specimen);
+		const asked = modules.filter(({ text }) => text.startsWith("?E"));
+		expect(counts.withered).toBeGreaterThan(5);
+		expect(withWords(asked, /withers$/)).toHaveLength(counts.withered);
+		expect(withWords(asked, /is cut$/)).toHaveLength(counts.cut);
+		// What a cut leaves out is never asked.
+		expect(withWords(asked, /there is room/)).toHaveLength(counts.internodes - counts.withered);
+	});
+
+	it("tells the production that drew each answer, with what it was answered", () => {
+		const modules = lastString(crowded());
+		const withered = withWords(modules, /withers$/);
+		const set = withWords(modules, /there is room/).filter(({ text }) => text.startsWith("?E(1"));
+		expect(new Set(withered.map(({ fires }) => fires?.line)).size).toBe(1);
+		expect(new Set(set.map(({ fires }) => fires?.line)).size).toBe(1);
+		expect(withered[0].fires).not.toEqual(set[0].fires);
+		for (const { answer, values } of [...withered, ...set]) {
+			expect(values.map(({ name }) => name)).toEqual(["type", "theta", "phi", "l", "w", "b"]);
+			expect(values.map(({ value }) => value)).toEqual(answer?.answered);
+		}
+		for (const { answer } of withered) expect(answer?.answered[3]).toBe("10");
+	});
+
+	it("names what stands in the way, which is there", () => {
+		const specimen = crowded();
+		const { berries, chronicle } = tell(specimen);
+		const modules = lastString(specimen);
+		const bearing = new Set(chronicle.organs);
+		expect(bearing.size).toBe(berries.count);
+		const named = withWords(modules, /overlaps the berry of module \d+ by \d/);
+		expect(named.length).toBeGreaterThan(10);
+		for (const module of named) {
+			const [, berry, depth] = /berry of module (\d+) by ([\d.]+)/.exec(words(module)) ?? [];
+			expect(bearing).toContain(Number(berry));
+			expect(Number(depth)).toBeGreaterThan(0);
+			expect(Number(depth)).toBeLessThan(80);
+		}
+		for (const other of withWords(modules, /internode of module/)) {
+			const [, index] = /internode of module (\d+)/.exec(words(other)) ?? [];
+			expect(modules[Number(index)].text).toMatch(/^\?E\(0/);
+		}
+	});
+
+	it("tells how far what found room had to turn for it, and from what", () => {
+		const turned = withWords(lastString(specimenFromPreset("long-conical", 1)), /^there is room after/);
+		expect(turned.length).toBeGreaterThan(2);
+		for (const module of turned)
+			expect(words(module)).toMatch(
+				/after [\d.]+° in \d+ turns?; straight on it (overlaps|touches) the (berry|internode) of/,
+			);
+	});
+
+	it("says nothing of a second bunch, and who it is that stands in the way", () => {
+		const specimen = withParameters(crowded(), { wing: 0.7 });
+		const { internodes, chronicle, counts } = tell(specimen);
+		const drawn = chronicle.segments.filter((module) => module !== NOT_DRAWN);
+		expect(chronicle.segments).toHaveLength(internodes.count);
+		expect(drawn.length).toBeLessThan(internodes.count);
+		expect(drawn.length).toBeGreaterThan(counts.internodes / 3);
+		expect(withWords(lastString(specimen), /of the second bunch/).length).toBeGreaterThan(0);
+	});
+});
+
+describe("the natural bunch, told", () => {
+	it("is the same bunch, and says what became of each flower", () => {
+		const specimen = specimenFromPreset("long-conical");
+		const plain = growBunch(core, specimen, bare);
+		const modules = lastString(specimen);
+		expect(plain.chronicle).toBeUndefined();
+		expect(tell(specimen).fingerprint).toBe(plain.fingerprint);
+		const why = (reason: string) => plain.thinned.filter((each) => each.why === reason).length;
+		expect(withWords(modules, /did not set/)).toHaveLength(why("not set"));
+		expect(withWords(modules, /pressed harder/)).toHaveLength(why("no room"));
+		expect(withWords(modules, /within the outline/)).toHaveLength(why("outside"));
+		expect(withWords(modules, /it bears the berry|does not set/)).toHaveLength(plain.berries.count);
+		const [taken] = plain.berries.ids ?? [];
+		const thinned = { ...specimen, thinned: [taken] };
+		expect(withWords(lastString(thinned), /by hand/)).toHaveLength(1);
+	});
+
+	it("knows which modules drew what hangs there", () => {
+		for (const name of ["long-conical", "riesling"]) {
+			const specimen = specimenFromPreset(name);
+			const { chronicle, internodes, berries } = tell(specimen);
+			const modules = lastString(specimen);
+			expect(chronicle.segments).toHaveLength(internodes.count);
+			expect(chronicle.organs).toHaveLength(berries.count);
+			for (const module of chronicle.segments) if (module !== NOT_DRAWN) expect(modules[module].text).toMatch(/^\?E\(/);
+			for (const module of chronicle.organs) if (module !== NOT_DRAWN) expect(modules[module].text).toMatch(/^\?E\(1/);
+			expect(chronicle.segments.filter((module) => module !== NOT_DRAWN).length).toBeGreaterThan(internodes.count / 2);
+		}
+	});
+
+	it("grows to a step alone where that is asked for", () => {
+		const specimen = specimenFromPreset("long-conical");
+		const three = growBunch(core, specimen, { ...bare, steps: 3, chronicle: { step: LAST } });
+		expect(three.chronicle?.step).toBe(3);
+		expect([...(three.chronicle?.counts ?? [])]).toEqual([...tell(specimen).chronicle.counts.slice(0, 4)]);
+	});
+});

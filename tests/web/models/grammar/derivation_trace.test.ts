@@ -1,0 +1,147 @@
+/** How a text was derived, as the model gives it. */
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../web/src/core/core";
+import { exportJson, writeJson } from "../../../../web/src/formats/json";
+import type { GrammarPlant } from "../../../../web/src/models/grammar/grammar_plant";
+import { model } from "../../../../web/src/models/grammar/index";
+import type { GrammarSpecimen } from "../../../../web/src/models/grammar/specimen";
+import { fetchTexts } from "../../../../web/src/models/grammar/texts";
+import type { TraceRequest } from "../../../../web/src/plant/derivation_trace";
+import { fromPreset } from "../../../../web/src/specimen/from_preset";
+import { freshCore } from "../../core/wasm";
+
+let core: Core;
+beforeAll(async () => {
+	await fetchTexts();
+	core = await freshCore("grammar.wasm");
+});
+
+const of = (grammar: string): GrammarSpecimen => ({ ...fromPreset(model), grammar });
+const grow = (specimen: GrammarSpecimen, chronicle: TraceRequest, steps?: number): GrammarPlant =>
+	model.read(
+		core.grow(
+			model.encode(specimen, { meshes: false, string: true, chronicle, ...(steps === undefined ? {} : { steps }) }),
+		),
+	);
+const tell = (grammar: string, chronicle: TraceRequest) => {
+	const told = grow(of(grammar), chronicle).chronicle;
+	if (!told) throw new Error("Nothing was told.");
+	return told;
+};
+
+const TWIGS = "axiom: A(1)\nA(n) : {m = n/2} n<3 --> F(m) [ +(40) A(n+1) ] A(n+1)\n";
+
+describe("a derivation that a text's plant tells", () => {
+	it("is told module by module", () => {
+		const told = tell(TWIGS, { step: 1, module: 9 });
+		expect([...told.counts]).toEqual([1, 6, 16]);
+		expect(told.modules.map(({ text }) => text)).toEqual(["F(0.5)", "[", "+(40)", "A(2)", "]", "A(2)"]);
+		expect(told.modules[3]).toEqual({
+			text: "A(2)",
+			parent: 0,
+			production: { line: 2, column: 1 },
+			fires: { line: 2, column: 1 },
+			values: [
+				{ name: "n", value: "2" },
+				{ name: "m", value: "1" },
+			],
+			children: { first: 3, count: 6 },
+			last: { first: 3, count: 6 },
+		});
+		expect(told.modules[0]).toEqual({
+			text: "F(0.5)",
+			parent: 0,
+			production: { line: 2, column: 1 },
+			values: [],
+			children: { first: 0, count: 1 },
+			last: { first: 0, count: 1 },
+		});
+		expect([...(told.trail ?? [])]).toEqual([0, 4, 9]);
+	});
+
+	it("has for each module the productions that do not rewrite it, and why", () => {
+		const [bud, twig] = tell("axiom: A(3) B\nA(n) : n>3 --> F\nA --> F\nA(n) --> F", { step: 0 }).modules;
+		expect(bud.refusals).toEqual([
+			{ production: { line: 2, column: 1 }, why: "its condition is false with n = 3" },
+			{ production: { line: 3, column: 1 }, why: "it is for no parameters, and the module has 1 parameter" },
+		]);
+		expect(bud.fires).toEqual({ line: 4, column: 1 });
+		expect(twig).not.toHaveProperty("refusals");
+	});
+
+	it("tells what drew the lines", () => {
+		const told = tell(TWIGS, { step: 1, module: 9 });
+		expect([...told.segments]).toEqual([0, 3, 10]);
+		const [axiom] = tell(TWIGS, { step: 0 }).modules;
+		expect(axiom.parent).toBeUndefined();
+		expect(axiom.production).toBeUndefined();
+	});
+
+	it("tells the chances of what is drawn, and nothing of modules that are not there", () => {
+		const told = tell("axiom: A\nA --> B : 3\nA --> C : 1\n", { step: 0, module: 1 });
+		const { total, weight, drawn } = told.modules[0].chance ?? { total: 0, weight: 0, drawn: 0 };
+		expect(total).toBe(4);
+		expect(weight).toBe(drawn < 3 ? 3 : 1);
+		expect(told.trail).toBeUndefined();
+		expect(tell(TWIGS, { step: 1, first: 6 }).modules).toEqual([]);
+	});
+
+	it("tells what the environment was asked and answered", () => {
+		const hedge = [
+			"derivation length: 4",
+			"axiom: F A ?E(0.9, 0)",
+			"A > ?E(r,n) : n<3 --> F [ +(55) A ?E(0.9,0) ] A",
+			"A > ?E(r,n) : n>=3 --> ~leaf(0.6)",
+		].join("\n");
+		const told = tell(hedge, { step: 3 });
+		const answered = told.modules.filter(({ answer }) => answer);
+		expect(answered.length).toBeGreaterThan(1);
+		for (const { text, answer } of answered) {
+			expect(text).toBe(`?E(${answer?.asked?.join()})`);
+			expect(answer?.answered[0]).toBe("0.9");
+		}
+		// What was answered decides what fires before it.
+		for (const [index, { fires }] of told.modules.entries()) {
+			const next = told.modules[index + 1]?.answer;
+			if (fires && next) expect(fires.line).toBe(Number(next.answered[1]) < 3 ? 3 : 4);
+		}
+		const [, asking] = tell("derivation length: 1\naxiom: F ?P(0,0,0)", { step: 0 }).modules;
+		expect(asking.answer).toEqual({ answered: ["0", "1", "0"] });
+	});
+
+	it("ends in the string of every preset, one module after the other, and changes nothing of the plant", () => {
+		for (const { name } of model.presets.list.filter((_, index) => index % 6 === 0)) {
+			const specimen = fromPreset(model, name);
+			const grown = grow(specimen, { step: 4096, count: 300 });
+			const plain = model.read(core.grow(model.encode(specimen, { meshes: false })));
+			expect(plain.chronicle).toBeUndefined();
+			expect(grown.fingerprint).toBe(plain.fingerprint);
+			expect(grown.notes).toEqual(plain.notes);
+			expect(grown.chronicle?.counts.at(-1)).toBe(grown.counts.modules);
+			const start = (grown.chronicle?.modules ?? []).map(({ text }) => text).join("");
+			expect(grown.string?.replaceAll(" ", "").startsWith(start.replaceAll(" ", ""))).toBe(true);
+		}
+	});
+
+	it("grows to a step alone where that is asked for, and refuses windows that are too long", () => {
+		const one = grow(of(TWIGS), { step: 1 }, 1);
+		expect(one.string).toBe("F(0.5)[+(40)A(2)]A(2)");
+		expect(one.chronicle?.step).toBe(1);
+		expect(() => grow(of(TWIGS), { step: 0, count: 2001 })).toThrow(/At most 2000 modules/);
+	});
+
+	it("stands in the JSON document", () => {
+		const specimen = of(TWIGS);
+		const grown = grow(specimen, { step: 2, count: 1 });
+		const json = exportJson(model, grown, specimen);
+		expect(json.chronicle).toEqual({
+			counts: [1, 6, 16],
+			step: 2,
+			first: 0,
+			modules: [
+				{ text: "F(0.5)", parent: 0, values: [], children: { first: 0, count: 0 }, last: { first: 0, count: 1 } },
+			],
+		});
+		expect(JSON.parse(writeJson(model, grown, specimen).toString())).toEqual(JSON.parse(JSON.stringify(json)));
+	});
+});

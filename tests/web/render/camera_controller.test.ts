@@ -1,0 +1,253 @@
+import { Vector3 } from "three";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { CameraController } from "../../../web/src/render/camera_controller";
+import { spindleOf } from "../../../web/src/render/camera_fit";
+import { sampleBunch } from "../models/bunch/sample_bunch";
+
+const spindle = (count: number, length: number) => {
+	const bunch = sampleBunch(count, 1, length);
+	return spindleOf({ spheres: bunch.berries.spheres, points: bunch.internodes.ends });
+};
+
+/** As much of an element as OrbitControls asks for. */
+function element(): HTMLElement {
+	const stub = {
+		style: {},
+		clientWidth: 800,
+		clientHeight: 500,
+		addEventListener: vi.fn(),
+		removeEventListener: vi.fn(),
+		getRootNode: () => stub,
+		ownerDocument: { addEventListener: vi.fn(), removeEventListener: vi.fn() },
+	};
+	return stub as unknown as HTMLElement;
+}
+
+describe("CameraController", () => {
+	let table: CameraController;
+	let near: Vector3;
+	const changed = vi.fn();
+	beforeEach(() => {
+		table = new CameraController(element(), true, changed);
+		table.setAspect(1.6);
+		table.follow(spindle(90, 0.16), false);
+		near = table.controls.target.clone().lerp(table.camera.position, 0.1);
+		changed.mockClear();
+	});
+	afterEach(() => table.dispose());
+
+	const pose = () => [...table.camera.position.toArray(), ...table.controls.target.toArray()];
+
+	const expectPose = (expected: number[]) => {
+		pose().forEach((value, k) => {
+			expect(value).toBeCloseTo(expected[k], 9);
+		});
+	};
+
+	it("draws all of both on the way from a seedling to a tree a hundred times as tall, and back", () => {
+		table.reducedMotion = false;
+		const { camera } = table;
+		const [small, large] = [spindle(90, 0.16), spindle(90, 16)];
+		table.follow(large, false);
+		table.advance(1000);
+		table.advance(1160);
+		const reach = table.controls.target.length() + 20;
+		expect(camera.far).toBeGreaterThan(table.distance + reach);
+		table.advance(2000);
+		expect(camera.far).toBeGreaterThan(table.distance + reach);
+		table.follow(small, false);
+		table.advance(3000);
+		table.advance(4000);
+		expect(camera.near).toBeLessThan(0.5 * table.distance);
+		expect(camera.far).toBeLessThan(20 * table.distance);
+	});
+
+	it("fits a tree that goes on growing while the view is on its way", () => {
+		table.reducedMotion = false;
+		for (let i = 1; i <= 12; i++) {
+			table.follow(spindle(90, 0.16 * 1.2 ** i), false);
+			table.advance(100 * i);
+		}
+		table.advance(2000);
+		table.advance(4000);
+		const { distance } = table;
+		table.fit();
+		expect(distance / table.distance).toBeCloseTo(1, 1);
+	});
+
+	it("glides, and stops gliding when motion becomes unwelcome", () => {
+		table.reducedMotion = false;
+		const before = table.distance;
+		table.follow(spindle(90, 0.3), false);
+		expect(table.advance(1000)).toBe(true);
+		table.advance(1040);
+		const under = table.distance;
+		expect(under).toBeGreaterThan(before);
+		expect(table.controls.enableDamping).toBe(true);
+		table.reducedMotion = true;
+		table.advance(1041);
+		expect(table.advance(1042)).toBe(false);
+		expect(table.distance).toBeGreaterThan(under * 1.05);
+		expect(table.controls.enableDamping).toBe(false);
+	});
+
+	it("has the eye of who walks stay where it was put, and see all of what grows meanwhile", () => {
+		table.look({ eye: [0, 1, 2], towards: [0, 1, 1] });
+		const before = pose();
+		table.zoom(2);
+		table.pan(0.1, 0.1);
+		table.orbit(0.5, 0.2);
+		table.fit("side");
+		expectPose(before);
+		table.follow(spindle(90, 200), false);
+		expectPose(before);
+		expect(table.camera.far).toBeGreaterThan(400);
+		const far = table.camera.far;
+		table.look({ eye: [0, 1, 1], towards: [0, 1, 0] });
+		expect(table.camera.far).toBe(far);
+		table.look(undefined);
+		expect(table.distance).toBeGreaterThan(200);
+	});
+
+	it("stands still while a drag changes the bunch a little", () => {
+		const before = pose();
+		table.follow(spindle(90, 0.165), false);
+		table.advance(1000);
+		expectPose(before);
+	});
+
+	it("goes back from a plant that outgrows the view under a control in hand, and does nothing else meanwhile", () => {
+		const before = table.distance;
+		table.follow(spindle(90, 0.3), true);
+		table.advance(1000);
+		const { distance } = table;
+		expect(distance).toBeGreaterThan(1.4 * before);
+		table.follow(spindle(90, 0.1), true);
+		table.advance(2000);
+		expect(table.distance).toBeCloseTo(distance, 9);
+		table.follow(spindle(90, 0.1), false);
+		table.advance(3000);
+		expect(table.distance).toBeLessThan(0.7 * distance);
+	});
+
+	it("keeps all of a plant in the picture that bends aside and grows while pointers do not turn it, and never comes nearer", () => {
+		// A stem of balls that bends to the right by an angle, as long as said.
+		const stem = (length: number, degrees: number) => {
+			const spheres: number[] = [];
+			let [x, y] = [0, 0];
+			for (let i = 0; i < 16; i++) {
+				const angle = (degrees * i * Math.PI) / (180 * 16);
+				x += (length / 16) * Math.sin(angle);
+				y += (length / 16) * Math.cos(angle);
+				spheres.push(x, y, 0, 0.002);
+			}
+			return { spindle: spindleOf({ spheres: Float32Array.from(spheres), points: new Float32Array(0) }), head: [x, y] };
+		};
+		table.setAspect(0.7);
+		table.keepsWhole = true;
+		table.controls.enabled = false;
+		let { distance } = table;
+		for (const [length, degrees] of [
+			[0.2, 0],
+			[0.2, 85],
+			[0.5, -85],
+			[0.1, 20],
+			[0.4, 85],
+		]) {
+			const { spindle: bent, head } = stem(length, degrees);
+			table.follow(bent, true);
+			table.advance(1000);
+			table.advance(2000);
+			const seen = new Vector3(head[0], head[1], 0).project(table.camera);
+			expect(Math.max(Math.abs(seen.x), Math.abs(seen.y)), `${length} m, ${degrees}°`).toBeLessThan(1);
+			expect(table.distance).toBeGreaterThan(0.999 * distance);
+			distance = table.distance;
+		}
+		table.keepsWhole = false;
+		table.follow(stem(0.1, 0).spindle, false);
+		table.advance(3000);
+		expect(table.distance).toBeLessThan(0.7 * distance);
+	});
+
+	it("follows a bunch that has outgrown the view, but not while a handle in the scene is held", () => {
+		const before = table.distance;
+		table.controls.enabled = false;
+		table.follow(spindle(90, 0.3), true);
+		table.advance(1000);
+		expect(table.distance).toBeCloseTo(before, 9);
+		table.controls.enabled = true;
+		table.follow(spindle(90, 0.3), false);
+		expect(changed).toHaveBeenCalled();
+		table.advance(2000);
+		expect(table.distance).toBeGreaterThan(1.4 * before);
+	});
+
+	it("comes back to where it was after a picture of another shape, turned and zoomed as it is", () => {
+		table.orbit(0.7, 0.5);
+		table.zoom(1.7);
+		table.follow(spindle(90, 0.167), false);
+		const before = pose();
+		table.setAspect(0.5);
+		table.setAspect(1.6);
+		expectPose(before);
+	});
+
+	it("zooms and pans within reason", () => {
+		const { distance } = table;
+		table.zoom(1e6);
+		expect(table.distance).toBeGreaterThan(0.1 * distance);
+		table.zoom(1e-6);
+		expect(table.distance).toBeLessThan(10 * distance);
+		for (let i = 0; i < 50; i++) table.pan(1, 1);
+		table.fit();
+		expect(table.distance).toBeCloseTo(distance, 6);
+	});
+
+	/** Where a point of the plant's near side is in the view: right, up. */
+	const seen = () => {
+		table.camera.updateMatrixWorld();
+		return near.clone().project(table.camera);
+	};
+
+	it("turns the plant's near side to the right and down, as its words say", () => {
+		table.orbit(0.2, 0);
+		expect(seen().x).toBeGreaterThan(0.02);
+		expect(Math.abs(seen().y)).toBeLessThan(0.01);
+		table.orbit(-0.2, 0.2);
+		expect(Math.abs(seen().x)).toBeLessThan(1e-6);
+		expect(seen().y).toBeLessThan(-0.02);
+	});
+
+	it("shifts the plant to the right and down, but never out of sight", () => {
+		table.pan(0.05, 0.03);
+		expect(seen().x).toBeGreaterThan(0.02);
+		expect(seen().y).toBeLessThan(-0.02);
+		const centre = new Vector3(...spindle(90, 0.16).centre);
+		for (let i = 0; i < 50; i++) table.pan(1, 1);
+		const away = table.controls.target.distanceTo(centre);
+		// As far as the plant reaches from its middle, and no farther.
+		expect(away).toBeGreaterThan(0.05);
+		expect(away).toBeLessThan(0.12);
+	});
+
+	it("fits a plant of another kind as it fitted the first, and at once", () => {
+		const first = table.distance;
+		table.orbit(1, 0.4);
+		table.forget();
+		table.follow(spindle(90, 0.3), true);
+		const fitted = table.distance;
+		expect(fitted).toBeGreaterThan(1.4 * first);
+		table.advance(1000);
+		expect(table.distance).toBeCloseTo(fitted, 9);
+	});
+
+	it("never turns over the top", () => {
+		for (let i = 0; i < 100; i++) table.orbit(0.1, 0.3);
+		expect(table.camera.position.clone().sub(table.controls.target).angleTo(table.camera.up)).toBeGreaterThan(0.1);
+	});
+
+	it("keeps the paper behind the bunch however it is tilted", () => {
+		table.orbit(0, 1.2);
+		expect(table.paper - table.distance).toBeGreaterThan(0.08);
+	});
+});

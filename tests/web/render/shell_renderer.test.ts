@@ -1,0 +1,50 @@
+import type { BufferGeometry, LineSegments, Mesh } from "three";
+import { describe, expect, it } from "vitest";
+import { ShellRenderer } from "../../../web/src/render/shell_renderer";
+
+/** A unit cube's corners and faces. */
+const corners = [0, 1].flatMap((x) => [0, 1].flatMap((y) => [0, 1].flatMap((z) => [x, y, z])));
+const faces = [
+	[0, 1, 3, 2],
+	[4, 6, 7, 5],
+	[0, 4, 5, 1],
+	[2, 3, 7, 6],
+	[0, 2, 6, 4],
+	[1, 5, 7, 3],
+].flatMap(([a, b, c, d]) => [a, b, c, a, c, d]);
+
+const edgesIn = (figure: ShellRenderer, shell = 0): BufferGeometry =>
+	(figure.object.children.filter((part) => "isLineSegments" in part)[shell] as LineSegments).geometry;
+
+/** Both ends of each edge, sorted. */
+function ends({ attributes: { position }, index }: BufferGeometry): string[] {
+	const at = (i: number) => [position.getX(i), position.getY(i), position.getZ(i)].join();
+	const points = [...(index?.array ?? [])];
+	return points.flatMap((a, i) => (i % 2 === 0 ? [[at(a), at(points[i + 1])].sort().join(" – ")] : [])).sort();
+}
+
+describe("the figure of what bounds a plant", () => {
+	it("has a body's faces, and the edges between those that are not level", () => {
+		const figure = new ShellRenderer();
+		figure.show([{ points: corners, triangles: faces }], "red");
+		expect((figure.object.children[0] as Mesh).geometry.index?.count).toBe(36);
+		const found = ends(edgesIn(figure));
+		expect(found).toHaveLength(12);
+		expect(found).toContain("0,0,0 – 0,0,1");
+		expect(found).not.toContain("0,0,0 – 0,1,1");
+	});
+
+	it("looks for edges once: a body that is moved keeps those it has, where it stands now", () => {
+		const figure = new ShellRenderer();
+		figure.show([{ points: corners, triangles: faces }], "red");
+		const first = [...(edgesIn(figure).index?.array ?? [])];
+		// Any edges would do: what is known of these triangles is not looked for again.
+		const flat = corners.map((value, i) => (i % 3 === 1 ? 0 : value));
+		figure.show([{ points: corners.map((value) => value + 2), triangles: faces }], "red");
+		expect(ends(edgesIn(figure))).toContain("2,2,2 – 2,2,3");
+		figure.show([{ points: flat, triangles: faces }], "red");
+		expect([...(edgesIn(figure).index?.array ?? [])]).toEqual(first);
+		figure.show([{ points: flat, triangles: [...faces] }], "red");
+		expect([...(edgesIn(figure).index?.array ?? [])]).not.toEqual(first);
+	});
+});

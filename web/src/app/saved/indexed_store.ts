@@ -1,0 +1,127 @@
+import { isSaved, type Saved } from "./saved";
+import { type Edit, edited, type Pictures, type SavedStore, StoreError, withoutPicture } from "./saved_store";
+
+const DATABASE = "panicle.saved";
+/** Of the stores below. In the first layout the pictures were in the records of the specimens. */
+const LAYOUT = 2;
+/** Records without pictures, by `id`; and pictures, by the same ids as keys. */
+const [SPECIMENS, PICTURES] = ["specimens", "pictures"];
+
+/**
+ * The browser's IndexedDB, of this origin. The database is opened for each step and closed after it: a later version of the page in
+ * another tab never waits for this one to let go, and what is deleted with the browser's data is found gone, not broken.
+ */
+export class IndexedStore implements SavedStore {
+	all(): Promise<readonly Saved[]> {
+		return inOneStep((database) => changed(database, "readonly", () => ({})));
+	}
+
+	pictures(ids: readonly string[]): Promise<Pictures> {
+		return inOneStep((database) => picturesOf(database, ids));
+	}
+
+	change(decide: (kept: readonly Saved[]) => Edit): Promise<readonly Saved[]> {
+		return inOneStep((database) => changed(database, "readwrite", decide));
+	}
+}
+
+/** Browsers let transactions that write wait for each other, be they of other tabs. */
+async function inOneStep<T>(step: (database: IDBDatabase) => Promise<T>): Promise<T> {
+	try {
+		const database = await opened();
+		try {
+			return await step(database);
+		} finally {
+			database.close();
+		}
+	} catch (error) {
+		throw new StoreError(sentenceFor(error));
+	}
+}
+
+function opened(): Promise<IDBDatabase> {
+	return new Promise((resolve, reject) => {
+		const request = indexedDB.open(DATABASE, LAYOUT);
+		request.onupgradeneeded = ({ oldVersion }) => {
+			const { result: database, transaction } = request;
+			if (oldVersion < 1) database.createObjectStore(SPECIMENS, { keyPath: "id" });
+			const pictures = database.createObjectStore(PICTURES);
+			if (oldVersion === 1 && transaction) takeOutPictures(transaction.objectStore(SPECIMENS), pictures);
+		};
+		request.onsuccess = () => resolve(request.result);
+		request.onerror = () => reject(request.error);
+	});
+}
+
+/** Migrates from the first layout to the second, record by record; other records are left unchanged. */
+function takeOutPictures(specimens: IDBObjectStore, pictures: IDBObjectStore): void {
+	const reading = specimens.openCursor();
+	reading.onsuccess = () => {
+		const cursor = reading.result;
+		if (!cursor) return;
+		if (isSaved(cursor.value) && cursor.value.picture) {
+			pictures.put(cursor.value.picture, cursor.value.id);
+			cursor.update(withoutPicture(cursor.value));
+		}
+		cursor.continue();
+	};
+}
+
+function changed(
+	database: IDBDatabase,
+	mode: IDBTransactionMode,
+	decide: (kept: readonly Saved[]) => Edit,
+): Promise<readonly Saved[]> {
+	return new Promise((resolve, reject) => {
+		// Strict: it is kept once it is on the disk, so that a full one is heard of.
+		const transaction = database.transaction([SPECIMENS, PICTURES], mode, { durability: "strict" });
+		const specimens = transaction.objectStore(SPECIMENS);
+		const pictures = transaction.objectStore(PICTURES);
+		const reading = specimens.getAll();
+		let after: readonly Saved[] = [];
+		let failed: unknown;
+		reading.onsuccess = () => {
+			try {
+				const kept = reading.result.filter(isSaved);
+				const { put = [], remove = [] } = decide(kept);
+				for (const id of remove) {
+					specimens.delete(id);
+					pictures.delete(id);
+				}
+				const records = put.map(withoutPicture);
+				for (const record of records) specimens.put(record);
+				for (const { id, picture } of put) if (picture) pictures.put(picture, id);
+				after = edited(kept, { put: records, remove });
+			} catch (error) {
+				failed = error;
+				transaction.abort();
+			}
+		};
+		transaction.oncomplete = () => resolve(after);
+		transaction.onabort = () => reject(failed ?? transaction.error);
+	});
+}
+
+function picturesOf(database: IDBDatabase, ids: readonly string[]): Promise<Pictures> {
+	return new Promise((resolve, reject) => {
+		const transaction = database.transaction(PICTURES, "readonly");
+		const store = transaction.objectStore(PICTURES);
+		const found = new Map<string, NonNullable<Saved["picture"]>>();
+		for (const id of ids) {
+			const reading = store.get(id);
+			reading.onsuccess = () => {
+				if (reading.result instanceof Uint8Array) found.set(id, reading.result as NonNullable<Saved["picture"]>);
+			};
+		}
+		transaction.oncomplete = () => resolve(found);
+		transaction.onabort = () => reject(transaction.error);
+	});
+}
+
+function sentenceFor(error: unknown): string {
+	const name = error instanceof Error ? error.name : String(error);
+	if (name === "QuotaExceededError") return "The disk, or the part of it that the browser grants this page, is full.";
+	if (name === "VersionError")
+		return "A newer version of this page, in another tab, has taken over what is saved: load this page again.";
+	return `The browser does not let this page keep anything, as in some private windows (${name}).`;
+}

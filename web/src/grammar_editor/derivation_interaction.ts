@@ -1,0 +1,123 @@
+/** The derivation in the 3-D view: the plant of the step, what shines of it, and the module under the pointer. */
+import type { Drawn } from "../plant/drawn";
+import type { Plant } from "../plant/plant";
+import { sighted } from "../plant/sighting";
+import type { Specimen } from "../specimen/specimen";
+import type { EditorContext, EditorState } from "../ui/editor_context";
+import { PickPointer } from "../ui/pick_pointer";
+import type { Sight, ToolInteraction, ToolView } from "../ui/tool";
+import { DERIVATION, type DerivationSource, type DerivedScene, type LitDrawing } from "./derivation_tool";
+import { drawnBy, drawnIn } from "./lights";
+
+/** A thread may be missed by so many CSS pixels, and shines at least so wide. */
+const MISSED = 6;
+const THIN = 1.2;
+/** The style sheet's name for what shines. */
+const COLOUR = "--lit";
+
+export class DerivationInteraction<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
+	readonly #view: ToolView;
+	readonly #desk: EditorContext<S, G>;
+	readonly #source: DerivationSource<S, G>;
+	readonly #pointer: PickPointer;
+	#figure: LitDrawing | undefined;
+	#disposed = false;
+	#drawn: { readonly of: Plant; readonly drawn: Drawn } | undefined;
+	/** What shone last, and how. */
+	#shone: readonly unknown[] = [];
+
+	constructor(view: ToolView, desk: EditorContext<S, G>, source: DerivationSource<S, G>) {
+		this.#view = view;
+		this.#desk = desk;
+		this.#source = source;
+		this.#pointer = new PickPointer(view, {
+			name: "choosing",
+			at: (x, y) => this.#at(x, y),
+			mark: (module) => this.#meet(module, false),
+			take: (module) => this.#meet(module, true),
+		});
+		void source.figure().then(
+			(figure) => {
+				if (this.#disposed) return;
+				this.#figure = figure;
+				view.addOverlay(figure.object);
+				this.update(desk.state);
+			},
+			() => {}, // Without it nothing shines; what is pointed at is told all the same.
+		);
+	}
+
+	update({ grownFrom, dark }: EditorState<S, G>): void {
+		const { open, scene, lit } = this.#desk.toolState(DERIVATION);
+		// That of a text just changed stays until the next has grown.
+		this.#view.showInstead(scene?.instead ? scene : undefined);
+		const current = scene?.from === grownFrom ? scene : undefined;
+		this.#pointer.enabled = open && current !== undefined && !this.#source.taken?.(this.#desk);
+		const shines = [current, lit, dark];
+		if (!this.#figure || shines.every((each, index) => each === this.#shone[index])) return;
+		this.#shone = shines;
+		this.#shine(this.#figure, current, lit ? drawnBy(lit, current) : { segments: [], organs: [] });
+	}
+
+	dispose(): void {
+		this.#disposed = true;
+		this.#pointer.dispose();
+		this.#view.showInstead(undefined);
+		if (!this.#figure) return;
+		this.#view.removeOverlay(this.#figure.object);
+		this.#figure.dispose();
+	}
+
+	#shine(
+		figure: LitDrawing,
+		scene: DerivedScene | undefined,
+		{ segments, organs }: { readonly segments: readonly number[]; readonly organs: readonly number[] },
+	): void {
+		figure.object.visible = scene !== undefined && segments.length + organs.length > 0;
+		if (scene && figure.object.visible) {
+			const drawn = this.#drawnOf(scene);
+			const colour = getComputedStyle(this.#view.canvas).getPropertyValue(COLOUR).trim() || "orange";
+			figure.show(drawn, segments, organs, this.#thinnest(drawn), colour);
+		}
+		this.#view.requestRender();
+	}
+
+	#at(x: number, y: number): number | undefined {
+		const { scene } = this.#desk.toolState(DERIVATION);
+		if (!scene) return undefined;
+		const sight = this.#view.sightThrough(x, y);
+		const met = sighted(this.#drawnOf(scene), sight, MISSED * apart(sight, this.#view.sightThrough(x + 1, y)));
+		return met && drawnIn(scene, met);
+	}
+
+	#meet(module: number | undefined, chosen: boolean): void {
+		const state = this.#desk.toolState(DERIVATION);
+		const { met, scene } = state;
+		if (met?.module === module && met?.chosen === chosen) return;
+		const next = module === undefined || !scene ? undefined : { module, step: scene.step, chosen };
+		this.#desk.setToolState(DERIVATION, { ...state, met: next });
+	}
+
+	#drawnOf({ grown }: DerivedScene): Drawn {
+		if (this.#drawn?.of !== grown) this.#drawn = { of: grown, drawn: this.#source.drawn(grown as G) };
+		return this.#drawn.drawn;
+	}
+
+	/** The least radius that is seen where the plant stands. */
+	#thinnest({ ends }: Drawn): number {
+		const { clientWidth, clientHeight } = this.#view.canvas;
+		const [x, y] = [clientWidth / 2, clientHeight / 2];
+		const sight = this.#view.sightThrough(x, y);
+		const away = Math.hypot(...sight.origin.map((each, k) => each - (ends[k] ?? 0)));
+		return THIN * away * apart(sight, this.#view.sightThrough(x + 1, y));
+	}
+}
+
+/** The angle between two lines of sight, radians. */
+function apart(a: Sight, b: Sight): number {
+	const [first, second] = [a, b].map(({ direction }) => {
+		const length = Math.hypot(...direction);
+		return direction.map((each) => each / length);
+	});
+	return Math.hypot(...first.map((each, k) => each - second[k]));
+}

@@ -1,0 +1,162 @@
+import type { PerspectiveCamera } from "three";
+import { type Sway, swayOf } from "../../../plant/sway";
+import type { Bodies } from "../../../render/camera_fit";
+import { CapsuleShadow } from "../../../render/capsule_shadow";
+import type { ModelRenderer, Ray, RendererStage } from "../../../render/model_renderer";
+import { RecordTexture } from "../../../render/record_texture";
+import { StandardLights } from "../../../render/standard_lights";
+import { standardMaterial } from "../../../render/standard_material";
+import type { Grown } from "../grown";
+import { tintOf } from "../parts/berry_tint";
+import { FLOWERS, foliageMaterials, stemMaterial } from "../parts/materials";
+import { bunchSkin, type Dress } from "../parts/skin";
+import { berryMaterial, NONE, setSkin } from "./berry_material";
+import { BunchSurface, type PartMaterials } from "./bunch_surface";
+import { CAST_RECORD, Casters } from "./casters";
+import { KeptSky } from "./kept_sky";
+import { LAMP_CHUNK } from "./lamp_shader";
+import { pickBerry } from "./picking";
+import { type Receivers, receiversOf } from "./receivers";
+import { capsulesOf } from "./shadow_capsules";
+import { REHEARSAL, REHEARSAL_LOOK } from "./warm_up";
+
+/** Of so many points of the foliage, one counts for the fit. */
+const LEAF_POINTS = 8;
+
+/** Which receiver a vertex belongs to: of stems its internode, of flowers the berry that they are to be. */
+const OF_STEM =
+	"attribute uint internode;\nuniform int firstInternode;\nvec2 lamp_shares(vec3 point) { return shares_of(firstInternode + int(internode), point); }";
+const OF_FLOWER = "attribute float bearer;\nvec2 lamp_shares(vec3 point) { return shares_of(int(bearer), point); }";
+
+/** `stems` shows the stems without berries, withered pedicels marked (the paper's figure 14). */
+export const BUNCH_MODES = ["whole", "stems"] as const;
+
+/** A bunch with its berries' flesh, wax and shadows; `pick` and `mark` know berries by their ids. */
+export class BunchRenderer implements ModelRenderer<Dress, Grown> {
+	readonly modes = BUNCH_MODES;
+	readonly #stage: RendererStage;
+	readonly #casterRecords = new RecordTexture(CAST_RECORD);
+	readonly #shared;
+	readonly #firstInternode = { value: 0 };
+	readonly #surface: BunchSurface;
+	readonly #lights = new StandardLights();
+	readonly #shadow: CapsuleShadow;
+	readonly #casters = new Casters();
+	readonly #sky = new KeptSky();
+	#grown: Grown | undefined;
+	#receivers: Receivers | undefined;
+	#mode: string = "whole";
+
+	constructor(stage: RendererStage) {
+		this.#stage = stage;
+		this.#shared = {
+			...stage.light.uniforms,
+			...stage.wind,
+			casterRecords: { value: this.#casterRecords.texture },
+			berriesShown: { value: 1 },
+		};
+		this.#surface = new BunchSurface(this.#materials());
+		this.#shadow = new CapsuleShadow(stage.shadow, stage.wind);
+		stage.root.add(this.#surface.group, this.#lights.group);
+	}
+
+	#materials(): PartMaterials {
+		const light = this.#stage.light.uniforms;
+		const { casterRecords, berriesShown } = this.#shared;
+		const firstInternode = this.#firstInternode;
+		const { cane, leaf, petiole } = foliageMaterials(0);
+		const lit = { light, coloured: true, sky: true, wind: this.#stage.wind };
+		const shares = (chunk: string) => ({
+			chunk: LAMP_CHUNK + chunk,
+			uniforms: { casterRecords, berriesShown, firstInternode },
+		});
+		return {
+			berry: berryMaterial(this.#shared),
+			stem: standardMaterial(stemMaterial([1, 1, 1]), { ...lit, shares: shares(OF_STEM) }),
+			flower: standardMaterial(FLOWERS, { ...lit, shares: shares(OF_FLOWER) }),
+			foliage: {
+				cane: standardMaterial(cane, lit),
+				leaf: standardMaterial(leaf, lit),
+				petiole: standardMaterial(petiole, lit),
+			},
+		};
+	}
+
+	warmUp(): void {
+		this.show(REHEARSAL, { look: REHEARSAL_LOOK });
+	}
+
+	show(latest: Grown, dress: Dress): void {
+		const { look } = dress;
+		const grown = this.#sky.of(latest);
+		this.#grown = grown;
+		this.mark(undefined);
+		const skin = bunchSkin(grown, dress);
+		setSkin(this.#surface.materials.berry, skin);
+		this.#firstInternode.value = grown.berries.count;
+		this.#receivers = receiversOf(grown);
+		this.#casterRecords.reserve(this.#receivers.count);
+		this.#shared.casterRecords.value = this.#casterRecords.texture;
+		this.#surface.show(grown, look, (i) => tintOf(grown, i, skin));
+		this.setMode(this.#mode);
+	}
+
+	bounds(): Bodies {
+		const { berries, internodes, foliage } = this.#grown ?? REHEARSAL;
+		if (!foliage) return { spheres: berries.spheres, points: internodes.ends };
+		const leaves = foliage.positions.filter((_, i) => Math.floor(i / 3) % LEAF_POINTS === 0);
+		const points = new Float32Array(internodes.ends.length + leaves.length);
+		points.set(internodes.ends);
+		points.set(leaves, internodes.ends.length);
+		return { spheres: berries.spheres, points };
+	}
+
+	sway(): Sway | undefined {
+		return this.#grown && swayOf(this.#grown);
+	}
+
+	prepare(camera: PerspectiveCamera): void {
+		this.#lights.aim(this.#stage.light, camera, this.#stage.wind);
+		if (!this.#receivers) return;
+		const { key, rim, keyDirection, rimDirection } = this.#stage.light.uniforms;
+		const keyLamp = { direction: keyDirection.value.toArray(), spread: key.value.spread };
+		const rimLamp = { direction: rimDirection.value.toArray(), spread: rim.value.spread };
+		const recast = this.#casters.cast(this.#receivers, keyLamp, rimLamp, this.#casterRecords.data);
+		if (recast) this.#casterRecords.changed();
+		this.#surface.sort(camera);
+	}
+
+	/** The berry nearest along the ray. Stems hide nothing. */
+	pick(ray: Ray): number | undefined {
+		if (!this.#grown || this.#mode !== "whole") return undefined;
+		const { berries } = this.#grown;
+		const index = pickBerry(berries, ray);
+		return index === undefined ? undefined : berries.ids[index];
+	}
+
+	mark(id: number | undefined): void {
+		const index = id === undefined ? NONE : (this.#grown?.berries.ids.indexOf(id) ?? NONE);
+		this.#surface.materials.berry.uniforms.highlighted.value = index;
+	}
+
+	setMode(mode: string): void {
+		this.#mode = mode;
+		const whole = mode === "whole";
+		this.#surface.bare = !whole;
+		this.#shared.berriesShown.value = whole ? 1 : 0;
+		if (this.#grown) this.#shadow.lay(capsulesOf(this.#grown, whole));
+	}
+
+	dispose(): void {
+		this.#surface.group.removeFromParent();
+		this.#surface.dispose();
+		this.#lights.dispose();
+		this.#shadow.dispose();
+		this.#casterRecords.dispose();
+	}
+}
+
+/** The figure of bunches. */
+export function bunchRenderer(stage: RendererStage): BunchRenderer {
+	return new BunchRenderer(stage);
+}

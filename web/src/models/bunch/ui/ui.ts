@@ -1,0 +1,54 @@
+/** The page's side of the bunch: loaded with the first bunch, in a page alone. */
+import { html } from "lit";
+import { steppedScene } from "../../../grammar_editor/derivation_tool";
+import { grammarTools } from "../../../grammar_editor/grammar_tool";
+import type { ModelUi } from "../../../ui/tool";
+import type { Grown } from "../grown";
+import type { BunchSpecimen } from "../specimen";
+import { bunchInWords, stemsInWords } from "../words";
+import { age } from "./age";
+import { asPrinted } from "./as_printed";
+import { cane } from "./cane";
+import { derivation } from "./derivation";
+import { grammar } from "./grammar";
+import { inputs } from "./inputs";
+import { octahedron } from "./octahedron";
+import { photo } from "./photo";
+import { pixels } from "./pixels";
+import { front, side } from "./profile";
+import { readout, skinRow } from "./readout";
+import { sides } from "./sides";
+import { stems } from "./stems";
+import { thinning } from "./thinning";
+import "./thinning_panel";
+
+export const face: ModelUi<BunchSpecimen, Grown> = {
+	tools: [
+		front,
+		side,
+		cane,
+		stems,
+		octahedron,
+		thinning,
+		age,
+		inputs,
+		sides,
+		pixels,
+		photo,
+		asPrinted,
+		...grammarTools(grammar, derivation),
+	],
+	readout,
+	rows: (specimen) => [skinRow(specimen)],
+	caption: (grown, desk) => {
+		const { grownFrom, specimen } = desk.state;
+		const stepped = steppedScene(desk);
+		if (stepped) return `After step ${stepped.step}: ${bunchInWords(stepped.grown as Grown, grownFrom ?? specimen)}`;
+		return desk.toolState(stems) ? stemsInWords(grown) : bunchInWords(grown, grownFrom ?? specimen);
+	},
+	about: html`<p>Drag the handles of a grape bunch and it regrows from its botanical grammar.</p>
+		<p>
+			After C.-Y. Huang, W.-T. Jheng, W.-K. Tai, C.-C. Chang and D.-L. Way, “Procedural grape bunch modeling”,
+			<i>Computers &amp; Graphics</i> 37 (2013).
+		</p>`,
+};

@@ -1,0 +1,128 @@
+/** The handles of growth areas over the 3-D view, and the stroke that draws the main branch. */
+import type { Change, EditorState } from "../../../ui/editor_context";
+import { placeUnder } from "../../../ui/handles/handle_ways";
+import type { Vector } from "../../../ui/handles/plant_handle";
+import { PlantInteraction } from "../../../ui/handles/plant_interaction";
+import type { Point } from "../../../ui/handles/point";
+import type { ToolInteraction, ToolView } from "../../../ui/tool";
+import type { GrammarPlant } from "../grammar_plant";
+import type { GrammarSpecimen } from "../specimen";
+import type { Triple } from "./area";
+import { placesOf, strokeFork, strokePath, withPath } from "./area_edits";
+import { areaHandles } from "./area_handles";
+import { type AreaContext, type AreaState, areaTool, choose, hasAreas } from "./area_tool";
+
+/** CSS pixels between two places of a stroke. */
+const FINE = 6;
+
+type State = EditorState<GrammarSpecimen, GrammarPlant>;
+
+export class AreaInteraction implements ToolInteraction<GrammarSpecimen, GrammarPlant> {
+	readonly #view: ToolView;
+	readonly #desk: AreaContext;
+	readonly #handles: PlantInteraction<GrammarSpecimen, GrammarPlant>;
+	/** The document as it was before a stroke. */
+	#before: GrammarSpecimen | undefined;
+	#stroke: Triple[] | undefined;
+	/** Whether the stroke draws a fork, as the tool said when it began. */
+	#strokeIsFork = false;
+	#last: Point = { x: 0, y: 0 };
+	#drawing: AreaState["drawing"];
+
+	constructor(view: ToolView, desk: AreaContext) {
+		this.#view = view;
+		this.#desk = desk;
+		this.#handles = new PlantInteraction<GrammarSpecimen, GrammarPlant>(view, desk, {
+			kept: ({ areas, path, from }) => ({ areas, path, from }),
+			focused: (id) => this.#focused(id),
+		});
+		// In the capturing phase, so that the view does not turn under a stroke.
+		view.canvas.addEventListener("pointerdown", this.#begin, { capture: true });
+		view.canvas.addEventListener("pointermove", this.#go);
+		view.canvas.addEventListener("pointerup", this.#end);
+		view.canvas.addEventListener("lostpointercapture", this.#end);
+	}
+
+	update({ specimen }: State): void {
+		const { handles: wanted, chosen, path = false, drawing } = this.#desk.toolState(areaTool);
+		const handles = wanted && hasAreas(specimen);
+		this.#drawing = handles ? drawing : undefined;
+		this.#view.canvas.style.cursor = this.#drawing ? "crosshair" : "";
+		const shown = handles && !drawing ? areaHandles(specimen, { area: chosen, path, removable: true }) : undefined;
+		this.#handles.lay(shown, handles);
+	}
+
+	dispose(): void {
+		const { canvas } = this.#view;
+		canvas.removeEventListener("pointerdown", this.#begin, { capture: true });
+		canvas.removeEventListener("pointermove", this.#go);
+		canvas.removeEventListener("pointerup", this.#end);
+		canvas.removeEventListener("lostpointercapture", this.#end);
+		canvas.style.cursor = "";
+		this.#view.orbiting = true;
+		this.#handles.dispose();
+	}
+
+	#focused(id: string): void {
+		const [, area] = /^area-(\d+)$/.exec(id) ?? [];
+		const index = area === undefined ? undefined : Number(area);
+		if (index !== undefined && index !== this.#desk.toolState(areaTool).chosen) choose(this.#desk, index);
+	}
+
+	/** Where a stroke goes: in the plane through the areas' middle that faces the eye. */
+	#under({ clientX, clientY }: PointerEvent): Triple | undefined {
+		const { left, top, width, height } = this.#view.canvas.getBoundingClientRect();
+		const places = placesOf(this.#desk.state.specimen);
+		const mean = (k: number) => places.reduce((sum, at) => sum + at[k], 0) / Math.max(1, places.length);
+		const middle: Vector = [mean(0), mean(1), mean(2)];
+		const facing = this.#view.sightThrough(width / 2, height / 2).direction;
+		const level = Math.hypot(facing[0], facing[2]) || 1;
+		const right: Vector = [-facing[2] / level, 0, facing[0] / level];
+		const up: Vector = [
+			right[1] * facing[2] - right[2] * facing[1],
+			right[2] * facing[0] - right[0] * facing[2],
+			right[0] * facing[1] - right[1] * facing[0],
+		];
+		const found = placeUnder(middle, [right, up], this.#view.sightThrough(clientX - left, clientY - top));
+		return found && [found[0], Math.max(0, found[1]), found[2]];
+	}
+
+	readonly #begin = (event: PointerEvent): void => {
+		if (!this.#drawing || event.button !== 0 || this.#stroke) return;
+		const at = this.#under(event);
+		if (!at) return;
+		this.#stroke = [at];
+		this.#strokeIsFork = this.#drawing === "fork";
+		this.#last = { x: event.clientX, y: event.clientY };
+		this.#before = this.#desk.state.specimen;
+		this.#view.orbiting = false;
+		this.#view.canvas.setPointerCapture(event.pointerId);
+	};
+
+	/** The branch follows the pen: it regrows at once. */
+	readonly #go = (event: PointerEvent): void => {
+		const { clientX: x, clientY: y } = event;
+		if (!this.#stroke || Math.hypot(x - this.#last.x, y - this.#last.y) < FINE) return;
+		const at = this.#under(event);
+		if (!at) return;
+		this.#last = { x, y };
+		this.#stroke.push(at);
+		const change = this.#drawn(this.#stroke);
+		if (change) this.#desk.edit(change);
+	};
+
+	#drawn(stroke: readonly Triple[]): Change | undefined {
+		return this.#strokeIsFork && this.#before ? strokeFork(this.#before, stroke) : strokePath(stroke);
+	}
+
+	readonly #end = (): void => {
+		if (!this.#stroke) return;
+		const drawn = this.#drawn(this.#stroke);
+		this.#stroke = undefined;
+		this.#view.orbiting = true;
+		if (drawn) this.#desk.edit(drawn);
+		else this.#desk.edit(withPath(this.#before?.path, this.#before?.from));
+		this.#desk.settle();
+		this.#desk.setToolState(areaTool, { ...this.#desk.toolState(areaTool), drawing: undefined, path: true });
+	};
+}

@@ -1,0 +1,21 @@
+/** The document's side of the model: its table, its presets, and what a specimen of it holds besides. */
+import { constantValues } from "../../specimen/constants";
+import { grammarText } from "../../specimen/grammar_text";
+import type { ModelSchema } from "../../specimen/model_schema";
+import { Presets } from "../../specimen/presets";
+import { areas, from, path } from "./details/areas";
+import { steps } from "./details/steps";
+import { PRESET_KINDS, PRESETS } from "./presets.generated";
+import type { GrammarSpecimen } from "./specimen";
+import { GRAMMAR_TABLE } from "./table";
+import { definedNames } from "./texts";
+
+/** The preset a link without `preset` means. */
+export const DEFAULT_PRESET = "shrub";
+
+export const GRAMMAR: ModelSchema<GrammarSpecimen> = {
+	name: "grammar",
+	table: GRAMMAR_TABLE,
+	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	details: [steps, constantValues<GrammarSpecimen>(definedNames), areas, path, from, grammarText("any")],
+};

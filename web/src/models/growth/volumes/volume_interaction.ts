@@ -1,0 +1,43 @@
+/** The handles of growth volumes over the 3-D view. */
+import type { EditorState } from "../../../ui/editor_context";
+import { PlantInteraction } from "../../../ui/handles/plant_interaction";
+import type { ToolInteraction, ToolView } from "../../../ui/tool";
+import type { GrowthPlant } from "../growth_plant";
+import type { GrowthSpecimen } from "../specimen";
+import { volumeHandles } from "./volume_handles";
+import { put, type VolumeContext, volumesOf, volumeTool } from "./volume_tool";
+
+export class VolumeInteraction implements ToolInteraction<GrowthSpecimen, GrowthPlant> {
+	readonly #desk: VolumeContext;
+	readonly #handles: PlantInteraction<GrowthSpecimen, GrowthPlant>;
+
+	constructor(view: ToolView, desk: VolumeContext) {
+		this.#desk = desk;
+		this.#handles = new PlantInteraction<GrowthSpecimen, GrowthPlant>(view, desk, {
+			kept: ({ grammar }) => ({ grammar }),
+			focused: (id) => this.#focused(id),
+		});
+	}
+
+	update({ specimen, grown }: EditorState<GrowthSpecimen, GrowthPlant>): void {
+		const { handles, chosen } = this.#desk.toolState(volumeTool);
+		const volumes = volumesOf(specimen, grown);
+		const shown = handles && volumes.length > 0;
+		this.#handles.lay(
+			shown
+				? volumeHandles(volumes, Math.min(chosen, volumes.length - 1), (changed) => put(specimen, changed))
+				: undefined,
+		);
+	}
+
+	dispose(): void {
+		this.#handles.dispose();
+	}
+
+	#focused(id: string): void {
+		const [, volume] = /^volume-(\d+)$/.exec(id) ?? [];
+		const state = this.#desk.toolState(volumeTool);
+		if (volume !== undefined && Number(volume) !== state.chosen)
+			this.#desk.setToolState(volumeTool, { ...state, chosen: Number(volume) });
+	}
+}

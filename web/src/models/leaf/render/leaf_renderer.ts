@@ -1,0 +1,143 @@
+/**
+ * A leaf on the stage: at once with coarse pictures, and with fine ones once they are painted (commission.ts). Those go to the
+ * card one a frame, so that none has to wait. While particles run, and when they have come to rest, a leaf wears what was last
+ * painted until its own pictures come: coarse ones in passing, a frame or two later.
+ */
+import type { PerspectiveCamera } from "three";
+import type { Picture } from "../../../plant/material";
+import { type Sway, swayOf } from "../../../plant/sway";
+import type { Bodies } from "../../../render/camera_fit";
+import type { ModelRenderer, Ray, RendererFactory, RendererStage } from "../../../render/model_renderer";
+import { PartRenderer } from "../../../render/part_renderer";
+import type { Leaf } from "../grown";
+import { type Face, FacePictures, FLAT_PICTURE, PASSING_SIDE } from "../parts/face_pictures";
+import { leafParts } from "../parts/leaf_parts";
+import { FACES, type Side } from "../parts/materials";
+import type { LeafSpecimen } from "../specimen";
+import type { Faces } from "./paint";
+import { PaintQueue } from "./paint_queue";
+
+/** Something to lay on a face. */
+interface Sheet {
+	side: Side;
+	kind: "colour" | "normal";
+	picture: Picture;
+}
+
+export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
+	readonly modes = ["whole"];
+	readonly #stage: RendererStage;
+	readonly #parts: PartRenderer<LeafSpecimen, Leaf>;
+	readonly #painters: PaintQueue;
+	#leaf: Leaf | undefined;
+	#passing = false;
+	#preset: string | undefined;
+	/** The finest there is of the leaf that is shown, maybe in colours it had before; in passing maybe of one just before it. */
+	#faces: ((side: Side) => Face) | undefined;
+	#sheets: Sheet[] = [];
+
+	/** @param painters who paint the fine pictures, told where to bring them; where absent, a worker does */
+	constructor(
+		stage: RendererStage,
+		painters: (deliver: (faces: Faces, passing: boolean) => void) => PaintQueue = (to) => new PaintQueue(to),
+	) {
+		this.#stage = stage;
+		this.#parts = new PartRenderer(
+			stage,
+			(leaf, specimen) => leafParts(leaf, specimen, this.#faces),
+			undefined,
+			(leaf) => swayOf(leaf),
+		);
+		this.#painters = painters((faces, passing) => (passing ? this.#pass(faces) : this.#deliver(faces)));
+	}
+
+	show(leaf: Leaf, specimen: LeafSpecimen): void {
+		this.#sheets = [];
+		// What grows in passing does not ask what sky there is.
+		const passing = !leaf.meshes.some(({ sky }) => sky);
+		// The next of a life or a drag, its end included, looks much as the last one.
+		const next = this.#faces && (passing || this.#passing) && specimen.preset === this.#preset;
+		if (leaf !== this.#leaf && !next) this.#faces = coarse(leaf, specimen);
+		this.#leaf = leaf;
+		this.#passing = passing;
+		this.#preset = specimen.preset;
+		this.#parts.show(leaf, specimen);
+		this.#painters.order(leaf, specimen, passing);
+	}
+
+	bounds(): Bodies {
+		return this.#parts.bounds();
+	}
+
+	sway(): Sway | undefined {
+		return this.#parts.sway();
+	}
+
+	restored(): void {
+		this.#parts.restored();
+	}
+
+	prepare(camera: PerspectiveCamera): void {
+		this.#layNext();
+		this.#parts.prepare(camera);
+	}
+
+	pick(ray: Ray): number | undefined {
+		return this.#parts.pick(ray);
+	}
+
+	mark(picked: number | undefined): void {
+		this.#parts.mark(picked);
+	}
+
+	setMode(): void {}
+
+	async whenFinished(): Promise<void> {
+		await this.#painters.whenDone();
+		while (this.#sheets.length > 0) this.#layNext();
+	}
+
+	dispose(): void {
+		this.#painters.dispose();
+		this.#parts.dispose();
+	}
+
+	/** Small enough to be laid at once. */
+	#pass(faces: Faces): void {
+		this.#faces = (side) => ({ ...faces[side], normal: FLAT_PICTURE });
+		for (const side of ["upper", "lower"] as const) {
+			this.#parts.lay(FACES[side], "colour", faces[side].colour);
+			this.#parts.lay(FACES[side], "normal", FLAT_PICTURE);
+		}
+		this.#stage.changed?.();
+	}
+
+	#deliver(faces: Faces): void {
+		this.#faces = (side) => faces[side];
+		const sides = ["upper", "lower"] as const;
+		const sheets = (kind: Sheet["kind"]) => sides.map((side) => ({ side, kind, picture: faces[side][kind] }));
+		this.#sheets = [...sheets("colour"), ...sheets("normal")];
+		this.#stage.changed?.();
+	}
+
+	/** With every frame one, until all lie. */
+	#layNext(): void {
+		const sheet = this.#sheets.shift();
+		if (!sheet) return;
+		this.#parts.lay(FACES[sheet.side], sheet.kind, sheet.picture);
+		if (this.#sheets.length > 0) this.#stage.changed?.();
+	}
+}
+
+/** Painted here and now: quickly, that is, with fewer pixels and flat. */
+function coarse(leaf: Leaf, specimen: LeafSpecimen): (side: Side) => Face {
+	const pictures = new FacePictures(leaf, specimen.parameters.length, PASSING_SIDE, true);
+	const faces = new Map<Side, Face>();
+	return (side) => {
+		const face = faces.get(side) ?? pictures.face(specimen, side);
+		faces.set(side, face);
+		return face;
+	};
+}
+
+export const leafRenderer: RendererFactory<LeafSpecimen, Leaf> = (stage) => new LeafRenderer(stage);

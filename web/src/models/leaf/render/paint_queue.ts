@@ -1,0 +1,117 @@
+/** Has leaves painted by a worker, for a page that must not wait. */
+import { startWorker } from "../../../core/spawn";
+import type { FlatLeaf } from "../parts/face_pictures";
+import { type Faces, type Painted, Painter, type PaintOrder } from "./paint";
+import address from "./paint_worker.ts?worker&url";
+
+/** What it needs of a worker. */
+export type PaintWorker = Pick<Worker, "postMessage" | "terminate" | "onmessage" | "onerror">;
+
+/** One order at a time is under way; what is ordered meanwhile waits, and of those that wait only the newest. */
+export class PaintQueue {
+	readonly #deliver: (faces: Faces, passing: boolean) => void;
+	readonly #start: () => PaintWorker;
+	#worker: PaintWorker | undefined;
+	/** Paints here, once workers cannot be had. */
+	#alone: Painter | undefined;
+	/** The leaf that the worker knows. */
+	#given: FlatLeaf | undefined;
+	#underWay: { order: PaintOrder; leaf: FlatLeaf } | undefined;
+	#next: { leaf: FlatLeaf; specimen: PaintOrder["specimen"]; passing: boolean } | undefined;
+	#orders = 0;
+	#wanted = 0;
+	readonly #waiting: (() => void)[] = [];
+
+	/** @param deliver is given what is still wanted when it comes, and whether it is of a leaf in passing */
+	constructor(deliver: (faces: Faces, passing: boolean) => void, start: () => PaintWorker = startPainter) {
+		this.#deliver = deliver;
+		this.#start = start;
+	}
+
+	/** Takes the place of whatever was ordered before and has not come; while leaves pass, what is under way is wanted still. */
+	order(leaf: FlatLeaf, { look, parameters, seed }: PaintOrder["specimen"], passing = false): void {
+		this.#wanted = ++this.#orders;
+		this.#next = { leaf, specimen: { look, parameters, seed }, passing };
+		if (!this.#underWay) this.#begin();
+	}
+
+	/** Settles when nothing is wanted any more. */
+	whenDone(): Promise<void> {
+		if (this.#wanted === 0) return Promise.resolve();
+		return new Promise((resolve) => this.#waiting.push(resolve));
+	}
+
+	dispose(): void {
+		this.#wanted = 0;
+		this.#next = undefined;
+		this.#wake();
+		this.#worker?.terminate();
+	}
+
+	#begin(): void {
+		if (!this.#next) return;
+		const { leaf, specimen, passing } = this.#next;
+		this.#next = undefined;
+		const { chart, margin, square, energy, segments } = leaf;
+		const flat = { chart, margin, square, energy, segments: { count: segments.count, radii: segments.radii } };
+		const order = { id: this.#orders, specimen, passing, ...(leaf === this.#given ? {} : { leaf: flat }) };
+		this.#underWay = { order, leaf };
+		this.#given = leaf;
+		if (this.#alone) this.#paint(this.#alone);
+		else this.#send(order);
+	}
+
+	/** An order that cannot be copied to the worker is painted here. */
+	#send(order: PaintOrder): void {
+		try {
+			this.#employ().postMessage(order);
+		} catch {
+			this.#paintAlone();
+		}
+	}
+
+	#employ(): PaintWorker {
+		if (this.#worker) return this.#worker;
+		const worker = this.#start();
+		worker.onmessage = ({ data }: MessageEvent<Painted>) => this.#take(data);
+		worker.onerror = (event) => {
+			event.preventDefault(); // It is dealt with here; the console need not hear of it.
+			this.#paintAlone();
+		};
+		this.#worker = worker;
+		return worker;
+	}
+
+	/** From now on without a worker. */
+	#paintAlone(): void {
+		this.#worker?.terminate();
+		this.#alone = new Painter();
+		this.#paint(this.#alone);
+	}
+
+	/** The order under way, here. */
+	#paint(painter: Painter): void {
+		if (!this.#underWay) return;
+		const { order, leaf } = this.#underWay;
+		this.#take({ ...painter.paint({ ...order, leaf }), id: order.id });
+	}
+
+	#take({ id, ...faces }: Painted): void {
+		const passing = this.#underWay?.order.passing ?? false;
+		this.#underWay = undefined;
+		if (id === this.#wanted) {
+			this.#wanted = 0;
+			this.#deliver(faces, passing);
+			this.#wake();
+		} else if (passing && this.#next?.passing) this.#deliver(faces, passing);
+		this.#begin();
+	}
+
+	#wake(): void {
+		for (const resolve of this.#waiting.splice(0)) resolve();
+	}
+}
+
+function startPainter(): PaintWorker {
+	return startWorker(new URL(address, import.meta.url));
+}

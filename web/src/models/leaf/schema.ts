@@ -1,0 +1,20 @@
+/** The leaf's side of the document: its table, its presets, and the outline that a specimen holds besides. */
+import { fromPreset } from "../../specimen/from_preset";
+import type { ModelSchema } from "../../specimen/model_schema";
+import { Presets } from "../../specimen/presets";
+import { outlinePoints } from "./details/outline";
+import { DEFAULT_PRESET, PRESET_KINDS, PRESETS } from "./presets/presets";
+import type { LeafSpecimen } from "./specimen";
+import { LEAF_TABLE } from "./table";
+
+export const LEAF: ModelSchema<LeafSpecimen> = {
+	name: "leaf",
+	table: LEAF_TABLE,
+	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	details: [outlinePoints],
+};
+
+/** A fresh leaf (specimen/from_preset.ts). */
+export function leafFromPreset(name?: string): LeafSpecimen {
+	return fromPreset(LEAF, name);
+}

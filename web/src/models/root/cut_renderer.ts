@@ -1,0 +1,124 @@
+/** A root in the ground: its parts as any plant's, and the pit around them. */
+import { Mesh, type PerspectiveCamera } from "three";
+import { linear } from "../../plant/colour";
+import type { Bodies } from "../../render/camera_fit";
+import { MaterialCache } from "../../render/material_cache";
+import type { ModelRenderer, Ray, RendererFactory, RendererStage } from "../../render/model_renderer";
+import { boxOf, joined } from "../../render/part_bounds";
+import { PartMeshes } from "../../render/part_meshes";
+import { PartRenderer } from "../../render/part_renderer";
+import { grownRoom } from "../particles/boundary/grown_room";
+import type { WoodenPlant } from "../particles/boundary/wooden_plant";
+import { rootLay } from "./lay";
+import { rootParts } from "./root_parts";
+import { type Dug, holds, pit } from "./soil";
+import type { RootSpecimen } from "./specimen";
+import { ROOT_TABLE } from "./table";
+
+class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
+	readonly modes = ["whole"];
+	readonly #stage: RendererStage;
+	readonly #roots: PartRenderer<RootSpecimen, WoodenPlant>;
+	readonly #wardrobe: MaterialCache;
+	#soil: PartMeshes | undefined;
+	/** For what the pit was dug, its points and its colour. */
+	#dug: Dug | undefined;
+	#wall: Float32Array = new Float32Array(0);
+	#earth = "";
+	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
+
+	constructor(stage: RendererStage) {
+		this.#stage = stage;
+		this.#roots = new PartRenderer(stage, rootParts);
+		this.#wardrobe = new MaterialCache(stage.light.uniforms);
+	}
+
+	show(grown: WoodenPlant, specimen: RootSpecimen): void {
+		this.#roots.show(grown, specimen);
+		const { spheres, points } = this.#roots.bounds();
+		// A pit for the grown root, where it is still to grow.
+		const bodies = { spheres, points: joined([points, grownRoom(rootLay, ROOT_TABLE, specimen)]) };
+		const box = boxOf(bodies);
+		if (box.isEmpty()) {
+			this.#clear();
+			this.#bounds = bodies;
+			return;
+		}
+		const roots = reachOf(grown.segments.ends, { low: box.min.toArray(), high: box.max.toArray() });
+		// A frame in passing has no time to dig anew for every particle that moves; nor is its sky worked out.
+		const passing = !grown.meshes.some(({ sky }) => sky);
+		const { soil } = specimen.look;
+		const fits = this.#dug && (passing ? holds(this.#dug, roots) : alike(this.#dug, roots));
+		if (!fits || soil !== this.#earth) this.#dig(roots, soil);
+		this.#bounds = { spheres, points: joined([bodies.points, this.#wall]) };
+	}
+
+	#dig(roots: Dug, soil: string): void {
+		this.#clear();
+		this.#wardrobe.change();
+		const mesh = pit(roots, soil);
+		const shape = { mesh, material: { name: "Soil", colour: linear(soil), roughness: 1 } };
+		this.#soil = new PartMeshes([{ name: "Soil", shape }], this.#wardrobe);
+		// The near wall is not drawn, and so must not throw a shadow; roots' shadows on the far one would pass for roots.
+		for (const object of this.#soil.objects) object.castShadow = object.receiveShadow = false;
+		this.#stage.root.add(...this.#soil.objects);
+		this.#dug = roots;
+		this.#earth = soil;
+		this.#wall = mesh.positions;
+	}
+
+	bounds(): Bodies {
+		return this.#bounds;
+	}
+
+	restored(): void {
+		this.#roots.restored?.();
+	}
+
+	prepare(camera: PerspectiveCamera): void {
+		this.#roots.prepare(camera);
+	}
+
+	pick(ray: Ray): number | undefined {
+		return this.#roots.pick(ray);
+	}
+
+	mark(picked: number | undefined): void {
+		this.#roots.mark(picked);
+	}
+
+	setMode(): void {}
+
+	dispose(): void {
+		this.#clear();
+		this.#wardrobe.dispose();
+		this.#roots.dispose();
+	}
+
+	#clear(): void {
+		for (const object of this.#soil?.objects ?? []) if (object instanceof Mesh) object.removeFromParent();
+		this.#soil?.dispose();
+		this.#soil = undefined;
+		this.#dug = undefined;
+	}
+}
+
+function alike(one: Dug, other: Dug): boolean {
+	return [0, 1, 2].every((k) => one.low[k] === other.low[k] && one.high[k] === other.high[k]);
+}
+
+/**
+ * What a pit must hold: roots themselves and not some of their points only, from the ground on, however deep they begin
+ * and whatever of the stem stands above it.
+ */
+function reachOf(ends: Float32Array, { low, high }: Dug): Dug {
+	const least = [...low] as [number, number, number];
+	const most: [number, number, number] = [high[0], 0, high[2]];
+	for (let at = 3; at < ends.length; at += 6) {
+		for (let k = 0; k < 3; k++) least[k] = Math.min(least[k], ends[at + k]);
+		for (let k = 0; k < 3; k += 2) most[k] = Math.max(most[k], ends[at + k]);
+	}
+	return { low: least, high: most };
+}
+
+export const cutRenderer: RendererFactory<RootSpecimen, WoodenPlant> = (stage) => new CutRenderer(stage);

@@ -1,0 +1,32 @@
+/** The page's side of the root: loaded with the first root, in a page alone. */
+import { html } from "lit";
+import type { ModelUi } from "../../../ui/tool";
+import { boundaryTool } from "../../particles/boundary/boundary_tool";
+import { meshTool } from "../../particles/boundary/mesh_tool";
+import { planTool } from "../../particles/boundary/plan_tool";
+import { readout } from "../../particles/boundary/readout";
+import { shellTool } from "../../particles/boundary/shell_tool";
+import type { WoodenPlant } from "../../particles/boundary/wooden_plant";
+import { watchingEither } from "../../particles/watch";
+import { rootLay } from "../lay";
+import type { RootSpecimen } from "../specimen";
+import { ROOT_TABLE } from "../table";
+
+export const face: ModelUi<RootSpecimen, WoodenPlant> = {
+	tools: [
+		boundaryTool(rootLay, "volume"),
+		planTool(rootLay),
+		shellTool(rootLay),
+		meshTool("volume", "reach"),
+		...watchingEither<RootSpecimen, WoodenPlant>(ROOT_TABLE),
+	],
+	readout,
+	about: html`<p>
+			Particles scattered in a volume below ground run together on their way up to the collar; their trails are the roots.
+			They are seen in a pit of which the near wall is left away. Drag the points of the volume.
+		</p>
+		<p>
+			After Y. Rodkaew, P. Chongstitvatana, S. Siripant and C. Lursinsap, “Particle systems for plant modeling”, <i>Plant
+			Growth Modeling and Applications</i> (2003).
+		</p>`,
+};

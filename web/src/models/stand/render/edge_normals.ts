@@ -1,0 +1,70 @@
+/** What of a mesh may be too thin to see, and which way it is made wider there: for each vertex, as crowd_material.ts reads it. Pure. */
+import { type PackedMesh, PLACE_STEPS } from "../../../plant/packed_mesh";
+
+/** Numbers of a vertex: a way of length 1 in whole numbers up to these, and the root of the width as a share of the mesh's unit. */
+export const BRIM = 4;
+const STEPS = 127;
+
+type Mesh = Pick<PackedMesh, "positions" | "indices">;
+
+/** Of 300,000 triangles they take 90 ms; and a plant comes near again and again, and the graphics card loses what it was given. */
+const known = new WeakMap<Mesh, Int8Array<ArrayBuffer>>();
+
+/** Found once for each mesh, for meshes never change. */
+export function edgeNormalsOf(mesh: Mesh): Int8Array<ArrayBuffer> {
+	const edgeNormals = known.get(mesh) ?? found(mesh);
+	known.set(mesh, edgeNormals);
+	return edgeNormals;
+}
+
+/**
+ * 4 × vertices. The way is out of a tube, and across the margin of a sheet: from the middle of each triangle, but for what of it is along the
+ * triangle (`alongOf`). The width is that of the widest triangle there.
+ */
+function found({ positions, indices }: Mesh): Int8Array<ArrayBuffer> {
+	const vertices = positions.length / 3;
+	const ways = new Float32Array(3 * vertices);
+	const widths = new Float32Array(vertices);
+	const [way, width] = [new Float32Array(3), new Float32Array(1)];
+	for (let i = 0; i < indices.length; i += 3) {
+		const [a, b, c] = [3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2]];
+		alongOf(positions, a, b, c, way, width);
+		for (const at of [a, b, c]) {
+			const x = positions[at] - (positions[a] + positions[b] + positions[c]) / 3;
+			const y = positions[at + 1] - (positions[a + 1] + positions[b + 1] + positions[c + 1]) / 3;
+			const z = positions[at + 2] - (positions[a + 2] + positions[b + 2] + positions[c + 2]) / 3;
+			const along = x * way[0] + y * way[1] + z * way[2];
+			ways[at] += x - along * way[0];
+			ways[at + 1] += y - along * way[1];
+			ways[at + 2] += z - along * way[2];
+			if (width[0] > widths[at / 3]) widths[at / 3] = width[0];
+		}
+	}
+	const edgeNormals = new Int8Array(BRIM * vertices);
+	for (let v = 0; v < vertices; v++) {
+		const length = Math.hypot(ways[3 * v], ways[3 * v + 1], ways[3 * v + 2]) || 1;
+		for (let k = 0; k < 3; k++) edgeNormals[BRIM * v + k] = Math.round((STEPS * ways[3 * v + k]) / length);
+		edgeNormals[BRIM * v + 3] = Math.min(STEPS, Math.ceil(STEPS * Math.sqrt(widths[v] / PLACE_STEPS)));
+	}
+	return edgeNormals;
+}
+
+/**
+ * The way along a triangle, of length 1, and how wide it is across its longest edge. Of one that is long and narrow it is the edge that is neither
+ * the longest nor the shortest: the longest of a tube's runs askew.
+ */
+function alongOf(at: Int16Array, a: number, b: number, c: number, way: Float32Array, width: Float32Array): void {
+	const [ux, uy, uz] = [at[b] - at[a], at[b + 1] - at[a + 1], at[b + 2] - at[a + 2]];
+	const [vx, vy, vz] = [at[c] - at[a], at[c + 1] - at[a + 1], at[c + 2] - at[a + 2]];
+	const [wx, wy, wz] = [vx - ux, vy - uy, vz - uz];
+	const [u, v, w] = [ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz, wx * wx + wy * wy + wz * wz];
+	const longest = Math.max(u, v, w);
+	const middle = u + v + w - longest - Math.min(u, v, w);
+	const [x, y, z] = middle === u ? [ux, uy, uz] : middle === v ? [vx, vy, vz] : [wx, wy, wz];
+	const length = Math.sqrt(middle) || 1;
+	way[0] = x / length;
+	way[1] = y / length;
+	way[2] = z / length;
+	const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+	width[0] = longest > 0 ? Math.sqrt((nx * nx + ny * ny + nz * nz) / longest) : 0;
+}

@@ -1,0 +1,105 @@
+/** The ground of a stand on the stage: it fades into the paper over its rim, unevenly; files, which know no paper, end with the rim. */
+import { BufferAttribute, Group, type MeshStandardMaterial } from "three";
+import type { Material } from "../../../plant/material";
+import { NOISE_CHUNK } from "../../../plant/noise";
+import type { Part } from "../../../plant/part";
+import { float } from "../../../render/glsl";
+import type { LightUniforms } from "../../../render/light_shader";
+import { PartMeshes } from "../../../render/part_meshes";
+import { standardMaterial } from "../../../render/standard_material";
+
+/** How much sooner or later than in the mean it may fade, as a share of the rim, and how many patches there are along its shorter side. */
+const RAGGED = 0.9;
+const PATCHES = 55;
+
+const FADING = /* glsl */ `
+#include <color_fragment>
+float patchy = 0.6 * noise(vec3(onGround, 0.0)) + 0.4 * noise(vec3(2.7 * onGround, 5.0));
+float left_ = 1.0 - rimShare - ${float(RAGGED)} * (patchy - 0.45) * smoothstep(0.0, 0.4, rimShare);
+diffuseColor.a *= smoothstep(0.0, 0.75, left_) * (1.0 - smoothstep(0.7, 1.0, rimShare));
+`;
+
+export class GroundRenderer {
+	readonly object = new Group();
+	readonly #light: LightUniforms;
+	/** Cells of the noise that it fades by, a metre. */
+	readonly #patches = { value: 1 };
+	/** Of all grounds, one after the other: with a material goes its program, and to build that anew takes many frames. */
+	#material: MeshStandardMaterial | undefined;
+	#meshes: PartMeshes | undefined;
+
+	constructor(light: LightUniforms) {
+		this.#light = light;
+	}
+
+	/**
+	 * Shows a ground in place of the last.
+	 * @param part as files have it; undefined where there is none
+	 * @param rim how far out each vertex is in it
+	 * @param side its shorter side, metres
+	 */
+	show(part: Part | undefined, rim: Float32Array, side: number): void {
+		this.#clear();
+		if (!part?.shape) return;
+		const { mesh, material } = part.shape;
+		this.#patches.value = PATCHES / side;
+		const worn = this.#wearing(material, mesh.colours !== undefined);
+		this.#meshes = new PartMeshes([part], { materialOf: () => worn });
+		for (const object of this.#meshes.objects) {
+			object.geometry.setAttribute("rim", new BufferAttribute(rim, 1));
+			object.castShadow = false;
+			this.object.add(object);
+		}
+	}
+
+	dispose(): void {
+		this.#clear();
+		this.object.removeFromParent();
+		this.#material?.dispose();
+	}
+
+	#clear(): void {
+		this.object.clear();
+		this.#meshes?.dispose();
+		this.#meshes = undefined;
+	}
+
+	/** All grounds are alike, but for their colours. */
+	#wearing(material: Material, coloured: boolean): MeshStandardMaterial {
+		this.#material ??= fading(material, coloured, this.#patches, this.#light);
+		if (coloured) this.#material.color.set(1, 1, 1);
+		else this.#material.color.fromArray(material.colour);
+		if (this.#material.vertexColors !== coloured) this.#material.needsUpdate = true;
+		this.#material.vertexColors = coloured;
+		return this.#material;
+	}
+}
+
+function fading(
+	material: Material,
+	coloured: boolean,
+	patches: { value: number },
+	light: LightUniforms,
+): MeshStandardMaterial {
+	const made = standardMaterial(material, { light, sky: true, coloured });
+	const lit = made.onBeforeCompile.bind(made);
+	const key = made.customProgramCacheKey();
+	// Drawn after the paper, which is drawn after the plants.
+	made.transparent = true;
+	made.onBeforeCompile = (shader, renderer) => {
+		lit(shader, renderer);
+		const varyings = "varying float rimShare;\nvarying vec2 onGround;";
+		shader.uniforms.patches = patches;
+		shader.vertexShader = shader.vertexShader
+			.replace("#include <common>", `#include <common>\nattribute float rim;\nuniform float patches;\n${varyings}`)
+			.replace(
+				"#include <project_vertex>",
+				"#include <project_vertex>\nrimShare = rim;\nonGround = patches * position.xz;",
+			);
+		shader.fragmentShader = shader.fragmentShader
+			.replace("#include <common>", `#include <common>\n${varyings}\n${NOISE_CHUNK}`)
+			.replace("#include <color_fragment>", FADING);
+	};
+	made.customProgramCacheKey = () => `${key} ground`;
+	return made;
+}

@@ -1,0 +1,65 @@
+/** The light of a crown's cells in the 3-D view: a point for each. */
+import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from "three";
+import type { EditorContext, EditorState } from "../../../ui/editor_context";
+import type { ToolInteraction, ToolView } from "../../../ui/tool";
+import type { TreeSpecimen } from "../specimen";
+import type { TreePlant } from "../tree_plant";
+import { type LightGrid, lightPoints } from "./light_grid";
+import type { LightTool } from "./light_tool";
+
+/** Width of a point, of a cell's edge. */
+const WIDTH = 1;
+/** Drawn after the plant. */
+const ORDER = 10;
+
+export class LightHands implements ToolInteraction<TreeSpecimen, TreePlant> {
+	readonly #view: ToolView;
+	readonly #desk: EditorContext<TreeSpecimen, TreePlant>;
+	readonly #tool: LightTool;
+	readonly #material = new PointsMaterial({
+		vertexColors: true,
+		transparent: true,
+		depthTest: false, // Leaves would hide the cells between them.
+		depthWrite: false,
+		toneMapped: false,
+	});
+	readonly #points = new Points(new BufferGeometry(), this.#material);
+	#shown: LightGrid | undefined;
+
+	constructor(view: ToolView, desk: EditorContext<TreeSpecimen, TreePlant>, tool: LightTool) {
+		this.#view = view;
+		this.#desk = desk;
+		this.#tool = tool;
+		this.#points.name = "light";
+		this.#points.renderOrder = ORDER;
+		this.#points.visible = false;
+		view.addOverlay(this.#points);
+	}
+
+	/** While a control is dragged no light is worked out: the last one stays. */
+	update({ grown }: EditorState<TreeSpecimen, TreePlant>): void {
+		const visible = this.#desk.toolState(this.#tool);
+		const grid = grown?.light ?? this.#shown;
+		if (visible && grid && grid !== this.#shown) this.#show(grid);
+		if (!visible && !this.#points.visible) return;
+		this.#points.visible = visible && grid !== undefined;
+		this.#view.requestRender();
+	}
+
+	dispose(): void {
+		this.#view.removeOverlay(this.#points);
+		this.#points.geometry.dispose();
+		this.#material.dispose();
+	}
+
+	#show(grid: LightGrid): void {
+		const { positions, colours } = lightPoints(grid);
+		this.#points.geometry.dispose();
+		this.#points.geometry = new BufferGeometry()
+			.setAttribute("position", new BufferAttribute(positions, 3))
+			.setAttribute("color", new BufferAttribute(colours, 4));
+		// Sizes of points leave out the angle of view: cot(angle / 2), an element of the camera's projection, puts it in.
+		this.#material.size = WIDTH * grid.edge * this.#view.camera.projectionMatrix.elements[5];
+		this.#shown = grid;
+	}
+}

@@ -1,0 +1,17 @@
+/** The tree's side of the document: its table, its presets, and what a specimen of it holds besides. */
+
+import type { ModelSchema } from "../../specimen/model_schema";
+import { Presets } from "../../specimen/presets";
+import { obstaclesOf, roundsOf, targetsOf } from "../particles/boundary/details/places";
+import { profileOf } from "../particles/boundary/details/profile";
+import { hollowOf, volumeOf } from "../particles/boundary/details/volume";
+import { DEFAULT_PRESET, PRESET_KINDS, PRESETS } from "./presets/presets";
+import type { TreeSpecimen } from "./specimen";
+import { TREE_TABLE } from "./table";
+
+export const TREE: ModelSchema<TreeSpecimen> = {
+	name: "tree",
+	table: TREE_TABLE,
+	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	details: [profileOf(), targetsOf(), obstaclesOf(), roundsOf(), volumeOf(TREE_TABLE), hollowOf()],
+};

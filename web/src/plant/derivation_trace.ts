@@ -1,0 +1,192 @@
+/** What the core tells of a derivation, step by step (columns: wasm-core/src/lsystem_plant/derivation_trace_columns.hpp). */
+import type { Block, Columns } from "../core/container";
+
+/** The longest window that may be asked for. */
+export const MOST_TOLD = 2000;
+
+/** Which part of a derivation is to be told. No link keeps it. */
+export interface TraceRequest {
+	/** 0 is the axiom; of one beyond the last, the last is told. */
+	readonly step: number;
+	/** Index of the window's first module in that step's string; 0 where absent. */
+	readonly first?: number;
+	/** How many modules from there on, at most `MOST_TOLD`, which is the default. */
+	readonly count?: number;
+	/** A module of the last string, whose ancestors are wanted (`DerivationTrace.trail`). */
+	readonly module?: number;
+}
+
+/** Where a production stands in the text, from 1 on: at its predecessor. */
+export interface TextPlace {
+	/** From 1. */
+	readonly line: number;
+	/** From 1, in characters. */
+	readonly column: number;
+}
+
+/** Modules one after the other in a string. */
+export interface ModuleSpan {
+	/** Index of the first. */
+	readonly first: number;
+	/** May be 0: then `first` is where it would stand. */
+	readonly count: number;
+}
+
+/** How a production was drawn among those that match. */
+export interface Chance {
+	/** The sum of the weights of all that matched. */
+	readonly total: number;
+	/** Its own weight. */
+	readonly weight: number;
+	/** Where in that sum the draw fell, from 0 up to `total`. */
+	readonly drawn: number;
+}
+
+/** What a module was told, or asked and was told. */
+export interface ModuleAnswer {
+	/** Its parameters before; undefined of ?P, ?H, ?L and ?U, which ask nothing. */
+	readonly asked?: readonly string[];
+	/** Its parameters afterwards. */
+	readonly answered: readonly string[];
+	/** Why, in the environment's words, where it has any. */
+	readonly words?: string;
+}
+
+/** A production that does not rewrite a module, and why. */
+export interface Refusal {
+	readonly production: TextPlace;
+	/** "its condition is false with x = 3" */
+	readonly why: string;
+}
+
+/** A module of the window. */
+export interface ToldModule {
+	/** As the string has it: `B(29)`. */
+	readonly text: string;
+	/** Index in the step before of the module that it came from; undefined in the axiom. */
+	readonly parent?: number;
+	/** The production that wrote it in this step; undefined where it was copied, and of the axiom. */
+	readonly production?: TextPlace;
+	/** The production that rewrites it next; undefined where it stays, is cut, or there is no next step. */
+	readonly fires?: TextPlace;
+	/** The other productions of its symbol, in the order of the text; absent where there are none. */
+	readonly refusals?: readonly Refusal[];
+	/** What that production is used with, in its own order: parameters of predecessor and contexts, then what its blocks work out. */
+	readonly values: readonly { readonly name: string; readonly value: string }[];
+	/** Of a production with a weight that fires. */
+	readonly chance?: Chance;
+	/** What it becomes in the next step; of the last step nothing. */
+	readonly children: ModuleSpan;
+	/** Its descendants in the last string, by whose indices `DerivationTrace.segments` and `organs` go. */
+	readonly last: ModuleSpan;
+	/** What it was told before the next step. */
+	readonly answer?: ModuleAnswer;
+}
+
+/** A derivation, and a window of one of its strings. */
+export interface DerivationTrace {
+	/** How many modules each step's string has; the axiom's first. */
+	readonly counts: Uint32Array;
+	/** The step that is told. */
+	readonly step: number;
+	/** Index of the first of `modules` in its string. */
+	readonly first: number;
+	/** The window's modules, in their order. */
+	readonly modules: readonly ToldModule[];
+	/** Of the module of the last string that was asked for: the index of its ancestor in each step. */
+	readonly trail?: Uint32Array;
+	/** Of each segment of the plant, the module of the last string that drew it; `NOT_DRAWN` where none did. */
+	readonly segments: Uint32Array;
+	/** Of each organ likewise. */
+	readonly organs: Uint32Array;
+}
+
+/** What the text did not draw: a peduncle, a second bunch. */
+export const NOT_DRAWN = 0xffffffff;
+
+/** Blocks of a request that ask for it, besides the output word `chronicle`. */
+export function chronicleBlocks({ step, first, count, module }: TraceRequest): Block[] {
+	const word = (name: string, value: number | undefined): Block[] =>
+		value === undefined ? [] : [{ name: `chronicle_${name}`, data: Uint32Array.of(value) }];
+	return [...word("step", step), ...word("first", first), ...word("count", count), ...word("module", module)];
+}
+
+/** What an answer tells of its derivation; undefined where that was not asked for. */
+export function readTrace(columns: Columns): DerivationTrace | undefined {
+	if (!columns.has("chronicle.counts")) return undefined;
+	const [step, first, count] = columns.words("chronicle.window");
+	const pairs = (name: string, index: number) => columns.words(`chronicle.${name}`).subarray(2 * index, 2 * index + 2);
+	const lines = (name: string) => columns.text(`chronicle.${name}`).split("\n");
+	const [texts, values, answers, refused] = [lines("modules"), lines("values"), lines("answers"), lines("refusals")];
+	const parents = columns.words("chronicle.parent");
+	const chances = columns.floats("chronicle.chance");
+	const modules = Array.from({ length: count }, (_, index): ToldModule => {
+		const [total, weight, drawn] = chances.subarray(3 * index, 3 * index + 3);
+		const production = placeOf(pairs("production", index));
+		const fires = placeOf(pairs("fires", index));
+		const answer = answerOf(answers[index]);
+		const refusals = refusalsOf(refused[index]);
+		return {
+			text: texts[index],
+			...(parents[index] === NOT_DRAWN ? {} : { parent: parents[index] }),
+			...(production ? { production } : {}),
+			...(fires ? { fires } : {}),
+			...(refusals.length > 0 ? { refusals } : {}),
+			values: values[index].split(" ").filter(Boolean).map(assignment),
+			...(total > 0 ? { chance: { total, weight, drawn } } : {}),
+			children: spanOf(pairs("children", index)),
+			last: spanOf(pairs("last", index)),
+			...(answer ? { answer } : {}),
+		};
+	});
+	return {
+		counts: columns.words("chronicle.counts"),
+		step,
+		first,
+		modules,
+		...(columns.has("chronicle.trail") ? { trail: columns.words("chronicle.trail") } : {}),
+		segments: columns.has("segments.module") ? columns.words("segments.module") : new Uint32Array(0),
+		organs: columns.has("organs.module") ? columns.words("organs.module") : new Uint32Array(0),
+	};
+}
+
+function placeOf([line, column]: Uint32Array): TextPlace | undefined {
+	return line === 0 ? undefined : { line, column };
+}
+
+/** `3:1 its condition is false` of each, with tabs between. */
+function refusalsOf(line: string): Refusal[] {
+	return line
+		.split("\t")
+		.filter(Boolean)
+		.map((text) => {
+			const [place] = text.split(" ", 1);
+			const [row, column] = place.split(":").map(Number);
+			return { production: { line: row, column }, why: text.slice(place.length + 1) };
+		});
+}
+
+function spanOf([first, count]: Uint32Array): ModuleSpan {
+	return { first, count };
+}
+
+function assignment(pair: string): { name: string; value: string } {
+	const at = pair.indexOf("=");
+	return { name: pair.slice(0, at), value: pair.slice(at + 1) };
+}
+
+/** `asked 1 0 → 1 3; because`, or `written 0 1 0`. */
+function answerOf(line: string): ModuleAnswer | undefined {
+	if (line === "") return undefined;
+	const numbers = (text: string) => text.split(" ").filter(Boolean);
+	if (line.startsWith("written")) return { answered: numbers(line.slice("written".length)) };
+	const arrow = line.indexOf("→");
+	const semicolon = line.indexOf(";", arrow);
+	const end = semicolon < 0 ? line.length : semicolon;
+	const words = line.slice(end + 1).trim();
+	return {
+		asked: numbers(line.slice("asked".length, arrow)),
+		answered: numbers(line.slice(arrow + 1, end)),
+		...(words ? { words } : {}),
+	};
+}

@@ -1,0 +1,312 @@
+import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { type BoundingProfile, type Fit, fitView, hasOutgrown, needsRefit, showsWhole } from "./camera_fit";
+
+/** A long lens, as for a portrait: round things stay round at the view's edge. */
+const FOV = 24;
+const MARGIN = 0.07;
+/** Where the camera stands at first, in degrees: a little to the right, a little above. */
+const AZIMUTH = 24;
+const ELEVATION = 7;
+/** The lens of who walks among plants, degrees, and how near something may come to the eye, metres. */
+const WALKING_FOV = 58;
+const WALKING_NEAR = 0.05;
+/** How long the view takes to follow a plant that has outgrown it, ms. */
+const EASE = 320;
+
+export type ViewName = "three-quarter" | "front" | "side";
+
+/** Where an eye stands and what it looks at, metres. */
+export interface Gaze {
+	readonly eye: readonly [x: number, y: number, z: number];
+	readonly towards: readonly [x: number, y: number, z: number];
+}
+
+const VIEWS: Record<ViewName, { azimuth: number; elevation: number }> = {
+	"three-quarter": { azimuth: AZIMUTH, elevation: ELEVATION },
+	front: { azimuth: 0, elevation: 0 },
+	side: { azimuth: 90, elevation: 0 },
+};
+
+/** The camera and the hand that turns the plant before it. */
+export class CameraController {
+	readonly camera = new PerspectiveCamera(FOV, 1, 0.01, 10);
+	readonly controls: OrbitControls;
+	#fit: Fit | undefined;
+	/** The plant shown, and the one that `#fit` fits. */
+	#spindle: BoundingProfile | undefined;
+	#fitted: BoundingProfile | undefined;
+	/** Fits are for the elevation of the direction last asked for, so that turning the plant changes none. */
+	#fitElevation = MathUtils.degToRad(ELEVATION);
+	/** Of the view that a plant is first seen in, degrees. */
+	#firstElevation = ELEVATION;
+	/**
+	 * Whether the view follows a plant only to keep all of it in the picture: it goes back or aside from one that would leave the picture,
+	 * even while pointers do not turn the plant, and never comes nearer.
+	 */
+	keepsWhole = false;
+	/** Whether the eye stands where it was put, and not before the table. */
+	#walking = false;
+	#glide: { from: Vector3; to: Vector3; fromDistance: number; toDistance: number; start: number } | undefined;
+
+	/** @param changed called when the view moves and must be drawn again */
+	constructor(
+		canvas: HTMLElement,
+		/** No gliding, no damping; may change at any time. */
+		public reducedMotion: boolean,
+		readonly changed: () => void,
+	) {
+		this.controls = new OrbitControls(this.camera, canvas);
+		this.controls.dampingFactor = 0.12;
+		this.controls.rotateSpeed = 0.85;
+		this.controls.minPolarAngle = 0.12;
+		this.controls.maxPolarAngle = Math.PI - 0.12;
+		this.controls.addEventListener("change", () => {
+			this.#keepInReach();
+			changed();
+		});
+		this.controls.addEventListener("start", () => {
+			this.#glide = undefined;
+		});
+		this.#place(VIEWS["three-quarter"]);
+	}
+
+	/** Distance from the eye to what it looks at. */
+	get distance(): number {
+		return this.camera.position.distanceTo(this.controls.target);
+	}
+
+	/** Distance from the eye to a paper that stands behind the plant, clear of it however it is tilted. */
+	get paper(): number {
+		const { breadth, radius } = this.#fit ?? { breadth: 0.05, radius: 0.1 };
+		const elevation = this.#elevation;
+		return this.distance + 1.2 * (breadth * Math.cos(elevation) + radius * Math.abs(Math.sin(elevation)));
+	}
+
+	/** Angle of the camera over the target's horizon, radians. */
+	get #elevation(): number {
+		const arm = this.camera.position.clone().sub(this.controls.target);
+		return Math.PI / 2 - new Spherical().setFromVector3(arm).phi;
+	}
+
+	setAspect(aspect: number): void {
+		const before = this.#fit;
+		this.camera.aspect = aspect;
+		this.camera.updateProjectionMatrix();
+		// A window that changes shape keeps the plant as large in it as it was.
+		if (this.#fitted && before && !this.#walking) {
+			const zoom = this.distance / before.distance;
+			this.#fit = this.#fitOf(this.#fitted);
+			this.#setDistance(this.#fit.distance * zoom);
+			this.#setLimits();
+		}
+	}
+
+	/**
+	 * Takes note of the plant shown. The view follows only when it must, gliding; while a control is `held` it only goes back
+	 * from a plant that has outgrown it, and while a handle in the scene itself is (orbiting is off), not at all.
+	 */
+	follow(spindle: BoundingProfile, held: boolean): void {
+		this.#spindle = spindle;
+		if (this.#walking) {
+			this.#setWalkingDepth();
+			return;
+		}
+		const now = this.#fitOf(spindle);
+		if (this.#fit === undefined) this.fit();
+		else if (this.keepsWhole) this.#keepWhole(this.#fit, now);
+		else if (held ? this.controls.enabled && hasOutgrown(this.#fit, now) : needsRefit(this.#fit, now))
+			this.#glideTo(now);
+	}
+
+	/** The next plant is of another kind: it is fitted as the first was, and not glided to. */
+	forget(elevation = ELEVATION): void {
+		this.look(undefined);
+		this.#firstElevation = elevation;
+		this.#fit = undefined;
+		this.#fitted = undefined;
+		this.#spindle = undefined;
+		this.#glide = undefined;
+	}
+
+	/** Shows the whole plant, from the first direction or the one asked for. */
+	fit(view: ViewName = "three-quarter"): void {
+		if (this.#walking) return;
+		this.#glide = undefined;
+		// What is left of a throw would turn the plant on, be it by a hair.
+		this.controls.enableDamping = false;
+		this.controls.update();
+		const elevation = view === "three-quarter" ? this.#firstElevation : VIEWS[view].elevation;
+		const from = { ...VIEWS[view], elevation };
+		this.#place(from);
+		this.#fitElevation = MathUtils.degToRad(elevation);
+		if (this.#spindle) {
+			this.#fitted = this.#spindle;
+			this.#fit = this.#fitOf(this.#spindle);
+			this.controls.target.fromArray(this.#fit.target);
+			this.#place(from);
+			this.#setDistance(this.#fit.distance);
+			this.#setLimits();
+		}
+		this.camera.lookAt(this.controls.target);
+		this.changed();
+	}
+
+	/** Has the eye stand somewhere, where nothing else moves it; undefined brings back the whole plant. */
+	look(from: Gaze | undefined): void {
+		if (!from && !this.#walking) return;
+		this.#walking = from !== undefined;
+		this.camera.fov = from ? WALKING_FOV : FOV;
+		if (!from) {
+			this.camera.updateProjectionMatrix();
+			this.fit();
+			return;
+		}
+		this.#glide = undefined;
+		this.controls.enableDamping = false;
+		this.controls.minDistance = 0;
+		this.controls.maxDistance = Infinity;
+		this.controls.target.fromArray(from.towards);
+		this.camera.position.fromArray(from.eye);
+		this.camera.lookAt(this.controls.target);
+		this.#setWalkingDepth();
+		this.changed();
+	}
+
+	/** Turns the plant by angles in radians: to the right, and its top towards the eye. */
+	orbit(right: number, down: number): void {
+		if (this.#walking) return;
+		const arm = this.camera.position.clone().sub(this.controls.target);
+		const at = new Spherical().setFromVector3(arm);
+		at.theta -= right;
+		at.phi = MathUtils.clamp(at.phi - down, this.controls.minPolarAngle, this.controls.maxPolarAngle);
+		this.camera.position.setFromSpherical(at).add(this.controls.target);
+		this.#moved();
+	}
+
+	/** Makes the plant look `factor` times as large. */
+	zoom(factor: number): void {
+		if (this.#walking) return;
+		const { minDistance, maxDistance } = this.controls;
+		this.#setDistance(MathUtils.clamp(this.distance / factor, minDistance, maxDistance));
+		this.#moved();
+	}
+
+	/** Shifts the plant by shares of the view's height: to the right, down. */
+	pan(right: number, down: number): void {
+		if (this.#walking) return;
+		const span = 2 * this.distance * Math.tan(MathUtils.degToRad(FOV) / 2);
+		const shift = new Vector3(-right * span, down * span, 0).applyQuaternion(this.camera.quaternion);
+		this.controls.target.add(shift);
+		this.camera.position.add(shift);
+		this.#keepInReach();
+		this.#moved();
+	}
+
+	/** Moves the view on by one frame; true while it is still moving. */
+	advance(now: number): boolean {
+		const glide = this.#glide;
+		if (glide) {
+			if (glide.start === 0) glide.start = now;
+			const t = this.reducedMotion ? 1 : Math.min(1, (now - glide.start) / EASE);
+			const eased = 1 - (1 - t) ** 3;
+			const arm = this.camera.position.clone().sub(this.controls.target).normalize();
+			this.controls.target.lerpVectors(glide.from, glide.to, eased);
+			const distance = MathUtils.lerp(glide.fromDistance, glide.toDistance, eased);
+			this.camera.position.copy(arm.multiplyScalar(distance).add(this.controls.target));
+			if (t === 1) {
+				this.#glide = undefined;
+				this.#setLimits();
+			}
+		}
+		this.controls.enableDamping = !this.reducedMotion;
+		const moved = this.controls.update();
+		this.camera.updateMatrixWorld();
+		return moved || this.#glide !== undefined;
+	}
+
+	dispose(): void {
+		this.controls.dispose();
+	}
+
+	#fitOf(spindle: BoundingProfile): Fit {
+		return fitView(spindle, MathUtils.degToRad(FOV), this.camera.aspect, MARGIN, this.#fitElevation);
+	}
+
+	#keepWhole(shown: Fit, now: Fit): void {
+		const lens = { fov: MathUtils.degToRad(FOV), aspect: this.camera.aspect, elevation: this.#fitElevation };
+		if (this.#spindle && !showsWhole(shown, this.#spindle, lens))
+			this.#glideTo({ ...now, distance: Math.max(now.distance, shown.distance) });
+	}
+
+	#glideTo(fit: Fit): void {
+		// Of a view on its way it counts where it is going.
+		const aimed = this.#glide?.toDistance ?? this.distance;
+		const zoom = this.#fit ? aimed / this.#fit.distance : 1;
+		this.#fit = fit;
+		this.#fitted = this.#spindle;
+		this.controls.minDistance = 0;
+		this.controls.maxDistance = Infinity;
+		// On the way all of both is seen, be one a hundred times as large.
+		this.#setDepth(Math.min(this.distance, fit.distance * zoom), Math.max(this.distance, fit.distance * zoom));
+		this.#glide = {
+			from: this.controls.target.clone(),
+			to: new Vector3(...fit.target),
+			fromDistance: this.distance,
+			toDistance: fit.distance * zoom,
+			start: 0,
+		};
+		this.changed();
+	}
+
+	#place({ azimuth, elevation }: { azimuth: number; elevation: number }): void {
+		const at = new Spherical(1, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
+		this.camera.position.setFromSpherical(at).add(this.controls.target);
+	}
+
+	#setDistance(distance: number): void {
+		const arm = this.camera.position.clone().sub(this.controls.target).setLength(distance);
+		this.camera.position.copy(arm.add(this.controls.target));
+	}
+
+	/** From inside the outermost twigs to a plant as small as a stamp. */
+	#setLimits(): void {
+		const fit = this.#fit;
+		if (!fit) return;
+		this.controls.minDistance = 0.25 * fit.distance;
+		this.controls.maxDistance = 4 * fit.distance;
+		this.#setDepth(fit.distance, fit.distance);
+	}
+
+	/** What is drawn lies between these, for eyes so far from what they look at. */
+	#setDepth(nearest: number, farthest: number): void {
+		this.camera.near = 0.02 * nearest;
+		this.camera.far = 10 * farthest;
+		this.camera.updateProjectionMatrix();
+	}
+
+	/** The whole plant is in sight from wherever in it the eye stands, however it has grown meanwhile. */
+	#setWalkingDepth(): void {
+		this.camera.near = WALKING_NEAR;
+		this.camera.far = Math.max(10, this.#spindle ? 6 * this.#fitOf(this.#spindle).radius : 0);
+		this.camera.updateProjectionMatrix();
+	}
+
+	/** The plant can be shifted, but not out of sight. */
+	#keepInReach(): void {
+		const fit = this.#fit;
+		if (!fit || this.#glide || this.#walking) return;
+		const centre = new Vector3(...fit.target);
+		const away = this.controls.target.clone().sub(centre);
+		const excess = away.length() - fit.radius;
+		if (excess <= 0) return;
+		const back = away.setLength(-excess);
+		this.controls.target.add(back);
+		this.camera.position.add(back);
+	}
+
+	#moved(): void {
+		this.camera.lookAt(this.controls.target);
+		this.changed();
+	}
+}

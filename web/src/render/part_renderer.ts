@@ -1,0 +1,257 @@
+import {
+	BufferAttribute,
+	BufferGeometry,
+	Color,
+	InstancedMesh,
+	type Material,
+	Mesh,
+	MeshBasicMaterial,
+	type MeshDepthMaterial,
+	type PerspectiveCamera,
+	Raycaster,
+	Vector3,
+} from "three";
+import type { Picture } from "../plant/material";
+import type { Part } from "../plant/part";
+import type { Sway } from "../plant/sway";
+import type { Bodies } from "./camera_fit";
+import { type Drawn, MaterialCache } from "./material_cache";
+import { MeshShadow } from "./mesh_shadow";
+import type { ModelRenderer, Ray, RendererFactory, RendererStage } from "./model_renderer";
+import { ballOf, boundsOf, joined } from "./part_bounds";
+import { PartMeshes, type PartObject } from "./part_meshes";
+import { StandardLights } from "./standard_lights";
+import { windyDepth } from "./standard_material";
+
+/** The light that marks a part. */
+const MARK = new Color(0.22, 0.18, 0.12);
+/** What is laid over a cell, whatever is painted there: a colour that few plants have. */
+const CELL = {
+	color: 0x1f6fb0,
+	transparent: true,
+	opacity: 0.6,
+	polygonOffset: true,
+	polygonOffsetFactor: -2,
+	polygonOffsetUnits: -2,
+};
+/** And over those that it is one of, below it. */
+const WHOLE = { ...CELL, opacity: 0.22, polygonOffsetFactor: -1, polygonOffsetUnits: -1 };
+
+/**
+ * The figure of any model that gives parts: drawn in three's standard material under the stage's light. `pick` gives the cell of
+ * meshes with `cells`; what has none is counted in the order of the parts, each instance by itself, from behind the last cell on.
+ */
+export class PartRenderer<S, G> implements ModelRenderer<S, G> {
+	readonly modes = ["whole"];
+	readonly #stage: RendererStage;
+	readonly #parts: (grown: G, specimen: S) => Iterable<Part>;
+	readonly #room: (specimen: S) => Float32Array;
+	readonly #lights = new StandardLights();
+	readonly #shadow: MeshShadow;
+	readonly #wardrobe: MaterialCache;
+	readonly #depth: MeshDepthMaterial;
+	readonly #swayOf: (grown: G) => Sway | undefined;
+	#sway: Sway | undefined;
+	#shown: PartMeshes;
+	/** One more than the last cell of any mesh. */
+	#cells = 0;
+	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
+	/** 3 × points that the view is to hold besides. */
+	#about: Float32Array = new Float32Array(0);
+	#marks: Mesh<BufferGeometry, Material>[] = [];
+
+	/**
+	 * @param room points that the view is to hold besides the parts, metres
+	 * @param swayOf how wind moves a plant; where absent it stands still
+	 */
+	constructor(
+		stage: RendererStage,
+		parts: (grown: G, specimen: S) => Iterable<Part>,
+		room: (specimen: S) => Float32Array = () => new Float32Array(0),
+		swayOf: (grown: G) => Sway | undefined = () => undefined,
+	) {
+		this.#stage = stage;
+		this.#parts = parts;
+		this.#room = room;
+		this.#swayOf = swayOf;
+		this.#wardrobe = new MaterialCache(stage.light.uniforms, stage.wind);
+		this.#depth = windyDepth(stage.wind);
+		this.#shown = new PartMeshes([], this.#wardrobe);
+		this.#shadow = new MeshShadow(stage.shadow, stage.wind);
+		stage.root.add(this.#lights.group);
+	}
+
+	show(grown: G, specimen: S): void {
+		this.#clear();
+		const parts = [...this.#parts(grown, specimen)];
+		this.#wardrobe.change();
+		this.#shown = new PartMeshes(parts, this.#wardrobe);
+		this.#cells = cellsIn(this.#shown.objects);
+		for (const object of this.#shown.objects) {
+			if (object.material.userData.blown) object.customDepthMaterial = this.#depth;
+			this.#stage.root.add(object);
+		}
+		this.#sway = this.#swayOf(grown);
+		this.#shadow.lay(this.#shown.objects, ({ userData }) => userData.blown);
+		this.#bounds = boundsOf(parts);
+		this.#about = this.#room(specimen);
+		this.#lights.shade(ballOf(this.#bounds));
+	}
+
+	bounds(): Bodies {
+		const { spheres, points } = this.#bounds;
+		return { spheres, points: joined([points, this.#about]) };
+	}
+
+	sway(): Sway | undefined {
+		return this.#sway;
+	}
+
+	restored(): void {
+		this.#lights.restored();
+	}
+
+	prepare(camera: PerspectiveCamera): void {
+		this.#lights.aim(this.#stage.light, camera, this.#stage.wind);
+	}
+
+	pick({ origin, direction }: Ray): number | undefined {
+		const ray = new Raycaster(new Vector3(...origin), new Vector3(...direction).normalize());
+		const [hit] = ray.intersectObjects(this.#shown.objects, false);
+		if (!hit) return undefined;
+		const cells = cellsOf(hit.object as PartObject);
+		if (cells) return cells[hit.faceIndex ?? 0];
+		let before = this.#cells;
+		for (const object of this.#shown.objects) {
+			if (object === hit.object) break;
+			if (!cellsOf(object)) before += countOf(object);
+		}
+		return before + (hit.instanceId ?? 0);
+	}
+
+	mark(picked: number | undefined, whole: ReadonlySet<number> = new Set()): void {
+		this.#unmark();
+		if (picked === undefined) return;
+		let left = picked - this.#cells;
+		for (const object of this.#shown.objects) {
+			const cells = cellsOf(object);
+			if (cells) {
+				this.#lightCells(object, cells, (cell) => cell === picked, CELL);
+				this.#lightCells(object, cells, (cell) => cell !== picked && whole.has(cell), WHOLE);
+			} else if (left >= 0 && left < countOf(object)) this.#light(instanceOf(object, left));
+			if (!cells) left -= countOf(object);
+		}
+	}
+
+	#lightCells({ geometry }: PartObject, cells: Uint32Array, which: (cell: number) => boolean, by: typeof CELL): void {
+		if (!cells.some(which)) return;
+		const mark = new Mesh(onlyOf(geometry, cells, which), new MeshBasicMaterial(by));
+		mark.userData.own = true;
+		this.#light(mark);
+	}
+
+	#light(mark: Mesh<BufferGeometry, Material>): void {
+		this.#marks.push(mark);
+		this.#stage.root.add(mark);
+	}
+
+	/** Lays another picture on a part that is drawn with one. */
+	lay(name: string, kind: Drawn, picture: Picture): void {
+		const found = this.#shown.objects.find((object) => object.name === name);
+		if (found) this.#wardrobe.lay(found.material, kind, picture);
+	}
+
+	setMode(): void {}
+
+	dispose(): void {
+		this.#clear();
+		this.#wardrobe.dispose();
+		this.#depth.dispose();
+		this.#shadow.dispose();
+		this.#lights.dispose();
+	}
+
+	#clear(): void {
+		this.#unmark();
+		for (const object of this.#shown.objects) object.removeFromParent();
+		this.#shown.dispose();
+		this.#shadow.lay([]);
+	}
+
+	#unmark(): void {
+		for (const mark of this.#marks) {
+			mark.removeFromParent();
+			mark.material.dispose();
+			if (mark.userData.own) mark.geometry.dispose();
+		}
+		this.#marks = [];
+	}
+}
+
+const cellsOf = ({ userData }: PartObject): Uint32Array | undefined => userData.cells;
+
+/** One more than the last cell of any mesh. */
+function cellsIn(objects: readonly PartObject[]): number {
+	let count = 0;
+	for (const object of objects) for (const cell of cellsOf(object) ?? []) count = Math.max(count, cell + 1);
+	return count;
+}
+
+function lightened(of: PartObject["material"]): PartObject["material"] {
+	const material = of.clone();
+	material.emissive.copy(MARK);
+	material.polygonOffset = true;
+	material.polygonOffsetFactor = -1;
+	material.polygonOffsetUnits = -1;
+	return material;
+}
+
+/** One of those that an object draws, by itself. */
+function instanceOf(object: PartObject, index: number): PartObject {
+	const mark: PartObject = new Mesh(object.geometry, lightened(object.material));
+	if (object instanceof InstancedMesh) {
+		object.getMatrixAt(index, mark.matrix);
+		mark.matrix.decompose(mark.position, mark.quaternion, mark.scale);
+	}
+	return mark;
+}
+
+/**
+ * The triangles of some cells, with vertices of their own: three deletes a geometry's buffers on the graphics card with the geometry, though
+ * another shares its attributes.
+ */
+function onlyOf(geometry: BufferGeometry, cells: Uint32Array, which: (cell: number) => boolean): BufferGeometry {
+	const indices = geometry.index?.array ?? [];
+	/** The place of each vertex in the mark, in the order of first use. */
+	const places = new Map<number, number>();
+	const own: number[] = [];
+	for (let corner = 0; corner < 3 * cells.length; corner++) {
+		if (!which(cells[Math.floor(corner / 3)])) continue;
+		const place = places.get(indices[corner]) ?? places.size;
+		places.set(indices[corner], place);
+		own.push(place);
+	}
+	const only = new BufferGeometry();
+	for (const name of ["position", "normal"]) {
+		const attribute = geometry.getAttribute(name);
+		const values = new Float32Array(3 * places.size);
+		for (const [vertex, place] of places)
+			for (let axis = 0; axis < 3; axis++) values[3 * place + axis] = attribute.getComponent(vertex, axis);
+		only.setAttribute(name, new BufferAttribute(values, 3));
+	}
+	only.setIndex(own);
+	return only;
+}
+
+function countOf(object: PartObject): number {
+	return object instanceof InstancedMesh ? object.count : 1;
+}
+
+/** The figure of a model that has none of its own. */
+export function partRenderer<S, G>(
+	parts: (grown: G, specimen: S) => Iterable<Part>,
+	room?: (specimen: S) => Float32Array,
+	swayOf?: (grown: G) => Sway | undefined,
+): RendererFactory<S, G> {
+	return (stage) => new PartRenderer(stage, parts, room, swayOf);
+}

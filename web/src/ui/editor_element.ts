@@ -1,0 +1,80 @@
+import { LitElement, type PropertyValues } from "lit";
+import { changed } from "./changed";
+import type { EditorContext } from "./editor_context";
+
+/** How many there have been, so that the ids in each are its own. */
+let made = 0;
+
+/**
+ * A part of the page, or a control (control_element.ts): draws the desk's state and calls its actions. Such elements draw into the page
+ * itself, not into shadow trees, so that one style sheet and one order of focus serve them all.
+ */
+export abstract class EditorElement<D extends EditorContext = EditorContext> extends LitElement {
+	static override properties = { desk: { attribute: false } };
+	declare desk: D;
+
+	readonly #serial = ++made;
+	#unsubscribe: (() => void) | undefined;
+	/** What `shows` gave when it was last drawn. */
+	#shown: readonly unknown[] | undefined;
+	/** Whether it is to look what has changed, as soon as the present task is through. */
+	#looking = false;
+
+	/** Draws the state; called after changes of what it shows, at most once for those that come together. */
+	protected abstract draw(desk: D): unknown;
+
+	/**
+	 * All that is drawn of the desk, piece by piece, always as many in the same order: where each is the same as when it was last
+	 * drawn, it is not drawn anew. Where absent, every change of the state counts.
+	 */
+	protected shows?(desk: D): readonly unknown[];
+
+	/** An id that no other element of the page has. */
+	protected idOf(name: string): string {
+		return `${name}-${this.#serial}`;
+	}
+
+	protected override createRenderRoot(): this {
+		return this;
+	}
+
+	override connectedCallback(): void {
+		super.connectedCallback();
+		if (this.desk) this.#subscribe();
+	}
+
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		this.#unsubscribe?.();
+		this.#unsubscribe = undefined;
+	}
+
+	protected override willUpdate(changed: PropertyValues): void {
+		if (changed.has("desk") && this.isConnected) this.#subscribe();
+	}
+
+	/** Elements of the page stand there before there is a desk. */
+	protected override shouldUpdate(_changed: PropertyValues): boolean {
+		return this.desk !== undefined;
+	}
+
+	protected override render(): unknown {
+		this.#shown = this.shows?.(this.desk);
+		return this.draw(this.desk);
+	}
+
+	#subscribe(): void {
+		this.#unsubscribe?.();
+		this.#unsubscribe = this.desk.subscribe(() => {
+			if (this.#looking) return;
+			this.#looking = true;
+			queueMicrotask(() => this.#look());
+		});
+	}
+
+	/** One look at all changes that come together. */
+	#look(): void {
+		this.#looking = false;
+		if (!this.#shown || changed(this.#shown, this.shows?.(this.desk))) this.requestUpdate();
+	}
+}

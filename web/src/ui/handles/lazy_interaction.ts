@@ -1,0 +1,51 @@
+/** A tool's hands whose script is fetched when they are first wanted. */
+import type { Plant } from "../../plant/plant";
+import type { Specimen } from "../../specimen/specimen";
+import type { EditorContext, EditorState } from "../editor_context";
+import type { ToolInteraction } from "../tool";
+
+export interface LazyInteractionOptions<S extends Specimen, G extends Plant> {
+	readonly desk: EditorContext<S, G>;
+	/** Whether there is anything to take hold of; once there was, every change is told. */
+	wanted(state: EditorState<S, G>): boolean;
+	fetch(): Promise<ToolInteraction<S, G>>;
+	/** Puts the tool back to where its button fetches them anew. */
+	missed(): void;
+}
+
+export class LazyInteraction<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
+	readonly #options: LazyInteractionOptions<S, G>;
+	#hands: Promise<ToolInteraction<S, G> | undefined> | undefined;
+	#disposed = false;
+
+	constructor(options: LazyInteractionOptions<S, G>) {
+		this.#options = options;
+	}
+
+	update(state: EditorState<S, G>): void {
+		if (!this.#hands && !this.#options.wanted(state)) return;
+		this.#hands ??= this.#fetch();
+		void this.#hands.then((hands) => {
+			if (!this.#disposed) hands?.update(state);
+		});
+	}
+
+	dispose(): void {
+		this.#disposed = true;
+		void this.#hands?.then((hands) => hands?.dispose());
+	}
+
+	async #fetch(): Promise<ToolInteraction<S, G> | undefined> {
+		const { desk, fetch, missed } = this.#options;
+		const hands = await fetch().catch(() => undefined);
+		if (hands) {
+			if (!this.#disposed) return hands;
+			hands.dispose();
+			return undefined;
+		}
+		this.#hands = undefined;
+		missed();
+		desk.notify("The handles could not be fetched", ["Check the connection and press their button again."]);
+		return undefined;
+	}
+}

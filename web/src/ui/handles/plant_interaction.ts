@@ -1,0 +1,57 @@
+/** Handles of a model over the 3-D view, as a tool's hands: laid anew of every document, their drags called off whole. */
+import type { Plant } from "../../plant/plant";
+import type { Specimen } from "../../specimen/specimen";
+import type { Change, EditorContext } from "../editor_context";
+import type { ToolView } from "../tool";
+import type { PlantHandles } from "./plant_handle";
+import { PlantHandleLayer } from "./plant_handle_layer";
+
+/** The canvas's class while handles stand on it: nothing fades at its edge (style/stage.css). */
+const WHOLE_SURFACE = "handles";
+
+export interface PlantHandsOptions<S extends Specimen> {
+	/** What of a document handles change: what a cancelled drag brings back. */
+	kept(specimen: S): NonNullable<Change["details"]>;
+	/** A handle has the focus. */
+	focused?(id: string): void;
+}
+
+export class PlantInteraction<S extends Specimen, G extends Plant> {
+	readonly #view: ToolView;
+	readonly #layer: PlantHandleLayer;
+	readonly #undraw: () => void;
+
+	constructor(view: ToolView, desk: EditorContext<S, G>, { kept, focused }: PlantHandsOptions<S>) {
+		this.#view = view;
+		let before: NonNullable<Change["details"]> = {};
+		this.#layer = new PlantHandleLayer({
+			canvas: view.canvas,
+			project: (at) => view.project(at),
+			sightThrough: (x, y) => view.sightThrough(x, y),
+			begin: () => {
+				before = kept(desk.state.specimen);
+			},
+			change: (change) => desk.edit(change),
+			settle: () => desk.settle(),
+			cancel: () => {
+				desk.edit({ details: before });
+				desk.settle();
+			},
+			...(focused ? { focused } : {}),
+		});
+		this.#undraw = view.onDrawn(() => this.#layer.place());
+	}
+
+	/** Puts these handles where they are, or none. */
+	lay(handles: PlantHandles | undefined, wholeSurface = handles !== undefined): void {
+		this.#view.canvas.classList.toggle(WHOLE_SURFACE, wholeSurface);
+		this.#layer.lay(handles);
+		this.#view.requestRender();
+	}
+
+	dispose(): void {
+		this.#view.canvas.classList.remove(WHOLE_SURFACE);
+		this.#undraw();
+		this.#layer.dispose();
+	}
+}
