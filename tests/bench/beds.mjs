@@ -64,7 +64,7 @@ export async function benchBeds(source) {
 /** @returns what grew, and whether one before has the same triangles: then it was placed on its map, or could be */
 function plantOf(known, textNames, blocks, { columns }, time) {
 	const text = blocks.find(({ name }) => name === "text")?.data;
-	const levels = [0, 1, 2, 3].map((k) => columns.words(`mesh.level${k}.indices`));
+	const levels = [0, 1, 2, 3].map((k) => columns.uint32(`mesh.level${k}.indices`));
 	const key = `${text}${levels[0].join()}`;
 	const again = known.has(key);
 	known.add(key);

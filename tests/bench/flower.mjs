@@ -20,7 +20,7 @@ export async function benchFlowers({ core, instance, source }) {
 	];
 	for (const name of FLOWERS) {
 		const { columns } = instance.growBytes(flowerOf(name, true));
-		const counts = columns.words("counts");
+		const counts = columns.uint32("counts");
 		const names = columns.text("counts.names").split("\n");
 		const of = (what) => counts[names.indexOf(what)];
 		// The core keeps its last flower: after a stem of one volume it grows it anew, of another size it places the same.

@@ -42,7 +42,7 @@ async function benchMillion(core, source) {
 	const rows = [["a million modules", "aim ms", "wasm ms", "native ms", "ratio"]];
 	for (const [name, options, aim] of [
 		["derived and drawn", { meshes: false }, "–"],
-		["and meshed, in passing", { passing: true }, "–"],
+		["and meshed, in passing", { preview: true }, "–"],
 		["and meshed, with sky", {}, "400"],
 	]) {
 		const request = writeContainer(model.encode(specimen, options));

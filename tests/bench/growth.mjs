@@ -31,7 +31,7 @@ export async function benchGrowth({ core, instance, source }) {
 function sizesOf(columns) {
 	return [0, 1, 2, 3].map((level) => ({
 		vertices: columns.floats(`mesh.level${level}.positions`).length / 3,
-		triangles: columns.words(`mesh.level${level}.indices`).length / 3,
+		triangles: columns.uint32(`mesh.level${level}.indices`).length / 3,
 	}));
 }
 
@@ -118,7 +118,7 @@ function match(instance, request, peer, way) {
 	const grown = (steps, leaves) => {
 		const { columns } = instance.growBytes(request(1, steps, leaves, 1));
 		const names = columns.lines("counts.names");
-		const count = (name) => columns.words("counts")[names.indexOf(name)];
+		const count = (name) => columns.uint32("counts")[names.indexOf(name)];
 		const vertices = columns.floats("mesh.level0.positions").length / 3;
 		return { steps, leaves, branches: count("branches"), counted: count("leaves"), vertices };
 	};

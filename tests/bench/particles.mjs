@@ -64,9 +64,9 @@ async function benchPlants(core, source) {
 		const whole = request({ measures: false });
 		const wasm = microseconds(1, RUNS, grower(core, whole));
 		const native = nativeGrow(whole, 1, RUNS);
-		const passing = microseconds(1, RUNS, grower(core, request({ passing: true })));
+		const preview = microseconds(1, RUNS, grower(core, request({ preview: true })));
 		const ratio = (wasm / native).toFixed(2);
-		rows.push([name, particles, aim ?? "–", milliseconds(wasm), milliseconds(native), ratio, milliseconds(passing)]);
+		rows.push([name, particles, aim ?? "–", milliseconds(wasm), milliseconds(native), ratio, milliseconds(preview)]);
 	}
 	printTable("Standard presets, with meshes and sky", rows);
 }

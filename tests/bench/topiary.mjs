@@ -14,9 +14,9 @@ export async function benchTopiaries({ core, source }) {
 	for (const { name, text } of model.presets.list.filter(({ kind }) => kind === "topiary")) {
 		const specimen = { ...fromPreset(model, name), grammar: TEXTS[text] };
 		const request = (options) => writeContainer(model.encode(specimen, options));
-		const passing = request({ passing: true });
-		const wasm = microseconds(1, RUNS, grower(core, passing));
-		const native = nativeGrow(passing, 1, RUNS);
+		const preview = request({ preview: true });
+		const wasm = microseconds(1, RUNS, grower(core, preview));
+		const native = nativeGrow(preview, 1, RUNS);
 		const whole = microseconds(1, RUNS, grower(core, request()));
 		const aim = name.endsWith("garden-tree") ? 50 : "–";
 		rows.push([

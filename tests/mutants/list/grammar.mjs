@@ -251,7 +251,7 @@ export default [
 		faults: [
 			{
 				id: "grammar-fine-in-passing",
-				find: '\t\tpassing && "coarse",\n',
+				find: '\t\tpreview && "coarse",\n',
 				replace: "",
 				breaks: "a step of a drag brings meshes that only a plant at rest needs",
 			},

@@ -75,8 +75,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/page_ground.ts`,
-		suites: ["tests/web/library/page_ground.test.ts"],
+		file: `${SRC}/page_runtime.ts`,
+		suites: ["tests/web/library/page_runtime.test.ts"],
 		faults: [
 			{
 				id: "library-keeps-its-workers",

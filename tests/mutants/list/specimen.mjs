@@ -214,7 +214,7 @@ export default [
 			},
 			{
 				id: "request-all-in-passing",
-				find: "sky = meshes && !passing",
+				find: "sky = meshes && !preview",
 				replace: "sky = meshes",
 				breaks: "every step of a drag surveys the sky, a fifth of what it costs",
 			},

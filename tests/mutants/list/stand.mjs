@@ -95,13 +95,13 @@ export default [
 			},
 			{
 				id: "stand-keeps-what-lacks-something",
-				find: "if (read[at].prepared) kept",
-				replace: "kept",
+				find: "if (read[at].prepared) cache",
+				replace: "cache",
 				breaks: "plants that lack what could not be fetched once lack it for ever",
 			},
 			{
 				id: "stand-looks-of-its-own",
-				find: "kept?.looks ?? new Looks()",
+				find: "cache?.looks ?? new Looks()",
 				replace: "new Looks()",
 				breaks: "a file's bytes hang on what was edited before",
 			},

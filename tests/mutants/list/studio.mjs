@@ -27,8 +27,8 @@ export default [
 			},
 			{
 				id: "studio-drag-measured-at-every-step",
-				find: "{ passing: held }",
-				replace: "{ passing: false }",
+				find: "{ preview: held }",
+				replace: "{ preview: false }",
 				breaks: "every step of a drag is measured, and slow",
 			},
 			{

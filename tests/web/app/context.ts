@@ -17,7 +17,7 @@ export async function studioWith(specimen: Specimen, model: PageModel = bunchMod
 		grow: vi.fn(),
 		cancel: vi.fn(),
 		measure: vi.fn<Surroundings["measure"]>(async () => new Float32Array()),
-		aside: vi.fn<Surroundings["aside"]>(async () => EMPTY_PLANT),
+		growOffscreen: vi.fn<Surroundings["growOffscreen"]>(async () => EMPTY_PLANT),
 		settled: vi.fn(),
 		remember: vi.fn(),
 	};

@@ -24,7 +24,7 @@ describe("the studio", () => {
 	it("grows at every step of a drag, but makes one undo step and one address of it", () => {
 		for (const l of [400, 390, 380]) studio.edit({ parameters: { l } });
 		expect(surroundings.grow).toHaveBeenCalledTimes(3);
-		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { passing: true });
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { preview: true });
 		expect(surroundings.settled).not.toHaveBeenCalled();
 		studio.settle();
 		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen);
@@ -39,16 +39,16 @@ describe("the studio", () => {
 		studio.edit({ parameters: { l: 400 } });
 		studio.settle();
 		expect(surroundings.grow).toHaveBeenCalledTimes(2);
-		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { passing: false });
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { preview: false });
 		studio.settle();
 		expect(surroundings.grow).toHaveBeenCalledTimes(2);
 		studio.edit({ parameters: { l: 300 } });
 		studio.edit({ parameters: { l: 400 } });
 		studio.settle();
-		expect(surroundings.grow.mock.lastCall?.[2]).toEqual({ passing: false });
+		expect(surroundings.grow.mock.lastCall?.[2]).toEqual({ preview: false });
 		surroundings.grow.mockClear();
 		studio.set({ parameters: { l: 390 } });
-		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen, { passing: false });
+		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen, { preview: false });
 	});
 
 	it("keeps what was last measured while a drag asks for nothing, but not of another model", () => {
@@ -138,7 +138,7 @@ describe("the studio", () => {
 		studio.open({ specimen: grammar, notes: [{ key: "l", problem: "", text: "l: too long." }] }, "link");
 		expect(studio.state.specimen).toEqual(grammar);
 		expect(studio.state.history).toEqual({ past: [], present: grammar, future: [] });
-		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar, { passing: false });
+		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar, { preview: false });
 		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar);
 		expect(studio.state.notices).toMatchObject([{ details: ["l: too long."] }]);
 	});

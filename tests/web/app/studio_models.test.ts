@@ -18,13 +18,13 @@ describe("a preset of another model", () => {
 		studio.choosePreset("plain", toyModel);
 		expect(studio.state.model).toBe(toyModel);
 		expect(studio.state.specimen).toEqual(fromPreset(toyModel));
-		expect(surroundings.grow).toHaveBeenLastCalledWith(toyModel, studio.state.specimen, { passing: false });
+		expect(surroundings.grow).toHaveBeenLastCalledWith(toyModel, studio.state.specimen, { preview: false });
 		expect(surroundings.settled).toHaveBeenLastCalledWith(toyModel, studio.state.specimen);
 		expect(studio.preset).toEqual(fromPreset(toyModel));
 		studio.undo();
 		expect(studio.state.model).toBe(bunchModel);
 		expect(studio.state.specimen).toEqual(opened);
-		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, opened, { passing: false });
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, opened, { preview: false });
 		studio.redo();
 		expect(studio.state.model).toBe(toyModel);
 	});

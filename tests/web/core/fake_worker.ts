@@ -52,9 +52,9 @@ export class FakeWorker {
 	}
 }
 
-const seedIn = (blocks: readonly Block[]) => new Columns(writeContainer(blocks)).words("seed")[0];
+const seedIn = (blocks: readonly Block[]) => new Columns(writeContainer(blocks)).uint32("seed")[0];
 /** What a request with that seed grows into. */
-export const seedOf = ({ columns }: Answer) => columns.words("seed")[0];
+export const seedOf = ({ columns }: Answer) => columns.uint32("seed")[0];
 export const withSeed = (seed: number, wasm = "bunch.wasm"): Order => ({
 	wasm,
 	blocks: [{ name: "seed", data: Uint32Array.of(seed) }],

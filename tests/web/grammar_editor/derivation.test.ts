@@ -4,7 +4,7 @@ import { Derivation } from "../../../web/src/grammar_editor/derivation";
 import { DERIVATION, type DerivationState } from "../../../web/src/grammar_editor/derivation_tool";
 import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
 import type { Specimen } from "../../../web/src/specimen/specimen";
-import type { AsideOptions, EditorContext } from "../../../web/src/ui/editor_context";
+import type { EditorContext, OffscreenOptions } from "../../../web/src/ui/editor_context";
 import { algae } from "./told_derivation";
 
 const STEPS = 5;
@@ -12,10 +12,10 @@ const STEPS = 5;
 /** A desk with a plant of the algae on it; plants of single steps come when they are let. */
 function laid() {
 	const specimen = { model: "grammar" } as Specimen;
-	const plants: { readonly options: AsideOptions; let(): void; refuse(error: Error): void }[] = [];
+	const plants: { readonly options: OffscreenOptions; let(): void; refuse(error: Error): void }[] = [];
 	let state: DerivationState = DERIVATION.initial;
 	const followers: Pick<Derivation, "follow">[] = [];
-	const aside = vi.fn(async (_from: Specimen, options: AsideOptions): Promise<Plant> => {
+	const growOffscreen = vi.fn(async (_from: Specimen, options: OffscreenOptions): Promise<Plant> => {
 		const told = (steps: number) => ({ ...EMPTY_PLANT, chronicle: algae(options.chronicle ?? { step: 0 }, steps) });
 		if (options.steps === undefined) return told(STEPS);
 		return new Promise((resolve, reject) => {
@@ -24,7 +24,7 @@ function laid() {
 	});
 	const desk = {
 		state: { grown: { ...EMPTY_PLANT }, grownFrom: specimen },
-		aside,
+		growOffscreen,
 		toolState: () => state,
 		setToolState: (_tool: unknown, next: DerivationState) => {
 			state = next;
@@ -34,16 +34,16 @@ function laid() {
 			});
 		},
 	};
-	return { desk, aside, plants, followers, tool: () => state };
+	return { desk, growOffscreen, plants, followers, tool: () => state };
 }
 
 const settle = () => new Promise((resolve) => setTimeout(resolve));
 
 describe("a derivation that is looked at", () => {
-	let { desk, aside, plants, followers, tool } = laid();
+	let { desk, growOffscreen, plants, followers, tool } = laid();
 	let derivation: Derivation;
 	beforeEach(async () => {
-		({ desk, aside, plants, followers, tool } = laid());
+		({ desk, growOffscreen, plants, followers, tool } = laid());
 		derivation = new Derivation(desk as unknown as EditorContext, () => {});
 		followers.push(derivation);
 		await settle();
@@ -158,14 +158,14 @@ describe("a derivation that is looked at", () => {
 		plants[0].let();
 		await settle();
 		await to(3);
-		const asked = aside.mock.calls.length;
+		const asked = growOffscreen.mock.calls.length;
 		for (const chosen of [false, true]) {
 			desk.setToolState(DERIVATION, { ...tool(), met: { module: 1, step: 2, chosen } });
 			derivation.follow();
 			await settle();
 			expect([derivation.pointed, derivation.chosen]).toEqual([undefined, undefined]);
 		}
-		expect(aside.mock.calls).toHaveLength(asked);
+		expect(growOffscreen.mock.calls).toHaveLength(asked);
 	});
 
 	it("asks for the ancestor of what is clicked where the window does not tell", async () => {
@@ -175,7 +175,7 @@ describe("a derivation that is looked at", () => {
 		desk.setToolState(DERIVATION, { ...tool(), met: { module: 12, step: STEPS, chosen: true } });
 		derivation.follow();
 		await settle();
-		expect(aside.mock.lastCall?.[1].chronicle).toBeDefined();
+		expect(growOffscreen.mock.lastCall?.[1].chronicle).toBeDefined();
 		expect(derivation.chosen).toBe(2);
 	});
 
@@ -207,7 +207,7 @@ describe("a derivation that is looked at", () => {
 	});
 
 	it("says why nothing is told, and gives the view back", async () => {
-		aside.mockRejectedValueOnce(new Error("The text needs 3 inputs."));
+		growOffscreen.mockRejectedValueOnce(new Error("The text needs 3 inputs."));
 		Object.assign(desk.state, { grownFrom: { model: "grammar" } });
 		derivation.follow();
 		await settle();

@@ -1,11 +1,11 @@
 /** The library on cores of the tests' own, as its front doors lay them. */
 import { Cores } from "../../../web/src/core/cores";
-import { layGround } from "../../../web/src/library/ground";
+import { setRuntime } from "../../../web/src/library/runtime";
 import { freshCore } from "../core/wasm";
 
 const cores = new Cores(freshCore);
 
-layGround({ grow: (wasm, blocks) => cores.grow(wasm, blocks) });
+setRuntime({ grow: (wasm, blocks) => cores.grow(wasm, blocks) });
 
 export * from "../../../web/src/library/index";
 

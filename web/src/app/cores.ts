@@ -2,7 +2,7 @@
 import { Client } from "../core/client";
 import type { Block } from "../core/container";
 import { Superseded, UnsupportedError } from "../core/errors";
-import { grownMembers, KeptMembers } from "../generate/members";
+import { grownMembers, MemberCache } from "../generate/members";
 import type { GrowthOptions } from "../models/model";
 import type { PageModel } from "../models/page_model";
 import type { Plant } from "../plant/plant";
@@ -25,7 +25,7 @@ export interface Grower {
 export class Cores implements Grower {
 	readonly #addressOf: (file: string) => string | undefined;
 	readonly #client: Pick<Client, "warm" | "grow" | "among">;
-	readonly #kept = new KeptMembers();
+	readonly #members = new MemberCache();
 	#calls = 0;
 
 	/** @param addressOf where a core's file lies; undefined where there is none of that name */
@@ -69,10 +69,10 @@ export class Cores implements Grower {
 		return grownMembers(model, grown, run, {
 			meshes: wanted.meshes ?? true,
 			abreast: 2 * seats(),
-			kept: this.#kept,
+			cache: this.#members,
 			grew: (part) => {
 				isNewest();
-				if (!wanted.passing) grew?.(part);
+				if (!wanted.preview) grew?.(part);
 			},
 		});
 	}

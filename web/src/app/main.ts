@@ -81,7 +81,7 @@ function start(model: PageModel): void {
 			grow: (of, each, options) => void growing.grow(of, each, options),
 			measure: async (of, each, signal) =>
 				(await searching.grow(of, each, { meshes: false, measures: true, signal })).measures ?? new Float32Array(),
-			aside: async (each, options) =>
+			growOffscreen: async (each, options) =>
 				beside.grow(await modelNamed(each.model), each, { meshes: false, measures: false, ...options }),
 			cancel: () => growing.cancel(),
 			settled: (of, each) => void bar.write(of, each),

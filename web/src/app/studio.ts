@@ -28,7 +28,7 @@ export class Studio implements EditorContext {
 	#state: StudioState;
 	/** What a specimen measures, and what it grows into, without showing it; the end of what grows now. */
 	readonly measure: Surroundings["measure"];
-	readonly aside: Surroundings["aside"];
+	readonly growOffscreen: Surroundings["growOffscreen"];
 	readonly cancel: Surroundings["cancel"];
 	readonly #listeners = new Set<() => void>();
 	readonly #surroundings: Surroundings;
@@ -46,7 +46,7 @@ export class Studio implements EditorContext {
 
 	constructor(opening: Opening, surroundings: Surroundings) {
 		this.#surroundings = surroundings;
-		({ measure: this.measure, aside: this.aside, cancel: this.cancel } = surroundings);
+		({ measure: this.measure, growOffscreen: this.growOffscreen, cancel: this.cancel } = surroundings);
 		this.#models.set(opening.model.name, opening.model);
 		this.#state = opened(opening);
 		void this.#bringFace(opening.model);
@@ -268,7 +268,7 @@ export class Studio implements EditorContext {
 		const { model, specimen, held } = this.#state;
 		this.#whole = !held;
 		this.#update({ pending: true });
-		this.#surroundings.grow(model, specimen, { passing: held });
+		this.#surroundings.grow(model, specimen, { preview: held });
 	}
 
 	/** Puts the tools of a model on the desk, in place of the last one's. */

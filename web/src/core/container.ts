@@ -137,7 +137,7 @@ export class Columns {
 		return this.#of(name, "int32") as Int32Array<ArrayBuffer>;
 	}
 
-	words(name: string): Uint32Array<ArrayBuffer> {
+	uint32(name: string): Uint32Array<ArrayBuffer> {
 		return this.#of(name, "uint32") as Uint32Array<ArrayBuffer>;
 	}
 

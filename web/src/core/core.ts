@@ -106,7 +106,7 @@ export class Core {
 			this.#programs.delete(oldest[0]);
 		}
 		const columns = this.#call(encoder.encode(text), panicle_compile);
-		return columns.words("program")[0];
+		return columns.uint32("program")[0];
 	}
 
 	#grown(request: Uint8Array): Answer {
@@ -133,7 +133,7 @@ export class Core {
 		// The buffer is asked for after the call: it is another one where the memory has grown.
 		const columns = new Columns(copyContainer(exports.memory.buffer as ArrayBuffer, answer));
 		exports.panicle_release(answer);
-		const [reason, line, column] = columns.words("status");
+		const [reason, line, column] = columns.uint32("status");
 		if (reason === 0) return columns;
 		throw new CoreError(CORE_REASONS[reason] ?? "bad request", columns.text("message"), line, column);
 	}

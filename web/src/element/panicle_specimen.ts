@@ -62,7 +62,7 @@ export class PanicleSpecimen extends HTMLElement {
 			root,
 			hands: {
 				edit: (change) => {
-					this.#put((document) => changedIn(document, change), { passing: true }).catch(() => {});
+					this.#put((document) => changedIn(document, change), { preview: true }).catch(() => {});
 				},
 				settle: () => void this.#put((document) => document).catch(() => {}),
 			},
@@ -183,14 +183,14 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#extras.follow();
 	}
 
-	/** Another document in place of this one; while a hand still moves (`passing`), `input` tells of it, else `change`. */
-	async #put(make: (before: Document) => Document, { passing = false } = {}): Promise<GrownDetail> {
+	/** Another document in place of this one; while a hand still moves (`preview`), `input` tells of it, else `change`. */
+	async #put(make: (before: Document) => Document, { preview = false } = {}): Promise<GrownDetail> {
 		this.#flush();
 		const { model, specimen } = await this.#document.change(make);
 		const detail = { link: await encodeLink(model, specimen) };
-		this.dispatchEvent(new CustomEvent(passing ? "input" : "change", { detail, bubbles: true }));
-		this.#withView((view) => view.hold(passing));
-		return this.#begin({ passing });
+		this.dispatchEvent(new CustomEvent(preview ? "input" : "change", { detail, bubbles: true }));
+		this.#withView((view) => view.hold(preview));
+		return this.#begin({ preview });
 	}
 
 	#begin(options: GrowthOptions): Promise<GrownDetail> {

@@ -1,9 +1,9 @@
 /** Where on a member others may hang: its organs of the tags that were asked for. */
 
-import type { Member, MemberAsked } from "../models/member";
+import type { Member, MemberRequest } from "../models/member";
 import type { Plant } from "../plant/plant";
 
-export function spotsOf(plant: Plant, { spots }: MemberAsked): Pick<Member, "spots"> {
+export function spotsOf(plant: Plant, { spots }: MemberRequest): Pick<Member, "spots"> {
 	return spots ? { spots: Object.fromEntries(spots.map((tag) => [tag, placesOf(plant, tag)])) } : {};
 }
 

@@ -6,7 +6,7 @@ import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 import { CoreError } from "../core/errors";
 import { isModel, modelNamed, modelNames } from "../models/index";
-import type { Member, MemberAsked, Place } from "../models/member";
+import type { Member, MemberRequest, TextPosition } from "../models/member";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { fromPreset } from "../specimen/from_preset";
@@ -25,7 +25,7 @@ export interface MembersOptions {
 	/** How many are under way at once; 1 where absent. */
 	abreast?: number;
 	/** Those that have grown before: what is asked as it was then is not grown anew. */
-	kept?: KeptMembers;
+	cache?: MemberCache;
 	/** Bytes that their meshes may take together; the default is what a page can hold. */
 	most?: number;
 	/** Whether the time limit is over: members that have not begun are left out, and the plant is cut short. */
@@ -35,25 +35,25 @@ export interface MembersOptions {
 }
 
 /** Members by what was asked: those of the last plant, for the next one that has many of the same. */
-export class KeptMembers {
+export class MemberCache {
 	/** Those of all, so that new ones share materials with those that stay, and files are the same whatever was there before. */
 	readonly looks = new Looks();
 	#known = new Map<string, Member>();
 
 	/** Those that the plant asks for which are known; from now on no others are. */
-	keep(asked: readonly MemberAsked[], meshes: boolean): (Member | undefined)[] {
+	keep(asked: readonly MemberRequest[], meshes: boolean): (Member | undefined)[] {
 		const keys = asked.map((each) => keyOf(each, meshes));
 		const found = keys.map((key) => this.#known.get(key));
 		this.#known = new Map(keys.flatMap((key, i) => (found[i] ? [[key, found[i]] as const] : [])));
 		return found;
 	}
 
-	add(asked: MemberAsked, meshes: boolean, member: Member): void {
+	add(asked: MemberRequest, meshes: boolean, member: Member): void {
 		this.#known.set(keyOf(asked, meshes), member);
 	}
 }
 
-function keyOf({ model, preset, seed, values, surroundings, spots }: MemberAsked, meshes: boolean): string {
+function keyOf({ model, preset, seed, values, surroundings, spots }: MemberRequest, meshes: boolean): string {
 	return JSON.stringify([model, preset, seed, values, surroundings, spots, meshes]);
 }
 
@@ -71,17 +71,17 @@ export async function grownMembers(
 	model: Model,
 	grown: Plant,
 	run: RunCore,
-	{ meshes = true, abreast = 1, kept, most = MOST, timeIsOver = () => false, grew }: MembersOptions = {},
+	{ meshes = true, abreast = 1, cache, most = MOST, timeIsOver = () => false, grew }: MembersOptions = {},
 ): Promise<Plant> {
 	const { members } = model;
 	if (!members) return grown;
-	const asked = members.asked(grown);
+	const asked = members.requests(grown);
 	const notes = new Set<string>();
 	const read = await resolved(model, asked, notes);
 	const heard = read.map(({ asked: each }) => each);
-	const looks = kept?.looks ?? new Looks();
+	const looks = cache?.looks ?? new Looks();
 	const order = alikeTogether(asked);
-	const done: (Member | undefined)[] = kept?.keep(heard, meshes) ?? asked.map(() => undefined);
+	const done: (Member | undefined)[] = cache?.keep(heard, meshes) ?? asked.map(() => undefined);
 	const joined = () => members.joined({ ...grown, notes: [...grown.notes, ...notes, ...notesOf(done)] }, [...done]);
 	let count = done.filter(Boolean).length;
 	let bytes = done.reduce((sum, member) => sum + (member ? bytesOf(member) : 0), 0);
@@ -98,7 +98,7 @@ export async function grownMembers(
 			if (bytes > most) throw tooMuch(asked[at], most);
 			done[at] = member;
 			// What could not be fetched may be there the next time.
-			if (read[at].prepared) kept?.add(heard[at], meshes, member);
+			if (read[at].prepared) cache?.add(heard[at], meshes, member);
 			if (++count < tell || count === asked.length) continue;
 			tell = Math.ceil(count * (1 + STEP));
 			grew?.(joined(), count, asked.length);
@@ -123,7 +123,7 @@ export async function grownMembers(
 }
 
 /** In which order they are grown: those of one preset one after the other, for cores keep what the next one has of the last. */
-function alikeTogether(asked: readonly MemberAsked[]): readonly number[] {
+function alikeTogether(asked: readonly MemberRequest[]): readonly number[] {
 	const presets = new Map<string, number[]>();
 	for (const [i, { model, preset }] of asked.entries()) {
 		const key = `${model}/${preset}`;
@@ -155,14 +155,14 @@ function bytesOf({ levels }: Member): number {
 	return bytes;
 }
 
-function tooMuch({ place }: MemberAsked, most: number): CoreError {
+function tooMuch({ place }: MemberRequest, most: number): CoreError {
 	const message = `The different plants take more than ${most / 1e6} MB; ask for fewer plants, or add seeds 20 to a line.`;
 	return new CoreError("limit", message, place.line, place.column);
 }
 
 interface Read {
 	/** What was asked, of which the model takes heed. */
-	readonly asked: MemberAsked;
+	readonly asked: MemberRequest;
 	readonly model: Model;
 	readonly specimen: Specimen;
 	/** Whether all that it needs besides the core is there. */
@@ -170,7 +170,7 @@ interface Read {
 }
 
 /** What is asked as specimens, with what each needs fetched. */
-async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<string>): Promise<Read[]> {
+async function resolved(of: Model, asked: readonly MemberRequest[], notes: Set<string>): Promise<Read[]> {
 	const models = new Map<string, Model>();
 	const read: Omit<Read, "prepared">[] = [];
 	// Whether what it takes came, by what decides what that is.
@@ -211,13 +211,13 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 }
 
 /** What a model knows nothing of makes no other plant. */
-function heeded({ details }: Model, { surroundings, ...asked }: MemberAsked): MemberAsked {
+function heeded({ details }: Model, { surroundings, ...asked }: MemberRequest): MemberRequest {
 	const isActive = surroundings !== undefined && details.some(({ keys }) => keys.includes("surroundings"));
 	return isActive ? { ...asked, surroundings } : asked;
 }
 
 /** What to fetch follows from what is chosen, and of numbers from whether there is any of it. */
-function preparedBy({ model, preset, values }: MemberAsked): string {
+function preparedBy({ model, preset, values }: MemberRequest): string {
 	const telling = Object.entries(values).map(([key, value]) => [key, typeof value === "number" ? value > 0 : value]);
 	return JSON.stringify([model, preset, telling]);
 }
@@ -226,13 +226,13 @@ function preparedBy({ model, preset, values }: MemberAsked): string {
 const namerOf = ({ details }: Model) => details.find(({ named }) => named);
 
 /** Values of the text's own names; undefined where all are of the table. */
-function ownNames({ table }: Model, { values }: MemberAsked): Record<string, string> | undefined {
+function ownNames({ table }: Model, { values }: MemberRequest): Record<string, string> | undefined {
 	const own = Object.entries(values).filter(([key]) => !table.entry(key));
 	return own.length > 0 ? Object.fromEntries(own.map(([key, value]) => [key, String(value)])) : undefined;
 }
 
 /** @throws CoreError at the place of a name that neither the table nor the text has */
-async function noStranger(model: Model, specimen: Specimen, { place, places, preset }: MemberAsked): Promise<void> {
+async function noStranger(model: Model, specimen: Specimen, { place, places, preset }: MemberRequest): Promise<void> {
 	const stranger = await namerOf(model)?.stranger?.(specimen);
 	if (!stranger) return;
 	const { name, problem } = stranger;
@@ -244,7 +244,7 @@ async function noStranger(model: Model, specimen: Specimen, { place, places, pre
 }
 
 /** What is drawn is any number; of what is counted, the nearest whole one. What is no parameter is left out. */
-function whole({ table }: Model, values: MemberAsked["values"]): MemberAsked["values"] {
+function whole({ table }: Model, values: MemberRequest["values"]): MemberRequest["values"] {
 	const counted = (key: string) => table.entry(key)?.kind === "integer";
 	return Object.fromEntries(
 		Object.entries(values)
@@ -253,14 +253,14 @@ function whole({ table }: Model, values: MemberAsked["values"]): MemberAsked["va
 	);
 }
 
-async function known(of: Model, { model: name, place }: MemberAsked): Promise<Model> {
+async function known(of: Model, { model: name, place }: MemberRequest): Promise<Model> {
 	const others = modelNames().filter((each) => each !== of.name);
 	if (isModel(name) && name !== of.name) return modelNamed(name);
 	const why = name === of.name ? `A ${of.noun} stands in no ${of.noun}` : `There is no model ${name}`;
 	throw wrong(`${why}; there are ${others.join(", ")}.`, place);
 }
 
-function checked(model: Model, { preset, values, place, places }: MemberAsked): void {
+function checked(model: Model, { preset, values, place, places }: MemberRequest): void {
 	const { presets, table, noun } = model;
 	if (!presets.named(preset))
 		throw wrong(
@@ -275,7 +275,7 @@ function checked(model: Model, { preset, values, place, places }: MemberAsked): 
 	}
 }
 
-function wrong(message: string, { line, column }: Place): CoreError {
+function wrong(message: string, { line, column }: TextPosition): CoreError {
 	return new CoreError("undefined name", message, line, column);
 }
 

@@ -86,7 +86,7 @@ export class Derivation {
 		if (grownFrom !== this.#from) {
 			this.#from = grownFrom;
 			this.#reader.begin(async (asked, signal) => {
-				const { chronicle } = await this.#desk.aside(grownFrom, { chronicle: asked, signal });
+				const { chronicle } = await this.#desk.growOffscreen(grownFrom, { chronicle: asked, signal });
 				if (!chronicle) throw new Error("This plant does not tell of its derivation.");
 				return chronicle;
 			});
@@ -200,7 +200,7 @@ export class Derivation {
 		this.#growing = growing;
 		try {
 			const { signal } = growing.ending;
-			const grown: Plant = await this.#desk.aside(from, {
+			const grown: Plant = await this.#desk.growOffscreen(from, {
 				steps: step,
 				chronicle: { step, count: 1 },
 				meshes: true,
@@ -263,7 +263,7 @@ export class Derivation {
 		const [from, step] = [this.#from, this.step];
 		if (!from || step === undefined) return;
 		try {
-			const { chronicle } = await this.#desk.aside(from, { chronicle: { step, count: 1, module } });
+			const { chronicle } = await this.#desk.growOffscreen(from, { chronicle: { step, count: 1, module } });
 			const found = chronicle?.trail?.[step];
 			if (found !== undefined && this.#from === from && this.step === step) this.choose(found);
 		} catch {

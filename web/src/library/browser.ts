@@ -3,17 +3,17 @@ import { Core } from "../core/core";
 import { compileCore } from "../core/loader";
 import { Pool } from "../core/pool";
 import { spawnWorker } from "../core/spawn";
-import { layGround } from "./ground";
-import { PageGround } from "./page_ground";
-import { threadGround } from "./thread_ground";
+import { PageRuntime } from "./page_runtime";
+import { setRuntime } from "./runtime";
+import { threadRuntime } from "./thread_runtime";
 
 const workers = () =>
 	new Pool({ spawn: spawnWorker, compile: compileCore, seats: Math.min(navigator.hardwareConcurrency, 2) });
 
-layGround(
+setRuntime(
 	typeof document === "undefined"
-		? threadGround(async (address) => Core.instantiate(await compileCore(address)))
-		: new PageGround(workers),
+		? threadRuntime(async (address) => Core.instantiate(await compileCore(address)))
+		: new PageRuntime(workers),
 );
 
 export * from "./index";

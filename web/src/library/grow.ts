@@ -10,7 +10,7 @@ import type { Specimen as Held } from "../specimen/specimen";
 import { writtenSpecimen } from "../specimen/written";
 import { reachedInWords } from "../targets/words";
 import { type Read, readSource, readValues, SpecimenError } from "./asked";
-import { ground } from "./ground";
+import { runtime } from "./runtime";
 
 /**
  * A specimen: the whole document that a plant grows from. Plain JSON, the same as exported files carry and links write; the same
@@ -136,7 +136,7 @@ export function growHeld(
 	wanted: { meshes: boolean; measures: boolean },
 	signal?: AbortSignal,
 ): Promise<Plant> {
-	return growPlant(model, specimen, wanted, (wasm, blocks) => ground().grow(wasm, blocks, signal));
+	return growPlant(model, specimen, wanted, (wasm, blocks) => runtime().grow(wasm, blocks, signal));
 }
 
 /** The specimen that measures what is asked, and what falls short of it. */

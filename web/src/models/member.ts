@@ -7,13 +7,13 @@ import type { PackedMesh } from "../plant/packed_mesh";
 import type { Specimen } from "../specimen/specimen";
 
 /** Where a text asks for it; counted from 1. */
-export interface Place {
+export interface TextPosition {
 	readonly line: number;
 	readonly column: number;
 }
 
 /** A specimen to be grown. */
-export interface MemberAsked {
+export interface MemberRequest {
 	readonly model: string;
 	readonly preset: string;
 	readonly seed: number;
@@ -24,8 +24,8 @@ export interface MemberAsked {
 	/** Of which of its organs it is to be known where they are, by their tags; absent: of none. */
 	readonly spots?: readonly string[];
 	/** Where the text names it, and where each of its values. */
-	readonly place: Place;
-	readonly places: Readonly<Record<string, Place>>;
+	readonly place: TextPosition;
+	readonly places: Readonly<Record<string, TextPosition>>;
 }
 
 /** A mesh of one material. Members that look alike share the material's object. */

@@ -15,9 +15,9 @@ import type { Descriptor } from "../specimen/measures";
 import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 import type { Levers } from "../targets/lever";
-import type { Member, MemberAsked } from "./member";
+import type { Member, MemberRequest } from "./member";
 
-export type { Member, MemberAsked, MemberMesh, Place } from "./member";
+export type { Member, MemberMesh, MemberRequest, TextPosition } from "./member";
 
 /** What of a growth is wanted. */
 export interface GrowthOptions {
@@ -26,7 +26,7 @@ export interface GrowthOptions {
 	/** Whether `measures` are wanted; the default is yes, but not in passing. */
 	measures?: boolean;
 	/** Whether the next is on its way, for a hand moves: what a figure can do without for so long may be left out. */
-	passing?: boolean;
+	preview?: boolean;
 	/** Whether the derived string is wanted, of models that have one (`strings`); the default is no. */
 	string?: boolean;
 	/** Of the derivation, in place of what document and text say, of models that have one to tell of. */
@@ -42,8 +42,8 @@ export interface GrowthOptions {
 /** Specimens of other models that a plant has in it. */
 export interface Members<G extends Plant = Plant> {
 	/** What is to be grown for it, each once. */
-	asked(grown: G): readonly MemberAsked[];
-	/** The plant with those that have grown so far, in the order of `asked`. */
+	requests(grown: G): readonly MemberRequest[];
+	/** The plant with those that have grown so far, in the order of `requests`. */
 	joined(grown: G, members: readonly (Member | undefined)[]): G;
 }
 

@@ -114,11 +114,11 @@ export function chronicleBlocks({ step, first, count, module }: TraceRequest): B
 /** What an answer tells of its derivation; undefined where that was not asked for. */
 export function readTrace(columns: Columns): DerivationTrace | undefined {
 	if (!columns.has("chronicle.counts")) return undefined;
-	const [step, first, count] = columns.words("chronicle.window");
-	const pairs = (name: string, index: number) => columns.words(`chronicle.${name}`).subarray(2 * index, 2 * index + 2);
+	const [step, first, count] = columns.uint32("chronicle.window");
+	const pairs = (name: string, index: number) => columns.uint32(`chronicle.${name}`).subarray(2 * index, 2 * index + 2);
 	const lines = (name: string) => columns.text(`chronicle.${name}`).split("\n");
 	const [texts, values, answers, refused] = [lines("modules"), lines("values"), lines("answers"), lines("refusals")];
-	const parents = columns.words("chronicle.parent");
+	const parents = columns.uint32("chronicle.parent");
 	const chances = columns.floats("chronicle.chance");
 	const modules = Array.from({ length: count }, (_, index): ToldModule => {
 		const [total, weight, drawn] = chances.subarray(3 * index, 3 * index + 3);
@@ -140,13 +140,13 @@ export function readTrace(columns: Columns): DerivationTrace | undefined {
 		};
 	});
 	return {
-		counts: columns.words("chronicle.counts"),
+		counts: columns.uint32("chronicle.counts"),
 		step,
 		first,
 		modules,
-		...(columns.has("chronicle.trail") ? { trail: columns.words("chronicle.trail") } : {}),
-		segments: columns.has("segments.module") ? columns.words("segments.module") : new Uint32Array(0),
-		organs: columns.has("organs.module") ? columns.words("organs.module") : new Uint32Array(0),
+		...(columns.has("chronicle.trail") ? { trail: columns.uint32("chronicle.trail") } : {}),
+		segments: columns.has("segments.module") ? columns.uint32("segments.module") : new Uint32Array(0),
+		organs: columns.has("organs.module") ? columns.uint32("organs.module") : new Uint32Array(0),
 	};
 }
 

@@ -53,7 +53,7 @@ export async function readLeaf({ data }: LeafFile): Promise<BorneLeaf> {
 		points: uvs.map((value, at) => (at % 2 === 0 ? left + size * value : bottom + size * (1 - value))),
 		between: Float32Array.from(columns.uint8("between"), (value) => value / STEEPS),
 		uvs,
-		indices: columns.words("indices"),
+		indices: columns.uint32("indices"),
 		...(columns.has("petiole") ? { petiole: columns.floats("petiole") } : {}),
 	};
 	if (!columns.has("veins")) return leaf;

@@ -10,21 +10,21 @@ const CUT_BY_TIME = 2;
 /** What every model's plant has; models read what is theirs from the same columns. */
 export function readPlant({ columns, milliseconds }: Answer): Plant {
 	const names = columns.lines("counts.names");
-	const values = columns.words("counts");
+	const values = columns.uint32("counts");
 	const plant: Plant = {
 		segments: readSegments(columns),
 		organs: readOrgans(columns),
 		meshes: columns.lines("meshes").map((name) => readPlantMesh(columns, name)),
 		counts: Object.fromEntries(names.map((name, index) => [name, values[index]])),
 		notes: columns.lines("notes"),
-		fingerprint: hexadecimal(columns.words("fingerprint")),
+		fingerprint: hexadecimal(columns.uint32("fingerprint")),
 		timings: { grow: milliseconds },
 	};
 	if (columns.has("measures")) plant.measures = columns.floats("measures");
-	if (columns.has("cut_short")) plant.cutShort = columns.words("cut_short")[0] === CUT_BY_TIME ? "time" : "limit";
+	if (columns.has("cut_short")) plant.cutShort = columns.uint32("cut_short")[0] === CUT_BY_TIME ? "time" : "limit";
 	const chronicle = readTrace(columns);
 	if (chronicle) plant.chronicle = chronicle;
-	if (columns.has("mesh_fingerprint")) plant.meshFingerprint = hexadecimal(columns.words("mesh_fingerprint"));
+	if (columns.has("mesh_fingerprint")) plant.meshFingerprint = hexadecimal(columns.uint32("mesh_fingerprint"));
 	return plant;
 }
 
@@ -33,7 +33,7 @@ function readSegments(columns: Columns): Segments {
 	return {
 		count: parent.length,
 		parent,
-		tag: columns.words("segments.tag"),
+		tag: columns.uint32("segments.tag"),
 		tags: columns.lines("segments.tags"),
 		ends: columns.floats("segments.ends"),
 		radii: columns.floats("segments.radii"),
@@ -42,7 +42,7 @@ function readSegments(columns: Columns): Segments {
 
 function readOrgans(columns: Columns): Organs {
 	if (!columns.has("organs.tag")) return EMPTY_PLANT.organs;
-	const tag = columns.words("organs.tag");
+	const tag = columns.uint32("organs.tag");
 	return {
 		count: tag.length,
 		tag,
@@ -78,13 +78,13 @@ export function readMesh(columns: Columns, prefix: string): Mesh {
 		positions: columns.floats(`${prefix}positions`),
 		normals: columns.floats(`${prefix}normals`),
 		uvs: columns.floats(`${prefix}uvs`),
-		indices: columns.words(`${prefix}indices`),
+		indices: columns.uint32(`${prefix}indices`),
 	};
 }
 
 function readRuns(columns: Columns, prefix: string): MeshRun[] {
 	const names = columns.lines(`${prefix}runs.names`);
-	const ranges = names.length > 0 ? columns.words(`${prefix}runs`) : new Uint32Array(0);
+	const ranges = names.length > 0 ? columns.uint32(`${prefix}runs`) : new Uint32Array(0);
 	return names.map((name, index) => {
 		const [firstVertex, vertexCount, firstIndex, indexCount] = ranges.subarray(4 * index, 4 * index + 4);
 		return { name, firstVertex, vertexCount, firstIndex, indexCount };

@@ -70,7 +70,7 @@ export interface NoticeOptions {
 }
 
 /** What is wanted of a plant that is not shown. */
-export interface AsideOptions {
+export interface OffscreenOptions {
 	/** Which step of its derivation is to be told, of models that tell of it; the default is none. */
 	readonly chronicle?: TraceRequest;
 	/** Steps of the derivation in place of the document's. */
@@ -105,7 +105,7 @@ export interface EditorContext<S extends Specimen = Specimen, G extends Plant = 
 	 * Grows a specimen without showing it; what is shown grows beside. One at a time: a newer call takes the place of one that has not
 	 * begun, which rejects with Superseded; else it rejects as the core's client does.
 	 */
-	aside(specimen: S, options: AsideOptions): Promise<G>;
+	growOffscreen(specimen: S, options: OffscreenOptions): Promise<G>;
 	/** Says something above the page. */
 	notify(title: string, details?: readonly string[], options?: NoticeOptions): void;
 	toolState<T>(tool: Stateful<T>): T;

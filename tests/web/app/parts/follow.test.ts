@@ -43,7 +43,7 @@ interface Probe {
 const parts = new Map<Name, { probe: Probe; asks: ReturnType<typeof vi.fn> }>();
 const studio = new Studio(
 	{ model: bunchModel, specimen: specimenFromPreset(), ui: FIRST_VISIT, systemDark: false },
-	{ grow: vi.fn(), cancel: vi.fn(), measure: vi.fn(), aside: vi.fn(), settled: vi.fn(), remember: vi.fn() },
+	{ grow: vi.fn(), cancel: vi.fn(), measure: vi.fn(), growOffscreen: vi.fn(), settled: vi.fn(), remember: vi.fn() },
 );
 
 /** The parts that are to be drawn anew after a change; all are drawn then, as the page would. */
@@ -57,7 +57,7 @@ async function followers(change: () => unknown): Promise<string[]> {
 }
 
 const shown = () => ({ ...sampleBunch(5), measures: new Float32Array([1]) });
-const inPassing = () => ({ ...sampleBunch(5), measures: undefined });
+const previewBunch = () => ({ ...sampleBunch(5), measures: undefined });
 const aged = (value: number) => studio.edit({ parameters: { age: value } }, PLAY);
 
 beforeAll(async () => {
@@ -87,9 +87,9 @@ describe("while a life plays", () => {
 	});
 
 	it("a plant in passing is drawn where it is seen, counted or spoken of", async () => {
-		await followers(() => studio.grew(inPassing(), studio.state.specimen));
-		const passing = await followers(() => studio.grew(inPassing(), studio.state.specimen));
-		expect(passing).toEqual(["editors", "readout", "speaker", "stage"]);
+		await followers(() => studio.grew(previewBunch(), studio.state.specimen));
+		const preview = await followers(() => studio.grew(previewBunch(), studio.state.specimen));
+		expect(preview).toEqual(["editors", "readout", "speaker", "stage"]);
 	});
 
 	it("changes that come together are looked at once", async () => {

@@ -54,7 +54,7 @@ describe("the leaf on the cane", () => {
 		expect(request.floats("leaf.points")).toEqual(leaf?.points);
 		expect(request.floats("leaf.between")).toEqual(leaf?.between);
 		expect(request.floats("leaf.uvs")).toEqual(leaf?.uvs);
-		expect(request.words("leaf.triangles")).toEqual(leaf?.indices);
+		expect(request.uint32("leaf.triangles")).toEqual(leaf?.indices);
 		expect(asked(bare).has("leaf.points")).toBe(false);
 		expect(asked(leafy, { meshes: false }).has("leaf.points")).toBe(false);
 	});

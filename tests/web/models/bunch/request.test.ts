@@ -16,14 +16,14 @@ describe("a request", () => {
 		const fine = { meshes: false, measures: false, stemSides: 7, berrySegments: 20 };
 		const asked = columns({ ...specimenFromPreset(), seed: 0xfffffffe }, fine);
 		expect(asked.text("model")).toBe("bunch");
-		expect([...asked.words("seed")]).toEqual([0xfffffffe]);
-		expect([...asked.words("stem_sides"), ...asked.words("berry_segments")]).toEqual([7, 20]);
+		expect([...asked.uint32("seed")]).toEqual([0xfffffffe]);
+		expect([...asked.uint32("stem_sides"), ...asked.uint32("berry_segments")]).toEqual([7, 20]);
 		expect(asked.floats("parameters")).toHaveLength(NUMBER_KEYS.length);
 		expect(asked.text("outputs")).toBe("");
 		expect(columns(specimenFromPreset()).text("outputs")).toBe("meshes measures sky");
 		expect(columns(specimenFromPreset(), { measures: false }).text("outputs")).toBe("meshes sky");
 		expect(columns(specimenFromPreset(), { measures: false, sky: false }).text("outputs")).toBe("meshes");
-		expect(columns(specimenFromPreset(), { passing: true }).text("outputs")).toBe("meshes");
+		expect(columns(specimenFromPreset(), { preview: true }).text("outputs")).toBe("meshes");
 		expect(columns(specimenFromPreset(), { meshFingerprint: true }).text("outputs")).toBe(
 			"meshes measures sky mesh_fingerprint",
 		);
@@ -49,7 +49,7 @@ describe("a request", () => {
 		const asked = columns({ ...specimenFromPreset(), thinned, inputs: { m: 3, n: [1, 2] }, grammar: "äxiom" });
 		expect([...asked.ints("m"), ...asked.ints("n")]).toEqual([3, 1, 2]);
 		expect(asked.text("grammar")).toBe("äxiom");
-		expect([...asked.words("thinned")]).toEqual(thinned);
+		expect([...asked.uint32("thinned")]).toEqual(thinned);
 	});
 
 	it("holds a choice by its place", () => {

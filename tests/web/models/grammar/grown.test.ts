@@ -61,7 +61,7 @@ describe("a plant that a text grows", () => {
 
 	it("is meshed coarsely in passing where it has many lines, and is the same plant", () => {
 		const text = of("derivation length: 8\naxiom: A\nA --> F [ +(30) A ] [ -(30) /(90) A ] A");
-		const [fine, coarse] = [{}, { passing: true }].map((options) => grow(text, options));
+		const [fine, coarse] = [{}, { preview: true }].map((options) => grow(text, options));
 		expect(coarse.meshes[0].indices.length).toBeLessThan(fine.meshes[0].indices.length / 2);
 		expect(coarse.fingerprint).toBe(fine.fingerprint);
 	});

@@ -69,7 +69,7 @@ describe("measures of published texts", () => {
 	});
 
 	it("are not taken while the next is on its way", () => {
-		expect(grow(fromPreset(model, "binary-tree"), { passing: true }).measures).toBeUndefined();
+		expect(grow(fromPreset(model, "binary-tree"), { preview: true }).measures).toBeUndefined();
 	});
 });
 

@@ -42,7 +42,7 @@ describe("levels of a tree", () => {
 			expect(some.floats("levels.tolerance")).toEqual(all.floats("levels.tolerance").slice(0, levelCount));
 			for (const name of names.map((each) => `mesh.${each}`)) {
 				expect(some.floats(`${name}.positions`)).toEqual(all.floats(`${name}.positions`));
-				expect(some.words(`${name}.indices`)).toEqual(all.words(`${name}.indices`));
+				expect(some.uint32(`${name}.indices`)).toEqual(all.uint32(`${name}.indices`));
 				expect(some.uint8(`${name}.sky`)).toEqual(all.uint8(`${name}.sky`));
 			}
 		}
@@ -53,17 +53,17 @@ describe("levels of a tree", () => {
 		const [without, beside] = [grown({}), grown({ levels: true })];
 		expect(without.lines("meshes")).toEqual(["stems", "leaves"]);
 		expect(beside.lines("meshes").slice(0, 2)).toEqual(["stems", "leaves"]);
-		expect(beside.words("fingerprint")).toEqual(without.words("fingerprint"));
+		expect(beside.uint32("fingerprint")).toEqual(without.uint32("fingerprint"));
 	});
 });
 
 describe("what stands about a tree", () => {
 	it("changes how it grows, where there is something", () => {
-		const alone = grown({ meshes: false }).words("fingerprint");
+		const alone = grown({ meshes: false }).uint32("fingerprint");
 		const about = (numbers: number[]) => grown({ meshes: false }, numbers);
-		expect(about(OPEN).words("fingerprint")).toEqual(alone);
-		expect(about(OPEN.with(8, 0.5)).words("fingerprint")).not.toEqual(alone);
-		expect(about(OPEN.with(2, 60)).words("fingerprint")).not.toEqual(alone);
+		expect(about(OPEN).uint32("fingerprint")).toEqual(alone);
+		expect(about(OPEN.with(8, 0.5)).uint32("fingerprint")).not.toEqual(alone);
+		expect(about(OPEN.with(2, 60)).uint32("fingerprint")).not.toEqual(alone);
 	});
 
 	it("is refused where it is not sixteen numbers", () => {

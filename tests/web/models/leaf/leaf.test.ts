@@ -102,7 +102,7 @@ describe("a grown leaf", () => {
 	);
 
 	it("is a draft in passing: fewer triangles, no measures", () => {
-		const [whole, draft] = [grow(leafFromPreset("oak")), grow(leafFromPreset("oak"), { passing: true })];
+		const [whole, draft] = [grow(leafFromPreset("oak")), grow(leafFromPreset("oak"), { preview: true })];
 		expect(draft.meshes[0].indices.length).toBeLessThan(whole.meshes[0].indices.length / 2);
 		expect(whole.measures).toHaveLength(model.table.measures.length);
 		expect(draft.measures).toBeUndefined();
@@ -112,10 +112,10 @@ describe("a grown leaf", () => {
 
 	it("has all its particles while they are watched, in a coarser blade", () => {
 		const young = withValues("oak", { age: 50 });
-		const [whole, passing] = [grow(young), grow(young, { passing: true })];
-		expect(passing.counts).toEqual(whole.counts);
-		expect(passing.fingerprint).toBe(whole.fingerprint);
-		expect(passing.meshes[0].indices.length).toBeLessThan(whole.meshes[0].indices.length / 2);
+		const [whole, preview] = [grow(young), grow(young, { preview: true })];
+		expect(preview.counts).toEqual(whole.counts);
+		expect(preview.fingerprint).toBe(whole.fingerprint);
+		expect(preview.meshes[0].indices.length).toBeLessThan(whole.meshes[0].indices.length / 2);
 	});
 
 	it("is told in words", () => {
@@ -212,14 +212,14 @@ describe("files of a leaf", () => {
 	});
 
 	it("lays the same pictures on its faces in GLB and OBJ as in the view, larger ones once it stands", async () => {
-		const sizes = [{ measures: false }, { passing: true }].map((options) =>
+		const sizes = [{ measures: false }, { preview: true }].map((options) =>
 			[...model.parts(grow(specimen, options), specimen)].map(({ shape }) => shape?.material.textures?.colour?.width),
 		);
 		expect(sizes).toEqual([
 			[1024, 1024, undefined],
 			[256, 256, undefined],
 		]);
-		const leaf = grow(specimen, { passing: true });
+		const leaf = grow(specimen, { preview: true });
 		const parts = [...model.parts(leaf, specimen)];
 		const textures = parts.map(({ shape }) => shape?.material.textures);
 		expect(parts.map(({ shape }) => shape?.mesh.colours)).toEqual([undefined, undefined, undefined]);

@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it, vi } from "vitest";
 import { loadCoreFromBytes } from "../../../../web/src/core/loader";
 import type { Leaf } from "../../../../web/src/models/leaf/grown";
 import { model } from "../../../../web/src/models/leaf/index";
-import { FacePictures, PASSING_SIDE } from "../../../../web/src/models/leaf/parts/face_pictures";
+import { FacePictures, PREVIEW_SIDE } from "../../../../web/src/models/leaf/parts/face_pictures";
 import { leafParts } from "../../../../web/src/models/leaf/parts/leaf_parts";
 import { LeafRenderer } from "../../../../web/src/models/leaf/render/leaf_renderer";
 import { type Faces, type Painted, Painter, type PaintOrder } from "../../../../web/src/models/leaf/render/paint";
@@ -24,7 +24,7 @@ beforeAll(async () => {
 	const core = await loadCoreFromBytes(await readFile("build/core/particles.wasm"));
 	leaf = model.read(core.grow(model.encode(specimen)));
 	const young = { ...specimen, parameters: { ...specimen.parameters, age: 60 } };
-	running = model.read(core.grow(model.encode(young, { passing: true })));
+	running = model.read(core.grow(model.encode(young, { preview: true })));
 });
 
 /** A worker that does what it is told when it is told to. */
@@ -68,7 +68,7 @@ function written(of: Leaf, side: "upper" | "lower", as = specimen) {
 }
 
 const coarse = (of: Leaf, side: "upper" | "lower") =>
-	new FacePictures(of, specimen.parameters.length, PASSING_SIDE, true).face(specimen, side).colour;
+	new FacePictures(of, specimen.parameters.length, PREVIEW_SIDE, true).face(specimen, side).colour;
 
 function staged() {
 	const bench = new Bench();
@@ -193,7 +193,7 @@ describe("who paints leaves", () => {
 		const bench = new Bench();
 		const delivered: boolean[] = [];
 		const commission = new PaintQueue(
-			(_, passing) => delivered.push(passing),
+			(_, preview) => delivered.push(preview),
 			() => bench,
 		);
 		for (let i = 0; i < 3; i++) commission.order({ ...running }, specimen, true);

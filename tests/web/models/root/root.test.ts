@@ -102,8 +102,8 @@ describe("the pit about a root", () => {
 			const { parameters } = specimen;
 			return { ...specimen, parameters: { ...parameters, particles: 300, age, reach: reach * parameters.reach } };
 		};
-		const pitOf = (specimen: RootSpecimen, passing: boolean) => {
-			figure.show(grow(specimen, { passing }), specimen);
+		const pitOf = (specimen: RootSpecimen, preview: boolean) => {
+			figure.show(grow(specimen, { preview }), specimen);
 			return stage.root.children.find(({ name }) => name === "Soil");
 		};
 		const pits = [40, 100, 0, 41, 60, 100].map((age) => pitOf(at(age), age < 100));
@@ -115,7 +115,7 @@ describe("the pit about a root", () => {
 		expect(pitOf(at(100, 0.5), false) === pits[0]).toBe(false);
 		pits[1] = pitOf(at(100), false);
 		const young = at(40);
-		figure.show(grow(young, { passing: true }), { ...young, look: { ...young.look, soil: "ffffff" } });
+		figure.show(grow(young, { preview: true }), { ...young, look: { ...young.look, soil: "ffffff" } });
 		expect(stage.root.children.find(({ name }) => name === "Soil") === pits[1]).toBe(false);
 		figure.dispose();
 	});

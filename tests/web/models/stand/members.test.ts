@@ -4,7 +4,7 @@ import { aboutPlant } from "../../../../web/src/formats/about_plant";
 import { exportGlb } from "../../../../web/src/formats/glb";
 import { exportJson } from "../../../../web/src/formats/json";
 import { growPlant } from "../../../../web/src/generate/growth";
-import { grownMembers, KeptMembers } from "../../../../web/src/generate/members";
+import { grownMembers, MemberCache } from "../../../../web/src/generate/members";
 import { readGrowthPlant } from "../../../../web/src/models/growth/growth_plant";
 import type { GrowthSpecimen } from "../../../../web/src/models/growth/specimen";
 import { modelNamed } from "../../../../web/src/models/index";
@@ -81,12 +81,12 @@ describe("the members of a stand", () => {
 			if (wasm !== model.wasm) grown++;
 			return run(wasm, blocks);
 		};
-		const kept = new KeptMembers();
+		const cache = new MemberCache();
 		for (const counts of [11, 0]) {
 			grown = 0;
 			const { members: _, ...bare } = stand;
 			const plan = { ...bare, members: [] };
-			const whole = (await grownMembers(model, plan, counted, { meshes: false, kept })) as StandPlant;
+			const whole = (await grownMembers(model, plan, counted, { meshes: false, cache })) as StandPlant;
 			expect(prints(whole)).toEqual(prints(stand));
 			expect(grown).toBe(counts);
 		}
@@ -156,18 +156,18 @@ describe("what stands in the way of members", () => {
 	it("is told of what could not be fetched, asked for once a line, and what lacks it is grown anew", async () => {
 		const growth = await modelNamed("growth");
 		const prepare = vi.spyOn(growth, "prepare").mockRejectedValue(new Error("No network."));
-		const kept = new KeptMembers();
+		const cache = new MemberCache();
 		const plan = planned("plants 6, random\ngrowth/figure-5: steps 1 to 3\ngrowth/table-1-star: steps 2");
-		const lacking = await grownStand(plan, { kept });
+		const lacking = await grownStand(plan, { cache });
 		expect(prepare).toHaveBeenCalledTimes(2);
 		const why = "What it needs could not be fetched: No network.";
 		expect(lacking.notes).toContain(`growth/figure-5: ${why}`);
 		expect(lacking.notes).toContain(`growth/table-1-star: ${why}`);
-		expect(kept.keep(model.members.asked(lacking), false).every((member) => member === undefined)).toBe(true);
+		expect(cache.keep(model.members.requests(lacking), false).every((member) => member === undefined)).toBe(true);
 		prepare.mockRestore();
-		const { notes, members } = await grownStand(plan, { kept });
+		const { notes, members } = await grownStand(plan, { cache });
 		expect(notes).toEqual([]);
-		expect(kept.keep(model.members.asked(lacking), false)).toEqual(members);
+		expect(cache.keep(model.members.requests(lacking), false)).toEqual(members);
 	});
 
 	it("is what their cores had to say, each once", async () => {
@@ -177,9 +177,9 @@ describe("what stands in the way of members", () => {
 			...readGrowthPlant(answer, specimen as GrowthSpecimen),
 			notes: ["It is dry."],
 		}));
-		const kept = new KeptMembers();
+		const cache = new MemberCache();
 		const plan = planned("plants 3, random\ngrowth/figure-5: steps 2");
-		const notes = [(await grownStand(plan, { kept })).notes, (await grownStand(plan, { kept })).notes];
+		const notes = [(await grownStand(plan, { cache })).notes, (await grownStand(plan, { cache })).notes];
 		expect(read).toHaveBeenCalledTimes(3);
 		read.mockRestore();
 		for (const each of notes) expect(each).toEqual(["growth/figure-5: It is dry."]);
@@ -204,13 +204,13 @@ describe("what stands in the way of members", () => {
 });
 
 it("files are the same, whatever stand was there before", async () => {
-	const kept = new KeptMembers();
+	const cache = new MemberCache();
 	const plan =
 		"plants 4, rows 2 x 2\ngrowth/table-1-sigma1, crown 1 x 1: steps 3\ngrowth/table-1-star, crown 1 x 1: steps 3";
-	await grownStand(planned(plan.replace(/3$/, "2")), { meshes: true, kept });
+	await grownStand(planned(plan.replace(/3$/, "2")), { meshes: true, cache });
 	const specimen = planned(plan);
 	const [after, fresh] = [
-		await grownStand(specimen, { meshes: true, kept }),
+		await grownStand(specimen, { meshes: true, cache }),
 		await grownStand(specimen, { meshes: true }),
 	];
 	const about = await aboutPlant(model, fresh, specimen);

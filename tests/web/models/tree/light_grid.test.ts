@@ -25,7 +25,7 @@ it("comes with every tree except in a preview, as wide as the crown", () => {
 	expect(light.cells).toHaveLength(x * y * z);
 	expect(light.low[0]).toBeLessThan(-1.99);
 	expect(light.low[0] + x * light.edge).toBeGreaterThan(1.99);
-	expect(grow({ meshes: false, passing: true }).light).toBeUndefined();
+	expect(grow({ meshes: false, preview: true }).light).toBeUndefined();
 });
 
 it("is a point in the middle of each cell: dark where little light comes, and seen through where much does", () => {

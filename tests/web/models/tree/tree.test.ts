@@ -161,9 +161,9 @@ describe("a tree", () => {
 		const shades = woodColours(plant, stems, { ...bark, old: [1, 1, 1], young: [0, 0, 0] });
 		expect(Math.min(...(shades ?? []))).toBe(0);
 		expect(Math.max(...(shades ?? []))).toBe(1);
-		const passing = grow(small(), { passing: true });
-		const draft = woodColours(passing, passing.meshes[0], { ...bark, old: [1, 1, 1], young: [0, 0, 0] });
-		expect(draft?.length).toBe(passing.meshes[0].positions.length);
+		const preview = grow(small(), { preview: true });
+		const draft = woodColours(preview, preview.meshes[0], { ...bark, old: [1, 1, 1], young: [0, 0, 0] });
+		expect(draft?.length).toBe(preview.meshes[0].positions.length);
 		expect(Math.max(...(draft ?? []))).toBeGreaterThan(0.9);
 	});
 

@@ -24,7 +24,7 @@ async function fitOf(kind: typeof model | typeof rootModel, preset: string, life
 	const entry = kind.table.entry("life");
 	const option = entry && "options" in entry ? entry.options.indexOf(life) : -1;
 	const specimen = { ...published, parameters: { ...parameters, particles: 80, leaves: 0, life: option, age } };
-	const plant = (kind as typeof model).read(core.grow(kind.encode(specimen as never, { passing: true })), specimen);
+	const plant = (kind as typeof model).read(core.grow(kind.encode(specimen as never, { preview: true })), specimen);
 	const figure = (await (kind as typeof model).render())(stage());
 	figure.show(plant, specimen);
 	const fit = fitView(spindleOf(figure.bounds()), 0.42, 1, 0.07, 0.12);

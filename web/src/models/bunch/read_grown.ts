@@ -32,7 +32,7 @@ export function readGrown(answer: Answer): Grown {
 	const grown: Grown = {
 		...plant,
 		procedure: columns.text("procedure") as Procedure,
-		form: { fruit: FRUITS[columns.words("fruit")[0]], taper, blunt, curve },
+		form: { fruit: FRUITS[columns.uint32("fruit")[0]], taper, blunt, curve },
 		plan: readPlan(columns, "plan"),
 		counts: plant.counts as Counts,
 		internodes: readInternodes(columns, plant),
@@ -88,15 +88,15 @@ function readBerries(columns: Columns): Berries {
 		spheres: columns.floats("berries.spheres"),
 		directions: columns.floats("berries.directions"),
 		parent,
-		ids: columns.words("berries.id"),
+		ids: columns.uint32("berries.id"),
 		traits,
 	};
 }
 
 function readThinned(columns: Columns): Thinned[] {
-	const why = columns.words("thinned.why");
+	const why = columns.uint32("thinned.why");
 	const places = columns.floats("thinned.places");
-	return Array.from(columns.words("thinned.id"), (id, index) => {
+	return Array.from(columns.uint32("thinned.id"), (id, index) => {
 		const [x, y, z] = places.subarray(3 * index, 3 * index + 3);
 		return { id, why: THINNED_WHY[why[index]], place: [x, y, z] };
 	});
@@ -105,7 +105,7 @@ function readThinned(columns: Columns): Thinned[] {
 function readSurfaces(columns: Columns): BerrySurfaces {
 	return {
 		uvs: columns.floats("berries.pattern.uvs"),
-		indices: columns.words("berries.pattern.indices"),
+		indices: columns.uint32("berries.pattern.indices"),
 		positions: columns.floats("berries.positions"),
 		normals: columns.floats("berries.normals"),
 		pressed: columns.uint8("berries.pressed"),
@@ -120,7 +120,7 @@ function placeOf({ firstVertex, vertexCount, firstIndex, indexCount }: MeshRun) 
 
 function readStem(columns: Columns, { runs, name: _, material: _kind, ...mesh }: PlantMesh): StemMesh {
 	const axis = columns.ints("mesh.stems.axis");
-	const internode = columns.words("mesh.stems.segment");
+	const internode = columns.uint32("mesh.stems.segment");
 	const parts = runs.map((run, index) => ({ axis: axis[index], ...placeOf(run) }));
 	return { ...mesh, internode, parts };
 }

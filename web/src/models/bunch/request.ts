@@ -22,7 +22,7 @@ export interface RequestOptions {
 	/** Whether `measures` are wanted; the default is yes, but not in passing. */
 	measures?: boolean;
 	/** Whether the next is on its way; the default is no. */
-	passing?: boolean;
+	preview?: boolean;
 	/** Whether it is wanted how much of the sky the meshes' vertices see; the default is wherever there are meshes, but not in passing. */
 	sky?: boolean;
 	/** Of the derivation; the text's own by default. */
@@ -41,13 +41,13 @@ export interface RequestOptions {
 export function encodeRequest(specimen: Specimen, options: RequestOptions = {}): Block[] {
 	const {
 		meshes = true,
-		passing = false,
+		preview = false,
 		meshFingerprint = false,
 		stemSides = 0,
 		berrySegments = 0,
 		chronicle,
 	} = options;
-	const { measures = !passing, sky = meshes && !passing } = options;
+	const { measures = !preview, sky = meshes && !preview } = options;
 	const { inputs, thinned, grammar, parameters } = specimen;
 	const long = grammar === undefined ? undefined : overlongText(grammar);
 	if (long) {

@@ -75,15 +75,15 @@ export function readFlowerPlant(answer: Answer): FlowerPlant {
 	return {
 		...plant,
 		meshes,
-		cells: meshes.map(({ name }) => columns.words(`mesh.${name}.volume`)),
+		cells: meshes.map(({ name }) => columns.uint32(`mesh.${name}.volume`)),
 		levels: all
 			.filter(({ name }) => LEVEL.test(name))
 			.map((mesh) => ({ mesh, paint: columns.uint8(`mesh.${mesh.name}.paint`) })),
 		volumes: columns.has("volumes.label") ? readVolumes(columns) : NO_VOLUMES,
 		...(columns.has("alpha0") ? { darts: readDarts(columns) } : {}),
-		numbers: columns.has("materials.number") ? columns.words("materials.number") : NONE,
+		numbers: columns.has("materials.number") ? columns.uint32("materials.number") : NONE,
 		names: columns.has("materials.name") ? columns.text("materials.name").split("\n") : [],
-		colours: columns.has("materials.colours") ? columns.words("materials.colours") : new Uint32Array(),
+		colours: columns.has("materials.colours") ? columns.uint32("materials.colours") : new Uint32Array(),
 		paint: columns.has("materials.paint") ? columns.floats("materials.paint") : new Float32Array(),
 	};
 }
@@ -91,23 +91,23 @@ export function readFlowerPlant(answer: Answer): FlowerPlant {
 function readVolumes(columns: Answer["columns"]): Volumes {
 	return {
 		labels: columns.text("labels").split(" "),
-		module: columns.words("labels.module"),
-		label: columns.words("volumes.label"),
-		order: columns.words("volumes.order"),
-		parent: columns.words("volumes.parent"),
-		face: columns.words("volumes.face"),
+		module: columns.uint32("labels.module"),
+		label: columns.uint32("volumes.label"),
+		order: columns.uint32("volumes.order"),
+		parent: columns.uint32("volumes.parent"),
+		face: columns.uint32("volumes.face"),
 		attached: columns.uint8("volumes.attached"),
-		line: columns.words("volumes.line"),
-		call: columns.words("volumes.call"),
+		line: columns.uint32("volumes.line"),
+		call: columns.uint32("volumes.call"),
 		values: columns.floats("volumes.values"),
 	};
 }
 
 function readDarts(columns: Answer["columns"]): Darts {
 	return {
-		alpha: [columns.words("alpha0"), columns.words("alpha1"), columns.words("alpha2"), columns.words("alpha3")],
-		volume: columns.words("darts.volume"),
-		vertex: columns.words("darts.vertex"),
+		alpha: [columns.uint32("alpha0"), columns.uint32("alpha1"), columns.uint32("alpha2"), columns.uint32("alpha3")],
+		volume: columns.uint32("darts.volume"),
+		vertex: columns.uint32("darts.vertex"),
 		positions: columns.floats("vertices.position"),
 	};
 }

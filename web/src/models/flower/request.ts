@@ -15,8 +15,8 @@ export interface RequestOptions extends GrowthOptions {
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeFlower(specimen: FlowerSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false, levels = false } = options;
-	const { measures = !passing, sky = meshes && !passing, map = !passing && !levels } = options;
+	const { meshes = true, preview = false, meshFingerprint = false, levels = false } = options;
+	const { measures = !preview, sky = meshes && !preview, map = !preview && !levels } = options;
 	const outputs = [
 		// How large its surface is, only its skin says: the same in a file without meshes.
 		(meshes || measures) && "meshes",

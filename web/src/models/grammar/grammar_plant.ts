@@ -38,7 +38,7 @@ export function readGrammarPlant(answer: Answer, { areas }: WithAreas = {}): Gra
 	const plant = readPlant(answer);
 	const marks = (of: string): Marks =>
 		columns.has(`${of}.module`)
-			? { module: columns.words(`${of}.module`), colour: columns.uint8(`${of}.colour`) }
+			? { module: columns.uint32(`${of}.module`), colour: columns.uint8(`${of}.colour`) }
 			: { module: new Uint32Array(0), colour: new Uint8Array(0) };
 	const coloured = plant.meshes.filter(({ name }) => columns.has(`mesh.${name}.colour`));
 	return {
@@ -50,7 +50,7 @@ export function readGrammarPlant(answer: Answer, { areas }: WithAreas = {}): Gra
 		...(columns.has("segments.area")
 			? { belongs: { area: columns.uint8("segments.area"), main: columns.uint8("segments.main") } }
 			: {}),
-		...(columns.has("mesh.blades.organ") ? { bladeOrgans: columns.words("mesh.blades.organ") } : {}),
+		...(columns.has("mesh.blades.organ") ? { bladeOrgans: columns.uint32("mesh.blades.organ") } : {}),
 		...(columns.has("areas.volume")
 			? { areaMeasures: { volume: columns.floats("areas.volume"), clothed: columns.floats("areas.clothed") } }
 			: {}),

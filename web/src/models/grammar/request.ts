@@ -17,13 +17,13 @@ export interface RequestOptions extends GrowthOptions {
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false, string = false, chronicle } = options;
-	const { measures = !passing, sky = meshes && !passing } = options;
+	const { meshes = true, preview = false, meshFingerprint = false, string = false, chronicle } = options;
+	const { measures = !preview, sky = meshes && !preview } = options;
 	const outputs = [
 		meshes && "meshes",
 		measures && "measures",
 		sky && "sky",
-		passing && "coarse",
+		preview && "coarse",
 		meshFingerprint && "mesh_fingerprint",
 		string && "string",
 		chronicle && "chronicle",

@@ -28,7 +28,7 @@ export const leafOf = (specimen: GrowthSpecimen): BorneLeaf | undefined => fetch
 export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): GrowthPlant {
 	const { columns } = answer;
 	const [ids, shapes, places] = [
-		columns.words("volumes.id"),
+		columns.uint32("volumes.id"),
 		columns.floats("volumes.shape"),
 		columns.floats("volumes.at"),
 	];
@@ -38,14 +38,14 @@ export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): Growt
 	return {
 		...readPlant(answer),
 		shoots: {
-			shoot: columns.words("segments.shoot"),
+			shoot: columns.uint32("segments.shoot"),
 			order: columns.uint8("segments.order"),
-			born: columns.words("segments.born"),
+			born: columns.uint32("segments.born"),
 		},
 		volumes: [...ids].flatMap((id, i) =>
 			child[i] === 1 ? [] : [volumeOf(id, shapes.subarray(5 * i), middles[i], places.subarray(2 * i))],
 		),
-		...(columns.has("mesh.stems.segment") ? { bearing: columns.words("mesh.stems.segment") } : {}),
+		...(columns.has("mesh.stems.segment") ? { bearing: columns.uint32("mesh.stems.segment") } : {}),
 		...(veins ? { veins } : {}),
 	};
 }

@@ -21,8 +21,8 @@ export interface RequestOptions extends GrowthOptions {
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false, levels = false, levelCount } = options;
-	const { measures = !passing, sky = meshes && !passing } = options;
+	const { meshes = true, preview = false, meshFingerprint = false, levels = false, levelCount } = options;
+	const { measures = !preview, sky = meshes && !preview } = options;
 	const outputs = [
 		meshes && "meshes",
 		measures && "measures",

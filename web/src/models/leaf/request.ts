@@ -18,18 +18,18 @@ export interface LeafOptions extends GrowthOptions {
 const WATCHED_DETAIL = 0.25;
 
 export function encodeLeaf(specimen: LeafSpecimen, options: LeafOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false, detail } = options;
-	const { measures = !passing, sky = meshes && !passing } = options;
+	const { meshes = true, preview = false, meshFingerprint = false, detail } = options;
+	const { measures = !preview, sky = meshes && !preview } = options;
 	const { seed, parameters, outline } = specimen;
 	// Who watches particles run sees all of them, only the blade is coarser meanwhile.
 	const watched = parameters.age < 100;
-	const triangles = detail ?? (passing && watched ? WATCHED_DETAIL : undefined);
+	const triangles = detail ?? (preview && watched ? WATCHED_DETAIL : undefined);
 	const outputs = [
 		meshes && "meshes",
 		measures && "measures",
 		sky && "sky",
 		meshFingerprint && "mesh_fingerprint",
-		passing && !watched && "draft",
+		preview && !watched && "draft",
 	];
 	return [
 		{ name: "model", data: "leaf" },

@@ -20,7 +20,7 @@ export function readTrailPlant(answer: Answer): TrailPlant {
 	return {
 		...readPlant(answer),
 		energy: columns.floats("segments.energy"),
-		born: columns.words("segments.born"),
+		born: columns.uint32("segments.born"),
 		targets: columns.floats("targets.places"),
 		arrived: columns.floats("targets.energy"),
 	};

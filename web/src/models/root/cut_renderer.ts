@@ -46,9 +46,9 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 		}
 		const roots = reachOf(grown.segments.ends, { low: box.min.toArray(), high: box.max.toArray() });
 		// A frame in passing has no time to dig anew for every particle that moves; nor is its sky worked out.
-		const passing = !grown.meshes.some(({ sky }) => sky);
+		const preview = !grown.meshes.some(({ sky }) => sky);
 		const { soil } = specimen.look;
-		const fits = this.#dug && (passing ? holds(this.#dug, roots) : alike(this.#dug, roots));
+		const fits = this.#dug && (preview ? holds(this.#dug, roots) : alike(this.#dug, roots));
 		if (!fits || soil !== this.#earth) this.#dig(roots, soil);
 		this.#bounds = { spheres, points: joined([bodies.points, this.#wall]) };
 	}

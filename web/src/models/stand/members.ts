@@ -1,6 +1,6 @@
 /** What grows in a stand: each plant's own specimen. */
 import { shortFloat } from "../../formats/numbers";
-import type { Member, MemberAsked, Members, Place } from "../model";
+import type { Member, MemberRequest, Members, TextPosition } from "../model";
 import { hung, spotsWanted } from "./hanging";
 import type { StandPlant } from "./stand_plant";
 
@@ -52,10 +52,10 @@ export function sortsOf(stand: StandPlant): readonly Sort[] {
 }
 
 /** What is to be grown for one plant, and where the organs of it are at which others hang. */
-export function askedOf(stand: StandPlant, plant: number, wanted = spotsWanted(stand)): MemberAsked {
+export function requestOf(stand: StandPlant, plant: number, wanted = spotsWanted(stand)): MemberRequest {
 	const { kinds, places } = stand;
 	const { model, preset, place, settings, seeds } = kinds[places.kind[plant]];
-	const spots = Object.fromEntries(settings.map(({ key, place: spot }): [string, Place] => [key, spot]));
+	const spots = Object.fromEntries(settings.map(({ key, place: spot }): [string, TextPosition] => [key, spot]));
 	const alone = seeds > 0 || places.bearer[plant] >= 0;
 	const tags = wanted.get(places.kind[plant]);
 	const around = places.surroundings.subarray(AROUND * plant, AROUND * (plant + 1));
@@ -80,9 +80,9 @@ export function firstOf({ memberOf }: StandPlant): number[] {
 }
 
 export const standMembers: Members<StandPlant> = {
-	asked: (stand) => {
+	requests: (stand) => {
 		const wanted = spotsWanted(stand);
-		return firstOf(stand).map((plant) => askedOf(stand, plant, wanted));
+		return firstOf(stand).map((plant) => requestOf(stand, plant, wanted));
 	},
 	joined: (stand, members) => {
 		const grown = members.filter((member) => member !== undefined);

@@ -8,8 +8,8 @@ import { fetchedText } from "./texts";
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeStand(specimen: StandSpecimen, options: GrowthOptions = {}): Block[] {
-	const { meshes = true, passing = false } = options;
-	const { measures = !passing } = options;
+	const { meshes = true, preview = false } = options;
+	const { measures = !preview } = options;
 	const { model, seed, parameters } = specimen;
 	const text = fetchedText(specimen);
 	if (text === undefined) throw new CoreError("bad request", "The preset's plan could not be fetched.");

@@ -3,7 +3,7 @@ import type { Columns } from "../../core/container";
 import type { Answer } from "../../core/core";
 import { EMPTY_PLANT, type Plant } from "../../plant/plant";
 import { readPlant } from "../../plant/read_plant";
-import type { Member, Place } from "../model";
+import type { Member, TextPosition } from "../model";
 import { fetchedSoil } from "./fetched_soil";
 import type { Soil } from "./soil";
 
@@ -12,7 +12,7 @@ export interface Setting {
 	readonly key: string;
 	/** What it is set to; empty where that is a number, drawn for each plant. */
 	readonly word: string;
-	readonly place: Place;
+	readonly place: TextPosition;
 }
 
 /** A line of what grows. */
@@ -21,7 +21,7 @@ export interface Kind {
 	readonly name: string;
 	readonly model: string;
 	readonly preset: string;
-	readonly place: Place;
+	readonly place: TextPosition;
 	/** How many different ones there are; 0: as many as plants. */
 	readonly seeds: number;
 	/** At which of its bearer's organs it hangs, by their tag; empty where the plan says where. */
@@ -74,11 +74,11 @@ export function readStand(answer: Answer): StandPlant {
 	const [width, depth, relief] = columns.floats("ground.size");
 	const plant = readPlant(answer);
 	const kinds = readKinds(columns);
-	const kind = columns.words("plants.kind");
+	const kind = columns.uint32("plants.kind");
 	const places: Places = {
 		count: kind.length,
 		kind,
-		seed: columns.words("plants.seed"),
+		seed: columns.uint32("plants.seed"),
 		bearer: columns.ints("plants.bearer"),
 		at: columns.floats("plants.at"),
 		scale: columns.floats("plants.scale"),
@@ -106,8 +106,8 @@ export function readStand(answer: Answer): StandPlant {
 
 function readKinds(columns: Columns): Kind[] {
 	const crown = columns.floats("kinds.crown");
-	const places = columns.words("kinds.place");
-	const seeds = columns.words("kinds.seeds");
+	const places = columns.uint32("kinds.place");
+	const seeds = columns.uint32("kinds.seeds");
 	// Empty lines mean something here, and in what is set.
 	const spots = columns.text("kinds.spot").split("\n");
 	const settings = readSettings(columns);
@@ -129,12 +129,12 @@ function readKinds(columns: Columns): Kind[] {
 function readSettings(columns: Columns): (Setting & { kind: number })[] {
 	const keys = columns.lines("settings.keys");
 	const words = columns.text("settings.words").split("\n");
-	const kinds = columns.words("settings.kind");
-	const places = columns.words("settings.place");
+	const kinds = columns.uint32("settings.kind");
+	const places = columns.uint32("settings.place");
 	return keys.map((key, i) => ({ key, word: words[i], kind: kinds[i], place: placeAt(places, i) }));
 }
 
-const placeAt = (places: Uint32Array, i: number): Place => ({ line: places[2 * i], column: places[2 * i + 1] });
+const placeAt = (places: Uint32Array, i: number): TextPosition => ({ line: places[2 * i], column: places[2 * i + 1] });
 
 /** A member is told by its line and its seed, where the line says how many seeds there are; else each plant is one. */
 function membersOf(kinds: readonly Kind[], { count, kind, seed }: Places): Uint32Array {

@@ -23,7 +23,7 @@ export const model = {
 	encode: (specimen, options) => {
 		const leaf = leafOf(specimen);
 		return [
-			...encodeBounded(TREE.table, specimen, { light: !options?.passing, ...options }),
+			...encodeBounded(TREE.table, specimen, { light: !options?.preview, ...options }),
 			...(leaf ? leafBlocks(leaf) : []),
 		];
 	},

@@ -29,8 +29,8 @@ const whole = bunch({ ids: [7, 9], skies: [10, 20, 30, 40], kinds: [RACHIS, PEDI
 describe("KeptSky", () => {
 	it("leaves a bunch that has its sky, and one before any had, as they are", () => {
 		const sky = new KeptSky();
-		const passing = bunch({ ids: [1], kinds: [RACHIS] });
-		expect(sky.of(passing)).toBe(passing);
+		const preview = bunch({ ids: [1], kinds: [RACHIS] });
+		expect(sky.of(preview)).toBe(preview);
 		expect(sky.of(whole)).toBe(whole);
 	});
 

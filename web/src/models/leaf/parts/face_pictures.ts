@@ -14,7 +14,7 @@ import { type VeinRaster, veinRaster } from "./vein_raster";
 /** Pixels to a side of what is shown and written of a leaf that stays. */
 export const SIDE = 1024;
 /** The same of one in passing. */
-export const PASSING_SIDE = 256;
+export const PREVIEW_SIDE = 256;
 
 /** Pixels to a cell of what blades' colours go by. */
 const PIXELS_PER_CELL = 6;

@@ -4,7 +4,7 @@ import { partsOf } from "../../../plant/parts_of";
 import type { Leaf } from "../grown";
 import type { LeafSpecimen } from "../specimen";
 import { asSeen } from "./as_seen";
-import { type Face, FacePictures, PASSING_SIDE, SIDE } from "./face_pictures";
+import { type Face, FacePictures, PREVIEW_SIDE, SIDE } from "./face_pictures";
 import { bladeMaterial, FACES, particleMaterial, petioleMaterial, type Side } from "./materials";
 
 /** Pictures by the leaf that they show, so that other colours find its veins drawn. */
@@ -38,7 +38,7 @@ export function* leafParts(
 
 function painted(leaf: Leaf, specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">, side: Side): Face {
 	// What grows in passing does not ask what sky there is.
-	const pixels = leaf.meshes.some(({ sky }) => sky) ? SIDE : PASSING_SIDE;
+	const pixels = leaf.meshes.some(({ sky }) => sky) ? SIDE : PREVIEW_SIDE;
 	const pictures = drawn.get(leaf) ?? new FacePictures(leaf, specimen.parameters.length, pixels);
 	drawn.set(leaf, pictures);
 	return pictures.face(specimen, side);

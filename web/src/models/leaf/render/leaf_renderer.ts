@@ -10,7 +10,7 @@ import type { Bodies } from "../../../render/camera_fit";
 import type { ModelRenderer, Ray, RendererFactory, RendererStage } from "../../../render/model_renderer";
 import { PartRenderer } from "../../../render/part_renderer";
 import type { Leaf } from "../grown";
-import { type Face, FacePictures, FLAT_PICTURE, PASSING_SIDE } from "../parts/face_pictures";
+import { type Face, FacePictures, FLAT_PICTURE, PREVIEW_SIDE } from "../parts/face_pictures";
 import { leafParts } from "../parts/leaf_parts";
 import { FACES, type Side } from "../parts/materials";
 import type { LeafSpecimen } from "../specimen";
@@ -30,7 +30,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 	readonly #parts: PartRenderer<LeafSpecimen, Leaf>;
 	readonly #painters: PaintQueue;
 	#leaf: Leaf | undefined;
-	#passing = false;
+	#preview = false;
 	#preset: string | undefined;
 	/** The finest there is of the leaf that is shown, maybe in colours it had before; in passing maybe of one just before it. */
 	#faces: ((side: Side) => Face) | undefined;
@@ -39,7 +39,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 	/** @param painters who paint the fine pictures, told where to bring them; where absent, a worker does */
 	constructor(
 		stage: RendererStage,
-		painters: (deliver: (faces: Faces, passing: boolean) => void) => PaintQueue = (to) => new PaintQueue(to),
+		painters: (deliver: (faces: Faces, preview: boolean) => void) => PaintQueue = (to) => new PaintQueue(to),
 	) {
 		this.#stage = stage;
 		this.#parts = new PartRenderer(
@@ -48,21 +48,21 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 			undefined,
 			(leaf) => swayOf(leaf),
 		);
-		this.#painters = painters((faces, passing) => (passing ? this.#pass(faces) : this.#deliver(faces)));
+		this.#painters = painters((faces, preview) => (preview ? this.#pass(faces) : this.#deliver(faces)));
 	}
 
 	show(leaf: Leaf, specimen: LeafSpecimen): void {
 		this.#sheets = [];
 		// What grows in passing does not ask what sky there is.
-		const passing = !leaf.meshes.some(({ sky }) => sky);
+		const preview = !leaf.meshes.some(({ sky }) => sky);
 		// The next of a life or a drag, its end included, looks much as the last one.
-		const next = this.#faces && (passing || this.#passing) && specimen.preset === this.#preset;
+		const next = this.#faces && (preview || this.#preview) && specimen.preset === this.#preset;
 		if (leaf !== this.#leaf && !next) this.#faces = coarse(leaf, specimen);
 		this.#leaf = leaf;
-		this.#passing = passing;
+		this.#preview = preview;
 		this.#preset = specimen.preset;
 		this.#parts.show(leaf, specimen);
-		this.#painters.order(leaf, specimen, passing);
+		this.#painters.order(leaf, specimen, preview);
 	}
 
 	bounds(): Bodies {
@@ -131,7 +131,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 
 /** Painted here and now: quickly, that is, with fewer pixels and flat. */
 function coarse(leaf: Leaf, specimen: LeafSpecimen): (side: Side) => Face {
-	const pictures = new FacePictures(leaf, specimen.parameters.length, PASSING_SIDE, true);
+	const pictures = new FacePictures(leaf, specimen.parameters.length, PREVIEW_SIDE, true);
 	const faces = new Map<Side, Face>();
 	return (side) => {
 		const face = faces.get(side) ?? pictures.face(specimen, side);

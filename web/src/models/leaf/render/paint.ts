@@ -1,6 +1,6 @@
 /** Painting the faces of a leaf away from the page's thread: what is asked, what is answered, and the painting. */
 import { asCardsTakeIt } from "../../../plant/picture";
-import { type Face, FacePictures, type FlatLeaf, PASSING_SIDE, SIDE } from "../parts/face_pictures";
+import { type Face, FacePictures, type FlatLeaf, PREVIEW_SIDE, SIDE } from "../parts/face_pictures";
 import type { LeafSpecimen } from "../specimen";
 
 export interface PaintOrder {
@@ -9,7 +9,7 @@ export interface PaintOrder {
 	leaf?: FlatLeaf;
 	specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">;
 	/** Whether it is of a leaf in passing: with fewer pixels and flat, which takes little time. */
-	passing: boolean;
+	preview: boolean;
 }
 
 /** Faces with pictures as cards take them. */
@@ -26,9 +26,9 @@ export interface Painted extends Faces {
 export class Painter {
 	#pictures: FacePictures | undefined;
 
-	paint({ leaf, specimen, passing }: Omit<PaintOrder, "id">): Faces {
-		const side = passing ? PASSING_SIDE : SIDE;
-		if (leaf) this.#pictures = new FacePictures(leaf, specimen.parameters.length, side, passing);
+	paint({ leaf, specimen, preview }: Omit<PaintOrder, "id">): Faces {
+		const side = preview ? PREVIEW_SIDE : SIDE;
+		if (leaf) this.#pictures = new FacePictures(leaf, specimen.parameters.length, side, preview);
 		const pictures = this.#pictures;
 		if (!pictures) throw new Error("There is no leaf to paint.");
 		const face = (side: "upper" | "lower"): Face => {

@@ -9,7 +9,7 @@ export type PaintWorker = Pick<Worker, "postMessage" | "terminate" | "onmessage"
 
 /** One order at a time is under way; what is ordered meanwhile waits, and of those that wait only the newest. */
 export class PaintQueue {
-	readonly #deliver: (faces: Faces, passing: boolean) => void;
+	readonly #deliver: (faces: Faces, preview: boolean) => void;
 	readonly #start: () => PaintWorker;
 	#worker: PaintWorker | undefined;
 	/** Paints here, once workers cannot be had. */
@@ -17,21 +17,21 @@ export class PaintQueue {
 	/** The leaf that the worker knows. */
 	#given: FlatLeaf | undefined;
 	#underWay: { order: PaintOrder; leaf: FlatLeaf } | undefined;
-	#next: { leaf: FlatLeaf; specimen: PaintOrder["specimen"]; passing: boolean } | undefined;
+	#next: { leaf: FlatLeaf; specimen: PaintOrder["specimen"]; preview: boolean } | undefined;
 	#orders = 0;
 	#wanted = 0;
 	readonly #waiting: (() => void)[] = [];
 
 	/** @param deliver is given what is still wanted when it comes, and whether it is of a leaf in passing */
-	constructor(deliver: (faces: Faces, passing: boolean) => void, start: () => PaintWorker = startPainter) {
+	constructor(deliver: (faces: Faces, preview: boolean) => void, start: () => PaintWorker = startPainter) {
 		this.#deliver = deliver;
 		this.#start = start;
 	}
 
 	/** Takes the place of whatever was ordered before and has not come; while leaves pass, what is under way is wanted still. */
-	order(leaf: FlatLeaf, { look, parameters, seed }: PaintOrder["specimen"], passing = false): void {
+	order(leaf: FlatLeaf, { look, parameters, seed }: PaintOrder["specimen"], preview = false): void {
 		this.#wanted = ++this.#orders;
-		this.#next = { leaf, specimen: { look, parameters, seed }, passing };
+		this.#next = { leaf, specimen: { look, parameters, seed }, preview };
 		if (!this.#underWay) this.#begin();
 	}
 
@@ -50,11 +50,11 @@ export class PaintQueue {
 
 	#begin(): void {
 		if (!this.#next) return;
-		const { leaf, specimen, passing } = this.#next;
+		const { leaf, specimen, preview } = this.#next;
 		this.#next = undefined;
 		const { chart, margin, square, energy, segments } = leaf;
 		const flat = { chart, margin, square, energy, segments: { count: segments.count, radii: segments.radii } };
-		const order = { id: this.#orders, specimen, passing, ...(leaf === this.#given ? {} : { leaf: flat }) };
+		const order = { id: this.#orders, specimen, preview, ...(leaf === this.#given ? {} : { leaf: flat }) };
 		this.#underWay = { order, leaf };
 		this.#given = leaf;
 		if (this.#alone) this.#paint(this.#alone);
@@ -97,13 +97,13 @@ export class PaintQueue {
 	}
 
 	#take({ id, ...faces }: Painted): void {
-		const passing = this.#underWay?.order.passing ?? false;
+		const preview = this.#underWay?.order.preview ?? false;
 		this.#underWay = undefined;
 		if (id === this.#wanted) {
 			this.#wanted = 0;
-			this.#deliver(faces, passing);
+			this.#deliver(faces, preview);
 			this.#wake();
-		} else if (passing && this.#next?.passing) this.#deliver(faces, passing);
+		} else if (preview && this.#next?.preview) this.#deliver(faces, preview);
 		this.#begin();
 	}
 

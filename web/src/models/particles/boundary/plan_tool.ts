@@ -23,7 +23,7 @@ function draw<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, la
 	const laidBy = layingOut(desk);
 	return html`<panicle-plan
 		.pose=${guard(laidBy, () => planPose(lay, specimen, desk.preset))} .scene=${guard(laidBy, () => sceneOf(lay, specimen))}
-		.grown=${grown} .passing=${held}
+		.grown=${grown} .preview=${held}
 		@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
 		@grip-focus=${({ detail }: CustomEvent<string>) => desk.setToolState(MEANT, detail)}
 	></panicle-plan>`;

@@ -16,8 +16,8 @@ export interface RequestOptions extends GrowthOptions {
 
 /** @throws CoreError where a parameter is no number: the specimen has not come through specimen/restore.ts */
 export function encodeBounded(table: Table, specimen: BoundedSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false, light = false } = options;
-	const { measures = !passing, sky = meshes && !passing } = options;
+	const { meshes = true, preview = false, meshFingerprint = false, light = false } = options;
+	const { measures = !preview, sky = meshes && !preview } = options;
 	const outputs = [
 		meshes && "meshes",
 		measures && "measures",

@@ -15,7 +15,7 @@ export interface LightGrid {
 /** Undefined where the request asked for none. */
 export function readLight({ columns }: Answer): LightGrid | undefined {
 	if (!columns.has("light.cells")) return undefined;
-	const [x, y, z] = columns.words("light.counts");
+	const [x, y, z] = columns.uint32("light.counts");
 	const [lowX, lowY, lowZ, edge] = columns.floats("light.box");
 	return { cells: columns.uint8("light.cells"), counts: [x, y, z], low: [lowX, lowY, lowZ], edge };
 }

@@ -16,7 +16,7 @@ export const sun: Tool<TreeSpecimen, WoodenPlant> = {
 		title: "Sun",
 		draw: (desk) => html`<panicle-sun
 			.pose=${guard(layingOut(desk), () => sunPose(desk.state.specimen, desk.preset))}
-			.grown=${desk.state.grown} .passing=${desk.state.held}
+			.grown=${desk.state.grown} .preview=${desk.state.held}
 			@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
 		></panicle-sun>`,
 	},

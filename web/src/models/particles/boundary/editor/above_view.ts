@@ -6,10 +6,10 @@ import type { Frame } from "./frame";
 import { GripView } from "./grip_view";
 
 export abstract class AboveView extends GripView {
-	static override properties = { ...GripView.properties, grown: { attribute: false }, passing: { attribute: false } };
+	static override properties = { ...GripView.properties, grown: { attribute: false }, preview: { attribute: false } };
 	declare grown: TrailPlant | undefined;
 	/** Whether the plant is on its way to the next. */
-	declare passing: boolean;
+	declare preview: boolean;
 
 	readonly #branches = new BranchDrawing(FROM_ABOVE);
 
@@ -18,6 +18,6 @@ export abstract class AboveView extends GripView {
 
 	/** In passing it stays as it is, unless a hand is at work here: no frame has time to draw a plant in every view. */
 	protected override ink(canvas: HTMLCanvasElement): void {
-		if (!this.passing || this.drags.active) this.#branches.show(canvas, this.grown, this.ground());
+		if (!this.preview || this.drags.active) this.#branches.show(canvas, this.grown, this.ground());
 	}
 }

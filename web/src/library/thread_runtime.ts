@@ -1,13 +1,13 @@
 import type { Core } from "../core/core";
 import { Cores } from "../core/cores";
 import { addressOf } from "./address_of";
-import type { Ground } from "./ground";
+import type { Runtime } from "./runtime";
 
 /**
  * Grows on the thread that asks: a growth is not interrupted once it has begun.
  * @param load brings the core to life that lies there
  */
-export function threadGround(load: (address: string) => Promise<Core>): Ground {
+export function threadRuntime(load: (address: string) => Promise<Core>): Runtime {
 	const cores = new Cores((wasm) => load(addressOf(wasm)));
 	return {
 		grow: async (wasm, blocks, signal) => {

@@ -2,7 +2,7 @@
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 
-export interface Ground {
+export interface Runtime {
 	/**
 	 * @param wasm the file of a model's core: `bunch.wasm`
 	 * @param signal cancels; where that can be, in the midst of growing
@@ -10,13 +10,13 @@ export interface Ground {
 	grow(wasm: string, blocks: readonly Block[], signal?: AbortSignal): Promise<Answer>;
 }
 
-let laid: Ground | undefined;
+let laid: Runtime | undefined;
 
-export function layGround(ground: Ground): void {
-	laid = ground;
+export function setRuntime(runtime: Runtime): void {
+	laid = runtime;
 }
 
-export function ground(): Ground {
+export function runtime(): Runtime {
 	if (!laid) throw new Error("The library was not entered by its front door; import “panicle”.");
 	return laid;
 }

@@ -2,13 +2,13 @@ import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 import type { Pool } from "../core/pool";
 import { addressOf } from "./address_of";
-import type { Ground } from "./ground";
+import type { Runtime } from "./runtime";
 
 /** Milliseconds that idle workers are kept for a plant more. */
 const LINGER = 10_000;
 
 /** Grows in workers, so that the page stays responsive; they are given up when nothing has been asked of them for a while. */
-export class PageGround implements Ground {
+export class PageRuntime implements Runtime {
 	readonly #start: () => Pool;
 	#pool: Pool | undefined;
 	#running = 0;
