@@ -151,3 +151,40 @@ TEST_CASE("thinning: the middle of a fan of thousands stays, and what is about i
     error = each.error;
   }
 }
+
+TEST_CASE("a patch of more triangles than are compared is thinned on grids, and no collapse is compared") {
+  constexpr std::uint32_t most = 2000;
+  const auto hills = [](std::uint32_t x, std::uint32_t y) {
+    return 3 * std::sin(0.1f * static_cast<float>(x)) * std::cos(0.1f * static_cast<float>(y));
+  };
+  std::uint64_t few = 0, many = 0;
+  thinning_of(grid(30, hills), most, &few);
+  const Patch large = grid(300, hills);
+  const std::vector<Collapse> thinning = thinning_of(large, most, &many);
+  CHECK(few > 1000);
+  CHECK(many == 0);
+  // A list all the same: no vertex goes twice, none that stays goes, errors and triangles are in order.
+  std::set<std::uint32_t> gone;
+  float error = 0;
+  std::uint32_t left = large.counted;
+  for (const Collapse& each : thinning) {
+    REQUIRE(large.is_fixed[each.vertex] == 0);
+    REQUIRE(gone.insert(each.vertex).second);
+    REQUIRE_FALSE(gone.contains(each.into));
+    REQUIRE(each.error >= error);
+    REQUIRE(each.triangles <= left);
+    error = each.error;
+    left = each.triangles;
+  }
+  CHECK(left < 1300);
+  // As many triangles are left as the list says.
+  std::vector<std::uint32_t> to(large.positions.size());
+  for (std::uint32_t v = 0; v < to.size(); ++v) to[v] = v;
+  for (std::size_t i = thinning.size(); i-- > 0;) to[thinning[i].vertex] = to[thinning[i].into];
+  std::uint32_t counted = 0;
+  for (auto triangle : large.triangles) {
+    for (std::uint32_t& corner : triangle) corner = to[corner];
+    counted += !is_flat(triangle);
+  }
+  CHECK(counted == left);
+}

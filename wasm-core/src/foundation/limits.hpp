@@ -23,7 +23,7 @@ struct Limits {
   std::uint32_t copies = 300'000;          // of one mesh, on them
   std::uint32_t triangles = 100'000;       // of the meshes that a request brings
   std::uint32_t looks = 300'000'000;       // at triangles of meshes, to find out what is inside: less than a second
-  std::uint32_t darts = 4'000'000;         // of one generalized map
+  std::uint32_t darts = 3'000'000;         // of one generalized map: 550 MB with its skin
 
   // Of the work, what deriving a string may take: the rest is for drawing it.
   std::uint32_t work_of_derivation() const { return work - work / 4; }

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 namespace panicle {
 namespace {
@@ -56,6 +60,76 @@ struct Quadric {
   }
 };
 
+// The first grid has so many cells along the longest edge of the patch's box; those of each further one are larger.
+constexpr double finest_cells = 1024, cell_growth = 1.25;
+
+// A patch after all vertices within a cell of a grid have become one.
+struct Coarse {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::uint32_t counted = 0;
+  std::vector<Collapse> made;
+};
+
+bool is_flat(const std::array<std::uint32_t, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+// Makes the vertices that are in one cell of size `cell` the first of them, and drops triangles that are flat then.
+void merge_cells(const Patch& patch, double cell, const glm::vec3& low, float error,
+                 std::vector<std::uint32_t>& vertices, Coarse& coarse) {
+  using Keyed = std::pair<std::array<std::int32_t, 3>, std::uint32_t>;
+  std::vector<Keyed> keyed;
+  keyed.reserve(vertices.size());
+  for (const std::uint32_t v : vertices) {
+    const glm::vec3 at = patch.positions[v] - low;
+    keyed.push_back({{static_cast<std::int32_t>(at.x / cell), static_cast<std::int32_t>(at.y / cell),
+                      static_cast<std::int32_t>(at.z / cell)},
+                     v});
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<std::uint32_t> to(patch.positions.size());
+  std::iota(to.begin(), to.end(), 0u);
+  const std::size_t first = coarse.made.size();
+  vertices.clear();
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    const bool begins = i == 0 || keyed[i].first != keyed[i - 1].first;
+    if (begins) {
+      vertices.push_back(keyed[i].second);
+    } else {
+      to[keyed[i].second] = vertices.back();
+      coarse.made.push_back({keyed[i].second, vertices.back(), error, 0});
+    }
+  }
+  std::size_t left = 0;
+  std::uint32_t counted = 0;
+  for (std::size_t t = 0; t < coarse.triangles.size(); ++t) {
+    std::array<std::uint32_t, 3> triangle = coarse.triangles[t];
+    for (std::uint32_t& corner : triangle) corner = to[corner];
+    if (is_flat(triangle)) continue;
+    counted += t < coarse.counted;
+    coarse.triangles[left++] = triangle;
+  }
+  coarse.triangles.resize(left);
+  coarse.counted = counted;
+  for (std::size_t i = first; i < coarse.made.size(); ++i) coarse.made[i].triangles = counted;
+}
+
+std::vector<Collapse> merged_on_grids(const Patch& patch) {
+  Coarse coarse{patch.triangles, patch.counted, {}};
+  glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+  for (const glm::vec3& each : patch.positions) low = glm::min(low, each), high = glm::max(high, each);
+  const glm::vec3 box = high - low;
+  double cell = std::max({box.x, box.y, box.z}) / finest_cells;
+  if (!(cell > 0)) return {};
+  std::vector<std::uint32_t> vertices;  // that may go
+  for (std::uint32_t v = 0; v < patch.positions.size(); ++v)
+    if (patch.is_fixed[v] == 0) vertices.push_back(v);
+  double error = 0;
+  for (double cells = finest_cells; cells >= 1; cells /= cell_growth, cell *= cell_growth) {
+    error += std::sqrt(3.0) * cell;  // the diagonal of a cell, after those of smaller ones
+    merge_cells(patch, cell, low, static_cast<float>(error), vertices, coarse);
+  }
+  return std::move(coarse.made);
+}
+
 class Thinner {
  public:
   explicit Thinner(const Patch& patch) : patch_(patch), triangles_(patch.triangles), left_(patch.counted) {
@@ -89,6 +163,7 @@ class Thinner {
     }
     return std::move(made_);
   }
+  std::uint64_t looks() const { return looks_; }
 
  private:
   using Offer = std::tuple<double, std::uint32_t, std::uint32_t, std::uint32_t>;
@@ -123,6 +198,7 @@ class Thinner {
     for (const std::uint32_t t : about_[vertex])
       for (const std::uint32_t into : triangles_[t]) {
         if (into == vertex) continue;
+        ++looks_;
         Quadric both = quadrics_[vertex];
         both.add(quadrics_[into]);
         const dvec3 way = places_[into] - places_[vertex];
@@ -168,10 +244,17 @@ class Thinner {
   std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
   std::uint32_t left_;
   std::vector<Collapse> made_;
+  std::uint64_t looks_ = 0;
 };
 
 }  // namespace
 
-std::vector<Collapse> thinning_of(const Patch& patch) { return Thinner(patch).run(); }
+std::vector<Collapse> thinning_of(const Patch& patch, std::uint32_t most, std::uint64_t* looks) {
+  if (patch.triangles.size() > most) return merged_on_grids(patch);
+  Thinner thinner(patch);
+  std::vector<Collapse> made = thinner.run();
+  if (looks != nullptr) *looks += thinner.looks();
+  return made;
+}
 
 }  // namespace panicle

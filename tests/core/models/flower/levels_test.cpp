@@ -106,6 +106,7 @@ TEST_CASE("a flower at four distances has few triangles, and is as large, as wid
     CAPTURE(name);
     const auto [plant, whole] = levelled(content(file));
     REQUIRE(plant.meshes.size() == level_count);
+    CHECK(plant.notes.empty());
     const auto near = shares(plant.meshes[0]);
     for (std::size_t k = 0; k < level_count; ++k) {
       CAPTURE(k);
@@ -195,4 +196,30 @@ TEST_CASE("organs of thousands of sides are thinned like others") {
           .plant;
   CHECK(plant.meshes[0].mesh.indices.size() / 3 <= 6000);
   CHECK(plant.meshes[3].mesh.indices.size() / 3 <= 260);
+}
+
+TEST_CASE("an organ of more triangles than are compared is simplified on grids, with a note") {
+  const Program program = program_of("#define S(4)\n#axiom: S\nS -> S[S]_{E}[S]_{C1,C2,C3,C4}\n");
+  Limits limits;
+  limits.darts = 700'000;
+  WorkBudget budget(limits.work, limits.bytes);
+  limits.budget = &budget;
+  auto grown = derive(program, {}, limits);
+  REQUIRE(grown);
+  Derived derived = std::move(grown.value());
+  generalized_map::Embedding embedding;
+  embedding.lay(derived.map);
+  const std::uint64_t before = budget.spent();
+  Levels levels(program, {}, limits, derived, embedding);
+  CHECK(budget.spent() == before);
+  Plant plant;
+  std::vector<std::uint32_t> numbers;
+  levels.add_to(plant, program, derived, embedding, numbers);
+  REQUIRE(plant.notes.size() == 1);
+  CHECK(plant.notes[0].find("more than 100000 triangles") != std::string::npos);
+  constexpr std::array<std::size_t, level_count> most{6000, 2200, 800, 260};
+  for (std::size_t k = 0; k < level_count; ++k) {
+    CHECK(plant.meshes[k].mesh.indices.size() / 3 <= most[k]);
+    CHECK(plant.meshes[k].mesh.indices.size() / 3 > most[k] / 4);
+  }
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "foundation/bytes.hpp"
+#include "expression/diagnostics.hpp"
 #include "light/sky_visibility.hpp"
 #include "models/flower/skin.hpp"
 #include "models/flower/thickness.hpp"
@@ -110,6 +111,7 @@ Levels::Levels(const Program& program, const Given& given, const Limits& limits,
   if (lasting_) std::swap(derived.values, usual);
 
   organs_.emplace(derived, boundary_, places);
+  if (limits.budget != nullptr) limits.budget->spend(organs_->work());
   for (const std::size_t most : most_triangles) levels_.emplace_back(remains(choose(most), places), places);
 }
 
@@ -264,6 +266,11 @@ std::vector<glm::vec3> Levels::rounded(const Derived& derived, generalized_map::
 
 void Levels::add_to(Plant& plant, const Program& program, const Derived& derived, generalized_map::Embedding& embedding,
                     std::vector<std::uint32_t>& numbers) {
+  if (organs_->is_coarse())
+    plant.notes.push_back(expression::sentence(
+        "The flower's unlike organs have more than % triangles, so its levels are simplified more coarsely; let it "
+        "grow fewer volumes.",
+        {std::to_string(most_compared)}));
   const std::vector<glm::vec3> places = rounded(derived, embedding);
   std::vector<std::uint8_t> own(derived.map.volumes());
   for (std::uint32_t v = 0; v < own.size(); ++v) {

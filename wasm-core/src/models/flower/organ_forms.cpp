@@ -67,6 +67,7 @@ class OrganForms::Finding {
   std::vector<std::uint32_t> owner_;  // of vertices that several hold the organ that stood there first
   std::vector<std::uint32_t> local_;  // by vertex the number that it has in an organ
   std::map<std::vector<std::uint32_t>, std::uint32_t> known_;  // what tells each form
+  std::uint32_t comparable_ = most_compared;                   // triangles, in all further forms together
 };
 
 OrganForms::OrganForms(const Derived& derived, const generalized_map::Boundary& boundary,
@@ -192,7 +193,10 @@ void OrganForms::Finding::find_form(std::uint32_t organ) {
     for (std::size_t i = 2; i < ring.size(); ++i)
       if (!is_flat(ring[0], ring[i], ring[i - 1])) patch.triangles.push_back({ring[0], ring[i], ring[i - 1]});
   }
-  form.thinning = thinning_of(patch);
+  const auto triangles = static_cast<std::uint32_t>(patch.triangles.size());
+  found_.coarse_ |= triangles > comparable_;
+  form.thinning = thinning_of(patch, comparable_, &found_.work_);
+  if (triangles <= comparable_) comparable_ -= triangles;
   while (!form.thinning.empty() && form.thinning.back().triangles < fewest) form.thinning.pop_back();
   // What stands attached has a base of its own.
   form.is_foot = std::move(patch.is_fixed);

@@ -52,6 +52,10 @@ class OrganForms {
   // Its own vertices and faces, by numbers of the boundary; as many as its form has.
   const std::uint32_t* vertices(const FormedOrgan& of) const { return own_vertices_.data() + of.vertices; }
   const std::uint32_t* faces(const FormedOrgan& of) const { return own_faces_.data() + of.faces; }
+  // Collapses that were compared to find all thinnings (thinning_of), a unit of work each.
+  std::uint64_t work() const { return work_; }
+  // Whether forms have so many triangles together that some were thinned on a grid.
+  bool is_coarse() const { return coarse_; }
   std::uint64_t bytes() const;  // that it holds, about
 
  private:
@@ -60,6 +64,8 @@ class OrganForms {
   std::vector<FormedOrgan> organs_;
   std::vector<std::uint32_t> own_vertices_, own_faces_;  // of organs, one after the other
   std::vector<OrganForm> forms_;
+  std::uint64_t work_ = 0;
+  bool coarse_ = false;
 };
 
 }  // namespace panicle::flower
