@@ -208,5 +208,5 @@ TEST_CASE("the widest prism is split sixty times, each in proportion to its side
     CHECK(is_prism(map, parted.part, n));
   }
   CHECK(is_whole(map));
-  CHECK(map.darts() == 80 * 12 * n);
+  CHECK(map.darts() == 60 * 12 * n);
 }
