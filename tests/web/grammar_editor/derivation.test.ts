@@ -16,7 +16,7 @@ function laid() {
 	let state: DerivationState = DERIVATION.initial;
 	const followers: Pick<Derivation, "follow">[] = [];
 	const growOffscreen = vi.fn(async (_from: Specimen, options: OffscreenOptions): Promise<Plant> => {
-		const told = (steps: number) => ({ ...EMPTY_PLANT, chronicle: algae(options.chronicle ?? { step: 0 }, steps) });
+		const told = (steps: number) => ({ ...EMPTY_PLANT, trace: algae(options.trace ?? { step: 0 }, steps) });
 		if (options.steps === undefined) return told(STEPS);
 		return new Promise((resolve, reject) => {
 			plants.push({ options, let: () => resolve(told(options.steps ?? 0)), refuse: reject });
@@ -175,7 +175,7 @@ describe("a derivation that is looked at", () => {
 		desk.setToolState(DERIVATION, { ...tool(), met: { module: 12, step: STEPS, chosen: true } });
 		derivation.follow();
 		await settle();
-		expect(growOffscreen.mock.lastCall?.[1].chronicle).toBeDefined();
+		expect(growOffscreen.mock.lastCall?.[1].trace).toBeDefined();
 		expect(derivation.chosen).toBe(2);
 	});
 

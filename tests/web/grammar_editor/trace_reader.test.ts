@@ -22,13 +22,13 @@ function byHand() {
 	const asks: {
 		asked: TraceRequest;
 		signal: AbortSignal;
-		answer(chronicle?: DerivationTrace): void;
+		answer(trace?: DerivationTrace): void;
 		fail(error: Error): void;
 	}[] = [];
 	const ask = (asked: TraceRequest, signal: AbortSignal) =>
 		new Promise<DerivationTrace>((resolve, reject) => {
 			signal.addEventListener("abort", () => reject(signal.reason));
-			asks.push({ asked, signal, answer: (chronicle = told(asked)) => resolve(chronicle), fail: reject });
+			asks.push({ asked, signal, answer: (trace = told(asked)) => resolve(trace), fail: reject });
 		});
 	return { ask, asks };
 }

@@ -23,7 +23,7 @@ export async function generateLeaves() {
 	try {
 		const at = (path) => server.ssrLoadModule(`/web/src/${path}`);
 		const { loadCoreFromBytes } = await at("core/loader.ts");
-		const { BAKED_LEAVES, bakeLeaf } = await at("models/leaf/borne/bake.ts");
+		const { BAKED_LEAVES, bakeLeaf } = await at("models/leaf/attached/bake.ts");
 		const core = await loadCoreFromBytes(readFileSync(join(buildFolder, "core/particles.wasm")));
 		for (const name of BAKED_LEAVES) {
 			const text = `${JSON.stringify(bakeLeaf(core, name), null, "\t")}\n`;

@@ -21,7 +21,7 @@ export interface Call {
 	/** Whether the JSON is to have the derived string. */
 	string: boolean;
 	/** Which part of the derivation the JSON is to tell of. */
-	chronicle: TraceRequest | undefined;
+	trace: TraceRequest | undefined;
 	/** Which of the files that end like `out`. */
 	form: string | undefined;
 	files: FileOptions;
@@ -56,7 +56,7 @@ export function readArguments(words: readonly string[]): Call {
 		grammarFile: last(values.grammar),
 		boundaryFile: last(values.boundary),
 		string: values.string ?? false,
-		chronicle: values.chronicle === undefined ? undefined : readTrace(values.chronicle.at(-1) ?? ""),
+		trace: values.chronicle === undefined ? undefined : readTrace(values.chronicle.at(-1) ?? ""),
 		...(values.seconds ? numberOf("seconds", last(values.seconds), 0.1, 1_000_000) : {}),
 		out: last(values.out),
 		form: last(values.form),

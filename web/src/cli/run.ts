@@ -93,12 +93,12 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 	const growWhole = (each: Specimen, wanted: GrowthOptions) => limit.whole(() => grow(each, wanted));
 	const { specimen, missed } =
 		aims.length > 0 ? await found(model, from, aims, growWhole, world) : { specimen: from, missed: false };
-	const { string, chronicle } = call;
+	const { string, trace } = call;
 	const grown = await grow(specimen, {
 		meshes,
 		measures,
 		...(string ? { string } : {}),
-		...(chronicle && { chronicle }),
+		...(trace && { trace }),
 	});
 	const status = statusOf(grown, missed);
 	const all: Plant = { ...grown, notes: [...new Set([...grown.notes, ...notes.map((note) => note.text)])] };
@@ -144,9 +144,9 @@ function checkTold(call: Call, model: Model, ending: string): void {
 		texted ? `of a ${model.noun}’s text there is no ${what} to tell` : `the ${model.noun} is not grown by a text`;
 	if (call.string && !(model.strings && ending === "json"))
 		throw new UsageError(model.strings ? "--string: the string stands in JSON" : `--string: ${untold("string")}`);
-	if (call.chronicle && !(model.chronicles && ending === "json"))
+	if (call.trace && !(model.traces && ending === "json"))
 		throw new UsageError(
-			model.chronicles
+			model.traces
 				? "--chronicle: what is told of the derivation stands in JSON"
 				: `--chronicle: ${untold("derivation")}`,
 		);

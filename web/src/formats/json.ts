@@ -156,14 +156,14 @@ function contents<S extends Specimen, G extends Plant, R extends object>(
 		...(Object.keys(classes).length > 0 ? { classes } : {}),
 		...plantRecord(grown),
 		...model.record?.(grown, specimen),
-		...(grown.chronicle ? { chronicle: chronicleRecord(grown.chronicle) } : {}),
+		...(grown.trace ? { chronicle: traceRecord(grown.trace) } : {}),
 		notes,
 		fingerprint,
 		timings,
 	};
 }
 
-function chronicleRecord({ counts, step, first, modules }: DerivationTrace): TraceRecord {
+function traceRecord({ counts, step, first, modules }: DerivationTrace): TraceRecord {
 	return { counts: [...counts], step, first, modules };
 }
 

@@ -86,9 +86,9 @@ export class Derivation {
 		if (grownFrom !== this.#from) {
 			this.#from = grownFrom;
 			this.#reader.begin(async (asked, signal) => {
-				const { chronicle } = await this.#desk.growOffscreen(grownFrom, { chronicle: asked, signal });
-				if (!chronicle) throw new Error("This plant does not tell of its derivation.");
-				return chronicle;
+				const { trace } = await this.#desk.growOffscreen(grownFrom, { trace: asked, signal });
+				if (!trace) throw new Error("This plant does not tell of its derivation.");
+				return trace;
 			});
 		}
 		const { met } = this.#desk.toolState(DERIVATION);
@@ -202,12 +202,12 @@ export class Derivation {
 			const { signal } = growing.ending;
 			const grown: Plant = await this.#desk.growOffscreen(from, {
 				steps: step,
-				chronicle: { step, count: 1 },
+				trace: { step, count: 1 },
 				meshes: true,
 				signal,
 			});
 			if (this.#growing !== growing || this.#from !== from || this.step !== step || !this.follows) return;
-			const { segments, organs } = grown.chronicle ?? { segments: new Uint32Array(0), organs: new Uint32Array(0) };
+			const { segments, organs } = grown.trace ?? { segments: new Uint32Array(0), organs: new Uint32Array(0) };
 			this.#show({ step, grown, from, instead: true, segments, organs });
 		} catch (error) {
 			if (this.#growing !== growing || error instanceof Superseded) return;
@@ -263,8 +263,8 @@ export class Derivation {
 		const [from, step] = [this.#from, this.step];
 		if (!from || step === undefined) return;
 		try {
-			const { chronicle } = await this.#desk.growOffscreen(from, { chronicle: { step, count: 1, module } });
-			const found = chronicle?.trail?.[step];
+			const { trace } = await this.#desk.growOffscreen(from, { trace: { step, count: 1, module } });
+			const found = trace?.trail?.[step];
 			if (found !== undefined && this.#from === from && this.step === step) this.choose(found);
 		} catch {
 			// A newer question has taken its place.

@@ -17,7 +17,7 @@ export interface LitDrawing {
 
 /** What the stepper has to know of a model. */
 export interface DerivationSource<S extends Specimen = Specimen, G extends Plant = Plant> {
-	/** What a plant has drawn, in the order of its chronicle's segments and organs. */
+	/** What a plant has drawn, in the order of its trace's segments and organs. */
 	drawn(grown: G): Drawn;
 	/** Fetches what makes it shine. */
 	figure(): Promise<LitDrawing>;

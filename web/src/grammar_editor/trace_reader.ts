@@ -159,26 +159,26 @@ export class TraceReader {
 		};
 		this.#running = running;
 		ask(asked, running.ending.signal).then(
-			(chronicle) => this.#answered(running, chronicle),
+			(trace) => this.#answered(running, trace),
 			(error: unknown) => this.#failed(running, error),
 		);
 	}
 
-	#answered(running: Running, chronicle: DerivationTrace): void {
+	#answered(running: Running, trace: DerivationTrace): void {
 		const { asked, ask, wanted } = running;
 		this.#end(running);
 		if (this.#ask !== ask) {
 			this.#go();
 			return;
 		}
-		this.#counts = chronicle.counts;
+		this.#counts = trace.counts;
 		this.#fault = undefined;
 		// The string of another document was longer.
-		const beyond = chronicle.modules.length === 0 && (asked.first ?? 0) > 0;
-		if (!beyond) this.#keep(chronicle);
+		const beyond = trace.modules.length === 0 && (asked.first ?? 0) > 0;
+		if (!beyond) this.#keep(trace);
 		// Of another step than the one that is wanted by now nothing is shown.
-		if (!beyond && chronicle.step === this.step) {
-			this.#page = chronicle;
+		if (!beyond && trace.step === this.step) {
+			this.#page = trace;
 			this.#stale = false;
 		} else if (this.#page?.step !== this.step) this.#page = undefined;
 		if (wanted !== this.#wanted || beyond) this.#go();
@@ -206,10 +206,10 @@ export class TraceReader {
 		if (this.#running === running) this.#running = undefined;
 	}
 
-	#keep(chronicle: DerivationTrace): void {
-		const key = keyOf(chronicle);
+	#keep(trace: DerivationTrace): void {
+		const key = keyOf(trace);
 		this.#kept.delete(key);
-		this.#kept.set(key, chronicle);
+		this.#kept.set(key, trace);
 		if (this.#kept.size > MOST_KEPT) this.#kept.delete(this.#kept.keys().next().value ?? "");
 	}
 }

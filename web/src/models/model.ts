@@ -31,8 +31,8 @@ export interface GrowthOptions {
 	string?: boolean;
 	/** Of the derivation, in place of what document and text say, of models that have one to tell of. */
 	steps?: number;
-	/** Which step of the derivation is to be told, of models that have one to tell of (`chronicles`); the default is none. */
-	chronicle?: TraceRequest;
+	/** Which step of the derivation is to be told, of models that have one to tell of (`traces`); the default is none. */
+	trace?: TraceRequest;
 	/** Whether all of its topology is wanted, of models that tell it; the default is yes, but not in passing. */
 	map?: boolean;
 	/** Whether meshes for four distances are wanted, of models that make such (`levels`); the default is no. */
@@ -93,7 +93,7 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	/** Whether it tells the string that its grammar has derived, where that is asked for. */
 	readonly strings?: true;
 	/** Whether it tells how its grammar is derived, step by step, where that is asked for. */
-	readonly chronicles?: true;
+	readonly traces?: true;
 
 	/**
 	 * Fetches what a specimen's request and plant need besides the core, where there is such: to be awaited before `encode`.

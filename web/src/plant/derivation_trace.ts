@@ -105,7 +105,7 @@ export interface DerivationTrace {
 export const NOT_DRAWN = 0xffffffff;
 
 /** Blocks of a request that ask for it, besides the output word `chronicle`. */
-export function chronicleBlocks({ step, first, count, module }: TraceRequest): Block[] {
+export function traceBlocks({ step, first, count, module }: TraceRequest): Block[] {
 	const word = (name: string, value: number | undefined): Block[] =>
 		value === undefined ? [] : [{ name: `chronicle_${name}`, data: Uint32Array.of(value) }];
 	return [...word("step", step), ...word("first", first), ...word("count", count), ...word("module", module)];

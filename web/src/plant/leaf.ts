@@ -13,7 +13,7 @@ export interface Veins {
 }
 
 /** A flat leaf in lengths of its midrib: the petiole joins at the origin, the tip lies near (0, 1). */
-export interface BorneLeaf {
+export interface AttachedLeaf {
 	/** 2 × vertices; the first is the petiole's. */
 	points: Float32Array;
 	/** By vertex, how far it is from the larger veins: 0 on one … 1 in the midst between them. */
@@ -43,7 +43,7 @@ export interface LeafFile {
 export const [STEPS, STEEPS] = [1024, 32];
 
 /** @throws where the data is damaged */
-export async function readLeaf({ data }: LeafFile): Promise<BorneLeaf> {
+export async function readLeaf({ data }: LeafFile): Promise<AttachedLeaf> {
 	const packed = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
 	const unpacking = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
 	const columns = new Columns(new Uint8Array(await new Response(unpacking).arrayBuffer()));
@@ -61,7 +61,7 @@ export async function readLeaf({ data }: LeafFile): Promise<BorneLeaf> {
 }
 
 /** As a request has it (wasm-core/src/foliage/flat_leaf.hpp). */
-export function leafBlocks({ points, between, uvs, indices, petiole }: BorneLeaf): Block[] {
+export function leafBlocks({ points, between, uvs, indices, petiole }: AttachedLeaf): Block[] {
 	return [
 		{ name: "leaf.points", data: points, width: 2 },
 		{ name: "leaf.between", data: between },

@@ -1,10 +1,10 @@
 /** The baked leaves by name: each fetched when a plant first bears it. */
-import { type BorneLeaf, type LeafFile, readLeaf } from "./leaf";
+import { type AttachedLeaf, type LeafFile, readLeaf } from "./leaf";
 
 /** How each is fetched, by where it lies. */
 const FILES = import.meta.glob<LeafFile>("./leaves/*.json", { import: "default" });
 
-const fetched = new Map<string, BorneLeaf>();
+const fetched = new Map<string, AttachedLeaf>();
 
 /** Fetches one; rejects where that fails, and tries again with the next call. A name that there is none of is nothing to fetch. */
 export async function fetchBakedLeaf(name: string): Promise<void> {
@@ -14,4 +14,4 @@ export async function fetchBakedLeaf(name: string): Promise<void> {
 }
 
 /** Undefined before it is there. */
-export const fetchedLeaf = (name: string): BorneLeaf | undefined => fetched.get(name);
+export const fetchedLeaf = (name: string): AttachedLeaf | undefined => fetched.get(name);

@@ -98,7 +98,7 @@ export interface Plant {
 	/** The same over the meshes; absent if not asked for. */
 	meshFingerprint?: string;
 	/** How its text was derived; absent if not asked for. */
-	chronicle?: DerivationTrace;
+	trace?: DerivationTrace;
 	/** Wall time measured by the caller, in milliseconds. */
 	timings: { grow: number };
 }

@@ -22,8 +22,8 @@ export function readPlant({ columns, milliseconds }: Answer): Plant {
 	};
 	if (columns.has("measures")) plant.measures = columns.floats("measures");
 	if (columns.has("cut_short")) plant.cutShort = columns.uint32("cut_short")[0] === CUT_BY_TIME ? "time" : "limit";
-	const chronicle = readTrace(columns);
-	if (chronicle) plant.chronicle = chronicle;
+	const trace = readTrace(columns);
+	if (trace) plant.trace = trace;
 	if (columns.has("mesh_fingerprint")) plant.meshFingerprint = hexadecimal(columns.uint32("mesh_fingerprint"));
 	return plant;
 }

@@ -72,7 +72,7 @@ export interface NoticeOptions {
 /** What is wanted of a plant that is not shown. */
 export interface OffscreenOptions {
 	/** Which step of its derivation is to be told, of models that tell of it; the default is none. */
-	readonly chronicle?: TraceRequest;
+	readonly trace?: TraceRequest;
 	/** Steps of the derivation in place of the document's. */
 	readonly steps?: number;
 	/** Whether triangles are wanted; the default is no. */

@@ -19,17 +19,17 @@ beforeAll(async () => {
 const LAST = 0xffffffff;
 const bare = { meshes: false, measures: false };
 
-function tell(specimen: Specimen, first = 0): Grown & { chronicle: DerivationTrace } {
-	const grown = growBunch(core, specimen, { ...bare, chronicle: { step: LAST, first } });
-	if (!grown.chronicle) throw new Error("Nothing was told.");
-	return { ...grown, chronicle: grown.chronicle };
+function tell(specimen: Specimen, first = 0): Grown & { trace: DerivationTrace } {
+	const grown = growBunch(core, specimen, { ...bare, trace: { step: LAST, first } });
+	if (!grown.trace) throw new Error("Nothing was told.");
+	return { ...grown, trace: grown.trace };
 }
 
 /** All modules of the last string. */
 function lastString(specimen: Specimen): ToldModule[] {
 	const modules: ToldModule[] = [];
 	for (;;) {
-		const more = tell(specimen, modules.length).chronicle.modules;
+		const more = tell(specimen, modules.length).trace.modules;
 		modules.push(...more);
 		if (more.length < MOST_TOLD) return modules;
 	}
@@ -69,9 +69,9 @@ describe("the paper's bunch, told", () => {
 
 	it("names what stands in the way, which is there", () => {
 		const specimen = crowded();
-		const { berries, chronicle } = tell(specimen);
+		const { berries, trace } = tell(specimen);
 		const modules = lastString(specimen);
-		const bearing = new Set(chronicle.organs);
+		const bearing = new Set(trace.organs);
 		expect(bearing.size).toBe(berries.count);
 		const named = withWords(modules, /overlaps the berry of module \d+ by \d/);
 		expect(named.length).toBeGreaterThan(10);
@@ -98,9 +98,9 @@ describe("the paper's bunch, told", () => {
 
 	it("says nothing of a second bunch, and who it is that stands in the way", () => {
 		const specimen = withParameters(crowded(), { wing: 0.7 });
-		const { internodes, chronicle, counts } = tell(specimen);
-		const drawn = chronicle.segments.filter((module) => module !== NOT_DRAWN);
-		expect(chronicle.segments).toHaveLength(internodes.count);
+		const { internodes, trace, counts } = tell(specimen);
+		const drawn = trace.segments.filter((module) => module !== NOT_DRAWN);
+		expect(trace.segments).toHaveLength(internodes.count);
 		expect(drawn.length).toBeLessThan(internodes.count);
 		expect(drawn.length).toBeGreaterThan(counts.internodes / 3);
 		expect(withWords(lastString(specimen), /of the second bunch/).length).toBeGreaterThan(0);
@@ -112,7 +112,7 @@ describe("the natural bunch, told", () => {
 		const specimen = specimenFromPreset("long-conical");
 		const plain = growBunch(core, specimen, bare);
 		const modules = lastString(specimen);
-		expect(plain.chronicle).toBeUndefined();
+		expect(plain.trace).toBeUndefined();
 		expect(tell(specimen).fingerprint).toBe(plain.fingerprint);
 		const why = (reason: string) => plain.thinned.filter((each) => each.why === reason).length;
 		expect(withWords(modules, /did not set/)).toHaveLength(why("not set"));
@@ -127,20 +127,20 @@ describe("the natural bunch, told", () => {
 	it("knows which modules drew what hangs there", () => {
 		for (const name of ["long-conical", "riesling"]) {
 			const specimen = specimenFromPreset(name);
-			const { chronicle, internodes, berries } = tell(specimen);
+			const { trace, internodes, berries } = tell(specimen);
 			const modules = lastString(specimen);
-			expect(chronicle.segments).toHaveLength(internodes.count);
-			expect(chronicle.organs).toHaveLength(berries.count);
-			for (const module of chronicle.segments) if (module !== NOT_DRAWN) expect(modules[module].text).toMatch(/^\?E\(/);
-			for (const module of chronicle.organs) if (module !== NOT_DRAWN) expect(modules[module].text).toMatch(/^\?E\(1/);
-			expect(chronicle.segments.filter((module) => module !== NOT_DRAWN).length).toBeGreaterThan(internodes.count / 2);
+			expect(trace.segments).toHaveLength(internodes.count);
+			expect(trace.organs).toHaveLength(berries.count);
+			for (const module of trace.segments) if (module !== NOT_DRAWN) expect(modules[module].text).toMatch(/^\?E\(/);
+			for (const module of trace.organs) if (module !== NOT_DRAWN) expect(modules[module].text).toMatch(/^\?E\(1/);
+			expect(trace.segments.filter((module) => module !== NOT_DRAWN).length).toBeGreaterThan(internodes.count / 2);
 		}
 	});
 
 	it("grows to a step alone where that is asked for", () => {
 		const specimen = specimenFromPreset("long-conical");
-		const three = growBunch(core, specimen, { ...bare, steps: 3, chronicle: { step: LAST } });
-		expect(three.chronicle?.step).toBe(3);
-		expect([...(three.chronicle?.counts ?? [])]).toEqual([...tell(specimen).chronicle.counts.slice(0, 4)]);
+		const three = growBunch(core, specimen, { ...bare, steps: 3, trace: { step: LAST } });
+		expect(three.trace?.step).toBe(3);
+		expect([...(three.trace?.counts ?? [])]).toEqual([...tell(specimen).trace.counts.slice(0, 4)]);
 	});
 });

@@ -17,14 +17,14 @@ beforeAll(async () => {
 });
 
 const of = (grammar: string): GrammarSpecimen => ({ ...fromPreset(model), grammar });
-const grow = (specimen: GrammarSpecimen, chronicle: TraceRequest, steps?: number): GrammarPlant =>
+const grow = (specimen: GrammarSpecimen, trace: TraceRequest, steps?: number): GrammarPlant =>
 	model.read(
 		core.grow(
-			model.encode(specimen, { meshes: false, string: true, chronicle, ...(steps === undefined ? {} : { steps }) }),
+			model.encode(specimen, { meshes: false, string: true, trace, ...(steps === undefined ? {} : { steps }) }),
 		),
 	);
-const tell = (grammar: string, chronicle: TraceRequest) => {
-	const told = grow(of(grammar), chronicle).chronicle;
+const tell = (grammar: string, trace: TraceRequest) => {
+	const told = grow(of(grammar), trace).trace;
 	if (!told) throw new Error("Nothing was told.");
 	return told;
 };
@@ -114,11 +114,11 @@ describe("a derivation that a text's plant tells", () => {
 			const specimen = fromPreset(model, name);
 			const grown = grow(specimen, { step: 4096, count: 300 });
 			const plain = model.read(core.grow(model.encode(specimen, { meshes: false })));
-			expect(plain.chronicle).toBeUndefined();
+			expect(plain.trace).toBeUndefined();
 			expect(grown.fingerprint).toBe(plain.fingerprint);
 			expect(grown.notes).toEqual(plain.notes);
-			expect(grown.chronicle?.counts.at(-1)).toBe(grown.counts.modules);
-			const start = (grown.chronicle?.modules ?? []).map(({ text }) => text).join("");
+			expect(grown.trace?.counts.at(-1)).toBe(grown.counts.modules);
+			const start = (grown.trace?.modules ?? []).map(({ text }) => text).join("");
 			expect(grown.string?.replaceAll(" ", "").startsWith(start.replaceAll(" ", ""))).toBe(true);
 		}
 	});
@@ -126,7 +126,7 @@ describe("a derivation that a text's plant tells", () => {
 	it("grows to a step alone where that is asked for, and refuses windows that are too long", () => {
 		const one = grow(of(TWIGS), { step: 1 }, 1);
 		expect(one.string).toBe("F(0.5)[+(40)A(2)]A(2)");
-		expect(one.chronicle?.step).toBe(1);
+		expect(one.trace?.step).toBe(1);
 		expect(() => grow(of(TWIGS), { step: 0, count: 2001 })).toThrow(/At most 2000 modules/);
 	});
 

@@ -23,7 +23,7 @@ export const model = {
 	wasm: "bunch.wasm",
 	prepare: (specimen) => (hasLeaves(specimen) ? fetchLeaf() : undefined),
 	sketch: (specimen) => (hasLeaves(specimen) ? fetchSketch() : undefined),
-	chronicles: true,
+	traces: true,
 	encode: encodeRequest,
 	read: (answer, specimen) => {
 		const grown = readGrown(answer);

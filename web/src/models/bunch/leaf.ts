@@ -1,6 +1,6 @@
 /** The leaf on the cane: the grapevine's, fetched when a bunch first has leaves. */
 import type { Block } from "../../core/container";
-import { type BorneLeaf, leafBlocks } from "../../plant/leaf";
+import { type AttachedLeaf, leafBlocks } from "../../plant/leaf";
 import { fetchBakedLeaf, fetchedLeaf } from "../../plant/leaves";
 
 const CANE = "grapevine";
@@ -14,7 +14,7 @@ export const fetchLeaf = (): Promise<void> => fetchBakedLeaf(CANE);
 export const fetchSketch = (): Promise<void> => fetchBakedLeaf(SKETCH);
 
 /** Its sketch before it is there, and undefined before that. */
-export const leafOnCane = (): BorneLeaf | undefined => fetchedLeaf(CANE) ?? fetchedLeaf(SKETCH);
+export const leafOnCane = (): AttachedLeaf | undefined => fetchedLeaf(CANE) ?? fetchedLeaf(SKETCH);
 
 /** As a request has it; nothing before it is there. */
 export function caneLeafBlocks(): Block[] {

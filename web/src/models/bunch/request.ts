@@ -1,7 +1,7 @@
 /** Specimen → the blocks of a request, as wasm-core/src/models/bunch/model.hpp lists them. */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
-import { chronicleBlocks, type TraceRequest } from "../../plant/derivation_trace";
+import { type TraceRequest, traceBlocks } from "../../plant/derivation_trace";
 import { overlongText } from "../../specimen/limits";
 import type { CoreEntry } from "../../specimen/table";
 import { INPUT_N_LENGTH } from "./details/inputs";
@@ -28,7 +28,7 @@ export interface RequestOptions {
 	/** Of the derivation; the text's own by default. */
 	steps?: number;
 	/** Which step of the derivation is to be told; the default is none. */
-	chronicle?: TraceRequest;
+	trace?: TraceRequest;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
 	meshFingerprint?: boolean;
 	/** Sides of a stem's tube; the core's own choice by default. */
@@ -39,14 +39,7 @@ export interface RequestOptions {
 
 /** @throws CoreError where the specimen cannot be written as a request: it has not come through specimen/restore.ts */
 export function encodeRequest(specimen: Specimen, options: RequestOptions = {}): Block[] {
-	const {
-		meshes = true,
-		preview = false,
-		meshFingerprint = false,
-		stemSides = 0,
-		berrySegments = 0,
-		chronicle,
-	} = options;
+	const { meshes = true, preview = false, meshFingerprint = false, stemSides = 0, berrySegments = 0, trace } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;
 	const { inputs, thinned, grammar, parameters } = specimen;
 	const long = grammar === undefined ? undefined : overlongText(grammar);
@@ -61,7 +54,7 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 		measures && "measures",
 		sky && "sky",
 		meshFingerprint && "mesh_fingerprint",
-		chronicle && "chronicle",
+		trace && "chronicle",
 	];
 	const words = (name: string, values: readonly number[]) => Uint32Array.from(values, (value) => whole(name, value));
 	const blocks: Block[] = [
@@ -78,7 +71,7 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 		{ name: "berry_segments", data: words("berrySegments", [berrySegments]) },
 	];
 	if (options.steps !== undefined) blocks.push({ name: "steps", data: words("steps", [options.steps]) });
-	if (chronicle) blocks.push(...chronicleBlocks(chronicle));
+	if (trace) blocks.push(...traceBlocks(trace));
 	if (meshes && hasLeaves(specimen)) blocks.push(...caneLeafBlocks());
 	if (inputs?.m !== undefined) blocks.push({ name: "m", data: Int32Array.of(whole("m", inputs.m)) });
 	if (inputs?.n) blocks.push({ name: "n", data: Int32Array.from(inputs.n, (value) => whole("n", value)) });

@@ -18,7 +18,7 @@ export const model = {
 	wasm: "grammar.wasm",
 	strings: true,
 	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
-	chronicles: true,
+	traces: true,
 	encode: encodeGrammar,
 	read: readGrammarPlant,
 	parts: grammarParts,

@@ -31,7 +31,7 @@ export function* grammarParts(plant: GrammarPlant, { look }: GrammarSpecimen): G
 	for (const [index, mesh] of plant.meshes.entries()) {
 		const colours = plant.runColours[mesh.name];
 		if (!colours) {
-			yield* borneParts(plant, index, mesh, materialOf, called);
+			yield* attachedParts(plant, index, mesh, materialOf, called);
 			continue;
 		}
 		for (const { name, colour, runs } of groupsOf(mesh, colours)) {
@@ -88,7 +88,7 @@ function painted(kind: string, colour: number, look: GrammarSpecimen["look"]): M
 }
 
 /** The organs that are drawn with a mesh, as instances: a part for each colour. */
-function* borneParts(
+function* attachedParts(
 	{ organs, borne }: GrammarPlant,
 	index: number,
 	mesh: PlantMesh,

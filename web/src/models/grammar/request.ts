@@ -1,7 +1,7 @@
 /** Specimen → the blocks of a request, as wasm-core/src/models/grammar/model.hpp lists them. */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
-import { chronicleBlocks } from "../../plant/derivation_trace";
+import { traceBlocks } from "../../plant/derivation_trace";
 import type { GrowthOptions } from "../model";
 import { areaBlocks } from "./areas/blocks";
 import type { GrammarSpecimen } from "./specimen";
@@ -17,7 +17,7 @@ export interface RequestOptions extends GrowthOptions {
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, preview = false, meshFingerprint = false, string = false, chronicle } = options;
+	const { meshes = true, preview = false, meshFingerprint = false, string = false, trace } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;
 	const outputs = [
 		meshes && "meshes",
@@ -26,7 +26,7 @@ export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions
 		preview && "coarse",
 		meshFingerprint && "mesh_fingerprint",
 		string && "string",
-		chronicle && "chronicle",
+		trace && "chronicle",
 	];
 	const { model, seed, parameters, constants, steps: own } = specimen;
 	const { steps = own } = options;
@@ -49,7 +49,7 @@ export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions
 					{ name: "constants.values", data: Float32Array.from(names, (name) => number(name, constants[name])) },
 				]),
 		...areaBlocks(specimen),
-		...(chronicle ? chronicleBlocks(chronicle) : []),
+		...(trace ? traceBlocks(trace) : []),
 		{ name: "grammar", data: text },
 	];
 }

@@ -1,6 +1,6 @@
 /** Columns of an answer → a tree of a growth grammar (wasm-core/src/models/growth/model.hpp). */
 import type { Answer } from "../../core/core";
-import type { BorneLeaf, Veins } from "../../plant/leaf";
+import type { AttachedLeaf, Veins } from "../../plant/leaf";
 import { fetchBakedLeaf, fetchedLeaf } from "../../plant/leaves";
 import { readPlant } from "../../plant/read_plant";
 import type { Wooden } from "../../plant/wood/wooden";
@@ -23,7 +23,7 @@ const kindOf = (specimen: GrowthSpecimen): string => GROWTH_TABLE.option(specime
 export const fetchLeafOf = (specimen: GrowthSpecimen): Promise<void> => fetchBakedLeaf(kindOf(specimen));
 
 /** Undefined before it is there, of needles and of bare trees. */
-export const leafOf = (specimen: GrowthSpecimen): BorneLeaf | undefined => fetchedLeaf(kindOf(specimen));
+export const leafOf = (specimen: GrowthSpecimen): AttachedLeaf | undefined => fetchedLeaf(kindOf(specimen));
 
 export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): GrowthPlant {
 	const { columns } = answer;

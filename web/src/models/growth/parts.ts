@@ -5,7 +5,7 @@ import type { Material } from "../../plant/material";
 import type { Part } from "../../plant/part";
 import type { Plant } from "../../plant/plant";
 import { type BarkKind, barkPicture, barkRelief } from "../../plant/wood/bark_picture";
-import { borneParts, type Dress, woodenParts } from "../../plant/wood/wooden_parts";
+import { attachedParts, type Dress, woodenParts } from "../../plant/wood/wooden_parts";
 import type { GrowthPlant } from "./growth_plant";
 import type { GrowthSpecimen } from "./specimen";
 import { GROWTH_TABLE } from "./table";
@@ -29,12 +29,12 @@ export function* growthParts(plant: GrowthPlant, specimen: GrowthSpecimen): Gene
 	});
 	// Those about to fall and the fallen are of one colour: a step later they are gone.
 	const [red] = leafTints({ leaf: look.falling, autumn: look.falling, season: 0.4 }, plant.veins);
-	yield* borneParts(withOrgans(plant, ["falling", "fallen"]), { blade: [{ ...red, name: "Falling leaf" }] });
+	yield* attachedParts(withOrgans(plant, ["falling", "fallen"]), { blade: [{ ...red, name: "Falling leaf" }] });
 	const brown = leafTints({ ...colours, season: LYING }, plant.veins);
-	yield* borneParts(withOrgans(plant, ["shed"]), {
+	yield* attachedParts(withOrgans(plant, ["shed"]), {
 		blade: brown.map((tint, i) => ({ ...tint, name: `Shed leaf ${i + 1}` })),
 	});
-	yield* borneParts(withOrgans(plant, ["blossom"]), { petal: [petal(look.petal)] });
+	yield* attachedParts(withOrgans(plant, ["blossom"]), { petal: [petal(look.petal)] });
 }
 
 function woodOf(specimen: GrowthSpecimen): Omit<Dress, "tints"> {

@@ -1,6 +1,6 @@
 /** A tree as it came back, with the veins of the leaf that it bears. */
 import type { Answer } from "../../core/core";
-import type { BorneLeaf, Veins } from "../../plant/leaf";
+import type { AttachedLeaf, Veins } from "../../plant/leaf";
 import { fetchBakedLeaf, fetchedLeaf } from "../../plant/leaves";
 import { readWoodenPlant, type WoodenPlant } from "../particles/boundary/wooden_plant";
 import { type LightGrid, readLight } from "./light/light_grid";
@@ -22,7 +22,7 @@ export function fetchLeafOf(specimen: TreeSpecimen): Promise<void> | undefined {
 }
 
 /** Undefined before it is there, and of needles. */
-export const leafOf = (specimen: TreeSpecimen): BorneLeaf | undefined => fetchedLeaf(kindOf(specimen));
+export const leafOf = (specimen: TreeSpecimen): AttachedLeaf | undefined => fetchedLeaf(kindOf(specimen));
 
 export function readTree(answer: Answer, specimen: TreeSpecimen): TreePlant {
 	const { veins } = leafOf(specimen) ?? {};

@@ -24,7 +24,7 @@ const MOST_NAMED = 300;
 
 export function* woodenParts(plant: Wooden, { wood, bark, tints }: Dress): Generator<Part> {
 	const { meshes, organs } = plant;
-	const borne = borneIn(organs);
+	const borne = attachedMeshes(organs);
 	// What could be borne and is not, is not there.
 	const solid = meshes.filter(({ material }, index) => !borne.has(index) && !Object.hasOwn(tints, material));
 	for (const mesh of solid) {
@@ -32,19 +32,19 @@ export function* woodenParts(plant: Wooden, { wood, bark, tints }: Dress): Gener
 		const coloured = colours ? { ...mesh, colours } : mesh;
 		yield* partsOf({ meshes: [coloured], organs: EMPTY_PLANT.organs }, { [mesh.material]: wood });
 	}
-	yield* borneParts(plant, tints);
+	yield* attachedParts(plant, tints);
 }
 
 /** What a plant bears, without its wood. */
-export function* borneParts({ meshes, organs }: Plant, tints: Dress["tints"]): Generator<Part> {
-	const borne = borneIn(organs);
+export function* attachedParts({ meshes, organs }: Plant, tints: Dress["tints"]): Generator<Part> {
+	const borne = attachedMeshes(organs);
 	for (const [index, mesh] of meshes.entries()) {
 		if (borne.has(index)) yield* instancesOf(organs, index, mesh, tints[mesh.material] ?? []);
 	}
 }
 
 /** Meshes that something is drawn with. */
-function borneIn({ count, mesh }: Plant["organs"]): Set<number> {
+function attachedMeshes({ count, mesh }: Plant["organs"]): Set<number> {
 	const borne = new Set<number>();
 	let last = -1;
 	for (let organ = 0; organ < count; organ++) {

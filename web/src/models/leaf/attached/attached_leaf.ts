@@ -8,7 +8,7 @@ import { veinRaster } from "../parts/vein_raster";
 import type { LeafSpecimen } from "../specimen";
 import { sparseBlade } from "./sparse_blade";
 
-export interface BorneOptions {
+export interface AttachedLeafOptions {
 	/** How fine its mesh is: cells to a side of the blade's square, each with a vertex at most … */
 	cells?: number;
 	/** … or, where thousands are borne, corners of each half's margin; these bring their petiole. */
@@ -28,7 +28,12 @@ const SEEN = 0.06;
  * @param from the preset that it grew from
  * @throws Error where the leaf was grown without meshes
  */
-export function borneLeaf(leaf: Leaf, { parameters }: LeafSpecimen, from: string, options: BorneOptions): LeafFile {
+export function attachedLeaf(
+	leaf: Leaf,
+	{ parameters }: LeafSpecimen,
+	from: string,
+	options: AttachedLeafOptions,
+): LeafFile {
 	const { left, bottom, size } = leaf.square;
 	const { corners, pixels } = options;
 	const { uvs, indices } = corners ? sparse(leaf, corners) : fine(leaf, options.cells ?? 0);

@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../web/src/core/loader";
 import { GROWTH_TABLE } from "../../../../web/src/models/growth/table";
-import { BAKED_LEAVES, bakedSpecimen, bakeLeaf } from "../../../../web/src/models/leaf/borne/bake";
+import { BAKED_LEAVES, bakedSpecimen, bakeLeaf } from "../../../../web/src/models/leaf/attached/bake";
 import { readLeaf as readGrownLeaf } from "../../../../web/src/models/leaf/read_leaf";
 import { encodeLeaf } from "../../../../web/src/models/leaf/request";
 import { TREE_TABLE } from "../../../../web/src/models/tree/table";
