@@ -39,7 +39,7 @@ export default defineConfig({
 						{ name: "document", test: /web\/src\/(specimen\/|controls\/(change|handles\/(point|escape_key))\.ts)/ },
 						{
 							name: "lit",
-							test: /node_modules\/(@lit|lit|lit-element|lit-html)\/|web\/src\/controls\/(term|icons|desk_element)\.ts/,
+							test: /node_modules\/(@lit|lit|lit-element|lit-html)\/|web\/src\/controls\/(term|icons|editor_element)\.ts/,
 						},
 						{ name: "three", test: /node_modules\/three\// },
 					],

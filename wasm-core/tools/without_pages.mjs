@@ -1,6 +1,6 @@
 /** Bundles of models without what only pages need of them. */
 
-/** What models have of the page: the desk's tools, and what draws them, which is the element's alone. */
+/** What models have of the page: the studio's tools, and what draws them, which is the element's alone. */
 export const FACE = /\.\/tools\/face$/;
 export const FIGURE = /^\.\/figure\/|_figure$/;
 

@@ -159,7 +159,7 @@ export default [
 		faults: [
 			{
 				id: "late-file-changes-another-plant",
-				find: "desk.state.model === model && ",
+				find: "context.state.model === model && ",
 				replace: "",
 				breaks: "a mesh read late becomes a leaf's",
 			},

@@ -201,8 +201,8 @@ export default [
 		faults: [
 			{
 				id: "sides-lock-brings-nothing",
-				find: "if (!locks[pair]) desk.set(",
-				replace: "if (locks[pair]) desk.set(",
+				find: "if (!locks[pair]) context.set(",
+				replace: "if (locks[pair]) context.set(",
 				breaks: "a lock leaves the sides apart",
 			},
 			{
@@ -219,7 +219,7 @@ export default [
 		faults: [
 			{
 				id: "thinning-of-bare-stems",
-				find: "on && isNatural(specimen) && !desk.toolState(stems)",
+				find: "on && isNatural(specimen) && !context.toolState(stems)",
 				replace: "on && isNatural(specimen)",
 				breaks: "a click on bare stems takes off a berry that is not seen",
 			},

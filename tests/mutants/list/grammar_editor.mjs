@@ -141,13 +141,13 @@ export default [
 		faults: [
 			{
 				id: "grammar-editor-escape-leaves-what-grows",
-				find: "if (this.desk.state.growing) this.desk.cancel();\n\t\telse",
+				find: "if (this.context.state.growing) this.context.cancel();\n\t\telse",
 				replace: "",
 				breaks: "Escape in the text leaves it while a million modules go on growing",
 			},
 			{
 				id: "grammar-editor-next-character-waits",
-				find: "if (desk.state.growing) desk.cancel();",
+				find: "if (context.state.growing) context.cancel();",
 				replace: "",
 				breaks: "the next character waits until a million modules of the text before have grown",
 			},

@@ -31,14 +31,14 @@ export default [
 			},
 			{
 				id: "life-fights-the-hand",
-				find: "if (this.#made && desk.state.specimen !== this.#made) {",
+				find: "if (this.#made && context.state.specimen !== this.#made) {",
 				replace: "if (false) {",
 				breaks: "a play overrides the hand on a slider",
 			},
 			{
 				id: "life-a-step-a-frame",
-				find: "desk.edit({ parameters: { [this.#life.parameter]: age } }, PLAY);",
-				replace: "desk.set({ parameters: { [this.#life.parameter]: age } });",
+				find: "context.edit({ parameters: { [this.#life.parameter]: age } }, PLAY);",
+				replace: "context.set({ parameters: { [this.#life.parameter]: age } });",
 				breaks: "a play leaves hundreds of undo steps",
 			},
 		],

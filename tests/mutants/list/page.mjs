@@ -159,7 +159,12 @@ export default [
 		file: "web/src/app/parts/drop.ts",
 		suites: [`${E2E}/files.spec.ts: GLB: valid, and dropped back it restores its bunch`],
 		faults: [
-			{ id: "drop-nothing", find: "void takeFile(this.desk, file);", replace: "", breaks: "dropped files do nothing" },
+			{
+				id: "drop-nothing",
+				find: "void takeFile(this.context, file);",
+				replace: "",
+				breaks: "dropped files do nothing",
+			},
 		],
 	},
 	{

@@ -9,7 +9,7 @@ import { algae } from "./told_derivation";
 
 const STEPS = 5;
 
-/** A desk with a plant of the algae on it; plants of single steps come when they are let. */
+/** An editor context with a plant of the algae on it; plants of single steps come when they are let. */
 function laid() {
 	const specimen = { model: "grammar" } as Specimen;
 	const plants: { readonly options: OffscreenOptions; let(): void; refuse(error: Error): void }[] = [];
@@ -22,7 +22,7 @@ function laid() {
 			plants.push({ options, let: () => resolve(told(options.steps ?? 0)), refuse: reject });
 		});
 	});
-	const desk = {
+	const context = {
 		state: { grown: { ...EMPTY_PLANT }, grownFrom: specimen },
 		growOffscreen,
 		toolState: () => state,
@@ -34,17 +34,17 @@ function laid() {
 			});
 		},
 	};
-	return { desk, growOffscreen, plants, followers, tool: () => state };
+	return { context, growOffscreen, plants, followers, tool: () => state };
 }
 
 const settle = () => new Promise((resolve) => setTimeout(resolve));
 
 describe("a derivation that is looked at", () => {
-	let { desk, growOffscreen, plants, followers, tool } = laid();
+	let { context, growOffscreen, plants, followers, tool } = laid();
 	let derivation: Derivation;
 	beforeEach(async () => {
-		({ desk, growOffscreen, plants, followers, tool } = laid());
-		derivation = new Derivation(desk as unknown as EditorContext, () => {});
+		({ context, growOffscreen, plants, followers, tool } = laid());
+		derivation = new Derivation(context as unknown as EditorContext, () => {});
 		followers.push(derivation);
 		await settle();
 	});
@@ -57,7 +57,7 @@ describe("a derivation that is looked at", () => {
 
 	it("opens at the last step, whose plant is in view already", () => {
 		expect(text()).toBe("ABAABABAABAAB");
-		expect(tool().scene).toMatchObject({ step: STEPS, instead: false, grown: desk.state.grown });
+		expect(tool().scene).toMatchObject({ step: STEPS, instead: false, grown: context.state.grown });
 		expect(plants).toHaveLength(0);
 	});
 
@@ -144,11 +144,11 @@ describe("a derivation that is looked at", () => {
 	it("marks what is met in the view, and chooses what is clicked, in the step that is shown", async () => {
 		derivation.follows = false;
 		await to(2);
-		desk.setToolState(DERIVATION, { ...tool(), met: { module: 6, step: STEPS, chosen: false } });
+		context.setToolState(DERIVATION, { ...tool(), met: { module: 6, step: STEPS, chosen: false } });
 		derivation.follow();
 		expect(derivation.pointed).toBe(1);
 		expect(derivation.chosen).toBeUndefined();
-		desk.setToolState(DERIVATION, { ...tool(), met: { module: 9, step: STEPS, chosen: true } });
+		context.setToolState(DERIVATION, { ...tool(), met: { module: 9, step: STEPS, chosen: true } });
 		derivation.follow();
 		expect(derivation.chosen).toBe(2);
 	});
@@ -160,7 +160,7 @@ describe("a derivation that is looked at", () => {
 		await to(3);
 		const asked = growOffscreen.mock.calls.length;
 		for (const chosen of [false, true]) {
-			desk.setToolState(DERIVATION, { ...tool(), met: { module: 1, step: 2, chosen } });
+			context.setToolState(DERIVATION, { ...tool(), met: { module: 1, step: 2, chosen } });
 			derivation.follow();
 			await settle();
 			expect([derivation.pointed, derivation.chosen]).toEqual([undefined, undefined]);
@@ -172,7 +172,7 @@ describe("a derivation that is looked at", () => {
 		derivation.follows = false;
 		await to(2);
 		vi.spyOn(derivation, "page", "get").mockReturnValue({ ...algae({ step: 2, first: 0, count: 1 }, STEPS) });
-		desk.setToolState(DERIVATION, { ...tool(), met: { module: 12, step: STEPS, chosen: true } });
+		context.setToolState(DERIVATION, { ...tool(), met: { module: 12, step: STEPS, chosen: true } });
 		derivation.follow();
 		await settle();
 		expect(growOffscreen.mock.lastCall?.[1].trace).toBeDefined();
@@ -182,12 +182,12 @@ describe("a derivation that is looked at", () => {
 	it("follows another document: its string in place of this one's, never this one's light", async () => {
 		await to(STEPS, 2);
 		expect(tool().lit).toBeDefined();
-		Object.assign(desk.state, { grown: { ...EMPTY_PLANT }, grownFrom: { model: "grammar" } });
+		Object.assign(context.state, { grown: { ...EMPTY_PLANT }, grownFrom: { model: "grammar" } });
 		derivation.follow();
 		expect(derivation.stale).toBe(true);
 		await settle();
 		expect(derivation.stale).toBe(false);
-		expect(tool().scene?.from).toBe(desk.state.grownFrom);
+		expect(tool().scene?.from).toBe(context.state.grownFrom);
 	});
 
 	it("leaves the last plant in view where none can be grown of the step", async () => {
@@ -208,7 +208,7 @@ describe("a derivation that is looked at", () => {
 
 	it("says why nothing is told, and gives the view back", async () => {
 		growOffscreen.mockRejectedValueOnce(new Error("The text needs 3 inputs."));
-		Object.assign(desk.state, { grownFrom: { model: "grammar" } });
+		Object.assign(context.state, { grownFrom: { model: "grammar" } });
 		derivation.follow();
 		await settle();
 		expect(derivation.fault).toBe("The text needs 3 inputs.");

@@ -10,8 +10,8 @@ import { toy } from "../toy";
 class Probe extends ControlElement {
 	readonly drawn = vi.fn();
 
-	protected override draw(desk: EditorContext): unknown {
-		this.drawn(desk.state.model.name);
+	protected override draw(context: EditorContext): unknown {
+		this.drawn(context.state.model.name);
 		return "";
 	}
 
@@ -26,8 +26,8 @@ describe("a control", () => {
 		const { studio } = await studioWith(specimenFromPreset());
 		const probe = new Probe();
 		expect(probe.asks()).toBe(false);
-		probe.desk = studio;
-		expect(probe.asks("desk")).toBe(true);
+		probe.context = studio;
+		expect(probe.asks("context")).toBe(true);
 		expect(probe.asks()).toBe(true);
 		studio.choosePreset("plain", toy as unknown as Model);
 		expect(probe.asks()).toBe(false);

@@ -15,7 +15,7 @@ export interface Asking {
 	readonly found?: { readonly specimen: Specimen; readonly aims: readonly Aim[] };
 }
 
-/** One at a time, of the model that is on the desk. */
+/** One at a time, of the model that is open. */
 export const ASKING: Stateful<Asking> = { name: "asking", initial: {} };
 
 /** What its notices are about: the next one takes them back, and so does the next change. */

@@ -102,7 +102,7 @@ function start(model: PageModel): void {
 }
 
 function draw(studio: Studio): void {
-	for (const part of document.querySelectorAll<StudioPart>(PARTS)) part.desk = studio;
+	for (const part of document.querySelectorAll<StudioPart>(PARTS)) part.context = studio;
 	const help = () => void openPart(studio, HELP);
 	document.addEventListener("panicle-help", help);
 	listenForShortcuts(studio, { help, saved: () => void openPart(studio, SAVED) });

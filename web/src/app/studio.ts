@@ -271,7 +271,7 @@ export class Studio implements EditorContext {
 		this.#surroundings.grow(model, specimen, { preview: held });
 	}
 
-	/** Puts the tools of a model on the desk, in place of the last one's. */
+	/** Puts the tools of a model on the controls, in place of the last one's. */
 	async #bringFace(model: PageModel): Promise<void> {
 		for (const end of this.#ends.splice(0)) end();
 		const face = this.#faces.known(model) ?? (await this.#faceOf(model));

@@ -23,7 +23,7 @@ export class Constants extends ControlElement<GrammarContext> {
 
 	/** What a long list is searched for. */
 	#query = "";
-	readonly #held = new HeldKey(() => this.desk.settle());
+	readonly #held = new HeldKey(() => this.context.settle());
 	/** What became of a value that could not be taken as typed. */
 	#message: { readonly name: string; readonly value: number; readonly text: string | undefined } | undefined;
 
@@ -52,7 +52,7 @@ export class Constants extends ControlElement<GrammarContext> {
 
 	/** Many constants, with a search: in a list of its own height, because all of them would fill the panel and take seconds to draw. */
 	#longList(all: readonly (Constant | Curve)[]): unknown {
-		void fetchLongList(this.desk);
+		void fetchLongList(this.context);
 		const words = this.#query.toLowerCase().split(/\s+/).filter(Boolean);
 		const found = all.filter((each) => {
 			const text = `${each.name} ${"words" in each ? each.words : ""}`.toLowerCase();
@@ -77,7 +77,7 @@ export class Constants extends ControlElement<GrammarContext> {
 	}
 
 	#curve(curve: Curve): unknown {
-		return html`<panicle-curve .curve=${curve} .write=${this.#writeCurve} .settle=${() => this.desk.settle()}></panicle-curve>`;
+		return html`<panicle-curve .curve=${curve} .write=${this.#writeCurve} .settle=${() => this.context.settle()}></panicle-curve>`;
 	}
 
 	#slider(constant: Constant): unknown {
@@ -121,16 +121,16 @@ export class Constants extends ControlElement<GrammarContext> {
 		const places = Math.max(decimals(String(step)), decimals(number.text));
 		const text = written(Math.min(Math.max(value, min), max), places);
 		const change = this.#changed(name, text);
-		if (change) this.desk.edit({ ...change, run: this.#held.run }, `constant ${name}`);
+		if (change) this.context.edit({ ...change, run: this.#held.run }, `constant ${name}`);
 	}
 
 	#set(name: string, value: string): void {
 		const change = this.#changed(name, value);
-		if (change) this.desk.set(change);
+		if (change) this.context.set(change);
 	}
 
 	#changed(name: string, value: string) {
-		const { specimen } = this.desk.state;
+		const { specimen } = this.context.state;
 		if (!isOwn(specimen)) return withValues(this.source, specimen, { [name]: Number(value) });
 		// In a text of one's own the number keeps the digits that it is written with.
 		const constant = this.#outline.constants.find((each) => each.name === name);
@@ -139,17 +139,17 @@ export class Constants extends ControlElement<GrammarContext> {
 
 	readonly #writeCurve = (name: string, points: string): void => {
 		const curve: Curve | undefined = this.#outline.curves.find((each) => each.name === name);
-		if (curve) this.desk.edit(this.#withStretch(curve, points), `curve ${name}`);
+		if (curve) this.context.edit(this.#withStretch(curve, points), `curve ${name}`);
 	};
 
 	/** The change that writes something in the place of a stretch of the text. */
 	#withStretch({ from, to }: { readonly from: number; readonly to: number }, insert: string) {
 		const text = this.#text() ?? "";
-		return withText(this.source, this.desk.state.specimen, text.slice(0, from) + insert + text.slice(to));
+		return withText(this.source, this.context.state.specimen, text.slice(0, from) + insert + text.slice(to));
 	}
 
 	#text(): string | undefined {
-		return textOf(this.source, this.desk.state.specimen, () => this.requestUpdate());
+		return textOf(this.source, this.context.state.specimen, () => this.requestUpdate());
 	}
 
 	get #outline(): Outline {
@@ -158,18 +158,18 @@ export class Constants extends ControlElement<GrammarContext> {
 
 	/** What a constant is in the text that the preset grows by, as it is written there. */
 	#builtIn(name: string): string | undefined {
-		const text = textOf(this.source, this.desk.preset, () => {});
+		const text = textOf(this.source, this.context.preset, () => {});
 		if (text === undefined) return undefined;
 		return readOutline(text, this.source.dialect).constants.find((each) => each.name === name)?.number.text;
 	}
 }
 
-async function fetchLongList(desk: GrammarContext): Promise<void> {
+async function fetchLongList(context: GrammarContext): Promise<void> {
 	try {
 		await import("../ui/long_list");
 	} catch {
-		const again = () => void fetchLongList(desk);
-		desk.notify(NOT_FETCHED, ["Part of the page could not be fetched."], { topic: NOT_FETCHED, again });
+		const again = () => void fetchLongList(context);
+		context.notify(NOT_FETCHED, ["Part of the page could not be fetched."], { topic: NOT_FETCHED, again });
 	}
 }
 

@@ -12,7 +12,7 @@ import { drawnBy, litBy } from "./lights";
 import { TraceReader } from "./trace_reader";
 
 export class Derivation {
-	readonly #desk: EditorContext;
+	readonly #context: EditorContext;
 	readonly #changed: () => void;
 	readonly #reader = new TraceReader(() => this.#read());
 	#from: Specimen | undefined;
@@ -27,8 +27,8 @@ export class Derivation {
 	#closed = false;
 
 	/** @param changed called when there is something else to show */
-	constructor(desk: EditorContext, changed: () => void) {
-		this.#desk = desk;
+	constructor(context: EditorContext, changed: () => void) {
+		this.#context = context;
 		this.#changed = changed;
 		this.follow();
 	}
@@ -68,7 +68,7 @@ export class Derivation {
 
 	/** Whether what shines in the view is nothing: the chosen module draws none of the plant that is shown. */
 	get bare(): boolean {
-		const { lit, scene } = this.#desk.toolState(DERIVATION);
+		const { lit, scene } = this.#context.toolState(DERIVATION);
 		if (!lit || !scene || this.#pointed !== undefined) return false;
 		const { segments, organs } = drawnBy(lit, scene);
 		return segments.length + organs.length === 0;
@@ -79,19 +79,19 @@ export class Derivation {
 		return index === undefined || !this.page ? undefined : this.page.modules[index - this.page.first];
 	}
 
-	/** Takes note of the desk's state. */
+	/** Takes note of the editor's state. */
 	follow(): void {
-		const { grown, grownFrom } = this.#desk.state;
+		const { grown, grownFrom } = this.#context.state;
 		if (this.#closed || !grown || !grownFrom) return;
 		if (grownFrom !== this.#from) {
 			this.#from = grownFrom;
 			this.#reader.begin(async (asked, signal) => {
-				const { trace } = await this.#desk.growOffscreen(grownFrom, { trace: asked, signal });
+				const { trace } = await this.#context.growOffscreen(grownFrom, { trace: asked, signal });
 				if (!trace) throw new Error("This plant does not tell of its derivation.");
 				return trace;
 			});
 		}
-		const { met } = this.#desk.toolState(DERIVATION);
+		const { met } = this.#context.toolState(DERIVATION);
 		if (met !== this.#met) {
 			this.#met = met;
 			this.#meet(met);
@@ -154,7 +154,7 @@ export class Derivation {
 
 	/** Whether the view shows the plant as it was after the step. */
 	get follows(): boolean {
-		return this.#desk.toolState(DERIVATION).follows;
+		return this.#context.toolState(DERIVATION).follows;
 	}
 
 	set follows(on: boolean) {
@@ -181,9 +181,9 @@ export class Derivation {
 	/** Puts into the view what belongs there: the plant of the step, or the document's. */
 	#stage(): void {
 		const { page, stale, step, last } = this;
-		const { grown, grownFrom: from } = this.#desk.state;
+		const { grown, grownFrom: from } = this.#context.state;
 		if (this.#closed || !page || stale || !grown || !from || last === undefined || page.step !== step) return;
-		const { scene } = this.#desk.toolState(DERIVATION);
+		const { scene } = this.#context.toolState(DERIVATION);
 		// What no plant can be grown of leaves the last in view.
 		const none = this.#ungrown?.from === from && this.#ungrown.step === page.step;
 		const shown = this.follows && !none ? page.step : last;
@@ -200,7 +200,7 @@ export class Derivation {
 		this.#growing = growing;
 		try {
 			const { signal } = growing.ending;
-			const grown: Plant = await this.#desk.growOffscreen(from, {
+			const grown: Plant = await this.#context.growOffscreen(from, {
 				steps: step,
 				trace: { step, count: 1 },
 				meshes: true,
@@ -234,7 +234,7 @@ export class Derivation {
 		const { page } = this;
 		const index = this.#pointed ?? this.#chosen;
 		const module = this.module(index);
-		const { scene, lit } = this.#desk.toolState(DERIVATION);
+		const { scene, lit } = this.#context.toolState(DERIVATION);
 		const next = page && module && index !== undefined && !this.stale ? litBy(index, module, page, scene) : undefined;
 		if (lit?.first !== next?.first || lit?.count !== next?.count) this.#write({ lit: next });
 	}
@@ -263,7 +263,7 @@ export class Derivation {
 		const [from, step] = [this.#from, this.step];
 		if (!from || step === undefined) return;
 		try {
-			const { trace } = await this.#desk.growOffscreen(from, { trace: { step, count: 1, module } });
+			const { trace } = await this.#context.growOffscreen(from, { trace: { step, count: 1, module } });
 			const found = trace?.trail?.[step];
 			if (found !== undefined && this.#from === from && this.step === step) this.choose(found);
 		} catch {
@@ -272,6 +272,6 @@ export class Derivation {
 	}
 
 	#write(change: Partial<DerivationState>): void {
-		this.#desk.setToolState(DERIVATION, { ...this.#desk.toolState(DERIVATION), ...change });
+		this.#context.setToolState(DERIVATION, { ...this.#context.toolState(DERIVATION), ...change });
 	}
 }

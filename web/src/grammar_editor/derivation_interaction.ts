@@ -17,7 +17,7 @@ const COLOUR = "--lit";
 
 export class DerivationInteraction<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
 	readonly #view: ToolView;
-	readonly #desk: EditorContext<S, G>;
+	readonly #context: EditorContext<S, G>;
 	readonly #source: DerivationSource<S, G>;
 	readonly #pointer: PickPointer;
 	#figure: LitDrawing | undefined;
@@ -26,9 +26,9 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	/** What shone last, and how. */
 	#shone: readonly unknown[] = [];
 
-	constructor(view: ToolView, desk: EditorContext<S, G>, source: DerivationSource<S, G>) {
+	constructor(view: ToolView, context: EditorContext<S, G>, source: DerivationSource<S, G>) {
 		this.#view = view;
-		this.#desk = desk;
+		this.#context = context;
 		this.#source = source;
 		this.#pointer = new PickPointer(view, {
 			name: "choosing",
@@ -41,18 +41,18 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 				if (this.#disposed) return;
 				this.#figure = figure;
 				view.addOverlay(figure.object);
-				this.update(desk.state);
+				this.update(context.state);
 			},
 			() => {}, // Without it nothing shines; what is pointed at is told all the same.
 		);
 	}
 
 	update({ grownFrom, dark }: EditorState<S, G>): void {
-		const { open, scene, lit } = this.#desk.toolState(DERIVATION);
+		const { open, scene, lit } = this.#context.toolState(DERIVATION);
 		// That of a text just changed stays until the next has grown.
 		this.#view.showInstead(scene?.instead ? scene : undefined);
 		const current = scene?.from === grownFrom ? scene : undefined;
-		this.#pointer.enabled = open && current !== undefined && !this.#source.taken?.(this.#desk);
+		this.#pointer.enabled = open && current !== undefined && !this.#source.taken?.(this.#context);
 		const shines = [current, lit, dark];
 		if (!this.#figure || shines.every((each, index) => each === this.#shone[index])) return;
 		this.#shone = shines;
@@ -83,7 +83,7 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	}
 
 	#at(x: number, y: number): number | undefined {
-		const { scene } = this.#desk.toolState(DERIVATION);
+		const { scene } = this.#context.toolState(DERIVATION);
 		if (!scene) return undefined;
 		const sight = this.#view.sightThrough(x, y);
 		const met = sighted(this.#drawnOf(scene), sight, MISSED * apart(sight, this.#view.sightThrough(x + 1, y)));
@@ -91,11 +91,11 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	}
 
 	#meet(module: number | undefined, chosen: boolean): void {
-		const state = this.#desk.toolState(DERIVATION);
+		const state = this.#context.toolState(DERIVATION);
 		const { met, scene } = state;
 		if (met?.module === module && met?.chosen === chosen) return;
 		const next = module === undefined || !scene ? undefined : { module, step: scene.step, chosen };
-		this.#desk.setToolState(DERIVATION, { ...state, met: next });
+		this.#context.setToolState(DERIVATION, { ...state, met: next });
 	}
 
 	#drawnOf({ grown }: DerivedScene): Drawn {

@@ -22,7 +22,7 @@ export interface DerivationSource<S extends Specimen = Specimen, G extends Plant
 	/** Fetches what makes it shine. */
 	figure(): Promise<LitDrawing>;
 	/** Whether the pointer is another tool's now. */
-	taken?(desk: EditorContext<S, G>): boolean;
+	taken?(context: EditorContext<S, G>): boolean;
 }
 
 /** A plant that a step's string has drawn: the document's own after the last. */
@@ -62,8 +62,10 @@ export interface DerivationState {
 export const DERIVATION: Stateful<DerivationState> = { name: "derivation", initial: { open: false, follows: true } };
 
 /** The plant of a step, where the view shows one in place of the document's; for the words below it. */
-export function steppedScene<S extends Specimen, G extends Plant>(desk: EditorContext<S, G>): DerivedScene | undefined {
-	const { scene } = desk.toolState(DERIVATION);
+export function steppedScene<S extends Specimen, G extends Plant>(
+	context: EditorContext<S, G>,
+): DerivedScene | undefined {
+	const { scene } = context.toolState(DERIVATION);
 	return scene?.instead ? scene : undefined;
 }
 
@@ -78,20 +80,20 @@ export function derivationTool<S extends Specimen & WithGrammar, G extends Plant
 			{ keys: ["↑", "↓"], does: "In the string of a step: to the module it came from, to what it becomes" },
 			{ keys: ["Enter"], does: "In the string of a step: to the production, in the grammar" },
 		],
-		hands: (view, desk) => {
+		hands: (view, context) => {
 			let hands: ToolInteraction<S, G> | undefined;
 			let ended = false;
 			let asked = false;
 			const fetch = async () => {
 				const { DerivationInteraction } = await import("./derivation_interaction");
 				if (ended) return;
-				hands = new DerivationInteraction(view, desk, source);
-				hands.update(desk.state);
+				hands = new DerivationInteraction(view, context, source);
+				hands.update(context.state);
 			};
 			return {
 				update: (state) => {
 					if (hands) hands.update(state);
-					else if (!asked && desk.toolState(DERIVATION).scene) {
+					else if (!asked && context.toolState(DERIVATION).scene) {
 						asked = true;
 						// Without it the string is there all the same; the next opening asks again.
 						fetch().catch(() => {

@@ -21,7 +21,7 @@ export type GestureTool = Tool<Specimen, Plant, GestureState>;
 
 /** What all that has to do with gestures is given. */
 export interface Gestures {
-	readonly desk: GrammarContext;
+	readonly context: GrammarContext;
 	readonly tool: GestureTool;
 	readonly source?: GrammarSource;
 }
@@ -38,11 +38,11 @@ export function gestureTool<S extends Specimen, G extends Plant>(source?: Gramma
 	const tool: GestureTool = {
 		name: "gestures",
 		initial: AT_FIRST,
-		press: (desk) => {
-			const state = desk.toolState(tool);
-			desk.setToolState(tool, { ...state, open: !state.open, words: "" });
+		press: (context) => {
+			const state = context.toolState(tool);
+			context.setToolState(tool, { ...state, open: !state.open, words: "" });
 		},
-		button: { icon: HAND, label: "Gestures", pressed: (desk) => desk.toolState(tool).open },
+		button: { icon: HAND, label: "Gestures", pressed: (context) => context.toolState(tool).open },
 		key: { letter: "j", does: "Gestures: two numbers by a pointer, a gamepad or a hand before the camera" },
 		keys: [
 			{
@@ -52,21 +52,21 @@ export function gestureTool<S extends Specimen, G extends Plant>(source?: Gramma
 		],
 		bar: {
 			title: "Gestures",
-			draw: (desk) => html`<panicle-gestures .desk=${desk} .gestures=${gestures(desk)}></panicle-gestures>`,
+			draw: (context) => html`<panicle-gestures .context=${context} .gestures=${gestures(context)}></panicle-gestures>`,
 		},
-		hands: (view, desk) =>
+		hands: (view, context) =>
 			new LazyInteraction({
-				desk,
-				wanted: () => desk.toolState(tool).open,
+				context,
+				wanted: () => context.toolState(tool).open,
 				fetch: async () => {
 					const { GestureInteraction } = await import("./gestures/gestures");
-					return new GestureInteraction(view, gestures(desk));
+					return new GestureInteraction(view, gestures(context));
 				},
-				missed: () => desk.setToolState(tool, { ...desk.toolState(tool), open: false }),
+				missed: () => context.setToolState(tool, { ...context.toolState(tool), open: false }),
 			}),
 	};
-	const gestures = (desk: EditorContext): Gestures => ({
-		desk: desk as GrammarContext,
+	const gestures = (context: EditorContext): Gestures => ({
+		context: context as GrammarContext,
 		tool,
 		...(source ? { source: source as unknown as GrammarSource } : {}),
 	});

@@ -70,7 +70,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		this.#room?.end();
 		this.#editor?.destroy();
 		this.#editor = undefined;
-		this.desk.setToolState(DERIVATION, { ...this.desk.toolState(DERIVATION), open: false });
+		this.context.setToolState(DERIVATION, { ...this.context.toolState(DERIVATION), open: false });
 		// The focus goes back, unless it is elsewhere already.
 		if (document.activeElement !== document.body) return;
 		const opener = this.#opener === document.body ? document.querySelector(OPENS) : this.#opener;
@@ -78,13 +78,13 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 	}
 
 	protected override shows({ state }: GrammarContext): readonly unknown[] {
-		const { open } = this.desk.toolState(DERIVATION);
+		const { open } = this.context.toolState(DERIVATION);
 		return [
 			this.#text(),
 			state.specimen.grammar,
 			state.fault,
 			state.grown?.notes,
-			this.desk.toolState(this.tool),
+			this.context.toolState(this.tool),
 			open,
 		];
 	}
@@ -95,7 +95,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		const own = isOwn(specimen);
 		const title = this.idOf("title");
 		const steps = this.idOf("steps");
-		const { open } = this.desk.toolState(DERIVATION);
+		const { open } = this.context.toolState(DERIVATION);
 		return html`<section class=${open ? "pane stepping" : "pane"} aria-labelledby=${title}>
 			<header>
 				<h2 id=${title}>Grammar</h2>
@@ -124,7 +124,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 				<panicle-number-pad .number=${this.number} .grip=${this.#grip} .step=${this.#step} .done=${this.#settle}></panicle-number-pad>
 				<p class="pane-hint">${this.#hint()}</p>
 				<label class="toggle">
-					<input type="checkbox" .checked=${this.desk.toolState(this.tool).indents} @change=${this.#setIndents}>Tab indents
+					<input type="checkbox" .checked=${this.context.toolState(this.tool).indents} @change=${this.#setIndents}>Tab indents
 				</label>
 			</footer>
 		</section>`;
@@ -136,7 +136,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		if (text === undefined || !this.isConnected) return;
 		// CodeMirror's lines end as its own do.
 		const shown = text.replace(/\r\n?/g, "\n");
-		const { indents } = this.desk.toolState(this.tool);
+		const { indents } = this.context.toolState(this.tool);
 		if (!this.#editor) {
 			this.#editor = this.#begin(shown, indents);
 			if (!matchMedia("(pointer: coarse)").matches) this.#editor.focus();
@@ -148,19 +148,19 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 
 	/** Whether the plant that is shown is of this text: else what is said of it would stand in the wrong place. */
 	get #current(): boolean {
-		const { grownFrom, specimen } = this.desk.state;
+		const { grownFrom, specimen } = this.context.state;
 		return grownFrom !== undefined && grownFrom.grammar === specimen.grammar;
 	}
 
 	get #problems(): Problem[] {
-		const { fault, grown } = this.desk.state;
+		const { fault, grown } = this.context.state;
 		return problemsOf(fault, this.#current ? (grown?.notes ?? []) : []);
 	}
 
 	#stepper(): unknown {
 		const goTo = (place: TextPlace) => this.#editor?.goTo(place);
 		return html`<panicle-stepper
-			.desk=${this.desk} .line=${this.#current ? this.production : undefined} .shown=${this.#showProductions} .goTo=${goTo}
+			.context=${this.context} .line=${this.#current ? this.production : undefined} .shown=${this.#showProductions} .goTo=${goTo}
 		></panicle-stepper>`;
 	}
 
@@ -170,12 +170,12 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 	};
 
 	readonly #setSteps = (): void => {
-		const state = this.desk.toolState(DERIVATION);
-		this.desk.setToolState(DERIVATION, { ...state, open: !state.open });
+		const state = this.context.toolState(DERIVATION);
+		this.context.setToolState(DERIVATION, { ...state, open: !state.open });
 	};
 
 	#text(): string | undefined {
-		return textOf(this.source, this.desk.state.specimen, () => this.requestUpdate());
+		return textOf(this.source, this.context.state.specimen, () => this.requestUpdate());
 	}
 
 	#begin(text: string, indents: boolean): Editor {
@@ -191,8 +191,8 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		return new Editor(root as ShadowRoot, options, {
 			edited: (next, how) => this.#edited(next, how),
 			settle: () => this.#settle(),
-			undo: () => this.desk.undo(),
-			redo: () => this.desk.redo(),
+			undo: () => this.context.undo(),
+			redo: () => this.context.redo(),
 			leave: () => this.#leave(),
 			at: (number, explained, production) => {
 				this.number = number;
@@ -204,24 +204,24 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 	}
 
 	#edited(text: string, how: string): void {
-		const { desk } = this;
+		const { context } = this;
 		// What has been growing for long is of a text that is no more.
-		if (desk.state.growing) desk.cancel();
+		if (context.state.growing) context.cancel();
 		const run = how.startsWith("input.scrub") ? undefined : this.#runs.press(how);
-		desk.edit({ ...withText(this.source, desk.state.specimen, text), run }, GESTURE);
+		context.edit({ ...withText(this.source, context.state.specimen, text), run }, GESTURE);
 		clearTimeout(this.#pause);
 		if (run) this.#pause = setTimeout(this.#settle, PAUSE);
 	}
 
 	/** Escape first ends what takes long to grow, as everywhere. */
 	#leave(): void {
-		if (this.desk.state.growing) this.desk.cancel();
+		if (this.context.state.growing) this.context.cancel();
 		else this.querySelector<HTMLElement>("[data-close]")?.focus();
 	}
 
 	readonly #settle = (): void => {
 		clearTimeout(this.#pause);
-		this.desk.settle(GESTURE);
+		this.context.settle(GESTURE);
 	};
 
 	readonly #step = (steps: number): void => this.#editor?.step(steps);
@@ -232,13 +232,13 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 	};
 
 	readonly #drop = (): void => {
-		this.desk.set(withText(this.source, this.desk.state.specimen, undefined));
+		this.context.set(withText(this.source, this.context.state.specimen, undefined));
 		this.#editor?.focus();
 	};
 
 	readonly #setIndents = (event: Event): void => {
 		const indents = (event.target as HTMLInputElement).checked;
-		this.desk.setToolState(this.tool, { ...this.desk.toolState(this.tool), indents });
+		this.context.setToolState(this.tool, { ...this.context.toolState(this.tool), indents });
 	};
 
 	#hint(): unknown {
@@ -248,7 +248,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 	}
 
 	#said(problems: readonly Problem[]): unknown {
-		const { fault, grown, grownFrom, specimen } = this.desk.state;
+		const { fault, grown, grownFrom, specimen } = this.context.state;
 		const current = grownFrom?.grammar === specimen.grammar && !fault;
 		const warnings = grown && grownFrom && current ? (this.source.warnings?.(grown, grownFrom) ?? []) : [];
 		const elsewhere = fault && fault.line === 0 ? html`<p class="error">${fault.message}</p>` : nothing;

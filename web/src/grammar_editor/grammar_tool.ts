@@ -46,19 +46,19 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 ): readonly Tool<S, G>[] {
 	const tool = editorTool<S, G>(source, derived !== undefined);
 	const { group = OWN, noun } = source;
-	const drop = (desk: EditorContext<S, G>) =>
-		desk.set(withText(source as unknown as GrammarSource, desk.state.specimen, undefined));
+	const drop = (context: EditorContext<S, G>) =>
+		context.set(withText(source as unknown as GrammarSource, context.state.specimen, undefined));
 	const words = "Use the built-in grammar";
 	const own: Tool<S, G, boolean> = {
 		name: "own-grammar",
 		initial: false,
 		applies: isOwn,
 		// Whether it is its preset's, altered, is told once that has come.
-		start: (desk) => {
-			const builtIn = group === OWN && isOwn(desk.state.specimen) ? source.builtIn(desk.state.specimen) : "";
+		start: (context) => {
+			const builtIn = group === OWN && isOwn(context.state.specimen) ? source.builtIn(context.state.specimen) : "";
 			if (typeof builtIn !== "string")
 				builtIn.then(
-					() => desk.setToolState(own, true),
+					() => context.setToolState(own, true),
 					() => {},
 				);
 			return () => {};
@@ -67,19 +67,19 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 			group,
 			place: "above",
 			// The editor says so itself, and has the way back.
-			draw: (desk) =>
-				desk.toolState(tool).open
+			draw: (context) =>
+				context.toolState(tool).open
 					? nothing
 					: html`<div class="override">
 					<p>This ${noun} brings a grammar of its own.</p>
 					<div class="actions">
-						<button class="button" type="button" @click=${() => show(desk, tool)}>${EDIT}</button>
-						<button class="button" type="button" @click=${() => drop(desk)}>${words}</button>
+						<button class="button" type="button" @click=${() => show(context, tool)}>${EDIT}</button>
+						<button class="button" type="button" @click=${() => drop(context)}>${words}</button>
 					</div>
 				</div>`,
 		},
 		remedies: [
-			{ words: EDIT, press: (desk) => show(desk, tool) },
+			{ words: EDIT, press: (context) => show(context, tool) },
 			{ words, press: drop },
 		],
 	};
@@ -92,9 +92,9 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 			panel: {
 				group: CONSTANTS,
 				place: "below",
-				draw: (desk) => {
-					void bring(desk, () => import("./constants"), "The grammar's sliders could not be fetched");
-					return html`<panicle-constants .desk=${desk} .source=${source}></panicle-constants>`;
+				draw: (context) => {
+					void bring(context, () => import("./constants"), "The grammar's sliders could not be fetched");
+					return html`<panicle-constants .context=${context} .source=${source}></panicle-constants>`;
 				},
 			},
 			applies: (specimen) => source.constants !== false && (source.always === true || isOwn(specimen)),
@@ -111,8 +111,8 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 		name: "grammar",
 		initial: { open: false, indents: false },
 		recall: (kept) => ({ open: false, indents: (kept as Partial<GrammarState> | undefined)?.indents === true }),
-		press: (desk) => (desk.toolState(tool).open ? close(desk, tool, source.noun) : show(desk, tool)),
-		button: { icon: GRAMMAR, label: "Grammar", pressed: (desk) => desk.toolState(tool).open },
+		press: (context) => (context.toolState(tool).open ? close(context, tool, source.noun) : show(context, tool)),
+		button: { icon: GRAMMAR, label: "Grammar", pressed: (context) => context.toolState(tool).open },
 		key: { letter: "g", does: "The grammar as text, and back" },
 		keys: [
 			{
@@ -125,54 +125,54 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 		],
 		pane: {
 			title: "Grammar",
-			open: (desk) => desk.toolState(tool).open,
-			tell: (desk, fault) => tell(desk, tool, source.noun, fault),
-			draw: (desk) => html`<panicle-grammar
-				.desk=${desk} .source=${source} .tool=${tool} .stepped=${stepped} .close=${() => close(desk, tool, source.noun)}
+			open: (context) => context.toolState(tool).open,
+			tell: (context, fault) => tell(context, tool, source.noun, fault),
+			draw: (context) => html`<panicle-grammar
+				.context=${context} .source=${source} .tool=${tool} .stepped=${stepped} .close=${() => close(context, tool, source.noun)}
 			></panicle-grammar>`,
 		},
 	};
 	return tool;
 }
 
-function show<S extends Specimen, G extends Plant>(desk: EditorContext<S, G>, tool: Tool<S, G, GrammarState>): void {
-	desk.setToolState(tool, { ...desk.toolState(tool), open: true });
-	void bring(desk, () => import("./grammar_pane"), "The grammar's editor could not be fetched");
+function show<S extends Specimen, G extends Plant>(context: EditorContext<S, G>, tool: Tool<S, G, GrammarState>): void {
+	context.setToolState(tool, { ...context.toolState(tool), open: true });
+	void bring(context, () => import("./grammar_pane"), "The grammar's editor could not be fetched");
 }
 
 /** What the text shows no more is said. */
 function close<S extends Specimen, G extends Plant>(
-	desk: EditorContext<S, G>,
+	context: EditorContext<S, G>,
 	tool: Tool<S, G, GrammarState>,
 	noun: string,
 ): void {
-	desk.setToolState(tool, { ...desk.toolState(tool), open: false });
-	const { fault, grown } = desk.state;
-	if (fault && fault.line > 0 && grown) tell(desk, tool, noun, fault);
+	context.setToolState(tool, { ...context.toolState(tool), open: false });
+	const { fault, grown } = context.state;
+	if (fault && fault.line > 0 && grown) tell(context, tool, noun, fault);
 }
 
 function tell<S extends Specimen, G extends Plant>(
-	desk: EditorContext<S, G>,
+	context: EditorContext<S, G>,
 	tool: Tool<S, G, GrammarState>,
 	noun: string,
 	{ line, column, message }: Fault,
 ): void {
 	const where = `Line ${line}, column ${column} of the grammar: ${message}`;
-	desk.notify(`This cannot be grown; the last ${noun} stays`, [where], {
+	context.notify(`This cannot be grown; the last ${noun} stays`, [where], {
 		topic: GROWTH_TOPIC,
-		act: { words: EDIT, run: () => show(desk, tool) },
+		act: { words: EDIT, run: () => show(context, tool) },
 	});
 }
 
 async function bring<S extends Specimen, G extends Plant>(
-	desk: EditorContext<S, G>,
+	context: EditorContext<S, G>,
 	fetch: () => Promise<unknown>,
 	failed: string,
 ): Promise<void> {
 	try {
 		await fetch();
 	} catch {
-		const again = () => void bring(desk, fetch, failed);
-		desk.notify(failed, ["Part of the page could not be fetched."], { topic: failed, again });
+		const again = () => void bring(context, fetch, failed);
+		context.notify(failed, ["Part of the page could not be fetched."], { topic: failed, again });
 	}
 }

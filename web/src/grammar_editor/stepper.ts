@@ -67,13 +67,13 @@ export class Stepper extends ControlElement<GrammarContext> {
 	}
 
 	protected override shows({ state }: GrammarContext): readonly unknown[] {
-		const { met, follows, scene } = this.desk.toolState(DERIVATION);
+		const { met, follows, scene } = this.context.toolState(DERIVATION);
 		return [state.grown, state.grownFrom, met, follows, scene];
 	}
 
 	protected override draw(): unknown {
 		if (!this.isConnected) return nothing;
-		this.#derivation ??= new Derivation(this.desk, () => this.requestUpdate());
+		this.#derivation ??= new Derivation(this.context, () => this.requestUpdate());
 		const derivation = this.#derivation;
 		const { counts, step, page, fault } = derivation;
 		const none = html`<p class="steps-none" role="status">${fault ? `The steps cannot be told: ${fault}` : "Deriving …"}</p>`;

@@ -43,7 +43,7 @@ export class ChoiceControl extends EntryElement<ChoiceEntry> {
 	}
 
 	#choose(value: number): void {
-		this.desk.set(this.change(value));
+		this.context.set(this.change(value));
 	}
 
 	#keyDown({ key }: KeyboardEvent): void {

@@ -5,15 +5,15 @@ import { EntryElement } from "./entry_element";
 
 /** A colour of the look: the system's picker and the same six digits to type. */
 export class ColourControl extends EntryElement<ColourEntry> {
-	protected override draw(desk: EditorContext): unknown {
+	protected override draw(context: EditorContext): unknown {
 		const { key, label, help } = this.entry;
 		const { value } = this;
 		return html`<div class="control colour ${value === this.published ? "" : "changed"}" data-key=${key}>
 			<label for=${this.idOf("pick")} @dblclick=${this.reset}>${label}</label>
 			<input
 				type="color" id=${this.idOf("pick")} .value=${`#${value}`} aria-describedby=${this.idOf("help")}
-				@input=${(event: Event) => desk.edit(this.change(digits(event)))}
-				@change=${(event: Event) => desk.set(this.change(digits(event)))}
+				@input=${(event: Event) => context.edit(this.change(digits(event)))}
+				@change=${(event: Event) => context.set(this.change(digits(event)))}
 			>
 			<input
 				class="typed" type="text" autocomplete="off" spellcheck="false" maxlength="7" .value=${String(value)}
@@ -26,8 +26,8 @@ export class ColourControl extends EntryElement<ColourEntry> {
 	#type(event: Event): void {
 		const field = event.target as HTMLInputElement;
 		const colour = field.value.trim().replace("#", "").toLowerCase();
-		if (/^[0-9a-f]{6}$/.test(colour)) this.desk.set(this.change(colour));
-		else this.desk.notify(`“${field.value}” is not a colour`, ["A colour is six hexadecimal digits, like 43264f."]);
+		if (/^[0-9a-f]{6}$/.test(colour)) this.context.set(this.change(colour));
+		else this.context.notify(`“${field.value}” is not a colour`, ["A colour is six hexadecimal digits, like 43264f."]);
 		field.value = String(this.value);
 	}
 }

@@ -6,8 +6,8 @@ import "./colour";
 import "./number";
 
 /** The control that suits a parameter. */
-export function control(desk: EditorContext, entry: Entry): unknown {
-	if (entry.kind === "colour") return html`<panicle-colour .desk=${desk} .entry=${entry}></panicle-colour>`;
-	if (entry.kind === "choice") return html`<panicle-choice .desk=${desk} .entry=${entry}></panicle-choice>`;
-	return html`<panicle-number .desk=${desk} .entry=${entry}></panicle-number>`;
+export function control(context: EditorContext, entry: Entry): unknown {
+	if (entry.kind === "colour") return html`<panicle-colour .context=${context} .entry=${entry}></panicle-colour>`;
+	if (entry.kind === "choice") return html`<panicle-choice .context=${context} .entry=${entry}></panicle-choice>`;
+	return html`<panicle-number .context=${context} .entry=${entry}></panicle-number>`;
 }

@@ -4,16 +4,16 @@ import type { EditorContext } from "./editor_context";
 import { EditorElement } from "./editor_element";
 
 /**
- * A control that belongs to one model. When another model comes to the desk it stands still until the page takes it away:
+ * A control that belongs to one model. When another model is opened, it does nothing more until the page takes it away:
  * what it would draw is not there any more.
  */
 export abstract class ControlElement<D extends EditorContext = EditorContext> extends EditorElement<D> {
-	/** The model that was on the desk when the page last put the control to use. */
+	/** The model that was open when the page last put the control to use. */
 	#model: ModelSchema | undefined;
 
 	protected override shouldUpdate(changed: PropertyValues): boolean {
 		if (!super.shouldUpdate(changed)) return false;
-		const { model } = this.desk.state;
+		const { model } = this.context.state;
 		if (changed.size > 0) this.#model = model;
 		return model === this.#model;
 	}

@@ -6,12 +6,12 @@ import type { EditorContext } from "./editor_context";
 let made = 0;
 
 /**
- * A part of the page, or a control (control_element.ts): draws the desk's state and calls its actions. Such elements draw into the page
+ * A part of the page, or a control (control_element.ts): draws the editor's state and calls its actions. Such elements draw into the page
  * itself, not into shadow trees, so that one style sheet and one order of focus serve them all.
  */
 export abstract class EditorElement<D extends EditorContext = EditorContext> extends LitElement {
-	static override properties = { desk: { attribute: false } };
-	declare desk: D;
+	static override properties = { context: { attribute: false } };
+	declare context: D;
 
 	readonly #serial = ++made;
 	#unsubscribe: (() => void) | undefined;
@@ -21,13 +21,13 @@ export abstract class EditorElement<D extends EditorContext = EditorContext> ext
 	#looking = false;
 
 	/** Draws the state; called after changes of what it shows, at most once for those that come together. */
-	protected abstract draw(desk: D): unknown;
+	protected abstract draw(context: D): unknown;
 
 	/**
-	 * All that is drawn of the desk, piece by piece, always as many in the same order: where each is the same as when it was last
+	 * All that is drawn of the editor's state, piece by piece, always as many in the same order: where each is the same as when it was last
 	 * drawn, it is not drawn anew. Where absent, every change of the state counts.
 	 */
-	protected shows?(desk: D): readonly unknown[];
+	protected shows?(context: D): readonly unknown[];
 
 	/** An id that no other element of the page has. */
 	protected idOf(name: string): string {
@@ -40,7 +40,7 @@ export abstract class EditorElement<D extends EditorContext = EditorContext> ext
 
 	override connectedCallback(): void {
 		super.connectedCallback();
-		if (this.desk) this.#subscribe();
+		if (this.context) this.#subscribe();
 	}
 
 	override disconnectedCallback(): void {
@@ -50,22 +50,22 @@ export abstract class EditorElement<D extends EditorContext = EditorContext> ext
 	}
 
 	protected override willUpdate(changed: PropertyValues): void {
-		if (changed.has("desk") && this.isConnected) this.#subscribe();
+		if (changed.has("context") && this.isConnected) this.#subscribe();
 	}
 
-	/** Elements of the page stand there before there is a desk. */
+	/** Elements of the page stand there before they have a context. */
 	protected override shouldUpdate(_changed: PropertyValues): boolean {
-		return this.desk !== undefined;
+		return this.context !== undefined;
 	}
 
 	protected override render(): unknown {
-		this.#shown = this.shows?.(this.desk);
-		return this.draw(this.desk);
+		this.#shown = this.shows?.(this.context);
+		return this.draw(this.context);
 	}
 
 	#subscribe(): void {
 		this.#unsubscribe?.();
-		this.#unsubscribe = this.desk.subscribe(() => {
+		this.#unsubscribe = this.context.subscribe(() => {
 			if (this.#looking) return;
 			this.#looking = true;
 			queueMicrotask(() => this.#look());
@@ -75,6 +75,6 @@ export abstract class EditorElement<D extends EditorContext = EditorContext> ext
 	/** One look at all changes that come together. */
 	#look(): void {
 		this.#looking = false;
-		if (!this.#shown || changed(this.#shown, this.shows?.(this.desk))) this.requestUpdate();
+		if (!this.#shown || changed(this.#shown, this.shows?.(this.context))) this.requestUpdate();
 	}
 }

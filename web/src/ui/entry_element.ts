@@ -12,12 +12,12 @@ export abstract class EntryElement<E extends Entry> extends ControlElement {
 	}
 
 	protected get value(): number | string {
-		return valueIn(this.desk.state.specimen, this.entry);
+		return valueIn(this.context.state.specimen, this.entry);
 	}
 
 	/** The preset's value. */
 	protected get published(): number | string {
-		return valueIn(this.desk.preset, this.entry);
+		return valueIn(this.context.preset, this.entry);
 	}
 
 	protected change(value: number | string): Change {
@@ -26,6 +26,6 @@ export abstract class EntryElement<E extends Entry> extends ControlElement {
 	}
 
 	protected reset(): void {
-		this.desk.set(this.change(this.published));
+		this.context.set(this.change(this.published));
 	}
 }

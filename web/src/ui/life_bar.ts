@@ -22,18 +22,18 @@ export class LifeBar extends ControlElement {
 	/** Where it stands whether the life runs. */
 	declare play: Stateful<PlayState>;
 
-	readonly #held = new HeldKey(() => this.desk.settle());
+	readonly #held = new HeldKey(() => this.context.settle());
 
-	protected override shows(desk: EditorContext): readonly unknown[] {
-		return [this.age, desk.toolState(this.play), desk.state.grown !== undefined];
+	protected override shows(context: EditorContext): readonly unknown[] {
+		return [this.age, context.toolState(this.play), context.state.grown !== undefined];
 	}
 
-	protected override draw(desk: EditorContext): unknown {
+	protected override draw(context: EditorContext): unknown {
 		const { life, age } = this;
 		const { min, max, step, unit } = this.#entry;
 		const words = spoken(unit);
 		const stage = stageOf(life, age);
-		const { playing } = desk.toolState(this.play);
+		const { playing } = context.toolState(this.play);
 		const name = life.label.toLowerCase();
 		return html`<div class=${life.steps ? "life-bar watched" : "life-bar"} @keydown=${this.#shortcut}>
 			<div class="transport">
@@ -71,9 +71,9 @@ export class LifeBar extends ControlElement {
 
 	/** One step at a time, and how fast they follow each other. */
 	#pace() {
-		const { speed = 1 } = this.desk.toolState(this.play);
+		const { speed = 1 } = this.context.toolState(this.play);
 		return html`<button
-				class="button icon" type="button" aria-label="Step" title="One step on" ?disabled=${!this.desk.state.grown} @click=${this.#step}
+				class="button icon" type="button" aria-label="Step" title="One step on" ?disabled=${!this.context.state.grown} @click=${this.#step}
 			>${icon("step")}</button>
 			<select aria-label="Speed" title="Speed" @change=${this.#hasten}>${SPEEDS.map(
 				(each) => html`<option value=${each} ?selected=${each === speed}>${each} ×</option>`,
@@ -87,38 +87,38 @@ export class LifeBar extends ControlElement {
 	}
 
 	get age(): number {
-		return this.desk.state.specimen.parameters[this.life.parameter];
+		return this.context.state.specimen.parameters[this.life.parameter];
 	}
 
 	get #entry(): NumberEntry {
-		return this.desk.state.model.table.entry(this.life.parameter) as NumberEntry;
+		return this.context.state.model.table.entry(this.life.parameter) as NumberEntry;
 	}
 
 	#set(age: number): void {
-		this.desk.set({ parameters: { [this.life.parameter]: age } });
+		this.context.set({ parameters: { [this.life.parameter]: age } });
 	}
 
 	#edit(age: number): void {
-		this.desk.edit({ parameters: { [this.life.parameter]: age }, run: this.#held.run });
+		this.context.edit({ parameters: { [this.life.parameter]: age }, run: this.#held.run });
 	}
 
 	readonly #toggle = (): void => {
-		const state = this.desk.toolState(this.play);
-		this.desk.setToolState(this.play, { ...state, playing: !state.playing });
+		const state = this.context.toolState(this.play);
+		this.context.setToolState(this.play, { ...state, playing: !state.playing });
 	};
 
 	/** What runs comes to rest first, where it is. */
 	#step(): void {
-		const { grown } = this.desk.state;
+		const { grown } = this.context.state;
 		const steps = grown && this.life.steps?.(grown);
 		if (!steps) return;
-		this.desk.setToolState(this.play, { ...this.desk.toolState(this.play), playing: false });
+		this.context.setToolState(this.play, { ...this.context.toolState(this.play), playing: false });
 		this.#set(nextStep(this.life, this.age, steps));
 	}
 
 	#hasten(event: Event): void {
 		const speed = Number((event.target as HTMLSelectElement).value);
-		this.desk.setToolState(this.play, { ...this.desk.toolState(this.play), speed });
+		this.context.setToolState(this.play, { ...this.context.toolState(this.play), speed });
 	}
 
 	#slide(event: Event): void {
@@ -152,7 +152,7 @@ export class LifeBar extends ControlElement {
 	}
 
 	#reset(): void {
-		this.#set(this.desk.preset.parameters[this.life.parameter]);
+		this.#set(this.context.preset.parameters[this.life.parameter]);
 	}
 
 	#type(event: Event): void {
@@ -163,11 +163,11 @@ export class LifeBar extends ControlElement {
 		const { min, max, unit } = this.#entry;
 		const name = life.label.toLowerCase();
 		if (!Number.isFinite(typed)) {
-			this.desk.notify(`“${field.value.trim().slice(0, 20)}” is not an ${name}`, [
+			this.context.notify(`“${field.value.trim().slice(0, 20)}” is not an ${name}`, [
 				`${life.label} ${`${age} ${unit}`.trim()} stays.`,
 			]);
 		} else if (age !== typed) {
-			this.desk.notify(`${life.label} takes ${`${min} … ${max} ${unit}`.trim()}`, [`${typed} became ${age}.`]);
+			this.context.notify(`${life.label} takes ${`${min} … ${max} ${unit}`.trim()}`, [`${typed} became ${age}.`]);
 		}
 		field.value = String(age);
 	}

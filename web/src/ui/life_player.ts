@@ -30,7 +30,7 @@ export interface PlayState {
 }
 
 export class LifePlayer {
-	readonly #desk: EditorContext;
+	readonly #context: EditorContext;
 	readonly #life: Life;
 	readonly #state: Stateful<PlayState>;
 	readonly #clock: Clock;
@@ -44,12 +44,12 @@ export class LifePlayer {
 	#made: Specimen | undefined;
 
 	/** @param state where it stands whether the life runs: whoever wants it to run or to stop says so there */
-	constructor(desk: EditorContext, life: Life, state: Stateful<PlayState>, clock: Clock = FRAMES) {
-		this.#desk = desk;
+	constructor(context: EditorContext, life: Life, state: Stateful<PlayState>, clock: Clock = FRAMES) {
+		this.#context = context;
 		this.#life = life;
 		this.#state = state;
 		this.#clock = clock;
-		this.#unsubscribe = desk.subscribe(() => this.#follow());
+		this.#unsubscribe = context.subscribe(() => this.#follow());
 	}
 
 	/** Stops for good, where the age stands. */
@@ -59,13 +59,13 @@ export class LifePlayer {
 	}
 
 	#follow(): void {
-		const { playing } = this.#desk.toolState(this.#state);
+		const { playing } = this.#context.toolState(this.#state);
 		if (playing === this.#running) return;
 		if (!playing) {
 			this.#stop();
 			return;
 		}
-		const age = this.#desk.state.specimen.parameters[this.#life.parameter];
+		const age = this.#context.state.specimen.parameters[this.#life.parameter];
 		this.#running = true;
 		this.#made = undefined;
 		const { end, height, stages } = this.#life;
@@ -84,24 +84,24 @@ export class LifePlayer {
 	#stop(): void {
 		if (!this.#running) return;
 		this.#running = false;
-		const state = this.#desk.toolState(this.#state);
-		if (state.playing) this.#desk.setToolState(this.#state, { ...state, playing: false });
-		this.#desk.settle(PLAY);
+		const state = this.#context.toolState(this.#state);
+		if (state.playing) this.#context.setToolState(this.#state, { ...state, playing: false });
+		this.#context.settle(PLAY);
 	}
 
 	readonly #frame = (now: number): void => {
 		this.#isFrameDue = false;
 		if (!this.#running) return;
-		const desk = this.#desk;
-		if (this.#made && desk.state.specimen !== this.#made) {
+		const context = this.#context;
+		if (this.#made && context.state.specimen !== this.#made) {
 			this.#stop();
 			return;
 		}
 		if (this.#advance(now)) {
 			const fine = Math.min(FINEST, SHARES / this.#whole);
 			const age = Math.round(this.#age * fine) / fine;
-			desk.edit({ parameters: { [this.#life.parameter]: age } }, PLAY);
-			this.#made = desk.state.specimen;
+			context.edit({ parameters: { [this.#life.parameter]: age } }, PLAY);
+			this.#made = context.state.specimen;
 		}
 		if (this.#age >= this.#life.end) this.#stop();
 		else this.#requestFrame();
@@ -116,7 +116,7 @@ export class LifePlayer {
 		const first = Number.isNaN(this.#last);
 		const passed = first ? 0 : now - this.#last;
 		const { end, milliseconds } = this.#life;
-		const { speed = 1 } = this.#desk.toolState(this.#state);
+		const { speed = 1 } = this.#context.toolState(this.#state);
 		if (this.#clock.stepwise()) {
 			if (!first && passed < STAND / speed) return false;
 			if (!first) this.#age = nextStage(this.#life, this.#age, 1).at;

@@ -16,16 +16,17 @@ export function lifeTool<S extends Specimen, G extends Plant>(
 		initial: { playing: false },
 		applies,
 		parameters: [life.parameter],
-		press: (desk) => desk.setToolState(tool, { ...desk.toolState(tool), playing: !desk.toolState(tool).playing }),
+		press: (context) =>
+			context.setToolState(tool, { ...context.toolState(tool), playing: !context.toolState(tool).playing }),
 		key: { letter: "k", does: `${life.play}, and pause` },
 		keys: [{ keys: ["Page ↑", "Page ↓"], does: `On the ${life.label.toLowerCase()}: the next stage, the one before` }],
 		bar: {
 			title: life.label,
-			draw: (desk) => html`<panicle-life .desk=${desk} .life=${life} .play=${tool}></panicle-life>`,
+			draw: (context) => html`<panicle-life .context=${context} .life=${life} .play=${tool}></panicle-life>`,
 		},
-		rest: (desk) => desk.setToolState(tool, { ...desk.toolState(tool), playing: false }),
-		start: (desk) => {
-			const player = new LifePlayer(desk, life, tool);
+		rest: (context) => context.setToolState(tool, { ...context.toolState(tool), playing: false }),
+		start: (context) => {
+			const player = new LifePlayer(context, life, tool);
 			return () => player.dispose();
 		},
 	};

@@ -17,15 +17,15 @@ import { refusal } from "./typed";
 export class NumberControl extends EntryElement<NumberEntry> {
 	/** What became of a value that could not be taken as typed. */
 	#message: { text: string | undefined; value: number } | undefined;
-	readonly #held = new HeldKey(() => this.desk.settle());
+	readonly #held = new HeldKey(() => this.context.settle());
 
 	protected override shows(): readonly unknown[] {
-		return [...super.shows(), this.#scale.per, this.desk.toolState(OWN_LENGTHS)];
+		return [...super.shows(), this.#scale.per, this.context.toolState(OWN_LENGTHS)];
 	}
 
 	/** How its value is read: lengths in millimetres. */
 	get #scale(): Scale {
-		const { model, specimen } = this.desk.state;
+		const { model, specimen } = this.context.state;
 		return scaleOf(model, specimen, this.entry);
 	}
 
@@ -36,7 +36,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		const { key, label } = entry;
 		const { unit } = scale;
 		const read = readOf(entry, scale, value);
-		const own = unit !== entry.unit && this.desk.toolState(OWN_LENGTHS);
+		const own = unit !== entry.unit && this.context.toolState(OWN_LENGTHS);
 		return html`<div class="control ${value === this.published ? "" : "changed"}" data-key=${key}>${sliderRow({
 			id: this.idOf("slide"),
 			label: html`${label}${symbol(entry.symbol)}${own ? html` <small>${value} ${entry.unit}</small>` : nothing}`,
@@ -68,14 +68,14 @@ export class NumberControl extends EntryElement<NumberEntry> {
 
 	readonly #slide = (value: number): void => {
 		this.#message = undefined;
-		this.desk.edit({ ...this.change(value), run: this.#held.run });
+		this.context.edit({ ...this.change(value), run: this.#held.run });
 		this.requestUpdate(); // Where the value taken is another, the slider goes there too.
 	};
 
 	readonly #type = (number: number, text: string): string => {
 		const scale = this.#scale;
 		const typed = typedOf(this.entry, text, number);
-		if (Number.isFinite(typed)) this.desk.set(this.change(typed / scale.per));
+		if (Number.isFinite(typed)) this.context.set(this.change(typed / scale.per));
 		const value = Number(this.value);
 		this.#message = { text: complaint(this.entry, scale, text, typed, value), value };
 		this.requestUpdate();

@@ -44,16 +44,16 @@ export function shownShells<S extends Specimen, G extends Plant>(shown: ShownShe
 		name,
 		initial,
 		...(applies ? { applies } : {}),
-		press: (desk) => desk.setToolState(tool, !desk.toolState(tool)),
-		button: { icon, label, pressed: (desk) => desk.toolState(tool) },
-		hands: (view, desk) => new ShellHands(view, desk, shown, tool),
+		press: (context) => context.setToolState(tool, !context.toolState(tool)),
+		button: { icon, label, pressed: (context) => context.toolState(tool) },
+		hands: (view, context) => new ShellHands(view, context, shown, tool),
 	};
 	return tool;
 }
 
 class ShellHands<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
 	readonly #view: ToolView;
-	readonly #desk: EditorContext<S, G>;
+	readonly #context: EditorContext<S, G>;
 	readonly #what: ShownShells<S, G>;
 	readonly #tool: Tool<S, G, boolean>;
 	/** Loaded when first asked for. */
@@ -61,18 +61,18 @@ class ShellHands<S extends Specimen, G extends Plant> implements ToolInteraction
 	#shown: { readonly specimen: S; readonly dark: boolean; readonly grown: G | undefined } | undefined;
 	#disposed = false;
 
-	constructor(view: ToolView, desk: EditorContext<S, G>, what: ShownShells<S, G>, tool: Tool<S, G, boolean>) {
+	constructor(view: ToolView, context: EditorContext<S, G>, what: ShownShells<S, G>, tool: Tool<S, G, boolean>) {
 		this.#view = view;
-		this.#desk = desk;
+		this.#context = context;
 		this.#what = what;
 		this.#tool = tool;
 	}
 
 	update(): void {
-		if (!this.#visible(this.#desk.state.specimen) && !this.#figure) return;
+		if (!this.#visible(this.#context.state.specimen) && !this.#figure) return;
 		this.#figure ??= this.#fetch();
 		void this.#figure.then((figure) => {
-			if (figure && !this.#disposed) this.#show(figure, this.#desk.state);
+			if (figure && !this.#disposed) this.#show(figure, this.#context.state);
 		});
 	}
 
@@ -86,7 +86,7 @@ class ShellHands<S extends Specimen, G extends Plant> implements ToolInteraction
 	}
 
 	#visible(specimen: S): boolean {
-		return this.#desk.toolState(this.#tool) && (this.#what.applies?.(specimen) ?? true);
+		return this.#context.toolState(this.#tool) && (this.#what.applies?.(specimen) ?? true);
 	}
 
 	#show(figure: ShellDrawing, { specimen, dark, grown }: EditorState<S, G>): void {
@@ -111,8 +111,8 @@ class ShellHands<S extends Specimen, G extends Plant> implements ToolInteraction
 		const figure = await this.#what.figure().catch(() => undefined);
 		if (!figure) {
 			this.#figure = undefined;
-			this.#desk.setToolState(this.#tool, false);
-			this.#desk.notify(this.#what.missed, ["Check the connection and press its button again."]);
+			this.#context.setToolState(this.#tool, false);
+			this.#context.notify(this.#what.missed, ["Check the connection and press its button again."]);
 			return undefined;
 		}
 		figure.object.visible = false;

@@ -17,7 +17,7 @@ export interface ToolButton<S extends Specimen = Specimen, G extends Plant = Pla
 	readonly icon: SVGTemplateResult;
 	readonly label: string;
 	/** Whether it is switched on; absent for a button that does something once. */
-	pressed?(desk: EditorContext<S, G>): boolean;
+	pressed?(context: EditorContext<S, G>): boolean;
 }
 
 /** A letter for the whole page. */
@@ -34,20 +34,20 @@ export interface ToolPanel<S extends Specimen = Specimen, G extends Plant = Plan
 	readonly group: string | Group;
 	/** Above the group's controls or below them. */
 	readonly place: "above" | "below";
-	draw(desk: EditorContext<S, G>): unknown;
+	draw(context: EditorContext<S, G>): unknown;
 }
 
 /** A bar below the 3-D view, or a flat view: at the left of it, on a phone in its place. */
 export interface ToolPlace<S extends Specimen = Specimen, G extends Plant = Plant> {
 	readonly title: string;
-	draw(desk: EditorContext<S, G>): unknown;
+	draw(context: EditorContext<S, G>): unknown;
 }
 
 /** A wide place for reading and writing: left of the 3-D view instead of the flat views, on a phone instead of the sheet. */
 export interface ToolPane<S extends Specimen = Specimen, G extends Plant = Plant> extends ToolPlace<S, G> {
-	open(desk: EditorContext<S, G>): boolean;
+	open(context: EditorContext<S, G>): boolean;
 	/** Says what is wrong with the text while the pane is closed; an open one shows it. */
-	tell(desk: EditorContext<S, G>, fault: Fault): void;
+	tell(context: EditorContext<S, G>, fault: Fault): void;
 }
 
 /** A line of sight, in the plant's metres. */
@@ -104,11 +104,11 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 	/** Whether it means anything to this specimen; where not, none of its faces is shown. */
 	applies?(specimen: S): boolean;
 	/** What the button and the key do. */
-	press?(desk: EditorContext<S, G>): void;
+	press?(context: EditorContext<S, G>): void;
 	readonly button?: ToolButton<S, G>;
 	readonly key?: ToolKey;
 	/** Whether letters are its own now: those of the page rest meanwhile. */
-	holdsLetters?(desk: EditorContext<S, G>): boolean;
+	holdsLetters?(context: EditorContext<S, G>): boolean;
 	readonly panel?: ToolPanel<S, G>;
 	readonly bar?: ToolPlace<S, G>;
 	/** Over the 3-D view's lower edge: what is said of something that is chosen there, the ways on from it. */
@@ -121,14 +121,14 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 	/** Parameters whose control it is: the panel shows none for them. */
 	readonly parameters?: readonly string[];
 	/** What a change brings along, besides what the table's details do: locked sides follow each other. */
-	follow?(change: Change, desk: EditorContext<S, G>): Change;
-	hands?(view: ToolView, desk: EditorContext<S, G>): ToolInteraction<S, G>;
+	follow?(change: Change, context: EditorContext<S, G>): Change;
+	hands?(view: ToolView, context: EditorContext<S, G>): ToolInteraction<S, G>;
 	/** Ways out where this specimen cannot be grown. */
-	readonly remedies?: readonly { readonly words: string; press(desk: EditorContext<S, G>): void }[];
+	readonly remedies?: readonly { readonly words: string; press(context: EditorContext<S, G>): void }[];
 	/** Brings what runs by itself to rest: something is to be saved. */
-	rest?(desk: EditorContext<S, G>): void;
-	/** Works while the model is on the desk; returns what ends it. */
-	start?(desk: EditorContext<S, G>): () => void;
+	rest?(context: EditorContext<S, G>): void;
+	/** Works while the model is open; returns what ends it. */
+	start?(context: EditorContext<S, G>): () => void;
 }
 
 /** Files that a tool can use, wherever on the page they are dropped. */
@@ -138,7 +138,7 @@ export interface ToolDrop<S extends Specimen = Specimen, G extends Plant = Plant
 	/** Whether it can say something of a file by its name and type, be it why the file is none for it. */
 	takes(file: File): boolean;
 	/** Where no plant is in the file. */
-	take(desk: EditorContext<S, G>, file: File): void;
+	take(context: EditorContext<S, G>, file: File): void;
 }
 
 /** What notices about a document that does not grow are of: the next plant takes them back. */
@@ -169,7 +169,7 @@ export interface ModelUi<S extends Specimen = Specimen, G extends Plant = Plant>
 	/** Rows that join the measures. */
 	rows?(specimen: S): readonly ReadoutRow[];
 	/** The words below the picture, where tools change what is seen; else the model's `words`. */
-	caption?(grown: G, desk: EditorContext<S, G>): string;
+	caption?(grown: G, context: EditorContext<S, G>): string;
 	/** What the plant lacks of what was asked for, a line each: said over the picture while it is shown. */
 	warnings?(grown: G, specimen: S): readonly string[];
 	/** What the help says of it: what to do, whose paper it follows. */

@@ -25,7 +25,7 @@ function placed<P extends DownloadMenu | Gallery>(part: P): P {
 		performUpdate: () => {},
 		querySelector: () => field,
 		querySelectorAll: () => [],
-		desk: studio,
+		context: studio,
 	});
 	return part;
 }

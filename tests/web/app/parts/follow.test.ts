@@ -33,7 +33,7 @@ type Name = keyof typeof PARTS;
 
 /** A part in no page: what it draws is thrown away. */
 interface Probe {
-	desk: Studio;
+	context: Studio;
 	requestUpdate(): void;
 	connectedCallback(): void;
 	performUpdate(): void;
@@ -70,7 +70,7 @@ beforeAll(async () => {
 		probe.performUpdate = () => {};
 		const asks = vi.fn();
 		probe.requestUpdate = asks;
-		Object.assign(probe, { desk: studio, life: name === "life" ? LIFE : undefined, play: age });
+		Object.assign(probe, { context: studio, life: name === "life" ? LIFE : undefined, play: age });
 		probe.connectedCallback();
 		parts.set(name, { probe, asks });
 	}

@@ -35,7 +35,7 @@ beforeEach(async () => {
 	stage = new Stage();
 	Object.assign(stage, { querySelector: () => ({}), querySelectorAll: () => [], performUpdate: () => {} });
 	Object.defineProperty(stage, "isConnected", { value: true });
-	stage.desk = studio;
+	stage.context = studio;
 	stage.connectedCallback();
 	(stage as unknown as { updated(): void }).updated();
 	await task();

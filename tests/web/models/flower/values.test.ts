@@ -87,8 +87,8 @@ describe("a value", () => {
 		const poppy = { ...fromPreset(model, "poppy"), constants: { finalStep: 5 } };
 		const text = fetchedText(poppy) ?? "";
 		expect(text).toMatch(/^#define finalStep=\d+/m);
-		const desk = { state: { model, specimen: poppy } } as unknown as GrammarContext;
-		const ids = new Axes(desk, source, () => {}).all.map(({ id }) => id);
+		const context = { state: { model, specimen: poppy } } as unknown as GrammarContext;
+		const ids = new Axes(context, source, () => {}).all.map(({ id }) => id);
 		expect(ids).toContain("constant length");
 		expect(ids).toContain("parameter steps");
 		expect(ids).not.toContain("constant finalStep");

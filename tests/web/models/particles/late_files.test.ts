@@ -16,44 +16,44 @@ vi.mock("../../../../web/src/import/mesh_file/read_in_worker", async () => ({
 
 const OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-function deskWith() {
-	const desk = {
+function contextWith() {
+	const context = {
 		state: { model: TREE as object, specimen: fromPreset(TREE, "oak") },
 		set: vi.fn((_: Change) => undefined),
 		notify: vi.fn((_: string) => undefined),
 	};
-	return desk;
+	return context;
 }
 
 const READERS = [
-	["mesh", (desk: object) => takeMesh(desk as never, new File([OBJ], "a.obj"), "height")],
-	["outline", (desk: object) => traceLeafFile(desk as never, new Blob())],
+	["mesh", (context: object) => takeMesh(context as never, new File([OBJ], "a.obj"), "height")],
+	["outline", (context: object) => traceLeafFile(context as never, new Blob())],
 ] as const;
 
 it.each(READERS)("a file read late changes the document that it was brought for: %s", async (_, take) => {
-	const desk = deskWith();
-	await take(desk);
-	expect(desk.set).toHaveBeenCalledOnce();
-	expect(desk.notify.mock.calls[0][0]).not.toContain("not taken");
+	const context = contextWith();
+	await take(context);
+	expect(context.set).toHaveBeenCalledOnce();
+	expect(context.notify.mock.calls[0][0]).not.toContain("not taken");
 });
 
 it.each(READERS)("and no other that has come meanwhile: %s", async (what, take) => {
 	for (const come of [{ model: {} }, { specimen: fromPreset(TREE, "birch") }]) {
-		const desk = deskWith();
-		const taken = take(desk);
-		Object.assign(desk.state, come);
+		const context = contextWith();
+		const taken = take(context);
+		Object.assign(context.state, come);
 		await taken;
-		expect(desk.set).not.toHaveBeenCalled();
-		expect(desk.notify.mock.calls).toEqual([[`The ${what} was not taken`, expect.anything(), expect.anything()]]);
+		expect(context.set).not.toHaveBeenCalled();
+		expect(context.notify.mock.calls).toEqual([[`The ${what} was not taken`, expect.anything(), expect.anything()]]);
 	}
 });
 
 it("a slider moved meanwhile does not matter", async () => {
 	for (const [, take] of READERS) {
-		const desk = deskWith();
-		const taken = take(desk);
-		desk.state.specimen = { ...desk.state.specimen, seed: 9 };
+		const context = contextWith();
+		const taken = take(context);
+		context.state.specimen = { ...context.state.specimen, seed: 9 };
 		await taken;
-		expect(desk.set).toHaveBeenCalledOnce();
+		expect(context.set).toHaveBeenCalledOnce();
 	}
 });

@@ -19,16 +19,16 @@ it.each([
 	vi.stubGlobal("document", { body, activeElement });
 	vi.stubGlobal("window", new EventTarget());
 	let chosen: number | undefined = 2;
-	const desk = { state: { grown: { places: { count: 3 } } }, toolState: () => chosen };
+	const context = { state: { grown: { places: { count: 3 } } }, toolState: () => chosen };
 	const focus = vi.fn();
 	const canvas = { focus, addEventListener: () => {}, classList: { toggle: () => {} } };
 	const view = { canvas, mark: vi.fn(), pick: () => undefined } as unknown as ToolView;
-	const hands = map.hands?.(view, desk as unknown as EditorContext<StandSpecimen, StandPlant>);
-	hands?.update(desk.state as never);
+	const hands = map.hands?.(view, context as unknown as EditorContext<StandSpecimen, StandPlant>);
+	hands?.update(context.state as never);
 	expect(focus).not.toHaveBeenCalled();
 	chosen = undefined;
-	hands?.update(desk.state as never);
-	hands?.update(desk.state as never);
+	hands?.update(context.state as never);
+	hands?.update(context.state as never);
 	expect(focus).toHaveBeenCalledTimes(times);
 	expect(view.mark).toHaveBeenLastCalledWith(undefined);
 });
@@ -53,7 +53,7 @@ it.each([
 	vi.stubGlobal("document", { body, activeElement: elsewhere, querySelector: () => null });
 	vi.stubGlobal("window", page);
 	const setToolState = vi.fn();
-	const desk = { state: { grown: { places: { count: 3 } } }, toolState: () => 2, setToolState };
+	const context = { state: { grown: { places: { count: 3 } } }, toolState: () => 2, setToolState };
 	const canvas = {
 		focus: vi.fn(),
 		addEventListener: () => {},
@@ -61,7 +61,7 @@ it.each([
 		classList: { toggle: () => {} },
 	};
 	const view = { canvas, mark: vi.fn(), pick: () => undefined } as unknown as ToolView;
-	const hands = map.hands?.(view, desk as unknown as EditorContext<StandSpecimen, StandPlant>);
+	const hands = map.hands?.(view, context as unknown as EditorContext<StandSpecimen, StandPlant>);
 	const press = (key: string) => {
 		const event = new Event("keydown", { cancelable: true });
 		Object.defineProperties(event, { key: { value: key }, target: { value: target } });

@@ -52,7 +52,7 @@ export class Ask extends StudioPart {
 		const right = Number.isFinite(typed) && typed >= 0;
 		this.#problem = right ? "" : `“${text.slice(0, 20)}” is no number that can be asked for.`;
 		this.requestUpdate();
-		if (right) void askFor(this.desk, { measure: this.info.key, value: fromWritten(this.info, typed) });
+		if (right) void askFor(this.context, { measure: this.info.key, value: fromWritten(this.info, typed) });
 	}
 }
 

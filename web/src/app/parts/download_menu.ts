@@ -46,12 +46,12 @@ export class DownloadMenu extends StudioPart {
 			>${icon("download")}<span class="words">Download</span></button>
 			${this.#making?.slow ? progress(this.#making, () => this.#cancel()) : nothing}
 			${offered && shown ? this.#menu(offered, offered.formatsOf(shown, studio.state.picture)) : nothing}
-			<panicle-many .desk=${studio}></panicle-many><panicle-embed .desk=${studio}></panicle-embed>`;
+			<panicle-many .context=${studio}></panicle-many><panicle-embed .context=${studio}></panicle-embed>`;
 	}
 
 	#menu(offered: Offered, formats: readonly Download[]): unknown {
 		return html`<div class="menu" @keydown=${this.#keyDown} @focusout=${this.#focusOut}>
-			<div role="menu" aria-label="Download">${formats.map((format) => this.#item(offered, format))}${offered.menuActions(this.desk).map((action) => this.#action(action))}</div>
+			<div role="menu" aria-label="Download">${formats.map((format) => this.#item(offered, format))}${offered.menuActions(this.context).map((action) => this.#action(action))}</div>
 			${offered.fileSettings(this.#options, (options) => {
 				this.#options = options;
 				void this.#tellSizes(offered);
@@ -69,7 +69,7 @@ export class DownloadMenu extends StudioPart {
 	#action(action: MenuAction): unknown {
 		const run = () => {
 			this.#leave();
-			void action.run(this.desk, this);
+			void action.run(this.context, this);
 		};
 		return html`<button type="button" role="menuitem" data-format=${action.key} @click=${run}>
 			${action.title}<small>${action.about}</small>
@@ -78,7 +78,7 @@ export class DownloadMenu extends StudioPart {
 
 	/** Sizes are those of the plant in view: they follow it while the menu is open. */
 	protected override updated(): void {
-		const grown = this.desk.state.shown?.grown;
+		const grown = this.context.state.shown?.grown;
 		if (!this.#offered || grown === this.#toldOf) return;
 		this.#toldOf = grown;
 		void this.#tellSizes(this.#offered);
@@ -100,8 +100,8 @@ export class DownloadMenu extends StudioPart {
 	}
 
 	async #ask({ plantToSave, fileName, askedOf }: Offered, signal?: AbortSignal): Promise<Asked> {
-		const plant = await plantToSave(this.desk, signal);
-		const name = fileName(plant.from, isAltered(plant.from, plant.model, this.desk.state.face?.tools));
+		const plant = await plantToSave(this.context, signal);
+		const name = fileName(plant.from, isAltered(plant.from, plant.model, this.context.state.face?.tools));
 		return askedOf(plant, name, this.#options);
 	}
 
@@ -118,14 +118,14 @@ export class DownloadMenu extends StudioPart {
 		const offered = await import("../files/offered").catch(() => undefined);
 		if (!offered) {
 			const details = ["Part of the page could not be fetched.", TRY_AGAIN];
-			this.desk.notify("The downloads could not be shown", details, { again: () => void this.#toggle() });
+			this.context.notify("The downloads could not be shown", details, { again: () => void this.#toggle() });
 			return;
 		}
 		this.#offered = offered;
 		this.requestUpdate();
 		// What is saved is at rest, and measured.
-		const { face } = this.desk.state;
-		for (const tool of face?.tools ?? []) tool.rest?.(this.desk);
+		const { face } = this.context.state;
+		for (const tool of face?.tools ?? []) tool.rest?.(this.context);
 		void this.updateComplete.then(() => this.#items()[0]?.focus());
 		window.addEventListener("pointerdown", this.#outside, { capture: true });
 	}
@@ -199,8 +199,8 @@ export class DownloadMenu extends StudioPart {
 		const title = `The ${format.title} could not be made`;
 		const text = error instanceof Error ? error.message : String(error);
 		if (error instanceof offered.NotFetched)
-			this.desk.notify(title, [text, TRY_AGAIN], { again: () => void this.#download(offered, format) });
-		else this.desk.notify(title, [text]);
+			this.context.notify(title, [text, TRY_AGAIN], { again: () => void this.#download(offered, format) });
+		else this.context.notify(title, [text]);
 	}
 }
 

@@ -58,7 +58,7 @@ export class Drop extends StudioPart {
 		// Some part of the page has taken it.
 		if (!file || event.defaultPrevented) return;
 		event.preventDefault();
-		void takeFile(this.desk, file);
+		void takeFile(this.context, file);
 	};
 }
 

@@ -79,7 +79,7 @@ export class EmbedDialog extends StudioPart {
 
 	/** Opens the dialog about the plant that is on the controls; the browser keeps the focus in it and gives it back. */
 	async open(): Promise<void> {
-		this.#opened = await openedOn(this.desk);
+		this.#opened = await openedOn(this.context);
 		this.#said = "";
 		this.requestUpdate();
 		await this.updateComplete;
@@ -112,7 +112,7 @@ export class EmbedDialog extends StudioPart {
 		</div>
 		<textarea readonly rows="5" aria-label="Code" spellcheck="false" .value=${code} @focus=${(event: FocusEvent) => (event.target as HTMLTextAreaElement).select()}></textarea>
 		<p class="weight">${this.#weightInWords()}</p>
-		${remarks(of, isFile ? [] : lost, this.desk).map((line) => html`<p><small>${line}</small></p>`)}
+		${remarks(of, isFile ? [] : lost, this.context).map((line) => html`<p><small>${line}</small></p>`)}
 		<div class="choices">
 			<p role="status">${this.#said}</p>
 			<button class="button wine" type="button" @click=${() => this.#copy(code)}>Copy code</button>

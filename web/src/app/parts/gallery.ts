@@ -104,7 +104,7 @@ export class Gallery extends StudioPart {
 
 	/** The chosen preset is in sight, also when a link or a file has chosen it; where it is not found, the first is. */
 	protected override updated(_changed: PropertyValues): void {
-		const { specimen, catalogue } = this.desk.state;
+		const { specimen, catalogue } = this.context.state;
 		const wanted = `${catalogue.length} ${specimen.model} ${specimen.preset}`;
 		const strip = this.querySelector<HTMLElement>(".strip");
 		const chosen = this.querySelector<HTMLElement>("[aria-current=true]");

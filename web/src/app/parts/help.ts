@@ -31,7 +31,7 @@ export class Help extends StudioPart {
 
 	/** Some press letters without meaning to: speech input does. */
 	#switchLetters(event: Event): void {
-		this.desk.setUi({ letters: (event.target as HTMLInputElement).checked });
+		this.context.setUi({ letters: (event.target as HTMLInputElement).checked });
 	}
 
 	/** Opens the dialog at its heading, for the first thing to press is far below; the browser keeps the focus in it and gives it back. */

@@ -68,7 +68,7 @@ export class ManyDialog extends StudioPart {
 	async #grow(many: Many): Promise<void> {
 		const cancel = new AbortController();
 		try {
-			const asked = readMany(this.desk.state, many);
+			const asked = readMany(this.context.state, many);
 			const making: Making = { cancel, total: asked.numbers.length, done: 0 };
 			this.#say("", making);
 			// The button that was pressed has gone.

@@ -23,7 +23,7 @@ export class Pane extends StudioPart {
 	}
 
 	protected override updated(): void {
-		this.closest(".studio")?.toggleAttribute("data-pane", openIn(this.desk) !== undefined);
+		this.closest(".studio")?.toggleAttribute("data-pane", openIn(this.context) !== undefined);
 	}
 }
 

@@ -37,7 +37,7 @@ export class Panel extends StudioPart {
 		const numbers = {
 			key: "numbers",
 			title: "Numbers",
-			body: html`<panicle-readout .desk=${studio}></panicle-readout>`,
+			body: html`<panicle-readout .context=${studio}></panicle-readout>`,
 		};
 		return html`<div class="panel-groups" @pointerover=${this.#explain} @focusin=${this.#explain}>
 				${repeat(
@@ -64,13 +64,13 @@ export class Panel extends StudioPart {
 	/** The state opens and closes, not the element of itself; a search in the page still may (`toggle`). */
 	#flip(event: Event, key: string, open: boolean): void {
 		event.preventDefault();
-		this.desk.setGroup(key, open);
+		this.context.setGroup(key, open);
 	}
 
 	#explain(event: Event): void {
 		const place = event.target as Element;
 		const key = place.closest<HTMLElement>("[data-key]")?.dataset.key;
-		const { model, specimen } = this.desk.state;
+		const { model, specimen } = this.context.state;
 		const found = key === undefined ? explainedAt(place) : explainedBy(model, specimen, key);
 		if (!found || found.key === this.#explained?.key) return;
 		this.#explained = found;

@@ -31,7 +31,7 @@ export class Readout extends StudioPart {
 		const asked = model.targets?.measures(specimen) ?? [];
 		const ask = (info: MeasureInfo, value: number) =>
 			asked.includes(info.key)
-				? html`<panicle-ask .desk=${studio} .info=${info} .value=${value}></panicle-ask>`
+				? html`<panicle-ask .context=${studio} .info=${info} .value=${value}></panicle-ask>`
 				: undefined;
 		const rows = () => measured(model.table, measures ?? NONE, face?.rows?.(specimen), ask);
 		return html`<div class="readout" @click=${this.#press} @toggle=${this.#unfold}>
@@ -58,7 +58,7 @@ export class Readout extends StudioPart {
 			const field = details.open ? details.querySelector<Ask>("panicle-ask") : null;
 			if (!field) return;
 			await import("./ask").catch(() => {
-				this.desk.notify("What asks for numbers could not be fetched", [TRY_AGAIN], { topic: "asked" });
+				this.context.notify("What asks for numbers could not be fetched", [TRY_AGAIN], { topic: "asked" });
 			});
 			if (details === this.#pressed) void field.enter?.();
 		},

@@ -62,7 +62,7 @@ export class SavedDialog extends StudioPart {
 	/** Opens the dialog; the browser keeps the focus in it and gives it back. */
 	async open(): Promise<void> {
 		if (this.#isOpen) return;
-		const { model, specimen } = this.desk.state;
+		const { model, specimen } = this.context.state;
 		this.#isOpen = true;
 		this.#said = SILENT;
 		this.#lost = notInLink(model, specimen);
@@ -137,14 +137,14 @@ export class SavedDialog extends StudioPart {
 
 	#list(studio: Studio): TemplateResult {
 		return html`<panicle-saved-list
-			.desk=${studio} .library=${this.#library}
+			.context=${studio} .library=${this.#library}
 			@open-saved=${({ detail }: CustomEvent<Saved>) => void this.#openOne(detail)}
 			@said=${({ detail }: CustomEvent<string>) => this.#say({ words: detail })}
 		></panicle-saved-list>`;
 	}
 
 	#suggest(): void {
-		const { specimen, model, face } = this.desk.state;
+		const { specimen, model, face } = this.context.state;
 		const names = this.#library.all.map(({ name }) => name);
 		this.#name = uniqueName(titleOf(specimen, model, face?.tools), names);
 		this.requestUpdate();
@@ -161,8 +161,8 @@ export class SavedDialog extends StudioPart {
 		this.#busy = true;
 		this.#say(SILENT);
 		try {
-			const asked = tidyName(this.#name) || titleOf(this.desk.state.specimen, this.desk.state.model);
-			const added = await this.#library.add(await savedOf(this.desk, asked));
+			const asked = tidyName(this.#name) || titleOf(this.context.state.specimen, this.context.state.model);
+			const added = await this.#library.add(await savedOf(this.context, asked));
 			if (this.#library.isKept(added)) await this.#kept(added, asked);
 			this.#suggest();
 		} catch (error) {
@@ -180,13 +180,13 @@ export class SavedDialog extends StudioPart {
 	}
 
 	async #openOne(saved: Saved): Promise<void> {
-		const opening = openSaved(this.desk, saved);
+		const opening = openSaved(this.context, saved);
 		this.#close();
 		try {
 			await opening;
 		} catch {
 			const again = () => void this.#openOne(saved);
-			this.desk.notify(`“${saved.name}” was not opened`, ["Part of the page could not be fetched.", TRY_AGAIN], {
+			this.context.notify(`“${saved.name}” was not opened`, ["Part of the page could not be fetched.", TRY_AGAIN], {
 				again,
 			});
 		}

@@ -232,7 +232,7 @@ export class SavedList extends StudioPart {
 	}
 
 	#modelOf(saved: Saved) {
-		const { catalogue } = this.desk.state;
+		const { catalogue } = this.context.state;
 		const name = modelOf(saved);
 		return catalogue.find((model) => (name === undefined ? model.unnamed : model.name === name));
 	}

@@ -21,7 +21,7 @@ export class ShareBar extends StudioPart {
 			<button class="button quiet" type="button" aria-label="Copy link" title="Copy the link that brings this ${model.noun} back" @click=${() => copyLink(studio)}>
 				${icon("link")}<span class="words">Copy link</span>
 			</button>
-			<panicle-download class="menu-anchor" .desk=${studio}></panicle-download>
+			<panicle-download class="menu-anchor" .context=${studio}></panicle-download>
 			<button
 				class="button quiet icon" type="button" aria-label=${dark ? "Light theme" : "Dark theme"} title=${dark ? "Light theme" : "Dark theme"}
 				@click=${() => studio.setUi({ theme: dark ? "light" : "dark" })}
@@ -39,7 +39,7 @@ export class ShareBar extends StudioPart {
 	#picked(event: Event): void {
 		const input = event.target as HTMLInputElement;
 		const file = input.files?.[0];
-		if (file) void takeFile(this.desk, file);
+		if (file) void takeFile(this.context, file);
 		input.value = ""; // The same file may be chosen again.
 	}
 }

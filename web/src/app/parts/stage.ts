@@ -69,7 +69,7 @@ export class Stage extends StudioPart {
 		this.#due = true;
 		setTimeout(() => {
 			this.#due = false;
-			if (this.#visible) this.#solid?.update(this.desk.state);
+			if (this.#visible) this.#solid?.update(this.context.state);
 		});
 	};
 
@@ -79,7 +79,7 @@ export class Stage extends StudioPart {
 		this.#leave?.();
 		this.#solid?.dispose();
 		this.#solid = undefined;
-		if (this.#started) this.desk.showPicture(undefined);
+		if (this.#started) this.context.showPicture(undefined);
 		this.#started = false;
 	}
 
@@ -87,7 +87,7 @@ export class Stage extends StudioPart {
 		this.#started = true;
 		const canvas = this.querySelector("canvas") as HTMLCanvasElement;
 		try {
-			const solid = await SolidView.create(canvas, this.desk, {
+			const solid = await SolidView.create(canvas, this.context, {
 				lost: () =>
 					this.#say({
 						title: "The picture was lost",
@@ -102,10 +102,10 @@ export class Stage extends StudioPart {
 			}
 			this.#solid = solid;
 			this.requestUpdate();
-			this.#leave = this.desk.subscribe(this.#follow);
+			this.#leave = this.context.subscribe(this.#follow);
 			this.#follow();
 			this.#resized.observe(this);
-			this.desk.showPicture((options) => solid.picture(options));
+			this.context.showPicture((options) => solid.picture(options));
 		} catch (error) {
 			const none = error instanceof Error && error.name === "NoWebGL2Error";
 			const again = () => {

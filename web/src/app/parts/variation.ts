@@ -27,12 +27,12 @@ export class Variation extends StudioPart {
 		const field = event.target as HTMLInputElement;
 		const text = field.value.trim();
 		const typed = text === "" ? Number.NaN : Number(text);
-		const { seed } = this.desk.state.specimen;
-		if (Number.isFinite(typed)) this.desk.set({ seed: Math.min(Math.max(Math.round(typed), SEED.min), SEED.max) });
-		const taken = this.desk.state.specimen.seed;
-		if (!Number.isFinite(typed)) this.desk.notify(`“${text.slice(0, 20)}” is not a seed`, [`Seed ${seed} stays.`]);
+		const { seed } = this.context.state.specimen;
+		if (Number.isFinite(typed)) this.context.set({ seed: Math.min(Math.max(Math.round(typed), SEED.min), SEED.max) });
+		const taken = this.context.state.specimen.seed;
+		if (!Number.isFinite(typed)) this.context.notify(`“${text.slice(0, 20)}” is not a seed`, [`Seed ${seed} stays.`]);
 		else if (taken !== typed)
-			this.desk.notify("That seed is out of range", [
+			this.context.notify("That seed is out of range", [
 				`Seeds are whole numbers from 0 to ${SEED.max}; ${taken} is used.`,
 			]);
 		field.value = String(taken);

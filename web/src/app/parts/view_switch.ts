@@ -28,7 +28,7 @@ export class ViewSwitch extends StudioPart {
 	}
 
 	protected override updated(): void {
-		const { state } = this.desk;
+		const { state } = this.context;
 		const page = this.closest<HTMLElement>(".studio");
 		page?.setAttribute("data-view", viewOf(state));
 		// Until the tools have come, the views keep their place.

@@ -22,7 +22,7 @@ export interface Axis {
 
 /** The axes of a document, and what it becomes where they stand elsewhere. */
 export class Axes {
-	readonly #desk: GrammarContext;
+	readonly #context: GrammarContext;
 	readonly #source: GrammarSource | undefined;
 	readonly #later: () => void;
 
@@ -30,15 +30,15 @@ export class Axes {
 	 * @param source where the text is from whose constants are axes; absent where there is none
 	 * @param later called once a text has come that was yet to be fetched: its axes are there
 	 */
-	constructor(desk: GrammarContext, source: GrammarSource | undefined, later: () => void) {
-		this.#desk = desk;
+	constructor(context: GrammarContext, source: GrammarSource | undefined, later: () => void) {
+		this.#context = context;
 		this.#source = source;
 		this.#later = later;
 	}
 
 	/** Those of the document as it is now: the text's first. */
 	get all(): readonly Axis[] {
-		return [...this.#constants, ...parametersOf(this.#desk.state)];
+		return [...this.#constants, ...parametersOf(this.#context.state)];
 	}
 
 	/** The change that takes axes to values, each on its own steps. */
@@ -50,16 +50,16 @@ export class Axes {
 			const value = values.get(id);
 			if (value === undefined) continue;
 			const [kind, key] = id.split(" ");
-			const entry = this.#desk.state.model.table.entry(key);
+			const entry = this.#context.state.model.table.entry(key);
 			if (kind === "constant") constants[key] = Number(written(onSteps(value, min, max, step), decimals(String(step))));
 			else if (entry && entry.kind !== "colour") parameters[key] = nearestWithin(entry, value);
 		}
 		const given = this.#source && Object.keys(constants).length > 0;
-		return { parameters, ...(given ? withValues(this.#source, this.#desk.state.specimen, constants) : {}) };
+		return { parameters, ...(given ? withValues(this.#source, this.#context.state.specimen, constants) : {}) };
 	}
 
 	get #text(): string | undefined {
-		return this.#source && textOf(this.#source, this.#desk.state.specimen, this.#later);
+		return this.#source && textOf(this.#source, this.#context.state.specimen, this.#later);
 	}
 
 	get #constants(): readonly Axis[] {

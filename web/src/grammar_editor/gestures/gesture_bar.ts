@@ -18,14 +18,14 @@ class GestureBar extends EditorElement<GrammarContext> {
 
 	#axes: Axes | undefined;
 
-	protected override shows(desk: GrammarContext): readonly unknown[] {
-		const { specimen } = desk.state;
-		return [desk.toolState(this.gestures.tool), specimen.preset, specimen.grammar, specimen.parameters];
+	protected override shows(context: GrammarContext): readonly unknown[] {
+		const { specimen } = context.state;
+		return [context.toolState(this.gestures.tool), specimen.preset, specimen.grammar, specimen.parameters];
 	}
 
-	protected override draw(desk: GrammarContext): unknown {
-		this.#axes ??= new Axes(desk, this.gestures.source, () => this.requestUpdate());
-		const state = desk.toolState(this.gestures.tool);
+	protected override draw(context: GrammarContext): unknown {
+		this.#axes ??= new Axes(context, this.gestures.source, () => this.requestUpdate());
+		const state = context.toolState(this.gestures.tool);
 		if (!state.open) return nothing;
 		const all = this.#axes.all;
 		const pair = pairOf(all, state);
@@ -49,7 +49,7 @@ class GestureBar extends EditorElement<GrammarContext> {
 
 	#set(change: Partial<GestureState>): void {
 		const { tool } = this.gestures;
-		this.desk.setToolState(tool, { ...this.desk.toolState(tool), ...change });
+		this.context.setToolState(tool, { ...this.context.toolState(tool), ...change });
 	}
 }
 

@@ -46,7 +46,7 @@ export class GestureInteraction implements ToolInteraction {
 	constructor(view: ToolView, gestures: Gestures) {
 		this.#view = view;
 		this.#gestures = gestures;
-		this.#axes = new Axes(gestures.desk, gestures.source, () => this.update());
+		this.#axes = new Axes(gestures.context, gestures.source, () => this.update());
 		this.#layer.className = "gestures";
 		this.#circle.ariaRoleDescription = "two-way slider";
 		this.#circle.addEventListener("keydown", (event) => this.#press(event));
@@ -78,7 +78,7 @@ export class GestureInteraction implements ToolInteraction {
 	}
 
 	get #state(): GestureState {
-		return this.#gestures.desk.toolState(this.#gestures.tool);
+		return this.#gestures.context.toolState(this.#gestures.tool);
 	}
 
 	get #pair(): { readonly across?: Axis; readonly up?: Axis } {
@@ -165,14 +165,14 @@ export class GestureInteraction implements ToolInteraction {
 		if (across) values.set(across.id, atShare(across, this.#mirrored(across, x)));
 		if (up) values.set(up.id, atShare(up, 1 - y));
 		this.#moved = true;
-		this.#gestures.desk.edit(this.#axes.to(values), GESTURE);
+		this.#gestures.context.edit(this.#axes.to(values), GESTURE);
 	}
 
 	#rest(): void {
 		this.#follow();
 		if (!this.#moved) return;
 		this.#moved = false;
-		this.#gestures.desk.settle(GESTURE);
+		this.#gestures.context.settle(GESTURE);
 		this.#say();
 	}
 
@@ -201,8 +201,8 @@ export class GestureInteraction implements ToolInteraction {
 			const by = (arrow.x + arrow.y) * axis.step * (shiftKey ? 10 : 1);
 			const mirrored = axis === across && this.#mirrored(axis, 0) === 1;
 			const change = this.#axes.to(new Map([[axis.id, axis.value + (mirrored ? -by : by)]]));
-			this.#gestures.desk.edit({ ...change, run: this.#runs.press(axis.id) }, GESTURE);
-			this.#gestures.desk.settle(GESTURE);
+			this.#gestures.context.edit({ ...change, run: this.#runs.press(axis.id) }, GESTURE);
+			this.#gestures.context.settle(GESTURE);
 			this.#say();
 		} else return;
 		event.preventDefault();
@@ -210,8 +210,8 @@ export class GestureInteraction implements ToolInteraction {
 	}
 
 	#set(change: Partial<GestureState>): void {
-		const { desk, tool } = this.#gestures;
-		desk.setToolState(tool, { ...desk.toolState(tool), ...change });
+		const { context, tool } = this.#gestures;
+		context.setToolState(tool, { ...context.toolState(tool), ...change });
 	}
 }
 

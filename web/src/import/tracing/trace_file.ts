@@ -11,10 +11,10 @@ export interface Tracing<T> {
 	readonly take: (traced: T) => { readonly title: string; readonly details: readonly string[] } | undefined;
 }
 
-/** Takes the outline of what is in a picture for the document that is on the desk; what is wrong with the picture is said. */
-export async function traceFile<T>(desk: EditorContext, file: Blob, tracing: Tracing<T>): Promise<void> {
-	const isStill = sameDocument(desk);
-	const again = () => void traceFile(desk, file, tracing);
+/** Takes the outline of what is in a picture for the document that is open; what is wrong with the picture is said. */
+export async function traceFile<T>(context: EditorContext, file: Blob, tracing: Tracing<T>): Promise<void> {
+	const isStill = sameDocument(context);
+	const again = () => void traceFile(context, file, tracing);
 	const [reader, trace, words, bitmaps] = await Promise.all([
 		import("./read_picture"),
 		tracing.tracer(),
@@ -22,16 +22,19 @@ export async function traceFile<T>(desk: EditorContext, file: Blob, tracing: Tra
 		import("../../ui/read_bitmap"),
 	]).catch(() => []);
 	if (!reader || !trace || !words || !bitmaps) {
-		desk.notify("The picture was not traced", ["Part of the page could not be fetched."], { topic: FILE_TOPIC, again });
+		context.notify("The picture was not traced", ["Part of the page could not be fetched."], {
+			topic: FILE_TOPIC,
+			again,
+		});
 		return;
 	}
 	try {
 		const traced = trace(await reader.readPicture(file));
 		const said = isStill() ? tracing.take(traced) : undefined;
-		if (said) desk.notify(said.title, said.details, { topic: FILE_TOPIC, brief: true });
-		else desk.notify("The outline was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
+		if (said) context.notify(said.title, said.details, { topic: FILE_TOPIC, brief: true });
+		else context.notify("The outline was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
 	} catch (error) {
 		if (!(error instanceof words.TraceError || error instanceof bitmaps.PictureError)) throw error;
-		desk.notify("The picture was not traced", [error.message], { topic: FILE_TOPIC });
+		context.notify("The picture was not traced", [error.message], { topic: FILE_TOPIC });
 	}
 }

@@ -136,7 +136,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		>${content}</button>`;
 	}
 
-	/** What it tells of a key says of which run of presses it is (desk.ts). */
+	/** What it tells of a key says of which run of presses it is (editor_context.ts). */
 	protected tell(type: string, detail?: unknown): void {
 		const told = this.#run !== undefined && detail instanceof Object ? { ...detail, run: this.#run } : detail;
 		this.dispatchEvent(new CustomEvent(type, { detail: told, bubbles: true, composed: true }));

@@ -5,7 +5,7 @@ import type { EditorContext, EditorState } from "../editor_context";
 import type { ToolInteraction } from "../tool";
 
 export interface LazyInteractionOptions<S extends Specimen, G extends Plant> {
-	readonly desk: EditorContext<S, G>;
+	readonly context: EditorContext<S, G>;
 	/** Whether there is anything to take hold of; once there was, every change is told. */
 	wanted(state: EditorState<S, G>): boolean;
 	fetch(): Promise<ToolInteraction<S, G>>;
@@ -36,7 +36,7 @@ export class LazyInteraction<S extends Specimen, G extends Plant> implements Too
 	}
 
 	async #fetch(): Promise<ToolInteraction<S, G> | undefined> {
-		const { desk, fetch, missed } = this.#options;
+		const { context, fetch, missed } = this.#options;
 		const hands = await fetch().catch(() => undefined);
 		if (hands) {
 			if (!this.#disposed) return hands;
@@ -45,7 +45,7 @@ export class LazyInteraction<S extends Specimen, G extends Plant> implements Too
 		}
 		this.#hands = undefined;
 		missed();
-		desk.notify("The handles could not be fetched", ["Check the connection and press their button again."]);
+		context.notify("The handles could not be fetched", ["Check the connection and press their button again."]);
 		return undefined;
 	}
 }

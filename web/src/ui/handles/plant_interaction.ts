@@ -21,7 +21,7 @@ export class PlantInteraction<S extends Specimen, G extends Plant> {
 	readonly #layer: PlantHandleLayer;
 	readonly #undraw: () => void;
 
-	constructor(view: ToolView, desk: EditorContext<S, G>, { kept, focused }: PlantHandsOptions<S>) {
+	constructor(view: ToolView, context: EditorContext<S, G>, { kept, focused }: PlantHandsOptions<S>) {
 		this.#view = view;
 		let before: NonNullable<Change["details"]> = {};
 		this.#layer = new PlantHandleLayer({
@@ -29,13 +29,13 @@ export class PlantInteraction<S extends Specimen, G extends Plant> {
 			project: (at) => view.project(at),
 			sightThrough: (x, y) => view.sightThrough(x, y),
 			begin: () => {
-				before = kept(desk.state.specimen);
+				before = kept(context.state.specimen);
 			},
-			change: (change) => desk.edit(change),
-			settle: () => desk.settle(),
+			change: (change) => context.edit(change),
+			settle: () => context.settle(),
 			cancel: () => {
-				desk.edit({ details: before });
-				desk.settle();
+				context.edit({ details: before });
+				context.settle();
 			},
 			...(focused ? { focused } : {}),
 		});

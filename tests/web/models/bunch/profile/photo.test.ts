@@ -74,26 +74,26 @@ describe("the photograph's tool", () => {
 
 	it("lays a picture behind the front view; it stays through undo, is in no link, and goes when it is told to", async () => {
 		const { studio, surroundings } = await studioWith(specimenFromPreset());
-		const desk = bunchContext(studio);
+		const context = bunchContext(studio);
 		const first = picture();
 		bitmaps.mockResolvedValue(first);
-		await placePhoto(desk, new Blob());
-		expect(desk.toolState(photo)).toMatchObject({ picture: first, view: "front", loose: true, y: 0 });
-		desk.set({ parameters: { l: 300 } });
+		await placePhoto(context, new Blob());
+		expect(context.toolState(photo)).toMatchObject({ picture: first, view: "front", loose: true, y: 0 });
+		context.set({ parameters: { l: 300 } });
 		studio.undo();
-		expect(desk.toolState(photo)?.picture).toBe(first);
+		expect(context.toolState(photo)?.picture).toBe(first);
 		expect(JSON.stringify(surroundings.settled.mock.calls)).not.toContain("picture");
-		changePhoto(desk, { view: "side", opacity: 0.3 });
+		changePhoto(context, { view: "side", opacity: 0.3 });
 		const second = picture();
 		bitmaps.mockResolvedValue(second);
-		await placePhoto(desk, new Blob());
+		await placePhoto(context, new Blob());
 		expect(first.close).toHaveBeenCalled();
-		expect(desk.toolState(photo)).toMatchObject({ picture: second, view: "side" });
-		removePhoto(desk);
+		expect(context.toolState(photo)).toMatchObject({ picture: second, view: "side" });
+		removePhoto(context);
 		expect(second.close).toHaveBeenCalled();
-		expect(desk.toolState(photo)).toBeUndefined();
-		changePhoto(desk, { opacity: 1 });
-		expect(desk.toolState(photo)).toBeUndefined();
+		expect(context.toolState(photo)).toBeUndefined();
+		changePhoto(context, { opacity: 1 });
+		expect(context.toolState(photo)).toBeUndefined();
 	});
 
 	it("keeps a large picture smaller", async () => {

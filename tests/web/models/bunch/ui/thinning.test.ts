@@ -9,15 +9,15 @@ const opened = specimenFromPreset("grape-15c");
 
 it("takes berries off by hand, one step each, and puts them all back as one", async () => {
 	const { studio, surroundings } = await studioWith(opened);
-	const desk = bunchContext(studio);
-	const thinned = () => desk.state.specimen.thinned;
-	takeOff(desk, 7, 9);
-	expect(desk.toolState(thinning).marked).toBe(9);
-	takeOff(desk, 3);
-	expect(desk.toolState(thinning).marked).toBeUndefined();
+	const context = bunchContext(studio);
+	const thinned = () => context.state.specimen.thinned;
+	takeOff(context, 7, 9);
+	expect(context.toolState(thinning).marked).toBe(9);
+	takeOff(context, 3);
+	expect(context.toolState(thinning).marked).toBeUndefined();
 	expect(thinned()).toEqual([7, 3]);
 	expect(surroundings.grow.mock.lastCall?.[1]).toMatchObject({ thinned: [7, 3] });
-	putBack(desk);
+	putBack(context);
 	expect(thinned()).toEqual([]);
 	studio.undo();
 	expect(thinned()).toEqual([7, 3]);
@@ -82,35 +82,35 @@ function fakeView() {
 
 async function armed() {
 	const { studio } = await studioWith(opened);
-	const desk = bunchContext(studio);
+	const context = bunchContext(studio);
 	studio.grew({ berries: { ids: Uint32Array.of(40, 41) } } as unknown as Grown, opened);
 	const fake = fakeView();
-	const hands = thinning.hands?.(fake.view, desk);
+	const hands = thinning.hands?.(fake.view, context);
 	if (!hands) throw new Error("no hands");
-	const update = () => hands.update(desk.state);
-	desk.setToolState(thinning, { on: true, marked: undefined });
+	const update = () => hands.update(context.state);
+	context.setToolState(thinning, { on: true, marked: undefined });
 	update();
-	return { studio, desk, ...fake, hands, update };
+	return { studio, context, ...fake, hands, update };
 }
 
 it("marks the berry under the pointer, and a click takes it off", async () => {
-	const { desk, view, send, update, classes } = await armed();
+	const { context, view, send, update, classes } = await armed();
 	expect(classes.has("thinning")).toBe(true);
 	send("pointermove");
 	expect(view.pick).toHaveBeenLastCalledWith(30, 40);
-	expect(desk.toolState(thinning).marked).toBe(41);
+	expect(context.toolState(thinning).marked).toBe(41);
 	update();
 	expect(view.mark).toHaveBeenLastCalledWith(41);
 	send("pointerdown");
 	send("pointerup", { clientX: 133 });
-	expect(desk.state.specimen.thinned).toEqual([41]);
-	mark(desk, undefined);
+	expect(context.state.specimen.thinned).toEqual([41]);
+	mark(context, undefined);
 	update();
 	expect(view.mark).toHaveBeenLastCalledWith(undefined);
 });
 
 it("takes nothing when the pointer has moved, when another is down, or when a handle holds it", async () => {
-	const { desk, view, send } = await armed();
+	const { context, view, send } = await armed();
 	send("pointerdown");
 	send("pointermove", { clientX: 160, buttons: 1 });
 	send("pointerup");
@@ -122,24 +122,24 @@ it("takes nothing when the pointer has moved, when another is down, or when a ha
 	send("pointerdown");
 	view.orbiting = true;
 	send("pointerup");
-	expect(desk.state.specimen.thinned).toEqual([]);
+	expect(context.state.specimen.thinned).toEqual([]);
 });
 
 it("rests while the stems are shown alone, for the paper's bunches, and once its model has gone", async () => {
-	const { desk, send, update, classes, listeners, hands } = await armed();
+	const { context, send, update, classes, listeners, hands } = await armed();
 	const click = () => {
 		send("pointerdown");
 		send("pointerup");
 	};
-	desk.setToolState(stems, true);
+	context.setToolState(stems, true);
 	update();
 	click();
-	expect([classes.has("thinning"), desk.state.specimen.thinned]).toEqual([false, []]);
-	desk.setToolState(stems, false);
-	desk.set({ parameters: { procedure: 0 } });
+	expect([classes.has("thinning"), context.state.specimen.thinned]).toEqual([false, []]);
+	context.setToolState(stems, false);
+	context.set({ parameters: { procedure: 0 } });
 	update();
 	click();
-	expect(desk.state.specimen.thinned).toEqual([]);
+	expect(context.state.specimen.thinned).toEqual([]);
 	hands.dispose();
 	expect(listeners.size).toBe(0);
 });

@@ -15,20 +15,20 @@ import type { NoticeOptions } from "../../../../../web/src/ui/editor_context";
 
 beforeAll(fetchTexts);
 
-/** A desk with a text on it, on which nothing grows. */
-function deskWith(grammar: string | undefined, specimen: FlowerSpecimen = fromPreset(model)) {
+/** An editor context with a text on it, on which nothing grows. */
+function contextWith(grammar: string | undefined, specimen: FlowerSpecimen = fromPreset(model)) {
 	const state = { model, specimen: { ...specimen, grammar } };
 	const take = ({ details = {} }: { details?: object }) => {
 		state.specimen = { ...state.specimen, ...details };
 	};
 	const notify = vi.fn<(title: string, details?: readonly string[], options?: NoticeOptions) => void>();
-	const desk = { state, edit: take, set: take, settle: () => {}, notify } as unknown as FlowerContext;
-	return { desk, state, notify };
+	const context = { state, edit: take, set: take, settle: () => {}, notify } as unknown as FlowerContext;
+	return { context, state, notify };
 }
 
 /** The organs, one of them with another number. */
-function withNumber(desk: FlowerContext, organ: "petal" | "stamen", key: string, value: number) {
-	const design = designIn(desk.state.specimen);
+function withNumber(context: FlowerContext, organ: "petal" | "stamen", key: string, value: number) {
+	const design = designIn(context.state.specimen);
 	if (!design) throw new Error("no design");
 	return descriptionsIn(design).map((each) => (each.organ === organ ? described(each, { [key]: value }) : each));
 }
@@ -37,12 +37,12 @@ const EDITED = assembled().replace(/#define long=.*/, "#define long=99");
 
 describe("drafts of a design", () => {
 	it("begin with the text that is there, where a gesture was left without its end", () => {
-		const { desk, state } = deskWith(assembled());
+		const { context, state } = contextWith(assembled());
 		const drafts = new Drafts();
-		drafts.edit(desk, withNumber(desk, "petal", "count", 7));
+		drafts.edit(context, withNumber(context, "petal", "count", 7));
 		// Undone, and written by hand.
 		state.specimen = { ...state.specimen, grammar: `/* Mine */\n${assembled()}` };
-		drafts.edit(desk, withNumber(desk, "stamen", "count", 3));
+		drafts.edit(context, withNumber(context, "stamen", "count", 3));
 		const design = designOf(state.specimen.grammar ?? "");
 		expect(design?.head).toBe("/* Mine */\n");
 		expect(design && describedIn(design, "stamen").values.count).toBe(3);
@@ -52,9 +52,9 @@ describe("drafts of a design", () => {
 	it("hold against values that stand beside the text, and leave those that they say nothing of", () => {
 		const tulip = fromPreset(model, "designed-tulip");
 		const beside = { ...tulip, constants: { length: 600, bend: 2 } };
-		const { desk, state, notify } = deskWith(undefined, beside);
+		const { context, state, notify } = contextWith(undefined, beside);
 		const design = designIn(beside)!;
-		new Drafts().set(desk, described(describedIn(design, "stem"), { length: 100 }));
+		new Drafts().set(context, described(describedIn(design, "stem"), { length: 100 }));
 		expect(state.specimen.constants).toEqual({});
 		expect(state.specimen.grammar).toMatch(/^#define length=100 /m);
 		expect(state.specimen.grammar).toMatch(/^#define bend=2 /m);
@@ -66,31 +66,36 @@ describe("drafts of a design", () => {
 
 	it("go on through a gesture where there were values, and back leave what was there", () => {
 		const beside = { ...fromPreset(model, "designed-tulip"), constants: { length: 600 } };
-		const { desk, state } = deskWith(undefined, beside);
+		const { context, state } = contextWith(undefined, beside);
 		const drafts = new Drafts();
 		const before = descriptionsIn(designIn(beside)!);
-		drafts.edit(desk, withNumber(desk, "petal", "count", 7));
-		drafts.edit(desk, withNumber(desk, "petal", "count", 9));
+		drafts.edit(context, withNumber(context, "petal", "count", 7));
+		drafts.edit(context, withNumber(context, "petal", "count", 9));
 		expect(state.specimen.grammar).toMatch(/^#define length=600 /m);
-		drafts.edit(desk, before);
+		drafts.edit(context, before);
 		expect(state.specimen).toEqual(beside);
 	});
 
 	it("leave nothing of what a gesture passes", () => {
-		const { desk, state } = deskWith(EDITED);
+		const { context, state } = contextWith(EDITED);
 		const drafts = new Drafts();
-		const before = withNumber(desk, "stamen", "length", Number(describedIn(designOf(EDITED)!, "stamen").values.length));
-		drafts.edit(desk, withNumber(desk, "stamen", "length", 40));
+		const before = withNumber(
+			context,
+			"stamen",
+			"length",
+			Number(describedIn(designOf(EDITED)!, "stamen").values.length),
+		);
+		drafts.edit(context, withNumber(context, "stamen", "length", 40));
 		expect(state.specimen.grammar).not.toContain("#define long=99");
-		drafts.edit(desk, before);
+		drafts.edit(context, before);
 		expect(state.specimen.grammar).toBe(EDITED);
 	});
 
 	it("keep the edited lines where the text still is what the choice wrote, and else say that it has changed", () => {
 		const lost = () => {
-			const all = deskWith(EDITED);
+			const all = contextWith(EDITED);
 			const design = designOf(EDITED)!;
-			new Drafts().set(all.desk, described(describedIn(design, "stamen"), { length: 40 }));
+			new Drafts().set(all.context, described(describedIn(design, "stamen"), { length: 40 }));
 			expect(all.notify).toHaveBeenCalledTimes(1);
 			return { ...all, keep: () => all.notify.mock.calls[0][2]?.act?.run() };
 		};

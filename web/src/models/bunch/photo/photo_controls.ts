@@ -11,24 +11,24 @@ const VIEWS: readonly (readonly [View, string])[] = [
 
 /** What there is to a photograph that has been laid: loose or fast, behind which view, how plain, away. */
 export class PhotoControls extends ControlElement<BunchContext> {
-	protected override shows(desk: BunchContext): readonly unknown[] {
-		return [desk.toolState(photo)];
+	protected override shows(context: BunchContext): readonly unknown[] {
+		return [context.toolState(photo)];
 	}
 
-	protected override draw(desk: BunchContext): unknown {
-		const laid = desk.toolState(photo);
+	protected override draw(context: BunchContext): unknown {
+		const laid = context.toolState(photo);
 		if (!laid) return nothing;
 		const { view, opacity, loose } = laid;
 		return html`<button
-				class="button" type="button" aria-pressed=${loose} @click=${() => changePhoto(desk, { loose: !loose })}
+				class="button" type="button" aria-pressed=${loose} @click=${() => changePhoto(context, { loose: !loose })}
 			>Shift photograph</button>
-			<button class="button" type="button" @click=${() => removePhoto(desk)}>Remove photograph</button>
-			<label>Behind <select @change=${(event: Event) => changePhoto(desk, { view: (event.target as HTMLSelectElement).value as View })}>
+			<button class="button" type="button" @click=${() => removePhoto(context)}>Remove photograph</button>
+			<label>Behind <select @change=${(event: Event) => changePhoto(context, { view: (event.target as HTMLSelectElement).value as View })}>
 				${VIEWS.map(([key, words]) => html`<option value=${key} ?selected=${key === view}>${words}</option>`)}
 			</select></label>
 			<label>Opacity <input
 				type="range" min="0.1" max="1" step="0.05" .value=${String(opacity)}
-				@input=${(event: Event) => changePhoto(desk, { opacity: Number((event.target as HTMLInputElement).value) })}
+				@input=${(event: Event) => changePhoto(context, { opacity: Number((event.target as HTMLInputElement).value) })}
 			></label>`;
 	}
 }

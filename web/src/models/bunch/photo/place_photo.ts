@@ -12,20 +12,20 @@ const LONGEST = 2000;
 const OPACITY = 0.6;
 
 /** Lays a picture behind a view, as high as the bunch; what is wrong with it is said. */
-export async function placePhoto(desk: BunchContext, file: Blob): Promise<void> {
+export async function placePhoto(context: BunchContext, file: Blob): Promise<void> {
 	try {
 		const picture = await readBitmap(file, LONGEST);
-		const before = desk.toolState(photo);
-		const place = fitted(picture, desk.state.specimen.parameters.l);
-		desk.setToolState(photo, { picture, ...place, view: before?.view ?? "front", opacity: OPACITY, loose: true });
+		const before = context.toolState(photo);
+		const place = fitted(picture, context.state.specimen.parameters.l);
+		context.setToolState(photo, { picture, ...place, view: before?.view ?? "front", opacity: OPACITY, loose: true });
 		before?.picture.close();
-		desk.notify(
+		context.notify(
 			"The photograph lies behind the view",
 			["Drag it to its place, scale it with the wheel or two fingers, then fasten it and fit the handles."],
 			{ topic: FILE_TOPIC, brief: true },
 		);
 	} catch (error) {
 		if (!(error instanceof PictureError)) throw error;
-		desk.notify("The photograph was not taken", [error.message], { topic: FILE_TOPIC });
+		context.notify("The photograph was not taken", [error.message], { topic: FILE_TOPIC });
 	}
 }

@@ -13,10 +13,10 @@ export const asPrinted: BunchTool<Bent | undefined> = {
 	panel: {
 		group: "between",
 		place: "above",
-		draw: (desk) => html`<label class="toggle">
+		draw: (context) => html`<label class="toggle">
 			<input
-				type="checkbox" role="switch" .checked=${isAsPrinted(desk.state.specimen)}
-				@change=${(event: Event) => setAsPrinted(desk, (event.target as HTMLInputElement).checked)}
+				type="checkbox" role="switch" .checked=${isAsPrinted(context.state.specimen)}
+				@change=${(event: Event) => setAsPrinted(context, (event.target as HTMLInputElement).checked)}
 			>As printed
 		</label>`,
 	},
@@ -28,12 +28,12 @@ export function isAsPrinted({ parameters }: Pick<BunchSpecimen, "parameters">): 
 }
 
 /** `fit` and `vary` to 0, or back to the values they had before (else the preset's). */
-export function setAsPrinted(desk: BunchContext, on: boolean): void {
-	const { specimen } = desk.state;
+export function setAsPrinted(context: BunchContext, on: boolean): void {
+	const { specimen } = context.state;
 	const { fit, vary } = specimen.parameters;
-	const before = desk.toolState(asPrinted);
-	desk.setToolState(asPrinted, on && !isAsPrinted(specimen) ? { fit, vary } : undefined);
-	desk.set(on ? LETTER : { parameters: bentOf(before ?? desk.preset.parameters) });
+	const before = context.toolState(asPrinted);
+	context.setToolState(asPrinted, on && !isAsPrinted(specimen) ? { fit, vary } : undefined);
+	context.set(on ? LETTER : { parameters: bentOf(before ?? context.preset.parameters) });
 }
 
 const LETTER: Change = { parameters: { fit: 0, vary: 0 } };

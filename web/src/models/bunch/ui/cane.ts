@@ -10,11 +10,11 @@ export const cane: BunchTool<undefined> = {
 	name: "cane",
 	initial: undefined,
 	applies: isNatural,
-	press: (desk) => {
-		const off = onCane(desk.state.specimen);
-		desk.set({ parameters: off ? { cane: 0, leaves: 0 } : { cane: 1, leaves: LEAVES } });
+	press: (context) => {
+		const off = onCane(context.state.specimen);
+		context.set({ parameters: off ? { cane: 0, leaves: 0 } : { cane: 1, leaves: LEAVES } });
 	},
-	button: { icon: LEAF, label: "On the vine", pressed: (desk) => onCane(desk.state.specimen) },
+	button: { icon: LEAF, label: "On the vine", pressed: (context) => onCane(context.state.specimen) },
 	key: { letter: "v", does: "Cane and leaves, and back" },
 };
 

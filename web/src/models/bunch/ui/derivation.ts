@@ -8,7 +8,7 @@ import { thinning } from "./thinning";
 export const derivation: DerivationSource<BunchSpecimen, Grown> = {
 	drawn: berriesDrawn,
 	figure: async () => new (await import("../../../render/lit_renderer")).LitRenderer(),
-	taken: (desk) => desk.toolState(thinning).on,
+	taken: (context) => context.toolState(thinning).on,
 };
 
 export function berriesDrawn({ internodes, berries, surfaces, berry }: Grown): Drawn {

@@ -9,16 +9,16 @@ export const inputs: BunchTool = {
 	panel: { group: "shape", place: "above", draw },
 };
 
-function draw(desk: BunchContext): unknown {
-	const { m, n } = desk.state.specimen.inputs ?? {};
+function draw(context: BunchContext): unknown {
+	const { m, n } = context.state.specimen.inputs ?? {};
 	const given = [m === undefined ? [] : [`m = ${m}`], n === undefined ? [] : [`n = ${n.join(", ")}`]].flat().join("; ");
 	return html`<div class="override">
 		<p>Set by the link in place of the profile: ${given}.</p>
-		<button class="button" type="button" @click=${() => follow(desk)}>Follow the profile</button>
+		<button class="button" type="button" @click=${() => follow(context)}>Follow the profile</button>
 	</div>`;
 }
 
-function follow(desk: BunchContext): void {
-	const { inputs: _, ...specimen } = desk.state.specimen;
-	desk.replace(specimen);
+function follow(context: BunchContext): void {
+	const { inputs: _, ...specimen } = context.state.specimen;
+	context.replace(specimen);
 }

@@ -11,10 +11,10 @@ import { sides } from "./sides";
 export const octahedron: BunchTool<boolean> = {
 	name: "octahedron",
 	initial: false,
-	press: (desk) => desk.setToolState(octahedron, !desk.toolState(octahedron)),
-	button: { icon: OCTAHEDRON, label: "Octahedron", pressed: (desk) => desk.toolState(octahedron) },
+	press: (context) => context.setToolState(octahedron, !context.toolState(octahedron)),
+	button: { icon: OCTAHEDRON, label: "Octahedron", pressed: (context) => context.toolState(octahedron) },
 	key: { letter: "o", does: "Octahedron and its handles in 3-D, and back" },
-	hands: (view, desk) => new OctahedronHands(view, desk),
+	hands: (view, context) => new OctahedronHands(view, context),
 };
 
 /** An outline or a handle near the view's edge must stay whole: style/stage.css. */
@@ -22,19 +22,19 @@ const WHOLE_SURFACE = "handles";
 
 class OctahedronHands implements ToolInteraction<BunchSpecimen, Grown> {
 	readonly #view: ToolView;
-	readonly #desk: BunchContext;
+	readonly #context: BunchContext;
 	/** Loaded when first asked for. */
 	#handles: Promise<OctahedronHandles | undefined> | undefined;
 	#dark: boolean | undefined;
 	#disposed = false;
 
-	constructor(view: ToolView, desk: BunchContext) {
+	constructor(view: ToolView, context: BunchContext) {
 		this.#view = view;
-		this.#desk = desk;
+		this.#context = context;
 	}
 
 	update(state: BunchState): void {
-		const shown = this.#desk.toolState(octahedron);
+		const shown = this.#context.toolState(octahedron);
 		this.#view.canvas.classList.toggle(WHOLE_SURFACE, shown);
 		if (!shown && !this.#handles) return;
 		this.#handles ??= this.#fetch();
@@ -54,11 +54,11 @@ class OctahedronHands implements ToolInteraction<BunchSpecimen, Grown> {
 	}
 
 	#show(handles: OctahedronHandles, { dark }: BunchState): void {
-		const shown = this.#desk.toolState(octahedron);
+		const shown = this.#context.toolState(octahedron);
 		if (dark !== this.#dark) handles.setColours(coloursOf(this.#view.canvas));
 		this.#dark = dark;
 		handles.setVisible(shown);
-		if (shown) handles.update(this.#desk.state.specimen.parameters);
+		if (shown) handles.update(this.#context.state.specimen.parameters);
 	}
 
 	/** Where the script does not come, the tool is off again, and the next press asks for it anew. */
@@ -68,8 +68,8 @@ class OctahedronHands implements ToolInteraction<BunchSpecimen, Grown> {
 		} catch {
 			this.#handles = undefined;
 			if (this.#disposed) return undefined;
-			this.#desk.setToolState(octahedron, false);
-			this.#desk.notify("The octahedron could not be fetched", [
+			this.#context.setToolState(octahedron, false);
+			this.#context.notify("The octahedron could not be fetched", [
 				"Check the connection and press its button again, or load the page again: the address holds what you have.",
 			]);
 			return undefined;
@@ -86,9 +86,9 @@ class OctahedronHands implements ToolInteraction<BunchSpecimen, Grown> {
 			setControlsEnabled: (on) => {
 				view.orbiting = on;
 			},
-			locks: () => this.#desk.toolState(sides),
-			input: (parameters) => this.#desk.edit({ parameters }),
-			change: () => this.#desk.settle(),
+			locks: () => this.#context.toolState(sides),
+			input: (parameters) => this.#context.edit({ parameters }),
+			change: () => this.#context.settle(),
 		});
 		view.addOverlay(handles.object);
 		return handles;

@@ -13,39 +13,39 @@ export const photo: BunchTool<Photo | undefined> = {
 	drop: {
 		words: "a photograph goes behind the front view",
 		takes: isPicture,
-		take: (desk, file) => void takePhoto(desk, file),
+		take: (context, file) => void takePhoto(context, file),
 	},
 };
 
 /** Fetches what lays it (photo/place_photo.ts), and does. */
-async function takePhoto(desk: BunchContext, file: Blob): Promise<void> {
-	const again = () => void takePhoto(desk, file);
+async function takePhoto(context: BunchContext, file: Blob): Promise<void> {
+	const again = () => void takePhoto(context, file);
 	const lay = await import("../photo/place_photo").catch(() => undefined);
-	if (lay) await lay.placePhoto(desk, file);
+	if (lay) await lay.placePhoto(context, file);
 	else
-		desk.notify("The photograph was not taken", ["Part of the page could not be fetched."], {
+		context.notify("The photograph was not taken", ["Part of the page could not be fetched."], {
 			topic: FILE_TOPIC,
 			again,
 		});
 }
 
 /** Changes what there is of it; nothing where it has gone. */
-export function changePhoto(desk: BunchContext, change: Partial<Photo>): void {
-	const before = desk.toolState(photo);
-	if (before) desk.setToolState(photo, { ...before, ...change });
+export function changePhoto(context: BunchContext, change: Partial<Photo>): void {
+	const before = context.toolState(photo);
+	if (before) context.setToolState(photo, { ...before, ...change });
 }
 
-export function removePhoto(desk: BunchContext): void {
-	desk.toolState(photo)?.picture.close();
-	desk.setToolState(photo, undefined);
+export function removePhoto(context: BunchContext): void {
+	context.toolState(photo)?.picture.close();
+	context.setToolState(photo, undefined);
 }
 
-function draw(desk: BunchContext): unknown {
-	const laid = desk.toolState(photo);
+function draw(context: BunchContext): unknown {
+	const laid = context.toolState(photo);
 	const words = laid ? "Another photograph…" : "Photograph behind…";
-	const take = (file: File) => void takePhoto(desk, file);
+	const take = (file: File) => void takePhoto(context, file);
 	return html`<div class="actions">
 		${chooseFile({ accept: PICTURES, label: "Photograph of a bunch", words, take })}
-		${laid ? html`<panicle-photo-controls class="actions" .desk=${desk}></panicle-photo-controls>` : nothing}
+		${laid ? html`<panicle-photo-controls class="actions" .context=${context}></panicle-photo-controls>` : nothing}
 	</div>`;
 }

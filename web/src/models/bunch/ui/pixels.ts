@@ -8,10 +8,10 @@ export const pixels: BunchTool<boolean> = {
 	panel: {
 		group: "shape",
 		place: "below",
-		draw: (desk) => html`<label class="toggle">
+		draw: (context) => html`<label class="toggle">
 			<input
-				type="checkbox" role="switch" .checked=${desk.toolState(pixels)}
-				@change=${(event: Event) => desk.setToolState(pixels, (event.target as HTMLInputElement).checked)}
+				type="checkbox" role="switch" .checked=${context.toolState(pixels)}
+				@change=${(event: Event) => context.setToolState(pixels, (event.target as HTMLInputElement).checked)}
 			>The paper’s pixels too
 		</label>`,
 	},

@@ -10,18 +10,18 @@ import "../profile/profile_view";
 
 /** One flat view of the octahedral profile with its handles. */
 function profile(view: View, title: string): BunchTool {
-	return { name: view, initial: undefined, editor: { title, draw: (desk) => draw(desk, view) } };
+	return { name: view, initial: undefined, editor: { title, draw: (context) => draw(context, view) } };
 }
 
-function draw(desk: BunchContext, view: View): unknown {
-	const { specimen, grown } = desk.state;
-	const laid = desk.toolState(photo);
+function draw(context: BunchContext, view: View): unknown {
+	const { specimen, grown } = context.state;
+	const laid = context.toolState(photo);
 	return html`<panicle-profile
-		view=${view} .parameters=${specimen.parameters} .locks=${desk.toolState(sides)} .berries=${grown}
-		.initial=${desk.preset.parameters} .pixels=${desk.toolState(pixels)} .photo=${laid?.view === view ? laid : undefined}
-		@profile-input=${({ detail }: ProfileEvent) => desk.edit(detail)}
-		@profile-change=${() => desk.settle()}
-		@photo-input=${({ detail }: CustomEvent<Placement>) => changePhoto(desk, detail)}
+		view=${view} .parameters=${specimen.parameters} .locks=${context.toolState(sides)} .berries=${grown}
+		.initial=${context.preset.parameters} .pixels=${context.toolState(pixels)} .photo=${laid?.view === view ? laid : undefined}
+		@profile-input=${({ detail }: ProfileEvent) => context.edit(detail)}
+		@profile-change=${() => context.settle()}
+		@photo-input=${({ detail }: CustomEvent<Placement>) => changePhoto(context, detail)}
 	></panicle-profile>`;
 }
 

@@ -17,16 +17,18 @@ export const sides: BunchTool<Locks> = {
 		return { leftRight: leftRight === true, frontBack: frontBack === true };
 	},
 	// A change that names both sides of a pair is left alone.
-	follow: ({ parameters, ...change }, desk) =>
-		parameters ? { ...change, parameters: withOpposites(parameters as Partial<Shape>, desk.toolState(sides)) } : change,
+	follow: ({ parameters, ...change }, context) =>
+		parameters
+			? { ...change, parameters: withOpposites(parameters as Partial<Shape>, context.toolState(sides)) }
+			: change,
 	panel: { group: "shape", place: "below", draw },
 };
 
 /** Locking brings the two sides together at once, so that what is shown is what is locked. */
-export function toggleLock(desk: BunchContext, pair: Pair): void {
-	const locks = desk.toolState(sides);
-	desk.setToolState(sides, { ...locks, [pair]: !locks[pair] });
-	if (!locks[pair]) desk.set({ parameters: brought(desk.state.specimen, pair) });
+export function toggleLock(context: BunchContext, pair: Pair): void {
+	const locks = context.toolState(sides);
+	context.setToolState(sides, { ...locks, [pair]: !locks[pair] });
+	if (!locks[pair]) context.set({ parameters: brought(context.state.specimen, pair) });
 }
 
 /** Left takes right's numbers, back takes front's. */
@@ -37,9 +39,9 @@ function brought({ parameters }: BunchSpecimen, pair: Pair): Partial<Shape> {
 }
 
 /** Exchanges the two sides of a pair; every number is named, so that locks have nothing to add. */
-export function mirror(desk: BunchContext, pair: Pair): void {
-	const { parameters } = desk.state.specimen;
-	desk.set({ parameters: pair === "leftRight" ? mirrorLeftRight(parameters) : mirrorFrontBack(parameters) });
+export function mirror(context: BunchContext, pair: Pair): void {
+	const { parameters } = context.state.specimen;
+	context.set({ parameters: pair === "leftRight" ? mirrorLeftRight(parameters) : mirrorFrontBack(parameters) });
 }
 
 const PAIRS = [
@@ -47,16 +49,16 @@ const PAIRS = [
 	["frontBack", "front–back"],
 ] as const;
 
-function draw(desk: BunchContext): unknown {
-	const locks = desk.toolState(sides);
+function draw(context: BunchContext): unknown {
+	const locks = context.toolState(sides);
 	return html`<div class="actions">
 		${PAIRS.map(
 			([pair, words]) => html`<button
-				class="button" type="button" aria-pressed=${locks[pair]} @click=${() => toggleLock(desk, pair)}
+				class="button" type="button" aria-pressed=${locks[pair]} @click=${() => toggleLock(context, pair)}
 			>Lock ${words}</button>`,
 		)}
 		${PAIRS.map(
-			([pair, words]) => html`<button class="button" type="button" @click=${() => mirror(desk, pair)}
+			([pair, words]) => html`<button class="button" type="button" @click=${() => mirror(context, pair)}
 			>${icon(MIRROR)}Mirror ${words}</button>`,
 		)}
 	</div>`;

@@ -5,11 +5,11 @@ import { STEMS } from "./icons";
 export const stems: BunchTool<boolean> = {
 	name: "stems",
 	initial: false,
-	press: (desk) => desk.setToolState(stems, !desk.toolState(stems)),
-	button: { icon: STEMS, label: "Show stems only", pressed: (desk) => desk.toolState(stems) },
+	press: (context) => context.setToolState(stems, !context.toolState(stems)),
+	button: { icon: STEMS, label: "Show stems only", pressed: (context) => context.toolState(stems) },
 	key: { letter: "s", does: "Stems only, and back" },
-	hands: (view, desk) => ({
-		update: () => view.setMode(desk.toolState(stems) ? "stems" : undefined),
+	hands: (view, context) => ({
+		update: () => view.setMode(context.toolState(stems) ? "stems" : undefined),
 		dispose: () => view.setMode(undefined),
 	}),
 };

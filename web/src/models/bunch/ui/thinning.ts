@@ -17,29 +17,29 @@ export const thinning: BunchTool<ThinningState> = {
 	name: "thinning",
 	initial: { on: false, marked: undefined },
 	applies: isNatural,
-	press: (desk) => {
-		const state = desk.toolState(thinning);
-		desk.setToolState(thinning, { ...state, on: !state.on });
+	press: (context) => {
+		const state = context.toolState(thinning);
+		context.setToolState(thinning, { ...state, on: !state.on });
 	},
-	button: { icon: THIN, label: "Thin", pressed: (desk) => desk.toolState(thinning).on },
+	button: { icon: THIN, label: "Thin", pressed: (context) => context.toolState(thinning).on },
 	key: { letter: "t", does: "Thin by hand: a click takes a berry off; and back" },
 	keys: [{ keys: ["Delete"], does: "On the berry's slider: take it off" }],
 	panel: {
 		group: "berries",
 		place: "below",
-		draw: (desk) => html`<panicle-thinning .desk=${desk}></panicle-thinning>`,
+		draw: (context) => html`<panicle-thinning .context=${context}></panicle-thinning>`,
 	},
-	hands: (view, desk) => {
+	hands: (view, context) => {
 		const pointer = new PickPointer(view, {
 			name: "thinning",
 			at: (x, y) => view.pick(x, y),
-			mark: (id) => mark(desk, id),
-			take: (id) => takeOff(desk, id),
+			mark: (id) => mark(context, id),
+			take: (id) => takeOff(context, id),
 		});
 		return {
 			update: ({ specimen }) => {
-				const { on, marked } = desk.toolState(thinning);
-				pointer.enabled = on && isNatural(specimen) && !desk.toolState(stems);
+				const { on, marked } = context.toolState(thinning);
+				pointer.enabled = on && isNatural(specimen) && !context.toolState(stems);
 				view.mark(marked);
 			},
 			dispose: () => pointer.dispose(),
@@ -48,18 +48,18 @@ export const thinning: BunchTool<ThinningState> = {
 };
 
 /** Points at a berry, or at none. */
-export function mark(desk: BunchContext, id: number | undefined): void {
-	const state = desk.toolState(thinning);
-	if (id !== state.marked) desk.setToolState(thinning, { ...state, marked: id });
+export function mark(context: BunchContext, id: number | undefined): void {
+	const state = context.toolState(thinning);
+	if (id !== state.marked) context.setToolState(thinning, { ...state, marked: id });
 }
 
 /** Takes a berry off; the mark goes on to `next`. */
-export function takeOff(desk: BunchContext, id: number, next?: number): void {
-	desk.replace(thin(desk.state.specimen, id));
-	mark(desk, next);
+export function takeOff(context: BunchContext, id: number, next?: number): void {
+	context.replace(thin(context.state.specimen, id));
+	mark(context, next);
 }
 
 /** Gives back every berry that was taken off. */
-export function putBack(desk: BunchContext): void {
-	desk.replace(unthinAll(desk.state.specimen));
+export function putBack(context: BunchContext): void {
+	context.replace(unthinAll(context.state.specimen));
 }

@@ -18,9 +18,9 @@ export class Thinning extends ControlElement<BunchContext> {
 	/** Where the slider was last, so that it stays there when its berry goes. */
 	#at = 0;
 
-	protected override draw(desk: BunchContext): unknown {
-		const { grown, specimen } = desk.state;
-		const { marked } = desk.toolState(thinning);
+	protected override draw(context: BunchContext): unknown {
+		const { grown, specimen } = context.state;
+		const { marked } = context.toolState(thinning);
 		if (!grown || grown.berries.count === 0) return nothing;
 		this.#follow(grown, marked);
 		const berry = marked === undefined ? undefined : this.#order[this.#at];
@@ -39,13 +39,13 @@ export class Thinning extends ControlElement<BunchContext> {
 			</div>
 			<div class="actions">
 				<button class="button" type="button" ?disabled=${berry === undefined} @click=${this.#remove}>${icon(THIN)}Remove</button>
-				<button class="button" type="button" ?disabled=${removed === 0} @click=${() => putBack(desk)}>Put all back</button>
+				<button class="button" type="button" ?disabled=${removed === 0} @click=${() => putBack(context)}>Put all back</button>
 				<span class="removed" role="status">${removed === 0 ? "None removed" : `${removed} removed`}</span>
 			</div>`;
 	}
 
 	protected override updated(): void {
-		const { grown } = this.desk.state;
+		const { grown } = this.context.state;
 		const share = grown && grown.berries.count > 1 ? this.#at / (grown.berries.count - 1) : 0;
 		this.querySelector<HTMLElement>("input[type=range]")?.style.setProperty("--done", `${share * 100}%`);
 	}
@@ -57,7 +57,7 @@ export class Thinning extends ControlElement<BunchContext> {
 
 	/** The mark goes when the focus goes elsewhere; where it goes nowhere, a press on a button may have taken it. */
 	readonly #left = ({ relatedTarget }: FocusEvent): void => {
-		if (relatedTarget instanceof Node && !this.contains(relatedTarget)) mark(this.desk, undefined);
+		if (relatedTarget instanceof Node && !this.contains(relatedTarget)) mark(this.context, undefined);
 	};
 
 	/** Keeps the order and the slider's place in step with what has grown and what is marked. */
@@ -76,7 +76,7 @@ export class Thinning extends ControlElement<BunchContext> {
 
 	#mark(place: number): void {
 		this.#at = place;
-		mark(this.desk, this.#idAt(place));
+		mark(this.context, this.#idAt(place));
 	}
 
 	#slide(event: Event): void {
@@ -84,7 +84,7 @@ export class Thinning extends ControlElement<BunchContext> {
 	}
 
 	#keyDown(event: KeyboardEvent): void {
-		if (event.key === "Escape") mark(this.desk, undefined);
+		if (event.key === "Escape") mark(this.context, undefined);
 		if (event.key !== "Delete" && event.key !== "Backspace") return;
 		event.preventDefault();
 		this.#remove();
@@ -93,7 +93,7 @@ export class Thinning extends ControlElement<BunchContext> {
 	readonly #remove = (): void => {
 		const id = this.#idAt(this.#at);
 		const next = this.#idAt(this.#at + 1) ?? this.#idAt(this.#at - 1);
-		if (id !== undefined) takeOff(this.desk, id, next);
+		if (id !== undefined) takeOff(this.context, id, next);
 	};
 }
 

@@ -40,11 +40,11 @@ export const face: ModelUi<BunchSpecimen, Grown> = {
 	],
 	readout,
 	rows: (specimen) => [skinRow(specimen)],
-	caption: (grown, desk) => {
-		const { grownFrom, specimen } = desk.state;
-		const stepped = steppedScene(desk);
+	caption: (grown, context) => {
+		const { grownFrom, specimen } = context.state;
+		const stepped = steppedScene(context);
 		if (stepped) return `After step ${stepped.step}: ${bunchInWords(stepped.grown as Grown, grownFrom ?? specimen)}`;
-		return desk.toolState(stems) ? stemsInWords(grown) : bunchInWords(grown, grownFrom ?? specimen);
+		return context.toolState(stems) ? stemsInWords(grown) : bunchInWords(grown, grownFrom ?? specimen);
 	},
 	about: html`<p>Drag the handles of a grape bunch and it regrows from its botanical grammar.</p>
 		<p>

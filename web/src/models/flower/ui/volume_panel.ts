@@ -24,24 +24,24 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 		choose: { attribute: false },
 	};
 	/** Asked of what stands now: a number that was told may be of a flower that has gone. */
-	declare chosenIn: (desk: EditorContext<FlowerSpecimen, FlowerPlant>) => number | undefined;
+	declare chosenIn: (context: EditorContext<FlowerSpecimen, FlowerPlant>) => number | undefined;
 	declare choose: (volume: number | undefined) => void;
 
-	readonly #held = new HeldKey(() => this.desk.settle());
+	readonly #held = new HeldKey(() => this.context.settle());
 	/** What a slider has begun last: it may go from under the hand, with the volume that it tells of. */
 	#gesture: string | undefined;
 	/** How far sliders reach: a range does not run away from the hand. */
 	readonly #ranges = new Map<string, Range>();
 
 	protected override shows(): readonly unknown[] {
-		const { grown } = this.desk.state;
-		return [this.chosenIn(this.desk), grown, this.#text()];
+		const { grown } = this.context.state;
+		return [this.chosenIn(this.context), grown, this.#text()];
 	}
 
-	protected override draw(desk: EditorContext<FlowerSpecimen, FlowerPlant>): unknown {
-		const { grown } = desk.state;
+	protected override draw(context: EditorContext<FlowerSpecimen, FlowerPlant>): unknown {
+		const { grown } = context.state;
 		const count = grown?.volumes.order.length ?? 0;
-		const chosen = this.chosenIn(desk);
+		const chosen = this.chosenIn(context);
 		return html`<div class="control">
 				<label for=${this.idOf("volume")}>Volume</label>
 				<input id=${this.idOf("volume")} class="volume-number" type="number" min="1" max=${count} .value=${live(chosen === undefined ? "" : String(chosen + 1))}
@@ -120,7 +120,7 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 			slide: (value) => this.#edit(figure, range.written(value), key),
 			type: (typed) => {
 				if (!Number.isFinite(typed)) return text;
-				this.desk.set(this.#changed(figure, String(typed)));
+				this.context.set(this.#changed(figure, String(typed)));
 				return String(typed);
 			},
 		})}</div>`;
@@ -132,17 +132,17 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 	}
 
 	protected override updated(): void {
-		if (this.chosenIn(this.desk) === undefined) this.#rest();
+		if (this.chosenIn(this.context) === undefined) this.#rest();
 	}
 
 	#edit(figure: Figure, written: string, key: string): void {
 		if (written === figure.text) return;
 		this.#gesture = `figure ${key}`;
-		this.desk.edit({ ...this.#changed(figure, written), run: this.#held.run }, this.#gesture);
+		this.context.edit({ ...this.#changed(figure, written), run: this.#held.run }, this.#gesture);
 	}
 
 	#rest(): void {
-		if (this.#gesture !== undefined) this.desk.settle(this.#gesture);
+		if (this.#gesture !== undefined) this.context.settle(this.#gesture);
 		this.#gesture = undefined;
 	}
 
@@ -151,13 +151,13 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 		const text = this.#text() ?? "";
 		return withText(
 			source as unknown as GrammarSource,
-			this.desk.state.specimen,
+			this.context.state.specimen,
 			text.slice(0, from) + written + text.slice(to),
 		);
 	}
 
 	#text(): string | undefined {
-		return textOf(source as unknown as GrammarSource, this.desk.state.specimen, () => this.requestUpdate());
+		return textOf(source as unknown as GrammarSource, this.context.state.specimen, () => this.requestUpdate());
 	}
 }
 

@@ -30,23 +30,23 @@ export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, Choice | undefined> =
 	panel: {
 		group: VOLUME,
 		place: "below",
-		draw: (desk) =>
-			html`<panicle-volume .desk=${desk} .choose=${(volume: number | undefined) => choose(desk, volume)} .chosenIn=${chosenIn}></panicle-volume>`,
+		draw: (context) =>
+			html`<panicle-volume .context=${context} .choose=${(volume: number | undefined) => choose(context, volume)} .chosenIn=${chosenIn}></panicle-volume>`,
 	},
-	hands: (view, desk) => {
+	hands: (view, context) => {
 		const pointer = new PickPointer(view, {
 			name: "picking-volume",
 			at: (x, y) => view.pick(x, y),
 			// To look for what is under a pointer that only passes takes too long of so many triangles.
 			hovers: false,
 			mark: () => {},
-			take: (volume) => choose(desk, volume),
+			take: (volume) => choose(context, volume),
 		});
 		pointer.enabled = true;
 		return {
 			update: () => {
-				const chosen = chosenIn(desk);
-				view.mark(chosen, chosen === undefined ? undefined : organIn(desk, chosen)?.volumes);
+				const chosen = chosenIn(context);
+				view.mark(chosen, chosen === undefined ? undefined : organIn(context, chosen)?.volumes);
 			},
 			dispose: () => pointer.dispose(),
 		};
@@ -63,12 +63,12 @@ function organIn({ state: { grown } }: FlowerContext, chosen: number): Organ | u
 	return lastOrgan.organ;
 }
 
-export function chosenIn(desk: FlowerContext): number | undefined {
-	const choice = desk.toolState(volumeTool);
-	return choice?.preset === desk.state.specimen.preset ? stillChosen(desk.state.grown, choice.volume) : undefined;
+export function chosenIn(context: FlowerContext): number | undefined {
+	const choice = context.toolState(volumeTool);
+	return choice?.preset === context.state.specimen.preset ? stillChosen(context.state.grown, choice.volume) : undefined;
 }
 
-export function choose(desk: FlowerContext, chosen: number | undefined): void {
-	const volume = chosenOf(desk.state.grown, chosen);
-	desk.setToolState(volumeTool, volume && { volume, preset: desk.state.specimen.preset });
+export function choose(context: FlowerContext, chosen: number | undefined): void {
+	const volume = chosenOf(context.state.grown, chosen);
+	context.setToolState(volumeTool, volume && { volume, preset: context.state.specimen.preset });
 }

@@ -19,7 +19,7 @@ type State = EditorState<GrammarSpecimen, GrammarPlant>;
 
 export class AreaInteraction implements ToolInteraction<GrammarSpecimen, GrammarPlant> {
 	readonly #view: ToolView;
-	readonly #desk: AreaContext;
+	readonly #context: AreaContext;
 	readonly #handles: PlantInteraction<GrammarSpecimen, GrammarPlant>;
 	/** The document as it was before a stroke. */
 	#before: GrammarSpecimen | undefined;
@@ -29,10 +29,10 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 	#last: Point = { x: 0, y: 0 };
 	#drawing: AreaState["drawing"];
 
-	constructor(view: ToolView, desk: AreaContext) {
+	constructor(view: ToolView, context: AreaContext) {
 		this.#view = view;
-		this.#desk = desk;
-		this.#handles = new PlantInteraction<GrammarSpecimen, GrammarPlant>(view, desk, {
+		this.#context = context;
+		this.#handles = new PlantInteraction<GrammarSpecimen, GrammarPlant>(view, context, {
 			kept: ({ areas, path, from }) => ({ areas, path, from }),
 			focused: (id) => this.#focused(id),
 		});
@@ -44,7 +44,7 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 	}
 
 	update({ specimen }: State): void {
-		const { handles: wanted, chosen, path = false, drawing } = this.#desk.toolState(areaTool);
+		const { handles: wanted, chosen, path = false, drawing } = this.#context.toolState(areaTool);
 		const handles = wanted && hasAreas(specimen);
 		this.#drawing = handles ? drawing : undefined;
 		this.#view.canvas.style.cursor = this.#drawing ? "crosshair" : "";
@@ -66,13 +66,13 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 	#focused(id: string): void {
 		const [, area] = /^area-(\d+)$/.exec(id) ?? [];
 		const index = area === undefined ? undefined : Number(area);
-		if (index !== undefined && index !== this.#desk.toolState(areaTool).chosen) choose(this.#desk, index);
+		if (index !== undefined && index !== this.#context.toolState(areaTool).chosen) choose(this.#context, index);
 	}
 
 	/** Where a stroke goes: in the plane through the areas' middle that faces the eye. */
 	#under({ clientX, clientY }: PointerEvent): Triple | undefined {
 		const { left, top, width, height } = this.#view.canvas.getBoundingClientRect();
-		const places = placesOf(this.#desk.state.specimen);
+		const places = placesOf(this.#context.state.specimen);
 		const mean = (k: number) => places.reduce((sum, at) => sum + at[k], 0) / Math.max(1, places.length);
 		const middle: Vector = [mean(0), mean(1), mean(2)];
 		const facing = this.#view.sightThrough(width / 2, height / 2).direction;
@@ -94,7 +94,7 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 		this.#stroke = [at];
 		this.#strokeIsFork = this.#drawing === "fork";
 		this.#last = { x: event.clientX, y: event.clientY };
-		this.#before = this.#desk.state.specimen;
+		this.#before = this.#context.state.specimen;
 		this.#view.orbiting = false;
 		this.#view.canvas.setPointerCapture(event.pointerId);
 	};
@@ -108,7 +108,7 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 		this.#last = { x, y };
 		this.#stroke.push(at);
 		const change = this.#drawn(this.#stroke);
-		if (change) this.#desk.edit(change);
+		if (change) this.#context.edit(change);
 	};
 
 	#drawn(stroke: readonly Triple[]): Change | undefined {
@@ -120,9 +120,9 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 		const drawn = this.#drawn(this.#stroke);
 		this.#stroke = undefined;
 		this.#view.orbiting = true;
-		if (drawn) this.#desk.edit(drawn);
-		else this.#desk.edit(withPath(this.#before?.path, this.#before?.from));
-		this.#desk.settle();
-		this.#desk.setToolState(areaTool, { ...this.#desk.toolState(areaTool), drawing: undefined, path: true });
+		if (drawn) this.#context.edit(drawn);
+		else this.#context.edit(withPath(this.#before?.path, this.#before?.from));
+		this.#context.settle();
+		this.#context.setToolState(areaTool, { ...this.#context.toolState(areaTool), drawing: undefined, path: true });
 	};
 }

@@ -35,40 +35,40 @@ const WORDS: Readonly<Record<Exclude<AreaKind, "mesh">, string>> = {
 	cone: "Cone",
 };
 
-export function drawAreas(desk: AreaContext): unknown {
-	const { specimen } = desk.state;
+export function drawAreas(context: AreaContext): unknown {
+	const { specimen } = context.state;
 	const { areas = [] } = specimen;
-	const { chosen } = desk.toolState(areaTool);
+	const { chosen } = context.toolState(areaTool);
 	const area = chosen === undefined ? undefined : areas[chosen];
 	return html`<ol class="areas" aria-label="Growth areas, in the order of the main branch">
 			${areas.map(
 				(each, i) => html`<li><button
-					class="button" type="button" aria-pressed=${i === chosen} @click=${() => choose(desk, i === chosen ? undefined : i)}
+					class="button" type="button" aria-pressed=${i === chosen} @click=${() => choose(context, i === chosen ? undefined : i)}
 				>${nameOf(each, i)}</button></li>`,
 			)}
 		</ol>
-		${area && chosen !== undefined ? drawArea(desk, area, chosen) : nothing}
+		${area && chosen !== undefined ? drawArea(context, area, chosen) : nothing}
 		<h3>One more area</h3>
 		<div class="actions">
 			${(Object.keys(WORDS) as (keyof typeof WORDS)[]).map((kind) =>
 				button(WORDS[kind], added(specimen, kind), (change) => {
-					desk.set(change);
-					choose(desk, areas.length);
+					context.set(change);
+					choose(context, areas.length);
 				}),
 			)}
 			${chooseFile({
 				accept: ACCEPT,
 				label: "A closed mesh as a growth area",
 				words: "A closed mesh (OBJ, GLB, STL)…",
-				take: (file) => void takeAreaMesh(desk, file),
+				take: (file) => void takeAreaMesh(context, file),
 			})}
 		</div>
-		${areas.length > 0 ? drawPath(desk) : nothing}`;
+		${areas.length > 0 ? drawPath(context) : nothing}`;
 }
 
-function drawArea(desk: AreaContext, area: Area, index: number): unknown {
-	const { specimen } = desk.state;
-	const put = (change: Partial<Area>) => desk.set(changed(specimen, index, change));
+function drawArea(context: AreaContext, area: Area, index: number): unknown {
+	const { specimen } = context.state;
+	const put = (change: Partial<Area>) => context.set(changed(specimen, index, change));
 	const degrees = degreesOf(area.rotation);
 	return html`<div class="area" role="group" aria-label=${nameOf(area, index)}>
 		${
@@ -85,17 +85,17 @@ function drawArea(desk: AreaContext, area: Area, index: number): unknown {
 		${triple("Turn", ["about x", "about y", "about z"], "°", 5, degrees, (turn) => put({ rotation: turnOf(turn) }))}
 		<div class="actions">
 			${button("Earlier", reordered(specimen, index, -1), (change) => {
-				desk.set(change);
-				choose(desk, index - 1);
+				context.set(change);
+				choose(context, index - 1);
 			})}
 			${button("Later", reordered(specimen, index, 1), (change) => {
-				desk.set(change);
-				choose(desk, index + 1);
+				context.set(change);
+				choose(context, index + 1);
 			})}
 			${button("Remove the area", removed(specimen, index), (change, pressed) => {
 				const list = pressed.closest(".group-body");
-				desk.set(change);
-				choose(desk, undefined);
+				context.set(change);
+				choose(context, undefined);
 				// The button goes with its area: the next one has the focus, or what adds one.
 				setTimeout(() => {
 					const left = list?.querySelectorAll<HTMLElement>(".areas button");
@@ -139,14 +139,14 @@ const DRAWING = {
 	fork: "Draw in the picture, from a place of the main branch to the areas that the new branch passes.",
 } as const;
 
-function drawPath(desk: AreaContext): unknown {
-	const { specimen } = desk.state;
-	const state = desk.toolState(areaTool);
+function drawPath(context: AreaContext): unknown {
+	const { specimen } = context.state;
+	const state = context.toolState(areaTool);
 	const places = placesOf(specimen);
 	const forks = branchesOf(specimen).length - 1;
 	const toggle = (words: string, on: boolean, change: Partial<AreaState>) => html`<button
 		class="button" type="button" aria-pressed=${on}
-		@click=${() => desk.setToolState(areaTool, { ...state, handles: true, ...change })}
+		@click=${() => context.setToolState(areaTool, { ...state, handles: true, ...change })}
 	>${words}</button>`;
 	const draw = (words: string, drawing: "path" | "fork") =>
 		toggle(words, state.drawing === drawing, { drawing: state.drawing === drawing ? undefined : drawing });
@@ -159,7 +159,7 @@ function drawPath(desk: AreaContext): unknown {
 		<div class="actions">
 			${draw("Draw it in the picture", "path")} ${draw("Draw a fork in the picture", "fork")}
 			${toggle("Show its places", state.path === true, { path: !state.path })}
-			${button("From middle to middle", specimen.path ? withPath(undefined) : undefined, (change) => desk.set(change))}
+			${button("From middle to middle", specimen.path ? withPath(undefined) : undefined, (change) => context.set(change))}
 		</div>
 		<p class="note" role="status">${state.drawing ? DRAWING[state.drawing] : nothing}</p>
 		${
@@ -168,10 +168,10 @@ function drawPath(desk: AreaContext): unknown {
 						(
 							at,
 							i,
-						) => html`${triple(`Place ${i + 1}`, ["x", "y", "z"], "m", 0.05, at, (to) => desk.set(movedPlace(specimen, i, to)))}
+						) => html`${triple(`Place ${i + 1}`, ["x", "y", "z"], "m", 0.05, at, (to) => context.set(movedPlace(specimen, i, to)))}
 						<div class="actions">
-							${button(`Add a place after place ${i + 1}`, addedPlace(specimen, i), (change) => desk.set(change))}
-							${button(`Remove place ${i + 1}`, places.length > 1 ? removedPlace(specimen, i) : undefined, (change) => desk.set(change))}
+							${button(`Add a place after place ${i + 1}`, addedPlace(specimen, i), (change) => context.set(change))}
+							${button(`Remove place ${i + 1}`, places.length > 1 ? removedPlace(specimen, i) : undefined, (change) => context.set(change))}
 						</div>`,
 					)
 				: nothing
@@ -191,10 +191,10 @@ export const areaPanel: Tool<GrammarSpecimen, GrammarPlant> = {
 	name: "area-panel",
 	initial: undefined,
 	applies: (specimen) => hasAreas(specimen) || asksForAreas(fetchedText(specimen) ?? ""),
-	panel: { group: GROUP, place: "below", draw: (desk) => drawAreas(desk) },
+	panel: { group: GROUP, place: "below", draw: (context) => drawAreas(context) },
 	drop: {
 		words: "a closed mesh (OBJ, GLB, STL) becomes a growth area",
 		takes: ({ name }) => /\.(obj|glb|gltf|stl|ply|off|fbx|dae|3mf|3ds|usdz?|blend)$/i.test(name),
-		take: (desk, file) => void takeAreaMesh(desk, file),
+		take: (context, file) => void takeAreaMesh(context, file),
 	},
 };

@@ -48,23 +48,27 @@ export const areaTool: Tool<GrammarSpecimen, GrammarPlant, AreaState> = {
 	name: "areas",
 	initial: { handles: true },
 	applies: hasAreas,
-	press: (desk) => {
-		const state = desk.toolState(areaTool);
-		desk.setToolState(areaTool, { ...state, handles: !state.handles, drawing: undefined });
+	press: (context) => {
+		const state = context.toolState(areaTool);
+		context.setToolState(areaTool, { ...state, handles: !state.handles, drawing: undefined });
 	},
-	button: { icon: HANDLES, label: "Handles of growth areas", pressed: (desk) => desk.toolState(areaTool).handles },
+	button: {
+		icon: HANDLES,
+		label: "Handles of growth areas",
+		pressed: (context) => context.toolState(areaTool).handles,
+	},
 	key: { letter: "a", does: "Handles of growth areas, and back" },
 	keys: [
 		{ keys: ["Arrow keys"], does: "On a handle of an area: move, widen or turn it; Shift goes farther" },
 		{ keys: ["Delete"], does: "On a handle of an area: remove it" },
 		{ keys: ["Page Up", "Page Down"], does: "On a handle of an area: to the next one" },
 	],
-	hands: (view, desk) =>
+	hands: (view, context) =>
 		new LazyInteraction({
-			desk,
-			wanted: ({ specimen }) => desk.toolState(areaTool).handles && hasAreas(specimen),
-			fetch: async () => new (await import("./area_interaction")).AreaInteraction(view, desk),
-			missed: () => desk.setToolState(areaTool, { handles: false }),
+			context,
+			wanted: ({ specimen }) => context.toolState(areaTool).handles && hasAreas(specimen),
+			fetch: async () => new (await import("./area_interaction")).AreaInteraction(view, context),
+			missed: () => context.setToolState(areaTool, { handles: false }),
 		}),
 };
 
@@ -74,9 +78,9 @@ export const areaTools: readonly Tool<GrammarSpecimen, GrammarPlant>[] = [
 ];
 
 /** Makes a file's mesh one more area, as one step; whatever is wrong with it is said. */
-export async function takeAreaMesh(desk: AreaContext, file: File): Promise<void> {
-	const isStill = sameDocument(desk);
-	const say = (title: string, words: string) => desk.notify(title, [words], { topic: FILE_TOPIC });
+export async function takeAreaMesh(context: AreaContext, file: File): Promise<void> {
+	const isStill = sameDocument(context);
+	const say = (title: string, words: string) => context.notify(title, [words], { topic: FILE_TOPIC });
 	const reader = await import("../../../import/mesh_file/read_in_worker").catch(() => undefined);
 	if (!reader) {
 		say("The mesh was not read", "Part of the page could not be fetched; check the connection and try again.");
@@ -88,13 +92,13 @@ export async function takeAreaMesh(desk: AreaContext, file: File): Promise<void>
 			say("The mesh was not taken", "Another plant has come meanwhile.");
 			return;
 		}
-		const change = added(desk.state.specimen, "mesh", mesh);
+		const change = added(context.state.specimen, "mesh", mesh);
 		if (!change) {
 			say("The mesh was not taken", "There are as many areas as there may be: remove one first.");
 			return;
 		}
-		desk.set(change);
-		choose(desk, (desk.state.specimen.areas?.length ?? 1) - 1);
+		context.set(change);
+		choose(context, (context.state.specimen.areas?.length ?? 1) - 1);
 		say("The mesh is a growth area now", "Links are too short for it: download JSON or GLB to keep this plant.");
 	} catch (error) {
 		say("The mesh was not read", error instanceof Error ? error.message : String(error));
@@ -102,6 +106,6 @@ export async function takeAreaMesh(desk: AreaContext, file: File): Promise<void>
 }
 
 /** Shows an area's handles and numbers; none's where undefined. */
-export function choose(desk: AreaContext, chosen: number | undefined): void {
-	desk.setToolState(areaTool, { ...desk.toolState(areaTool), handles: true, chosen });
+export function choose(context: AreaContext, chosen: number | undefined): void {
+	context.setToolState(areaTool, { ...context.toolState(areaTool), handles: true, chosen });
 }

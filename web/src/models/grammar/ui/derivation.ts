@@ -8,7 +8,7 @@ import type { GrammarSpecimen } from "../specimen";
 export const derivation: DerivationSource<GrammarSpecimen, GrammarPlant> = {
 	drawn: (grown) => drawnOf(grown, { blades: grown.bladeOrgans ?? bladesInTurn(grown) }),
 	figure: async () => new (await import("../../../render/lit_renderer")).LitRenderer(),
-	taken: (desk) => desk.toolState(areaTool).drawing !== undefined,
+	taken: (context) => context.toolState(areaTool).drawing !== undefined,
 };
 
 /** Where each polygon shows they follow each other as their runs do. */

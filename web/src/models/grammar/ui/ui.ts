@@ -21,8 +21,8 @@ export const face: ModelUi<GrammarSpecimen, GrammarPlant> = {
 		...areaTools,
 		gestureTool<GrammarSpecimen, GrammarPlant>(source),
 	],
-	caption: (grown, desk) => {
-		const stepped = steppedScene(desk);
+	caption: (grown, context) => {
+		const stepped = steppedScene(context);
 		return stepped
 			? `After step ${stepped.step}: ${grammarInWords(stepped.grown as GrammarPlant)}`
 			: grammarInWords(grown);

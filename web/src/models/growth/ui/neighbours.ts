@@ -11,9 +11,9 @@ export const neighbours: Tool<GrowthSpecimen, GrowthPlant> = {
 	panel: {
 		group: "life",
 		place: "below",
-		draw: (desk) => html`<p>It grows as it does in a stand: its neighbours take light and room.</p>
+		draw: (context) => html`<p>It grows as it does in a stand: its neighbours take light and room.</p>
 			<div class="actions">
-				<button class="button" type="button" @click=${() => desk.set({ details: { surroundings: undefined } })}>Grow it without neighbours</button>
+				<button class="button" type="button" @click=${() => context.set({ details: { surroundings: undefined } })}>Grow it without neighbours</button>
 			</div>`,
 	},
 };

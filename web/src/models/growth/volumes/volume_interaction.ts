@@ -8,19 +8,19 @@ import { volumeHandles } from "./volume_handles";
 import { put, type VolumeContext, volumesOf, volumeTool } from "./volume_tool";
 
 export class VolumeInteraction implements ToolInteraction<GrowthSpecimen, GrowthPlant> {
-	readonly #desk: VolumeContext;
+	readonly #context: VolumeContext;
 	readonly #handles: PlantInteraction<GrowthSpecimen, GrowthPlant>;
 
-	constructor(view: ToolView, desk: VolumeContext) {
-		this.#desk = desk;
-		this.#handles = new PlantInteraction<GrowthSpecimen, GrowthPlant>(view, desk, {
+	constructor(view: ToolView, context: VolumeContext) {
+		this.#context = context;
+		this.#handles = new PlantInteraction<GrowthSpecimen, GrowthPlant>(view, context, {
 			kept: ({ grammar }) => ({ grammar }),
 			focused: (id) => this.#focused(id),
 		});
 	}
 
 	update({ specimen, grown }: EditorState<GrowthSpecimen, GrowthPlant>): void {
-		const { handles, chosen } = this.#desk.toolState(volumeTool);
+		const { handles, chosen } = this.#context.toolState(volumeTool);
 		const volumes = volumesOf(specimen, grown);
 		const shown = handles && volumes.length > 0;
 		this.#handles.lay(
@@ -36,8 +36,8 @@ export class VolumeInteraction implements ToolInteraction<GrowthSpecimen, Growth
 
 	#focused(id: string): void {
 		const [, volume] = /^volume-(\d+)$/.exec(id) ?? [];
-		const state = this.#desk.toolState(volumeTool);
+		const state = this.#context.toolState(volumeTool);
 		if (volume !== undefined && Number(volume) !== state.chosen)
-			this.#desk.setToolState(volumeTool, { ...state, chosen: Number(volume) });
+			this.#context.setToolState(volumeTool, { ...state, chosen: Number(volume) });
 	}
 }

@@ -49,23 +49,27 @@ const volumeGlass = shownShells<GrowthSpecimen, GrowthPlant>({
 export const volumeTool: Tool<GrowthSpecimen, GrowthPlant, VolumeState> = {
 	name: "volumes",
 	initial: { handles: true, chosen: 0 },
-	press: (desk) => {
-		const state = desk.toolState(volumeTool);
-		desk.setToolState(volumeTool, { ...state, handles: !state.handles });
+	press: (context) => {
+		const state = context.toolState(volumeTool);
+		context.setToolState(volumeTool, { ...state, handles: !state.handles });
 	},
-	button: { icon: HANDLES, label: "Handles of growth volumes", pressed: (desk) => desk.toolState(volumeTool).handles },
+	button: {
+		icon: HANDLES,
+		label: "Handles of growth volumes",
+		pressed: (context) => context.toolState(volumeTool).handles,
+	},
 	key: { letter: "a", does: "Handles of growth volumes, and back" },
 	keys: [
 		{ keys: ["Arrow keys"], does: "On a handle of a growth volume: move, stretch or lean it; Shift goes farther" },
 		{ keys: ["Delete"], does: "On the handle of a growth volume: remove it, if it is not the only one" },
 		{ keys: ["Page Up", "Page Down"], does: "On a handle of a growth volume: to the next one" },
 	],
-	hands: (view, desk) =>
+	hands: (view, context) =>
 		new LazyInteraction({
-			desk,
-			wanted: () => desk.toolState(volumeTool).handles,
-			fetch: async () => new (await import("./volume_interaction")).VolumeInteraction(view, desk),
-			missed: () => desk.setToolState(volumeTool, { ...desk.toolState(volumeTool), handles: false }),
+			context,
+			wanted: () => context.toolState(volumeTool).handles,
+			fetch: async () => new (await import("./volume_interaction")).VolumeInteraction(view, context),
+			missed: () => context.setToolState(volumeTool, { ...context.toolState(volumeTool), handles: false }),
 		}),
 };
 

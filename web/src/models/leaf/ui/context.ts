@@ -1,8 +1,8 @@
 /** The types of controls/, for the leaf. */
-import type * as desk from "../../../ui/editor_context";
+import type * as context from "../../../ui/editor_context";
 import type * as tool from "../../../ui/tool";
 import type { Leaf } from "../grown";
 import type { LeafSpecimen } from "../specimen";
 
-export type LeafContext = desk.EditorContext<LeafSpecimen, Leaf>;
+export type LeafContext = context.EditorContext<LeafSpecimen, Leaf>;
 export type LeafTool<T = unknown> = tool.Tool<LeafSpecimen, Leaf, T>;

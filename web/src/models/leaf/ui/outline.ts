@@ -24,27 +24,27 @@ export const outline: LeafTool<boolean> = {
 
 const GESTURE = "outline";
 
-function draw(desk: LeafContext): unknown {
-	const { specimen, grown, grownFrom } = desk.state;
+function draw(context: LeafContext): unknown {
+	const { specimen, grown, grownFrom } = context.state;
 	return html`<panicle-outline
 		.points=${specimen.outline} .veins=${grown && veinsOf(grown, (grownFrom ?? specimen).parameters.length)}
-		.millimetres=${specimen.parameters.length} .mirror=${desk.toolState(outline)}
-		@outline-input=${({ detail: { outline, run } }: OutlineEvent) => desk.edit({ details: { outline }, run }, GESTURE)}
-		@outline-change=${() => desk.settle(GESTURE)} @outline-mirror=${() => toggleMirror(desk)}
-		@outline-refused=${() => desk.notify(`${CROSSES} there`, ["It stays where it last did not."], { brief: true, topic: GESTURE })}
+		.millimetres=${specimen.parameters.length} .mirror=${context.toolState(outline)}
+		@outline-input=${({ detail: { outline, run } }: OutlineEvent) => context.edit({ details: { outline }, run }, GESTURE)}
+		@outline-change=${() => context.settle(GESTURE)} @outline-mirror=${() => toggleMirror(context)}
+		@outline-refused=${() => context.notify(`${CROSSES} there`, ["It stays where it last did not."], { brief: true, topic: GESTURE })}
 	></panicle-outline>`;
 }
 
 /** Locking brings the left side to the right one's shape at once, so that what is shown is what is locked. */
-export function toggleMirror(desk: LeafContext): void {
-	const mirror = !desk.toolState(outline);
-	desk.setToolState(outline, mirror);
-	if (mirror) setOutline(desk, madeSymmetric(desk.state.specimen.outline));
+export function toggleMirror(context: LeafContext): void {
+	const mirror = !context.toolState(outline);
+	context.setToolState(outline, mirror);
+	if (mirror) setOutline(context, madeSymmetric(context.state.specimen.outline));
 }
 
 /** Another outline as one step; one that encloses nothing is none. */
-export function setOutline(desk: LeafContext, points: OutlinePoint[]): void {
-	if (enclosesBlade(points)) desk.set({ details: { outline: points } });
+export function setOutline(context: LeafContext, points: OutlinePoint[]): void {
+	if (enclosesBlade(points)) context.set({ details: { outline: points } });
 }
 
 /** A leaf's flat veins, worked out once. */

@@ -15,29 +15,29 @@ export const trace: LeafTool = {
 	drop: {
 		words: "a picture of a leaf is traced",
 		takes: isPicture,
-		take: (desk, file) => void traceLeafFile(desk, file),
+		take: (context, file) => void traceLeafFile(context, file),
 	},
 };
 
-function draw(desk: LeafContext): unknown {
-	const altered = desk.state.specimen.outline !== desk.preset.outline;
-	const take = (file: File) => void traceLeafFile(desk, file);
+function draw(context: LeafContext): unknown {
+	const altered = context.state.specimen.outline !== context.preset.outline;
+	const take = (file: File) => void traceLeafFile(context, file);
 	return html`<div class="actions">
 		${chooseFile({ accept: PICTURES, label: "Picture of a leaf", words: "Trace a picture…", take })}
 		<button
 			class="button" type="button" ?disabled=${!altered}
-			@click=${() => desk.set({ details: { outline: desk.preset.outline } })}
+			@click=${() => context.set({ details: { outline: context.preset.outline } })}
 		>Preset’s outline</button>
 	</div>`;
 }
 
 /** Takes the outline of the leaf in a picture, as one step; what is wrong with the picture is said. */
-export function traceLeafFile(desk: LeafContext, file: Blob): Promise<void> {
-	return traceFile(desk, file, {
+export function traceLeafFile(context: LeafContext, file: Blob): Promise<void> {
+	return traceFile(context, file, {
 		tracer: async () => (await import("../trace/trace")).traceLeaf,
 		take: (traced) => {
-			const { change, said } = asChange(traced, desk.state.specimen);
-			desk.set(change);
+			const { change, said } = asChange(traced, context.state.specimen);
+			context.set(change);
 			return { title: `An outline of ${traced.outline.length} points was traced`, details: said };
 		},
 	});

@@ -12,34 +12,37 @@ import { countOfWalls, wallsOf, withRound, withWall } from "./editor/walls";
 import { MEANT } from "./meant";
 import type { WoodenPlant } from "./wooden_plant";
 
-export function boundaryButtons<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
-	const { specimen } = desk.state;
-	const meant = gripIn(boundaryPose(lay, specimen, desk.preset), desk.toolState(MEANT));
+export function boundaryButtons<S extends BoundedSpecimen>(
+	context: EditorContext<S, WoodenPlant>,
+	lay: Lay<S>,
+): unknown {
+	const { specimen } = context.state;
+	const meant = gripIn(boundaryPose(lay, specimen, context.preset), context.toolState(MEANT));
 	const button = (words: string, change: (() => Change) | undefined) => html`<button
-		class="button" type="button" ?disabled=${!change} @click=${() => change && desk.set(change())}
+		class="button" type="button" ?disabled=${!change} @click=${() => change && context.set(change())}
 	>${words}</button>`;
 	const room = countOfWalls(specimen) < MOST_OBSTACLES;
 	return html`<div class="actions">
 			${
 				lay.form(specimen) === "spline"
 					? button("Add a point", meant?.add)
-					: button("Shape by hand", () => shapedByHand(desk, lay))
+					: button("Shape by hand", () => shapedByHand(context, lay))
 			}
 			${button("Add an obstacle", room ? () => wallBeside(lay, specimen) : undefined)}
 			${button("Add a round one", room ? () => roundBeside(lay, specimen) : undefined)}
 			${button(meant?.remove ? `Remove ${meant.label.toLowerCase()}` : "Remove what is chosen", meant?.remove)}
 		</div>
-		${targetsInWords(desk, lay)}`;
+		${targetsInWords(context, lay)}`;
 }
 
 /** Why numbers or hands do nothing to the targets, and the way out. */
-function targetsInWords<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
-	const { specimen } = desk.state;
+function targetsInWords<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
+	const { specimen } = context.state;
 	const them = `${lay.target.toLowerCase()}s`;
 	if (specimen.targets) {
 		return html`<div class="override">
 			<p>The ${them} stand where hands have put them, whatever the numbers say.</p>
-			<button class="button" type="button" @click=${() => desk.set({ details: { targets: undefined } })}>
+			<button class="button" type="button" @click=${() => context.set({ details: { targets: undefined } })}>
 				${lay.target}s by number again</button>
 		</div>`;
 	}

@@ -21,8 +21,8 @@ export function boundaryTool<S extends BoundedSpecimen>(lay: Lay<S>, group: stri
 	return {
 		name: "boundary",
 		initial: undefined,
-		editor: { title: "Boundary", draw: (desk) => draw(desk, lay) },
-		panel: { group, place: "below", draw: (desk) => boundaryButtons(desk, lay) },
+		editor: { title: "Boundary", draw: (context) => draw(context, lay) },
+		panel: { group, place: "below", draw: (context) => boundaryButtons(context, lay) },
 		keys: [
 			{ keys: ["Insert"], does: "On a point of the boundary: one more after it" },
 			{ keys: ["Delete"], does: "On a point of the boundary, a target or an obstacle: takes it out" },
@@ -30,14 +30,14 @@ export function boundaryTool<S extends BoundedSpecimen>(lay: Lay<S>, group: stri
 	};
 }
 
-function draw<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
-	const { specimen, grown } = desk.state;
-	const laidBy = layingOut(desk);
+function draw<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
+	const { specimen, grown } = context.state;
+	const laidBy = layingOut(context);
 	return html`<panicle-boundary
-		.pose=${guard(laidBy, () => boundaryPose(lay, specimen, desk.preset))} .scene=${guard(laidBy, () => sceneOf(lay, specimen))}
+		.pose=${guard(laidBy, () => boundaryPose(lay, specimen, context.preset))} .scene=${guard(laidBy, () => sceneOf(lay, specimen))}
 		.grown=${grown}
-		@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
-		@grip-focus=${({ detail }: CustomEvent<string>) => desk.setToolState(MEANT, detail)}
+		@grip-input=${({ detail }: GripEvent) => context.edit(detail)} @grip-change=${() => context.settle()}
+		@grip-focus=${({ detail }: CustomEvent<string>) => context.setToolState(MEANT, detail)}
 	></panicle-boundary>`;
 }
 

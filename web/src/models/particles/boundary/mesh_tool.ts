@@ -19,11 +19,11 @@ export function meshTool<S extends BoundedSpecimen>(group: string, height: strin
 		name: "mesh",
 		initial: undefined,
 		applies: () => true,
-		panel: { group, place: "below", draw: (desk) => html`${drawOuter(desk, height)}${drawInner(desk)}` },
+		panel: { group, place: "below", draw: (context) => html`${drawOuter(context, height)}${drawInner(context)}` },
 		drop: {
 			words: "a closed mesh (OBJ, GLB, STL) becomes the boundary",
 			takes: ({ name }) => MESHES.test(name),
-			take: (desk, file) => void takeMesh(desk, file, height),
+			take: (context, file) => void takeMesh(context, file, height),
 		},
 	};
 }
@@ -35,22 +35,22 @@ interface Taken {
 	change(mesh: ClosedMesh): Change;
 }
 
-function outer<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, height: string): Taken {
+function outer<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>, height: string): Taken {
 	return {
 		words: "The mesh is the boundary now",
 		change: (volume) => {
-			const { model, specimen } = desk.state;
+			const { model, specimen } = context.state;
 			return { parameters: meshParameters(model.table, volume, specimen.parameters[height]), details: { volume } };
 		},
 	};
 }
 
 /** The inner boundary; where nothing was bare, it is as large as the table's. */
-function inner<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>): Taken {
+function inner<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>): Taken {
 	return {
 		words: "The mesh is the inner boundary now",
 		change: (hollow) => {
-			const { model, specimen } = desk.state;
+			const { model, specimen } = context.state;
 			const entry = model.table.entry("inner");
 			const bare = specimen.parameters.inner > 0 || entry?.kind !== "number" ? {} : { inner: entry.default || 0.75 };
 			return { parameters: bare, details: { hollow } };
@@ -58,8 +58,8 @@ function inner<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>): 
 	};
 }
 
-function drawOuter<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, height: string): unknown {
-	const { specimen, model } = desk.state;
+function drawOuter<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>, height: string): unknown {
+	const { specimen, model } = context.state;
 	if (model.table.option(specimen, "shape") !== "mesh") return nothing;
 	const { volume } = specimen;
 	const { volume: own } = fromPreset(model, specimen.preset);
@@ -72,54 +72,61 @@ function drawOuter<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant
 		: "No mesh yet: choose a closed one, or drop it on the page. Until then an ellipsoid is grown.";
 	return html`<div class="override">
 		<p>${words}</p>
-		${chooser(desk, volume ? "Another mesh (OBJ, GLB, STL)…" : "Choose a mesh (OBJ, GLB, STL)…", outer(desk, height))}
+		${chooser(context, volume ? "Another mesh (OBJ, GLB, STL)…" : "Choose a mesh (OBJ, GLB, STL)…", outer(context, height))}
 	</div>`;
 }
 
-function drawInner<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>): unknown {
-	const { specimen, model } = desk.state;
+function drawInner<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>): unknown {
+	const { specimen, model } = context.state;
 	const { hollow } = specimen;
 	const { hollow: own } = fromPreset(model, specimen.preset);
 	const count = hollow ? (hollow.triangles.length / 3).toLocaleString("en") : "";
 	const words = hollow
 		? `The inner boundary is a mesh of ${count} triangles, as large as “Bare inside” says. Files (JSON, GLB) carry it; it is too long for a link.`
 		: "The inner boundary is the outer one made smaller.";
-	const back = html`<button class="button" type="button" @click=${() => desk.set({ details: { hollow: own } })}>
+	const back = html`<button class="button" type="button" @click=${() => context.set({ details: { hollow: own } })}>
 		Remove the inner mesh</button>`;
 	return html`<div class="override">
 		<p>${words}</p>
-		${chooser(desk, hollow ? "Another inner mesh (OBJ, GLB, STL)…" : "Inner mesh (OBJ, GLB, STL)…", inner(desk))}
+		${chooser(context, hollow ? "Another inner mesh (OBJ, GLB, STL)…" : "Inner mesh (OBJ, GLB, STL)…", inner(context))}
 		${hollow && !sameMesh(hollow, own) ? back : nothing}
 	</div>`;
 }
 
-function chooser<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, label: string, taken: Taken): unknown {
+function chooser<S extends BoundedSpecimen>(
+	context: EditorContext<S, WoodenPlant>,
+	label: string,
+	taken: Taken,
+): unknown {
 	return html`<label class="button">${label}
-		<input class="unseen" type="file" accept=${ACCEPT} @change=${(event: Event) => choose(event, desk, taken)}>
+		<input class="unseen" type="file" accept=${ACCEPT} @change=${(event: Event) => choose(event, context, taken)}>
 	</label>`;
 }
 
-function choose<S extends BoundedSpecimen>(event: Event, desk: EditorContext<S, WoodenPlant>, taken: Taken): void {
+function choose<S extends BoundedSpecimen>(event: Event, context: EditorContext<S, WoodenPlant>, taken: Taken): void {
 	const input = event.target as HTMLInputElement;
 	const file = input.files?.[0];
-	if (file) void take(desk, file, taken);
+	if (file) void take(context, file, taken);
 	// The same file may be chosen again.
 	input.value = "";
 }
 
 /** Makes a file's mesh the outer boundary, as one step; whatever is wrong with it is said. */
-export const takeMesh = <S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, file: File, height: string) =>
-	take(desk, file, outer(desk, height));
+export const takeMesh = <S extends BoundedSpecimen>(
+	context: EditorContext<S, WoodenPlant>,
+	file: File,
+	height: string,
+) => take(context, file, outer(context, height));
 
 async function take<S extends BoundedSpecimen>(
-	desk: EditorContext<S, WoodenPlant>,
+	context: EditorContext<S, WoodenPlant>,
 	file: File,
 	{ words, change }: Taken,
 ): Promise<void> {
-	const isStill = sameDocument(desk);
+	const isStill = sameDocument(context);
 	const reader = await import("../../../import/mesh_file/read_in_worker").catch(() => undefined);
 	if (!reader) {
-		desk.notify(
+		context.notify(
 			"The mesh was not read",
 			["Part of the page could not be fetched; check the connection and try again."],
 			{ topic: FILE_TOPIC },
@@ -129,17 +136,17 @@ async function take<S extends BoundedSpecimen>(
 	try {
 		const mesh = await reader.readMeshInWorker(file);
 		if (!isStill()) {
-			desk.notify("The mesh was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
+			context.notify("The mesh was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
 			return;
 		}
-		desk.set(change(mesh));
-		desk.notify(
+		context.set(change(mesh));
+		context.notify(
 			words,
 			["Links are too short for it: download JSON or GLB to keep this plant, and drop the file to bring it back."],
 			{ topic: FILE_TOPIC },
 		);
 	} catch (error) {
-		desk.notify("The mesh was not read", [error instanceof Error ? error.message : String(error)], {
+		context.notify("The mesh was not read", [error instanceof Error ? error.message : String(error)], {
 			topic: FILE_TOPIC,
 		});
 	}

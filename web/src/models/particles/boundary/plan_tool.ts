@@ -15,17 +15,17 @@ import type { WoodenPlant } from "./wooden_plant";
 import "./editor/plan_view";
 
 export function planTool<S extends BoundedSpecimen>(lay: Lay<S>): Tool<S, WoodenPlant> {
-	return { name: "plan", initial: undefined, editor: { title: "Plan", draw: (desk) => draw(desk, lay) } };
+	return { name: "plan", initial: undefined, editor: { title: "Plan", draw: (context) => draw(context, lay) } };
 }
 
-function draw<S extends BoundedSpecimen>(desk: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
-	const { specimen, grown, held } = desk.state;
-	const laidBy = layingOut(desk);
+function draw<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
+	const { specimen, grown, held } = context.state;
+	const laidBy = layingOut(context);
 	return html`<panicle-plan
-		.pose=${guard(laidBy, () => planPose(lay, specimen, desk.preset))} .scene=${guard(laidBy, () => sceneOf(lay, specimen))}
+		.pose=${guard(laidBy, () => planPose(lay, specimen, context.preset))} .scene=${guard(laidBy, () => sceneOf(lay, specimen))}
 		.grown=${grown} .preview=${held}
-		@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
-		@grip-focus=${({ detail }: CustomEvent<string>) => desk.setToolState(MEANT, detail)}
+		@grip-input=${({ detail }: GripEvent) => context.edit(detail)} @grip-change=${() => context.settle()}
+		@grip-focus=${({ detail }: CustomEvent<string>) => context.setToolState(MEANT, detail)}
 	></panicle-plan>`;
 }
 

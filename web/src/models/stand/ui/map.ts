@@ -26,31 +26,31 @@ export const map: Tool<StandSpecimen, StandPlant, Chosen> = {
 	initial: undefined,
 	chip: {
 		title: "Chosen plant",
-		draw: (desk) => {
-			const chosen = chosenIn(desk);
-			return desk.state.grown && chosen !== undefined ? drawChip(desk, desk.state.grown, chosen) : nothing;
+		draw: (context) => {
+			const chosen = chosenIn(context);
+			return context.state.grown && chosen !== undefined ? drawChip(context, context.state.grown, chosen) : nothing;
 		},
 	},
-	editor: { title: "Map", draw: (desk) => (desk.state.grown ? drawMap(desk, desk.state.grown) : nothing) },
+	editor: { title: "Map", draw: (context) => (context.state.grown ? drawMap(context, context.state.grown) : nothing) },
 	keys: [{ keys: ["Esc"], does: "Choose no plant" }],
-	hands: (view, desk) => {
+	hands: (view, context) => {
 		const pointer = new PickPointer(view, {
 			name: "picking-plant",
 			at: (x, y) => view.pick(x, y),
-			mark: (plant) => view.mark(plant ?? chosenIn(desk)),
-			take: (plant) => desk.setToolState(map, plant),
+			mark: (plant) => view.mark(plant ?? chosenIn(context)),
+			take: (plant) => context.setToolState(map, plant),
 		});
 		pointer.enabled = true;
 		const leave = (event: KeyboardEvent) => {
-			if (event.key !== "Escape" || event.defaultPrevented || chosenIn(desk) === undefined || !isFree(event)) return;
+			if (event.key !== "Escape" || event.defaultPrevented || chosenIn(context) === undefined || !isFree(event)) return;
 			event.preventDefault();
-			desk.setToolState(map, undefined);
+			context.setToolState(map, undefined);
 		};
 		window.addEventListener("keydown", leave);
-		let before = chosenIn(desk);
+		let before = chosenIn(context);
 		return {
 			update: () => {
-				const chosen = chosenIn(desk);
+				const chosen = chosenIn(context);
 				view.mark(chosen);
 				if (before !== undefined && chosen === undefined) takeFocus(view.canvas, ".stage-chip");
 				before = chosen;
@@ -71,21 +71,21 @@ function isFree({ target }: KeyboardEvent): boolean {
 }
 
 /** A plan of fewer plants may have come since. */
-function chosenIn(desk: StandContext): Chosen {
-	const chosen = desk.toolState(map);
-	return chosen !== undefined && chosen < (desk.state.grown?.places.count ?? 0) ? chosen : undefined;
+function chosenIn(context: StandContext): Chosen {
+	const chosen = context.toolState(map);
+	return chosen !== undefined && chosen < (context.state.grown?.places.count ?? 0) ? chosen : undefined;
 }
 
-function drawMap(desk: StandContext, stand: StandPlant): unknown {
+function drawMap(context: StandContext, stand: StandPlant): unknown {
 	const { width, depth } = stand.ground;
 	const [wide, deep] = shownOf(stand);
 	const titles = titlesOf(stand);
-	const chosen = chosenIn(desk);
+	const chosen = chosenIn(context);
 	const colours = kindColours(stand);
-	const { soil } = desk.state.specimen.look;
+	const { soil } = context.state.specimen.look;
 	return html`<div class="stand-map">
 		<svg viewBox=${`${-0.5 * wide} ${-0.5 * deep} ${wide} ${deep}`} aria-hidden="true"
-			@click=${(event: MouseEvent) => desk.setToolState(map, nearest(stand, event))}
+			@click=${(event: MouseEvent) => context.setToolState(map, nearest(stand, event))}
 		>
 			<rect fill=${groundColour(soil)} x=${-0.5 * width} y=${-0.5 * depth} width=${width} height=${depth}></rect>
 			${guard([stand.places, colours.join()], () => drawPlants(stand, colours))}
@@ -93,7 +93,7 @@ function drawMap(desk: StandContext, stand: StandPlant): unknown {
 		</svg>
 		<label class="stand-plant">Plant
 			<input type="number" min="1" max=${stand.places.count} .value=${live(chosen === undefined ? "" : String(chosen + 1))}
-				@change=${({ target }: Event) => choose(desk, stand, Number((target as HTMLInputElement).value))}>
+				@change=${({ target }: Event) => choose(context, stand, Number((target as HTMLInputElement).value))}>
 		</label>
 		<div aria-live="polite">${chosen === undefined ? html`<p>Choose a plant on the map or in the picture.</p>` : tell(stand, titles, chosen)}</div>
 		<ul class="stand-kinds">
@@ -155,9 +155,9 @@ function nearest(stand: StandPlant, { currentTarget, clientX, clientY }: MouseEv
 	return found;
 }
 
-function choose(desk: StandContext, { places }: StandPlant, number: number): void {
+function choose(context: StandContext, { places }: StandPlant, number: number): void {
 	const fits = Number.isInteger(number) && number >= 1 && number <= places.count;
-	desk.setToolState(map, fits ? number - 1 : undefined);
+	context.setToolState(map, fits ? number - 1 : undefined);
 }
 
 /** What a plant is, and the link that grows it alone. */
@@ -177,10 +177,10 @@ function tell(stand: StandPlant, titles: readonly string[], plant: number): unkn
 const linkOf = ({ members, memberOf }: StandPlant, plant: number): string | undefined => members[memberOf[plant]]?.link;
 
 /** The same in the picture, in few words. */
-function drawChip(desk: StandContext, stand: StandPlant, plant: number): unknown {
+function drawChip(context: StandContext, stand: StandPlant, plant: number): unknown {
 	const link = linkOf(stand, plant);
 	return html`<span>${titlesOf(stand)[stand.places.kind[plant]]}</span>
 		${link === undefined ? nothing : html`<a class="button" href=${link}>Open alone</a>`}
-		<button class="button icon quiet" type="button" aria-label="Choose no plant" title="Choose no plant" @click=${() => desk.setToolState(map, undefined)}
+		<button class="button icon quiet" type="button" aria-label="Choose no plant" title="Choose no plant" @click=${() => context.setToolState(map, undefined)}
 		><span aria-hidden="true">×</span></button>`;
 }

@@ -40,13 +40,13 @@ const SWEEP = 90;
 export const walk: Tool<StandSpecimen, StandPlant, Walking> = {
 	name: "walk",
 	initial: undefined,
-	press: (desk) => {
-		const { grown } = desk.state;
-		desk.setToolState(walk, desk.toolState(walk) || !grown ? undefined : atFront(grown));
+	press: (context) => {
+		const { grown } = context.state;
+		context.setToolState(walk, context.toolState(walk) || !grown ? undefined : atFront(grown));
 	},
-	button: { icon: WALK, label: "Walk through it", pressed: (desk) => desk.toolState(walk) !== undefined },
+	button: { icon: WALK, label: "Walk through it", pressed: (context) => context.toolState(walk) !== undefined },
 	key: { letter: "w", does: "Walk through the stand" },
-	holdsLetters: (desk) => desk.toolState(walk) !== undefined,
+	holdsLetters: (context) => context.toolState(walk) !== undefined,
 	keys: [
 		{ keys: ["W A S D", "↑ ↓"], does: "While walking, on the picture: forward, left, back, right" },
 		{ keys: ["← →", "Page Up", "Page Down"], does: "While walking, on the picture: look around" },
@@ -54,33 +54,33 @@ export const walk: Tool<StandSpecimen, StandPlant, Walking> = {
 	],
 	bar: {
 		title: "Walk",
-		draw: (desk) => html`<panicle-walk-bar .desk=${desk}></panicle-walk-bar>`,
+		draw: (context) => html`<panicle-walk-bar .context=${context}></panicle-walk-bar>`,
 	},
-	hands: (view, desk) => new WalkInteraction(view, desk),
+	hands: (view, context) => new WalkInteraction(view, context),
 };
 
-function go(desk: StandContext, step: Step): void {
-	const { grown } = desk.state;
-	const pose = desk.toolState(walk);
-	if (grown && pose) desk.setToolState(walk, stepped(pose, step, grown));
+function go(context: StandContext, step: Step): void {
+	const { grown } = context.state;
+	const pose = context.toolState(walk);
+	if (grown && pose) context.setToolState(walk, stepped(pose, step, grown));
 }
 
 /** The steps as buttons, while one walks. */
 class WalkBar extends EditorElement<StandContext> {
-	protected override shows(desk: StandContext): readonly unknown[] {
-		return [desk.toolState(walk) !== undefined];
+	protected override shows(context: StandContext): readonly unknown[] {
+		return [context.toolState(walk) !== undefined];
 	}
 
-	protected override draw(desk: StandContext): unknown {
-		if (desk.toolState(walk) === undefined) return nothing;
+	protected override draw(context: StandContext): unknown {
+		if (context.toolState(walk) === undefined) return nothing;
 		return html`<p class="walk-keys">Arrow keys walk and turn, a drag looks around, Esc leaves.</p>
 		<div class="walk-bar">
 			${BUTTONS.map(
 				([step, label, sign]) =>
-					html`<button class="button icon" type="button" aria-label=${label} title=${label} @click=${() => go(desk, step)}
+					html`<button class="button icon" type="button" aria-label=${label} title=${label} @click=${() => go(context, step)}
 					><span aria-hidden="true">${sign}</span></button>`,
 			)}
-			<button class="button" type="button" @click=${() => desk.setToolState(walk, undefined)}>Leave</button>
+			<button class="button" type="button" @click=${() => context.setToolState(walk, undefined)}>Leave</button>
 		</div>`;
 	}
 }
@@ -89,15 +89,15 @@ customElements.define("panicle-walk-bar", WalkBar);
 
 class WalkInteraction implements ToolInteraction<StandSpecimen, StandPlant> {
 	readonly #view: ToolView;
-	readonly #desk: StandContext;
+	readonly #context: StandContext;
 	readonly #ended = new AbortController();
 	#shown: Walking;
 	#ground: StandPlant["meshes"] | undefined;
 	#drag: { readonly pointer: number; x: number; y: number } | undefined;
 
-	constructor(view: ToolView, desk: StandContext) {
+	constructor(view: ToolView, context: StandContext) {
 		this.#view = view;
-		this.#desk = desk;
+		this.#context = context;
 		const { canvas } = view;
 		const options = { signal: this.#ended.signal, capture: true };
 		window.addEventListener("keydown", (event) => this.#key(event), options);
@@ -114,8 +114,8 @@ class WalkInteraction implements ToolInteraction<StandSpecimen, StandPlant> {
 	}
 
 	update(): void {
-		const pose = this.#desk.toolState(walk);
-		const { grown } = this.#desk.state;
+		const pose = this.#context.toolState(walk);
+		const { grown } = this.#context.state;
 		if (pose === this.#shown && grown?.meshes === this.#ground) return;
 		if ((pose === undefined) !== (this.#shown === undefined)) this.#view.orbiting = pose === undefined;
 		const before = this.#shown;
@@ -141,8 +141,8 @@ class WalkInteraction implements ToolInteraction<StandSpecimen, StandPlant> {
 	#key(event: KeyboardEvent): void {
 		if (!this.#shown || event.ctrlKey || event.metaKey || event.altKey || !this.#hears(event)) return;
 		const step = KEYS[event.code];
-		if (event.key === "Escape") this.#desk.setToolState(walk, undefined);
-		else if (step) go(this.#desk, step);
+		if (event.key === "Escape") this.#context.setToolState(walk, undefined);
+		else if (step) go(this.#context, step);
 		else return;
 		event.preventDefault();
 		event.stopPropagation();
@@ -171,6 +171,6 @@ class WalkInteraction implements ToolInteraction<StandSpecimen, StandPlant> {
 		const degrees = SWEEP / Math.max(1, this.#view.canvas.clientWidth);
 		const pose = turned(this.#shown, degrees * (drag.x - clientX), degrees * (clientY - drag.y));
 		this.#drag = { pointer: pointerId, x: clientX, y: clientY };
-		this.#desk.setToolState(walk, pose);
+		this.#context.setToolState(walk, pose);
 	}
 }

@@ -14,7 +14,7 @@ const ORDER = 10;
 
 export class LightHands implements ToolInteraction<TreeSpecimen, TreePlant> {
 	readonly #view: ToolView;
-	readonly #desk: EditorContext<TreeSpecimen, TreePlant>;
+	readonly #context: EditorContext<TreeSpecimen, TreePlant>;
 	readonly #tool: LightTool;
 	readonly #material = new PointsMaterial({
 		vertexColors: true,
@@ -26,9 +26,9 @@ export class LightHands implements ToolInteraction<TreeSpecimen, TreePlant> {
 	readonly #points = new Points(new BufferGeometry(), this.#material);
 	#shown: LightGrid | undefined;
 
-	constructor(view: ToolView, desk: EditorContext<TreeSpecimen, TreePlant>, tool: LightTool) {
+	constructor(view: ToolView, context: EditorContext<TreeSpecimen, TreePlant>, tool: LightTool) {
 		this.#view = view;
-		this.#desk = desk;
+		this.#context = context;
 		this.#tool = tool;
 		this.#points.name = "light";
 		this.#points.renderOrder = ORDER;
@@ -38,7 +38,7 @@ export class LightHands implements ToolInteraction<TreeSpecimen, TreePlant> {
 
 	/** While a control is dragged no light is worked out: the last one stays. */
 	update({ grown }: EditorState<TreeSpecimen, TreePlant>): void {
-		const visible = this.#desk.toolState(this.#tool);
+		const visible = this.#context.toolState(this.#tool);
 		const grid = grown?.light ?? this.#shown;
 		if (visible && grid && grid !== this.#shown) this.#show(grid);
 		if (!visible && !this.#points.visible) return;

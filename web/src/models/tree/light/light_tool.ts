@@ -12,13 +12,13 @@ const ICON = svg`<path d="M3.5 3.5h13v13h-13zM3.5 7.800h13M3.5 12.200h13M7.800 3
 export const lightTool: LightTool = {
 	name: "light",
 	initial: false,
-	press: (desk) => desk.setToolState(lightTool, !desk.toolState(lightTool)),
-	button: { icon: ICON, label: "Light in the crown", pressed: (desk) => desk.toolState(lightTool) },
-	hands: (view, desk) =>
+	press: (context) => context.setToolState(lightTool, !context.toolState(lightTool)),
+	button: { icon: ICON, label: "Light in the crown", pressed: (context) => context.toolState(lightTool) },
+	hands: (view, context) =>
 		new LazyInteraction<TreeSpecimen, TreePlant>({
-			desk,
-			wanted: () => desk.toolState(lightTool),
-			fetch: async () => new (await import("./light_interaction")).LightHands(view, desk, lightTool),
-			missed: () => desk.setToolState(lightTool, false),
+			context,
+			wanted: () => context.toolState(lightTool),
+			fetch: async () => new (await import("./light_interaction")).LightHands(view, context, lightTool),
+			missed: () => context.setToolState(lightTool, false),
 		}),
 };

@@ -14,10 +14,10 @@ export const sun: Tool<TreeSpecimen, WoodenPlant> = {
 	initial: undefined,
 	editor: {
 		title: "Sun",
-		draw: (desk) => html`<panicle-sun
-			.pose=${guard(layingOut(desk), () => sunPose(desk.state.specimen, desk.preset))}
-			.grown=${desk.state.grown} .preview=${desk.state.held}
-			@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
+		draw: (context) => html`<panicle-sun
+			.pose=${guard(layingOut(context), () => sunPose(context.state.specimen, context.preset))}
+			.grown=${context.state.grown} .preview=${context.state.held}
+			@grip-input=${({ detail }: GripEvent) => context.edit(detail)} @grip-change=${() => context.settle()}
 		></panicle-sun>`,
 	},
 };

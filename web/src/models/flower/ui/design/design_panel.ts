@@ -44,19 +44,19 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 
 	/** What became of a number that could not be taken as typed. */
 	#refused: { readonly of: string; readonly value: number; readonly text: string } | undefined;
-	readonly #held = new HeldKey(() => this.drafts.settle(this.desk));
+	readonly #held = new HeldKey(() => this.drafts.settle(this.context));
 
 	protected override shows({ state, toolState }: FlowerContext): readonly unknown[] {
-		return [designIn(state.specimen), toolState.call(this.desk, this.tool)];
+		return [designIn(state.specimen), toolState.call(this.context, this.tool)];
 	}
 
-	protected override draw(desk: FlowerContext): unknown {
-		const design = designIn(desk.state.specimen);
+	protected override draw(context: FlowerContext): unknown {
+		const design = designIn(context.state.specimen);
 		return design ? this.#draw(design) : nothing;
 	}
 
 	#draw(design: Design): unknown {
-		const organ = this.desk.toolState(this.tool);
+		const organ = this.context.toolState(this.tool);
 		const description = describedIn(design, organ);
 		const edited = design.sections.some((section) => section.description.organ === organ && isEdited(section));
 		return html`<p><abbr title="Floral formula">${floralFormula(descriptionsIn(design))}</abbr></p>
@@ -64,7 +64,7 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 				${ORGANS.map(
 					(each) => html`<label><input
 						type="radio" name=${this.idOf("organ")} .checked=${live(each === organ)}
-						@change=${() => this.desk.setToolState(this.tool, each)}
+						@change=${() => this.context.setToolState(this.tool, each)}
 					>${WORDS[each]}</label>`,
 				)}
 			</div>
@@ -78,7 +78,7 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 				edited
 					? html`<p>Its grammar was edited by hand; choices leave that where they can.</p>
 						<div class="actions"><button
-							class="button" type="button" @click=${() => this.desk.set(writing(this.desk.state.specimen, madeAnew(design, organ)))}
+							class="button" type="button" @click=${() => this.context.set(writing(this.context.state.specimen, madeAnew(design, organ)))}
 						>Write its grammar anew</button></div>`
 					: nothing
 			}`;
@@ -125,7 +125,7 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 			slide: (to) => this.#edit(description, key, to, this.#held.run),
 			type: (typed, text) => {
 				if (Number.isFinite(typed)) this.#choose(description, key, typed);
-				const design = designIn(this.desk.state.specimen);
+				const design = designIn(this.context.state.specimen);
 				const taken = design ? Number(describedIn(design, description.organ).values[key]) : value;
 				const said = {
 					of: `${description.organ} ${key}`,
@@ -151,7 +151,7 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 				accept: PICTURES,
 				label: `Picture of a ${organ}`,
 				words: "Trace a picture…",
-				take: (file) => void traceInto(this.desk, this.drafts, organ, file),
+				take: (file) => void traceInto(this.context, this.drafts, organ, file),
 			})}</div>`;
 	}
 
@@ -162,15 +162,15 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 	}
 
 	#choose(description: Description, key: string, value: string | number): void {
-		this.drafts.set(this.desk, this.#with(description, key, value));
+		this.drafts.set(this.context, this.#with(description, key, value));
 	}
 
 	#edit(description: Description, key: string, value: string | number, run?: string): void {
-		const design = designIn(this.desk.state.specimen);
+		const design = designIn(this.context.state.specimen);
 		if (!design) return;
 		const changed = this.#with(description, key, value);
 		const all = descriptionsIn(design).map((each) => (each.organ === changed.organ ? changed : each));
-		this.drafts.edit(this.desk, all, run);
+		this.drafts.edit(this.context, all, run);
 	}
 }
 

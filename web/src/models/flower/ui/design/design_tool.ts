@@ -43,13 +43,13 @@ export const beginTool: DesignTool = {
 	panel: {
 		group: GROUP,
 		place: "above",
-		draw: (desk) => {
-			const near = designedNear(desk.state.specimen.preset);
+		draw: (context) => {
+			const near = designedNear(context.state.specimen.preset);
 			const title = FLOWER.presets.named(near)?.title;
 			return html`<p>This flower’s text has no descriptions of its organs: it is edited as a grammar. Another flower that has them, or a new one:</p>
 			<div class="actions">
-				<button class="button" type="button" @click=${() => desk.replace(fromPreset(FLOWER, near))}>Open ${title}</button>
-				<button class="button" type="button" @click=${() => desk.set(writing(desk.state.specimen, assembled()))}>
+				<button class="button" type="button" @click=${() => context.replace(fromPreset(FLOWER, near))}>Open ${title}</button>
+				<button class="button" type="button" @click=${() => context.set(writing(context.state.specimen, assembled()))}>
 					Design a new flower
 				</button>
 			</div>`;
@@ -65,11 +65,11 @@ export const designTool: DesignTool<Organ> = {
 	panel: {
 		group: GROUP,
 		place: "above",
-		draw: (desk) =>
-			html`<panicle-flower-organs .desk=${desk} .tool=${designTool} .drafts=${drafts}></panicle-flower-organs>
+		draw: (context) =>
+			html`<panicle-flower-organs .context=${context} .tool=${designTool} .drafts=${drafts}></panicle-flower-organs>
 				<div class="actions">
-					<button class="button" type="button" @click=${() => saveScene(desk, "diagram", floralDiagram)}>Diagram as SVG</button>
-					<button class="button" type="button" @click=${() => saveScene(desk, "elevation", elevation)}>Elevation as SVG</button>
+					<button class="button" type="button" @click=${() => saveScene(context, "diagram", floralDiagram)}>Diagram as SVG</button>
+					<button class="button" type="button" @click=${() => saveScene(context, "elevation", elevation)}>Elevation as SVG</button>
 				</div>`,
 	},
 	keys: [
@@ -82,7 +82,7 @@ export const designTool: DesignTool<Organ> = {
 	drop: {
 		words: "a picture of a petal is traced",
 		takes: isPicture,
-		take: (desk, file) => void traceInto(desk, drafts, bladed(desk.toolState(designTool)), file),
+		take: (context, file) => void traceInto(context, drafts, bladed(context.toolState(designTool)), file),
 	},
 };
 
@@ -95,28 +95,28 @@ function view(
 		name,
 		initial: undefined,
 		applies: isDesigned,
-		editor: { title, draw: (desk) => draw(desk, title, of) },
+		editor: { title, draw: (context) => draw(context, title, of) },
 	};
 }
 
 function draw(
-	desk: FlowerContext,
+	context: FlowerContext,
 	title: string,
 	of: (descriptions: readonly Description[], chosen: Organ) => Scene,
 ): unknown {
-	const design = designIn(desk.state.specimen);
+	const design = designIn(context.state.specimen);
 	if (!design) return nothing;
-	const chosen = desk.toolState(designTool);
+	const chosen = context.toolState(designTool);
 	return html`<panicle-flower-design
 		heading=${title} .descriptions=${descriptionsIn(design)} .of=${(descriptions: readonly Description[]) => of(descriptions, chosen)}
-		@design-input=${({ detail: { descriptions, run } }: DesignEvent) => drafts.edit(desk, descriptions, run)}
-		@design-change=${() => drafts.settle(desk)} @design-focus=${({ detail }: CustomEvent<string>) => meant(desk, detail)}
+		@design-input=${({ detail: { descriptions, run } }: DesignEvent) => drafts.edit(context, descriptions, run)}
+		@design-change=${() => drafts.settle(context)} @design-focus=${({ detail }: CustomEvent<string>) => meant(context, detail)}
 	></panicle-flower-design>`;
 }
 
 /** A flat view as a file, with nothing chosen in it. */
-function saveScene(desk: FlowerContext, name: string, of: (descriptions: readonly Description[]) => Scene): void {
-	const { specimen } = desk.state;
+function saveScene(context: FlowerContext, name: string, of: (descriptions: readonly Description[]) => Scene): void {
+	const { specimen } = context.state;
 	const design = designIn(specimen);
 	if (!design) return;
 	const title = `${FLOWER.presets.named(specimen.preset)?.title ?? "Flower"}, ${name}`;
@@ -125,9 +125,9 @@ function saveScene(desk: FlowerContext, name: string, of: (descriptions: readonl
 }
 
 /** Whoever takes hold of an organ's handle means that organ. */
-function meant(desk: FlowerContext, handle: string): void {
+function meant(context: FlowerContext, handle: string): void {
 	const organ = ORGANS.find((each) => handle.startsWith(`${each}-`));
-	if (organ && organ !== desk.toolState(designTool)) desk.setToolState(designTool, organ);
+	if (organ && organ !== context.toolState(designTool)) context.setToolState(designTool, organ);
 }
 
 /** The one whose outline is shown: a stem, a stamen and a pistil have none. */

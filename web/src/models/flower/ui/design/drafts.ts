@@ -64,44 +64,44 @@ export class Drafts {
 	#last: Written | undefined;
 
 	/** While the hand moves. */
-	edit(desk: FlowerContext, descriptions: readonly Description[], run?: string): void {
+	edit(context: FlowerContext, descriptions: readonly Description[], run?: string): void {
 		// What is there now may be of another hand: an undo, the editor, another plant.
-		const { specimen } = desk.state;
+		const { specimen } = context.state;
 		if (!this.#last || valuedText(specimen) !== this.#last.text) this.#before = designIn(specimen);
 		if (!this.#before) return;
 		this.#last = written(this.#before, descriptions);
-		desk.edit({ ...writing(specimen, this.#last.text), run }, GESTURE);
+		context.edit({ ...writing(specimen, this.#last.text), run }, GESTURE);
 	}
 
 	/** Its end: one step, and what was lost is told. */
-	settle(desk: FlowerContext): void {
-		desk.settle(GESTURE);
+	settle(context: FlowerContext): void {
+		context.settle(GESTURE);
 		const done = this.#last;
 		this.#before = undefined;
 		this.#last = undefined;
-		if (done && done.lost.length > 0 && valuedText(desk.state.specimen) === done.text) tell(desk, done);
+		if (done && done.lost.length > 0 && valuedText(context.state.specimen) === done.text) tell(context, done);
 	}
 
 	/** A choice by itself. */
-	set(desk: FlowerContext, description: Description): void {
-		const design = designIn(desk.state.specimen);
+	set(context: FlowerContext, description: Description): void {
+		const design = designIn(context.state.specimen);
 		if (!design) return;
 		const all = descriptionsIn(design).map((each) => (each.organ === description.organ ? description : each));
-		this.edit(desk, all);
-		this.settle(desk);
+		this.edit(context, all);
+		this.settle(context);
 	}
 }
 
 const MOST_TOLD = 4;
 
-function tell(desk: FlowerContext, { text, lost, kept }: Written): void {
-	const isStill = sameDocument(desk);
+function tell(context: FlowerContext, { text, lost, kept }: Written): void {
+	const isStill = sameDocument(context);
 	const keep = () => {
-		if (isStill() && valuedText(desk.state.specimen) === text) desk.set(writing(desk.state.specimen, kept));
-		else desk.notify("The edited lines were not kept", ["The text has changed meanwhile."], { topic: GESTURE });
+		if (isStill() && valuedText(context.state.specimen) === text) context.set(writing(context.state.specimen, kept));
+		else context.notify("The edited lines were not kept", ["The text has changed meanwhile."], { topic: GESTURE });
 	};
 	const more = lost.length > MOST_TOLD ? [`and ${lost.length - MOST_TOLD} more.`] : [];
-	desk.notify(
+	context.notify(
 		"Lines edited by hand gave way to this choice",
 		[...lost.slice(0, MOST_TOLD).map((line) => line.trim()), ...more, "Undo takes the choice back."],
 		{ topic: GESTURE, act: { words: "Keep the edited lines", run: keep } },

@@ -7,18 +7,18 @@ import { DRAWN } from "../../design/shapes";
 import { type Drafts, designIn, type FlowerContext } from "./drafts";
 
 /** Takes the outline of what is in a picture for an organ, as one step; what is wrong with the picture is said. */
-export function traceInto(desk: FlowerContext, drafts: Drafts, organ: Organ, file: Blob): Promise<void> {
-	return traceFile(desk, file, {
+export function traceInto(context: FlowerContext, drafts: Drafts, organ: Organ, file: Blob): Promise<void> {
+	return traceFile(context, file, {
 		tracer: async () => {
 			const { tracedMargin } = await import("../../design/traced");
 			return (picture) => tracedMargin(picture, organ);
 		},
 		take: ({ margin, wide }) => {
-			const design = designIn(desk.state.specimen);
+			const design = designIn(context.state.specimen);
 			if (!design) return undefined;
 			const before = describedIn(design, organ);
 			const width = Number(before.values.length) * wide;
-			drafts.set(desk, described(before, { outline: DRAWN, width }, margin));
+			drafts.set(context, described(before, { outline: DRAWN, width }, margin));
 			return { title: `The outline of a ${organ} was traced`, details: ["Its points can be dragged."] };
 		},
 	});
