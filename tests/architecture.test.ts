@@ -231,9 +231,9 @@ describe("the arrow between the rooms", () => {
 	it.each([
 		["core/x.ts", "specimen/link", false],
 		["core/x.ts", "specimen/specimen", true],
-		["render/x.ts", "models/bunch/grown", true],
+		["render/x.ts", "models/bunch/bunch_plant", true],
 		["app/x.ts", "models/bunch/index", false],
-		["models/leaf/index.ts", "models/bunch/grown", true],
+		["models/leaf/index.ts", "models/bunch/bunch_plant", true],
 		["models/leaf/index.ts", "models/index", false],
 		["models/leaf/index.ts", "app/studio", true],
 		["models/model.ts", "ui/tool", false],

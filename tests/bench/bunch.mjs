@@ -29,7 +29,7 @@ const PAPER = 1; // links of version 1 mean the paper's procedure
 /** @param {{ core: any, instance: any, source: (path: string) => Promise<any> }} bench the bench core, the same with the API of the app, and modules of the app */
 export async function benchBunch({ core, instance, source }) {
 	const { writeContainer } = await source("web/src/core/container.ts");
-	const { readGrown } = await source("web/src/models/bunch/read_grown.ts");
+	const { readGrown } = await source("web/src/models/bunch/read_bunch_plant.ts");
 	const { encodeRequest: blocksOf } = await source("web/src/models/bunch/request.ts");
 	const { PRESETS } = await source("web/src/models/bunch/presets/presets.ts");
 	const { specimenFromPreset } = await source("web/src/models/bunch/schema.ts");

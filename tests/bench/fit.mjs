@@ -16,9 +16,9 @@ const AIMS = { mean: { coverage: 0.92, spill: 0.03 }, worst: { coverage: 0.85, s
 
 const source = async (path) => (await runnerImport(join(repository, path))).module;
 const { encodeRequest } = await source("web/src/models/bunch/request.ts");
-const { readGrown } = await source("web/src/models/bunch/read_grown.ts");
+const { readGrown } = await source("web/src/models/bunch/read_bunch_plant.ts");
 const { Core } = await source("web/src/core/core.ts");
-const { PROCEDURES } = await source("web/src/models/bunch/grown.ts");
+const { PROCEDURES } = await source("web/src/models/bunch/bunch_plant.ts");
 const { PRESETS } = await source("web/src/models/bunch/presets/presets.ts");
 const { specimenFromPreset } = await source("web/src/models/bunch/schema.ts");
 const { measureOf } = await source("web/src/models/bunch/measures.ts");

@@ -8,8 +8,8 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Columns } from "../../web/src/core/container";
 import type { Core } from "../../web/src/core/core";
-import type { Grown } from "../../web/src/models/bunch/grown";
-import { readGrown } from "../../web/src/models/bunch/read_grown";
+import type { BunchPlant } from "../../web/src/models/bunch/bunch_plant";
+import { readBunchPlant } from "../../web/src/models/bunch/read_bunch_plant";
 import { readPlant } from "../../web/src/plant/read_plant";
 import { inRun } from "../long_run.mjs";
 import { freshCore } from "../web/core/wasm";
@@ -18,7 +18,7 @@ import { buildNative, growNatively, PROCEDURES, requestFor } from "./growing";
 type Golden = ReturnType<typeof digest>;
 
 const SEEDS = [1, 2, 4294967295];
-function digest(grown: Grown) {
+function digest(grown: BunchPlant) {
 	const { internodes, berries, stem, berry, surfaces, counts, fingerprint, meshFingerprint } = grown;
 	const lowest = Math.min(...internodes.ends.filter((_, i) => i % 3 === 1));
 	const farthest = Math.max(...berries.spheres.filter((_, i) => i % 4 === 0).map(Math.abs));
@@ -58,7 +58,7 @@ describe.each(["paper", "natural"] as const)("goldens of procedure=%s", (procedu
 		for (const { name } of presets) {
 			for (const seed of SEEDS) {
 				const plant = core.grow(request(name, seed));
-				found[`${name} ${seed}`] = digest(readGrown(plant));
+				found[`${name} ${seed}`] = digest(readBunchPlant(plant));
 				prints[`${name} ${seed}`] = printsOf(plant.columns);
 			}
 		}
@@ -71,7 +71,8 @@ describe.each(["paper", "natural"] as const)("goldens of procedure=%s", (procedu
 	});
 
 	it("a second growth in the same instance gives the same", () => {
-		for (const { name } of presets) expect(digest(readGrown(core.grow(request(name, 1))))).toEqual(found[`${name} 1`]);
+		for (const { name } of presets)
+			expect(digest(readBunchPlant(core.grow(request(name, 1))))).toEqual(found[`${name} 1`]);
 	});
 
 	it("native and wasm agree to the bit", () => {

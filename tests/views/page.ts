@@ -2,9 +2,9 @@
 import wasm from "../../build/core/bunch.wasm?url";
 import { Core } from "../../web/src/core/core";
 import { compileCore } from "../../web/src/core/loader";
-import type { Grown } from "../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../web/src/models/bunch/bunch_plant";
 import { bunchParts } from "../../web/src/models/bunch/parts/bunch_parts";
-import { readGrown } from "../../web/src/models/bunch/read_grown";
+import { readBunchPlant } from "../../web/src/models/bunch/read_bunch_plant";
 import { bunchRenderer } from "../../web/src/models/bunch/render/bunch_renderer";
 import { encodeRequest } from "../../web/src/models/bunch/request";
 import { BUNCH } from "../../web/src/models/bunch/schema";
@@ -20,9 +20,9 @@ import { decodeQuery } from "../../web/src/specimen/link";
 const core = await Core.instantiate(await compileCore(new URL(wasm, document.baseURI)));
 
 /** A bunch as a link has it: `?preset=riesling&age=6`. */
-function grow(query: string): { grown: Grown; specimen: BunchSpecimen } {
+function grow(query: string): { grown: BunchPlant; specimen: BunchSpecimen } {
 	const { specimen } = decodeQuery(BUNCH, query);
-	return { grown: readGrown(core.grow(encodeRequest(specimen))), specimen };
+	return { grown: readBunchPlant(core.grow(encodeRequest(specimen))), specimen };
 }
 
 /** A canvas on the page, so many CSS pixels large. */
@@ -35,7 +35,7 @@ function canvas(width: number, height: number): HTMLCanvasElement {
 
 /** A view of a bunch that keeps still. */
 function view(query: string, [width, height]: readonly [number, number], options: ViewerOptions = {}) {
-	const viewer = new Viewer<BunchSpecimen, Grown>(canvas(width, height), {
+	const viewer = new Viewer<BunchSpecimen, BunchPlant>(canvas(width, height), {
 		still: true,
 		reducedMotion: true,
 		checked: true,

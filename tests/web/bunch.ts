@@ -3,7 +3,7 @@
 import { aboutPlant } from "../../web/src/formats/about_plant";
 import * as json from "../../web/src/formats/json";
 import { foundInFile } from "../../web/src/formats/restore";
-import type { Grown } from "../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../web/src/models/bunch/bunch_plant";
 import { model } from "../../web/src/models/bunch/index";
 import { PRESETS } from "../../web/src/models/bunch/presets/presets";
 import { BUNCH } from "../../web/src/models/bunch/schema";
@@ -61,8 +61,9 @@ export const specimenFromFile = async (name: string, file: Blob) => {
 	return decodeLink(query, fragment);
 };
 
-export const exportJson = (grown: Grown, specimen: BunchSpecimen) => json.exportJson(model, grown, specimen);
+export const exportJson = (grown: BunchPlant, specimen: BunchSpecimen) => json.exportJson(model, grown, specimen);
 /** Its text, as it is written without the document. */
-export const writtenJson = (grown: Grown, specimen: BunchSpecimen) => json.writeJson(model, grown, specimen).toString();
-export const aboutBunch = (grown: Grown, specimen: BunchSpecimen, link?: string) =>
+export const writtenJson = (grown: BunchPlant, specimen: BunchSpecimen) =>
+	json.writeJson(model, grown, specimen).toString();
+export const aboutBunch = (grown: BunchPlant, specimen: BunchSpecimen, link?: string) =>
 	aboutPlant(model, grown, specimen, link);

@@ -14,7 +14,7 @@ import { readLine } from "../../web/src/models/flower/design/description";
 import { designOf } from "../../web/src/models/flower/design/design";
 import { FLOWER } from "../../web/src/models/flower/schema";
 import { usesAge, variablesIn } from "../../web/src/models/flower/texts";
-import { figureWords } from "../../web/src/models/flower/ui/figure_words";
+import { describeNumber } from "../../web/src/models/flower/ui/number_words";
 import type { GrammarPlant } from "../../web/src/models/grammar/grammar_plant";
 import { GRAMMAR } from "../../web/src/models/grammar/schema";
 import type { GrammarSpecimen } from "../../web/src/models/grammar/specimen";
@@ -72,7 +72,7 @@ it.each(COMMENTS.map((text) => [text.slice(0, 30), text]))("grammars: %j and so 
 	await variablesIn({ grammar: text, preset: "tulip" });
 	usesAge({ grammar: text, preset: "tulip" });
 	expect(designOf(text)).toBeUndefined();
-	figureWords(text, "x");
+	describeNumber(text, "x");
 	for (const species of [BUNCH, FLOWER, GRAMMAR]) restore(species as typeof BUNCH, { grammar: text });
 });
 

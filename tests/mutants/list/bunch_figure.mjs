@@ -100,8 +100,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/kept_sky.ts`,
-		suites: [`${TESTS}/kept_sky.test.ts`],
+		file: `${SRC}/cached_sky.ts`,
+		suites: [`${TESTS}/cached_sky.test.ts`],
 		faults: [
 			{
 				id: "kept-sky-by-place",

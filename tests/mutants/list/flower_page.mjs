@@ -43,8 +43,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/flower/ui/said.ts",
-		suites: ["tests/web/models/flower/said.test.ts"],
+		file: "web/src/models/flower/ui/token_edits.ts",
+		suites: ["tests/web/models/flower/token_edits.test.ts"],
 		faults: [
 			{
 				id: "flower-dead-sliders",
@@ -73,8 +73,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/flower/ui/figure_range.ts",
-		suites: ["tests/web/models/flower/said.test.ts"],
+		file: "web/src/models/flower/ui/number_range.ts",
+		suites: ["tests/web/models/flower/token_edits.test.ts"],
 		faults: [
 			{
 				id: "flower-counts-from-nothing",

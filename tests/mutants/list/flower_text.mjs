@@ -2,7 +2,7 @@
 export default [
 	{
 		file: "web/src/models/flower/ui/statements.ts",
-		suites: ["tests/web/models/flower/xml.test.ts", "tests/web/models/flower/said.test.ts"],
+		suites: ["tests/web/models/flower/xml.test.ts", "tests/web/models/flower/token_edits.test.ts"],
 		faults: [
 			{
 				id: "flower-xml-short-lists",

@@ -107,8 +107,8 @@ export default [
 			},
 			{
 				id: "warnings-steps-unsaid",
-				find: "&& done < asked ?",
-				replace: "&& done > asked ?",
+				find: "&& done < requested ?",
+				replace: "&& done > requested ?",
 				breaks: "nobody learns that 12 of 60 steps are shown",
 			},
 			{

@@ -156,8 +156,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/bunch/read_grown.ts",
-		suites: ["tests/web/models/bunch/read_grown.test.ts"],
+		file: "web/src/models/bunch/read_bunch_plant.ts",
+		suites: ["tests/web/models/bunch/read_bunch_plant.test.ts"],
 		faults: [
 			{
 				id: "read-places-without-z",

@@ -1,9 +1,9 @@
 import { readFile } from "node:fs/promises";
 import type { Core } from "../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
-import type { Grown } from "../../../web/src/models/bunch/grown";
-import { readGrown } from "../../../web/src/models/bunch/read_grown";
-import { encodeRequest, type RequestOptions } from "../../../web/src/models/bunch/request";
+import type { BunchPlant } from "../../../web/src/models/bunch/bunch_plant";
+import { readBunchPlant } from "../../../web/src/models/bunch/read_bunch_plant";
+import { type BunchRequestOptions, encodeRequest } from "../../../web/src/models/bunch/request";
 import type { Specimen } from "../bunch";
 
 /** The bytes of a core as it was last built. */
@@ -13,5 +13,5 @@ export const wasmBytes = (file = "bunch.wasm") => readFile(new URL(`../../../bui
 export const freshCore = async (file?: string): Promise<Core> => loadCoreFromBytes(await wasmBytes(file));
 
 /** Grows a bunch on an instance, as the page and the command do. */
-export const growBunch = (core: Core, specimen: Specimen, options?: RequestOptions): Grown =>
-	readGrown(core.grow(encodeRequest(specimen, options)));
+export const growBunch = (core: Core, specimen: Specimen, options?: BunchRequestOptions): BunchPlant =>
+	readBunchPlant(core.grow(encodeRequest(specimen, options)));

@@ -38,12 +38,12 @@ export function findPresets(sections: readonly PresetSection[], query: string, k
 		.filter((section) => kind === "" || kindKey(section) === kind)
 		.map((section) => ({
 			...section,
-			presets: section.presets.filter((preset) => isIn(words, saidOf(section, preset))),
+			presets: section.presets.filter((preset) => isIn(words, numberGroupsOf(section, preset))),
 		}))
 		.filter(({ presets }) => presets.length > 0);
 }
 
-function saidOf({ model, kind }: PresetSection, { name, title, about, figure = "" }: Preset): string {
+function numberGroupsOf({ model, kind }: PresetSection, { name, title, about, figure = "" }: Preset): string {
 	return [title, name, about, kind.title, model.title, figure].join(" ");
 }
 

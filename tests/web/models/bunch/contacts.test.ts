@@ -2,7 +2,7 @@
 
 import { beforeAll, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { type Grown, TRAITS } from "../../../../web/src/models/bunch/grown";
+import { type BunchPlant, TRAITS } from "../../../../web/src/models/bunch/bunch_plant";
 import { PRESETS } from "../../../../web/src/models/bunch/presets/presets";
 import { inRun } from "../../../long_run.mjs";
 import { specimenFromPreset } from "../../bunch";
@@ -47,7 +47,7 @@ const dot = (a: number[], b: number[]) => a.reduce((sum, x, k) => sum + x * b[k]
 const clamp = (x: number, most: number) => Math.min(most, Math.max(-most, x));
 
 /** Of every two that touch: by how much of the smaller one's half width they overlap. */
-function overlapsOf(bunch: Grown): number[] {
+function overlapsOf(bunch: BunchPlant): number[] {
 	const all = capsulesOf(bunch);
 	return all.flatMap((a, i) => all.slice(i + 1).map((b) => overlap(a, b))).filter((share) => share > 0);
 }
@@ -65,7 +65,7 @@ function overlap(a: Capsule, b: Capsule): number {
 }
 
 /** The berries that set, as they meet: those longer than wide are balls swept along their cores. */
-function capsulesOf({ berries }: Grown): Capsule[] {
+function capsulesOf({ berries }: BunchPlant): Capsule[] {
 	const of = (trait: (typeof TRAITS)[number], i: number) => berries.traits[TRAITS.length * i + TRAITS.indexOf(trait)];
 	return Array.from({ length: berries.count }, (_, i) => i)
 		.filter((i) => of("set", i) === 1)

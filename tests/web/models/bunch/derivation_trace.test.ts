@@ -1,7 +1,7 @@
 /** How a bunch's text was derived, and what its environment found. */
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import type { Grown } from "../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../web/src/models/bunch/bunch_plant";
 import {
 	type DerivationTrace,
 	MOST_TOLD,
@@ -19,7 +19,7 @@ beforeAll(async () => {
 const LAST = 0xffffffff;
 const bare = { meshes: false, measures: false };
 
-function tell(specimen: Specimen, first = 0): Grown & { trace: DerivationTrace } {
+function tell(specimen: Specimen, first = 0): BunchPlant & { trace: DerivationTrace } {
 	const grown = growBunch(core, specimen, { ...bare, trace: { step: LAST, first } });
 	if (!grown.trace) throw new Error("Nothing was told.");
 	return { ...grown, trace: grown.trace };

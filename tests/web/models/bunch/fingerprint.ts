@@ -7,7 +7,7 @@ import {
 	INTERNODE_STATES,
 	type Internodes,
 	type Procedure,
-} from "../../../../web/src/models/bunch/grown";
+} from "../../../../web/src/models/bunch/bunch_plant";
 import type { BunchRecord, NaturalBerryRecord } from "../../../../web/src/models/bunch/record";
 
 export function fingerprintOf(

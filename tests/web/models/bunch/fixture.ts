@@ -1,5 +1,12 @@
 /** Small growths made without the core: a rachis, axes of one internode, pedicels with berries or withered. */
-import type { Berries, Grown, Internodes, Mesh, StemMesh, StemPart } from "../../../../web/src/models/bunch/grown";
+import type {
+	Berries,
+	BunchPlant,
+	Internodes,
+	Mesh,
+	StemMesh,
+	StemPart,
+} from "../../../../web/src/models/bunch/bunch_plant";
 import { EMPTY_PLANT } from "../../../../web/src/plant/plant";
 import { type Specimen, specimenFromPreset } from "../../bunch";
 import { fingerprintOf } from "./fingerprint";
@@ -56,7 +63,7 @@ interface Node {
 	radii: [number, number];
 }
 
-export function makeGrown({ axes, sides = 4, segments = 6, length = 0.012 }: GrownSketch): Grown {
+export function makeGrown({ axes, sides = 4, segments = 6, length = 0.012 }: GrownSketch): BunchPlant {
 	const nodes: Node[] = [];
 	const berries: { centre: Vector; radius: number; direction: Vector; parent: number }[] = [];
 	const add = (node: Node) => nodes.push(node) - 1;

@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { type Grown, INTERNODE_KINDS, TRAITS } from "../../../../web/src/models/bunch/grown";
+import { type BunchPlant, INTERNODE_KINDS, TRAITS } from "../../../../web/src/models/bunch/bunch_plant";
 import { PRESETS } from "../../../../web/src/models/bunch/presets/presets";
 import { encodeRequest } from "../../../../web/src/models/bunch/request";
 import { BERRY_IDS, type Specimen, specimenFromPreset, withParameters } from "../../bunch";
@@ -21,7 +21,7 @@ const PROCEDURES = [
 ] as const;
 
 /** All that came back but how long it took, as bytes. */
-function bytesOf({ timings: _, ...grown }: Omit<Grown, "timings"> & Partial<Grown>): string {
+function bytesOf({ timings: _, ...grown }: Omit<BunchPlant, "timings"> & Partial<BunchPlant>): string {
 	return JSON.stringify(grown, (_key, value) =>
 		ArrayBuffer.isView(value) ? Array.from(value as Float32Array) : value,
 	);

@@ -2,7 +2,7 @@
 
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { type Grown, INTERNODE_KINDS, TRAITS } from "../../../../web/src/models/bunch/grown";
+import { type BunchPlant, INTERNODE_KINDS, TRAITS } from "../../../../web/src/models/bunch/bunch_plant";
 import { measureOf } from "../../../../web/src/models/bunch/measures";
 import type { MEASURE_KEYS } from "../../../../web/src/models/bunch/measures.generated";
 import { inRun, isLongRun } from "../../../long_run.mjs";
@@ -19,7 +19,7 @@ beforeAll(async () => {
 	core = await freshCore();
 });
 
-const bunchesOf = (preset: string): Grown[] =>
+const bunchesOf = (preset: string): BunchPlant[] =>
 	Array.from({ length: SEEDS }, (_, seed) =>
 		growBunch(core, { ...specimenFromPreset(preset), seed: seed + 1 }, { meshes: false }),
 	);
@@ -29,7 +29,7 @@ const coverages: number[] = [];
 const spills: number[] = [];
 
 describe.each(GRAPES)("%s", (preset) => {
-	let bunches: Grown[];
+	let bunches: BunchPlant[];
 	beforeAll(() => {
 		bunches = bunchesOf(preset);
 	});
@@ -91,7 +91,7 @@ class Draws {
 }
 
 /** The longest stretch of the bunch's axis beside which no berry hangs while some do below it; in berry lengths. */
-function longestGap({ berries }: Grown): number {
+function longestGap({ berries }: BunchPlant): number {
 	const of = (trait: (typeof TRAITS)[number], i: number) => berries.traits[TRAITS.length * i + TRAITS.indexOf(trait)];
 	const set = Array.from({ length: berries.count }, (_, i) => i).filter((i) => of("set", i) === 1);
 	const mean = set.reduce((sum, i) => sum + of("length", i), 0) / set.length;
@@ -106,7 +106,7 @@ function longestGap({ berries }: Grown): number {
 }
 
 /** The share of berries that point upward, of those that set. */
-function upward({ berries }: Grown): number {
+function upward({ berries }: BunchPlant): number {
 	const set = Array.from({ length: berries.count }, (_, i) => i).filter(
 		(i) => berries.traits[TRAITS.length * i + TRAITS.indexOf("set")] === 1,
 	);
@@ -114,7 +114,7 @@ function upward({ berries }: Grown): number {
 }
 
 /** Of the internodes of first-order axes: how many lie in each sector, the first centred on +X. */
-function shares(bunches: readonly Grown[]): number[] {
+function shares(bunches: readonly BunchPlant[]): number[] {
 	const counts = new Array<number>(SECTORS).fill(0);
 	for (const { internodes } of bunches) {
 		for (let i = 0; i < internodes.count; i++) {

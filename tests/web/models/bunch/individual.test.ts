@@ -2,7 +2,7 @@
 
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import type { Grown } from "../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../web/src/models/bunch/bunch_plant";
 import { measureOf } from "../../../../web/src/models/bunch/measures";
 import type { MeasureKey } from "../../../../web/src/models/bunch/measures.generated";
 import { entryOf, exportJson, presetsInRun, specimenFromPreset, withParameters } from "../../bunch";
@@ -15,10 +15,10 @@ beforeAll(async () => {
 	core = await freshCore();
 });
 
-const bunch = (preset: string, seed: number, variability: number): Grown =>
+const bunch = (preset: string, seed: number, variability: number): BunchPlant =>
 	growBunch(core, { ...withParameters(specimenFromPreset(preset), { variability }), seed }, { meshes: false });
 
-function spread(bunches: readonly Grown[], key: MeasureKey) {
+function spread(bunches: readonly BunchPlant[], key: MeasureKey) {
 	const values = bunches.map(({ measures }) => measureOf(measures, key));
 	const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
 	const variance = values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / values.length;
@@ -26,8 +26,8 @@ function spread(bunches: readonly Grown[], key: MeasureKey) {
 }
 
 describe.each(presetsInRun(({ kind }) => kind !== "fruit"))("%s", (preset) => {
-	let even: Grown[];
-	let varied: Grown[];
+	let even: BunchPlant[];
+	let varied: BunchPlant[];
 	beforeAll(() => {
 		const seeds = Array.from({ length: SEEDS }, (_, index) => index + 1);
 		even = seeds.map((seed) => bunch(preset, seed, 0));
@@ -66,7 +66,10 @@ it("says whose outline it fills: the handles' without variability and for seed 1
 	expect(profileOf(4, 1)?.l).not.toBeCloseTo(parameters.l, 0);
 	const varied = bunch("riesling", 4, 1);
 	const specimen = { ...specimenFromPreset("riesling"), seed: 4 };
-	const document = exportJson(varied, specimen) as unknown as { profile: Record<string, number>; plan: Grown["plan"] };
+	const document = exportJson(varied, specimen) as unknown as {
+		profile: Record<string, number>;
+		plan: BunchPlant["plan"];
+	};
 	expect(document.profile.p4w).toBeCloseTo(varied.profile?.p4w ?? Number.NaN, 3);
 	expect(document.plan.sides[1].w).toBe(parameters.p4w);
 });

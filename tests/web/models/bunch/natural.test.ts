@@ -2,7 +2,7 @@
 
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import { FRUITS, PROCEDURES, TRAITS, type Trait } from "../../../../web/src/models/bunch/grown";
+import { FRUITS, PROCEDURES, TRAITS, type Trait } from "../../../../web/src/models/bunch/bunch_plant";
 import { PRESETS } from "../../../../web/src/models/bunch/presets/presets";
 import type { ChoiceEntry } from "../../../../web/src/specimen/table";
 import { entryOf, type Specimen, specimenFromPreset, thin, withParameters } from "../../bunch";

@@ -1,5 +1,11 @@
 /** Small growths as the natural procedure gives them, made without the core: pressed berries, flowers, foliage. */
-import type { BerrySurfaces, FlowerMesh, Foliage, Grown, Mesh } from "../../../../web/src/models/bunch/grown";
+import type {
+	BerrySurfaces,
+	BunchPlant,
+	FlowerMesh,
+	Foliage,
+	Mesh,
+} from "../../../../web/src/models/bunch/bunch_plant";
 import { MEASURES } from "../../../../web/src/models/bunch/measures.generated";
 import { fromUp, rows } from "../../../../web/src/plant/orientation";
 import { fingerprintOf } from "./fingerprint";
@@ -14,7 +20,10 @@ export interface NaturalChanges {
 
 const LENGTHENED = 1.25;
 
-export function makeNatural(sketch: GrownSketch, { traits = () => ({}), bare = false }: NaturalChanges = {}): Grown {
+export function makeNatural(
+	sketch: GrownSketch,
+	{ traits = () => ({}), bare = false }: NaturalChanges = {},
+): BunchPlant {
 	const { berry, ...grown } = makeGrown(sketch);
 	const { berries } = grown;
 	for (let i = 0; i < berries.count; i++) {
@@ -23,7 +32,7 @@ export function makeNatural(sketch: GrownSketch, { traits = () => ({}), bare = f
 		const width = (2 * radius) / Math.cbrt(LENGTHENED);
 		berries.traits.set([width, LENGTHENED * width, exposure, turned, opened, set, shrivel, i % 5], 8 * i);
 	}
-	const natural: Grown = {
+	const natural: BunchPlant = {
 		...grown,
 		procedure: "natural",
 		form: { fruit: "grape", taper: Math.fround(0.1), blunt: 0, curve: Math.fround(0.3) },
@@ -55,7 +64,7 @@ function flower(): FlowerMesh {
 }
 
 /** Ellipsoids along their directions, flat on one side where they are called pressed. */
-function pressedSurfaces({ berries }: Grown, pattern: Mesh): BerrySurfaces {
+function pressedSurfaces({ berries }: BunchPlant, pattern: Mesh): BerrySurfaces {
 	const vertices = pattern.uvs.length / 2;
 	const positions = new Float32Array(3 * vertices * berries.count);
 	const normals = new Float32Array(positions.length);

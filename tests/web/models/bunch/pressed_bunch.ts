@@ -1,5 +1,11 @@
 import { SphereGeometry, Vector3 } from "three";
-import { type BerrySurfaces, type Fruit, type Grown, TRAITS, type Trait } from "../../../../web/src/models/bunch/grown";
+import {
+	type BerrySurfaces,
+	type BunchPlant,
+	type Fruit,
+	TRAITS,
+	type Trait,
+} from "../../../../web/src/models/bunch/bunch_plant";
 import { sampleBunch } from "./sample_bunch";
 
 export interface PressedOptions extends Partial<Record<Trait, number>> {
@@ -13,7 +19,7 @@ export interface PressedOptions extends Partial<Record<Trait, number>> {
 }
 
 /** A natural bunch without botany: the sample's berries swollen and cut flat on the plane between neighbours. */
-export function pressedBunch(options: PressedOptions = {}): Grown {
+export function pressedBunch(options: PressedOptions = {}): BunchPlant {
 	const {
 		count = 120,
 		seed = 1,
@@ -38,7 +44,7 @@ export function pressedBunch(options: PressedOptions = {}): Grown {
 	return { ...bunch, procedure: "natural", form, surfaces: pressed(bunch) };
 }
 
-function pressed({ berries }: Grown): BerrySurfaces {
+function pressed({ berries }: BunchPlant): BerrySurfaces {
 	const pattern = new SphereGeometry(1, 24, 16);
 	const { position, uv } = pattern.attributes;
 	const size = position.count;

@@ -1,7 +1,7 @@
 /** Bunches that dry: what they lose on the way from ripe to raisin. */
 import { beforeAll, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
-import type { Grown } from "../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../web/src/models/bunch/bunch_plant";
 import { presetsInRun, specimenFromPreset } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 
@@ -12,12 +12,12 @@ beforeAll(async () => {
 	core = await freshCore();
 });
 
-function aged(preset: string, seed: number, age: number): Grown {
+function aged(preset: string, seed: number, age: number): BunchPlant {
 	const specimen = specimenFromPreset(preset);
 	return growBunch(core, { ...specimen, seed, parameters: { ...specimen.parameters, age } }, { meshes: false });
 }
 
-const idsOf = ({ berries }: Grown) => new Set(berries.ids);
+const idsOf = ({ berries }: BunchPlant) => new Set(berries.ids);
 
 it.each(presetsInRun())("%s gains no berry as it dries, and no berry that was not there", (preset) => {
 	for (const seed of [1, 2]) {

@@ -1,5 +1,5 @@
 import { CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3 } from "three";
-import type { Grown, Internodes, Mesh, Plan, StemMesh } from "../../../../web/src/models/bunch/grown";
+import type { BunchPlant, Internodes, Mesh, Plan, StemMesh } from "../../../../web/src/models/bunch/bunch_plant";
 import { EMPTY_PLANT } from "../../../../web/src/plant/plant";
 import type { Look } from "../../bunch";
 
@@ -17,7 +17,7 @@ export const LOOK: Look = {
 export const RIPE = { exposure: 0.5, set: 1, shrivel: 0 };
 
 /** A plausible bunch without botany: berries packed on a cone round a rachis, each on a straight pedicel. */
-export function sampleBunch(count = 90, seed = 1, length = 0.16): Grown {
+export function sampleBunch(count = 90, seed = 1, length = 0.16): BunchPlant {
 	const random = randomOf(seed);
 	const spheres: number[] = [];
 	const directions: number[] = [];

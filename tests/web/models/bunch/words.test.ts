@@ -1,12 +1,12 @@
 import { expect, it } from "vitest";
-import type { Grown } from "../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../web/src/models/bunch/bunch_plant";
 import { bunchInWords, lengthInWords, stemsInWords } from "../../../../web/src/models/bunch/words";
 import { specimenFromPreset, withParameters } from "../../bunch";
 
 /** So many berries of a natural bunch, the highest and the lowest 22 cm apart from end to end. */
 const berries = (count: number) => {
 	const spheres = Float32Array.of(0, 0.01, 0, 0.01, 0, -0.19, 0, 0.01);
-	return { procedure: "natural", counts: { berries: count }, berries: { count: 2, spheres } } as Grown;
+	return { procedure: "natural", counts: { berries: count }, berries: { count: 2, spheres } } as BunchPlant;
 };
 
 it("says a bunch in plain words, in the units of a ruler", () => {
@@ -14,8 +14,8 @@ it("says a bunch in plain words, in the units of a ruler", () => {
 	expect(bunchInWords(berries(73), conical)).toBe("73 berries, 22 cm long");
 	expect(bunchInWords(berries(1), conical)).toBe("1 berry, 22 cm long");
 	const counts = { pedicels: 120, withered: 34 };
-	expect(stemsInWords({ procedure: "paper", counts } as Grown)).toBe("120 pedicels, 34 withered");
-	expect(stemsInWords({ procedure: "natural", counts } as Grown)).toBe("120 pedicels");
+	expect(stemsInWords({ procedure: "paper", counts } as BunchPlant)).toBe("120 pedicels, 34 withered");
+	expect(stemsInWords({ procedure: "natural", counts } as BunchPlant)).toBe("120 pedicels");
 	expect(lengthInWords(0.067)).toBe("6.7 cm");
 	const longer = withParameters(conical, { l: 580 });
 	expect(bunchInWords({ ...berries(73), procedure: "paper" }, longer)).toBe("73 berries, 25 cm long");

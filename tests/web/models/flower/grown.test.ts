@@ -5,7 +5,7 @@ import { exportJson } from "../../../../web/src/formats/json";
 import { type FlowerPlant, readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../web/src/models/flower/index";
 import { volumesTable } from "../../../../web/src/models/flower/record";
-import type { RequestOptions } from "../../../../web/src/models/flower/request";
+import type { FlowerRequestOptions } from "../../../../web/src/models/flower/request";
 import type { FlowerSpecimen } from "../../../../web/src/models/flower/specimen";
 import { fetchedText, fetchTexts } from "../../../../web/src/models/flower/texts";
 import { everyPart } from "../../../../web/src/plant/part";
@@ -19,7 +19,7 @@ beforeAll(async () => {
 	core = await freshCore("flower.wasm");
 });
 
-const grow = (specimen: FlowerSpecimen, options?: RequestOptions): FlowerPlant =>
+const grow = (specimen: FlowerSpecimen, options?: FlowerRequestOptions): FlowerPlant =>
 	readFlowerPlant(core.grow(model.encode(specimen, options)));
 
 describe("a flower", () => {

@@ -3,8 +3,8 @@ import type { Core } from "../../../../web/src/core/core";
 import { exportJson, writeJson } from "../../../../web/src/formats/json";
 import type { GrammarPlant } from "../../../../web/src/models/grammar/grammar_plant";
 import { model } from "../../../../web/src/models/grammar/index";
-import type { BorneRecord, LineRecord } from "../../../../web/src/models/grammar/record";
-import type { RequestOptions } from "../../../../web/src/models/grammar/request";
+import type { GrammarOrganRecord, LineRecord } from "../../../../web/src/models/grammar/record";
+import type { GrammarRequestOptions } from "../../../../web/src/models/grammar/request";
 import type { GrammarSpecimen } from "../../../../web/src/models/grammar/specimen";
 import { fetchTexts } from "../../../../web/src/models/grammar/texts";
 import { everyPart } from "../../../../web/src/plant/part";
@@ -22,7 +22,7 @@ const of = (grammar: string, changes: Partial<GrammarSpecimen> = {}): GrammarSpe
 	...changes,
 	grammar,
 });
-const grow = (specimen: GrammarSpecimen, options?: RequestOptions): GrammarPlant =>
+const grow = (specimen: GrammarSpecimen, options?: GrammarRequestOptions): GrammarPlant =>
 	model.read(core.grow(model.encode(specimen, options)));
 
 /** Blades of a leaf that are still to open. */
@@ -51,7 +51,7 @@ describe("a plant that a text grows", () => {
 			counts: { modules: 12, segments: 4, organs: 2, polygons: 0 },
 		});
 		expect((json.segments as LineRecord[]).map(({ module }) => module)).toEqual([0, 3, 8, 11]);
-		expect((json.organs as BorneRecord[]).map(({ module, kind }) => [module, kind])).toEqual([
+		expect((json.organs as GrammarOrganRecord[]).map(({ module, kind }) => [module, kind])).toEqual([
 			[4, "ball"],
 			[9, "ball"],
 		]);

@@ -6,7 +6,7 @@ import { exportJson } from "../../../../web/src/formats/json";
 import type { GrammarPlant } from "../../../../web/src/models/grammar/grammar_plant";
 import { model } from "../../../../web/src/models/grammar/index";
 import type { AreaRecord } from "../../../../web/src/models/grammar/record";
-import type { RequestOptions } from "../../../../web/src/models/grammar/request";
+import type { GrammarRequestOptions } from "../../../../web/src/models/grammar/request";
 import type { GrammarSpecimen } from "../../../../web/src/models/grammar/specimen";
 import { fetchTexts } from "../../../../web/src/models/grammar/texts";
 import { readout } from "../../../../web/src/models/grammar/ui/readout";
@@ -20,7 +20,7 @@ beforeAll(async () => {
 	core = await freshCore("grammar.wasm");
 });
 
-const grow = (specimen: GrammarSpecimen, options?: RequestOptions): GrammarPlant =>
+const grow = (specimen: GrammarSpecimen, options?: GrammarRequestOptions): GrammarPlant =>
 	model.read(core.grow(model.encode(specimen, options)), specimen);
 const measuresOf = (preset: string) => {
 	const specimen = fromPreset(model, preset);

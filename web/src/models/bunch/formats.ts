@@ -1,9 +1,9 @@
 /** Files of a bunch besides those of every plant. */
 import type { Format } from "../model";
-import type { Grown } from "./grown";
+import type { BunchPlant } from "./bunch_plant";
 import type { BunchSpecimen } from "./specimen";
 
-export const BUNCH_FORMATS: readonly Format<BunchSpecimen, Grown>[] = [
+export const BUNCH_FORMATS: readonly Format<BunchSpecimen, BunchPlant>[] = [
 	{
 		key: "csv",
 		title: "Berries as CSV",

@@ -1,14 +1,14 @@
 /** The grape bunch (Huang et al. 2013): docs/bunch.md. */
 import type { PageModel } from "../page_model";
+import type { BunchPlant } from "./bunch_plant";
 import { BUNCH_FORMATS } from "./formats";
-import type { Grown } from "./grown";
 import { fetchLeaf, fetchSketch } from "./leaf";
 import { skinClass } from "./measures";
 import { SKIN_COLOUR } from "./measures.generated";
 import { ownTextNotes } from "./own_text";
 import { bunchParts } from "./parts/bunch_parts";
 import { BUNCH_LABELS } from "./parts/point_labels";
-import { readGrown } from "./read_grown";
+import { readBunchPlant } from "./read_bunch_plant";
 import { bunchRecord } from "./record";
 import { encodeRequest } from "./request";
 import { BUNCH, hasLeaves } from "./schema";
@@ -26,7 +26,7 @@ export const model = {
 	traces: true,
 	encode: encodeRequest,
 	read: (answer, specimen) => {
-		const grown = readGrown(answer);
+		const grown = readBunchPlant(answer);
 		return { ...grown, notes: [...grown.notes, ...ownTextNotes(specimen)] };
 	},
 	parts: bunchParts,
@@ -40,5 +40,5 @@ export const model = {
 	targets: bunchTargets,
 	render: async () => (await import("./render/bunch_renderer")).bunchRenderer,
 	handles: async () => (await import("./profile/plant_handles")).bunchHandles,
-	ui: async () => (await import("./ui/ui")).face,
-} satisfies PageModel<BunchSpecimen, Grown>;
+	ui: async () => (await import("./ui/ui")).modelUi,
+} satisfies PageModel<BunchSpecimen, BunchPlant>;

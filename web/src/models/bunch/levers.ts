@@ -16,11 +16,11 @@ const HEIGHTS: readonly ShapeKey[] = ["l", "p3r", "p4r", "p5r", "p6r"];
 const WIDTHS: readonly ShapeKey[] = ["p3w", "p4w", "p5w", "p6w"];
 
 /**
- * The outline bears what is asked of the whole bunch, the berries what is asked of them.
- * @param asked measures that are asked for at once: what one of them needs, the others leave alone
+ * The outline bears what is requested of the whole bunch, the berries what is requested of them.
+ * @param requested measures that are requested for at once: what one of them needs, the others leave alone
  */
-export function leversOf(specimen: BunchSpecimen, asked: readonly string[]): Levers<BunchSpecimen> {
-	return procedureOf(specimen) === "paper" ? paper(specimen) : natural(specimen, asked);
+export function leversOf(specimen: BunchSpecimen, requested: readonly string[]): Levers<BunchSpecimen> {
+	return procedureOf(specimen) === "paper" ? paper(specimen) : natural(specimen, requested);
 }
 
 /** The paper's berries have radii in units of the paper, so that they grow with its scale. */
@@ -37,15 +37,15 @@ function paper(specimen: BunchSpecimen): Levers<BunchSpecimen> {
 	};
 }
 
-function natural(specimen: BunchSpecimen, asked: readonly string[]): Levers<BunchSpecimen> {
-	const isAsked = (...keys: MeasureKey[]) => keys.some((key) => asked.includes(key));
-	const counted = specimen.parameters.count > 0 || isAsked("berry_count");
-	const sized = isAsked("bunch_length", "bunch_width", "hull_volume", "outline_volume");
+function natural(specimen: BunchSpecimen, requested: readonly string[]): Levers<BunchSpecimen> {
+	const isRequested = (...keys: MeasureKey[]) => keys.some((key) => requested.includes(key));
+	const counted = specimen.parameters.count > 0 || isRequested("berry_count");
+	const sized = isRequested("bunch_length", "bunch_width", "hull_volume", "outline_volume");
 	const widths = widestFirst(specimen);
 	const outline = (power: number) => outlineLever(power, ...HEIGHTS, ...widths);
 	const close = (power: number) => [lever(power, counted ? "count" : "density")];
 	// A number that is given stays, and so does an outline: then berries make up the weight.
-	const byCrowd = counted || isAsked("density") ? [] : [lever(1, "density")];
+	const byCrowd = counted || isRequested("density") ? [] : [lever(1, "density")];
 	const weight = [...(sized || counted ? [] : [outline(3)]), ...byCrowd, lever(3, "size")];
 	const size = [lever(1, "size")];
 	return {
@@ -64,7 +64,7 @@ function natural(specimen: BunchSpecimen, asked: readonly string[]): Levers<Bunc
 		diameter: size,
 		diameter_spread: [lever(1, "spread")],
 		berry_width: size,
-		berry_length: isAsked("berry_width", "diameter") ? [lever(1, "elongation")] : size,
+		berry_length: isRequested("berry_width", "diameter") ? [lever(1, "elongation")] : size,
 		berry_weight: [lever(3, "size")],
 		pedicel_length: [lever(1, "pedicel")],
 		peduncle_length: [lever(1, "peduncle")],
@@ -92,10 +92,10 @@ function outlineLever(power: number, ...keys: readonly ShapeKey[]): BunchLever {
 		set: (specimen, value) => {
 			const { parameters } = specimen;
 			const before = parameters.unit;
-			const stands = parameters[lead] * millimetres(specimen);
+			const current = parameters[lead] * millimetres(specimen);
 			// From nothing there is no proportion: only the first is set.
-			if (!(stands > 0)) return withParameters(BUNCH, specimen, { [lead]: value / millimetres(specimen) });
-			const factor = value / stands;
+			if (!(current > 0)) return withParameters(BUNCH, specimen, { [lead]: value / millimetres(specimen) });
+			const factor = value / current;
 			const longest = Math.max(...keys.map((key) => (parameters[key] * factor) / limitOf(key)));
 			const after = longest > 1 ? wider(before * longest) : before;
 			const changes = [...HEIGHTS, ...WIDTHS].map((key) => {

@@ -4,7 +4,7 @@ import { floats, integers, type Rows, recordRows, vectors, words } from "../../f
 import {
 	type Berries,
 	type BerryForm,
-	type Grown,
+	type BunchPlant,
 	INTERNODE_KINDS,
 	INTERNODE_STATES,
 	type InternodeKind,
@@ -17,7 +17,7 @@ import {
 	type Thinned,
 	TRAITS,
 	type Trait,
-} from "./grown";
+} from "./bunch_plant";
 
 export type Point = [x: number, y: number, z: number];
 
@@ -95,7 +95,7 @@ export interface BerryOrgan {
 }
 
 /** `grown` is only read. Needs no meshes. */
-export function bunchRecord(grown: Grown): BunchRecord {
+export function bunchRecord(grown: BunchPlant): BunchRecord {
 	const { procedure, form, profile, berries, thinned, internodes } = grown;
 	return {
 		procedure,
@@ -141,7 +141,7 @@ function naturalBerryRows(berries: Berries): Rows<NaturalBerryRecord> {
 	});
 }
 
-function thinnedRows(thinned: Grown["thinned"]): Rows<ThinnedRecord> {
+function thinnedRows(thinned: BunchPlant["thinned"]): Rows<ThinnedRecord> {
 	const places = new Float32Array(3 * thinned.length);
 	thinned.forEach(({ place }, index) => {
 		places.set(place, 3 * index);

@@ -4,9 +4,9 @@ import { CoreError } from "../../core/errors";
 import { type TraceRequest, traceBlocks } from "../../plant/derivation_trace";
 import { overlongText } from "../../specimen/limits";
 import type { CoreEntry } from "../../specimen/table";
+import type { Procedure } from "./bunch_plant";
 import { INPUT_N_LENGTH } from "./details/inputs";
 import { GRAPE_BUNCH_3, GRAPE_BUNCH_4 } from "./grammars.generated";
-import type { Procedure } from "./grown";
 import { caneLeafBlocks } from "./leaf";
 import type { NumberKey } from "./parameters.generated";
 import { hasLeaves, procedureOf } from "./schema";
@@ -16,7 +16,7 @@ import { BUNCH_TABLE } from "./table";
 /** The text that a procedure grows by where a bunch brings none of its own. It goes with every request; the core compiles it once (core/core.ts). */
 export const BUILT_IN: Readonly<Record<Procedure, string>> = { paper: GRAPE_BUNCH_3, natural: GRAPE_BUNCH_4 };
 
-export interface RequestOptions {
+export interface BunchRequestOptions {
 	/** Whether triangles are wanted besides the skeleton; the default is yes. */
 	meshes?: boolean;
 	/** Whether `measures` are wanted; the default is yes, but not in passing. */
@@ -38,7 +38,7 @@ export interface RequestOptions {
 }
 
 /** @throws CoreError where the specimen cannot be written as a request: it has not come through specimen/restore.ts */
-export function encodeRequest(specimen: Specimen, options: RequestOptions = {}): Block[] {
+export function encodeRequest(specimen: Specimen, options: BunchRequestOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, stemSides = 0, berrySegments = 0, trace } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;
 	const { inputs, thinned, grammar, parameters } = specimen;
@@ -63,7 +63,7 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
 		{
 			name: "parameters",
-			data: Float32Array.from(BUNCH_TABLE.core, (entry) => asked(entry, parameters[entry.key as NumberKey])),
+			data: Float32Array.from(BUNCH_TABLE.core, (entry) => parameterValue(entry, parameters[entry.key as NumberKey])),
 		},
 		{ name: "grammar", data: grammar ?? BUILT_IN[procedureOf(specimen)] },
 		{ name: "thinned", data: words("thinned", thinned) },
@@ -79,7 +79,7 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 }
 
 /** NaN leaves a `#define` of the text as it stands: one that the person has not moved must not overrule a text's own. */
-function asked(entry: CoreEntry, value: number): number {
+function parameterValue(entry: CoreEntry, value: number): number {
 	if (!Number.isFinite(value)) throw new CoreError("bad request", `${entry.key} is not a number.`);
 	return entry.define !== undefined && value === entry.default ? Number.NaN : value;
 }

@@ -6,7 +6,7 @@ import { type Cell, writeCsv } from "../../formats/csv";
 import { measureValues } from "../../formats/measures";
 import { rounded } from "../../formats/numbers";
 import { classOf } from "../../specimen/measures";
-import type { Grown } from "./grown";
+import type { BunchPlant } from "./bunch_plant";
 import { skinClass } from "./measures";
 import { SKIN_COLOUR } from "./measures.generated";
 import type { BunchSpecimen as Specimen } from "./specimen";
@@ -19,7 +19,7 @@ const SHARE_DECIMALS = 4;
 const MM = 1000;
 
 /** Column by column: its name and what it says of a berry. */
-const BERRY_COLUMNS: readonly (readonly [name: string, cell: (grown: Grown, index: number) => Cell])[] = [
+const BERRY_COLUMNS: readonly (readonly [name: string, cell: (grown: BunchPlant, index: number) => Cell])[] = [
 	["berry", (_, i) => i + 1],
 	["id", ({ berries }, i) => berries.ids[i]],
 	["x_mm", (grown, i) => millimetres(grown.berries.spheres[4 * i])],
@@ -44,7 +44,7 @@ const BERRY_COLUMNS: readonly (readonly [name: string, cell: (grown: Grown, inde
 ];
 
 /** One row a berry, in the order of the growth; each says whose it is, so that tables can be put one below the other. */
-export function berriesCsv(grown: Grown, { preset, seed }: Specimen): string {
+export function berriesCsv(grown: BunchPlant, { preset, seed }: Specimen): string {
 	const rows = Array.from({ length: grown.berries.count }, (_, i) => [
 		preset,
 		seed,
@@ -54,7 +54,7 @@ export function berriesCsv(grown: Grown, { preset, seed }: Specimen): string {
 }
 
 /** One row a measure, and one for the skin's colour; none where no measures are wanted. A value that does not apply is empty. */
-export function measuresCsv(grown: Grown, { preset, seed, look }: Specimen): string {
+export function measuresCsv(grown: BunchPlant, { preset, seed, look }: Specimen): string {
 	const rows = measureValues(BUNCH_TABLE, grown).map(([info, value]): Cell[] => {
 		const { key, label, kind, unit, oiv = null } = info;
 		const found = classOf(info, value ?? Number.NaN);
@@ -73,15 +73,15 @@ function millimetres(metres: number): number {
 	return rounded(MM * metres, MM_DECIMALS);
 }
 
-function direction({ berries }: Grown, index: number, axis: number): number {
+function direction({ berries }: BunchPlant, index: number, axis: number): number {
 	return rounded(berries.directions[3 * index + axis], SHARE_DECIMALS);
 }
 
 function share(trait: Parameters<typeof traitOf>[2]) {
-	return ({ berries }: Grown, index: number): number => rounded(traitOf(berries, index, trait), SHARE_DECIMALS);
+	return ({ berries }: BunchPlant, index: number): number => rounded(traitOf(berries, index, trait), SHARE_DECIMALS);
 }
 
-function pedicelLength({ berries, internodes }: Grown, index: number): number {
+function pedicelLength({ berries, internodes }: BunchPlant, index: number): number {
 	const [ax, ay, az, bx, by, bz] = internodes.ends.subarray(6 * berries.parent[index], 6 * berries.parent[index] + 6);
 	return millimetres(Math.hypot(bx - ax, by - ay, bz - az));
 }

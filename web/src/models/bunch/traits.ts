@@ -1,5 +1,5 @@
 /** The traits of berries by name. */
-import { type Berries, TRAITS, type Trait } from "./grown";
+import { type Berries, TRAITS, type Trait } from "./bunch_plant";
 
 const PLACE = Object.fromEntries(TRAITS.map((trait, at) => [trait, at])) as Record<Trait, number>;
 

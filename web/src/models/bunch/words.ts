@@ -1,5 +1,5 @@
 /** The bunch in a few plain words: for the caption, the picture's description and the screen reader. */
-import type { Grown } from "./grown";
+import type { BunchPlant } from "./bunch_plant";
 import { metresPerPixel } from "./profile/handles";
 import type { BunchSpecimen } from "./specimen";
 
@@ -13,7 +13,7 @@ export function lengthInWords(metres: number): string {
 }
 
 /** From the highest berry's top to the lowest one's end; the paper's bunch is as long as its profile says. */
-function bunchLength({ procedure, berries }: Grown, { parameters: { l, unit } }: BunchSpecimen): number {
+function bunchLength({ procedure, berries }: BunchPlant, { parameters: { l, unit } }: BunchSpecimen): number {
 	if (procedure === "paper" || berries.count === 0) return l * metresPerPixel(unit);
 	let top = Number.NEGATIVE_INFINITY;
 	let bottom = Number.POSITIVE_INFINITY;
@@ -25,7 +25,7 @@ function bunchLength({ procedure, berries }: Grown, { parameters: { l, unit } }:
 }
 
 /** "73 berries, 22 cm long"; before they set, "73 flowers". */
-export function bunchInWords(grown: Grown, specimen: BunchSpecimen): string {
+export function bunchInWords(grown: BunchPlant, specimen: BunchSpecimen): string {
 	const { procedure, counts } = grown;
 	const { berries } = counts;
 	const inFlower = procedure === "natural" && specimen.parameters.age < FRUIT_SET;
@@ -34,6 +34,6 @@ export function bunchInWords(grown: Grown, specimen: BunchSpecimen): string {
 }
 
 /** "120 pedicels, 34 withered": of the stems alone. In a natural bunch nothing withers. */
-export function stemsInWords({ procedure, counts: { pedicels, withered } }: Grown): string {
+export function stemsInWords({ procedure, counts: { pedicels, withered } }: BunchPlant): string {
 	return procedure === "paper" ? `${pedicels} pedicels, ${withered} withered` : `${pedicels} pedicels`;
 }

@@ -32,5 +32,5 @@ export const model = {
 	formats: FLOWER_FORMATS,
 	translated: (text) =>
 		isXml(text) ? import("./xml/designed").then(({ grammarOfXml }) => grammarOfXml(text)) : undefined,
-	ui: async () => (await import("./ui/ui")).face,
+	ui: async () => (await import("./ui/ui")).modelUi,
 } satisfies PageModel<FlowerSpecimen, FlowerPlant>;

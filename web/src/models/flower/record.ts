@@ -24,7 +24,7 @@ export interface FlowerRecord {
 	position?: Rows<number[]>;
 }
 
-const NOBODY = 0xffffffff;
+const NONE = 0xffffffff;
 
 /** O, E, C1 … */
 const faceName = (face: number): string => ["O", "E"][face] ?? `C${face - 1}`;
@@ -34,8 +34,8 @@ export function flowerRecord({ volumes, darts }: FlowerPlant): FlowerRecord {
 	const record: FlowerRecord = {
 		label: Array.from(label, (of) => labels[of]),
 		order: [...order],
-		parent: Array.from(parent, (of) => (of === NOBODY ? -1 : of)),
-		face: Array.from(face, (of, i) => (parent[i] === NOBODY ? null : faceName(of))),
+		parent: Array.from(parent, (of) => (of === NONE ? -1 : of)),
+		face: Array.from(face, (of, i) => (parent[i] === NONE ? null : faceName(of))),
 		attached: [...attached.keys()].filter((i) => attached[i] === 1),
 		values: new Rows(label.length, vectors<number[]>(values, 9, 0, 9)),
 	};
@@ -82,8 +82,8 @@ export function volumesTable({ volumes }: FlowerPlant): string {
 	];
 	const rows = Array.from(label, (of, i): Cell[] => [
 		i,
-		parent[i] === NOBODY ? null : parent[i],
-		parent[i] === NOBODY ? null : faceName(face[i]),
+		parent[i] === NONE ? null : parent[i],
+		parent[i] === NONE ? null : faceName(face[i]),
 		attached[i],
 		labels[of],
 		order[i],

@@ -6,7 +6,7 @@ import type { FlowerSpecimen } from "./specimen";
 import { FLOWER_TABLE } from "./table";
 import { fetchedText } from "./texts";
 
-export interface RequestOptions extends GrowthOptions {
+export interface FlowerRequestOptions extends GrowthOptions {
 	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
 	sky?: boolean;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
@@ -14,7 +14,7 @@ export interface RequestOptions extends GrowthOptions {
 }
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
-export function encodeFlower(specimen: FlowerSpecimen, options: RequestOptions = {}): Block[] {
+export function encodeFlower(specimen: FlowerSpecimen, options: FlowerRequestOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, levels = false } = options;
 	const { measures = !preview, sky = meshes && !preview, map = !preview && !levels } = options;
 	const outputs = [

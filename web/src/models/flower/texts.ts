@@ -17,8 +17,8 @@ export async function variablesIn(flower: { readonly grammar?: string; readonly 
 /** Whether anything of a flower depends on its age; yes of a text that has not been fetched. */
 export function usesAge(flower: { readonly grammar?: string; readonly preset: string }): boolean {
 	const text = fetchedText(flower);
-	if (text !== lastAsked?.text) lastAsked = { text, isActive: text === undefined || isOfAge(uncommented(text)) };
-	return lastAsked?.isActive ?? true;
+	if (text !== lastUsesAge?.text) lastUsesAge = { text, isActive: text === undefined || isOfAge(uncommented(text)) };
+	return lastUsesAge?.isActive ?? true;
 }
 
 /** The word itself, or colours of buds and of what has wilted. */
@@ -30,7 +30,7 @@ function isOfAge(text: string): boolean {
 }
 
 /** It is asked at every change of a document, and texts are long. */
-let lastAsked: { readonly text: string | undefined; readonly isActive: boolean } | undefined;
+let lastUsesAge: { readonly text: string | undefined; readonly isActive: boolean } | undefined;
 
 /** The text with blanks for its comments, those between two `@` too; lines stay. One that is never closed goes on to the end. */
 export const uncommented = (text: string): string => text.replace(/@[^@]*(?:@|$)|\/\*[\s\S]*?(?:\*\/|$)/g, blanked);

@@ -17,7 +17,7 @@ export interface GrammarPlant extends Plant {
 	/** Of segments. */
 	lines: Marks;
 	/** Of organs. */
-	borne: Marks;
+	organMarks: Marks;
 	/** Of segments, where the text says it: the growth area of each, from 1, 0 for none, and whether it is the main branch's. */
 	belongs?: { area: Uint8Array; main: Uint8Array };
 	/** That it has grown in, where there are such. */
@@ -44,7 +44,7 @@ export function readGrammarPlant(answer: Answer, { areas }: WithAreas = {}): Gra
 	return {
 		...plant,
 		lines: marks("segments"),
-		borne: marks("organs"),
+		organMarks: marks("organs"),
 		runColours: Object.fromEntries(coloured.map(({ name }) => [name, columns.uint8(`mesh.${name}.colour`)])),
 		...(areas ? { areas } : {}),
 		...(columns.has("segments.area")

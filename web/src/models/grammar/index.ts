@@ -26,6 +26,6 @@ export const model = {
 	words: grammarInWords,
 	record: grammarRecord,
 	handles: async () => (await import("./areas/area_handles")).areaHandlesOf,
-	ui: async () => (await import("./ui/ui")).face,
+	ui: async () => (await import("./ui/ui")).modelUi,
 	formats: GRAMMAR_FORMATS,
 } satisfies PageModel<GrammarSpecimen, GrammarPlant>;

@@ -1,4 +1,4 @@
-/** What a text has grown in parts: lines by their colours, what is borne by its kind and colour. */
+/** What a text has grown in parts: lines by their colours, what is organMarks by its kind and colour. */
 import { linear } from "../../plant/colour";
 import { type Material, standardMaterial } from "../../plant/material";
 import { cut, type Part, type PartMesh, TRANSFORM } from "../../plant/part";
@@ -31,7 +31,7 @@ export function* grammarParts(plant: GrammarPlant, { look }: GrammarSpecimen): G
 	for (const [index, mesh] of plant.meshes.entries()) {
 		const colours = plant.runColours[mesh.name];
 		if (!colours) {
-			yield* attachedParts(plant, index, mesh, materialOf, called);
+			yield* instancedParts(plant, index, mesh, materialOf, called);
 			continue;
 		}
 		for (const { name, colour, runs } of groupsOf(mesh, colours)) {
@@ -88,20 +88,20 @@ function painted(kind: string, colour: number, look: GrammarSpecimen["look"]): M
 }
 
 /** The organs that are drawn with a mesh, as instances: a part for each colour. */
-function* attachedParts(
-	{ organs, borne }: GrammarPlant,
+function* instancedParts(
+	{ organs, organMarks }: GrammarPlant,
 	index: number,
 	mesh: PlantMesh,
 	materialOf: (kind: string, colour: number) => Material,
 	called: (name: string) => string,
 ): Generator<Part> {
-	for (const [colour, members] of byColour(organs, borne, index)) {
+	for (const [colour, members] of byColour(organs, organMarks, index)) {
 		const transforms = gatheredTransforms(organs.transforms, members);
 		const kind = titled(organs.tags[organs.tag[members[0]]] ?? mesh.name);
 		const { sky } = organs;
 		const each = (i: number) => ({
 			name: `${kind} ${members[i] + 1}`,
-			extras: { segment: organs.segment[members[i]], module: borne.module[members[i]] },
+			extras: { segment: organs.segment[members[i]], module: organMarks.module[members[i]] },
 		});
 		yield {
 			name: called(`${kind} ${colour}`),
@@ -119,7 +119,7 @@ function* attachedParts(
 }
 
 /** The organs of a mesh by their colours. Plain loops: there may be a hundred thousand, at every step of a drag. */
-function byColour(organs: GrammarPlant["organs"], { colour }: GrammarPlant["borne"], index: number) {
+function byColour(organs: GrammarPlant["organs"], { colour }: GrammarPlant["organMarks"], index: number) {
 	const counts = new Map<number, number>();
 	for (let organ = 0; organ < organs.count; organ++)
 		if (organs.mesh[organ] === index) counts.set(colour[organ], (counts.get(colour[organ]) ?? 0) + 1);

@@ -18,7 +18,7 @@ export interface LineRecord extends SegmentRecord {
 }
 
 /** A sphere, a surface, a polygon. */
-export interface BorneRecord extends OrganRecord {
+export interface GrammarOrganRecord extends OrganRecord {
 	/** That drew it: its place in the last string, from 0. */
 	module: number;
 	/** Of the palette, 1 … 8. */
@@ -45,11 +45,11 @@ export interface GrammarRecord {
 	/** What bounds the branches, metres. */
 	areas?: readonly AreaRecord[];
 	segments: Rows<LineRecord>;
-	organs: Rows<BorneRecord>;
+	organs: Rows<GrammarOrganRecord>;
 }
 
 export function grammarRecord(plant: GrammarPlant): GrammarRecord {
-	const { counts, segments, organs, lines, borne, belongs, areas, string } = plant;
+	const { counts, segments, organs, lines, organMarks, belongs, areas, string } = plant;
 	return {
 		modules: counts.modules,
 		steps: counts.steps,
@@ -66,14 +66,14 @@ export function grammarRecord(plant: GrammarPlant): GrammarRecord {
 			colour: integers(lines.colour),
 			...(belongs ? { area: integers(belongs.area), main: integers(belongs.main) } : {}),
 		}),
-		organs: recordRows<BorneRecord>(organs.count, {
+		organs: recordRows<GrammarOrganRecord>(organs.count, {
 			kind: words(organs.tags, organs.tag),
 			segment: integers(organs.segment),
 			position: vectors(organs.transforms, 8, 0, 3),
 			rotation: vectors(organs.transforms, 8, 3, 4),
 			scale: floats(organs.transforms, 8, 7),
-			module: integers(borne.module),
-			colour: integers(borne.colour),
+			module: integers(organMarks.module),
+			colour: integers(organMarks.colour),
 		}),
 	};
 }

@@ -8,7 +8,7 @@ import type { GrammarSpecimen } from "./specimen";
 import { GRAMMAR_TABLE } from "./table";
 import { fetchedText } from "./texts";
 
-export interface RequestOptions extends GrowthOptions {
+export interface GrammarRequestOptions extends GrowthOptions {
 	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
 	sky?: boolean;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
@@ -16,7 +16,7 @@ export interface RequestOptions extends GrowthOptions {
 }
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
-export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions = {}): Block[] {
+export function encodeGrammar(specimen: GrammarSpecimen, options: GrammarRequestOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, string = false, trace } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;
 	const outputs = [

@@ -12,7 +12,7 @@ export async function textOf(specimen: Pick<GrammarSpecimen, "grammar" | "preset
 }
 
 /** Whether a text's branches keep within growth areas. */
-export const asksForAreas = (text: string): boolean => /\b(bound|reach)\s*\(/.test(text);
+export const usesAreas = (text: string): boolean => /\b(bound|reach)\s*\(/.test(text);
 
 /** The text of a preset by its name. */
 export const presetText = (preset: string): Promise<string> => textOf({ preset });

@@ -30,5 +30,5 @@ export const model = {
 	words: growthInWords,
 	record: growthRecord,
 	formats: GROWTH_FORMATS,
-	ui: async () => (await import("./ui/ui")).face,
+	ui: async () => (await import("./ui/ui")).modelUi,
 } satisfies PageModel<GrowthSpecimen, GrowthPlant>;

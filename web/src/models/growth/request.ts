@@ -8,7 +8,7 @@ import type { GrowthSpecimen } from "./specimen";
 import { GROWTH_TABLE } from "./table";
 import { fetchedText } from "./texts";
 
-export interface RequestOptions extends GrowthOptions {
+export interface GrowthRequestOptions extends GrowthOptions {
 	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
 	sky?: boolean;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
@@ -20,7 +20,7 @@ export interface RequestOptions extends GrowthOptions {
 }
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
-export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions = {}): Block[] {
+export function encodeGrowth(specimen: GrowthSpecimen, options: GrowthRequestOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, levels = false, levelCount } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;
 	const outputs = [

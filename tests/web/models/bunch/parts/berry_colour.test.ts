@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { BerrySurfaces, Fruit, Grown } from "../../../../../web/src/models/bunch/grown";
+import type { BerrySurfaces, BunchPlant, Fruit } from "../../../../../web/src/models/bunch/bunch_plant";
 import { paintedBerries, scarShare } from "../../../../../web/src/models/bunch/parts/berry_colour";
 import { FRUIT_SKINS } from "../../../../../web/src/models/bunch/parts/fruit_skin";
 import { bunchSkin, type Dress } from "../../../../../web/src/models/bunch/parts/skin";
@@ -9,7 +9,7 @@ import { LOOK } from "../sample_bunch";
 
 /** One berry, round and free, and its colours. */
 function one(look: Partial<Look>, options: PressedOptions = {}, parameters?: Dress["parameters"]) {
-	const grown: Grown = pressedBunch({ count: 1, ...options });
+	const grown: BunchPlant = pressedBunch({ count: 1, ...options });
 	const surfaces = grown.surfaces as BerrySurfaces;
 	const { colours, sky } = paintedBerries(
 		grown,

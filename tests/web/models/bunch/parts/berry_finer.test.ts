@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { exportGlb } from "../../../../../web/src/formats/glb";
 import { plantFile } from "../../../../../web/src/formats/plant_files";
-import type { BerrySurfaces } from "../../../../../web/src/models/bunch/grown";
+import type { BerrySurfaces } from "../../../../../web/src/models/bunch/bunch_plant";
 import { berryFiner } from "../../../../../web/src/models/bunch/parts/berry_finer";
 import { bunchParts } from "../../../../../web/src/models/bunch/parts/bunch_parts";
 import { bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { type FlowerPiece, type Grown, TRAITS } from "../../../../../web/src/models/bunch/grown";
+import { type BunchPlant, type FlowerPiece, TRAITS } from "../../../../../web/src/models/bunch/bunch_plant";
 import { countOf, flowersOf } from "../../../../../web/src/models/bunch/parts/flowers";
 import { TRANSFORM } from "../../../../../web/src/plant/part";
 import { type PressedOptions, pressedBunch } from "../pressed_bunch";
@@ -20,7 +20,7 @@ interface Blooming extends PressedOptions {
 	pieces?: FlowerPiece[];
 }
 
-function blooming({ pieces = OF_GRAPES, ...options }: Blooming): Grown {
+function blooming({ pieces = OF_GRAPES, ...options }: Blooming): BunchPlant {
 	const flower = { ...NOTHING, unit: UNIT, pieces: pieces.map((piece) => ({ piece, ...RUN })) };
 	return { ...pressedBunch(options), flower };
 }
@@ -32,7 +32,7 @@ function counted(options: Blooming) {
 }
 
 /** Places of a kind of piece. */
-function places(grown: Grown, wanted: FlowerPiece): number[][] {
+function places(grown: BunchPlant, wanted: FlowerPiece): number[][] {
 	return flowersOf(grown)
 		.filter(({ piece }) => piece === wanted)
 		.flatMap(({ transforms }) =>
@@ -59,7 +59,7 @@ describe("flowersOf", () => {
 	it("keeps them as others fall: those that have set nothing and are gone still count", () => {
 		const grown = blooming({ count: 100, opened: 1, set: 0 });
 		const gone = Array.from({ length: 100 }, (_, id) => ({ id, why: "not set" as const, place: [0, 0, 0] as Place }));
-		const beside = (thinned: Grown["thinned"]) => countOf(flowersOf({ ...grown, thinned }), "pistil");
+		const beside = (thinned: BunchPlant["thinned"]) => countOf(flowersOf({ ...grown, thinned }), "pistil");
 		// Of 200 flowers half are left, and half of what stood beside them.
 		expect(beside(gone)).toBeLessThan(0.62 * beside([]));
 		expect(beside(gone)).toBeGreaterThan(0.5 * 280 - 40);

@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { type BufferAttribute, Matrix4, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import type { GlbOptions } from "../../../../../web/src/formats/glb";
-import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";
 import { MEASURE_KEYS } from "../../../../../web/src/models/bunch/measures.generated";
 import { inRun } from "../../../../long_run.mjs";
 import { evenly } from "../../../evenly";
@@ -21,7 +21,7 @@ describe("the GLB of a natural bunch", () => {
 		const trait = evenly(0, 1);
 		const traits = fc.record({ exposure: trait, turned: trait, opened: trait, set: trait, shrivel: trait });
 		const fruit = fc.constantFrom("grape", "currant", "bramble", "lychee", "longan", "duku") as fc.Arbitrary<
-			Grown["form"]["fruit"]
+			BunchPlant["form"]["fruit"]
 		>;
 		await fc.assert(
 			fc.asyncProperty(

@@ -2,7 +2,7 @@ import { type InstancedMesh, Matrix4, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { alike } from "../../../../../web/src/formats/alike";
 import { exportGlb } from "../../../../../web/src/formats/glb";
-import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";
 import { bunchParts } from "../../../../../web/src/models/bunch/parts/bunch_parts";
 import type { Part } from "../../../../../web/src/plant/part";
 import { aboutBunch, specimenFromPreset } from "../../../bunch";
@@ -11,12 +11,12 @@ import { load, meshesOf } from "../../../formats/reading";
 
 const specimen = specimenFromPreset("merlot");
 const coarse = { stemSides: 5, berrySegments: 8 };
-const bunch = async (parameters = {}): Promise<Grown> => {
+const bunch = async (parameters = {}): Promise<BunchPlant> => {
 	const asked = { ...specimen, parameters: { ...specimen.parameters, ...parameters } };
 	return growBunch(await freshCore(), asked, coarse);
 };
-const shared = (grown: Grown) => [...bunchParts(grown, specimen)].map(alike);
-const classed = (grown: Grown): Part => shared(grown).find(({ name }) => name === "Berries") as Part;
+const shared = (grown: BunchPlant) => [...bunchParts(grown, specimen)].map(alike);
+const classed = (grown: BunchPlant): Part => shared(grown).find(({ name }) => name === "Berries") as Part;
 
 describe("natural berries that share meshes", () => {
 	it("are a few classes in which each berry has its place and size once", async () => {

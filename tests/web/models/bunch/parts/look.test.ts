@@ -1,7 +1,7 @@
 /** How a natural bunch looks to whoever opens its GLB. */
 import { Color, type MeshPhysicalMaterial } from "three";
 import { describe, expect, it } from "vitest";
-import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";
 import { SKETCH } from "../fixture";
 import { makeNatural, type NaturalChanges } from "../natural_fixture";
 import { around, brightness, looking, read, shade } from "./natural_reading";
@@ -125,7 +125,7 @@ describe("the materials of a natural bunch, as three.js reads them", () => {
 	});
 
 	it("are of a clean currant: a clear coat; of a rind: neither coat nor light", async () => {
-		const of = (fruit: Grown["form"]["fruit"]) => ({ ...grown, form: { ...grown.form, fruit } });
+		const of = (fruit: BunchPlant["form"]["fruit"]) => ({ ...grown, form: { ...grown.form, fruit } });
 		const currant = await read(of("currant"), looking({ skin: "b8121c", bloom: 0 }));
 		expect(currant.skin.clearcoat).toBeCloseTo(0.9);
 		const rind = await read(of("lychee"), looking({ skin: "d3b778", bloom: 0, glow: 1 }));

@@ -6,10 +6,10 @@ import { Box3, Vector3 } from "three";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
-import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";
 import { fetchLeaf } from "../../../../../web/src/models/bunch/leaf";
 import type { NumberKey } from "../../../../../web/src/models/bunch/parameters.generated";
-import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
+import type { BunchRequestOptions } from "../../../../../web/src/models/bunch/request";
 import { berriesCsv } from "../../../../../web/src/models/bunch/tables";
 import { inRun } from "../../../../long_run.mjs";
 import { exportJson, presetsInRun, type Specimen, specimenFromFile, specimenFromPreset } from "../../../bunch";
@@ -26,18 +26,18 @@ beforeAll(async () => {
 	await fetchLeaf();
 });
 
-const grow = (specimen: Specimen, options?: RequestOptions) => growBunch(core, specimen, options);
+const grow = (specimen: Specimen, options?: BunchRequestOptions) => growBunch(core, specimen, options);
 /** Without the vine, unless it is asked for: leaves have pictures, which three.js loads in browsers alone. */
 const natural = (name: string, parameters: Partial<Record<NumberKey, number>> = {}): Specimen => {
 	const specimen = specimenFromPreset(name);
 	return { ...specimen, parameters: { ...specimen.parameters, leaves: 0, cane: 0, ...parameters, procedure: 1 } };
 };
 /** Fewer triangles where only the way of writing them is looked at. */
-const COARSE: RequestOptions = { stemSides: 5, berrySegments: 8 };
+const COARSE: BunchRequestOptions = { stemSides: 5, berrySegments: 8 };
 
 describe.each(presetsInRun())("%s", (name) => {
 	const specimen = natural(name);
-	let grown: Grown;
+	let grown: BunchPlant;
 	beforeAll(() => {
 		grown = grow(specimen, COARSE);
 	});

@@ -2,7 +2,7 @@
 
 import { Color, type Mesh, type MeshPhysicalMaterial, Vector3 } from "three";
 import type { GlbOptions } from "../../../../../web/src/formats/glb";
-import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";
 import type { Look, Specimen } from "../../../bunch";
 import { load, meshesOf } from "../../../formats/reading";
 import { sampleSpecimen } from "../fixture";
@@ -11,7 +11,7 @@ import { bunchGlb } from "./files";
 export const specimen = sampleSpecimen({ preset: "short-conical", seed: 7 });
 export const looking = (look: Partial<Look>): Specimen => ({ ...specimen, look: { ...specimen.look, ...look } });
 
-export async function read(from: Grown, of: Specimen = specimen, options?: GlbOptions) {
+export async function read(from: BunchPlant, of: Specimen = specimen, options?: GlbOptions) {
 	const { scene } = await load(await bunchGlb(from, of, { translucent: true, ...options }));
 	scene.updateMatrixWorld(true);
 	const meshes = meshesOf(scene);

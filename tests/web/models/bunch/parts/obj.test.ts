@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { Box3, Color, type Mesh, type MeshPhongMaterial, SRGBColorSpace, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { version } from "../../../../../package.json";
-import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";
 import { inRun } from "../../../../long_run.mjs";
 import { meshesOf } from "../../../formats/reading";
 import { loadObj } from "../../../formats/reading_obj";
@@ -17,7 +17,7 @@ const specimen = paperSpecimen({ preset: "short-conical", seed: 7 });
 /** As a program would: the materials first, then the meshes that name them. */
 const read = (files: ReturnType<typeof bunchObj>): Mesh[] => meshesOf(loadObj(files));
 
-const exported = (from: Grown) => bunchObj(from, specimen, "bunch");
+const exported = (from: BunchPlant) => bunchObj(from, specimen, "bunch");
 const triangles = (meshes: Mesh[]) =>
 	meshes.reduce((sum, { geometry }) => sum + geometry.attributes.position.count / 3, 0);
 
@@ -117,7 +117,7 @@ describe("the OBJ", () => {
 	});
 
 	it("counts right where a part of the stem is empty", () => {
-		const stem = { ...(grown.stem as NonNullable<Grown["stem"]>) };
+		const stem = { ...(grown.stem as NonNullable<BunchPlant["stem"]>) };
 		stem.parts = stem.parts.filter(({ axis }) => axis !== 0);
 		const whole = read(exported(grown));
 		const meshes = read(exported({ ...grown, stem }));

@@ -1,6 +1,6 @@
 import { Box3, type Mesh, type MeshPhongMaterial } from "three";
 import { describe, expect, it } from "vitest";
-import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";
 import { load, meshesOf } from "../../../formats/reading";
 import { loadObj } from "../../../formats/reading_obj";
 import { SKETCH } from "../fixture";
@@ -10,7 +10,7 @@ import { specimen } from "./natural_reading";
 
 const grown = makeNatural(SKETCH, { traits: (i) => ({ turned: i / 2, opened: 1, set: i === 1 ? 0.25 : 1 }) });
 
-function read(from: Grown): Mesh[] {
+function read(from: BunchPlant): Mesh[] {
 	return meshesOf(loadObj(bunchObj(from, specimen, "bunch")));
 }
 

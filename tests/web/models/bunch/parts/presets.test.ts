@@ -5,8 +5,8 @@ import { Box3, type InstancedMesh, Matrix4, Vector3 } from "three";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
-import type { Grown } from "../../../../../web/src/models/bunch/grown";
-import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
+import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";
+import type { BunchRequestOptions } from "../../../../../web/src/models/bunch/request";
 import { exportJson, presetsInRun, specimenFromFile, specimenFromPreset } from "../../../bunch";
 import { growBunch } from "../../../core/wasm";
 import { documentOf, load, meshesOf } from "../../../formats/reading";
@@ -21,13 +21,13 @@ beforeAll(async () => {
 });
 
 const specimenOf = (name: string) => specimenFromPreset(name, 1);
-const grow = (name: string, options?: RequestOptions) => growBunch(core, specimenOf(name), options);
+const grow = (name: string, options?: BunchRequestOptions) => growBunch(core, specimenOf(name), options);
 /** Fewer triangles where only the way of writing them is looked at: reading OBJ takes its time. */
-const COARSE: RequestOptions = { stemSides: 5, berrySegments: 8 };
+const COARSE: BunchRequestOptions = { stemSides: 5, berrySegments: 8 };
 
 describe.each(presetsInRun(({ kind }) => kind !== "variety"))("%s", (name) => {
 	const specimen = specimenOf(name);
-	let grown: Grown;
+	let grown: BunchPlant;
 	beforeAll(() => {
 		grown = grow(name);
 	});
@@ -79,7 +79,7 @@ describe.each(presetsInRun(({ kind }) => kind !== "variety"))("%s", (name) => {
 	});
 });
 
-function expectPlace(matrix: Matrix4, { berries }: Grown, index: number): void {
+function expectPlace(matrix: Matrix4, { berries }: BunchPlant, index: number): void {
 	const [x, y, z, r] = berries.spheres.subarray(4 * index, 4 * index + 4);
 	expect(new Vector3().setFromMatrixPosition(matrix).distanceTo(new Vector3(x, y, z))).toBeLessThan(1e-6);
 	const tip = new Vector3(0, 1, 0).transformDirection(matrix);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";
 import { stemColours } from "../../../../../web/src/models/bunch/parts/stem_colour";
 import { woodOf } from "../../../../../web/src/models/bunch/parts/stem_rules";
 import { linear, meanColour } from "../../../../../web/src/plant/colour";
@@ -10,8 +10,8 @@ const HEX = "7d8a3f";
 const at = (turned: number, shrivel = 0) => makeNatural(SKETCH, { traits: () => ({ turned, shrivel }) });
 
 /** The mean colour of the stems that `wanted` picks by internode. */
-function mean(grown: Grown, wanted: (internode: number) => boolean) {
-	const stem = grown.stem as NonNullable<Grown["stem"]>;
+function mean(grown: BunchPlant, wanted: (internode: number) => boolean) {
+	const stem = grown.stem as NonNullable<BunchPlant["stem"]>;
 	const colours = stemColours(grown, stem, HEX);
 	const vertices = Array.from(stem.internode.keys()).filter((vertex) => wanted(stem.internode[vertex]));
 	return meanColour(Float32Array.from(vertices.flatMap((vertex) => [...colours.subarray(3 * vertex, 3 * vertex + 3)])));
@@ -54,7 +54,7 @@ describe("the nodes of a ripe stalk", () => {
 			const length = Math.hypot(...[0, 1, 2].map((k) => ends[6 * i + 3 + k] - ends[6 * i + k]));
 			stout.internodes.radii.fill(length, 2 * i, 2 * i + 2);
 		}
-		const redness = (each: Grown) => {
+		const redness = (each: BunchPlant) => {
 			const [red, green] = mean(each, (i) => kind[i] === 3);
 			return red / green;
 		};

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { PROCEDURES } from "../../../../../web/src/models/bunch/grown";
+import { PROCEDURES } from "../../../../../web/src/models/bunch/bunch_plant";
 import {
 	endReach,
 	envelopePath,

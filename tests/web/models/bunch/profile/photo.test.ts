@@ -16,14 +16,14 @@ import { specimenFromPreset } from "../../../bunch";
 vi.mock("../../../../../web/src/models/bunch/photo/photo_view", () => ({}));
 
 const picture = () => ({ width: 400, height: 800, close: vi.fn() }) as unknown as ImageBitmap;
-const laid: Photo = { picture: picture(), view: "front", opacity: 0.5, loose: true, x: -100, y: 0, scale: 0.5 };
-const key = (name: string, shiftKey = false) => nudged(laid, { key: name, shiftKey });
+const placed: Photo = { picture: picture(), view: "front", opacity: 0.5, loose: true, x: -100, y: 0, scale: 0.5 };
+const key = (name: string, shiftKey = false) => nudged(placed, { key: name, shiftKey });
 
 describe("a photograph's place", () => {
 	it("is at first the bunch's height, in the middle", () => {
 		const place = fitted({ width: 400, height: 800 }, 480);
 		expect(place).toEqual({ x: -120, y: 0, scale: 0.6 });
-		expect(middleOf({ ...place, picture: laid.picture })).toEqual({ x: 0, y: 240 });
+		expect(middleOf({ ...place, picture: placed.picture })).toEqual({ x: 0, y: 240 });
 	});
 
 	it("is moved by arrow keys, ten times as far with Shift", () => {
@@ -33,22 +33,22 @@ describe("a photograph's place", () => {
 	});
 
 	it("is scaled by plus and minus about its middle, and back", () => {
-		const larger = { ...laid, ...key("+") };
+		const larger = { ...placed, ...key("+") };
 		expect(larger.scale).toBeCloseTo(0.505);
-		expect(middleOf(larger)).toEqual(middleOf(laid));
+		expect(middleOf(larger)).toEqual(middleOf(placed));
 		expect(nudged(larger, { key: "-", shiftKey: false })?.scale).toBeCloseTo(0.5);
 	});
 
 	it("keeps what is under the pointer there when it is scaled, and never gets lost", () => {
 		const about = { x: 30, y: 90 };
 		const under = ({ x, y, scale }: Pick<Photo, "x" | "y" | "scale">) => [(about.x - x) / scale, (about.y - y) / scale];
-		const larger = zoomed(laid, 1.7, about);
+		const larger = zoomed(placed, 1.7, about);
 		expect(larger.scale).toBeCloseTo(0.85);
 		under(larger).forEach((value, i) => {
-			expect(value).toBeCloseTo(under(laid)[i]);
+			expect(value).toBeCloseTo(under(placed)[i]);
 		});
-		expect(zoomed(laid, 1e9, about).scale * 800).toBeCloseTo(6000);
-		expect(zoomed(laid, 1e-9, about).scale * 800).toBeCloseTo(20);
+		expect(zoomed(placed, 1e9, about).scale * 800).toBeCloseTo(6000);
+		expect(zoomed(placed, 1e-9, about).scale * 800).toBeCloseTo(20);
 	});
 
 	it("follows two fingers", () => {
@@ -60,8 +60,8 @@ describe("a photograph's place", () => {
 			{ x: 10, y: 5 },
 			{ x: 210, y: 5 },
 		] as const;
-		expect(pinched(laid, from, to)).toEqual({ ...shifted({ x: -200, y: 0, scale: 1 }, { x: 10, y: 5 }) });
-		expect(pinched(laid, [from[0], from[0]], to).scale).toBe(0.5);
+		expect(pinched(placed, from, to)).toEqual({ ...shifted({ x: -200, y: 0, scale: 1 }, { x: 10, y: 5 }) });
+		expect(pinched(placed, [from[0], from[0]], to).scale).toBe(0.5);
 	});
 });
 

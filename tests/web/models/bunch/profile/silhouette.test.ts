@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { TRAITS } from "../../../../../web/src/models/bunch/grown";
+import { TRAITS } from "../../../../../web/src/models/bunch/bunch_plant";
 import { metresPerPixel } from "../../../../../web/src/models/bunch/profile/handles";
 import { type DrawnBunch, silhouette } from "../../../../../web/src/models/bunch/profile/silhouette";
 

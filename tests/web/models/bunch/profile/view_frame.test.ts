@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { PROCEDURES } from "../../../../../web/src/models/bunch/grown";
+import { PROCEDURES } from "../../../../../web/src/models/bunch/bunch_plant";
 import { HANDLES, handlePosition, UNITS_PER_PIXEL } from "../../../../../web/src/models/bunch/profile/handles";
 import { scaleBar, viewExtent, viewFrame, withRoomFor } from "../../../../../web/src/models/bunch/profile/view_frame";
 import { evenly } from "../../../evenly";

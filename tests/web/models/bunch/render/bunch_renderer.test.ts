@@ -11,7 +11,7 @@ import {
 	Vector3,
 } from "three";
 import { describe, expect, it } from "vitest";
-import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";
 import { bunchParts } from "../../../../../web/src/models/bunch/parts/bunch_parts";
 import { bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";
 import { AMBER, HALO, SCAR, SEAT, WAX } from "../../../../../web/src/models/bunch/parts/skin_rules";
@@ -27,7 +27,7 @@ import { LOOK } from "../sample_bunch";
 
 type Part = Mesh<InstancedBufferGeometry, ShaderMaterial>;
 
-function staged(grown: Grown) {
+function staged(grown: BunchPlant) {
 	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 	const figure = bunchRenderer(stage);
 	figure.show(grown, { look: LOOK });
@@ -103,7 +103,7 @@ describe("the bunch's figure", () => {
 		const { foliage } = green;
 		if (!foliage) throw new Error("no foliage");
 		const veins = { side: 2, shares: Uint8Array.of(0, 255, 0, 128) };
-		const veined: Grown = { ...green, foliage: { ...foliage, veins } };
+		const veined: BunchPlant = { ...green, foliage: { ...foliage, veins } };
 		const { figure, part } = staged(green);
 		const leaf = () => {
 			const materials = [part("foliage").material].flat() as unknown as MeshStandardMaterial[];

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { type Berries, TRAITS } from "../../../../../web/src/models/bunch/grown";
+import { type Berries, TRAITS } from "../../../../../web/src/models/bunch/bunch_plant";
 import { fromTheTop, placeInWords, widthInWords } from "../../../../../web/src/models/bunch/ui/berry_places";
 
 /** Berries at these places in centimetres, of these widths in millimetres. */

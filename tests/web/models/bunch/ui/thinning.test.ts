@@ -1,5 +1,5 @@
 import { expect, it, vi } from "vitest";
-import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import type { BunchPlant } from "../../../../../web/src/models/bunch/bunch_plant";
 import { stems } from "../../../../../web/src/models/bunch/ui/stems";
 import { mark, putBack, takeOff, thinning } from "../../../../../web/src/models/bunch/ui/thinning";
 import { bunchContext, studioWith } from "../../../app/context";
@@ -83,7 +83,7 @@ function fakeView() {
 async function armed() {
 	const { studio } = await studioWith(opened);
 	const context = bunchContext(studio);
-	studio.grew({ berries: { ids: Uint32Array.of(40, 41) } } as unknown as Grown, opened);
+	studio.grew({ berries: { ids: Uint32Array.of(40, 41) } } as unknown as BunchPlant, opened);
 	const fake = fakeView();
 	const hands = thinning.hands?.(fake.view, context);
 	if (!hands) throw new Error("no hands");

@@ -5,7 +5,7 @@ import { outlineOf } from "../../../../../web/src/grammar_editor/outline";
 import { type Description, readLine, usual } from "../../../../../web/src/models/flower/design/description";
 import { assembled, describedIn, designOf, textOf } from "../../../../../web/src/models/flower/design/design";
 import { KNOTS } from "../../../../../web/src/models/flower/design/margin";
-import { FIELDS, type Field, ORGANS, type Organ } from "../../../../../web/src/models/flower/design/organs";
+import { FIELDS, ORGANS, type Organ, type OrganField } from "../../../../../web/src/models/flower/design/organs";
 import { DRAWN, OUTLINES } from "../../../../../web/src/models/flower/design/shapes";
 import { type FlowerPlant, readFlowerPlant } from "../../../../../web/src/models/flower/flower_plant";
 import { model } from "../../../../../web/src/models/flower/index";
@@ -28,7 +28,7 @@ const grow = (grammar: string, map = false, constants = {}): FlowerPlant =>
 /** That a volume stands on a face of other sides than its own is how whorls stand on each other. */
 const faults = ({ notes }: FlowerPlant) => notes.filter((note) => !note.includes("sewn to nothing"));
 
-const anyOf = (field: Field): fc.Arbitrary<string | number> => {
+const anyOf = (field: OrganField): fc.Arbitrary<string | number> => {
 	if (field.kind === "choice") return fc.constantFrom(...field.options);
 	if (field.kind === "colour") return fc.constantFrom("000000", "ffffff", field.usual);
 	const { least, most, step, usual: often } = field;

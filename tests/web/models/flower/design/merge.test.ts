@@ -11,8 +11,8 @@ describe("two changes of a text", () => {
 	it("come to the one that there is, where the other changed nothing", () => {
 		fc.assert(
 			fc.property(words, words, (base, changed) => {
-				expect(merged(base, base, changed)).toMatchObject({ lines: changed, kept: changed, lost: [] });
-				expect(merged(base, changed, base)).toMatchObject({ lines: changed, kept: changed, lost: [] });
+				expect(merged(base, base, changed)).toMatchObject({ lines: changed, retained: changed, lost: [] });
+				expect(merged(base, changed, base)).toMatchObject({ lines: changed, retained: changed, lost: [] });
 				expect(merged(base, changed, changed)).toMatchObject({ lines: changed, lost: [] });
 			}),
 		);
@@ -21,17 +21,17 @@ describe("two changes of a text", () => {
 	it("are both there where they are in different places", () => {
 		const lines = [..."abcdefgh"];
 		const [mine, made] = [[..."abXcdefgh"], [..."abcdefYh"]];
-		expect(merged(lines, mine, made)).toEqual({ lines: [..."abXcdefYh"], kept: [..."abXcdefYh"], lost: [] });
+		expect(merged(lines, mine, made)).toEqual({ lines: [..."abXcdefYh"], retained: [..."abXcdefYh"], lost: [] });
 	});
 
 	it("come to what the choice makes and to what was done by hand, or tell what was lost", () => {
 		fc.assert(
 			fc.property(words, words, words, (base, mine, made) => {
-				const { lines, lost, kept } = merged(base, mine, made);
+				const { lines, lost, retained } = merged(base, mine, made);
 				const added = (to: readonly string[]) => to.filter((line) => !base.includes(line));
 				expect(lines).toEqual(expect.arrayContaining(added(made)));
 				expect([...lines, ...lost]).toEqual(expect.arrayContaining(added(mine)));
-				expect(kept).toEqual(expect.arrayContaining(added(mine)));
+				expect(retained).toEqual(expect.arrayContaining(added(mine)));
 			}),
 		);
 	});
@@ -44,7 +44,7 @@ describe("two changes of a text", () => {
 		const lost = "#material 4 sepal";
 		expect(merged(base, mine, made)).toEqual({
 			lines: both.with(4, "#material 4 leaf"),
-			kept: both.with(4, lost),
+			retained: both.with(4, lost),
 			lost: [lost],
 		});
 	});
@@ -53,7 +53,7 @@ describe("two changes of a text", () => {
 		const base = ["#define a=1", "#define b=2", "#define c=3"];
 		const mine = ["#define a=1", "/* Mine */", "#define b=7", "#define c=3"];
 		const lines = ["#define a=9", "/* Mine */", "#define b=7"];
-		expect(merged(base, mine, ["#define a=9", "#define b=2"])).toEqual({ lines, kept: lines, lost: [] });
+		expect(merged(base, mine, ["#define a=9", "#define b=2"])).toEqual({ lines, retained: lines, lost: [] });
 	});
 
 	it("are both there where the one puts lines in or out and the other changes the lines beside", () => {
@@ -71,14 +71,14 @@ describe("two changes of a text", () => {
 		const [mine, made] = [line.replace("aaaaaa", "111111"), line.replace("bbbbbb", "222222")];
 		expect(merged([line], [mine], [made]).lines).toEqual(['#material 4 petal "111111" "222222" name "a, b"']);
 		const longer = `${mine} light 0.5`;
-		expect(merged([line], [longer], [made])).toEqual({ lines: [made], kept: [longer], lost: [longer] });
+		expect(merged([line], [longer], [made])).toEqual({ lines: [made], retained: [longer], lost: [longer] });
 	});
 
 	it("are the choice's where they are in one place, and what is lost is told and can be kept", () => {
-		const { lines, kept, lost } = merged([..."abc"], [..."aXc"], [..."aYc"]);
-		expect([lines, kept, lost]).toEqual([[..."aYc"], [..."aXc"], ["X"]]);
+		const { lines, retained, lost } = merged([..."abc"], [..."aXc"], [..."aYc"]);
+		expect([lines, retained, lost]).toEqual([[..."aYc"], [..."aXc"], ["X"]]);
 		// What was taken out, and the choice has changed.
-		expect(merged([..."abc"], [..."ac"], [..."aYc"])).toEqual({ lines: [..."aYc"], kept: [..."ac"], lost: ["b"] });
+		expect(merged([..."abc"], [..."ac"], [..."aYc"])).toEqual({ lines: [..."aYc"], retained: [..."ac"], lost: ["b"] });
 	});
 });
 
@@ -90,16 +90,16 @@ describe("changes of a text that is longer than anyone writes", () => {
 		const base = numbered("line");
 		const mine = base.toSpliced(50_000, 0, ...["mine", "mine too"]);
 		const made = [...base.slice(0, -1), "made"];
-		const { lines, kept, lost } = merged(base, mine, made);
-		expect([lines.length, kept.length, lost]).toEqual([MANY + 2, MANY + 2, []]);
+		const { lines, retained, lost } = merged(base, mine, made);
+		expect([lines.length, retained.length, lost]).toEqual([MANY + 2, MANY + 2, []]);
 		expect([lines[50_000], lines[50_002], lines.at(-1)]).toEqual(["mine", "line 50000", "made"]);
 	});
 
 	it("that have no line in common are told apart, and what is lost is told", () => {
 		const mine = ["a", ...numbered("mine"), "z"];
-		const { lines, kept, lost } = merged(["a", ...numbered("base"), "z"], mine, ["a", ...numbered("made"), "z"]);
-		expect([lines.length, kept.length, lost.length]).toEqual([MANY + 2, MANY + 2, MANY]);
-		expect([lines[1], kept[1], lines.at(-1)]).toEqual(["made 0", "mine 0", "z"]);
+		const { lines, retained, lost } = merged(["a", ...numbered("base"), "z"], mine, ["a", ...numbered("made"), "z"]);
+		expect([lines.length, retained.length, lost.length]).toEqual([MANY + 2, MANY + 2, MANY]);
+		expect([lines[1], retained[1], lines.at(-1)]).toEqual(["made 0", "mine 0", "z"]);
 	});
 });
 
@@ -146,9 +146,9 @@ describe("a choice", () => {
 		expect(mine).not.toBe(assembled());
 		const design = designed(mine);
 		const chosen = described(describedIn(design, organ), values);
-		const { text, kept, lost } = choose(design, chosen);
+		const { text, retained, lost } = choose(design, chosen);
 		expect(lost).toEqual([]);
-		expect(text).toBe(kept);
+		expect(text).toBe(retained);
 		expect(text).toContain(own);
 		// Nothing but that is otherwise than the choice alone would have it.
 		expect(text.replace(own, "")).toBe(assembled([chosen]).replace(was, ""));
@@ -161,8 +161,8 @@ describe("a choice", () => {
 		const chosen = choose(design, described(describedIn(design, "stamen"), { length: 40, anther: 9 }));
 		expect(chosen.lost).toContain(own);
 		expect(chosen.text).not.toContain(own);
-		expect(chosen.kept).toContain(own);
-		for (const text of [chosen.text, chosen.kept])
+		expect(chosen.retained).toContain(own);
+		for (const text of [chosen.text, chosen.retained])
 			expect(describedIn(designed(text), "stamen").values).toMatchObject({ length: 40, anther: 9 });
 	});
 

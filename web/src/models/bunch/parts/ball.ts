@@ -1,5 +1,5 @@
 import { noise } from "../../../plant/noise";
-import type { Berries } from "../grown";
+import type { Berries } from "../bunch_plant";
 import { halvesOf } from "../traits";
 import { COARSE, type Pattern } from "./skin_rules";
 

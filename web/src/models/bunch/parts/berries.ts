@@ -4,7 +4,7 @@ import type { Material } from "../../../plant/material";
 import { fromUp } from "../../../plant/orientation";
 import { cut, type Extras, type Part, type PartMesh, type Shape, TRANSFORM } from "../../../plant/part";
 import type { Mesh } from "../../../plant/plant";
-import type { Berries, BerrySurfaces, FlowerPiece, Grown } from "../grown";
+import type { Berries, BerrySurfaces, BunchPlant, FlowerPiece } from "../bunch_plant";
 import { meanOf, traitOf } from "../traits";
 import { type Painted, paintedBerries, scarShare } from "./berry_colour";
 import { flowersOf } from "./flowers";
@@ -20,12 +20,12 @@ const RIPENESS_STEP = 25;
 const SCAR_TINT: Colour = [0.42, 0.3, 0.2];
 
 /** The paper's berries: one mesh of unit radius, the scar towards +Y, an instance of it each. */
-export function sharedBerries(grown: Grown, berry: Mesh, dress: Dress): Part {
+export function sharedBerries(grown: BunchPlant, berry: Mesh, dress: Dress): Part {
 	const { look } = dress;
 	const { berries } = grown;
 	const transforms = new Float32Array(TRANSFORM * berries.count);
 	for (let i = 0; i < berries.count; i++) transforms.set(placeOf(berries, i, 1), TRANSFORM * i);
-	const each = (i: number) => ({ name: berryName(i, berries.count), extras: bearing(grown, i) });
+	const each = (i: number) => ({ name: berryName(i, berries.count), extras: parentOf(grown, i) });
 	const mesh = {
 		...berry,
 		name: "Berry",
@@ -35,7 +35,7 @@ export function sharedBerries(grown: Grown, berry: Mesh, dress: Dress): Part {
 }
 
 /** Natural berries: each its own surface about its own centre, all of one pattern of texture coordinates and triangles. */
-export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, dress: Dress): Part {
+export function naturalBerries(grown: BunchPlant, surfaces: BerrySurfaces, dress: Dress): Part {
 	const { berries } = grown;
 	const skin = bunchSkin(grown, dress);
 	const painted = paintedBerries(grown, surfaces, skin);
@@ -57,7 +57,7 @@ export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, dress: Dre
 }
 
 function berryShape(
-	{ berries }: Grown,
+	{ berries }: BunchPlant,
 	index: number,
 	{ uvs, indices, positions, normals }: BerrySurfaces,
 	{ colours, sky }: Painted,
@@ -84,18 +84,18 @@ function berryShape(
 }
 
 /** Which pedicel bears a berry, and on which axis. */
-function bearing({ berries, internodes }: Grown, index: number): Extras {
+function parentOf({ berries, internodes }: BunchPlant, index: number): Extras {
 	const pedicel = berries.parent[index];
 	return { pedicel, axis: internodes.axis[pedicel] };
 }
 
 /** What is known of one berry, for whoever selects it; lengths in metres. */
-function berryExtras(grown: Grown, index: number): Extras {
+function berryExtras(grown: BunchPlant, index: number): Extras {
 	const { berries } = grown;
 	const trait = (name: Parameters<typeof traitOf>[2]) => traitOf(berries, index, name);
 	return {
 		id: berries.ids[index],
-		...bearing(grown, index),
+		...parentOf(grown, index),
 		radius: berries.spheres[4 * index + 3],
 		width: trait("width"),
 		length: trait("length"),
@@ -106,7 +106,7 @@ function berryExtras(grown: Grown, index: number): Extras {
 }
 
 /** Flowers and calyces by their berries' indices; all pieces of a kind are one mesh. */
-function flowersByBerry(grown: Grown): Map<number, Part[]> {
+function flowersByBerry(grown: BunchPlant): Map<number, Part[]> {
 	const parts = new Map<number, Part[]>();
 	const { flower, berries } = grown;
 	if (!flower) return parts;

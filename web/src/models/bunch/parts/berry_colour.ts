@@ -4,7 +4,7 @@
  */
 import { type Colour, clamp, mix, mixed, smoothstep } from "../../../plant/colour";
 import { bounced } from "../../../plant/shade";
-import type { BerrySurfaces, Grown } from "../grown";
+import type { BerrySurfaces, BunchPlant } from "../bunch_plant";
 import { traitOf } from "../traits";
 import { Ball } from "./ball";
 import { type BerryTint, tintOf } from "./berry_tint";
@@ -54,7 +54,7 @@ export interface Painted {
 	sky?: Uint8Array;
 }
 
-export function paintedBerries(grown: Grown, surfaces: BerrySurfaces, skin: Skin): Painted {
+export function paintedBerries(grown: BunchPlant, surfaces: BerrySurfaces, skin: Skin): Painted {
 	const painted = { colours: new Float32Array(surfaces.positions.length), sky: surfaces.sky?.slice() };
 	const marks = marksOf(surfaces, skin.fruit.scar);
 	for (let i = 0; i < grown.berries.count; i++) paint(painted, grown, i, surfaces, skin, marks);
@@ -72,7 +72,7 @@ function marksOf({ uvs }: BerrySurfaces, from: number): Marks {
 /** Paints berry `index`. */
 function paint(
 	{ colours, sky }: Painted,
-	grown: Grown,
+	grown: BunchPlant,
 	index: number,
 	{ positions, normals, pressed }: BerrySurfaces,
 	skin: Skin,

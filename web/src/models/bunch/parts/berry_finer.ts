@@ -5,7 +5,7 @@
 import { mix } from "../../../plant/colour";
 import { noise } from "../../../plant/noise";
 import type { Finer, Vector } from "../../../plant/part";
-import type { BerrySurfaces, Grown } from "../grown";
+import type { BerrySurfaces, BunchPlant } from "../bunch_plant";
 import { traitOf } from "../traits";
 import { Ball } from "./ball";
 import { scarShare } from "./berry_colour";
@@ -21,7 +21,7 @@ const WAXED_ROUGHNESS = 0.6;
 const DULL = { shrivel: 0.6, scar: 0.7 };
 
 /** Of berry `index`. */
-export function berryFiner(grown: Grown, index: number, surfaces: BerrySurfaces, skin: Skin): Finer {
+export function berryFiner(grown: BunchPlant, index: number, surfaces: BerrySurfaces, skin: Skin): Finer {
 	const { berries } = grown;
 	const { uvs, pressed } = surfaces;
 	const first = (index * uvs.length) / 2;

@@ -4,7 +4,7 @@
  */
 import { type Colour, fromLch, linear, mixed, smoothstep, toLch } from "../../../plant/colour";
 import { hashFraction } from "../../../plant/noise";
-import type { Grown } from "../grown";
+import type { BunchPlant } from "../bunch_plant";
 import { traitOf } from "../traits";
 import type { Skin } from "./skin";
 
@@ -72,7 +72,7 @@ function dried(colour: Colour, shrivel: number): Colour {
 const HALF = 0.5;
 
 /** The tint of berry `index` of a bunch. */
-export function tintOf({ berries, procedure }: Grown, index: number, skin: Skin): BerryTint {
+export function tintOf({ berries, procedure }: BunchPlant, index: number, skin: Skin): BerryTint {
 	return berryTint(skin, berries.ids[index], {
 		exposure: procedure === "paper" ? HALF : traitOf(berries, index, "exposure"),
 		set: traitOf(berries, index, "set"),

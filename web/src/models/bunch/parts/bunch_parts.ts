@@ -2,7 +2,7 @@
 import { linear, meanColour } from "../../../plant/colour";
 import type { Material } from "../../../plant/material";
 import { cut, type Part, type Shape } from "../../../plant/part";
-import type { Foliage, Grown, StemMesh } from "../grown";
+import type { BunchPlant, Foliage, StemMesh } from "../bunch_plant";
 import type { Look } from "../specimen";
 import { naturalBerries, sharedBerries } from "./berries";
 import { autumnOf, foliageColours } from "./foliage_colour";
@@ -15,7 +15,7 @@ import { stemColours } from "./stem_colour";
  * @param grown only read
  * @throws Error with a message for people where `grown` was asked for without meshes
  */
-export function* bunchParts(grown: Grown, dress: Dress): Generator<Part> {
+export function* bunchParts(grown: BunchPlant, dress: Dress): Generator<Part> {
 	const { stem, berry, surfaces, berries, foliage } = grown;
 	if (!stem || (berries.count > 0 && !berry && !surfaces)) {
 		throw new Error("This growth has no meshes to export: grow it with meshes.");
@@ -26,7 +26,7 @@ export function* bunchParts(grown: Grown, dress: Dress): Generator<Part> {
 	if (foliage) yield* foliageOf(grown, foliage);
 }
 
-function* stemsOf(grown: Grown, stem: StemMesh, { stem: hex }: Look): Generator<Part> {
+function* stemsOf(grown: BunchPlant, stem: StemMesh, { stem: hex }: Look): Generator<Part> {
 	const colours = stemColours(grown, stem, hex);
 	const material = stemMaterial(colours.length > 0 ? meanColour(colours) : linear(hex));
 	for (const part of stem.parts) {
@@ -35,7 +35,7 @@ function* stemsOf(grown: Grown, stem: StemMesh, { stem: hex }: Look): Generator<
 	}
 }
 
-function* foliageOf({ berries }: Grown, foliage: Foliage): Generator<Part> {
+function* foliageOf({ berries }: BunchPlant, foliage: Foliage): Generator<Part> {
 	const autumn = autumnOf(berries);
 	const colours = foliageColours(foliage, autumn);
 	const materials = foliageMaterials(autumn, foliage.veins);

@@ -6,7 +6,7 @@ import { clamp, smoothstep } from "../../../plant/colour";
 import { hashFraction } from "../../../plant/noise";
 import { fromUp } from "../../../plant/orientation";
 import { TRANSFORM } from "../../../plant/part";
-import type { FlowerPiece, Grown } from "../grown";
+import type { BunchPlant, FlowerPiece } from "../bunch_plant";
 import { traitOf } from "../traits";
 
 type Vector = readonly [x: number, y: number, z: number];
@@ -26,12 +26,12 @@ const INFLORESCENCE = { least: 240, most: 480, each: 3.5 } as const;
 /** Fruits that flower in panicles of many. */
 const PANICLES: ReadonlySet<string> = new Set(["grape", "lychee", "longan"]);
 /** In radii of an ovary: from a twig's end to the flowers beside its own. */
-const ASIDE = 6.2;
+const SIDE_FLOWER_DISTANCE = 6.2;
 /** Caps come loose while a flower opens, are lifted by so many radii, and fall; a few stay on the stamens for long. */
 const CAP = { loose: 0.12, off: 0.75, lift: 3.4, slip: 1.3, clinging: 0.82, gone: 0.1 } as const;
 
 /** Of all that is in flower, and the calyces of what was. */
-export function flowersOf(grown: Grown): PlacedPieces[] {
+export function flowersOf(grown: BunchPlant): PlacedPieces[] {
 	const { flower, berries } = grown;
 	if (!flower) return [];
 	const kinds = new Set(flower.pieces.map(({ piece }) => piece));
@@ -40,7 +40,7 @@ export function flowersOf(grown: Grown): PlacedPieces[] {
 }
 
 /** How many flowers stand beside that of a berry. */
-function besideEach({ berries, form, thinned }: Grown): (berry: number) => number {
+function besideEach({ berries, form, thinned }: BunchPlant): (berry: number) => number {
 	const fallen = thinned.filter(({ why }) => why === "not set").length;
 	const flowers = berries.count + fallen;
 	const { least, most, each } = INFLORESCENCE;
@@ -50,7 +50,7 @@ function besideEach({ berries, form, thinned }: Grown): (berry: number) => numbe
 }
 
 /** One berry's ovary with what it bears, and the flowers beside it. */
-function twig(grown: Grown, berry: number, kinds: ReadonlySet<FlowerPiece>, beside: number): PlacedPieces[] {
+function twig(grown: BunchPlant, berry: number, kinds: ReadonlySet<FlowerPiece>, beside: number): PlacedPieces[] {
 	const { berries, flower } = grown;
 	const [x, y, z, radius] = berries.spheres.subarray(4 * berry, 4 * berry + 4);
 	const [dx, dy, dz] = berries.directions.subarray(3 * berry, 3 * berry + 3);
@@ -72,8 +72,12 @@ function twig(grown: Grown, berry: number, kinds: ReadonlySet<FlowerPiece>, besi
 	for (let k = 0; k < beside; k++) {
 		const id = berries.ids[berry] + 7919 * (k + 1);
 		if (set > 0.05 + 0.7 * hashFraction(id, 41)) continue;
-		const towards = aside(heading, (k + 0.6 * hashFraction(id, 42)) / beside, 0.8 + 0.5 * hashFraction(id, 43));
-		const at = along(along(seat, heading, -unit), towards, ASIDE * unit * (0.85 + 0.4 * hashFraction(id, 44)));
+		const towards = tilted(heading, (k + 0.6 * hashFraction(id, 42)) / beside, 0.8 + 0.5 * hashFraction(id, 43));
+		const at = along(
+			along(seat, heading, -unit),
+			towards,
+			SIDE_FLOWER_DISTANCE * unit * (0.85 + 0.4 * hashFraction(id, 44)),
+		);
 		put("pistil", at, towards, unit);
 		bloom(put, { at, heading: towards, size: unit, opened: clamp(1.5 * opened - 0.5 * hashFraction(id, 45)), set, id });
 	}
@@ -105,9 +109,9 @@ function bloom(
 	const clings = hashFraction(id, 46) > CAP.clinging;
 	if (clings ? set > CAP.gone : opened > CAP.off) return;
 	const lift = smoothstep(CAP.loose, CAP.off, opened);
-	const tilted = aside(heading, hashFraction(id, 47), lift * (0.6 + hashFraction(id, 48)));
+	const tilt = tilted(heading, hashFraction(id, 47), lift * (0.6 + hashFraction(id, 48)));
 	const raised = along(at, heading, lift * CAP.lift * size);
-	put("cap", along(raised, tilted, lift * CAP.slip * size), tilted, size);
+	put("cap", along(raised, tilt, lift * CAP.slip * size), tilt, size);
 }
 
 const along = ([x, y, z]: Vector, [dx, dy, dz]: Vector, far: number): Vector => [
@@ -117,7 +121,7 @@ const along = ([x, y, z]: Vector, [dx, dy, dz]: Vector, far: number): Vector => 
 ];
 
 /** A direction at an angle (radians) from another, that share of a turn round it. */
-function aside([x, y, z]: Vector, share: number, angle: number): Vector {
+function tilted([x, y, z]: Vector, share: number, angle: number): Vector {
 	const flat = Math.hypot(x, z);
 	const east: Vector = flat > 1e-6 ? [z / flat, 0, -x / flat] : [1, 0, 0];
 	const north: Vector = [y * east[2] - z * east[1], z * east[0] - x * east[2], x * east[1] - y * east[0]];

@@ -1,7 +1,7 @@
 /** The colours of leaves, petioles, cane and stamens, vertex by vertex: what view and files show of them. */
 import { type Colour, linear, mix, smoothstep } from "../../../plant/colour";
 import { noise } from "../../../plant/noise";
-import type { Berries, Foliage, FoliagePart } from "../grown";
+import type { Berries, Foliage, FoliagePart } from "../bunch_plant";
 import { meanOf } from "../traits";
 
 /** A leaf's faces and veins, and what autumn makes of them. */

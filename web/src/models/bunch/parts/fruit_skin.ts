@@ -1,5 +1,5 @@
 import type { Colour } from "../../../plant/colour";
-import type { Fruit } from "../grown";
+import type { Fruit } from "../bunch_plant";
 
 /** How the skin of a kind of fruit is made, whatever its colour. */
 export interface FruitSkin {

@@ -3,7 +3,7 @@ import { type Colour, linear, mix, mixed, smoothstep, toLch } from "../../../pla
 import type { Veins } from "../../../plant/leaf";
 import { leafPicture } from "../../../plant/leaf_picture";
 import type { Material } from "../../../plant/material";
-import type { FoliagePart } from "../grown";
+import type { FoliagePart } from "../bunch_plant";
 import type { Look } from "../specimen";
 import { AUTUMN, brightestLeaf, CANE, FLOWER, LEAF, PETIOLE } from "./foliage_colour";
 import type { FruitSkin } from "./fruit_skin";

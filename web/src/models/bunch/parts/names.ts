@@ -2,7 +2,7 @@
  * The names a reader of an export sees in an outliner: the same in GLB and OBJ. Numbers start at 1, as people count,
  * and are padded so that sorting by name keeps their order.
  */
-import type { FlowerPiece, FoliagePart } from "../grown";
+import type { FlowerPiece, FoliagePart } from "../bunch_plant";
 
 /** Name of a part of the stem: `Rachis` for −1, else `Axis 01` for s = 0 (the top one) and so on. */
 export function stemName(axis: number): string {

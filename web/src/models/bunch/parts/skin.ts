@@ -1,5 +1,5 @@
 import { type Colour, clamp, fromLch, linear, mix, mixed, smoothstep, toLch } from "../../../plant/colour";
-import type { Fruit, Grown } from "../grown";
+import type { BunchPlant, Fruit } from "../bunch_plant";
 import type { BunchSpecimen, Look } from "../specimen";
 import { FRUIT_SKINS, type FruitSkin } from "./fruit_skin";
 
@@ -118,7 +118,10 @@ function sunnedBy(parameters: NonNullable<Dress["parameters"]>, { ripe, uneven, 
 }
 
 /** The skin of a bunch's berries. */
-export function bunchSkin({ form, procedure }: Pick<Grown, "form" | "procedure">, { look, parameters }: Dress): Skin {
+export function bunchSkin(
+	{ form, procedure }: Pick<BunchPlant, "form" | "procedure">,
+	{ look, parameters }: Dress,
+): Skin {
 	const skin = skinOf(look, form.fruit, procedure === "paper");
 	return procedure === "natural" && parameters ? { ...skin, sunned: sunnedBy(parameters, skin) } : skin;
 }

@@ -1,11 +1,11 @@
 /** The colours of stems, vertex by vertex: what the view shows of them. */
 import { clamp, linear, mix, smoothstep } from "../../../plant/colour";
 import { noise } from "../../../plant/noise";
-import { type Grown, INTERNODE_STATES, type StemMesh } from "../grown";
+import { type BunchPlant, INTERNODE_STATES, type StemMesh } from "../bunch_plant";
 import { BARK, BROWN, LATER, MOTTLES, SHADE, woodOf, YOUNG } from "./stem_rules";
 
 /** 3 × vertices, linear light. */
-export function stemColours(grown: Grown, { positions, uvs, internode }: StemMesh, hex: string): Float32Array {
+export function stemColours(grown: BunchPlant, { positions, uvs, internode }: StemMesh, hex: string): Float32Array {
 	const wood = woodOf(grown);
 	const green = linear(hex);
 	const { kind, state } = grown.internodes;
@@ -42,7 +42,7 @@ function brownAt(near: number, slender: number, mottle: number, wood: number, ag
 }
 
 /** How far each internode is long enough for its nodes to stand apart, 0 … 1. */
-function slendernessOf({ internodes: { count, ends, radii } }: Grown): Float32Array {
+function slendernessOf({ internodes: { count, ends, radii } }: BunchPlant): Float32Array {
 	const [stout, slender] = BROWN.node.slender;
 	return Float32Array.from({ length: count }, (_, i) => {
 		const length = Math.hypot(...[0, 1, 2].map((k) => ends[6 * i + 3 + k] - ends[6 * i + k]));
@@ -51,7 +51,12 @@ function slendernessOf({ internodes: { count, ends, radii } }: Grown): Float32Ar
 }
 
 /** How near a place is to its internode's ends: 0 in the middle, 1 at a node. */
-function nodeShare({ internodes: { ends } }: Grown, internode: number, positions: Float32Array, at: number): number {
+function nodeShare(
+	{ internodes: { ends } }: BunchPlant,
+	internode: number,
+	positions: Float32Array,
+	at: number,
+): number {
 	let along = 0;
 	let square = 0;
 	for (let k = 0; k < 3; k++) {

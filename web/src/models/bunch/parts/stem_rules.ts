@@ -4,7 +4,7 @@
  * rachis first and pedicels last. Estimates by eye.
  */
 import type { Colour } from "../../../plant/colour";
-import type { Grown } from "../grown";
+import type { BunchPlant } from "../bunch_plant";
 import { meanOf } from "../traits";
 
 /** Noise cells of the mottling: to one turn of u, to one of v, to a metre of height. */
@@ -35,7 +35,7 @@ export const SHADE = { least: 1.14, span: 0.42 } as const;
 const PAPER_WOOD = 0.55;
 
 /** How far a bunch's stems have turned woody, 0 … 1: they do as the berries colour, and go on as these dry. */
-export function woodOf({ berries, procedure }: Grown): number {
+export function woodOf({ berries, procedure }: BunchPlant): number {
 	if (procedure === "paper") return PAPER_WOOD;
 	return 0.55 * meanOf(berries, "turned", 1) + 0.45 * meanOf(berries, "shrivel", 0);
 }

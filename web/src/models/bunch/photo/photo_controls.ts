@@ -9,16 +9,16 @@ const VIEWS: readonly (readonly [View, string])[] = [
 	["side", "Side"],
 ];
 
-/** What there is to a photograph that has been laid: loose or fast, behind which view, how plain, away. */
+/** What there is to a photograph that has been placed: loose or fast, behind which view, how plain, away. */
 export class PhotoControls extends ControlElement<BunchContext> {
 	protected override shows(context: BunchContext): readonly unknown[] {
 		return [context.toolState(photo)];
 	}
 
 	protected override draw(context: BunchContext): unknown {
-		const laid = context.toolState(photo);
-		if (!laid) return nothing;
-		const { view, opacity, loose } = laid;
+		const placed = context.toolState(photo);
+		if (!placed) return nothing;
+		const { view, opacity, loose } = placed;
 		return html`<button
 				class="button" type="button" aria-pressed=${loose} @click=${() => changePhoto(context, { loose: !loose })}
 			>Shift photograph</button>

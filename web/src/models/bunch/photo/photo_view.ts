@@ -64,7 +64,7 @@ export class PhotoView extends LitElement {
 		return { x: frame.left + (clientX - left) / frame.scale, y: frame.top + (clientY - top) / frame.scale };
 	}
 
-	#tell(placement: Placement): void {
+	#emit(placement: Placement): void {
 		this.dispatchEvent(new CustomEvent("photo-input", { detail: placement, bubbles: true, composed: true }));
 	}
 
@@ -83,8 +83,8 @@ export class PhotoView extends LitElement {
 		const at = this.#at(event);
 		const [other] = [...this.#held].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
 		this.#held.set(event.pointerId, at);
-		if (other) this.#tell(pinched(this.photo, [before, other], [at, other]));
-		else this.#tell(shifted(this.photo, { x: at.x - before.x, y: at.y - before.y }));
+		if (other) this.#emit(pinched(this.photo, [before, other], [at, other]));
+		else this.#emit(shifted(this.photo, { x: at.x - before.x, y: at.y - before.y }));
 	}
 
 	#up(event: PointerEvent): void {
@@ -93,7 +93,7 @@ export class PhotoView extends LitElement {
 
 	#wheel(event: WheelEvent): void {
 		event.preventDefault();
-		this.#tell(zoomed(this.photo, Math.exp(-event.deltaY / 600), this.#at(event)));
+		this.#emit(zoomed(this.photo, Math.exp(-event.deltaY / 600), this.#at(event)));
 	}
 
 	#key(event: KeyboardEvent): void {
@@ -102,7 +102,7 @@ export class PhotoView extends LitElement {
 		if (!placement) return;
 		event.preventDefault();
 		event.stopPropagation();
-		this.#tell(placement);
+		this.#emit(placement);
 	}
 }
 

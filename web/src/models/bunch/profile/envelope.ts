@@ -4,7 +4,7 @@
  * constant to the tip and rounded there. Only drawn; the core decides what grows (wasm-core/src/models/bunch/paper/envelope.hpp).
  */
 import type { Point } from "../../../ui/handles/point";
-import { PROCEDURES } from "../grown";
+import { PROCEDURES } from "../bunch_plant";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { SIDE_HANDLES, SIDES, type SideHandle, UNITS_PER_PIXEL, VIEW_SIDES, type View } from "./handles";
 

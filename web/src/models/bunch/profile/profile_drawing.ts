@@ -2,7 +2,7 @@
 import { html, nothing, svg, type TemplateResult } from "lit";
 import type { Point } from "../../../ui/handles/point";
 import { drawScaleBar } from "../../../ui/handles/scale_bar";
-import type { OwnProfile } from "../grown";
+import type { OwnProfile } from "../bunch_plant";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { envelopePath } from "./envelope";
 import {
@@ -58,8 +58,8 @@ export function handlePlace(shape: Shape, handle: Handle, frame: ViewFrame): Poi
 /** A handle's name beside its dot: out where it stands close to the axis, clear of p1's and of its opposite's. */
 export function drawName(shape: Shape, handle: Handle, frame: ViewFrame): TemplateResult {
 	const { x } = handlePosition(shape, handle);
-	const aside = isSide(handle) ? SIDES[handle].sign * Math.max(5, 19 - Math.abs(x) * frame.scale) : 0;
-	return html`<span class="name" .style=${`--aside: ${aside}px`}
+	const shift = isSide(handle) ? SIDES[handle].sign * Math.max(5, 19 - Math.abs(x) * frame.scale) : 0;
+	return html`<span class="name" .style=${`--shift: ${shift}px`}
 		><span class="symbol">p</span><sub>${handle.slice(1)}</sub></span>`;
 }
 

@@ -68,7 +68,7 @@ export const profileStyle = css`
 		position: absolute;
 		top: 1px;
 		left: 50%;
-		translate: calc(-50% + var(--aside));
+		translate: calc(-50% + var(--shift));
 		text-shadow:
 			0 0 2px var(--ground),
 			0 0 2px var(--ground),

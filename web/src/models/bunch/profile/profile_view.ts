@@ -43,7 +43,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	declare view: View;
 	declare parameters: Parameters | undefined;
 	declare locks: Locks;
-	/** The bunch drawn behind; a `Grown` will do. */
+	/** The bunch drawn behind; a `BunchPlant` will do. */
 	declare berries: DrawnBunch | undefined;
 	/** What a double click on a handle brings back, if anything. */
 	declare initial: Parameters | undefined;
@@ -58,7 +58,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		"Drag, or use the arrow keys: one pixel a step, ten with Shift. Enter says where it stands. Escape calls off a drag.";
 	readonly #silhouette = new SilhouetteDrawing();
 	readonly #steady = new SteadyExtent();
-	#asking?: ReturnType<typeof setTimeout>;
+	#refresh?: ReturnType<typeof setTimeout>;
 	/** What a drag here left, while its pointer has not gone: the handle stays below it. */
 	#left: Parameters | undefined;
 	protected readonly drags = profileDrags<Parameters>({
@@ -83,7 +83,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 
 	override disconnectedCallback(): void {
 		super.disconnectedCallback();
-		clearTimeout(this.#asking);
+		clearTimeout(this.#refresh);
 	}
 
 	protected override resized(): void {
@@ -98,8 +98,8 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		else if (this.#left && !sameShape(this.#left, this.parameters)) this.#left = undefined;
 		const motion = this.#left ? "held" : changed.has("parameters") ? "moved" : "still";
 		const later = this.#steady.follow(wanted, motion, performance.now());
-		clearTimeout(this.#asking);
-		if (later !== undefined) this.#asking = setTimeout(() => this.requestUpdate(), later);
+		clearTimeout(this.#refresh);
+		if (later !== undefined) this.#refresh = setTimeout(() => this.requestUpdate(), later);
 	}
 
 	protected inside(): unknown {

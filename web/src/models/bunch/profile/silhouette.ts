@@ -1,8 +1,8 @@
 /** The grown bunch as a line drawing behind a view: orthographic, in pixels of the profile. */
-import { type Berries, type Internodes, type OwnProfile, TRAITS } from "../grown";
+import { type Berries, type Internodes, type OwnProfile, TRAITS } from "../bunch_plant";
 import { metresPerPixel, type View } from "./handles";
 
-/** What is drawn of a growth; a whole `Grown` is one. */
+/** What is drawn of a growth; a whole `BunchPlant` is one. */
 export interface DrawnBunch {
 	berries: Berries;
 	internodes: Internodes;

@@ -1,6 +1,6 @@
 /** How a view of the profile lies in its element: what it shows, at what scale, with what scale bar. */
 import { roundLength } from "../../../ui/handles/scale_bar";
-import { PROCEDURES } from "../grown";
+import { PROCEDURES } from "../bunch_plant";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { type Shape, SIDE_HANDLES, UNITS_PER_PIXEL, VIEW_PIXELS } from "./handles";
 

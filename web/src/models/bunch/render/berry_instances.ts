@@ -1,6 +1,6 @@
 import { type InstancedBufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute } from "three";
 import type { Colour } from "../../../plant/colour";
-import type { Berries } from "../grown";
+import type { Berries } from "../bunch_plant";
 import type { BerryTint } from "../parts/berry_tint";
 import { LEAST_LIGHT } from "../parts/skin_rules";
 import { halvesOf, traitOf } from "../traits";

@@ -227,8 +227,8 @@ void main() {
 	colour = mix(colour, wax * (white + sky * open), waxed);
 
 	// The mirror of the skin.
-	float aside = 1.0 - nv;
-	float fresnel = 0.035 + 0.6 * aside * aside * aside * aside * aside;
+	float grazing = 1.0 - nv;
+	float fresnel = 0.035 + 0.6 * grazing * grazing * grazing * grazing * grazing;
 	float taut = (1.0 - 0.8 * waxed) * (1.0 - 0.75 * rind) * (1.0 - 0.7 * shrivel) * (1.0 - 0.7 * marked) * (1.0 - 0.6 * dots) * (1.0 - 0.85 * pressed) * (1.0 - 0.8 * halo);
 	vec3 r = reflect(-v, n);
 	float blur = dull + 0.3 * waxed;

@@ -1,6 +1,6 @@
 import { clamp } from "../../../plant/colour";
 import { fromUp, placeVectors, rows } from "../../../plant/orientation";
-import type { Berries, BerrySurfaces, Grown, SharedBerry } from "../grown";
+import type { Berries, BerrySurfaces, BunchPlant, SharedBerry } from "../bunch_plant";
 
 /** Texels of vertices side by side in one row of their texture. */
 export const VERTICES_PER_ROW = 1024;
@@ -9,7 +9,7 @@ export const VERTICES_PER_ROW = 1024;
  * The surface of every berry: its own where the procedure gave it one, else the shared berry at each sphere. Undefined
  * where only the skeleton was asked for.
  */
-export function surfacesOf({ surfaces, berry, berries }: Grown): BerrySurfaces | undefined {
+export function surfacesOf({ surfaces, berry, berries }: BunchPlant): BerrySurfaces | undefined {
 	return surfaces ?? (berry && placedEverywhere(berry, berries));
 }
 

@@ -6,19 +6,19 @@ import type { ModelRenderer, Ray, RendererStage } from "../../../render/model_re
 import { RecordTexture } from "../../../render/record_texture";
 import { StandardLights } from "../../../render/standard_lights";
 import { standardMaterial } from "../../../render/standard_material";
-import type { Grown } from "../grown";
+import type { BunchPlant } from "../bunch_plant";
 import { tintOf } from "../parts/berry_tint";
 import { FLOWERS, foliageMaterials, stemMaterial } from "../parts/materials";
 import { bunchSkin, type Dress } from "../parts/skin";
 import { berryMaterial, NONE, setSkin } from "./berry_material";
 import { BunchSurface, type PartMaterials } from "./bunch_surface";
+import { CachedSky } from "./cached_sky";
 import { CAST_RECORD, Casters } from "./casters";
-import { KeptSky } from "./kept_sky";
 import { LAMP_CHUNK } from "./lamp_shader";
 import { pickBerry } from "./picking";
 import { type Receivers, receiversOf } from "./receivers";
 import { capsulesOf } from "./shadow_capsules";
-import { REHEARSAL, REHEARSAL_LOOK } from "./warm_up";
+import { WARM_UP_BUNCH, WARM_UP_LOOK } from "./warm_up";
 
 /** Of so many points of the foliage, one counts for the fit. */
 const LEAF_POINTS = 8;
@@ -26,13 +26,14 @@ const LEAF_POINTS = 8;
 /** Which receiver a vertex belongs to: of stems its internode, of flowers the berry that they are to be. */
 const OF_STEM =
 	"attribute uint internode;\nuniform int firstInternode;\nvec2 lamp_shares(vec3 point) { return shares_of(firstInternode + int(internode), point); }";
-const OF_FLOWER = "attribute float bearer;\nvec2 lamp_shares(vec3 point) { return shares_of(int(bearer), point); }";
+const OF_FLOWER =
+	"attribute float ownerBerry;\nvec2 lamp_shares(vec3 point) { return shares_of(int(ownerBerry), point); }";
 
 /** `stems` shows the stems without berries, withered pedicels marked (the paper's figure 14). */
 export const BUNCH_MODES = ["whole", "stems"] as const;
 
 /** A bunch with its berries' flesh, wax and shadows; `pick` and `mark` know berries by their ids. */
-export class BunchRenderer implements ModelRenderer<Dress, Grown> {
+export class BunchRenderer implements ModelRenderer<Dress, BunchPlant> {
 	readonly modes = BUNCH_MODES;
 	readonly #stage: RendererStage;
 	readonly #casterRecords = new RecordTexture(CAST_RECORD);
@@ -42,8 +43,8 @@ export class BunchRenderer implements ModelRenderer<Dress, Grown> {
 	readonly #lights = new StandardLights();
 	readonly #shadow: CapsuleShadow;
 	readonly #casters = new Casters();
-	readonly #sky = new KeptSky();
-	#grown: Grown | undefined;
+	readonly #sky = new CachedSky();
+	#grown: BunchPlant | undefined;
 	#receivers: Receivers | undefined;
 	#mode: string = "whole";
 
@@ -83,10 +84,10 @@ export class BunchRenderer implements ModelRenderer<Dress, Grown> {
 	}
 
 	warmUp(): void {
-		this.show(REHEARSAL, { look: REHEARSAL_LOOK });
+		this.show(WARM_UP_BUNCH, { look: WARM_UP_LOOK });
 	}
 
-	show(latest: Grown, dress: Dress): void {
+	show(latest: BunchPlant, dress: Dress): void {
 		const { look } = dress;
 		const grown = this.#sky.of(latest);
 		this.#grown = grown;
@@ -102,7 +103,7 @@ export class BunchRenderer implements ModelRenderer<Dress, Grown> {
 	}
 
 	bounds(): Bodies {
-		const { berries, internodes, foliage } = this.#grown ?? REHEARSAL;
+		const { berries, internodes, foliage } = this.#grown ?? WARM_UP_BUNCH;
 		if (!foliage) return { spheres: berries.spheres, points: internodes.ends };
 		const leaves = foliage.positions.filter((_, i) => Math.floor(i / 3) % LEAF_POINTS === 0);
 		const points = new Float32Array(internodes.ends.length + leaves.length);

@@ -13,7 +13,7 @@ import type { Veins } from "../../../plant/leaf";
 import { RecordTexture } from "../../../render/record_texture";
 import { setPicture, setSheet } from "../../../render/standard_material";
 import { fillStreams } from "../../../render/streams";
-import { type BerrySurfaces, FOLIAGE_KINDS, type Foliage, type Grown } from "../grown";
+import { type BerrySurfaces, type BunchPlant, FOLIAGE_KINDS, type Foliage } from "../bunch_plant";
 import type { BerryTint } from "../parts/berry_tint";
 import { autumnOf, foliageColours } from "../parts/foliage_colour";
 import { foliageMaterials } from "../parts/materials";
@@ -48,7 +48,7 @@ export class BunchSurface {
 	readonly #vertices = new RecordTexture(1, "words", VERTICES_PER_ROW);
 	readonly #instances = new BerryInstances();
 	readonly #order = new DepthOrder();
-	#shown: { grown: Grown; look: Look } | undefined;
+	#shown: { grown: BunchPlant; look: Look } | undefined;
 	#bare = false;
 	#dressed: { veins: Veins | undefined; autumn: number } | undefined;
 
@@ -67,7 +67,7 @@ export class BunchSurface {
 	}
 
 	/** Puts a bunch's geometry in place of the last one's. */
-	show(grown: Grown, look: Look, tint: (berry: number) => BerryTint): void {
+	show(grown: BunchPlant, look: Look, tint: (berry: number) => BerryTint): void {
 		this.#shown = { grown, look };
 		const surfaces = surfacesOf(grown);
 		const skies = surfaces && skiesOf(surfaces, grown.berries.count);
@@ -120,7 +120,7 @@ export class BunchSurface {
 
 	#showBerries(
 		surfaces: BerrySurfaces,
-		{ berries }: Grown,
+		{ berries }: BunchPlant,
 		tint: (berry: number) => BerryTint,
 		skies: Float32Array,
 	): void {

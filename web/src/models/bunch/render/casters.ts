@@ -59,7 +59,7 @@ export class Casters {
 			const [x, y, z, extent] = receivers.bodies.subarray(4 * i, 4 * i + 4);
 			const count = column.near(x, y, z, extent, lamp.spread, this.#found);
 			let share = 1;
-			let kept = 0;
+			let listed = 0;
 			for (let f = 0; f < count; f++) {
 				const j = this.#found[f];
 				if (owner[j] === i) continue;
@@ -68,32 +68,33 @@ export class Casters {
 				if (along <= -radius) continue;
 				const lateral = column.lateral(j);
 				share *= 1 - lampHidden(radius, lateral, along, lamp.spread);
-				if (list && lateral < radius + extent + Math.max(along, 0) * lamp.spread) kept = this.#keep(j, along, kept);
+				if (list && lateral < radius + extent + Math.max(along, 0) * lamp.spread)
+					listed = this.#insert(j, along, listed);
 			}
 			records[to + channel] = share;
-			if (list) this.#write(records, to + 4, kept, spheres);
+			if (list) this.#write(records, to + 4, listed, spheres);
 		}
 	}
 
 	/** Insertion into the short list, nearest first. */
-	#keep(j: number, distance: number, kept: number): number {
+	#insert(j: number, distance: number, listed: number): number {
 		const distances = this.#distances;
-		if (kept === CASTERS && distance >= distances[kept - 1]) return kept;
-		let k = Math.min(kept, CASTERS - 1);
+		if (listed === CASTERS && distance >= distances[listed - 1]) return listed;
+		let k = Math.min(listed, CASTERS - 1);
 		for (; k > 0 && distances[k - 1] > distance; k--) {
 			distances[k] = distances[k - 1];
 			this.#nearest[k] = this.#nearest[k - 1];
 		}
 		distances[k] = distance;
 		this.#nearest[k] = j;
-		return Math.min(kept + 1, CASTERS);
+		return Math.min(listed + 1, CASTERS);
 	}
 
-	#write(records: Float32Array, at: number, kept: number, spheres: Float32Array): void {
+	#write(records: Float32Array, at: number, listed: number, spheres: Float32Array): void {
 		for (let k = 0; k < CASTERS; k++) {
 			const to = at + 4 * k;
 			records[to + 3] = 0;
-			if (k >= kept) continue;
+			if (k >= listed) continue;
 			const from = 4 * this.#nearest[k];
 			records.set(spheres.subarray(from, from + 4), to);
 		}

@@ -8,7 +8,7 @@ import {
 } from "three";
 import { cut, TRANSFORM } from "../../../plant/part";
 import { matrixOf } from "../../../render/part_meshes";
-import type { FlowerMesh, FlowerPiece, Grown } from "../grown";
+import type { BunchPlant, FlowerMesh, FlowerPiece } from "../bunch_plant";
 import { flowersOf, type PlacedPieces } from "../parts/flowers";
 import { flowerColours } from "../parts/foliage_colour";
 
@@ -29,7 +29,7 @@ export class Flowers {
 	 * Puts a bunch's flowers in place of the last one's. They come and go with the age; nothing is kept of them.
 	 * @param skies share of the sky that each berry sees (skiesOf); all of it where absent
 	 */
-	show(grown: Grown, skies?: Float32Array): void {
+	show(grown: BunchPlant, skies?: Float32Array): void {
 		this.dispose();
 		const { flower } = grown;
 		if (!flower) return;
@@ -43,13 +43,13 @@ export class Flowers {
 
 	#draw(piece: FlowerPiece, geometry: BufferGeometry, pieces: PlacedPieces[], skies?: Float32Array): Drawn {
 		const transforms = Float32Array.from(pieces.flatMap((each) => each.transforms));
-		const bearers = pieces.flatMap((each) =>
+		const owners = pieces.flatMap((each) =>
 			each.transforms.slice(0, each.transforms.length / TRANSFORM).fill(each.berry),
 		);
-		const drawn = new InstancedMesh(geometry, this.#material, bearers.length);
-		for (let i = 0; i < bearers.length; i++) drawn.setMatrixAt(i, matrixOf(transforms, i));
-		geometry.setAttribute("bearer", new InstancedBufferAttribute(Float32Array.from(bearers), 1));
-		const sky = Float32Array.from(bearers, (berry) => skies?.[berry] ?? 1);
+		const drawn = new InstancedMesh(geometry, this.#material, owners.length);
+		for (let i = 0; i < owners.length; i++) drawn.setMatrixAt(i, matrixOf(transforms, i));
+		geometry.setAttribute("ownerBerry", new InstancedBufferAttribute(Float32Array.from(owners), 1));
+		const sky = Float32Array.from(owners, (berry) => skies?.[berry] ?? 1);
 		geometry.setAttribute("sky", new InstancedBufferAttribute(sky, 1));
 		drawn.name = piece;
 		drawn.frustumCulled = false;

@@ -1,4 +1,4 @@
-import type { Foliage } from "../grown";
+import type { Foliage } from "../bunch_plant";
 
 /** Discs that a leaf's shadow is laid with. */
 const DISCS = 28;

@@ -1,5 +1,5 @@
 import type { Ray, Vector } from "../../../render/model_renderer";
-import type { Berries } from "../grown";
+import type { Berries } from "../bunch_plant";
 import { halvesOf } from "../traits";
 
 /**

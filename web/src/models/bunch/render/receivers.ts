@@ -1,5 +1,5 @@
 import { SphereIndex } from "../../../render/sphere_index";
-import type { Berries, Grown } from "../grown";
+import type { Berries, BunchPlant } from "../bunch_plant";
 import { halvesOf } from "../traits";
 
 /** From these lengths over widths on, a berry stands in the light as two spheres, as three. */
@@ -18,7 +18,7 @@ export interface Receivers {
 	owner: Uint32Array;
 }
 
-export function receiversOf({ berries, internodes }: Pick<Grown, "berries" | "internodes">): Receivers {
+export function receiversOf({ berries, internodes }: Pick<BunchPlant, "berries" | "internodes">): Receivers {
 	const count = berries.count + internodes.count;
 	const bodies = new Float32Array(4 * count);
 	for (let i = 0; i < berries.count; i++) {

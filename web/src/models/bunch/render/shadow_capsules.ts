@@ -1,6 +1,6 @@
 /** What of a bunch casts its shadow on the paper: berries, stems, and leaves as balls. */
 import type { Capsules } from "../../../render/capsule_shadow";
-import { type Grown, INTERNODE_KINDS } from "../grown";
+import { type BunchPlant, INTERNODE_KINDS } from "../bunch_plant";
 import { halvesOf } from "../traits";
 import { leafDiscs } from "./leaf_discs";
 
@@ -8,7 +8,7 @@ import { leafDiscs } from "./leaf_discs";
 const SEEN_AMONG_BERRIES = INTERNODE_KINDS.indexOf("axis");
 
 /** @param withBerries false for bare stems */
-export function capsulesOf(grown: Grown, withBerries: boolean): Capsules {
+export function capsulesOf(grown: BunchPlant, withBerries: boolean): Capsules {
 	const begins: number[] = [];
 	const ends: number[] = [];
 	if (withBerries) addBerries(grown, begins, ends);
@@ -21,7 +21,7 @@ export function capsulesOf(grown: Grown, withBerries: boolean): Capsules {
 	return { count: ends.length / 3, begins: Float32Array.from(begins), ends: Float32Array.from(ends) };
 }
 
-function addBerries({ berries }: Grown, begins: number[], ends: number[]): void {
+function addBerries({ berries }: BunchPlant, begins: number[], ends: number[]): void {
 	for (let i = 0; i < berries.count; i++) {
 		const [width, length] = halvesOf(berries, i);
 		const reach = Math.max(0, length - width);
@@ -35,7 +35,7 @@ function addBerries({ berries }: Grown, begins: number[], ends: number[]): void 
 }
 
 /** @param last kind of internode that casts */
-function addStems({ internodes }: Grown, last: number, begins: number[], ends: number[]): void {
+function addStems({ internodes }: BunchPlant, last: number, begins: number[], ends: number[]): void {
 	const { count, kind, radii } = internodes;
 	for (let i = 0; i < count; i++) {
 		if (kind[i] > last) continue;

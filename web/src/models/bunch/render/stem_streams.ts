@@ -1,7 +1,7 @@
 /** The stems' vertices as the view shows them: as they grew, or bare, with what has withered marked. */
 import { linear } from "../../../plant/colour";
 import type { Stream } from "../../../render/streams";
-import { type Grown, INTERNODE_STATES, type StemMesh } from "../grown";
+import { type BunchPlant, INTERNODE_STATES, type StemMesh } from "../bunch_plant";
 import { stemColours } from "../parts/stem_colour";
 
 const MARKED = linear("c2334f");
@@ -12,7 +12,7 @@ const SWELLING = 0.6;
  * @param hex the look's stem colour
  * @param bare without berries: all of the sky is open, and withered pedicels are marked
  */
-export function stemStreams(grown: Grown, stem: StemMesh, hex: string, bare: boolean): Stream[] {
+export function stemStreams(grown: BunchPlant, stem: StemMesh, hex: string, bare: boolean): Stream[] {
 	const colours = stemColours(grown, stem, hex);
 	const open = () => new Uint8Array(stem.internode.length).fill(255);
 	return [
@@ -26,7 +26,7 @@ export function stemStreams(grown: Grown, stem: StemMesh, hex: string, bare: boo
 
 /** Marks withered pedicels in `colours`; returns where their vertices then are. */
 function marked(
-	{ internodes }: Grown,
+	{ internodes }: BunchPlant,
 	{ positions, normals, internode }: StemMesh,
 	colours: Float32Array,
 ): Float32Array {

@@ -1,5 +1,5 @@
 import { EMPTY_PLANT } from "../../../plant/plant";
-import { type Grown, type Mesh, type PlanSide, TRAITS } from "../grown";
+import { type BunchPlant, type Mesh, type PlanSide, TRAITS } from "../bunch_plant";
 import type { Look } from "../specimen";
 
 const side: PlanSide = { w: 0, r: 0, n: 0, rd: 0 };
@@ -13,7 +13,7 @@ const SPECK: Mesh = {
 };
 
 /** A bunch too small to see. Drawing it makes the GPU's driver build the programs before the first real one arrives. */
-export const REHEARSAL: Grown = {
+export const WARM_UP_BUNCH: BunchPlant = {
 	...EMPTY_PLANT,
 	procedure: "natural",
 	form: { fruit: "grape", taper: 0, blunt: 0, curve: 0 },
@@ -48,7 +48,7 @@ export const REHEARSAL: Grown = {
 	timings: { grow: 0 },
 };
 
-export const REHEARSAL_LOOK: Look = {
+export const WARM_UP_LOOK: Look = {
 	skin: "808080",
 	unripe: "808080",
 	stem: "808080",

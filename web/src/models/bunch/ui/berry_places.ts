@@ -1,5 +1,5 @@
 /** Where a berry sits, in the words of someone who looks at the bunch; and the order in which they are gone through. */
-import { type Berries, TRAITS } from "../grown";
+import { type Berries, TRAITS } from "../bunch_plant";
 
 /** Below this share of a berry's distance from the axis a direction goes without saying. */
 const SLANT = 0.38;

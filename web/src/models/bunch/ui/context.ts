@@ -1,13 +1,13 @@
 /** The types of controls/, for the bunch. */
 import type * as context from "../../../ui/editor_context";
 import type * as tool from "../../../ui/tool";
-import type { Grown } from "../grown";
+import type { BunchPlant } from "../bunch_plant";
 import { procedureOf } from "../schema";
 import type { BunchSpecimen } from "../specimen";
 
-export type BunchContext = context.EditorContext<BunchSpecimen, Grown>;
-export type BunchState = context.EditorState<BunchSpecimen, Grown>;
-export type BunchTool<T = unknown> = tool.Tool<BunchSpecimen, Grown, T>;
+export type BunchContext = context.EditorContext<BunchSpecimen, BunchPlant>;
+export type BunchState = context.EditorState<BunchSpecimen, BunchPlant>;
+export type BunchTool<T = unknown> = tool.Tool<BunchSpecimen, BunchPlant, T>;
 
 /** Only a natural bunch ages and is thinned by hand. */
 export const isNatural = (specimen: BunchSpecimen): boolean => procedureOf(specimen) === "natural";

@@ -1,17 +1,17 @@
 import type { DerivationSource } from "../../../grammar_editor/derivation_tool";
 import type { Drawn, DrawnSurface } from "../../../plant/drawn";
-import type { Grown } from "../grown";
+import type { BunchPlant } from "../bunch_plant";
 import type { BunchSpecimen } from "../specimen";
 import { thinning } from "./thinning";
 
 /** What the stepper has to know of bunches: internodes, and as organs the berries, each with its own surface or as the ball they share. */
-export const derivation: DerivationSource<BunchSpecimen, Grown> = {
+export const derivation: DerivationSource<BunchSpecimen, BunchPlant> = {
 	drawn: berriesDrawn,
 	figure: async () => new (await import("../../../render/lit_renderer")).LitRenderer(),
 	taken: (context) => context.toolState(thinning).on,
 };
 
-export function berriesDrawn({ internodes, berries, surfaces, berry }: Grown): Drawn {
+export function berriesDrawn({ internodes, berries, surfaces, berry }: BunchPlant): Drawn {
 	const own = (index: number): DrawnSurface | undefined => {
 		if (!surfaces) return undefined;
 		const numbers = 1.5 * surfaces.uvs.length;

@@ -1,5 +1,5 @@
 import type { GrammarSource } from "../../../grammar_editor/source";
-import { INTERNODE_KINDS } from "../grown";
+import { INTERNODE_KINDS } from "../bunch_plant";
 import { BUILT_IN } from "../request";
 import { procedureOf } from "../schema";
 import type { BunchSpecimen } from "../specimen";

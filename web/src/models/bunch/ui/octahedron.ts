@@ -1,5 +1,5 @@
 import type { ToolInteraction, ToolView } from "../../../ui/tool";
-import type { Grown } from "../grown";
+import type { BunchPlant } from "../bunch_plant";
 import type { OctahedronHandles } from "../profile/octahedron";
 import type { OctahedronColours } from "../profile/octahedron_renderer";
 import type { BunchSpecimen } from "../specimen";
@@ -20,7 +20,7 @@ export const octahedron: BunchTool<boolean> = {
 /** An outline or a handle near the view's edge must stay whole: style/stage.css. */
 const WHOLE_SURFACE = "handles";
 
-class OctahedronHands implements ToolInteraction<BunchSpecimen, Grown> {
+class OctahedronHands implements ToolInteraction<BunchSpecimen, BunchPlant> {
 	readonly #view: ToolView;
 	readonly #context: BunchContext;
 	/** Loaded when first asked for. */

@@ -20,8 +20,8 @@ export const photo: BunchTool<Photo | undefined> = {
 /** Fetches what lays it (photo/place_photo.ts), and does. */
 async function takePhoto(context: BunchContext, file: Blob): Promise<void> {
 	const again = () => void takePhoto(context, file);
-	const lay = await import("../photo/place_photo").catch(() => undefined);
-	if (lay) await lay.placePhoto(context, file);
+	const placing = await import("../photo/place_photo").catch(() => undefined);
+	if (placing) await placing.placePhoto(context, file);
 	else
 		context.notify("The photograph was not taken", ["Part of the page could not be fetched."], {
 			topic: FILE_TOPIC,
@@ -41,11 +41,11 @@ export function removePhoto(context: BunchContext): void {
 }
 
 function draw(context: BunchContext): unknown {
-	const laid = context.toolState(photo);
-	const words = laid ? "Another photograph…" : "Photograph behind…";
+	const placed = context.toolState(photo);
+	const words = placed ? "Another photograph…" : "Photograph behind…";
 	const take = (file: File) => void takePhoto(context, file);
 	return html`<div class="actions">
 		${chooseFile({ accept: PICTURES, label: "Photograph of a bunch", words, take })}
-		${laid ? html`<panicle-photo-controls class="actions" .context=${context}></panicle-photo-controls>` : nothing}
+		${placed ? html`<panicle-photo-controls class="actions" .context=${context}></panicle-photo-controls>` : nothing}
 	</div>`;
 }

@@ -15,10 +15,10 @@ function profile(view: View, title: string): BunchTool {
 
 function draw(context: BunchContext, view: View): unknown {
 	const { specimen, grown } = context.state;
-	const laid = context.toolState(photo);
+	const placed = context.toolState(photo);
 	return html`<panicle-profile
 		view=${view} .parameters=${specimen.parameters} .locks=${context.toolState(sides)} .berries=${grown}
-		.initial=${context.preset.parameters} .pixels=${context.toolState(pixels)} .photo=${laid?.view === view ? laid : undefined}
+		.initial=${context.preset.parameters} .pixels=${context.toolState(pixels)} .photo=${placed?.view === view ? placed : undefined}
 		@profile-input=${({ detail }: ProfileEvent) => context.edit(detail)}
 		@profile-change=${() => context.settle()}
 		@photo-input=${({ detail }: CustomEvent<Placement>) => changePhoto(context, detail)}

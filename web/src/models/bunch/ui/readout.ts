@@ -2,7 +2,7 @@ import { html, nothing } from "lit";
 import { symbol } from "../../../ui/symbol";
 import { term } from "../../../ui/term";
 import type { ReadoutRow } from "../../../ui/tool";
-import { type Grown, type Plan, THINNED_WHY } from "../grown";
+import { type BunchPlant, type Plan, THINNED_WHY } from "../bunch_plant";
 import { skinClass } from "../measures";
 import { SKIN_COLOUR } from "../measures.generated";
 import { metresPerPixel } from "../profile/handles";
@@ -25,7 +25,7 @@ const WHY: Readonly<Record<(typeof THINNED_WHY)[number], readonly [many: string,
 };
 
 /** The numbers of a bunch: what is not there and why, and the paper's own. */
-export function readout(grown: Grown, { parameters: { l, unit } }: BunchSpecimen): unknown {
+export function readout(grown: BunchPlant, { parameters: { l, unit } }: BunchSpecimen): unknown {
 	const scale = 1000 * metresPerPixel(unit);
 	const { counts, procedure, plan, second } = grown;
 	return html`${missing(grown)}
@@ -46,7 +46,7 @@ export function skinRow({ look }: BunchSpecimen): ReadoutRow {
 }
 
 /** How many berries are not there, by reason. */
-function missing({ thinned }: Grown): unknown {
+function missing({ thinned }: BunchPlant): unknown {
 	const reasons = THINNED_WHY.map((why) => ({ why, count: thinned.filter((each) => each.why === why).length }));
 	const given = reasons.filter(({ count }) => count > 0);
 	if (given.length === 0) return nothing;

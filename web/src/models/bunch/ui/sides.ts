@@ -12,8 +12,8 @@ type Pair = keyof Locks;
 export const sides: BunchTool<Locks> = {
 	name: "sides",
 	initial: { leftRight: false, frontBack: false },
-	recall: (kept) => {
-		const { leftRight, frontBack } = (kept ?? {}) as Partial<Record<Pair, unknown>>;
+	recall: (stored) => {
+		const { leftRight, frontBack } = (stored ?? {}) as Partial<Record<Pair, unknown>>;
 		return { leftRight: leftRight === true, frontBack: frontBack === true };
 	},
 	// A change that names both sides of a pair is left alone.

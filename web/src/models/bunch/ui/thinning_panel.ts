@@ -2,7 +2,7 @@ import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { ControlElement } from "../../../ui/control_element";
 import { icon } from "../../../ui/icons";
-import type { Berries, Grown } from "../grown";
+import type { Berries, BunchPlant } from "../bunch_plant";
 import { fromTheTop, placeInWords, widthInWords } from "./berry_places";
 import type { BunchContext } from "./context";
 import { THIN } from "./icons";
@@ -61,7 +61,7 @@ export class Thinning extends ControlElement<BunchContext> {
 	};
 
 	/** Keeps the order and the slider's place in step with what has grown and what is marked. */
-	#follow({ berries }: Grown, marked: number | undefined): void {
+	#follow({ berries }: BunchPlant, marked: number | undefined): void {
 		if (berries !== this.#orderOf) {
 			this.#orderOf = berries;
 			this.#order = fromTheTop(berries);

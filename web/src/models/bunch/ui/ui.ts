@@ -3,7 +3,7 @@ import { html } from "lit";
 import { steppedScene } from "../../../grammar_editor/derivation_tool";
 import { grammarTools } from "../../../grammar_editor/grammar_tool";
 import type { ModelUi } from "../../../ui/tool";
-import type { Grown } from "../grown";
+import type { BunchPlant } from "../bunch_plant";
 import type { BunchSpecimen } from "../specimen";
 import { bunchInWords, stemsInWords } from "../words";
 import { age } from "./age";
@@ -22,7 +22,7 @@ import { stems } from "./stems";
 import { thinning } from "./thinning";
 import "./thinning_panel";
 
-export const face: ModelUi<BunchSpecimen, Grown> = {
+export const modelUi: ModelUi<BunchSpecimen, BunchPlant> = {
 	tools: [
 		front,
 		side,
@@ -43,7 +43,8 @@ export const face: ModelUi<BunchSpecimen, Grown> = {
 	caption: (grown, context) => {
 		const { grownFrom, specimen } = context.state;
 		const stepped = steppedScene(context);
-		if (stepped) return `After step ${stepped.step}: ${bunchInWords(stepped.grown as Grown, grownFrom ?? specimen)}`;
+		if (stepped)
+			return `After step ${stepped.step}: ${bunchInWords(stepped.grown as BunchPlant, grownFrom ?? specimen)}`;
 		return context.toolState(stems) ? stemsInWords(grown) : bunchInWords(grown, grownFrom ?? specimen);
 	},
 	about: html`<p>Drag the handles of a grape bunch and it regrows from its botanical grammar.</p>

@@ -8,8 +8,8 @@ export interface Chosen {
 	readonly text: string;
 	/** Lines edited by hand that the choice does not leave. */
 	readonly lost: readonly string[];
-	/** The text with those lines kept. */
-	readonly kept: string;
+	/** The text with those lines retained. */
+	readonly retained: string;
 }
 
 /** The text of a design with one organ described otherwise. */
@@ -25,11 +25,11 @@ export function choose(design: Design, description: Description): Chosen {
 	const [base, mine, [said, ...made]] = [sectionOf(before), text, sectionOf(description)].map((each) =>
 		each.split("\n"),
 	);
-	const { lines, lost, kept } = merged(base.slice(1), mine.slice(1), made);
+	const { lines, lost, retained } = merged(base.slice(1), mine.slice(1), made);
 	return {
 		text: withText([said, ...lines]),
 		lost: lost.filter((line) => line.trim() !== ""),
-		kept: withText([said, ...kept]),
+		retained: withText([said, ...retained]),
 	};
 }
 

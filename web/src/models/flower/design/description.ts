@@ -1,6 +1,6 @@
 /** An organ's description as it stands in the text: one comment, `@organ petal outline=rounded count=5 …@`. */
 import { type Margin, readMargin, writtenMargin } from "./margin";
-import { FIELDS, type Field, type NumberField, type Organ } from "./organs";
+import { FIELDS, type NumberField, type Organ, type OrganField } from "./organs";
 import { DRAWN } from "./shapes";
 
 export interface Description {
@@ -20,7 +20,7 @@ export function usual(organ: Organ, values: Description["values"] = {}): Descrip
 }
 
 /** A value as the field takes it; its usual one where it does not. */
-export function taken(field: Field, value: string | number | undefined): string | number {
+export function taken(field: OrganField, value: string | number | undefined): string | number {
 	if (value === undefined) return field.usual;
 	if (field.kind === "choice") return field.options.includes(String(value)) ? value : field.usual;
 	if (field.kind === "colour") return /^[0-9a-f]{6}$/.test(String(value)) ? value : field.usual;

@@ -5,8 +5,8 @@ export interface Merged {
 	readonly lines: readonly string[];
 	/** Lines changed by hand in a place that the choice has changed too, so that they are not in `lines`. */
 	readonly lost: readonly string[];
-	/** The same with those kept instead, in place of what the choice made there. */
-	readonly kept: readonly string[];
+	/** The same with those retained instead, in place of what the choice made there. */
+	readonly retained: readonly string[];
 }
 
 /**
@@ -15,7 +15,7 @@ export interface Merged {
  * @param made with what the choice makes
  */
 export function merged(base: readonly string[], mine: readonly string[], made: readonly string[]): Merged {
-	const found: Merging = { lines: [], lost: [], kept: [] };
+	const found: Merging = { lines: [], lost: [], retained: [] };
 	for (const stretch of stretches([base, mine, made], (line) => line)) {
 		if (take(found, stretch)) continue;
 		// Lines that stand side by side are different places: those of one name, and between them those that are as many.
@@ -70,11 +70,11 @@ const areParallel = (was: readonly string[], now: readonly string[]): boolean =>
 	was.length === now.length && matches(was, now).every((to, at) => to < 0 || to === at);
 
 /** Takes what one of the two has changed there, or both in one way or in words of their own; false where that is not so. */
-function take({ lines, kept }: Merging, [was, own, other]: Stretch): boolean {
+function take({ lines, retained }: Merging, [was, own, other]: Stretch): boolean {
 	const taken = same(own, was) || same(own, other) ? other : same(other, was) ? own : inWords([was, own, other]);
 	if (!taken) return false;
 	append(lines, taken);
-	append(kept, taken);
+	append(retained, taken);
 	return true;
 }
 
@@ -87,9 +87,9 @@ function inWords(all: Stretch): readonly string[] | undefined {
 	return [was.map((word, i) => (own[i] === word ? other[i] : own[i])).join("")];
 }
 
-function giveWay({ lines, lost, kept }: Merging, [was, own, other]: Stretch): void {
+function giveWay({ lines, lost, retained }: Merging, [was, own, other]: Stretch): void {
 	append(lines, other);
-	append(kept, own);
+	append(retained, own);
 	const [inWas, inOwn, inOther] = [new Set(was), new Set(own), new Set(other)];
 	append(
 		lost,

@@ -26,11 +26,18 @@ export interface ColourField extends Named {
 	readonly kind: "colour";
 	readonly usual: string;
 }
-export type Field = NumberField | ChoiceField | ColourField;
+export type OrganField = NumberField | ChoiceField | ColourField;
 
-type Range = readonly [least: number, most: number, step: number];
+type FieldRange = readonly [least: number, most: number, step: number];
 
-const number = (key: string, label: string, unit: string, usual: number, range: Range, help: string): NumberField => {
+const number = (
+	key: string,
+	label: string,
+	unit: string,
+	usual: number,
+	range: FieldRange,
+	help: string,
+): NumberField => {
 	const [least, most, step] = range;
 	return { kind: "number", key, label, unit, usual, least, most, step, help };
 };
@@ -58,7 +65,7 @@ const colours = (
 ];
 
 /** What a leaf, a sepal and a petal have in common: one template makes them. */
-function blade(outline: string, length: number, width: number, thickness: number): Field[] {
+function blade(outline: string, length: number, width: number, thickness: number): OrganField[] {
 	return [
 		choice("outline", "Outline", OUTLINES, "The shape of its margin, or one that is drawn.", outline),
 		choice(
@@ -74,7 +81,7 @@ function blade(outline: string, length: number, width: number, thickness: number
 	];
 }
 
-const held = (angle: number, bend: number, curl: number): Field[] => [
+const held = (angle: number, bend: number, curl: number): OrganField[] => [
 	number("angle", "Rise", "°", angle, [-60, 90, 1], "0 stands out, 90 stands up."),
 	number("bend", "Bend", "°", bend, [-150, 150, 1], "In all, along its length; below 0 inwards."),
 	number("curl", "Tip’s bend", "°", curl, [-120, 150, 1], "What the last third bends besides."),
@@ -85,7 +92,7 @@ const radius = (usual: number): NumberField =>
 const count = (usual: number, most: number, help: string): NumberField =>
 	number("count", "Count", "", usual, [0, most, 1], help);
 
-export const FIELDS: Readonly<Record<Organ, readonly Field[]>> = {
+export const FIELDS: Readonly<Record<Organ, readonly OrganField[]>> = {
 	stem: [
 		choice("section", "Cross-section", ["round", "oval", "square", "triangular"], "Its form across."),
 		choice("growth", "Growth", ["erect", "arching", "nodding"], "How it stands."),

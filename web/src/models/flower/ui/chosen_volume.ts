@@ -7,16 +7,16 @@ import type { FlowerPlant, Volumes } from "../flower_plant";
 /** From the first volume to the chosen one: what each is called, and which of those of that name on the one before. */
 export type ChosenVolume = readonly { readonly label: string; readonly nth: number }[];
 
-type Grown = Pick<FlowerPlant, "volumes">;
+type WithVolumes = Pick<FlowerPlant, "volumes">;
 
-const NOBODY = 0xffffffff;
+const NONE = 0xffffffff;
 
 /** A volume of what has grown, to be known again; undefined where none of that number has. */
-export function chosenOf(grown: Grown | undefined, volume: number | undefined): ChosenVolume | undefined {
+export function chosenOf(grown: WithVolumes | undefined, volume: number | undefined): ChosenVolume | undefined {
 	if (!grown || volume === undefined || !(volume >= 0 && volume < grown.volumes.order.length)) return undefined;
 	const { order, parent, label, labels } = grown.volumes;
 	const line: number[] = [];
-	for (let at = volume; at !== NOBODY; at = parent[at]) if (line.push(at) > order.length) return undefined; // It would go round.
+	for (let at = volume; at !== NONE; at = parent[at]) if (line.push(at) > order.length) return undefined; // It would go round.
 	line.reverse();
 	// What a volume is split into may stand behind what grows from it: each is looked at by its parent, in whatever order.
 	const behind = new Map(line.map((at, i) => [parent[at], i]));
@@ -29,15 +29,15 @@ export function chosenOf(grown: Grown | undefined, volume: number | undefined): 
 }
 
 /** Its number in what has grown now; undefined where that has none of its descent. */
-export function stillChosen(grown: Grown | undefined, chosen: ChosenVolume | undefined): number | undefined {
+export function stillChosen(grown: WithVolumes | undefined, chosen: ChosenVolume | undefined): number | undefined {
 	if (!grown || !chosen) return undefined;
 	const { labels, label } = grown.volumes;
 	const { first, next } = childrenOf(grown.volumes);
 	let last: number | undefined;
 	for (const { label: called, nth } of chosen) {
 		let at = first[last ?? first.length - 1];
-		for (let before = 0; at !== NOBODY; at = next[at]) if (labels[label[at]] === called && before++ === nth) break;
-		if (at === NOBODY) return undefined;
+		for (let before = 0; at !== NONE; at = next[at]) if (labels[label[at]] === called && before++ === nth) break;
+		if (at === NONE) return undefined;
 		last = at;
 	}
 	return last;
@@ -46,7 +46,7 @@ export function stillChosen(grown: Grown | undefined, chosen: ChosenVolume | und
 /** Of each volume, and behind the last of nobody, the first that grew from it; and of each the next that grew from the same. */
 function childrenOf({ order, parent }: Volumes): { first: Uint32Array; next: Uint32Array } {
 	const count = order.length;
-	const first = new Uint32Array(count + 1).fill(NOBODY);
+	const first = new Uint32Array(count + 1).fill(NONE);
 	const next = new Uint32Array(count);
 	for (let at = count - 1; at >= 0; at--) {
 		const from = Math.min(parent[at], count);

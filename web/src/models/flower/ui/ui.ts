@@ -10,7 +10,7 @@ import { beginTool, designTools } from "./design/design_tool";
 import { source } from "./text";
 import { volumeTool } from "./volume_tool";
 
-export const face: ModelUi<FlowerSpecimen, FlowerPlant> = {
+export const modelUi: ModelUi<FlowerSpecimen, FlowerPlant> = {
 	tools: [
 		...designTools,
 		volumeTool as Tool<FlowerSpecimen, FlowerPlant>,

@@ -10,11 +10,11 @@ import { sliderRow } from "../../../ui/slider_row";
 import { readTyped } from "../../../ui/typed";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
-import { type Range, rangeFor, rangeSaid, within } from "./figure_range";
-import { FIELDS, figureWords } from "./figure_words";
+import { type NumberRange, rangeFor, statedRange, within } from "./number_range";
+import { describeNumber, FIELDS } from "./number_words";
 import { footOf, organOf, placeOfVolume, titleOfVolume } from "./organ";
-import { type Figure, type Said, saidOf } from "./said";
 import { source } from "./text";
+import { type NumberGroup, type NumberToken, numberGroupsOf } from "./token_edits";
 
 /** The numbers of the chosen volume, and sliders of what the text says of it: what they change is written into the text. */
 export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, FlowerPlant>> {
@@ -23,7 +23,7 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 		chosenIn: { attribute: false },
 		choose: { attribute: false },
 	};
-	/** Asked of what stands now: a number that was told may be of a flower that has gone. */
+	/** VolumeOrigin of what stands now: a number that was told may be of a flower that has gone. */
 	declare chosenIn: (context: EditorContext<FlowerSpecimen, FlowerPlant>) => number | undefined;
 	declare choose: (volume: number | undefined) => void;
 
@@ -31,7 +31,7 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 	/** What a slider has begun last: it may go from under the hand, with the volume that it tells of. */
 	#gesture: string | undefined;
 	/** How far sliders reach: a range does not run away from the hand. */
-	readonly #ranges = new Map<string, Range>();
+	readonly #ranges = new Map<string, NumberRange>();
 
 	protected override shows(): readonly unknown[] {
 		const { grown } = this.context.state;
@@ -76,7 +76,7 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 		const text = this.#text();
 		if (text === undefined) return nothing;
 		const label = volumes.label[chosen];
-		const said = saidOf(text, {
+		const said = numberGroupsOf(text, {
 			label: volumes.labels[label],
 			module: volumes.module[label],
 			line: volumes.line[chosen],
@@ -93,18 +93,18 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 		<div class="actions"><button class="button" type="button" @click=${() => this.choose(undefined)}>Let go</button></div>`;
 	}
 
-	#group({ title, figures }: Said): unknown {
-		return html`<fieldset class="volume-said"><legend>${title}</legend>${figures.map((figure, i) => this.#slider(figure, title, i))}</fieldset>`;
+	#group({ title, tokens }: NumberGroup): unknown {
+		return html`<fieldset class="volume-said"><legend>${title}</legend>${tokens.map((token, i) => this.#slider(token, title, i))}</fieldset>`;
 	}
 
-	#slider(figure: Figure, title: string, index: number): unknown {
-		const { name, text } = figure;
+	#slider(token: NumberToken, title: string, index: number): unknown {
+		const { name, text } = token;
 		const key = `${title} ${index} ${name}`;
-		const said = figure.range ? rangeSaid(figure.range) : rangeFor(name, Number(text));
+		const said = token.range ? statedRange(token.range) : rangeFor(name, Number(text));
 		const range = within(this.#ranges.get(key), Number(text)) ?? said;
 		this.#ranges.set(key, range);
 		const { min, max, step } = range;
-		const words = figureWords(this.#text() ?? "", name);
+		const words = describeNumber(this.#text() ?? "", name);
 		return html`<div class="control">${sliderRow({
 			id: this.idOf(key),
 			label: words ? html`<span title=${words}>${name}</span>` : name,
@@ -117,10 +117,10 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 			text,
 			help: `${words ? `${words}. ` : ""}${min} … ${max}.`,
 			held: this.#held,
-			slide: (value) => this.#edit(figure, range.written(value), key),
+			slide: (value) => this.#edit(token, range.written(value), key),
 			type: (typed) => {
 				if (!Number.isFinite(typed)) return text;
-				this.context.set(this.#changed(figure, String(typed)));
+				this.context.set(this.#changed(token, String(typed)));
 				return String(typed);
 			},
 		})}</div>`;
@@ -135,10 +135,10 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 		if (this.chosenIn(this.context) === undefined) this.#rest();
 	}
 
-	#edit(figure: Figure, written: string, key: string): void {
-		if (written === figure.text) return;
-		this.#gesture = `figure ${key}`;
-		this.context.edit({ ...this.#changed(figure, written), run: this.#held.run }, this.#gesture);
+	#edit(token: NumberToken, written: string, key: string): void {
+		if (written === token.text) return;
+		this.#gesture = `token ${key}`;
+		this.context.edit({ ...this.#changed(token, written), run: this.#held.run }, this.#gesture);
 	}
 
 	#rest(): void {
@@ -146,8 +146,8 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 		this.#gesture = undefined;
 	}
 
-	/** The change that writes a figure in the place of another. */
-	#changed({ from, to }: Figure, written: string) {
+	/** The change that writes a token in the place of another. */
+	#changed({ from, to }: NumberToken, written: string) {
 		const text = this.#text() ?? "";
 		return withText(
 			source as unknown as GrammarSource,

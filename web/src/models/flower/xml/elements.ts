@@ -4,10 +4,10 @@
  */
 import { TextError } from "../../../specimen/text_error";
 
-export interface Element {
+export interface XmlElement {
 	readonly name: string;
 	readonly attributes: Readonly<Record<string, string>>;
-	readonly children: Element[];
+	readonly children: XmlElement[];
 	/** What stands between its tags, its children's left out. */
 	text: string;
 	/** Its line and column, from 1: worked out when asked for, since to count columns takes as long as the line. */
@@ -23,11 +23,11 @@ const ENTITIES: Readonly<Record<string, string>> = { lt: "<", gt: ">", amp: "&",
  * The elements that stand at the top: one, or as many as there are.
  * @throws TextError with line and column
  */
-export function elementsOf(source: string): Element[] {
-	return new Reader(source.replace(/^\uFEFF/, "")).run();
+export function elementsOf(source: string): XmlElement[] {
+	return new XmlReader(source.replace(/^\uFEFF/, "")).run();
 }
 
-class Reader {
+class XmlReader {
 	readonly #source: string;
 	#at = 0;
 	#made = 0;
@@ -39,8 +39,8 @@ class Reader {
 		for (let i = source.indexOf("\n"); i >= 0; i = source.indexOf("\n", i + 1)) this.#lines.push(i + 1);
 	}
 
-	run(): Element[] {
-		const top: Element = { name: "", attributes: {}, children: [], text: "", place: () => [1, 1] };
+	run(): XmlElement[] {
+		const top: XmlElement = { name: "", attributes: {}, children: [], text: "", place: () => [1, 1] };
 		const open = [top];
 		while (this.#at < this.#source.length) {
 			const inner = open[open.length - 1];
@@ -71,7 +71,7 @@ class Reader {
 		return top.children;
 	}
 
-	#open(parent: Element, depth: number): Element | undefined {
+	#open(parent: XmlElement, depth: number): XmlElement | undefined {
 		const from = this.#at++;
 		const place = () => this.#place(from);
 		const name = this.#name("An element's name stands behind <.");
@@ -97,12 +97,12 @@ class Reader {
 		if (++this.#made > MOST)
 			throw new TextError(...place(), `There are more than ${MOST.toLocaleString("en")} elements.`);
 		if (depth > DEEPEST) throw new TextError(...place(), `Elements stand in one another more than ${DEEPEST} deep.`);
-		const element: Element = { name, attributes, children: [], text: "", place };
+		const element: XmlElement = { name, attributes, children: [], text: "", place };
 		parent.children.push(element);
 		return empty ? undefined : element;
 	}
 
-	#close(open: Element[]): void {
+	#close(open: XmlElement[]): void {
 		const from = this.#at;
 		this.#at += 2;
 		const name = this.#name("An element's name stands behind </.");

@@ -1,6 +1,6 @@
 /** The XML of a flower's grammar (Petrenko 2014, Table 4) → its text. */
 import { TextError } from "../../../specimen/text_error";
-import { type Element, elementsOf } from "./elements";
+import { elementsOf, type XmlElement } from "./elements";
 import { FIELDS } from "./fields";
 
 const PARTS = new Set(["volume", "variable", "axiom", "rule", "statement"]);
@@ -16,7 +16,7 @@ export function textOfXml(source: string): string {
 	return `${top.map(statementOf).join("\n")}\n`;
 }
 
-function statementOf(element: Element): string {
+function statementOf(element: XmlElement): string {
 	switch (element.name) {
 		case "volume":
 			return `#define ${volume(element)}`;
@@ -35,7 +35,7 @@ function statementOf(element: Element): string {
 	}
 }
 
-function rule(element: Element): string {
+function rule(element: XmlElement): string {
 	const [before, after] = ["predecessor", "successor"].map(
 		(name) => element.children.find((child) => child.name === name) ?? wrong(element, `A rule has a <${name}>.`),
 	);
@@ -50,7 +50,7 @@ function rule(element: Element): string {
 }
 
 /** What stands behind the arrow: volumes, signs and faces, one after the other. */
-function piece(element: Element): string {
+function piece(element: XmlElement): string {
 	switch (element.name) {
 		case "volume":
 			return (element.attributes.category === "module" ? "&" : "") + volume(element);
@@ -66,7 +66,7 @@ function piece(element: Element): string {
 }
 
 /** `NAME(N, T, …){…}`; without the list where no number is there at all. */
-function volume(element: Element): string {
+function volume(element: XmlElement): string {
 	const known = new Set<string>(["name", "settings", ...FIELDS]);
 	const strange = element.children.find(({ name }) => !known.has(name));
 	if (strange) wrong(strange, `A volume has no <${strange.name}>; it has ${[...known].join(", ")}.`);
@@ -77,26 +77,26 @@ function volume(element: Element): string {
 	return `${nameOf(element)}${listed ? `(${numbers.join(",")})` : ""}${settings ? `{${oneLine(settings)}}` : ""}`;
 }
 
-function numbersOf({ children }: Element): string[] {
+function numbersOf({ children }: XmlElement): string[] {
 	return FIELDS.map((field) => oneLine(children.find(({ name }) => name === field)));
 }
 
-function nameOf(element: Element): string {
+function nameOf(element: XmlElement): string {
 	const name = element.children.find((child) => child.name === "name") ?? wrong(element, "A volume has a <name>.");
 	return value(name);
 }
 
-function value(element: Element): string {
+function value(element: XmlElement): string {
 	return oneLine(element) || wrong(element, `<${element.name}> is empty.`);
 }
 
 /** A statement of the text ends with its line. */
-function oneLine(element: Element | undefined): string {
+function oneLine(element: XmlElement | undefined): string {
 	if (element && element.children.length > 0)
 		wrong(element.children[0], `<${element.name}> has text in it and no elements.`);
 	return (element?.text ?? "").trim().replace(/\s+/g, " ");
 }
 
-function wrong(element: Element, message: string): never {
+function wrong(element: XmlElement, message: string): never {
 	throw new TextError(...element.place(), message);
 }

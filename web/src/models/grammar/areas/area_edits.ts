@@ -122,8 +122,8 @@ export function strokePath(stroke: readonly Triple[]): Change | undefined {
 	if (stroke.length < 2) return undefined;
 	const long = stroke.slice(1).reduce((sum, at, i) => sum + distance(at, stroke[i]), 0);
 	if (!(long > 0)) return undefined;
-	const kept = simplified(stroke, SLACK * long);
-	return withPath(kept.flat());
+	const places = simplified(stroke, SLACK * long);
+	return withPath(places.flat());
 }
 
 /** A drawn stroke as one more branch: it begins at the place that is nearest to where the pen was put down. */

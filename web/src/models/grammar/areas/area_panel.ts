@@ -9,7 +9,7 @@ import type { Tool } from "../../../ui/tool";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
 import { GRAMMAR_TABLE } from "../table";
-import { asksForAreas, fetchedText } from "../texts";
+import { fetchedText, usesAreas } from "../texts";
 import { AREA_KINDS, type Area, type AreaKind, degreesOf, type Triple, turnOf } from "./area";
 import {
 	added,
@@ -190,7 +190,7 @@ const GROUP: Group = { ...(GRAMMAR_TABLE.groups.find(({ key }) => key === "areas
 export const areaPanel: Tool<GrammarSpecimen, GrammarPlant> = {
 	name: "area-panel",
 	initial: undefined,
-	applies: (specimen) => hasAreas(specimen) || asksForAreas(fetchedText(specimen) ?? ""),
+	applies: (specimen) => hasAreas(specimen) || usesAreas(fetchedText(specimen) ?? ""),
 	panel: { group: GROUP, place: "below", draw: (context) => drawAreas(context) },
 	drop: {
 		words: "a closed mesh (OBJ, GLB, STL) becomes a growth area",

@@ -80,28 +80,28 @@ export const areaTools: readonly Tool<GrammarSpecimen, GrammarPlant>[] = [
 /** Makes a file's mesh one more area, as one step; whatever is wrong with it is said. */
 export async function takeAreaMesh(context: AreaContext, file: File): Promise<void> {
 	const isStill = sameDocument(context);
-	const say = (title: string, words: string) => context.notify(title, [words], { topic: FILE_TOPIC });
+	const notify = (title: string, words: string) => context.notify(title, [words], { topic: FILE_TOPIC });
 	const reader = await import("../../../import/mesh_file/read_in_worker").catch(() => undefined);
 	if (!reader) {
-		say("The mesh was not read", "Part of the page could not be fetched; check the connection and try again.");
+		notify("The mesh was not read", "Part of the page could not be fetched; check the connection and try again.");
 		return;
 	}
 	try {
 		const mesh = await reader.readMeshInWorker(file);
 		if (!isStill()) {
-			say("The mesh was not taken", "Another plant has come meanwhile.");
+			notify("The mesh was not taken", "Another plant has come meanwhile.");
 			return;
 		}
 		const change = added(context.state.specimen, "mesh", mesh);
 		if (!change) {
-			say("The mesh was not taken", "There are as many areas as there may be: remove one first.");
+			notify("The mesh was not taken", "There are as many areas as there may be: remove one first.");
 			return;
 		}
 		context.set(change);
 		choose(context, (context.state.specimen.areas?.length ?? 1) - 1);
-		say("The mesh is a growth area now", "Links are too short for it: download JSON or GLB to keep this plant.");
+		notify("The mesh is a growth area now", "Links are too short for it: download JSON or GLB to keep this plant.");
 	} catch (error) {
-		say("The mesh was not read", error instanceof Error ? error.message : String(error));
+		notify("The mesh was not read", error instanceof Error ? error.message : String(error));
 	}
 }
 

@@ -14,7 +14,7 @@ import { readout } from "./readout";
 import { source } from "./text";
 import { warningsOf } from "./warnings";
 
-export const face: ModelUi<GrammarSpecimen, GrammarPlant> = {
+export const modelUi: ModelUi<GrammarSpecimen, GrammarPlant> = {
 	tools: [
 		areaPanel,
 		...grammarTools(source, derivation),

@@ -1,14 +1,14 @@
-/** What a plant lacks of what was asked for, and why: told beside its picture and below its text. */
+/** What a plant lacks of what was requested for, and why: told beside its picture and below its text. */
 import { blankComments } from "../../../grammar_editor/comments";
 import { withThousands } from "../../../ui/thousands";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
-import { asksForAreas, fetchedText } from "../texts";
+import { fetchedText, usesAreas } from "../texts";
 
 const BARE = /^Nothing grows in area (\d+):/;
 /** Of the core's notes; others stand with the numbers, or have a place in the text. */
 const CUT = /^What grew so far is shown/;
-const SAID = /^The grammar (?:draws nothing|has no #define)/;
+const REPORTED = /^The grammar (?:draws nothing|has no #define)/;
 
 /** A line each. @param specimen that the plant has grown from */
 export function warningsOf({ notes, counts }: GrammarPlant, specimen: GrammarSpecimen): readonly string[] {
@@ -17,9 +17,9 @@ export function warningsOf({ notes, counts }: GrammarPlant, specimen: GrammarSpe
 	const cut = notes.filter((note) => CUT.test(note)).map(withThousands);
 	return [
 		...(cut.length > 0 ? [[...cut, ...stepsOf(counts.steps, specimen, text)].join(" ")] : []),
-		...notes.filter((note) => SAID.test(note)),
+		...notes.filter((note) => REPORTED.test(note)),
 		...reasonsOf(bare).map(inOne),
-		...(asksForAreas(text) && !specimen.areas?.length
+		...(usesAreas(text) && !specimen.areas?.length
 			? ["There is no growth area, so the branches have no room. Add one under “Growth areas”, or undo."]
 			: []),
 	];
@@ -50,8 +50,8 @@ function inOne(notes: readonly string[]): string {
 
 /** How far the derivation has come, where it has not come to its end. */
 function stepsOf(done: number, { steps, constants }: GrammarSpecimen, text: string): string[] {
-	const asked = steps ?? lengthIn(text, constants);
-	return asked !== undefined && done < asked ? [`These are ${done} of ${asked} steps.`] : [];
+	const requested = steps ?? lengthIn(text, constants);
+	return requested !== undefined && done < requested ? [`These are ${done} of ${requested} steps.`] : [];
 }
 
 /** The derivation length, where it is a number or the name of one; what is reckoned is the core's to know. */
@@ -61,6 +61,6 @@ function lengthIn(text: string, constants: GrammarSpecimen["constants"]): number
 	const numbers = bare.matchAll(/^[ \t]*#define[ \t]+([\p{L}\p{N}_]+)[ \t]+(\d+)[ \t]*$/gmu);
 	const defined = [...numbers].find(([, name]) => name === length)?.[2];
 	const given = Object.hasOwn(constants, length) ? constants[length] : undefined;
-	const asked = /^\d+$/.test(length) ? length : (given ?? defined);
-	return asked === undefined ? undefined : Number(asked);
+	const requested = /^\d+$/.test(length) ? length : (given ?? defined);
+	return requested === undefined ? undefined : Number(requested);
 }

@@ -10,7 +10,7 @@ import { age } from "./age";
 import { neighbours } from "./neighbours";
 import { source } from "./text";
 
-export const face: ModelUi<GrowthSpecimen, GrowthPlant> = {
+export const modelUi: ModelUi<GrowthSpecimen, GrowthPlant> = {
 	tools: [
 		...grammarTools<GrowthSpecimen, GrowthPlant>(source),
 		...volumeTools,

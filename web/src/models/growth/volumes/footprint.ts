@@ -112,12 +112,12 @@ export function withVolumes(text: string, volumes: readonly GrowthVolume[]): str
 	const footprint = head + volumes.map(lineOf).join(`\n${" ".repeat(head.length)}`);
 	const [first, ...others] = footprintsOf(text);
 	if (!first) return `${text.trimEnd()}\n${footprint}\n`;
-	const kept = [text.slice(0, first.from), footprint];
+	const pieces = [text.slice(0, first.from), footprint];
 	let done = first.to;
 	for (const { from, to } of others) {
-		kept.push(text.slice(done, from));
+		pieces.push(text.slice(done, from));
 		REST_OF_LINE.lastIndex = to;
 		done = to + (REST_OF_LINE.exec(text)?.[0].length ?? 0);
 	}
-	return kept.join("") + text.slice(done);
+	return pieces.join("") + text.slice(done);
 }

@@ -12,9 +12,9 @@ import { outlineOf } from "../../design/blade";
 import { isEdited, madeAnew } from "../../design/choose";
 import { type Description, described } from "../../design/description";
 import { type Design, describedIn } from "../../design/design";
-import { FIELDS, type Field, type NumberField, ORGANS, type Organ } from "../../design/organs";
+import { FIELDS, type NumberField, ORGANS, type Organ, type OrganField } from "../../design/organs";
 import { DRAWN } from "../../design/shapes";
-import { type Drafts, descriptionsIn, designIn, type FlowerContext, writing } from "./drafts";
+import { type Drafts, descriptionsIn, designIn, type FlowerContext, textChange } from "./drafts";
 import { floralFormula } from "./floral_diagram";
 import { pointsOf } from "./outline_scene";
 import { traceInto } from "./trace";
@@ -29,7 +29,7 @@ const WORDS: Readonly<Record<Organ, string>> = {
 };
 
 /** Of those that do not matter now. */
-const UNHEEDED: Readonly<Record<string, (values: Description["values"]) => boolean>> = {
+const HIDDEN_WHEN: Readonly<Record<string, (values: Description["values"]) => boolean>> = {
 	lip: ({ symmetry }) => symmetry !== "irregular",
 };
 
@@ -70,7 +70,7 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 			</div>
 			<div role="group" aria-label=${WORDS[organ]}>
 				${FIELDS[organ]
-					.filter(({ key }) => !UNHEEDED[key]?.(description.values))
+					.filter(({ key }) => !HIDDEN_WHEN[key]?.(description.values))
 					.map((field) => this.#field(description, field))}
 				${description.values.outline === undefined ? nothing : this.#outline(description)}
 			</div>
@@ -78,13 +78,13 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 				edited
 					? html`<p>Its grammar was edited by hand; choices leave that where they can.</p>
 						<div class="actions"><button
-							class="button" type="button" @click=${() => this.context.set(writing(this.context.state.specimen, madeAnew(design, organ)))}
+							class="button" type="button" @click=${() => this.context.set(textChange(this.context.state.specimen, madeAnew(design, organ)))}
 						>Write its grammar anew</button></div>`
 					: nothing
 			}`;
 	}
 
-	#field(description: Description, field: Field): unknown {
+	#field(description: Description, field: OrganField): unknown {
 		const { key, label, help } = field;
 		const id = this.idOf(key);
 		const value = description.values[key];

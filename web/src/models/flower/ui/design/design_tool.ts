@@ -12,7 +12,7 @@ import type { FlowerPlant } from "../../flower_plant";
 import { FLOWER } from "../../schema";
 import type { FlowerSpecimen } from "../../specimen";
 import type { DesignEvent } from "./design_view";
-import { Drafts, descriptionsIn, designIn, type FlowerContext, writing } from "./drafts";
+import { Drafts, descriptionsIn, designIn, type FlowerContext, textChange } from "./drafts";
 import { elevation } from "./elevation";
 import { floralDiagram } from "./floral_diagram";
 import { outlineScene } from "./outline_scene";
@@ -49,7 +49,7 @@ export const beginTool: DesignTool = {
 			return html`<p>This flower’s text has no descriptions of its organs: it is edited as a grammar. Another flower that has them, or a new one:</p>
 			<div class="actions">
 				<button class="button" type="button" @click=${() => context.replace(fromPreset(FLOWER, near))}>Open ${title}</button>
-				<button class="button" type="button" @click=${() => context.set(writing(context.state.specimen, assembled()))}>
+				<button class="button" type="button" @click=${() => context.set(textChange(context.state.specimen, assembled()))}>
 					Design a new flower
 				</button>
 			</div>`;

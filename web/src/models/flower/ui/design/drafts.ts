@@ -1,4 +1,4 @@
-/** Choices and drags written into a flower's text: what was edited by hand is merged in, and what cannot be kept is told. */
+/** Choices and drags written into a flower's text: what was edited by hand is merged in, and what cannot be retained is told. */
 
 import { type GrammarSource, textOf as grownText, withText } from "../../../../grammar_editor/source";
 import type { EditorContext } from "../../../../ui/editor_context";
@@ -24,7 +24,7 @@ export const valuedText = (specimen: FlowerSpecimen): string | undefined =>
 	fetchedText(specimen) === undefined ? undefined : grownText(grammar, specimen, () => {});
 
 /** The change that makes a text a flower's: values beside the one before would else hold against what a choice says there. */
-export const writing = (specimen: FlowerSpecimen, text: string) => withText(grammar, specimen, text);
+export const textChange = (specimen: FlowerSpecimen, text: string) => withText(grammar, specimen, text);
 
 /** What a flower's text describes; undefined where it has no descriptions, or has yet to be fetched. */
 export function designIn(specimen: FlowerSpecimen): Design | undefined {
@@ -40,22 +40,22 @@ export const descriptionsIn = ({ sections }: Design): readonly Description[] =>
 
 interface Written {
 	readonly text: string;
-	readonly kept: string;
+	readonly retained: string;
 	readonly lost: readonly string[];
 }
 
 /** A design with its organs described so. Where nothing is described otherwise its text is what it was. */
 function written(design: Design, descriptions: readonly Description[]): Written {
-	let [mine, kept]: readonly [Design, Design] = [design, design];
+	let [mine, retained]: readonly [Design, Design] = [design, design];
 	let lost: readonly string[] = [];
 	for (const [i, description] of descriptions.entries()) {
 		if (lineOf(description) === lineOf(design.sections[i].description)) continue;
 		const chosen = choose(mine, description);
 		lost = [...lost, ...chosen.lost];
 		mine = designOf(chosen.text) ?? mine;
-		kept = designOf(choose(kept, description).kept) ?? kept;
+		retained = designOf(choose(retained, description).retained) ?? retained;
 	}
-	return { text: textOf(mine), kept: textOf(kept), lost };
+	return { text: textOf(mine), retained: textOf(retained), lost };
 }
 
 /** The choices of one gesture: each is merged with the text as it was when the gesture began, so that one that is called off leaves nothing. */
@@ -70,7 +70,7 @@ export class Drafts {
 		if (!this.#last || valuedText(specimen) !== this.#last.text) this.#before = designIn(specimen);
 		if (!this.#before) return;
 		this.#last = written(this.#before, descriptions);
-		context.edit({ ...writing(specimen, this.#last.text), run }, GESTURE);
+		context.edit({ ...textChange(specimen, this.#last.text), run }, GESTURE);
 	}
 
 	/** Its end: one step, and what was lost is told. */
@@ -92,18 +92,19 @@ export class Drafts {
 	}
 }
 
-const MOST_TOLD = 4;
+const MAX_LISTED = 4;
 
-function tell(context: FlowerContext, { text, lost, kept }: Written): void {
+function tell(context: FlowerContext, { text, lost, retained }: Written): void {
 	const isStill = sameDocument(context);
 	const keep = () => {
-		if (isStill() && valuedText(context.state.specimen) === text) context.set(writing(context.state.specimen, kept));
+		if (isStill() && valuedText(context.state.specimen) === text)
+			context.set(textChange(context.state.specimen, retained));
 		else context.notify("The edited lines were not kept", ["The text has changed meanwhile."], { topic: GESTURE });
 	};
-	const more = lost.length > MOST_TOLD ? [`and ${lost.length - MOST_TOLD} more.`] : [];
+	const more = lost.length > MAX_LISTED ? [`and ${lost.length - MAX_LISTED} more.`] : [];
 	context.notify(
 		"Lines edited by hand gave way to this choice",
-		[...lost.slice(0, MOST_TOLD).map((line) => line.trim()), ...more, "Undo takes the choice back."],
+		[...lost.slice(0, MAX_LISTED).map((line) => line.trim()), ...more, "Undo takes the choice back."],
 		{ topic: GESTURE, act: { words: "Keep the edited lines", run: keep } },
 	);
 }

@@ -1,4 +1,4 @@
-/** An answer of the core → Grown (columns: wasm-core/src/models/bunch/model.hpp). */
+/** An answer of the core → BunchPlant (columns: wasm-core/src/models/bunch/model.hpp). */
 import type { Columns } from "../../core/container";
 import type { Answer } from "../../core/core";
 import type { MeshRun, Plant, PlantMesh } from "../../plant/plant";
@@ -6,13 +6,13 @@ import { readPlant, readSky } from "../../plant/read_plant";
 import {
 	type Berries,
 	type BerrySurfaces,
+	type BunchPlant,
 	type Counts,
 	type FlowerMesh,
 	type FlowerPiece,
 	type Foliage,
 	type FoliagePart,
 	FRUITS,
-	type Grown,
 	type Internodes,
 	type OwnProfile,
 	type Plan,
@@ -22,14 +22,14 @@ import {
 	THINNED_WHY,
 	type Thinned,
 	TRAITS,
-} from "./grown";
+} from "./bunch_plant";
 import { leafOnCane } from "./leaf";
 
-export function readGrown(answer: Answer): Grown {
+export function readBunchPlant(answer: Answer): BunchPlant {
 	const { columns } = answer;
 	const plant = readPlant(answer);
 	const [taper, blunt, curve] = columns.floats("form");
-	const grown: Grown = {
+	const grown: BunchPlant = {
 		...plant,
 		procedure: columns.text("procedure") as Procedure,
 		form: { fruit: FRUITS[columns.uint32("fruit")[0]], taper, blunt, curve },

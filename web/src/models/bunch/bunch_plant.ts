@@ -188,7 +188,7 @@ export interface FlowerMesh extends Mesh {
 	unit: number;
 }
 
-export interface Grown extends Plant {
+export interface BunchPlant extends Plant {
 	procedure: Procedure;
 	form: BerryForm;
 	/** Of the natural procedure. */

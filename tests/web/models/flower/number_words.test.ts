@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { figureWords } from "../../../../web/src/models/flower/ui/figure_words";
+import { describeNumber } from "../../../../web/src/models/flower/ui/number_words";
 
 const TEXT = `#define length=325 /* 160 … 530 mm, of the stem */
 #define bend=2
@@ -16,4 +16,4 @@ it.each([
 	["N", "sides"],
 	["H", "height, mm"],
 	["atx", "turn about x, °"],
-])("%s is told as “%s”", (name, words) => expect(figureWords(TEXT, name)).toBe(words));
+])("%s is told as “%s”", (name, words) => expect(describeNumber(TEXT, name)).toBe(words));

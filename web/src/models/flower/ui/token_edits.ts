@@ -1,13 +1,13 @@
-/** What a flower's text says of one volume in figures: where each stands, so that a hand can change it. */
+/** What a flower's text says of one volume in tokens: where each stands, so that a hand can change it. */
 import { outlineOf, type Range } from "../../../grammar_editor/outline";
 import type { Piece } from "../../../grammar_editor/scan";
+import { canGrowOnFace } from "./faces";
 import { scan } from "./language";
 import { overridden } from "./overridden";
-import { mayStandOn } from "./stands";
 import { bare, type Entry, entriesOf, formsOf, inFields, statementsOf } from "./statements";
 
-/** A figure of the text. */
-export interface Figure {
+/** A token of the text. */
+export interface NumberToken {
 	/** What it says: H, atx, or a variable's name. */
 	readonly name: string;
 	/** Where it stands; a minus before it is part of it. */
@@ -19,13 +19,13 @@ export interface Figure {
 }
 
 /** Figures that stand together. */
-export interface Said {
+export interface NumberGroup {
 	readonly title: string;
-	readonly figures: readonly Figure[];
+	readonly tokens: readonly NumberToken[];
 }
 
 /** Where a volume comes from. */
-export interface Asked {
+export interface VolumeOrigin {
 	readonly label: string;
 	/** The module that it is of, counted as they stand in the text; 0 the text itself. */
 	readonly module: number;
@@ -42,12 +42,12 @@ const FIELDS = ["N", "T", "atx", "aty", "atz", "H", "L", "W", "m"];
 type Pieces = readonly Piece[];
 
 /**
- * The figures of a volume's definition, of where it is grown, of its module's call, of its module's variables and of those of the text that
+ * The tokens of a volume's definition, of where it is grown, of its module's call, of its module's variables and of those of the text that
  * the call is worked out from; no empty lists. Variables that every call sets are left out, and of a definition what every growth gives
  * otherwise: what is said of them there holds nowhere.
  * Of several of one name on one line there are all that may have grown on its face, each by its place.
  */
-export function saidOf(text: string, { label, module, line, call, face, foot }: Asked): Said[] {
+export function numberGroupsOf(text: string, { label, module, line, call, face, foot }: VolumeOrigin): NumberGroup[] {
 	const scanned = scan(text);
 	const pieces = bare(scanned);
 	const ranges = new Map(outlineOf(text, scanned).constants.map(({ number, ...range }) => [number.from, range]));
@@ -59,7 +59,7 @@ export function saidOf(text: string, { label, module, line, call, face, foot }: 
 	const end = modules[module + 1]?.at ?? pieces.length;
 	const form = forms.get(`${own.name}:${label}`);
 	const listed = (list: List, translated: boolean | undefined) =>
-		figuresBetween(pieces, inFields(list.entries, translated), FIELDS);
+		numberTokensIn(pieces, inFields(list.entries, translated), FIELDS);
 	const idle = overridden(statementsOf(pieces.slice(own.at, end)), label, form);
 	const grown = standing(pieces, listsAt(pieces, line, "[", label), face);
 	const called = standing(pieces, listsAt(pieces, call, "&", own.name), foot);
@@ -68,31 +68,31 @@ export function saidOf(text: string, { label, module, line, call, face, foot }: 
 	return [
 		{
 			title: `Every ${label}`,
-			figures: definitionsOf(pieces, own.at, end, label)
+			tokens: definitionsOf(pieces, own.at, end, label)
 				.flatMap((each) => listed(each, form))
 				.filter(({ name }) => !idle.has(FIELDS.indexOf(name))),
 		},
 		...grown.map((each, i) => ({
 			title: `Where it grows, line ${line}${nth(i, grown)}`,
-			figures: listed(each, form),
+			tokens: listed(each, form),
 		})),
 		...called.map((each, i) => ({
 			title: `${own.name} as it is called, line ${call}${nth(i, called)}`,
-			figures: [...listed(each, forms.get(`${own.name}:`)), ...settings(pieces, each.end)],
+			tokens: [...listed(each, forms.get(`${own.name}:`)), ...settings(pieces, each.end)],
 		})),
 		{
 			title: module === 0 ? "The whole flower" : `Every ${own.name}`,
-			figures: variablesOf(pieces, own.at, end).filter(({ name }) => !set.has(name)),
+			tokens: variablesOf(pieces, own.at, end).filter(({ name }) => !set.has(name)),
 		},
 		{
 			title: "The whole flower",
-			figures: module === 0 ? [] : variablesOf(pieces, 0, modules[1]?.at ?? 0).filter(({ name }) => from.has(name)),
+			tokens: module === 0 ? [] : variablesOf(pieces, 0, modules[1]?.at ?? 0).filter(({ name }) => from.has(name)),
 		},
 	]
-		.filter(({ figures }) => figures.length > 0)
-		.map(({ title, figures }) => ({
+		.filter(({ tokens }) => tokens.length > 0)
+		.map(({ title, tokens }) => ({
 			title,
-			figures: figures.map((each) => ({ ...each, range: ranges.get(each.from) })),
+			tokens: tokens.map((each) => ({ ...each, range: ranges.get(each.from) })),
 		}));
 }
 
@@ -128,16 +128,16 @@ function listsAt(pieces: Pieces, line: number, sign: string, name: string): List
 
 /** Those that may stand on a face; all where none may, for then the text has changed. */
 function standing(pieces: Pieces, lists: readonly List[], face: number | undefined): readonly List[] {
-	const found = lists.filter(({ end }) => mayStandOn(pieces, end, face));
+	const found = lists.filter(({ end }) => canGrowOnFace(pieces, end, face));
 	return found.length > 0 ? found : lists;
 }
 
-/** Variables that are figures, of the statements between two places. */
-function variablesOf(pieces: Pieces, from: number, to: number): Figure[] {
-	const found: Figure[] = [];
+/** Variables that are tokens, of the statements between two places. */
+function variablesOf(pieces: Pieces, from: number, to: number): NumberToken[] {
+	const found: NumberToken[] = [];
 	for (let i = from; i < to; i++)
 		if (pieces[i].text === "#define" && pieces[i + 2]?.text === "=")
-			found.push(...figuresBetween(pieces, [[i + 3, statementEnd(pieces, i + 3)]], [pieces[i + 1].text]));
+			found.push(...numberTokensIn(pieces, [[i + 3, statementEnd(pieces, i + 3)]], [pieces[i + 1].text]));
 	return found;
 }
 
@@ -164,14 +164,14 @@ function setByEveryCall(pieces: Pieces, name: string): Set<string> {
 }
 
 /** `{len=66; width=40}` behind a call. */
-function settings(pieces: Pieces, from: number): Figure[] {
+function settings(pieces: Pieces, from: number): NumberToken[] {
 	if (pieces[from]?.text !== "{") return [];
-	const found: Figure[] = [];
+	const found: NumberToken[] = [];
 	for (let i = from + 1; i < pieces.length && pieces[i].text !== "}"; i++) {
 		if (pieces[i].text !== "=") continue;
 		let end = i + 1;
 		while (end < pieces.length && pieces[end].text !== ";" && pieces[end].text !== "}") end++;
-		found.push(...figuresBetween(pieces, [[i + 1, end]], [pieces[i - 1].text]));
+		found.push(...numberTokensIn(pieces, [[i + 1, end]], [pieces[i - 1].text]));
 	}
 	return found;
 }
@@ -182,8 +182,12 @@ function statementEnd(pieces: Pieces, from: number): number {
 	return end;
 }
 
-/** Those entries that are a figure and nothing else; a number that is worked out is none. */
-function figuresBetween(pieces: Pieces, entries: readonly (Entry | undefined)[], names: readonly string[]): Figure[] {
+/** Those entries that are a token and nothing else; a number that is worked out is none. */
+function numberTokensIn(
+	pieces: Pieces,
+	entries: readonly (Entry | undefined)[],
+	names: readonly string[],
+): NumberToken[] {
 	return entries.flatMap((entry, i) => {
 		if (!entry) return [];
 		let [first, last] = [entry[0], entry[1] - 1];

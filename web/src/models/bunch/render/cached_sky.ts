@@ -3,16 +3,16 @@
  * sees, a fifth of a step: berries and stems keep what they saw when it was last asked. It changes little from step to
  * step, and is asked for when the hand rests.
  */
-import type { BerrySurfaces, Grown, Internodes, SharedBerry, StemMesh } from "../grown";
+import type { BerrySurfaces, BunchPlant, Internodes, SharedBerry, StemMesh } from "../bunch_plant";
 
 /** Sky of vertices without a likeness in the bunch before. */
 const OPEN = 255;
 
-export class KeptSky {
-	#last: Grown | undefined;
+export class CachedSky {
+	#last: BunchPlant | undefined;
 
 	/** The bunch with what is known of its sky; as it is, where none was ever told. */
-	of(grown: Grown): Grown {
+	of(grown: BunchPlant): BunchPlant {
 		if (!grown.stem || grown.stem.sky) {
 			this.#last = grown;
 			return grown;
@@ -31,7 +31,7 @@ export class KeptSky {
 }
 
 /** Each berry has the sky of the berry of its id; one that is new, of the berries' mean. */
-function ofBerries(surface: BerrySurfaces | SharedBerry, { berries }: Grown, last: Grown): Uint8Array {
+function ofBerries(surface: BerrySurfaces | SharedBerry, { berries }: BunchPlant, last: BunchPlant): Uint8Array {
 	const each = surface.uvs.length / 2;
 	const before = (last.surfaces ?? last.berry)?.sky;
 	const sky = new Uint8Array(each * berries.count).fill(before ? mean(before) : OPEN);

@@ -14,7 +14,7 @@ export const FIELDS = [
 ] as const;
 
 /** What a figure is: of a volume's numbers the table's words, of a variable the comment behind its definition; empty where nobody says. */
-export function figureWords(text: string, name: string): string {
+export function describeNumber(text: string, name: string): string {
 	const field = FIELDS.find(([sign]) => sign === name);
 	if (field) return field[2] ? `${field[1]}, ${field[2]}` : field[1];
 	for (const head of text.matchAll(/^[ \t]*#[ \t]*define[ \t]+([\p{L}\p{N}_]+)[ \t]*=/gmu)) {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { rangeFor, rangeSaid, within } from "../../../../web/src/models/flower/ui/figure_range";
-import { saidOf } from "../../../../web/src/models/flower/ui/said";
+import { rangeFor, statedRange, within } from "../../../../web/src/models/flower/ui/number_range";
+import { numberGroupsOf } from "../../../../web/src/models/flower/ui/token_edits";
 
 const TEXT = `#define length=320 @ of the stem @
 #define STEM(12,0,-3.5,0,20,7,length/40,1)
@@ -15,22 +15,22 @@ STEM{}{step==3}{} -> STEM[&PETAL(,-6,,,,,,){len=66; n=2*3}]_{C1,C5}
 STEM -> STEM[STEM(,,9)]_{E}
 `;
 
-const named = (asked: Parameters<typeof saidOf>[1]) =>
+const named = (asked: Parameters<typeof numberGroupsOf>[1]) =>
 	Object.fromEntries(
-		saidOf(TEXT, asked).map(({ title, figures }) => [
+		numberGroupsOf(TEXT, asked).map(({ title, tokens }) => [
 			title,
-			figures.map(({ name, from, to, text }) => {
+			tokens.map(({ name, from, to, text }) => {
 				expect(TEXT.slice(from, to).replace(/\s/g, "")).toBe(text);
 				return `${name} ${text}`;
 			}),
 		]),
 	);
 
-/** The same as lines, where each figure stands as it is written. */
-const linesOf = (text: string, asked: Parameters<typeof saidOf>[1]) =>
-	saidOf(text, asked).map(({ title, figures }) => {
-		for (const { from, to, text: written } of figures) expect(text.slice(from, to)).toBe(written);
-		return `${title}: ${figures.map(({ name, text: written }) => `${name} ${written}`).join(", ")}`;
+/** The same as lines, where each token stands as it is written. */
+const linesOf = (text: string, asked: Parameters<typeof numberGroupsOf>[1]) =>
+	numberGroupsOf(text, asked).map(({ title, tokens }) => {
+		for (const { from, to, text: written } of tokens) expect(text.slice(from, to)).toBe(written);
+		return `${title}: ${tokens.map(({ name, text: written }) => `${name} ${written}`).join(", ")}`;
 	});
 
 describe("what a text says of a volume", () => {
@@ -79,8 +79,8 @@ STEM -> STEM[&PETAL{len=size*30; wide=9}]_{C1}[&PETAL{len=20}]_{C3}
 #define A(4,0,0,0,1,2,3,4)
 #axiom: A
 `;
-		const said = saidOf(text, { label: "A", module: 1, line: 9, call: 4 });
-		const titled = (title: string) => said.find((each) => each.title === title)?.figures.map(({ name }) => name);
+		const said = numberGroupsOf(text, { label: "A", module: 1, line: 9, call: 4 });
+		const titled = (title: string) => said.find((each) => each.title === title)?.tokens.map(({ name }) => name);
 		expect(titled("PETAL as it is called, line 4, 1 of 2")).toEqual(["wide"]);
 		expect(titled("PETAL as it is called, line 4, 2 of 2")).toEqual(["len"]);
 		expect(titled("Every PETAL")).toEqual(["wide"]);
@@ -170,8 +170,8 @@ A -> A[A(,,5)]_{E}
 	});
 
 	it("is nothing of what the text does not have", () => {
-		expect(saidOf("", { label: "A", module: 3, line: 9, call: 9 })).toEqual([]);
-		expect(saidOf("#define A(", { label: "A", module: 0, line: 1, call: 0 })).toEqual([]);
+		expect(numberGroupsOf("", { label: "A", module: 3, line: 9, call: 9 })).toEqual([]);
+		expect(numberGroupsOf("#define A(", { label: "A", module: 0, line: 1, call: 0 })).toEqual([]);
 	});
 });
 
@@ -188,11 +188,11 @@ describe("how far a figure is slid", () => {
 
 	it("is as far as the text says, or its slider among the constants goes", () => {
 		const text = "#define sides=12 /* 3 … 24 step 3, of the stem */\n#define A(sides,5)\n#axiom: A\n";
-		const [whole] = saidOf(text, { label: "A", module: 0, line: 0, call: 0 }).filter(
+		const [whole] = numberGroupsOf(text, { label: "A", module: 0, line: 0, call: 0 }).filter(
 			({ title }) => title !== "Every A",
 		);
-		expect(whole.figures.map(({ range }) => range && rangeSaid(range))).toMatchObject([{ min: 3, max: 24, step: 3 }]);
-		expect(rangeSaid({ min: 0, max: 1, step: 0.1 }).written(0.72)).toBe("0.7");
+		expect(whole.tokens.map(({ range }) => range && statedRange(range))).toMatchObject([{ min: 3, max: 24, step: 3 }]);
+		expect(statedRange({ min: 0, max: 1, step: 0.1 }).written(0.72)).toBe("0.7");
 	});
 
 	it("stays as it is while the hand is within", () => {

@@ -6,7 +6,7 @@ import type { Piece } from "../../../grammar_editor/scan";
  * @param behind the piece behind the list of what grows
  * @param face 0 O, 1 E, from 2 on C1 …; undefined where nobody knows
  */
-export function mayStandOn(pieces: readonly Piece[], behind: number, face: number | undefined): boolean {
+export function canGrowOnFace(pieces: readonly Piece[], behind: number, face: number | undefined): boolean {
 	if (face === undefined) return true;
 	let at = behind;
 	if (pieces[at]?.text === "{") while (at < pieces.length && pieces[at++].text !== "}");

@@ -2,7 +2,7 @@
 import { decimals } from "../../../grammar_editor/outline";
 import { written } from "../../../grammar_editor/scrub";
 
-export interface Range {
+export interface NumberRange {
 	readonly min: number;
 	readonly max: number;
 	readonly step: number;
@@ -14,7 +14,7 @@ export interface Range {
 const STEPS = 200;
 
 /** For a figure as it is now, by what it says: N, atx … m, or a variable. */
-export function rangeFor(name: string, value: number): Range {
+export function rangeFor(name: string, value: number): NumberRange {
 	if (name === "N") return range(3, Math.max(24, 2 * value), 1);
 	if (name === "m") return range(0, Math.max(20, value), 1);
 	if (/^at[xyz]$/.test(name)) return range(Math.min(-90, 2 * value), Math.max(90, 2 * value), 1);
@@ -27,14 +27,14 @@ export function rangeFor(name: string, value: number): Range {
 }
 
 /** That which the text says, or which its slider has among the constants. */
-export const rangeSaid = ({ min, max, step }: Omit<Range, "written">): Range => range(min, max, step);
+export const statedRange = ({ min, max, step }: Omit<NumberRange, "written">): NumberRange => range(min, max, step);
 
 /** The range as it was, as long as a value is in it. */
-export function within(range: Range | undefined, value: number): Range | undefined {
+export function within(range: NumberRange | undefined, value: number): NumberRange | undefined {
 	return range && value >= range.min && value <= range.max ? range : undefined;
 }
 
-function range(min: number, max: number, step: number): Range {
+function range(min: number, max: number, step: number): NumberRange {
 	const places = step < 1 ? Math.max(0, decimals(String(Number(step.toFixed(6))))) : 0;
 	return { min, max, step, written: (value) => written(Math.min(Math.max(value, min), max), places) };
 }

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
-import { type Grown, THINNED_WHY, TRAITS } from "../../../../web/src/models/bunch/grown";
+import { type BunchPlant, THINNED_WHY, TRAITS } from "../../../../web/src/models/bunch/bunch_plant";
 import { fetchLeaf } from "../../../../web/src/models/bunch/leaf";
-import { readGrown } from "../../../../web/src/models/bunch/read_grown";
+import { readBunchPlant } from "../../../../web/src/models/bunch/read_bunch_plant";
 import { encodeRequest } from "../../../../web/src/models/bunch/request";
 import { specimenFromPreset, withParameters } from "../../bunch";
 import { freshCore } from "../../core/wasm";
@@ -18,7 +18,7 @@ async function both() {
 	const { columns, milliseconds } = (await freshCore()).grow(encodeRequest(specimen));
 	// Read from a copy: what is read must be what came, not what reading made of it.
 	const came = structuredClone(Object.fromEntries(columns.names.map((name) => [name, columns.any(name)])));
-	return { grown: readGrown({ columns, milliseconds }) as Required<Grown>, came };
+	return { grown: readBunchPlant({ columns, milliseconds }) as Required<BunchPlant>, came };
 }
 
 it("every column is read where it belongs", async () => {
