@@ -4,7 +4,7 @@ const TESTS = "tests/web/models/particles/boundary";
 
 export default [
 	{
-		file: "web/src/models/tree/lay.ts",
+		file: "web/src/models/tree/layout.ts",
 		suites: [`${TESTS}/grips.test.ts`],
 		faults: [
 			{
@@ -51,7 +51,7 @@ export default [
 		faults: [
 			{
 				id: "escape-brings-back-all",
-				find: "restored: (_, before) => only(before, told),",
+				find: "restored: (_, before) => only(before, lastChange),",
 				replace: "",
 				breaks: "Escape takes back what others changed during a drag",
 			},
@@ -124,7 +124,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/boundary/grown_room.ts`,
+		file: `${SRC}/boundary/grown_extent.ts`,
 		suites: ["tests/web/models/tree/tree_renderer.test.ts"],
 		faults: [
 			{

@@ -113,7 +113,7 @@ export default [
 		faults: [
 			{
 				id: "stand-bunches-are-plants",
-				find: "countInWords(counts.plants - borne,",
+				find: "countInWords(counts.plants - attached,",
 				replace: "countInWords(counts.plants,",
 				breaks: "a vineyard is said to have five times its vines",
 			},
@@ -179,7 +179,7 @@ export default [
 			},
 			{
 				id: "stand-bunches-keep-walkers-off",
-				find: "if (places.bearer[plant] >= 0) continue;",
+				find: "if (places.parent[plant] >= 0) continue;",
 				replace: "",
 				breaks: "a walk begins far aside of vines with bunches",
 			},

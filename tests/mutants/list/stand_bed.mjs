@@ -8,21 +8,21 @@ export default [
 		faults: [
 			{
 				id: "stand-map-shows-leaves",
-				find: "const told = flowers.length > 0 ? flowers : (most ?? []);",
-				replace: "const told = most ?? flowers;",
+				find: "const meshes = flowers.length > 0 ? flowers : (most ?? []);",
+				replace: "const meshes = most ?? flowers;",
 				breaks: "on the map poppies are as green as grass",
 			},
 			{
 				id: "stand-map-dark-plants",
-				find: "keptApart(seen, [LIGHT, LIGHTEST])",
-				replace: "keptApart(seen, [0 * LIGHT, LIGHTEST])",
+				find: "separateColours(seen, [LIGHT, LIGHTEST])",
+				replace: "separateColours(seen, [0 * LIGHT, LIGHTEST])",
 				breaks: "a dark plant is lost on the map's ground",
 			},
 		],
 	},
 	{
-		file: "web/src/models/stand/ui/apart.ts",
-		suites: [`${WEB}/apart.test.ts`],
+		file: "web/src/models/stand/ui/separate_colours.ts",
+		suites: [`${WEB}/separate_colours.test.ts`],
 		faults: [
 			{
 				id: "stand-map-sorts-alike",
@@ -68,7 +68,7 @@ export default [
 			},
 			{
 				id: "stand-ring-under-what-hangs",
-				find: "const stands = places.bearer[this.#plant] < 0;",
+				find: "const stands = places.parent[this.#plant] < 0;",
 				replace: "const stands = places.count > 0;",
 				breaks: "the ring about a chosen bunch lies under its vine",
 			},
@@ -80,13 +80,13 @@ export default [
 			},
 			{
 				id: "stand-ring-stays-behind",
-				find: "if (stand !== this.#stand || plant !== this.#plant) this.#laid = false;",
+				find: "if (stand !== this.#stand || plant !== this.#plant) this.#isBuilt = false;",
 				replace: "",
 				breaks: "the ring stays about the plant that was chosen before",
 			},
 			{
 				id: "stand-ring-laid-in-each-frame",
-				find: "this.#laid = true;",
+				find: "this.#isBuilt = true;",
 				replace: "",
 				breaks: "every frame of a view at rest looks up 432 heights",
 			},

@@ -14,7 +14,7 @@ export default [
 			},
 			{
 				id: "stand-borne-sways-by-itself",
-				find: "const of = bearer[plant] < 0 ? plant : bearer[plant];",
+				find: "const of = parent[plant] < 0 ? plant : parent[plant];",
 				replace: "const of = plant;",
 				breaks: "bunches come off their vines in the wind",
 			},
@@ -50,14 +50,14 @@ export default [
 		faults: [
 			{
 				id: "stand-levels-pop",
-				find: "const kept = Math.ceil((STEPS * (size - from)) / (BAND * from));",
-				replace: "const kept = STEPS + 0 * BAND;",
+				find: "const remaining = Math.ceil((STEPS * (size - from)) / (BAND * from));",
+				replace: "const remaining = STEPS + 0 * BAND;",
 				breaks: "trees jump from one level of detail to the next",
 			},
 		],
 	},
 	{
-		file: "web/src/models/stand/render/standing.ts",
+		file: "web/src/models/stand/render/drawn_plant.ts",
 		suites: [`${WEB}/crowd.test.ts`],
 		faults: [
 			{
@@ -87,7 +87,7 @@ export default [
 			},
 			{
 				id: "stand-kept-beside-the-card",
-				find: "if (each instanceof BufferAttribute) shed(each);",
+				find: "if (each instanceof BufferAttribute) releaseAfterUpload(each);",
 				replace: "void (each instanceof BufferAttribute && shed);",
 				breaks: "all meshes of a stand are in memory twice",
 			},

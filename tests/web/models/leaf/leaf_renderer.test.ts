@@ -7,7 +7,12 @@ import { model } from "../../../../web/src/models/leaf/index";
 import { FacePictures, PREVIEW_SIDE } from "../../../../web/src/models/leaf/parts/face_pictures";
 import { leafParts } from "../../../../web/src/models/leaf/parts/leaf_parts";
 import { LeafRenderer } from "../../../../web/src/models/leaf/render/leaf_renderer";
-import { type Faces, type Painted, Painter, type PaintOrder } from "../../../../web/src/models/leaf/render/paint";
+import {
+	type BladeTextures,
+	type Painted,
+	Painter,
+	type PaintOrder,
+} from "../../../../web/src/models/leaf/render/paint";
 import { PaintQueue, type PaintWorker } from "../../../../web/src/models/leaf/render/paint_queue";
 import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
 import { asCardsTakeIt } from "../../../../web/src/plant/picture";
@@ -174,7 +179,7 @@ describe("a leaf on the stage", () => {
 describe("who paints leaves", () => {
 	it("has one order under way, and of those that wait the newest", () => {
 		const bench = new Bench();
-		const delivered: Faces[] = [];
+		const delivered: BladeTextures[] = [];
 		const commission = new PaintQueue(
 			(faces) => delivered.push(faces),
 			() => bench,
@@ -206,7 +211,7 @@ describe("who paints leaves", () => {
 	it("paints in the page what cannot be copied to the worker", async () => {
 		const bench = new Bench();
 		vi.spyOn(bench, "postMessage").mockImplementation(() => void structuredClone({ uncloneable: () => {} }));
-		const delivered: Faces[] = [];
+		const delivered: BladeTextures[] = [];
 		const commission = new PaintQueue(
 			(faces) => delivered.push(faces),
 			() => bench,
@@ -219,7 +224,7 @@ describe("who paints leaves", () => {
 
 	it("paints in the page where no worker can be had", async () => {
 		const bench = new Bench();
-		const delivered: Faces[] = [];
+		const delivered: BladeTextures[] = [];
 		const commission = new PaintQueue(
 			(faces) => delivered.push(faces),
 			() => bench,

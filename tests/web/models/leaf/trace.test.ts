@@ -139,19 +139,19 @@ describe("an outline traced from a picture", () => {
 	it("brings the picture's teeth and petiole in the same change, and says so", () => {
 		const specimen = leafFromPreset("grapevine");
 		const traced = traceLeaf(starOn(0.36, 0.2));
-		const { change, said } = asChange(traced, specimen);
+		const { change, messages } = asChange(traced, specimen);
 		expect(change.details).toEqual({ outline: traced.outline });
 		expect(change.parameters).toEqual({
 			teeth: 0,
 			petiole: Math.round(100 * (traced.petiole?.length ?? 0)),
 			petiole_width: Math.round(10 * 110 * (traced.petiole?.width ?? 0)) / 10,
 		});
-		expect(said).toHaveLength(2);
-		expect(said[0]).toContain("Teeth");
+		expect(messages).toHaveLength(2);
+		expect(messages[0]).toContain("Teeth");
 		const smooth = { ...specimen, parameters: { ...specimen.parameters, teeth: 0 } };
 		expect(asChange({ outline: traced.outline }, smooth)).toEqual({
 			change: { parameters: { teeth: 0 }, details: { outline: traced.outline } },
-			said: [],
+			messages: [],
 		});
 	});
 

@@ -3,7 +3,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { cutRenderer } from "../../../../web/src/models/root/cut_renderer";
 import { model } from "../../../../web/src/models/root/index";
-import { pit } from "../../../../web/src/models/root/soil";
+import { buildPit } from "../../../../web/src/models/root/soil";
 import type { RootSpecimen } from "../../../../web/src/models/root/specimen";
 import { PaperShadow } from "../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../web/src/render/stage_light";
@@ -44,10 +44,10 @@ it("comes through its link to a millimetre of thickness, however fine", async ()
 });
 
 describe("the pit about a root", () => {
-	const dug = { low: [-1, -2, -0.5], high: [1, 0, 0.5] } as const;
+	const bounds = { low: [-1, -2, -0.5], high: [1, 0, 0.5] } as const;
 
 	it("holds the root, reaches up to the ground, and faces inwards", () => {
-		const { positions, normals, indices } = pit(dug, "5a4636");
+		const { positions, normals, indices } = buildPit(bounds, "5a4636");
 		const along = (axis: number) => positions.filter((_, i) => i % 3 === axis);
 		expect(Math.max(...along(0))).toBeGreaterThan(1);
 		expect(Math.min(...along(1))).toBeLessThan(-2);
@@ -63,7 +63,7 @@ describe("the pit about a root", () => {
 	});
 
 	it("is darker above than below", () => {
-		const { positions, colours = new Float32Array() } = pit(dug, "5a4636");
+		const { positions, colours = new Float32Array() } = buildPit(bounds, "5a4636");
 		const mean = (from: number, to: number) => {
 			let [sum, count] = [0, 0];
 			for (let i = 0; i < positions.length; i += 3) {

@@ -187,13 +187,13 @@ it("has what was lit up still so where the graphics card has lost it: nobody say
 	crowd.dispose();
 });
 
-it("has what is borne sway with its bearer, and what stands about its own foot", async () => {
+it("has what is borne sway with its parent, and what stands about its own foot", async () => {
 	const { places, kinds } = await grownStand(planned(PLAN));
 	const size = (plant: number, crown: number) => places.scale[plant] * crown;
 	expect(stemOf(places, kinds, 0)).toEqual([0, 0, 0, size(0, 8)]);
 	const [x, y, z, large] = stemOf(places, kinds, 12);
 	const foot = [...places.at.subarray(27, 30)];
-	expect(places.bearer[12]).toBe(9);
+	expect(places.parent[12]).toBe(9);
 	for (const [i, off] of [x, y, z].entries()) expect(places.at[36 + i] + off).toBeCloseTo(foot[i], 5);
 	expect(large).toBe(size(9, 6));
 });

@@ -1,9 +1,12 @@
 import { expect, it } from "vitest";
-import { BRIM, edgeNormalsOf } from "../../../../web/src/models/stand/render/edge_normals";
+import { EDGE_NORMAL_SIZE, edgeNormalsOf } from "../../../../web/src/models/stand/render/edge_normals";
 import { PLACE_STEPS } from "../../../../web/src/plant/packed_mesh";
 
-const at = (edgeNormals: Int8Array, vertex: number) => [...edgeNormals.subarray(BRIM * vertex, BRIM * vertex + 3)];
-const width = (edgeNormals: Int8Array, vertex: number) => PLACE_STEPS * (edgeNormals[BRIM * vertex + 3] / 127) ** 2;
+const at = (edgeNormals: Int8Array, vertex: number) => [
+	...edgeNormals.subarray(EDGE_NORMAL_SIZE * vertex, EDGE_NORMAL_SIZE * vertex + 3),
+];
+const width = (edgeNormals: Int8Array, vertex: number) =>
+	PLACE_STEPS * (edgeNormals[EDGE_NORMAL_SIZE * vertex + 3] / 127) ** 2;
 
 it("a stem is made wider out of itself, not longer, and told to be as wide as its sides", () => {
 	const round = [0, 1, 2, 3].map((k) => [

@@ -21,16 +21,16 @@ beforeAll(async () => {
 	stand = await grownStand(planned(PLAN), { meshes: true });
 }, 300_000);
 
-it("what hangs at its bearer’s organs hangs at one of them each", () => {
+it("what hangs at its parent’s organs hangs at one of them each", () => {
 	const { places, memberOf, members } = stand;
 	const taken = new Set<string>();
 	for (let plant = 0; plant < places.count; plant++) {
-		const bearer = places.bearer[plant];
-		if (bearer < 0) continue;
-		const spots = members[memberOf[bearer]]?.spots?.bunch ?? new Float32Array(0);
-		const [x, y, z] = [0, 1, 2].map((axis) => places.at[3 * plant + axis] - places.at[3 * bearer + axis]);
-		const turn = (places.turn[bearer] * Math.PI) / 180;
-		const size = places.scale[bearer];
+		const parent = places.parent[plant];
+		if (parent < 0) continue;
+		const spots = members[memberOf[parent]]?.spots?.bunch ?? new Float32Array(0);
+		const [x, y, z] = [0, 1, 2].map((axis) => places.at[3 * plant + axis] - places.at[3 * parent + axis]);
+		const turn = (places.turn[parent] * Math.PI) / 180;
+		const size = places.scale[parent];
 		const own = [x * Math.cos(turn) + z * Math.sin(turn), y, z * Math.cos(turn) - x * Math.sin(turn)].map(
 			(v) => v / size,
 		);
@@ -38,7 +38,7 @@ it("what hangs at its bearer’s organs hangs at one of them each", () => {
 			Math.hypot(...own.map((value, axis) => value - spots[3 * i + axis])),
 		);
 		expect(Math.min(...off)).toBeLessThan(1e-4);
-		const key = `${bearer} ${off.indexOf(Math.min(...off))}`;
+		const key = `${parent} ${off.indexOf(Math.min(...off))}`;
 		expect(taken.has(key)).toBe(false);
 		taken.add(key);
 		expect([...places.transforms.subarray(8 * plant, 8 * plant + 3)]).toEqual([
@@ -50,21 +50,21 @@ it("what hangs at its bearer’s organs hangs at one of them each", () => {
 
 it("what finds none free is left out and told, and counts are of what is there", () => {
 	const { places, counts, notes } = stand;
-	const borne = places.bearer.filter((bearer) => bearer >= 0).length;
+	const borne = places.parent.filter((parent) => parent >= 0).length;
 	expect(counts).toMatchObject({ plants: places.count, borne });
 	expect(notes.join()).toMatch(/\d+ found no place on what bears them/);
 	const { plants } = exportJson(model, stand, planned(PLAN)) as unknown as { plants: PlantRecord[] };
 	expect(plants).toHaveLength(places.count);
 });
 
-it("hangs with its bearer only when that has grown", async () => {
+it("hangs with its parent only when that has grown", async () => {
 	const early: StandPlant[] = [];
 	const many = PLAN.replace("plants 6", "plants 20").replace(", seeds 2", "").replace("6 x 4", "20 x 12");
 	await grownStand(planned(many), { grew: (grown) => early.push(grown as StandPlant) });
 	expect(early.length).toBeGreaterThan(0);
 	const { places, members, memberOf } = early[0];
 	for (let plant = 0; plant < places.count; plant++)
-		if (places.bearer[plant] >= 0) expect(members[memberOf[places.bearer[plant]]]).toBeDefined();
+		if (places.parent[plant] >= 0) expect(members[memberOf[places.parent[plant]]]).toBeDefined();
 	expect(places.count).toBeGreaterThan(20);
 });
 

@@ -63,7 +63,7 @@ describe("the members of a stand", () => {
 		expect(stand.places.count).toBe(14);
 		expect(new Set(prints(stand)).size).toBe(11);
 		expect([...stand.memberOf.slice(10)]).toEqual([10, 10, 10, 10]);
-		expect([...stand.places.bearer.slice(10)]).toEqual([8, 8, 9, 9]);
+		expect([...stand.places.parent.slice(10)]).toEqual([8, 8, 9, 9]);
 		const steps = stand.members.slice(0, 8).map((member) => member?.specimen.parameters.steps);
 		for (const each of steps) expect([3, 4, 5]).toContain(each);
 		expect(new Set(steps).size).toBeGreaterThan(1);

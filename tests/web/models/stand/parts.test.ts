@@ -6,7 +6,7 @@ import { heightAt } from "../../../../web/src/models/stand/ground_grid";
 import { model } from "../../../../web/src/models/stand/index";
 import { titlesOf } from "../../../../web/src/models/stand/members";
 import { STEPS, stepAt } from "../../../../web/src/models/stand/render/level_choice";
-import { plantMet } from "../../../../web/src/models/stand/render/plant_met";
+import { firstPlantHit } from "../../../../web/src/models/stand/render/plant_hit";
 import { shadedBall, walks } from "../../../../web/src/models/stand/render/shaded";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { atFront, gazeOf, stepped, turned } from "../../../../web/src/models/stand/walker";
@@ -70,8 +70,8 @@ it("a line of sight meets the nearest crown, and nothing beside them", () => {
 	const { at, scale } = stand.places;
 	const { extent } = stand.members[0] ?? { extent: { high: 0 } };
 	const middle = at[1] + 0.5 * scale[0] * extent.high;
-	expect(plantMet(stand, { origin: [at[0], 100, at[2]], direction: [0, -1, 0] })).toBe(0);
-	expect(plantMet(stand, { origin: [at[0], middle, 900], direction: [0, 1, 0] })).toBeUndefined();
+	expect(firstPlantHit(stand, { origin: [at[0], 100, at[2]], direction: [0, -1, 0] })).toBe(0);
+	expect(firstPlantHit(stand, { origin: [at[0], middle, 900], direction: [0, 1, 0] })).toBeUndefined();
 });
 
 it("a level is chosen by size, and two share the pixels of what is between them", () => {
@@ -112,7 +112,7 @@ it("who enters stands clear of crowns, as near to the middle of the front as the
 			at: Float32Array.from(across.flatMap((x) => [x, 0, 18])),
 			scale: new Float32Array(across.length).fill(1),
 			kind: new Uint32Array(across.length),
-			bearer: new Int32Array(across.length).fill(-1),
+			parent: new Int32Array(across.length).fill(-1),
 		},
 		kinds: stand.kinds.map((kind) => ({ ...kind, crown: { width: 4, height: 8 } })),
 	});
@@ -120,7 +120,7 @@ it("who enters stands clear of crowns, as near to the middle of the front as the
 	expect(Math.abs(atFront(planted(0)).x)).toBeCloseTo(5.6, 5);
 	expect(atFront(planted(0, 4, 8, 12, 16)).x).toBeCloseTo(-5.6, 5);
 	const borne = planted(0);
-	borne.places.bearer[0] = 0;
+	borne.places.parent[0] = 0;
 	expect(atFront(borne).x).toBe(0);
 });
 

@@ -7,11 +7,11 @@ import type { ModelRenderer, Ray, RendererFactory, RendererStage } from "../../r
 import { boxOf, joined } from "../../render/part_bounds";
 import { PartMeshes } from "../../render/part_meshes";
 import { PartRenderer } from "../../render/part_renderer";
-import { grownRoom } from "../particles/boundary/grown_room";
+import { grownExtent } from "../particles/boundary/grown_extent";
 import type { WoodenPlant } from "../particles/boundary/wooden_plant";
-import { rootLay } from "./lay";
+import { rootLayout } from "./layout";
 import { rootParts } from "./root_parts";
-import { type Dug, holds, pit } from "./soil";
+import { buildPit, type PitBounds, pitHolds } from "./soil";
 import type { RootSpecimen } from "./specimen";
 import { ROOT_TABLE } from "./table";
 
@@ -21,10 +21,10 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 	readonly #roots: PartRenderer<RootSpecimen, WoodenPlant>;
 	readonly #wardrobe: MaterialCache;
 	#soil: PartMeshes | undefined;
-	/** For what the pit was dug, its points and its colour. */
-	#dug: Dug | undefined;
-	#wall: Float32Array = new Float32Array(0);
-	#earth = "";
+	/** The bounds that the pit was dug for, its points and its colour. */
+	#pitBounds: PitBounds | undefined;
+	#wallPoints: Float32Array = new Float32Array(0);
+	#pitColour = "";
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 
 	constructor(stage: RendererStage) {
@@ -37,7 +37,7 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 		this.#roots.show(grown, specimen);
 		const { spheres, points } = this.#roots.bounds();
 		// A pit for the grown root, where it is still to grow.
-		const bodies = { spheres, points: joined([points, grownRoom(rootLay, ROOT_TABLE, specimen)]) };
+		const bodies = { spheres, points: joined([points, grownExtent(rootLayout, ROOT_TABLE, specimen)]) };
 		const box = boxOf(bodies);
 		if (box.isEmpty()) {
 			this.#clear();
@@ -48,23 +48,23 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 		// A frame in passing has no time to dig anew for every particle that moves; nor is its sky worked out.
 		const preview = !grown.meshes.some(({ sky }) => sky);
 		const { soil } = specimen.look;
-		const fits = this.#dug && (preview ? holds(this.#dug, roots) : alike(this.#dug, roots));
-		if (!fits || soil !== this.#earth) this.#dig(roots, soil);
-		this.#bounds = { spheres, points: joined([bodies.points, this.#wall]) };
+		const fits = this.#pitBounds && (preview ? pitHolds(this.#pitBounds, roots) : sameBounds(this.#pitBounds, roots));
+		if (!fits || soil !== this.#pitColour) this.#rebuildPit(roots, soil);
+		this.#bounds = { spheres, points: joined([bodies.points, this.#wallPoints]) };
 	}
 
-	#dig(roots: Dug, soil: string): void {
+	#rebuildPit(roots: PitBounds, soil: string): void {
 		this.#clear();
 		this.#wardrobe.change();
-		const mesh = pit(roots, soil);
+		const mesh = buildPit(roots, soil);
 		const shape = { mesh, material: { name: "Soil", colour: linear(soil), roughness: 1 } };
 		this.#soil = new PartMeshes([{ name: "Soil", shape }], this.#wardrobe);
 		// The near wall is not drawn, and so must not throw a shadow; roots' shadows on the far one would pass for roots.
 		for (const object of this.#soil.objects) object.castShadow = object.receiveShadow = false;
 		this.#stage.root.add(...this.#soil.objects);
-		this.#dug = roots;
-		this.#earth = soil;
-		this.#wall = mesh.positions;
+		this.#pitBounds = roots;
+		this.#pitColour = soil;
+		this.#wallPoints = mesh.positions;
 	}
 
 	bounds(): Bodies {
@@ -99,11 +99,11 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 		for (const object of this.#soil?.objects ?? []) if (object instanceof Mesh) object.removeFromParent();
 		this.#soil?.dispose();
 		this.#soil = undefined;
-		this.#dug = undefined;
+		this.#pitBounds = undefined;
 	}
 }
 
-function alike(one: Dug, other: Dug): boolean {
+function sameBounds(one: PitBounds, other: PitBounds): boolean {
 	return [0, 1, 2].every((k) => one.low[k] === other.low[k] && one.high[k] === other.high[k]);
 }
 
@@ -111,7 +111,7 @@ function alike(one: Dug, other: Dug): boolean {
  * What a pit must hold: roots themselves and not some of their points only, from the ground on, however deep they begin
  * and whatever of the stem stands above it.
  */
-function reachOf(ends: Float32Array, { low, high }: Dug): Dug {
+function reachOf(ends: Float32Array, { low, high }: PitBounds): PitBounds {
 	const least = [...low] as [number, number, number];
 	const most: [number, number, number] = [high[0], 0, high[2]];
 	for (let at = 3; at < ends.length; at += 6) {

@@ -1,4 +1,4 @@
 import { boundaryHandles } from "../particles/boundary/editor/plant_handles";
-import { rootLay } from "./lay";
+import { rootLayout } from "./layout";
 
-export const rootHandles = boundaryHandles(rootLay);
+export const rootHandles = boundaryHandles(rootLayout);

@@ -8,7 +8,7 @@ import { noise } from "../../plant/noise";
 import type { PartMesh } from "../../plant/part";
 
 /** What the pit must hold, metres; the ground is at height 0. */
-export interface Dug {
+export interface PitBounds {
 	low: readonly [x: number, y: number, z: number];
 	high: readonly [x: number, y: number, z: number];
 }
@@ -24,7 +24,7 @@ const SQUARENESS = 3.2;
 const HUMUS = 0.28;
 
 /** Points of a pit, its wall first, ring by ring, then its floor. */
-export function pit({ low, high }: Dug, soil: string): PartMesh {
+export function buildPit({ low, high }: PitBounds, soil: string): PartMesh {
 	const middle = [(low[0] + high[0]) / 2, (low[2] + high[2]) / 2];
 	const reach = [0, 2].map((k) => Math.max((high[k] - low[k]) / 2, 0.05) * (1 + ROOM));
 	const depth = Math.max(-low[1], 0.05) * (1 + ROOM / 2);
@@ -71,12 +71,12 @@ function inwards(x: number, z: number, [rx, rz]: readonly number[]): [number, nu
 }
 
 /** Whether a pit dug for one still holds another. */
-export function holds(dug: Dug, { low, high }: Dug): boolean {
+export function pitHolds(bounds: PitBounds, { low, high }: PitBounds): boolean {
 	return [0, 1, 2].every((k) => {
-		const size = dug.high[k] - dug.low[k];
+		const size = bounds.high[k] - bounds.low[k];
 		// A little less than the room there is.
 		const slack = 0.45 * ROOM * size;
-		return low[k] >= dug.low[k] - slack && high[k] <= dug.high[k] + slack;
+		return low[k] >= bounds.low[k] - slack && high[k] <= bounds.high[k] + slack;
 	});
 }
 

@@ -1,14 +1,14 @@
 /** What lays soil over a stand's ground, fetched with the first stand: the page that lists all models does without. */
-type Lay = typeof import("./soil").soilOf;
+type BuildSoil = typeof import("./soil").soilOf;
 
-let lay: Lay | undefined;
+let buildSoil: BuildSoil | undefined;
 
 /** Undefined where it is there. */
 export function fetchSoil(): Promise<void> | undefined {
-	if (lay) return undefined;
+	if (buildSoil) return undefined;
 	return import("./soil").then(({ soilOf }) => {
-		lay = soilOf;
+		buildSoil = soilOf;
 	});
 }
 
-export const fetchedSoil = (): Lay | undefined => lay;
+export const fetchedSoil = (): BuildSoil | undefined => buildSoil;

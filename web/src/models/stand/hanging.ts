@@ -1,5 +1,5 @@
 /**
- * Where what hangs at organs of its bearer (`at bunch`) is: the plan lays it before anything grows, and learns from its bearer, once that
+ * Where what hangs at organs of its bearer (`at bunch`) is: the plan lays it before anything grows, and learns from its parent, once that
  * has grown, where those organs are.
  */
 import type { Member } from "../model";
@@ -12,8 +12,8 @@ export function spotsWanted({ kinds, places }: StandPlant): Map<number, Set<stri
 	for (let plant = 0; plant < places.count; plant++) {
 		const { spot } = kinds[places.kind[plant]];
 		if (spot === "") continue;
-		const bearer = places.kind[places.bearer[plant]];
-		wanted.set(bearer, (wanted.get(bearer) ?? new Set()).add(spot));
+		const parent = places.kind[places.parent[plant]];
+		wanted.set(parent, (wanted.get(parent) ?? new Set()).add(spot));
 	}
 	return wanted;
 }
@@ -22,41 +22,41 @@ export function spotsWanted({ kinds, places }: StandPlant): Map<number, Set<stri
  * A stand with all that hangs at organs where these are, spread evenly over them; left out is what finds none free, and while its bearer
  * has not grown. Such a stand stays as it is when this is done again.
  */
-export function hung(stand: StandPlant): StandPlant {
+export function placeHanging(stand: StandPlant): StandPlant {
 	const { kinds, places } = stand;
 	if (kinds.every(({ spot }) => spot === "")) return stand;
 	const at = places.at.slice();
 	const transforms = places.transforms.slice();
-	const kept: number[] = [];
+	const attached: number[] = [];
 	let full = 0;
 	for (let plant = 0; plant < places.count; ) {
-		const among = alikeFrom(places, plant);
+		const among = siblingCount(places, plant);
 		const { spot } = kinds[places.kind[plant]];
-		const bearer = places.bearer[plant];
-		const member = spot === "" ? undefined : stand.members[stand.memberOf[bearer]];
+		const parent = places.parent[plant];
+		const member = spot === "" ? undefined : stand.members[stand.memberOf[parent]];
 		const spots = member && spotsOf(member, spot);
 		const hangs = spot === "" ? among : Math.min(among, (spots?.length ?? 0) / 3);
 		if (spots) full += among - hangs;
 		for (let k = 0; k < hangs; k++) {
-			kept.push(plant + k);
+			attached.push(plant + k);
 			if (!spots) continue;
 			const which = Math.floor(((k + 0.5) * spots.length) / 3 / hangs);
-			const place = standing(places, bearer, spots.subarray(3 * which, 3 * which + 3));
+			const place = positionOn(places, parent, spots.subarray(3 * which, 3 * which + 3));
 			at.set(place, 3 * (plant + k));
 			transforms.set(place, (transforms.length / places.count) * (plant + k));
 		}
 		plant += among;
 	}
 	const moved = { ...places, at, transforms };
-	if (kept.length === places.count) return { ...stand, places: moved };
-	return left(stand, moved, kept, full);
+	if (attached.length === places.count) return { ...stand, places: moved };
+	return withoutUnplaced(stand, moved, attached, full);
 }
 
 /** How many from a plant on hang on one bearer and are of one kind. */
-function alikeFrom({ kind, bearer, count }: Places, plant: number): number {
+function siblingCount({ kind, parent, count }: Places, plant: number): number {
 	let end = plant + 1;
-	if (bearer[plant] < 0) return 1;
-	while (end < count && kind[end] === kind[plant] && bearer[end] === bearer[plant]) end++;
+	if (parent[plant] < 0) return 1;
+	while (end < count && kind[end] === kind[plant] && parent[end] === parent[plant]) end++;
 	return end - plant;
 }
 
@@ -64,7 +64,7 @@ const NONE = new Float32Array(0);
 const spotsOf = ({ spots }: Member, tag: string): Float32Array => spots?.[tag] ?? NONE;
 
 /** A place on a plant, where that stands. */
-function standing({ at, scale, turn }: Places, plant: number, [x, y, z]: Float32Array): [number, number, number] {
+function positionOn({ at, scale, turn }: Places, plant: number, [x, y, z]: Float32Array): [number, number, number] {
 	const [size, angle] = [scale[plant], (turn[plant] * Math.PI) / 180];
 	const [cosine, sine] = [size * Math.cos(angle), size * Math.sin(angle)];
 	const [footX, footY, footZ] = at.subarray(3 * plant, 3 * plant + 3);
@@ -72,11 +72,11 @@ function standing({ at, scale, turn }: Places, plant: number, [x, y, z]: Float32
 }
 
 /** The stand with those of its plants alone; what bears stands before what it bears, and all of it stays. */
-function left(stand: StandPlant, places: Places, kept: readonly number[], full: number): StandPlant {
+function withoutUnplaced(stand: StandPlant, places: Places, attached: readonly number[], full: number): StandPlant {
 	const rows = <A extends Float32Array | Uint32Array | Int32Array>(from: A): A => {
 		const width = from.length / places.count;
-		const to = from.slice(0, width * kept.length) as A;
-		for (const [i, plant] of kept.entries()) to.set(from.subarray(width * plant, width * (plant + 1)), width * i);
+		const to = from.slice(0, width * attached.length) as A;
+		for (const [i, plant] of attached.entries()) to.set(from.subarray(width * plant, width * (plant + 1)), width * i);
 		return to;
 	};
 	const note = `${full} found no place on what bears them: it has not as many.`;
@@ -84,10 +84,10 @@ function left(stand: StandPlant, places: Places, kept: readonly number[], full: 
 		...stand,
 		places: {
 			...places,
-			count: kept.length,
+			count: attached.length,
 			kind: rows(places.kind),
 			seed: rows(places.seed),
-			bearer: rows(places.bearer),
+			parent: rows(places.parent),
 			at: rows(places.at),
 			scale: rows(places.scale),
 			turn: rows(places.turn),
@@ -98,8 +98,8 @@ function left(stand: StandPlant, places: Places, kept: readonly number[], full: 
 		memberOf: rows(stand.memberOf),
 		counts: {
 			...stand.counts,
-			plants: kept.length,
-			borne: stand.counts.borne - (places.count - kept.length),
+			plants: attached.length,
+			borne: stand.counts.borne - (places.count - attached.length),
 		},
 		notes: full > 0 ? [...stand.notes, note] : stand.notes,
 	};

@@ -1,7 +1,7 @@
 /** What grows in a stand: each plant's own specimen. */
 import { shortFloat } from "../../formats/numbers";
 import type { Member, MemberRequest, Members, TextPosition } from "../model";
-import { hung, spotsWanted } from "./hanging";
+import { placeHanging, spotsWanted } from "./hanging";
 import type { StandPlant } from "./stand_plant";
 
 const AROUND = 16;
@@ -56,7 +56,7 @@ export function requestOf(stand: StandPlant, plant: number, wanted = spotsWanted
 	const { kinds, places } = stand;
 	const { model, preset, place, settings, seeds } = kinds[places.kind[plant]];
 	const spots = Object.fromEntries(settings.map(({ key, place: spot }): [string, TextPosition] => [key, spot]));
-	const alone = seeds > 0 || places.bearer[plant] >= 0;
+	const alone = seeds > 0 || places.parent[plant] >= 0;
 	const tags = wanted.get(places.kind[plant]);
 	const around = places.surroundings.subarray(AROUND * plant, AROUND * (plant + 1));
 	return {
@@ -86,10 +86,11 @@ export const standMembers: Members<StandPlant> = {
 	},
 	joined: (stand, members) => {
 		const grown = members.filter((member) => member !== undefined);
-		if (grown.length === members.length) return hung({ ...stand, members, fingerprint: fingerprintOf(stand, grown) });
+		if (grown.length === members.length)
+			return placeHanging({ ...stand, members, fingerprint: fingerprintOf(stand, grown) });
 		// It may stay as it is, where someone cancels.
 		const note = `Only ${grown.length} of ${members.length} different plants have grown.`;
-		return hung({ ...stand, members, notes: [...stand.notes, note] });
+		return placeHanging({ ...stand, members, notes: [...stand.notes, note] });
 	},
 };
 

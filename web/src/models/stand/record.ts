@@ -42,7 +42,7 @@ function plantsIn(stand: StandPlant): PlantRecord[] {
 		const [x, y, z] = [...places.at.subarray(3 * plant, 3 * plant + 3)].map(shortFloat);
 		const member = members[memberOf[plant]];
 		const { fingerprint, link } = member ?? {};
-		const bearer = places.bearer[plant];
+		const parent = places.parent[plant];
 		return {
 			model,
 			preset,
@@ -53,7 +53,7 @@ function plantsIn(stand: StandPlant): PlantRecord[] {
 			scale: shortFloat(places.scale[plant]),
 			turn: shortFloat(places.turn[plant]),
 			values: grownWith(valuesOf(stand, plant), member),
-			...(bearer >= 0 ? { bearer } : {}),
+			...(parent >= 0 ? { bearer: parent } : {}),
 			...(fingerprint === undefined ? {} : { fingerprint, link }),
 		};
 	});

@@ -37,7 +37,7 @@ export interface Places {
 	readonly kind: Uint32Array;
 	readonly seed: Uint32Array;
 	/** The plant that bears it, −1 of those that stand. */
-	readonly bearer: Int32Array;
+	readonly parent: Int32Array;
 	/** 3 × count, metres. */
 	readonly at: Float32Array;
 	readonly scale: Float32Array;
@@ -79,7 +79,7 @@ export function readStand(answer: Answer): StandPlant {
 		count: kind.length,
 		kind,
 		seed: columns.uint32("plants.seed"),
-		bearer: columns.ints("plants.bearer"),
+		parent: columns.ints("plants.bearer"),
 		at: columns.floats("plants.at"),
 		scale: columns.floats("plants.scale"),
 		turn: columns.floats("plants.turn"),

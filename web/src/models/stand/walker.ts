@@ -53,7 +53,7 @@ export function atFront(stand: Pick<StandPlant, "ground" | "places" | "kinds">):
 function roomAt({ kinds, places }: Pick<StandPlant, "places" | "kinds">, x: number, z: number): number {
 	let room = Number.POSITIVE_INFINITY;
 	for (let plant = 0; plant < places.count; plant++) {
-		if (places.bearer[plant] >= 0) continue;
+		if (places.parent[plant] >= 0) continue;
 		const crown = 0.5 * kinds[places.kind[plant]].crown.width * places.scale[plant];
 		room = Math.min(room, Math.hypot(places.at[3 * plant] - x, places.at[3 * plant + 2] - z) - crown);
 	}

@@ -5,9 +5,9 @@ import type { StandPlant } from "./stand_plant";
 /** "2,000 plants of 4 kinds on 150 × 150 m"; "147 plants and 588 borne, of 2 kinds on 80 × 60 m". */
 export function standInWords({ counts, ground, members, places }: StandPlant): string {
 	const grown = members.filter(Boolean).length;
-	const borne = places.bearer.reduce((sum, bearer) => sum + Number(bearer >= 0), 0);
-	const standing = countInWords(counts.plants - borne, "plant", "plants");
-	const whole = borne === 0 ? standing : `${standing} and ${borne.toLocaleString("en")} borne,`;
+	const attached = places.parent.reduce((sum, parent) => sum + Number(parent >= 0), 0);
+	const standing = countInWords(counts.plants - attached, "plant", "plants");
+	const whole = attached === 0 ? standing : `${standing} and ${attached.toLocaleString("en")} borne,`;
 	const kinds = counts.kinds === 1 ? "" : ` of ${counts.kinds} kinds`;
 	const rest = members.length > 0 && grown < members.length ? `, ${grown} grown so far` : "";
 	return `${whole}${kinds} on ${metres(ground.width)} × ${metres(ground.depth)} m${rest}`;

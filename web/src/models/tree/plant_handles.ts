@@ -1,4 +1,4 @@
 import { boundaryHandles } from "../particles/boundary/editor/plant_handles";
-import { treeLay } from "./lay";
+import { treeLayout } from "./layout";
 
-export const treeHandles = boundaryHandles(treeLay);
+export const treeHandles = boundaryHandles(treeLayout);

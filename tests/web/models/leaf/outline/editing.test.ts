@@ -94,14 +94,14 @@ describe("a key", () => {
 	it("moves the chosen point by a step, by ten with Shift, and says where it is", () => {
 		const step = pressed(oak, 6, key("ArrowRight"), SAME);
 		expect(step?.points?.[6].x).toBeCloseTo(oak[6].x + 0.005, 3);
-		expect(step?.said).toBe("19.1 % right, 22.2 % up");
+		expect(step?.message).toBe("19.1 % right, 22.2 % up");
 		expect(pressed(oak, 6, key("ArrowUp", true), SAME)?.points?.[6].y).toBeCloseTo(oak[6].y + 0.05, 3);
 	});
 
 	it("that is refused leaves the choice where it is", () => {
-		expect(inserted(oak, 6, SAME, { x: -0.5, y: 0.3 })).toEqual({ said: CROSSES });
+		expect(inserted(oak, 6, SAME, { x: -0.5, y: 0.3 })).toEqual({ message: CROSSES });
 		const full = Array.from({ length: MOST_POINTS }, (_, i) => oak[i % oak.length]);
-		expect(inserted(full, 6, SAME)).toEqual({ said: "There is no room for more points" });
+		expect(inserted(full, 6, SAME)).toEqual({ message: "There is no room for more points" });
 	});
 
 	it("goes round the points, adds, removes, and turns them", () => {
@@ -111,14 +111,14 @@ describe("a key", () => {
 		expect(added?.points).toHaveLength(oak.length + 2);
 		expect(added?.points?.[added.chosen ?? 0].x).toBeLessThan(0);
 		expect(pressed(oak, 6, key("Delete"), SAME)?.points).toHaveLength(oak.length - 2);
-		expect(pressed(oak, 5, key("t"), SAME)).toMatchObject({ said: "corner", chosen: 5 });
+		expect(pressed(oak, 5, key("t"), SAME)).toMatchObject({ message: "corner", chosen: 5 });
 		expect(pressed(oak, 5, key("x"), SAME)).toBeUndefined();
 	});
 
 	it("does nothing after which there would be no blade", () => {
 		const narrow = movePoint(oak, 3, { x: 0.006, y: 0.07 }, SAME);
 		const step = pressed(narrow, 3, key("ArrowLeft", true), SAME);
-		expect(step).toEqual({ said: "The outline would cross itself" });
+		expect(step).toEqual({ message: "The outline would cross itself" });
 	});
 
 	it("has words for a point", () => {

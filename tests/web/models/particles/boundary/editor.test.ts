@@ -1,4 +1,9 @@
 import { describe, expect, it } from "vitest";
+import {
+	footprintIn,
+	loopsIn,
+	outlineIn,
+} from "../../../../../web/src/models/particles/boundary/editor/boundary_layout";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { heaviest, inkBranches } from "../../../../../web/src/models/particles/boundary/editor/branches";
 import { FROM_ABOVE } from "../../../../../web/src/models/particles/boundary/editor/facing";
@@ -10,7 +15,6 @@ import {
 } from "../../../../../web/src/models/particles/boundary/editor/frame";
 import { pressed } from "../../../../../web/src/models/particles/boundary/editor/grip";
 import { asProfile } from "../../../../../web/src/models/particles/boundary/editor/knot_grips";
-import { footprintIn, loopsIn, outlineIn } from "../../../../../web/src/models/particles/boundary/editor/lay";
 import { outlineOf, radiusAt, splineThrough } from "../../../../../web/src/models/particles/boundary/editor/outline";
 import { sunAt, sunPlace, sunPose } from "../../../../../web/src/models/particles/boundary/editor/sun_pose";
 import {
@@ -19,14 +23,14 @@ import {
 	withRound,
 	withWall,
 } from "../../../../../web/src/models/particles/boundary/editor/walls";
-import { rootLay } from "../../../../../web/src/models/root/lay";
+import { rootLayout } from "../../../../../web/src/models/root/layout";
 import { ROOT } from "../../../../../web/src/models/root/schema";
-import { treeLay } from "../../../../../web/src/models/tree/lay";
+import { treeLayout } from "../../../../../web/src/models/tree/layout";
 import { TREE } from "../../../../../web/src/models/tree/schema";
 import { apply } from "../../../../../web/src/ui/change";
 import { gripOf, root, tree } from "./particles";
 
-const poseOf = (specimen = tree("oak")) => boundaryPose(treeLay, specimen, tree(specimen.preset));
+const poseOf = (specimen = tree("oak")) => boundaryPose(treeLayout, specimen, tree(specimen.preset));
 
 describe("the outline from in front", () => {
 	it("is widest where its form is", () => {
@@ -61,7 +65,7 @@ describe("the outline from in front", () => {
 		const drawn = () => {
 			const oak = { ...tree("oak"), volume };
 			const specimen = { ...oak, parameters: { ...oak.parameters, shape: options.indexOf("mesh") } };
-			return [outlineIn(treeLay, specimen), loopsIn(treeLay, specimen), footprintIn(treeLay, specimen)];
+			return [outlineIn(treeLayout, specimen), loopsIn(treeLayout, specimen), footprintIn(treeLayout, specimen)];
 		};
 		const [first, second] = [drawn(), drawn()];
 		for (const [i, lines] of first.entries()) expect(second[i]).toBe(lines);
@@ -136,7 +140,7 @@ describe("grips of a boundary", () => {
 
 	it("lie below ground for a root", () => {
 		const fibrous = root("fibrous");
-		const pose = boundaryPose(rootLay, fibrous, fibrous);
+		const pose = boundaryPose(rootLayout, fibrous, fibrous);
 		const low = pose.grips.find(({ id }) => id === "low");
 		expect(low?.at.y).toBeCloseTo(-fibrous.parameters.reach);
 		expect(low?.value).toMatch(/below ground$/);
@@ -158,7 +162,7 @@ describe("grips of a boundary", () => {
 		expect(by("a")).toBeUndefined();
 		expect(by("Delete")?.details?.profile).toHaveLength(6);
 		expect(pressed(gripOf(pose, "knot0"), { key: "Delete", shiftKey: false })).toBeUndefined();
-		expect(pressed(gripOf(pose, "knot2"), { key: "Delete", shiftKey: false })?.said).toBe("Point 3 taken out");
+		expect(pressed(gripOf(pose, "knot2"), { key: "Delete", shiftKey: false })?.message).toBe("Point 3 taken out");
 		expect(by("Insert")?.details?.profile).toHaveLength(8);
 		const bent = apply(TREE, specimen, gripOf(pose, "knot2").pull({ x: 1, y: 4 }));
 		expect(apply(TREE, bent, gripOf(poseOf(bent), "knot2").reset?.() ?? {}).profile).toEqual(specimen.profile);
@@ -174,8 +178,8 @@ describe("grips of a boundary", () => {
 
 	it("take over a form as a profile to be shaped by hand", () => {
 		const box = tree("box");
-		expect(asProfile(treeLay, box).map(([radius]) => radius)).toEqual([1, 1, 1, 1, 1, 1]);
-		const heights = asProfile(treeLay, box).map(([, height]) => height);
+		expect(asProfile(treeLayout, box).map(([radius]) => radius)).toEqual([1, 1, 1, 1, 1, 1]);
+		const heights = asProfile(treeLayout, box).map(([, height]) => height);
 		expect(heights).toEqual([...heights].sort((a, b) => a - b));
 		expect([heights[0], heights[5]]).toEqual([0, 1]);
 	});

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { gripDrags } from "../../../../../web/src/models/particles/boundary/editor/grip_drags";
 import { withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
-import { treeLay } from "../../../../../web/src/models/tree/lay";
+import { treeLayout } from "../../../../../web/src/models/tree/layout";
 import { TREE } from "../../../../../web/src/models/tree/schema";
 import { apply } from "../../../../../web/src/ui/change";
 import type { Change } from "../../../../../web/src/ui/editor_context";
@@ -11,7 +11,7 @@ import { gripOf, tree } from "./particles";
 /** Drags over a specimen that others may change as well. */
 function handsOn(specimen: ReturnType<typeof tree>) {
 	const page = { specimen, told: 0 };
-	const pose = () => boundaryPose(treeLay, page.specimen, tree("oak"));
+	const pose = () => boundaryPose(treeLayout, page.specimen, tree("oak"));
 	const drags = gripDrags({
 		pose,
 		input: (change: Change) => {

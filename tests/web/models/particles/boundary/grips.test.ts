@@ -1,12 +1,12 @@
 import { describe, expect, it } from "vitest";
 import type { BoundedSpecimen } from "../../../../../web/src/models/particles/boundary/bounded";
+import type { BoundaryLayout } from "../../../../../web/src/models/particles/boundary/editor/boundary_layout";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
-import type { Lay } from "../../../../../web/src/models/particles/boundary/editor/lay";
 import { planPose } from "../../../../../web/src/models/particles/boundary/editor/plan_pose";
 import { wallsOf, withRound, withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
-import { rootLay } from "../../../../../web/src/models/root/lay";
+import { rootLayout } from "../../../../../web/src/models/root/layout";
 import { ROOT } from "../../../../../web/src/models/root/schema";
-import { treeLay } from "../../../../../web/src/models/tree/lay";
+import { treeLayout } from "../../../../../web/src/models/tree/layout";
 import { TREE } from "../../../../../web/src/models/tree/schema";
 import { decodeQuery, encodeQuery } from "../../../../../web/src/specimen/link";
 import type { ModelSchema } from "../../../../../web/src/specimen/model_schema";
@@ -15,7 +15,7 @@ import { gripOf, root, tree } from "./particles";
 
 /** A specimen with what came of a grip in hand, event after event. */
 function held<S extends BoundedSpecimen>(
-	lay: Lay<S>,
+	layout: BoundaryLayout<S>,
 	species: ModelSchema<S>,
 	specimen: S,
 	id: string,
@@ -24,7 +24,7 @@ function held<S extends BoundedSpecimen>(
 ): S {
 	let moved = specimen;
 	for (let i = 0; i < times; i++) {
-		const grip = gripOf(boundaryPose(lay, moved, moved), id);
+		const grip = gripOf(boundaryPose(layout, moved, moved), id);
 		moved = apply(species, moved, grip.pull({ x: grip.at.x, y }));
 	}
 	return moved;
@@ -43,30 +43,33 @@ describe("an end of a boundary that is held where it cannot be", () => {
 			["box", "low"],
 		]) {
 			const specimen = tree(preset);
-			const below = held(treeLay, TREE, specimen, id, -1);
+			const below = held(treeLayout, TREE, specimen, id, -1);
 			expect(below.parameters.trunk).toBe(0);
 			expect(topOf(below)).toBeCloseTo(topOf(specimen));
-			const above = held(treeLay, TREE, specimen, id, 80);
+			const above = held(treeLayout, TREE, specimen, id, 80);
 			expect(topOf(above)).toBeCloseTo(topOf(specimen));
 			expect(above.parameters.height).toBeCloseTo(0.1);
 		}
 		const tall = withNumbers(tree("box"), { trunk: 20, height: 40 });
-		expect(held(treeLay, TREE, tall, "low", 50).parameters).toMatchObject({ trunk: 30, height: 30 });
+		expect(held(treeLayout, TREE, tall, "low", 50).parameters).toMatchObject({ trunk: 30, height: 30 });
 		const down = withNumbers(tree("box"), { trunk: 0 });
-		const pressed = apply(TREE, down, gripOf(boundaryPose(treeLay, down, down), "low").nudge(0, -1, true));
+		const pressed = apply(TREE, down, gripOf(boundaryPose(treeLayout, down, down), "low").nudge(0, -1, true));
 		expect(pressed.parameters).toEqual(down.parameters);
 	});
 
 	it("keeps a ball's size", () => {
 		const ball = tree("sphere");
-		expect(held(treeLay, TREE, ball, "low", -3).parameters).toMatchObject({ width: ball.parameters.width, trunk: 0 });
+		expect(held(treeLayout, TREE, ball, "low", -3).parameters).toMatchObject({
+			width: ball.parameters.width,
+			trunk: 0,
+		});
 	});
 
 	it("leaves a root's deepest where it was", () => {
 		const deep = withNumbers(root("fibrous"), { reach: 12 });
-		const { top, reach } = held(rootLay, ROOT, deep, "high", -9).parameters;
+		const { top, reach } = held(rootLayout, ROOT, deep, "high", -9).parameters;
 		expect([top, top + reach]).toEqual([5, expect.closeTo(deep.parameters.top + 12)]);
-		const flat = held(rootLay, ROOT, root("fibrous"), "high", -40).parameters;
+		const flat = held(rootLayout, ROOT, root("fibrous"), "high", -40).parameters;
 		expect(flat.top + flat.reach).toBeCloseTo(root("fibrous").parameters.top + root("fibrous").parameters.reach);
 	});
 });
@@ -74,14 +77,14 @@ describe("an end of a boundary that is held where it cannot be", () => {
 describe("a profile whose ends are within the box", () => {
 	it("stays as it is where a point is pulled to where it stands, and follows the hand", () => {
 		const { specimen } = decodeQuery(TREE, "?v=2&model=tree&profile=0.2,0.1,1,0.4,0.1,0.8");
-		const grips = boundaryPose(treeLay, specimen, specimen).grips.filter(({ id }) => id.startsWith("knot"));
+		const grips = boundaryPose(treeLayout, specimen, specimen).grips.filter(({ id }) => id.startsWith("knot"));
 		expect(grips).toHaveLength(3);
 		for (const { id, at, pull } of grips) {
 			const { parameters, profile } = apply(TREE, specimen, pull(at));
 			expect(profile).toEqual(specimen.profile);
 			expect(parameters).toEqual(specimen.parameters);
 			const moved = apply(TREE, specimen, pull({ x: at.x, y: at.y + 0.3 }));
-			expect(gripOf(boundaryPose(treeLay, moved, moved), id).at.y).toBeCloseTo(at.y + 0.3, 1);
+			expect(gripOf(boundaryPose(treeLayout, moved, moved), id).at.y).toBeCloseTo(at.y + 0.3, 1);
 		}
 	});
 });
@@ -90,7 +93,7 @@ describe("a double click", () => {
 	const reset = (specimen: ReturnType<typeof tree>, id: string) => {
 		const preset = tree(specimen.preset);
 		const pose = id === "front" ? planPose : boundaryPose;
-		return apply(TREE, specimen, gripOf(pose(treeLay, specimen, preset), id).reset?.() ?? {});
+		return apply(TREE, specimen, gripOf(pose(treeLayout, specimen, preset), id).reset?.() ?? {});
 	};
 
 	it("brings the preset's own numbers back, whatever the others are", () => {
@@ -115,7 +118,7 @@ describe("a double click", () => {
 		const top = reset(other, "knot6");
 		expect(top.profile?.[6]).toEqual(oak.profile?.[6]);
 		expect(top.parameters).toEqual({ ...other.parameters, height: oak.parameters.height });
-		const more = apply(TREE, other, gripOf(boundaryPose(treeLay, other, oak), "knot1").add?.() ?? {});
+		const more = apply(TREE, other, gripOf(boundaryPose(treeLayout, other, oak), "knot1").add?.() ?? {});
 		expect(reset(more, "knot3")).toEqual(more);
 	});
 });
@@ -127,14 +130,14 @@ describe("what hands make", () => {
 
 	it("stays within what a link can hold: targets", () => {
 		const oak = tree("oak");
-		const far = apply(TREE, oak, gripOf(boundaryPose(treeLay, oak, oak), "target0").pull({ x: 250, y: 0 }));
+		const far = apply(TREE, oak, gripOf(boundaryPose(treeLayout, oak, oak), "target0").pull({ x: 250, y: 0 }));
 		expect(far.targets).toEqual([100, 0, 0]);
 		asLinked(far);
 		const hedge = withNumbers(oak, { crowns: 4, stems: 15 });
 		const count = (specimen: typeof oak) =>
-			boundaryPose(treeLay, specimen, oak).grips.filter(({ id }) => id.startsWith("target")).length;
+			boundaryPose(treeLayout, specimen, oak).grips.filter(({ id }) => id.startsWith("target")).length;
 		expect(count(hedge)).toBe(60);
-		asLinked(apply(TREE, hedge, gripOf(boundaryPose(treeLay, hedge, oak), "target7").pull({ x: 1, y: 0 })));
+		asLinked(apply(TREE, hedge, gripOf(boundaryPose(treeLayout, hedge, oak), "target7").pull({ x: 1, y: 0 })));
 		expect(count(withNumbers(oak, { crowns: 4, stems: 30 }))).toBe(0);
 	});
 
@@ -146,7 +149,7 @@ describe("what hands make", () => {
 		expect(wallsOf(crowded, "rounds").at(-1)).toEqual([89, 2, -5.5, 100, 9, 5.5]);
 		expect(wallsOf(crowded)).toEqual([[99.7, 0, -3, 100, 5, 3]]);
 		asLinked(crowded);
-		const pose = planPose(treeLay, crowded, crowded);
+		const pose = planPose(treeLayout, crowded, crowded);
 		const moved = apply(TREE, crowded, gripOf(pose, "rounds0 middle").pull({ x: -400, y: 400 }));
 		expect(wallsOf(moved, "rounds")[0]).toEqual([-100, 2, -100, -89, 9, -89]);
 		asLinked(apply(TREE, moved, gripOf(pose, "rounds14 corner").pull({ x: 400, y: 0 })));
@@ -154,7 +157,7 @@ describe("what hands make", () => {
 
 	it("says of each grip what keys do, and only that", () => {
 		const oak = apply(TREE, tree("oak"), withWall(tree("oak"), { x: 4, y: 5 }, 6));
-		const { grips } = boundaryPose(treeLay, oak, oak);
+		const { grips } = boundaryPose(treeLayout, oak, oak);
 		const able = (which: "add" | "remove") => grips.filter((grip) => grip[which]).map(({ id }) => id);
 		expect(able("add")).toEqual(["knot0", "knot1", "knot2", "knot3", "knot4", "knot5", "knot6"]);
 		expect(able("remove")).toEqual([

@@ -1,20 +1,20 @@
 import { describe, expect, it } from "vitest";
+import { footprintIn } from "../../../../../web/src/models/particles/boundary/editor/boundary_layout";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
-import { footprintIn } from "../../../../../web/src/models/particles/boundary/editor/lay";
 import { planPose } from "../../../../../web/src/models/particles/boundary/editor/plan_pose";
 import { wallsOf, withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
-import { rootLay } from "../../../../../web/src/models/root/lay";
+import { rootLayout } from "../../../../../web/src/models/root/layout";
 import { ROOT } from "../../../../../web/src/models/root/schema";
-import { treeLay } from "../../../../../web/src/models/tree/lay";
+import { treeLayout } from "../../../../../web/src/models/tree/layout";
 import { TREE } from "../../../../../web/src/models/tree/schema";
 import { decodeQuery, encodeQuery } from "../../../../../web/src/specimen/link";
 import { apply } from "../../../../../web/src/ui/change";
 import { gripOf, growBounded, particlesCore, root, tree } from "./particles";
 
-const poseOf = (specimen = tree("oak")) => boundaryPose(treeLay, specimen, tree(specimen.preset));
+const poseOf = (specimen = tree("oak")) => boundaryPose(treeLayout, specimen, tree(specimen.preset));
 
 describe("a plan", () => {
-	const planOf = (specimen = tree("oak")) => planPose(treeLay, specimen, tree(specimen.preset));
+	const planOf = (specimen = tree("oak")) => planPose(treeLayout, specimen, tree(specimen.preset));
 
 	it("shows what is in front below, and moves and sizes obstacles from front to back", () => {
 		const oak = tree("oak");
@@ -42,14 +42,14 @@ describe("a plan", () => {
 			depth: 6,
 		});
 		const heart = root("heart");
-		expect(gripOf(planPose(rootLay, heart, heart), "front").pull({ x: 0, y: -1 })).toEqual({
+		expect(gripOf(planPose(rootLayout, heart, heart), "front").pull({ x: 0, y: -1 })).toEqual({
 			parameters: { depth: 2 },
 		});
 	});
 
 	it("has a footprint", () => {
-		expect(footprintIn(treeLay, tree("box"))[0]).toHaveLength(4);
-		const [round] = footprintIn(treeLay, tree("sphere"));
+		expect(footprintIn(treeLayout, tree("box"))[0]).toHaveLength(4);
+		const [round] = footprintIn(treeLayout, tree("sphere"));
 		expect(round.length).toBeGreaterThan(20);
 		for (const { x, y } of round) expect(Math.hypot(x, y)).toBeCloseTo(1);
 	});
@@ -62,12 +62,12 @@ describe("targets", () => {
 			const specimen = model === "tree" ? tree(preset) : root(preset);
 			return { ...specimen, parameters: { ...specimen.parameters, particles: 50, ...more } };
 		};
-		for (const [lay, species, specimen] of [
-			[treeLay, TREE, small("tree", "twin", { stems: 3 })],
-			[rootLay, ROOT, small("root", "tap", { stems: 4 })],
+		for (const [layout, species, specimen] of [
+			[treeLayout, TREE, small("tree", "twin", { stems: 3 })],
+			[rootLayout, ROOT, small("root", "tap", { stems: 4 })],
 		] as const) {
 			const { targets } = growBounded(core, species.table, specimen, { meshes: false });
-			const said = (lay as typeof treeLay).targets(specimen as never);
+			const said = (layout as typeof treeLayout).targets(specimen as never);
 			expect(said).toHaveLength(targets.length);
 			for (const [i, value] of targets.entries()) expect(said[i]).toBeCloseTo(value, 4);
 		}
@@ -79,11 +79,11 @@ describe("targets", () => {
 		const front = apply(TREE, twin, gripOf(poseOf(twin), "target1").pull({ x: 3.014, y: 0.1 }));
 		expect(front.targets).toEqual([-half, 0, 0, 3.01, 0, 0]);
 		expect(apply(TREE, twin, gripOf(poseOf(twin), "target1").pull({ x: 3, y: 1 })).targets?.[4]).toBe(1);
-		const plan = planPose(treeLay, front, twin);
+		const plan = planPose(treeLayout, front, twin);
 		const back = apply(TREE, front, gripOf(plan, "target0").pull({ x: -1, y: 0.5 }));
 		expect(back.targets).toEqual([-1, 0, -0.5, 3.01, 0, 0]);
 		expect(gripOf(poseOf(back), "target0")).toMatchObject({ at: { x: -1, y: 0 }, label: "Trunk 1", value: "1 m left" });
-		expect(planPose(treeLay, back, twin).grips.find(({ id }) => id === "target0")?.value).toBe(
+		expect(planPose(treeLayout, back, twin).grips.find(({ id }) => id === "target0")?.value).toBe(
 			"1 m left, 50 cm behind",
 		);
 	});
@@ -111,7 +111,11 @@ describe("targets", () => {
 		let edited = apply(TREE, oak, gripOf(poseOf(oak), "target0").pull({ x: 1.23, y: 0 }));
 		edited = apply(TREE, edited, gripOf(poseOf(edited), "knot2").pull({ x: 3.3, y: 4.4 }));
 		edited = apply(TREE, edited, withWall(edited, { x: 4, y: 5 }, 6));
-		edited = apply(TREE, edited, gripOf(planPose(treeLay, edited, oak), "obstacles0 middle").pull({ x: 4.5, y: 1.27 }));
+		edited = apply(
+			TREE,
+			edited,
+			gripOf(planPose(treeLayout, edited, oak), "obstacles0 middle").pull({ x: 4.5, y: 1.27 }),
+		);
 		const query = encodeQuery(TREE, edited);
 		expect(query).toMatch(/targets=1\.23,0,0&obstacles=4\.35,0,-4\.27,4\.65,5,1\.73/);
 		expect(`https://example.org/${query}`.length).toBeLessThan(300);

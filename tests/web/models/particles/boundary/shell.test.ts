@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { contourOf } from "../../../../../web/src/models/particles/boundary/editor/mesh_outline";
 import { shellsOf } from "../../../../../web/src/models/particles/boundary/editor/shell";
-import { treeLay } from "../../../../../web/src/models/tree/lay";
+import { treeLayout } from "../../../../../web/src/models/tree/layout";
 import { TREE } from "../../../../../web/src/models/tree/schema";
 import { tree } from "./particles";
 
@@ -58,11 +58,11 @@ describe("a boundary in 3-D", () => {
 
 	it.each(["sphere", "box", "cypress", "twin"])("fills the box that the core grows in: %s", (preset) => {
 		const specimen = tree(preset);
-		const { halfWidth, low, high } = treeLay.box(specimen);
-		const shells = shellsOf(treeLay, specimen);
+		const { halfWidth, low, high } = treeLayout.box(specimen);
+		const shells = shellsOf(treeLayout, specimen);
 		expect(shells).toHaveLength(specimen.parameters.crowns);
-		const deep = treeLay.halfDepth(specimen);
-		for (const [i, axis] of treeLay.axes(specimen).entries()) {
+		const deep = treeLayout.halfDepth(specimen);
+		for (const [i, axis] of treeLayout.axes(specimen).entries()) {
 			const { points, triangles } = shells[i];
 			const near = [0, 1, 2].map((k) => extent(points, k).map((value) => Math.round(10 * value) / 10));
 			const box = [
@@ -83,7 +83,7 @@ describe("a boundary in 3-D", () => {
 		const hollow = { points: [5, 0, 5, 7, 0, 5, 5, 0, 9, 5, 3, 5], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
 		const specimen = { ...box, hollow, parameters: { ...box.parameters, inner: 0.5 } };
 		const { width, depth, trunk, height } = specimen.parameters;
-		const [, inner, ...more] = shellsOf(treeLay, specimen);
+		const [, inner, ...more] = shellsOf(treeLayout, specimen);
 		expect(more).toEqual([]);
 		const expected = [
 			[-width / 4, width / 4],
@@ -93,7 +93,7 @@ describe("a boundary in 3-D", () => {
 		expected.forEach((range, k) => {
 			for (const [i, end] of extent(inner.points, k).entries()) expect(end).toBeCloseTo(range[i], 6);
 		});
-		expect(shellsOf(treeLay, { ...specimen, parameters: { ...specimen.parameters, inner: 0 } })).toHaveLength(1);
+		expect(shellsOf(treeLayout, { ...specimen, parameters: { ...specimen.parameters, inner: 0 } })).toHaveLength(1);
 	});
 
 	it("is a mesh's own, stretched to the box", () => {
@@ -103,7 +103,7 @@ describe("a boundary in 3-D", () => {
 		const mesh = shape?.kind === "choice" ? shape.options.indexOf("mesh") : -1;
 		const specimen = { ...box, volume, parameters: { ...box.parameters, shape: mesh } };
 		const { width, depth, trunk, height } = specimen.parameters;
-		const [{ points }] = shellsOf(treeLay, specimen);
+		const [{ points }] = shellsOf(treeLayout, specimen);
 		expect([0, 1, 2].map((k) => extent(points, k))).toEqual([
 			[-width / 2, width / 2],
 			[trunk, trunk + height],

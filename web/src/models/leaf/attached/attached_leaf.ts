@@ -28,7 +28,7 @@ const SEEN = 0.06;
  * @param from the preset that it grew from
  * @throws Error where the leaf was grown without meshes
  */
-export function attachedLeaf(
+export function encodeAttachedLeaf(
 	leaf: Leaf,
 	{ parameters }: LeafSpecimen,
 	from: string,
@@ -112,10 +112,10 @@ function distance(chart: Float32Array, piece: number, x: number, y: number): num
 
 /** The leaf without those of its veins that a small picture would show as noise. */
 function seenVeins(leaf: Leaf): Leaf {
-	const kept = veinsFrom(leaf, SEEN);
+	const visible = veinsFrom(leaf, SEEN);
 	const gathered = (values: Float32Array, width: number) =>
-		Float32Array.from(kept.flatMap((piece) => [...values.subarray(width * piece, width * (piece + 1))]));
-	const segments = { ...leaf.segments, count: kept.length, radii: gathered(leaf.segments.radii, 2) };
+		Float32Array.from(visible.flatMap((piece) => [...values.subarray(width * piece, width * (piece + 1))]));
+	const segments = { ...leaf.segments, count: visible.length, radii: gathered(leaf.segments.radii, 2) };
 	return { ...leaf, chart: gathered(leaf.chart, 4), energy: gathered(leaf.energy, 1), segments };
 }
 

@@ -6,7 +6,7 @@ import { readLeaf } from "../read_leaf";
 import { encodeLeaf } from "../request";
 import { leafFromPreset } from "../schema";
 import type { LeafSpecimen } from "../specimen";
-import { type AttachedLeafOptions, attachedLeaf } from "./attached_leaf";
+import { type AttachedLeafOptions, encodeAttachedLeaf } from "./attached_leaf";
 
 interface Baked extends AttachedLeafOptions {
 	/** Triangles of the blade before it is made light, against the core's own choice. */
@@ -73,5 +73,5 @@ export function bakeLeaf(core: Core, name: string): LeafFile {
 	const { detail, parameters, half, preset = name, ...options } = BAKED[name];
 	const specimen = bakedSpecimen(name);
 	const leaf = readLeaf(core.grow(encodeLeaf(specimen, { detail, sky: false, measures: false })));
-	return attachedLeaf(leaf, specimen, `leaf/${preset}`, options);
+	return encodeAttachedLeaf(leaf, specimen, `leaf/${preset}`, options);
 }

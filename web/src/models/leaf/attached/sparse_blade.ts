@@ -23,7 +23,7 @@ export function sparseBlade(margin: Float32Array, corners: number): SparseBlade 
 	for (const [side, half] of [1, -1].map((sign, at) => [sign, halves[at]] as const)) {
 		const rib = RIB.map((height) => new Vector2(0, height));
 		const ends = [rib[0], ...half.map(({ x, y }) => new Vector2(side * Math.max(0, side * x), y)), rib[rib.length - 1]];
-		const outer = mostTelling(ends, corners).slice(1, -1);
+		const outer = simplifiedLine(ends, corners).slice(1, -1);
 		// From the base, counter-clockwise: up the margin and back along the midrib, or the other way round.
 		const polygon = side > 0 ? [rib[0], ...outer, ...rib.slice(1).toReversed()] : [...rib, ...outer.toReversed()];
 		const first = blade.points.length / 2;
@@ -38,7 +38,7 @@ export function sparseBlade(margin: Float32Array, corners: number): SparseBlade 
 }
 
 /** So many points of a line besides its ends: time and again the one goes that spans the least area with its neighbours (Visvalingam & Whyatt 1993). */
-function mostTelling(line: readonly Vector2[], count: number): Vector2[] {
+function simplifiedLine(line: readonly Vector2[], count: number): Vector2[] {
 	const left = [...line];
 	const area = (at: number) => Math.abs(ShapeUtils.area([left[at - 1], left[at], left[at + 1]]));
 	while (left.length > count + 2) {

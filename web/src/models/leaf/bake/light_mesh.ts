@@ -49,13 +49,13 @@ function area(uvs: Float32Array, a: number, b: number, c: number): number {
 /** Triangles of three corners, and the vertices that they use. */
 function compacted({ positions, normals, uvs }: Mesh, indices: Uint32Array): Mesh {
 	const numbers = new Map<number, number>();
-	const kept: number[] = [];
+	const remapped: number[] = [];
 	for (let at = 0; at < indices.length; at += 3) {
 		const corners = [...indices.subarray(at, at + 3)];
 		if (new Set(corners).size < 3) continue;
 		for (const corner of corners) {
 			if (!numbers.has(corner)) numbers.set(corner, numbers.size);
-			kept.push(numbers.get(corner) as number);
+			remapped.push(numbers.get(corner) as number);
 		}
 	}
 	const used = [...numbers.keys()];
@@ -65,6 +65,6 @@ function compacted({ positions, normals, uvs }: Mesh, indices: Uint32Array): Mes
 		positions: gathered(positions, 3),
 		normals: gathered(normals, 3),
 		uvs: gathered(uvs, 2),
-		indices: Uint32Array.from(kept),
+		indices: Uint32Array.from(remapped),
 	};
 }

@@ -167,13 +167,13 @@ export class OutlineView extends HandleView<string> {
 	}
 
 	/** A step of keys or buttons is told and said. */
-	#take({ points, chosen, said }: Step): void {
+	#take({ points, chosen, message }: Step): void {
 		if (points) {
 			this.#input(points);
 			this.tell("outline-change");
 		}
-		if (said === CROSSES) this.#refuse();
-		else if (said) this.say(said);
+		if (message === CROSSES) this.#refuse();
+		else if (message) this.say(message);
 		if (chosen !== undefined) this.#chosen = chosen;
 		this.requestUpdate();
 	}

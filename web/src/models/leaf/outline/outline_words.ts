@@ -11,8 +11,8 @@ export const KIND_WORDS: Readonly<Record<Kind, string>> = {
 /** "31 % right, 45 % up", of the leaf's length. */
 export function placeInWords({ x, y }: OutlinePoint): string {
 	const [across, up] = [x, y].map((value) => Math.round(1000 * value) / 10);
-	const aside = across === 0 ? "in the middle" : `${Math.abs(across)} % ${across > 0 ? "right" : "left"}`;
-	return `${aside}, ${Math.abs(up)} % ${up < 0 ? "below" : "up"}`;
+	const sideways = across === 0 ? "in the middle" : `${Math.abs(across)} % ${across > 0 ? "right" : "left"}`;
+	return `${sideways}, ${Math.abs(up)} % ${up < 0 ? "below" : "up"}`;
 }
 
 /** "Point 5 of 36, corner: 31 % right, 45 % up". */

@@ -19,7 +19,7 @@ export interface Step {
 	points?: OutlinePoint[];
 	/** The point that is chosen then; absent where the choice stays. */
 	chosen?: number;
-	said: string;
+	message: string;
 }
 
 /** A step of the arrow keys, in lengths of the leaf. */
@@ -34,8 +34,8 @@ export function pressed(
 ): Step | undefined {
 	const last = points.length - 1;
 	if (key in ARROWS) return nudged(points, chosen, ARROWS[key], shiftKey ? 10 * NUDGE : NUDGE, symmetry);
-	if (key === "PageDown") return { chosen: chosen === last ? 1 : chosen + 1, said: "" };
-	if (key === "PageUp") return { chosen: chosen === 1 ? last : chosen - 1, said: "" };
+	if (key === "PageDown") return { chosen: chosen === last ? 1 : chosen + 1, message: "" };
+	if (key === "PageUp") return { chosen: chosen === 1 ? last : chosen - 1, message: "" };
 	if (key === "Insert" || key === "+") return inserted(points, chosen, symmetry);
 	if (key === "Delete" || key === "Backspace") return removed(points, chosen, symmetry);
 	return key === "t" || key === "T" ? turned(points, chosen, symmetry) : undefined;
@@ -44,30 +44,30 @@ export function pressed(
 function nudged(points: OutlinePoints, chosen: number, way: Place, by: number, symmetry: Symmetry): Step {
 	const { x, y } = points[chosen];
 	const moved = movePoint(points, chosen, { x: x + by * way.x, y: y + by * way.y }, symmetry);
-	return sound({ points: moved, chosen, said: placeInWords(moved[chosen]) });
+	return sound({ points: moved, chosen, message: placeInWords(moved[chosen]) });
 }
 
 /** The chosen point becomes one of the next kind. */
 export function turned(points: OutlinePoints, chosen: number, symmetry: Symmetry): Step {
 	const next = turnKind(points, chosen, symmetry);
-	return sound({ points: next, chosen, said: KIND_WORDS[next[chosen].kind] });
+	return sound({ points: next, chosen, message: KIND_WORDS[next[chosen].kind] });
 }
 
 /** A point halfway to the next, or where the curve is nearest to a place. */
 export function inserted(points: OutlinePoints, after: number, symmetry: Symmetry, at?: Place): Step {
 	const next = insertPoint(points, after, at ?? placeOn(spansOf(points)[after], 0.5), symmetry);
-	if (next.length === points.length) return { said: "There is no room for more points" };
-	return sound({ points: next, chosen: insertedAt(points.length, after, symmetry), said: "Point added" });
+	if (next.length === points.length) return { message: "There is no room for more points" };
+	return sound({ points: next, chosen: insertedAt(points.length, after, symmetry), message: "Point added" });
 }
 
 export function removed(points: OutlinePoints, chosen: number, symmetry: Symmetry): Step {
 	const next = removePoint(points, chosen, symmetry);
-	if (next.length === points.length) return { said: "The last points stay" };
-	return sound({ points: next, chosen: Math.min(chosen, next.length - 1), said: "Point removed" });
+	if (next.length === points.length) return { message: "The last points stay" };
+	return sound({ points: next, chosen: Math.min(chosen, next.length - 1), message: "Point removed" });
 }
 
 /** A step after which there is no blade is none. */
 function sound(step: Step): Step {
 	if (!step.points || enclosesBlade(step.points)) return step;
-	return { said: CROSSES };
+	return { message: CROSSES };
 }

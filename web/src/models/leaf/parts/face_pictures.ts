@@ -31,7 +31,7 @@ export type FlatLeaf = Pick<Leaf, "chart" | "margin" | "square" | "energy"> & {
 };
 
 /** What one face is laid with. */
-export interface Face {
+export interface FaceTextures {
 	/** sRGB. */
 	colour: Picture;
 	normal: Picture;
@@ -64,7 +64,7 @@ export class FacePictures {
 		this.#side = side;
 	}
 
-	face(specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">, side: Side): Face {
+	face(specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">, side: Side): FaceTextures {
 		const { picture, mean } = this.colour(specimen, side);
 		return { colour: picture, normal: this.#flat ? FLAT_PICTURE : this.normal(specimen.parameters, side), mean };
 	}
@@ -73,7 +73,7 @@ export class FacePictures {
 	colour({ look, seed }: Pick<LeafSpecimen, "look" | "seed">, face: Side): { picture: Picture; mean: Colour } {
 		const fields = this.#fieldsOf(seed);
 		const paint = painted(fields, bladeColours(look, faceColour(look, face)));
-		return { picture: laid(this.raster, fields, paint, face), mean: paint.mean };
+		return { picture: colourPicture(this.raster, fields, paint, face), mean: paint.mean };
 	}
 
 	/** Normals of the veins on a flat blade: green is up. */
@@ -156,7 +156,12 @@ function shown(value: number): number {
 }
 
 /** The blade's colours between cells, and veins over them. */
-function laid({ side, ink: veins }: VeinRaster, fields: BladeFields, { cells, mean }: Painted, face: Side): Picture {
+function colourPicture(
+	{ side, ink: veins }: VeinRaster,
+	fields: BladeFields,
+	{ cells, mean }: Painted,
+	face: Side,
+): Picture {
 	const pixels = filled(side, mean.map(shown) as Colour);
 	const scale = fields.side / side;
 	const line = new Float32Array(6 * fields.side);

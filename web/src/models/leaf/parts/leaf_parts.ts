@@ -4,7 +4,7 @@ import { partsOf } from "../../../plant/parts_of";
 import type { Leaf } from "../grown";
 import type { LeafSpecimen } from "../specimen";
 import { asSeen } from "./as_seen";
-import { type Face, FacePictures, PREVIEW_SIDE, SIDE } from "./face_pictures";
+import { FacePictures, type FaceTextures, PREVIEW_SIDE, SIDE } from "./face_pictures";
 import { bladeMaterial, FACES, particleMaterial, petioleMaterial, type Side } from "./materials";
 
 /** Pictures by the leaf that they show, so that other colours find its veins drawn. */
@@ -17,7 +17,7 @@ const drawn = new WeakMap<Leaf, FacePictures>();
 export function* leafParts(
 	leaf: Leaf,
 	specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">,
-	faces: (side: Side) => Face = (side) => painted(leaf, specimen, side),
+	faces: (side: Side) => FaceTextures = (side) => painted(leaf, specimen, side),
 ): Generator<Part> {
 	const { meshes, organs } = leaf;
 	const { look } = specimen;
@@ -36,7 +36,7 @@ export function* leafParts(
 	yield* partsOf({ meshes: others, organs }, { stem: petioleMaterial(look), skin: particleMaterial(look) });
 }
 
-function painted(leaf: Leaf, specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">, side: Side): Face {
+function painted(leaf: Leaf, specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">, side: Side): FaceTextures {
 	// What grows in passing does not ask what sky there is.
 	const pixels = leaf.meshes.some(({ sky }) => sky) ? SIDE : PREVIEW_SIDE;
 	const pictures = drawn.get(leaf) ?? new FacePictures(leaf, specimen.parameters.length, pixels);

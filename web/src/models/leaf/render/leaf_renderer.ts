@@ -10,11 +10,11 @@ import type { Bodies } from "../../../render/camera_fit";
 import type { ModelRenderer, Ray, RendererFactory, RendererStage } from "../../../render/model_renderer";
 import { PartRenderer } from "../../../render/part_renderer";
 import type { Leaf } from "../grown";
-import { type Face, FacePictures, FLAT_PICTURE, PREVIEW_SIDE } from "../parts/face_pictures";
+import { FacePictures, type FaceTextures, FLAT_PICTURE, PREVIEW_SIDE } from "../parts/face_pictures";
 import { leafParts } from "../parts/leaf_parts";
 import { FACES, type Side } from "../parts/materials";
 import type { LeafSpecimen } from "../specimen";
-import type { Faces } from "./paint";
+import type { BladeTextures } from "./paint";
 import { PaintQueue } from "./paint_queue";
 
 /** Something to lay on a face. */
@@ -33,13 +33,13 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 	#preview = false;
 	#preset: string | undefined;
 	/** The finest there is of the leaf that is shown, maybe in colours it had before; in passing maybe of one just before it. */
-	#faces: ((side: Side) => Face) | undefined;
+	#faces: ((side: Side) => FaceTextures) | undefined;
 	#sheets: Sheet[] = [];
 
 	/** @param painters who paint the fine pictures, told where to bring them; where absent, a worker does */
 	constructor(
 		stage: RendererStage,
-		painters: (deliver: (faces: Faces, preview: boolean) => void) => PaintQueue = (to) => new PaintQueue(to),
+		painters: (deliver: (faces: BladeTextures, preview: boolean) => void) => PaintQueue = (to) => new PaintQueue(to),
 	) {
 		this.#stage = stage;
 		this.#parts = new PartRenderer(
@@ -78,7 +78,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 	}
 
 	prepare(camera: PerspectiveCamera): void {
-		this.#layNext();
+		this.#applyNextSheet();
 		this.#parts.prepare(camera);
 	}
 
@@ -94,7 +94,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 
 	async whenFinished(): Promise<void> {
 		await this.#painters.whenDone();
-		while (this.#sheets.length > 0) this.#layNext();
+		while (this.#sheets.length > 0) this.#applyNextSheet();
 	}
 
 	dispose(): void {
@@ -103,7 +103,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 	}
 
 	/** Small enough to be laid at once. */
-	#pass(faces: Faces): void {
+	#pass(faces: BladeTextures): void {
 		this.#faces = (side) => ({ ...faces[side], normal: FLAT_PICTURE });
 		for (const side of ["upper", "lower"] as const) {
 			this.#parts.lay(FACES[side], "colour", faces[side].colour);
@@ -112,7 +112,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 		this.#stage.changed?.();
 	}
 
-	#deliver(faces: Faces): void {
+	#deliver(faces: BladeTextures): void {
 		this.#faces = (side) => faces[side];
 		const sides = ["upper", "lower"] as const;
 		const sheets = (kind: Sheet["kind"]) => sides.map((side) => ({ side, kind, picture: faces[side][kind] }));
@@ -121,7 +121,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 	}
 
 	/** With every frame one, until all lie. */
-	#layNext(): void {
+	#applyNextSheet(): void {
 		const sheet = this.#sheets.shift();
 		if (!sheet) return;
 		this.#parts.lay(FACES[sheet.side], sheet.kind, sheet.picture);
@@ -130,9 +130,9 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 }
 
 /** Painted here and now: quickly, that is, with fewer pixels and flat. */
-function coarse(leaf: Leaf, specimen: LeafSpecimen): (side: Side) => Face {
+function coarse(leaf: Leaf, specimen: LeafSpecimen): (side: Side) => FaceTextures {
 	const pictures = new FacePictures(leaf, specimen.parameters.length, PREVIEW_SIDE, true);
-	const faces = new Map<Side, Face>();
+	const faces = new Map<Side, FaceTextures>();
 	return (side) => {
 		const face = faces.get(side) ?? pictures.face(specimen, side);
 		faces.set(side, face);

@@ -1,6 +1,6 @@
 /** Painting the faces of a leaf away from the page's thread: what is asked, what is answered, and the painting. */
 import { asCardsTakeIt } from "../../../plant/picture";
-import { type Face, FacePictures, type FlatLeaf, PREVIEW_SIDE, SIDE } from "../parts/face_pictures";
+import { FacePictures, type FaceTextures, type FlatLeaf, PREVIEW_SIDE, SIDE } from "../parts/face_pictures";
 import type { LeafSpecimen } from "../specimen";
 
 export interface PaintOrder {
@@ -12,13 +12,13 @@ export interface PaintOrder {
 	preview: boolean;
 }
 
-/** Faces with pictures as cards take them. */
-export interface Faces {
-	upper: Face;
-	lower: Face;
+/** BladeTextures with pictures as cards take them. */
+export interface BladeTextures {
+	upper: FaceTextures;
+	lower: FaceTextures;
 }
 
-export interface Painted extends Faces {
+export interface Painted extends BladeTextures {
 	id: number;
 }
 
@@ -26,12 +26,12 @@ export interface Painted extends Faces {
 export class Painter {
 	#pictures: FacePictures | undefined;
 
-	paint({ leaf, specimen, preview }: Omit<PaintOrder, "id">): Faces {
+	paint({ leaf, specimen, preview }: Omit<PaintOrder, "id">): BladeTextures {
 		const side = preview ? PREVIEW_SIDE : SIDE;
 		if (leaf) this.#pictures = new FacePictures(leaf, specimen.parameters.length, side, preview);
 		const pictures = this.#pictures;
 		if (!pictures) throw new Error("There is no leaf to paint.");
-		const face = (side: "upper" | "lower"): Face => {
+		const face = (side: "upper" | "lower"): FaceTextures => {
 			const { colour, normal, mean } = pictures.face(specimen, side);
 			return { colour: asCardsTakeIt(colour), normal: asCardsTakeIt(normal), mean };
 		};
@@ -40,7 +40,7 @@ export class Painter {
 }
 
 /** The buffers that move with an answer, rather than be copied. */
-export function moved({ upper, lower }: Faces): ArrayBuffer[] {
+export function moved({ upper, lower }: BladeTextures): ArrayBuffer[] {
 	return [upper, lower].flatMap(({ colour, normal }) =>
 		[colour, normal].map(({ pixels }) => pixels.buffer as ArrayBuffer),
 	);

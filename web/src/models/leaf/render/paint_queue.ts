@@ -1,7 +1,7 @@
 /** Has leaves painted by a worker, for a page that must not wait. */
 import { startWorker } from "../../../core/spawn";
 import type { FlatLeaf } from "../parts/face_pictures";
-import { type Faces, type Painted, Painter, type PaintOrder } from "./paint";
+import { type BladeTextures, type Painted, Painter, type PaintOrder } from "./paint";
 import address from "./paint_worker.ts?worker&url";
 
 /** What it needs of a worker. */
@@ -9,7 +9,7 @@ export type PaintWorker = Pick<Worker, "postMessage" | "terminate" | "onmessage"
 
 /** One order at a time is under way; what is ordered meanwhile waits, and of those that wait only the newest. */
 export class PaintQueue {
-	readonly #deliver: (faces: Faces, preview: boolean) => void;
+	readonly #deliver: (faces: BladeTextures, preview: boolean) => void;
 	readonly #start: () => PaintWorker;
 	#worker: PaintWorker | undefined;
 	/** Paints here, once workers cannot be had. */
@@ -23,7 +23,7 @@ export class PaintQueue {
 	readonly #waiting: (() => void)[] = [];
 
 	/** @param deliver is given what is still wanted when it comes, and whether it is of a leaf in passing */
-	constructor(deliver: (faces: Faces, preview: boolean) => void, start: () => PaintWorker = startPainter) {
+	constructor(deliver: (faces: BladeTextures, preview: boolean) => void, start: () => PaintWorker = startPainter) {
 		this.#deliver = deliver;
 		this.#start = start;
 	}

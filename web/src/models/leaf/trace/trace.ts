@@ -37,9 +37,9 @@ export function traceLeaf(picture: Picture): TracedLeaf {
 
 function pointsOf(margin: readonly Place[]): OutlinePoint[] {
 	for (let tolerance = FINEST; tolerance < 0.1; tolerance *= 1.25) {
-		const kept = simplified(margin, tolerance);
-		if (kept.length > MOST_TRACED) continue;
-		const points = kept.map((index): OutlinePoint => ({ ...placed(margin[index]), kind: kindOf(margin, index) }));
+		const corners = simplified(margin, tolerance);
+		if (corners.length > MOST_TRACED) continue;
+		const points = corners.map((index): OutlinePoint => ({ ...placed(margin[index]), kind: kindOf(margin, index) }));
 		points[0] = { x: 0, y: 0, kind: "corner" };
 		if (points.length >= FEWEST_POINTS && enclosesBlade(points)) return points;
 	}

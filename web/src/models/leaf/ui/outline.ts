@@ -12,7 +12,7 @@ import "../outline/outline_view";
 export const outline: LeafTool<boolean> = {
 	name: "outline",
 	initial: true,
-	recall: (kept) => kept !== false,
+	recall: (stored) => stored !== false,
 	editor: { title: "Outline", draw },
 	keys: [
 		{ keys: ["Page ↑", "Page ↓"], does: "On a point of the outline: the one before, the next" },

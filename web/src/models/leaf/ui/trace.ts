@@ -36,9 +36,9 @@ export function traceLeafFile(context: LeafContext, file: Blob): Promise<void> {
 	return traceFile(context, file, {
 		tracer: async () => (await import("../trace/trace")).traceLeaf,
 		take: (traced) => {
-			const { change, said } = asChange(traced, context.state.specimen);
+			const { change, messages } = asChange(traced, context.state.specimen);
 			context.set(change);
-			return { title: `An outline of ${traced.outline.length} points was traced`, details: said };
+			return { title: `An outline of ${traced.outline.length} points was traced`, details: messages };
 		},
 	});
 }
@@ -47,13 +47,13 @@ export function traceLeafFile(context: LeafContext, file: Blob): Promise<void> {
 export function asChange(
 	{ outline, petiole }: TracedLeaf,
 	{ parameters }: LeafSpecimen,
-): { change: Change; said: string[] } {
+): { change: Change; messages: string[] } {
 	const changed: Record<string, number> = { teeth: 0 };
-	const said = parameters.teeth > 0 ? ["It has the teeth of the picture: Teeth is 0 now."] : [];
+	const messages = parameters.teeth > 0 ? ["It has the teeth of the picture: Teeth is 0 now."] : [];
 	if (petiole) {
 		changed.petiole = Math.round(100 * petiole.length);
 		changed.petiole_width = Math.round(10 * petiole.width * parameters.length) / 10;
-		said.push("The stalk in the picture is the petiole.");
+		messages.push("The stalk in the picture is the petiole.");
 	}
-	return { change: { parameters: changed, details: { outline } }, said };
+	return { change: { parameters: changed, details: { outline } }, messages };
 }

@@ -3,40 +3,40 @@ import { html } from "lit";
 import { guard } from "lit/directives/guard.js";
 import type { EditorContext } from "../../../ui/editor_context";
 import type { Tool } from "../../../ui/tool";
+import { ACTIVE_GRIP } from "./active_grip";
 import type { BoundedSpecimen } from "./bounded";
-import { feetOf } from "./editor/feet";
+import { type BoundaryLayout, footprintIn, layoutInputs } from "./editor/boundary_layout";
 import type { GripEvent } from "./editor/grip";
-import { footprintIn, type Lay, layingOut } from "./editor/lay";
 import { planPose } from "./editor/plan_pose";
 import type { PlanScene } from "./editor/plan_view";
+import { targetsIn } from "./editor/target_grips";
 import { wallsOf } from "./editor/walls";
-import { MEANT } from "./meant";
 import type { WoodenPlant } from "./wooden_plant";
 import "./editor/plan_view";
 
-export function planTool<S extends BoundedSpecimen>(lay: Lay<S>): Tool<S, WoodenPlant> {
-	return { name: "plan", initial: undefined, editor: { title: "Plan", draw: (context) => draw(context, lay) } };
+export function planTool<S extends BoundedSpecimen>(layout: BoundaryLayout<S>): Tool<S, WoodenPlant> {
+	return { name: "plan", initial: undefined, editor: { title: "Plan", draw: (context) => draw(context, layout) } };
 }
 
-function draw<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>, lay: Lay<S>): unknown {
+function draw<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>, layout: BoundaryLayout<S>): unknown {
 	const { specimen, grown, held } = context.state;
-	const laidBy = layingOut(context);
+	const inputs = layoutInputs(context);
 	return html`<panicle-plan
-		.pose=${guard(laidBy, () => planPose(lay, specimen, context.preset))} .scene=${guard(laidBy, () => sceneOf(lay, specimen))}
+		.pose=${guard(inputs, () => planPose(layout, specimen, context.preset))} .scene=${guard(inputs, () => sceneOf(layout, specimen))}
 		.grown=${grown} .preview=${held}
 		@grip-input=${({ detail }: GripEvent) => context.edit(detail)} @grip-change=${() => context.settle()}
-		@grip-focus=${({ detail }: CustomEvent<string>) => context.setToolState(MEANT, detail)}
+		@grip-focus=${({ detail }: CustomEvent<string>) => context.setToolState(ACTIVE_GRIP, detail)}
 	></panicle-plan>`;
 }
 
-function sceneOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): PlanScene {
+function sceneOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): PlanScene {
 	return {
-		halfWidth: lay.box(specimen).halfWidth,
-		halfDepth: lay.halfDepth(specimen),
-		axes: lay.axes(specimen),
-		loops: footprintIn(lay, specimen),
+		halfWidth: layout.box(specimen).halfWidth,
+		halfDepth: layout.halfDepth(specimen),
+		axes: layout.axes(specimen),
+		loops: footprintIn(layout, specimen),
 		walls: wallsOf(specimen),
 		rounds: wallsOf(specimen, "rounds"),
-		targets: feetOf(lay, specimen),
+		targets: targetsIn(layout, specimen),
 	};
 }

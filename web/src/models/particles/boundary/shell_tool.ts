@@ -3,18 +3,18 @@ import { svg } from "lit";
 import { shownShells } from "../../../ui/shell_tool";
 import type { Tool } from "../../../ui/tool";
 import type { BoundedSpecimen } from "./bounded";
-import type { Lay } from "./editor/lay";
+import type { BoundaryLayout } from "./editor/boundary_layout";
 import { shellsOf } from "./editor/shell";
 import type { WoodenPlant } from "./wooden_plant";
 
 const ICON = svg`<path d="M10 3c4 0 6.5 2.8 6.5 6s-2.5 6-6.5 6-6.5-2.8-6.5-6 2.5-6 6.5-6zM3.5 9c0 1.300 2.900 2.300 6.5 2.300s6.5-1 6.5-2.300M10 15v2.5"/>`;
 
-export const shellTool = <S extends BoundedSpecimen>(lay: Lay<S>): Tool<S, WoodenPlant, boolean> =>
+export const shellTool = <S extends BoundedSpecimen>(layout: BoundaryLayout<S>): Tool<S, WoodenPlant, boolean> =>
 	shownShells<S, WoodenPlant>({
 		name: "shell",
 		icon: ICON,
 		label: "Boundary in 3-D",
 		missed: "The boundary could not be fetched",
 		figure: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
-		shells: (specimen) => shellsOf(lay, specimen),
+		shells: (specimen) => shellsOf(layout, specimen),
 	});

@@ -17,7 +17,7 @@ const SHADES = 12;
 const FAR = 0xa0;
 
 /** A place along a branch: millimetres to the right and down, and half as wide as the branch is there. */
-type Place = readonly [x: number, y: number, radius: number];
+type PaperPoint = readonly [x: number, y: number, radius: number];
 
 /**
  * @param words what it is, for its title
@@ -71,15 +71,15 @@ function placesOf(
 	branch: readonly number[],
 	{ segments: { ends, radii, parent } }: TrailPlant,
 	toPaper: number,
-): Place[] {
-	const place = (at: number, radius: number): Place => [
+): PaperPoint[] {
+	const place = (at: number, radius: number): PaperPoint => [
 		ends[at] * toPaper,
 		-ends[at + 1] * toPaper,
 		Math.max(FINEST, radius * toPaper),
 	];
 	const [first] = branch;
-	const bearer = parent[first];
-	const within = bearer < 0 ? 0 : radii[2 * bearer + 1] - radii[2 * first];
+	const parentSegment = parent[first];
+	const within = parentSegment < 0 ? 0 : radii[2 * parentSegment + 1] - radii[2 * first];
 	const out = (segment: number) =>
 		Math.hypot(...[0, 1, 2].map((axis) => ends[6 * segment + 3 + axis] - ends[6 * first + axis])) > within;
 	const seen = branch.slice(Math.max(0, branch.findIndex(out)));
@@ -94,7 +94,7 @@ function placesOf(
 }
 
 /** A share of the way from one place to another. */
-function towards(from: Place, to: Place, share: number): Place {
+function towards(from: PaperPoint, to: PaperPoint, share: number): PaperPoint {
 	const at = (k: 0 | 1 | 2) => from[k] + Math.min(1, share) * (to[k] - from[k]);
 	return [at(0), at(1), at(2)];
 }
@@ -104,7 +104,7 @@ function lengthOf(segment: number, ends: Float32Array): number {
 }
 
 /** Along one side to the tip, and back along the other. */
-function shapeOf(places: readonly Place[]): string {
+function shapeOf(places: readonly PaperPoint[]): string {
 	const sides = places.map(([x, y, radius], k) => {
 		const [from, to] = [places[Math.max(0, k - 1)], places[Math.min(places.length - 1, k + 1)]];
 		const [along, down] = [to[0] - from[0], to[1] - from[1]];

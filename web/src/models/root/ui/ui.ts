@@ -8,15 +8,15 @@ import { readout } from "../../particles/boundary/readout";
 import { shellTool } from "../../particles/boundary/shell_tool";
 import type { WoodenPlant } from "../../particles/boundary/wooden_plant";
 import { watchingEither } from "../../particles/watch";
-import { rootLay } from "../lay";
+import { rootLayout } from "../layout";
 import type { RootSpecimen } from "../specimen";
 import { ROOT_TABLE } from "../table";
 
 export const face: ModelUi<RootSpecimen, WoodenPlant> = {
 	tools: [
-		boundaryTool(rootLay, "volume"),
-		planTool(rootLay),
-		shellTool(rootLay),
+		boundaryTool(rootLayout, "volume"),
+		planTool(rootLayout),
+		shellTool(rootLayout),
 		meshTool("volume", "reach"),
 		...watchingEither<RootSpecimen, WoodenPlant>(ROOT_TABLE),
 	],

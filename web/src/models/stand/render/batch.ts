@@ -10,7 +10,7 @@ import {
 } from "three";
 import type { Colour } from "../../../plant/colour";
 import type { PackedMesh } from "../../../plant/packed_mesh";
-import { BRIM, edgeNormalsOf } from "./edge_normals";
+import { EDGE_NORMAL_SIZE, edgeNormalsOf } from "./edge_normals";
 import { STEPS } from "./level_choice";
 
 /** A plant's meshes of one material: as many as it has levels. */
@@ -52,7 +52,8 @@ export class Batch {
 		this.object.customDepthMaterial = depth;
 		for (const mesh of meshes) this.#geometries.set(mesh, this.object.addGeometry(geometryOf(mesh)));
 		const { attributes, index } = this.object.geometry;
-		for (const each of [...Object.values(attributes), index]) if (each instanceof BufferAttribute) shed(each);
+		for (const each of [...Object.values(attributes), index])
+			if (each instanceof BufferAttribute) releaseAfterUpload(each);
 	}
 
 	/**
@@ -97,7 +98,7 @@ export class Batch {
  * Once the graphics card has it, the page does without: the plants have it, too, and where the card loses it the batch is made anew
  * (`Figure.restored`). Of no length, for its kind is still asked for.
  */
-function shed(attribute: BufferAttribute): void {
+function releaseAfterUpload(attribute: BufferAttribute): void {
 	attribute.onUpload(() => {
 		attribute.array = attribute.array.slice(0, 0);
 	});
@@ -109,7 +110,7 @@ function geometryOf(mesh: PackedMesh): BufferGeometry {
 	geometry.setAttribute("position", new BufferAttribute(positions, 3, true));
 	geometry.setAttribute("normal", new BufferAttribute(normals, 3, true));
 	geometry.setAttribute("sky", new BufferAttribute(sky, 1, true));
-	geometry.setAttribute("edgeNormal", new BufferAttribute(edgeNormalsOf(mesh), BRIM, true));
+	geometry.setAttribute("edgeNormal", new BufferAttribute(edgeNormalsOf(mesh), EDGE_NORMAL_SIZE, true));
 	if (colours) geometry.setAttribute("color", new BufferAttribute(colours, 3, true));
 	geometry.setIndex(new BufferAttribute(indices, 1));
 	return geometry;

@@ -13,8 +13,8 @@ import { plantsOf } from "../parts";
 import type { StandPlant } from "../stand_plant";
 import { Batch } from "./batch";
 import { crowdDepth, crowdMaterial, finishOf } from "./crowd_material";
+import { Cells, type DrawnPlant, type FineMesh } from "./drawn_plant";
 import { STEPS } from "./level_choice";
-import { Cells, type Fine, type Standing } from "./standing";
 
 /** Of more different plants than these few are shown by their finest level at once: of all it would take as much as all other levels. */
 const MOST_FINE = 250;
@@ -33,14 +33,14 @@ export class Crowd {
 	readonly #materials = new Map<string, MeshStandardMaterial>();
 	#batches: Batch[] = [];
 	#cells = new Cells({ width: 1, depth: 1 });
-	#standing: Standing[] = [];
+	#standing: DrawnPlant[] = [];
 	#places: StandPlant["places"] | undefined;
 	#known = new Set<Member>();
 	#marked: number | undefined;
 	/** Whether the finest level is of few at once: those, and who may be. */
 	#sparing = false;
-	#near: Standing[] = [];
-	readonly #nearing: Standing[] = [];
+	#near: DrawnPlant[] = [];
+	readonly #nearing: DrawnPlant[] = [];
 	#triangles = 0;
 	/** From where it was seen last; a frame of a camera that stands still costs nothing. */
 	readonly #view = new Matrix4();
@@ -92,12 +92,12 @@ export class Crowd {
 	#refine(eye: Vector3): void {
 		const nearing = this.#nearing;
 		nearing.length = 0;
-		for (const each of this.#standing) if (each.asked < STEPS && each.fine.length > 0) nearing.push(each);
+		for (const each of this.#standing) if (each.ideal < STEPS && each.fine.length > 0) nearing.push(each);
 		nearing.sort((one, other) => one.at.distanceToSquared(eye) - other.at.distanceToSquared(eye));
 		if (nearing.length > NEAREST) nearing.length = NEAREST;
 		for (const each of this.#near) if (!nearing.includes(each)) this.#coarsen(each);
 		for (const each of nearing) {
-			each.wanted = each.asked;
+			each.wanted = each.ideal;
 			this.#triangles += each.triangles[0];
 			if (each.near.length > 0) continue;
 			each.near = each.fine.map(({ mesh, material, place, colour }) => {
@@ -110,7 +110,7 @@ export class Crowd {
 		this.#near = [...nearing];
 	}
 
-	#coarsen(each: Standing): void {
+	#coarsen(each: DrawnPlant): void {
 		for (const { batch } of each.near) batch.dispose();
 		each.near = [];
 	}
@@ -181,11 +181,11 @@ export class Crowd {
 		}
 		for (const { member, plants: there, layers } of rows) {
 			this.#known.add(member);
-			for (const plant of there) this.#stand(stand, plant, member, layers, batches);
+			for (const plant of there) this.#addPlant(stand, plant, member, layers, batches);
 		}
 	}
 
-	#stand(
+	#addPlant(
 		{ places, kinds }: StandPlant,
 		plant: number,
 		{ extent }: Member,
@@ -200,7 +200,7 @@ export class Crowd {
 		const cell = this.#cells.at(x, z);
 		cell.box.union(new Box3(new Vector3(x - out, low, z - out), new Vector3(x + out, high, z + out)));
 		const stem = stemOf(places, kinds, plant);
-		const fine: Fine[] = [];
+		const fine: FineMesh[] = [];
 		const slots = layers.map((layer) => {
 			const { finish, levels, spared } = layer;
 			const { colour } = layer.material;
@@ -218,8 +218,8 @@ export class Crowd {
 		);
 		const size = Math.max(high - low, 2 * out);
 		const at = new Vector3(x, 0.5 * (low + high), z);
-		const steps = { shown: -1, wanted: -1, asked: -1 };
-		const standing: Standing = { plant, at, size, slots, fine, near: [], triangles, ...steps };
+		const steps = { shown: -1, wanted: -1, ideal: -1 };
+		const standing: DrawnPlant = { plant, at, size, slots, fine, near: [], triangles, ...steps };
 		cell.plants.push(standing);
 		this.#standing.push(standing);
 	}
@@ -230,7 +230,7 @@ export class Crowd {
 		return known;
 	}
 
-	#set(each: Standing): void {
+	#set(each: DrawnPlant): void {
 		const bright = each.plant === this.#marked ? MARKED : 1;
 		for (const slot of each.slots) slot.batch.show(slot, each.wanted, bright);
 		for (const slot of each.near) slot.batch.show(slot, each.wanted, bright);
@@ -242,8 +242,8 @@ export class Crowd {
  * What wind has to know of a plant (crowd_material.ts): from where it stands to the foot that it sways about, and how large what sways
  * is. What is borne sways with its bearer; crowns are those of the plan, which are known before anything has grown.
  */
-export function stemOf({ at, bearer, scale, kind }: StandPlant["places"], kinds: StandPlant["kinds"], plant: number) {
-	const of = bearer[plant] < 0 ? plant : bearer[plant];
+export function stemOf({ at, parent, scale, kind }: StandPlant["places"], kinds: StandPlant["kinds"], plant: number) {
+	const of = parent[plant] < 0 ? plant : parent[plant];
 	const { width, height } = kinds[kind[of]].crown;
 	const from = (axis: number) => at[3 * of + axis] - at[3 * plant + axis];
 	return [from(0), from(1), from(2), scale[of] * Math.max(height, 0.5 * width)] as const;

@@ -2,7 +2,7 @@
 import { type PackedMesh, PLACE_STEPS } from "../../../plant/packed_mesh";
 
 /** Numbers of a vertex: a way of length 1 in whole numbers up to these, and the root of the width as a share of the mesh's unit. */
-export const BRIM = 4;
+export const EDGE_NORMAL_SIZE = 4;
 const STEPS = 127;
 
 type Mesh = Pick<PackedMesh, "positions" | "indices">;
@@ -40,11 +40,11 @@ function found({ positions, indices }: Mesh): Int8Array<ArrayBuffer> {
 			if (width[0] > widths[at / 3]) widths[at / 3] = width[0];
 		}
 	}
-	const edgeNormals = new Int8Array(BRIM * vertices);
+	const edgeNormals = new Int8Array(EDGE_NORMAL_SIZE * vertices);
 	for (let v = 0; v < vertices; v++) {
 		const length = Math.hypot(ways[3 * v], ways[3 * v + 1], ways[3 * v + 2]) || 1;
-		for (let k = 0; k < 3; k++) edgeNormals[BRIM * v + k] = Math.round((STEPS * ways[3 * v + k]) / length);
-		edgeNormals[BRIM * v + 3] = Math.min(STEPS, Math.ceil(STEPS * Math.sqrt(widths[v] / PLACE_STEPS)));
+		for (let k = 0; k < 3; k++) edgeNormals[EDGE_NORMAL_SIZE * v + k] = Math.round((STEPS * ways[3 * v + k]) / length);
+		edgeNormals[EDGE_NORMAL_SIZE * v + 3] = Math.min(STEPS, Math.ceil(STEPS * Math.sqrt(widths[v] / PLACE_STEPS)));
 	}
 	return edgeNormals;
 }

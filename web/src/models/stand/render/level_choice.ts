@@ -17,8 +17,8 @@ export function stepAt(size: number, levels: number): number {
 	for (let level = 0; level + 1 < levels; level++) {
 		const from = FROM[Math.min(level, FROM.length - 1)];
 		if (size < from) continue;
-		const kept = Math.ceil((STEPS * (size - from)) / (BAND * from));
-		return STEPS * level + STEPS - Math.min(STEPS, kept);
+		const remaining = Math.ceil((STEPS * (size - from)) / (BAND * from));
+		return STEPS * level + STEPS - Math.min(STEPS, remaining);
 	}
 	return STEPS * (levels - 1);
 }

@@ -43,7 +43,7 @@ export class MarkRing {
 	/** From where it was laid last; a frame of an eye that stands still costs nothing. */
 	readonly #eye = new Vector3();
 	#fov = 0;
-	#laid = false;
+	#isBuilt = false;
 
 	constructor() {
 		const colours = BANDS.flatMap(({ colour }) => {
@@ -72,7 +72,7 @@ export class MarkRing {
 	show(stand: StandPlant | undefined, plant: number | undefined): void {
 		this.object.visible = stand !== undefined && plant !== undefined && plant < stand.places.count;
 		if (!stand || plant === undefined || !this.object.visible) return;
-		if (stand !== this.#stand || plant !== this.#plant) this.#laid = false;
+		if (stand !== this.#stand || plant !== this.#plant) this.#isBuilt = false;
 		this.#stand = stand;
 		this.#plant = plant;
 		this.#at.fromArray(stand.places.at, 3 * plant);
@@ -81,19 +81,19 @@ export class MarkRing {
 	/** As wide in the view from however far it is seen. */
 	aim(camera: PerspectiveCamera): void {
 		if (!this.object.visible || !this.#stand) return;
-		if (this.#laid && camera.fov === this.#fov && camera.position.equals(this.#eye)) return;
-		this.#laid = true;
+		if (this.#isBuilt && camera.fov === this.#fov && camera.position.equals(this.#eye)) return;
+		this.#isBuilt = true;
 		this.#fov = camera.fov;
-		this.#lay(this.#stand, this.#eye.copy(camera.position));
+		this.#build(this.#stand, this.#eye.copy(camera.position));
 	}
 
-	#lay(stand: StandPlant, eye: Vector3): void {
+	#build(stand: StandPlant, eye: Vector3): void {
 		const { places, kinds } = stand;
 		const seen = 2 * this.#at.distanceTo(eye) * Math.tan((this.#fov * Math.PI) / 360);
 		const crown = 0.5 * kinds[places.kind[this.#plant]].crown.width * places.scale[this.#plant];
 		const radius = Math.max(ABOUT * crown, LEAST * seen);
 		// What hangs has no ground about it.
-		const stands = places.bearer[this.#plant] < 0;
+		const stands = places.parent[this.#plant] < 0;
 		const position = this.#geometry.getAttribute("position");
 		let v = 0;
 		for (const { from, to } of BANDS)

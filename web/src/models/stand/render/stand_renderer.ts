@@ -13,7 +13,7 @@ import type { StandPlant } from "../stand_plant";
 import { Crowd } from "./crowd";
 import { GroundRenderer } from "./ground_renderer";
 import { MarkRing } from "./mark_ring";
-import { plantMet } from "./plant_met";
+import { firstPlantHit } from "./plant_hit";
 import { type Ball, shadedBall, walks } from "./shaded";
 
 export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
@@ -88,7 +88,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	}
 
 	pick(ray: Ray): number | undefined {
-		return this.#stand && plantMet(this.#stand, ray);
+		return this.#stand && firstPlantHit(this.#stand, ray);
 	}
 
 	mark(picked: number | undefined): void {
@@ -140,7 +140,7 @@ function bodiesOf({ ground, places, kinds }: StandPlant): Bodies {
 	for (let i = 0; i < places.count; i++) {
 		const { width, height } = kinds[places.kind[i]].crown;
 		const radius = 0.25 * places.scale[i] * Math.min(width, height);
-		const high = places.bearer[i] < 0 ? places.scale[i] * height : 0;
+		const high = places.parent[i] < 0 ? places.scale[i] * height : 0;
 		spheres.set([places.at[3 * i], places.at[3 * i + 1] + high - radius, places.at[3 * i + 2], radius], 4 * i);
 	}
 	return { spheres, points };

@@ -95,7 +95,7 @@ function drawMap(context: StandContext, stand: StandPlant): unknown {
 			<input type="number" min="1" max=${stand.places.count} .value=${live(chosen === undefined ? "" : String(chosen + 1))}
 				@change=${({ target }: Event) => choose(context, stand, Number((target as HTMLInputElement).value))}>
 		</label>
-		<div aria-live="polite">${chosen === undefined ? html`<p>Choose a plant on the map or in the picture.</p>` : tell(stand, titles, chosen)}</div>
+		<div aria-live="polite">${chosen === undefined ? html`<p>Choose a plant on the map or in the picture.</p>` : describePlant(stand, titles, chosen)}</div>
 		<ul class="stand-kinds">
 			${sortsOf(stand).map(
 				({
@@ -123,7 +123,7 @@ function drawPlants({ kinds, places, ground }: StandPlant, colours: readonly str
 		for (let plant = 0; plant < places.count; plant++) {
 			if (places.kind[plant] !== kind) continue;
 			// What is borne has no crown of its own.
-			const borne = places.bearer[plant] >= 0;
+			const borne = places.parent[plant] >= 0;
 			const r = borne ? 0.004 * ground.width : Math.max(0.35 * crown.width * places.scale[plant], 0.01);
 			const [x, z] = [places.at[3 * plant], places.at[3 * plant + 2]].map((value) => value.toFixed(2));
 			rounds.push(`M${x} ${z}m${-r} 0a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`);
@@ -161,17 +161,17 @@ function choose(context: StandContext, { places }: StandPlant, number: number): 
 }
 
 /** What a plant is, and the link that grows it alone. */
-function tell(stand: StandPlant, titles: readonly string[], plant: number): unknown {
+function describePlant(stand: StandPlant, titles: readonly string[], plant: number): unknown {
 	const { places } = stand;
 	const [x, , z] = places.at.subarray(3 * plant, 3 * plant + 3);
 	const values = Object.entries(valuesOf(stand, plant)).map(
 		([key, value]) => `${key} ${typeof value === "number" ? shortFloat(Number(value.toPrecision(3))) : value}`,
 	);
-	const told = `Seed ${places.seed[plant]}, at ${x.toFixed(1)}, ${z.toFixed(1)} m, scale ${places.scale[plant].toFixed(2)}`;
+	const summary = `Seed ${places.seed[plant]}, at ${x.toFixed(1)}, ${z.toFixed(1)} m, scale ${places.scale[plant].toFixed(2)}`;
 	const link = linkOf(stand, plant);
 	return html`<p>Plant ${plant + 1}: ${titles[places.kind[plant]]}</p>
 		${link === undefined ? nothing : html`<p><a class="button" href=${link}>Open this plant alone</a></p>`}
-		<p><small>${[told, ...values].join(", ")}.</small></p>`;
+		<p><small>${[summary, ...values].join(", ")}.</small></p>`;
 }
 
 const linkOf = ({ members, memberOf }: StandPlant, plant: number): string | undefined => members[memberOf[plant]]?.link;

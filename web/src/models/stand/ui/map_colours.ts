@@ -4,14 +4,14 @@ import { COLOUR_STEPS } from "../../../plant/packed_mesh";
 import type { Member, MemberMesh } from "../../model";
 import { firstAlike } from "../members";
 import type { StandPlant } from "../stand_plant";
-import { keptApart } from "./apart";
+import { separateColours } from "./separate_colours";
 
 /** Lightness that ground has at the most and plants at the least: three times the light apart, so that none is lost on it. */
 const DARKEST = 0.35;
 const LIGHT = 0.63;
 const LIGHTEST = 0.97;
 /** So many plants of a sort say what it looks like: one may be in bud. */
-const ASKED = 8;
+const SAMPLES = 8;
 /** What is without colour counts so much beside chroma. */
 const DULL = 0.01;
 const FLOWERS = /petal|flower|blossom|floret|berr/i;
@@ -27,13 +27,13 @@ export function kindColours(stand: StandPlant): readonly string[] {
 	const first = firstAlike(stand);
 	const kinds = [...new Set(first)];
 	const seen = kinds.map((kind) => toLch(meanOf(membersOf(stand, first, kind))));
-	const colours = keptApart(seen, [LIGHT, LIGHTEST]).map((lch) => written(fromLch(lch)));
+	const colours = separateColours(seen, [LIGHT, LIGHTEST]).map((lch) => written(fromLch(lch)));
 	return first.map((kind) => colours[kinds.indexOf(kind)]);
 }
 
 function membersOf({ places, memberOf, members }: StandPlant, first: readonly number[], kind: number): Member[] {
 	const found = new Set<Member>();
-	for (let plant = 0; plant < places.count && found.size < ASKED; plant++) {
+	for (let plant = 0; plant < places.count && found.size < SAMPLES; plant++) {
 		const member = members[memberOf[plant]];
 		if (member && first[places.kind[plant]] === kind) found.add(member);
 	}
@@ -46,10 +46,10 @@ function meanOf(members: readonly Member[]): Colour {
 	const byName = new Map<string, MemberMesh[]>();
 	for (const each of all) byName.set(each.material.name, [...(byName.get(each.material.name) ?? []), each]);
 	const most = [...byName.values()].sort((one, other) => cornersOf(other) - cornersOf(one))[0];
-	const told = flowers.length > 0 ? flowers : (most ?? []);
+	const meshes = flowers.length > 0 ? flowers : (most ?? []);
 	let colour = UNGROWN;
 	let weights = 0;
-	for (const each of told) {
+	for (const each of meshes) {
 		const own = meshColour(each);
 		// A bud is as green as it is yet dull.
 		const weight = cornersOf([each]) * (DULL + toLch(own).chroma) ** 2;

@@ -139,7 +139,7 @@ class WalkInteraction implements ToolInteraction<StandSpecimen, StandPlant> {
 	}
 
 	#key(event: KeyboardEvent): void {
-		if (!this.#shown || event.ctrlKey || event.metaKey || event.altKey || !this.#hears(event)) return;
+		if (!this.#shown || event.ctrlKey || event.metaKey || event.altKey || !this.#handlesKeys(event)) return;
 		const step = KEYS[event.code];
 		if (event.key === "Escape") this.#context.setToolState(walk, undefined);
 		else if (step) go(this.#context, step);
@@ -149,7 +149,7 @@ class WalkInteraction implements ToolInteraction<StandSpecimen, StandPlant> {
 	}
 
 	/** On the picture, on the steps, and where nothing has the focus; a slider's arrows are its own. */
-	#hears({ target }: KeyboardEvent): boolean {
+	#handlesKeys({ target }: KeyboardEvent): boolean {
 		if (document.querySelector("dialog[open]")) return false;
 		return (
 			target === this.#view.canvas || target === document.body || (target as Element).closest(".walk-bar") !== null

@@ -1,8 +1,8 @@
 import { html } from "lit";
 import { guard } from "lit/directives/guard.js";
 import type { Tool } from "../../../ui/tool";
+import { layoutInputs } from "../../particles/boundary/editor/boundary_layout";
 import type { GripEvent } from "../../particles/boundary/editor/grip";
-import { layingOut } from "../../particles/boundary/editor/lay";
 import { sunPose } from "../../particles/boundary/editor/sun_pose";
 import type { WoodenPlant } from "../../particles/boundary/wooden_plant";
 import type { TreeSpecimen } from "../specimen";
@@ -15,7 +15,7 @@ export const sun: Tool<TreeSpecimen, WoodenPlant> = {
 	editor: {
 		title: "Sun",
 		draw: (context) => html`<panicle-sun
-			.pose=${guard(layingOut(context), () => sunPose(context.state.specimen, context.preset))}
+			.pose=${guard(layoutInputs(context), () => sunPose(context.state.specimen, context.preset))}
 			.grown=${context.state.grown} .preview=${context.state.held}
 			@grip-input=${({ detail }: GripEvent) => context.edit(detail)} @grip-change=${() => context.settle()}
 		></panicle-sun>`,

@@ -7,7 +7,7 @@ import { planTool } from "../../particles/boundary/plan_tool";
 import { readout } from "../../particles/boundary/readout";
 import { shellTool } from "../../particles/boundary/shell_tool";
 import { watchingEither } from "../../particles/watch";
-import { treeLay } from "../lay";
+import { treeLayout } from "../layout";
 import { lightTool } from "../light/light_tool";
 import type { TreeSpecimen } from "../specimen";
 import { TREE_TABLE } from "../table";
@@ -16,9 +16,9 @@ import { sun } from "./sun";
 
 export const face: ModelUi<TreeSpecimen, TreePlant> = {
 	tools: [
-		boundaryTool(treeLay, "crown"),
-		planTool(treeLay),
-		shellTool(treeLay),
+		boundaryTool(treeLayout, "crown"),
+		planTool(treeLayout),
+		shellTool(treeLayout),
 		sun,
 		lightTool,
 		meshTool("crown", "height"),

@@ -3,48 +3,48 @@
 import { lengthInWords } from "../../../../plant/in_words";
 import type { Point } from "../../../../ui/handles/point";
 import type { BoundedSpecimen } from "../bounded";
+import { editableState, type GripWithoutKeys, withArrowKeys } from "./arrow_keys";
+import { axisOf, type BoundaryLayout, LEAST, outlineIn, sizeOf } from "./boundary_layout";
 import { FROM_FRONT } from "./facing";
-import { footGrips } from "./feet";
 import type { Pose } from "./grip";
 import { knotGrips } from "./knot_grips";
-import { axisOf, type Lay, LEAST, outlineIn, sizeOf } from "./lay";
 import { radiusAt } from "./outline";
 import { sizeGrips } from "./size_grips";
-import { standing, stepped, type Unstepped } from "./stepped";
+import { targetGrips } from "./target_grips";
 import { wallGrips } from "./walls";
 
 /** Nearer to the ground than this share of its size, a dragged target stands on it. */
 const GROUND = 0.05;
 
-export function boundaryPose<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S): Pose {
-	const shape = lay.form(specimen) === "spline" ? knotGrips : sizeGrips;
+export function boundaryPose<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, preset: S): Pose {
+	const shape = layout.form(specimen) === "spline" ? knotGrips : sizeGrips;
 	const own = [
-		...shape(lay, specimen, preset),
-		innerGrip(lay, specimen, preset),
-		...distanceGrip(lay, specimen, preset),
+		...shape(layout, specimen, preset),
+		innerGrip(layout, specimen, preset),
+		...distanceGrip(layout, specimen, preset),
 		...wallGrips(specimen, FROM_FRONT),
 	];
-	const feet = stepped(lay, specimen, footGrips(lay, specimen, preset, FROM_FRONT));
+	const feet = withArrowKeys(layout, specimen, targetGrips(layout, specimen, preset, FROM_FRONT));
 	// A hand that drags a target along the ground does not lift it off by a little; arrow keys do.
-	const near = GROUND * sizeOf(lay.box(specimen));
+	const near = GROUND * sizeOf(layout.box(specimen));
 	const grounded = ({ x, y }: Point): Point => ({ x, y: Math.abs(y) < near ? 0 : y });
 	return {
 		grips: [
-			...stepped(lay, specimen, own),
+			...withArrowKeys(layout, specimen, own),
 			...feet.map((foot) => ({ ...foot, pull: (to: Point) => foot.pull(grounded(to)) })),
 		],
-		change: standing(specimen),
+		change: editableState(specimen),
 	};
 }
 
 /** At the left of the inner boundary, half way up the outer one. */
-function innerGrip<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S): Unstepped {
-	const box = lay.box(specimen);
-	const axis = axisOf(lay, specimen);
+function innerGrip<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, preset: S): GripWithoutKeys {
+	const box = layout.box(specimen);
+	const axis = axisOf(layout, specimen);
 	const { inner } = specimen.parameters;
-	const about = lay.bareAbout(box);
+	const about = layout.bareAbout(box);
 	/** How far out the boundary is half way up, metres. */
-	const waist = box.halfWidth * Math.max(LEAST, radiusAt(outlineIn(lay, specimen), 0.5));
+	const waist = box.halfWidth * Math.max(LEAST, radiusAt(outlineIn(layout, specimen), 0.5));
 	return {
 		id: "inner",
 		at: { x: axis - inner * waist, y: about + inner * ((box.low + box.high) / 2 - about) },
@@ -58,17 +58,17 @@ function innerGrip<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: 
 	};
 }
 
-function distanceGrip<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S): Unstepped[] {
-	const x = axisOf(lay, specimen);
-	if (!lay.move?.(specimen, x)) return [];
-	const { low, high } = lay.box(specimen);
+function distanceGrip<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, preset: S): GripWithoutKeys[] {
+	const x = axisOf(layout, specimen);
+	if (!layout.move?.(specimen, x)) return [];
+	const { low, high } = layout.box(specimen);
 	return [
 		{
 			id: "axis",
 			at: { x, y: low + 0.75 * (high - low) },
 			label: "Distance",
 			value: `${lengthInWords(specimen.parameters.distance)} apart`,
-			pull: (to) => ({ parameters: lay.move?.(specimen, to.x) ?? {} }),
+			pull: (to) => ({ parameters: layout.move?.(specimen, to.x) ?? {} }),
 			reset: () => ({ parameters: { distance: preset.parameters.distance } }),
 		},
 	];

@@ -2,11 +2,11 @@
 import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../ui/handles/point";
 import type { TrailPlant } from "../../trails";
+import type { Box } from "./boundary_layout";
 import { BranchDrawing } from "./branches";
-import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./drawn";
+import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./flat_drawing";
 import { type Extent, type Frame, frameAbout, toScreen } from "./frame";
 import { GripView } from "./grip_view";
-import type { Box } from "./lay";
 
 /** What is drawn of a specimen's boundary: loops in shares of the box, across −1 … 1, from below 0 … 1. */
 export interface BoundaryScene extends FlatScene {

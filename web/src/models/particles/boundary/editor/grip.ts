@@ -40,13 +40,13 @@ export const gripIn = (pose: Pose | undefined, id: string): Grip | undefined =>
 export function pressed(
 	grip: Grip,
 	{ key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">,
-): { change: Change; said?: string } | undefined {
+): { change: Change; message?: string } | undefined {
 	const arrow = ARROWS[key];
 	if (arrow) return { change: grip.nudge(arrow.x, arrow.y, shiftKey) };
 	const { label } = grip;
 	if (key === "Delete" || key === "Backspace")
-		return grip.remove && { change: grip.remove(), said: `${label} taken out` };
-	if (key === "Insert" || key === "+") return grip.add && { change: grip.add(), said: "Point added" };
+		return grip.remove && { change: grip.remove(), message: `${label} taken out` };
+	if (key === "Insert" || key === "+") return grip.add && { change: grip.add(), message: "Point added" };
 	return undefined;
 }
 

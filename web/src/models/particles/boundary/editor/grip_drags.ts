@@ -9,17 +9,17 @@ export interface GripHost extends Pick<DragHost<string, Change, undefined>, "inp
 
 export function gripDrags({ pose, input, change, schedule }: GripHost): DragSession<string, Change> {
 	/** What the grip in hand was last told to make of the specimen: always the same numbers of it. */
-	let told: Change = {};
+	let lastChange: Change = {};
 	return new DragSession<string, Change>({
 		get: () => pose()?.change ?? {},
 		place: (id) => gripIn(pose(), id)?.at ?? { x: 0, y: 0 },
 		pull: (state, id, to) => gripIn(pose(), id)?.pull(to) ?? state,
 		same: (one, other) => one === other,
-		restored: (_, before) => only(before, told),
+		restored: (_, before) => only(before, lastChange),
 		// What one grip makes of the pose, another's drag does not know of.
 		alone: true,
 		input: (next) => {
-			told = next;
+			lastChange = next;
 			input(next);
 		},
 		change,

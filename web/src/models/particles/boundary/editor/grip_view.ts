@@ -88,15 +88,15 @@ export abstract class GripView extends HandleView<string> {
 		this.#step(step.change);
 		const nearest = grips.slice(0, place + 1).reverse();
 		// The new pose comes with the page's next drawing.
-		requestAnimationFrame(() => void this.updateComplete.then(() => this.#stepped(nearest, step.said)));
+		requestAnimationFrame(() => void this.updateComplete.then(() => this.#withArrowKeys(nearest, step.message)));
 		return true;
 	}
 
 	/** The focus stays where it is, or goes to the nearest before what is there no more. */
-	#stepped(nearest: readonly Grip[], said?: string): void {
+	#withArrowKeys(nearest: readonly Grip[], message?: string): void {
 		const next = nearest.find(({ id }) => gripIn(this.pose, id));
 		if (next) this.element(next.id)?.focus({ preventScroll: true });
-		this.say(said ?? this.words(nearest[0].id));
+		this.say(message ?? this.words(nearest[0].id));
 	}
 
 	protected doubled(id: string | undefined): void {

@@ -5,15 +5,19 @@ import type { Change } from "../../../../ui/editor_context";
 import type { Point } from "../../../../ui/handles/point";
 import type { BoundedSpecimen, Knot } from "../bounded";
 import { FEWEST_KNOTS, knotAt, MOST_KNOTS } from "../details/profile";
-import { axisOf, type Lay, outlineIn } from "./lay";
+import type { GripWithoutKeys } from "./arrow_keys";
+import { axisOf, type BoundaryLayout, outlineIn } from "./boundary_layout";
 import { radiusAt } from "./outline";
 import { heightInWords, withEnd, withPresetsEnd } from "./size_grips";
-import type { Unstepped } from "./stepped";
 
-export function knotGrips<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S): Unstepped[] {
-	const { halfWidth, low, high } = lay.box(specimen);
-	const axis = axisOf(lay, specimen);
-	const knots = knotsOf(lay, specimen);
+export function knotGrips<S extends BoundedSpecimen>(
+	layout: BoundaryLayout<S>,
+	specimen: S,
+	preset: S,
+): GripWithoutKeys[] {
+	const { halfWidth, low, high } = layout.box(specimen);
+	const axis = axisOf(layout, specimen);
+	const knots = knotsOf(layout, specimen);
 	return knots.map(([radius, height], i) => {
 		const at = { x: axis + radius * halfWidth, y: low + height * (high - low) };
 		const inner = i > 0 && i < knots.length - 1;
@@ -22,16 +26,16 @@ export function knotGrips<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, p
 			at,
 			label: `Point ${i + 1}`,
 			value: `${lengthInWords(radius * halfWidth)} out, ${heightInWords(at.y)}`,
-			pull: (to) => pulled(lay, specimen, i, to),
-			reset: () => reset(lay, specimen, preset, i),
+			pull: (to) => pulled(layout, specimen, i, to),
+			reset: () => reset(layout, specimen, preset, i),
 			...(inner && knots.length > FEWEST_KNOTS ? { remove: () => profiled(knots.toSpliced(i, 1)) } : {}),
-			...(knots.length < MOST_KNOTS ? { add: () => added(lay, specimen, Math.min(i, knots.length - 2)) } : {}),
+			...(knots.length < MOST_KNOTS ? { add: () => added(layout, specimen, Math.min(i, knots.length - 2)) } : {}),
 		};
 	});
 }
 
-function knotsOf<S extends BoundedSpecimen>(lay: Lay<S>, { profile }: S): readonly Knot[] {
-	return profile ?? lay.profile;
+function knotsOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, { profile }: S): readonly Knot[] {
+	return profile ?? layout.profile;
 }
 
 const profiled = (profile: Knot[]): Change => ({ details: { profile } });
@@ -47,40 +51,45 @@ function between(knots: readonly Knot[], index: number, radius: number, height: 
 	return knots.toSpliced(index, 1, knotAt(radius, Math.min(Math.max(height, below), above)));
 }
 
-function pulled<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, index: number, to: Point): Change {
-	const box = lay.box(specimen);
-	const knots = knotsOf(lay, specimen);
-	const radius = Math.max(0, to.x - axisOf(lay, specimen)) / box.halfWidth;
+function pulled<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, index: number, to: Point): Change {
+	const box = layout.box(specimen);
+	const knots = knotsOf(layout, specimen);
+	const radius = Math.max(0, to.x - axisOf(layout, specimen)) / box.halfWidth;
 	const end = endOf(knots, index);
 	if (!end) return profiled(between(knots, index, radius, (to.y - box.low) / (box.high - box.low)));
 	// It keeps its share of the height: the box's end goes as far as brings the point to the place.
 	const [other, share] = end === "high" ? [box.low, knots[index][1]] : [box.high, 1 - knots[index][1]];
 	const y = share > 0 ? other + (to.y - other) / share : box[end];
-	return { ...profiled(between(knots, index, radius, knots[index][1])), ...withEnd(lay, specimen, end, y) };
+	return { ...profiled(between(knots, index, radius, knots[index][1])), ...withEnd(layout, specimen, end, y) };
 }
 
 /** None where the preset has no such point: it has another shape, or other points have come or gone. */
-function reset<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S, index: number): Change | undefined {
-	if (lay.form(preset) !== "spline") return undefined;
-	const [knots, before] = [knotsOf(lay, specimen), knotsOf(lay, preset)];
+function reset<S extends BoundedSpecimen>(
+	layout: BoundaryLayout<S>,
+	specimen: S,
+	preset: S,
+	index: number,
+): Change | undefined {
+	if (layout.form(preset) !== "spline") return undefined;
+	const [knots, before] = [knotsOf(layout, specimen), knotsOf(layout, preset)];
 	const end = endOf(knots, index);
 	if (!end) return knots.length === before.length ? profiled(between(knots, index, ...before[index])) : undefined;
 	const was = end === "low" ? before[0] : before[before.length - 1];
-	return { ...profiled(between(knots, index, ...was)), ...withPresetsEnd(lay, specimen, preset, end) };
+	return { ...profiled(between(knots, index, ...was)), ...withPresetsEnd(layout, specimen, preset, end) };
 }
 
 /** A point more after one of them, on the line. */
-function added<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, index: number): Change {
-	const knots = knotsOf(lay, specimen);
+function added<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, index: number): Change {
+	const knots = knotsOf(layout, specimen);
 	const height = (knots[index][1] + knots[index + 1][1]) / 2;
-	return profiled(knots.toSpliced(index + 1, 0, knotAt(radiusAt(outlineIn(lay, specimen), height), height)));
+	return profiled(knots.toSpliced(index + 1, 0, knotAt(radiusAt(outlineIn(layout, specimen), height), height)));
 }
 
 /** Heights of the points by which another form is taken over. */
 const TAKEN = [0.02, 0.15, 0.4, 0.65, 0.88, 1];
 
 /** The present boundary as a profile to be shaped by hand. */
-export function asProfile<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): Knot[] {
-	const outline = outlineIn(lay, specimen);
+export function asProfile<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): Knot[] {
+	const outline = outlineIn(layout, specimen);
 	return TAKEN.map((height, i) => knotAt(radiusAt(outline, height), i === 0 ? 0 : height));
 }

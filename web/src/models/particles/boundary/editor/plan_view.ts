@@ -5,7 +5,7 @@
 import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../ui/handles/point";
 import { AboveView } from "./above_view";
-import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./drawn";
+import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./flat_drawing";
 import { type Frame, frameAbout, toScreen } from "./frame";
 
 /** What is drawn of a specimen from above: loops in shares of the half width and the half depth, y to the back. */

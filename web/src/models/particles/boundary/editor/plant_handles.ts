@@ -1,20 +1,20 @@
 /** A boundary's grips on the plant itself: in the plane of the front view. */
 import type { HandlesOf, Vector } from "../../../../ui/handles/plant_handle";
 import type { BoundedSpecimen } from "../bounded";
+import { type BoundaryLayout, loopsIn } from "./boundary_layout";
 import { boundaryPose } from "./boundary_pose";
-import { type Lay, loopsIn } from "./lay";
 
 const ALONG: readonly Vector[] = [
 	[1, 0, 0],
 	[0, 1, 0],
 ];
 
-export function boundaryHandles<S extends BoundedSpecimen>(lay: Lay<S>): HandlesOf<S> {
+export function boundaryHandles<S extends BoundedSpecimen>(layout: BoundaryLayout<S>): HandlesOf<S> {
 	return (specimen, preset) => {
-		const { halfWidth, low, high } = lay.box(specimen);
-		const loops = loopsIn(lay, specimen).map((loop) => [...loop, loop[0]]);
+		const { halfWidth, low, high } = layout.box(specimen);
+		const loops = loopsIn(layout, specimen).map((loop) => [...loop, loop[0]]);
 		return {
-			handles: boundaryPose(lay, specimen, preset).grips.map(({ id, at, label, part, value, pull, nudge }) => ({
+			handles: boundaryPose(layout, specimen, preset).grips.map(({ id, at, label, part, value, pull, nudge }) => ({
 				id,
 				label: part ? `${label}, ${part}` : label,
 				value,
@@ -23,7 +23,7 @@ export function boundaryHandles<S extends BoundedSpecimen>(lay: Lay<S>): Handles
 				pull: ([x, y]) => pull({ x, y }),
 				nudge,
 			})),
-			lines: lay
+			lines: layout
 				.axes(specimen)
 				.flatMap((axis) =>
 					loops.map((loop) => loop.map(({ x, y }): Vector => [axis + x * halfWidth, low + y * (high - low), 0])),

@@ -1,44 +1,44 @@
 /** A boundary as a surface in metres, as the core makes it (wasm-core/src/models/particles/boundary.cpp): to be shown, not measured. */
 import type { ClosedMesh } from "../../../../specimen/closed_mesh";
 import type { BoundedSpecimen, Knot } from "../bounded";
-import { type Lay, outlineIn } from "./lay";
+import { type BoundaryLayout, outlineIn } from "./boundary_layout";
 import { inBox } from "./mesh_outline";
 
 /** Corners of what is round, seen from above. */
 const SIDES = 48;
 
 /** One surface an axis, and where the inner boundary is a mesh of one's own, that as well. */
-export function shellsOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): ClosedMesh[] {
+export function shellsOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): ClosedMesh[] {
 	const { inner } = specimen.parameters;
-	const shell = lay.form(specimen) === "mesh" && specimen.volume ? inBox(specimen.volume) : turned(lay, specimen);
+	const shell = layout.form(specimen) === "mesh" && specimen.volume ? inBox(specimen.volume) : turned(layout, specimen);
 	const hollow = specimen.hollow && inner > 0 ? inBox(specimen.hollow) : undefined;
-	return lay
+	return layout
 		.axes(specimen)
 		.flatMap((axis) => [
-			placed(lay, specimen, shell, axis, 1),
-			...(hollow ? [placed(lay, specimen, hollow, axis, inner)] : []),
+			placed(layout, specimen, shell, axis, 1),
+			...(hollow ? [placed(layout, specimen, hollow, axis, inner)] : []),
 		]);
 }
 
 /** A surface in shares of the boundary's box, about an axis, in metres; of the inner boundary `size` as large. */
 function placed<S extends BoundedSpecimen>(
-	lay: Lay<S>,
+	layout: BoundaryLayout<S>,
 	specimen: S,
 	{ points, triangles }: ClosedMesh,
 	axis: number,
 	size: number,
 ): ClosedMesh {
-	const box = lay.box(specimen);
-	const about = lay.bareAbout(box);
+	const box = layout.box(specimen);
+	const about = layout.bareAbout(box);
 	const from = [axis, about + size * (box.low - about), 0];
-	const scale = [box.halfWidth, box.high - box.low, lay.halfDepth(specimen)];
+	const scale = [box.halfWidth, box.high - box.low, layout.halfDepth(specimen)];
 	return { points: points.map((share, i) => from[i % 3] + size * share * scale[i % 3]), triangles };
 }
 
 /** The outline turned about its axis; a box has four sides, as wide as their corners are far. */
-function turned<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): ClosedMesh {
-	const outline = outlineIn(lay, specimen);
-	const square = lay.form(specimen) === "box";
+function turned<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): ClosedMesh {
+	const outline = outlineIn(layout, specimen);
+	const square = layout.form(specimen) === "box";
 	const sides = square ? 4 : SIDES;
 	const corner = (i: number): Knot => {
 		const angle = (2 * Math.PI * (i + 0.5)) / sides;

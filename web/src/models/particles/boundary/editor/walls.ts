@@ -5,8 +5,8 @@ import type { Change } from "../../../../ui/editor_context";
 import type { Point } from "../../../../ui/handles/point";
 import type { Bounded } from "../bounded";
 import { FARTHEST, fitted } from "../details/places";
+import type { GripWithoutKeys } from "./arrow_keys";
 import { type Facing, moved, placeInWords, seen } from "./facing";
-import type { Unstepped } from "./stepped";
 
 const WIDTH = 6;
 /** The least that a wall is thick or high, metres. */
@@ -27,10 +27,10 @@ export function countOfWalls(specimen: Bounded): number {
 	return KINDS.reduce((sum, kind) => sum + wallsOf(specimen, kind).length, 0);
 }
 
-export function wallGrips(specimen: Bounded, facing: Facing): Unstepped[] {
+export function wallGrips(specimen: Bounded, facing: Facing): GripWithoutKeys[] {
 	return KINDS.flatMap((kind) => {
 		const walls = wallsOf(specimen, kind);
-		return walls.flatMap((wall, i): Unstepped[] => {
+		return walls.flatMap((wall, i): GripWithoutKeys[] => {
 			const [low, high] = [wall.slice(0, 3), wall.slice(3)];
 			const middle = low.map((value, k) => (value + high[k]) / 2);
 			const [thick, tall] = [high[0] - low[0], high[facing.up] - low[facing.up]].map(lengthInWords);

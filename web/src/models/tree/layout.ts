@@ -1,6 +1,6 @@
 import { type NumberEntry, nearestWithin } from "../../specimen/table";
-import type { Lay } from "../particles/boundary/editor/lay";
-import { roundly, standing } from "../particles/boundary/editor/lay";
+import type { BoundaryLayout } from "../particles/boundary/editor/boundary_layout";
+import { evenlySpaced, roundly } from "../particles/boundary/editor/boundary_layout";
 import type { Form } from "../particles/boundary/editor/outline";
 import type { TreeSpecimen } from "./specimen";
 import { TREE_TABLE } from "./table";
@@ -17,7 +17,7 @@ const FORMS: Readonly<Record<string, Form>> = {
 const [TRUNK, HEIGHT] = ["trunk", "height"].map((key) => TREE_TABLE.entry(key) as NumberEntry);
 
 /** How a tree's crowns lie: side by side, above their trunks. */
-export const treeLay: Lay<TreeSpecimen> = {
+export const treeLayout: BoundaryLayout<TreeSpecimen> = {
 	form: (specimen) => FORMS[TREE_TABLE.option(specimen, "shape") ?? "ellipsoid"],
 	// As wasm-core/src/models/tree/model.cpp has it.
 	profile: [
@@ -31,7 +31,7 @@ export const treeLay: Lay<TreeSpecimen> = {
 		const { width, height, trunk } = specimen.parameters;
 		return { halfWidth: width / 2, low: trunk, high: trunk + (isBall(specimen) ? width : height) };
 	},
-	axes: ({ parameters: { crowns, distance } }) => standing(crowns, crowns * distance),
+	axes: ({ parameters: { crowns, distance } }) => evenlySpaced(crowns, crowns * distance),
 	fit: (specimen, { halfWidth, low, high }) => {
 		// No crown reaches below ground: what is left of the height is what counts, or the top would rise.
 		const foot = nearestWithin(TRUNK, Math.min(low, high - HEIGHT.min));
@@ -48,7 +48,9 @@ export const treeLay: Lay<TreeSpecimen> = {
 		return isBall(specimen) ? { width: depth, depth, height: depth } : { depth };
 	},
 	targets: ({ parameters: { crowns, distance, stems, width } }) =>
-		standing(crowns, crowns * distance).flatMap((axis) => standing(stems, width).flatMap((x) => [axis + x, 0, 0])),
+		evenlySpaced(crowns, crowns * distance).flatMap((axis) =>
+			evenlySpaced(stems, width).flatMap((x) => [axis + x, 0, 0]),
+		),
 	move: ({ parameters: { crowns } }, axis) =>
 		crowns > 1 ? { distance: (2 * Math.abs(axis)) / (crowns - 1) } : undefined,
 	target: "Trunk",

@@ -5,7 +5,7 @@ import type { StandPlant } from "../stand_plant";
 /** Twigs reach farther than what looks like a crown. */
 const LEANER = 0.8;
 
-export function plantMet(
+export function firstPlantHit(
 	{ places, memberOf, members }: Pick<StandPlant, "places" | "memberOf" | "members">,
 	{ origin, direction }: Ray,
 ): number | undefined {
@@ -24,7 +24,7 @@ export function plantMet(
 			(origin[2] - places.at[3 * plant + 2]) / out,
 		];
 		const way = [direction[0] / out, direction[1] / half, direction[2] / out];
-		const distance = unitBallMet(from, way);
+		const distance = unitSphereHit(from, way);
 		if (distance >= nearest) continue;
 		nearest = distance;
 		found = plant;
@@ -33,7 +33,7 @@ export function plantMet(
 }
 
 /** How many times `way` it is to the ball about the origin; infinite where it is missed or behind. */
-function unitBallMet(from: readonly number[], way: readonly number[]): number {
+function unitSphereHit(from: readonly number[], way: readonly number[]): number {
 	const dot = (a: readonly number[], b: readonly number[]) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 	const [a, b, c] = [dot(way, way), dot(from, way), dot(from, from) - 1];
 	const square = b * b - a * c;

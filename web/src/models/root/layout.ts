@@ -1,6 +1,6 @@
 import { type NumberEntry, nearestWithin } from "../../specimen/table";
-import type { Lay } from "../particles/boundary/editor/lay";
-import { roundly, standing } from "../particles/boundary/editor/lay";
+import type { BoundaryLayout } from "../particles/boundary/editor/boundary_layout";
+import { evenlySpaced, roundly } from "../particles/boundary/editor/boundary_layout";
 import type { Form } from "../particles/boundary/editor/outline";
 import type { RootSpecimen } from "./specimen";
 import { ROOT_TABLE } from "./table";
@@ -17,7 +17,7 @@ const FORMS: Readonly<Record<string, Form>> = {
 const TOP = ROOT_TABLE.entry("top") as NumberEntry;
 
 /** How a root's volume lies: below ground. */
-export const rootLay: Lay<RootSpecimen> = {
+export const rootLayout: BoundaryLayout<RootSpecimen> = {
 	form: (specimen) => FORMS[ROOT_TABLE.option(specimen, "shape") ?? "bowl"],
 	// As wasm-core/src/models/root/model.cpp has it.
 	profile: [
@@ -31,7 +31,7 @@ export const rootLay: Lay<RootSpecimen> = {
 	axes: () => [0],
 	halfDepth: ({ parameters }) => parameters.depth / 2,
 	deepen: (_, halfDepth) => ({ depth: 2 * halfDepth }),
-	targets: ({ parameters: { stems, width } }) => standing(stems, width).flatMap((x) => [x, 0, 0]),
+	targets: ({ parameters: { stems, width } }) => evenlySpaced(stems, width).flatMap((x) => [x, 0, 0]),
 	fit: (specimen, { halfWidth, low, high }) => {
 		const top = nearestWithin(TOP, -high);
 		return { ...roundly(specimen, halfWidth), top, reach: -top - low };

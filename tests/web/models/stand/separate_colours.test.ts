@@ -1,11 +1,11 @@
 import { expect, it } from "vitest";
-import { keptApart } from "../../../../web/src/models/stand/ui/apart";
+import { separateColours } from "../../../../web/src/models/stand/ui/separate_colours";
 import { fromLch, type Lch, linear, toLch } from "../../../../web/src/plant/colour";
 
 const RANGE = [0.63, 0.97] as const;
 /** Colours kept apart, as they are shown. */
 const shown = (...hex: string[]) =>
-	keptApart(
+	separateColours(
 		hex.map((each) => toLch(linear(each))),
 		RANGE,
 	).map((each) => toLch(fromLch(each)));

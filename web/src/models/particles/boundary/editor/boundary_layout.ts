@@ -23,7 +23,7 @@ export interface Box {
 	readonly high: number;
 }
 
-export interface Lay<S extends BoundedSpecimen = BoundedSpecimen> {
+export interface BoundaryLayout<S extends BoundedSpecimen = BoundedSpecimen> {
 	form(specimen: S): Form;
 	/** The profile of a spline that the specimen does not say. */
 	readonly profile: readonly Knot[];
@@ -49,7 +49,7 @@ export interface Lay<S extends BoundedSpecimen = BoundedSpecimen> {
 }
 
 /** All that lays out a boundary: how far particles have run to fill it does not, nor how old it is. */
-export function layingOut<S extends BoundedSpecimen>({
+export function layoutInputs<S extends BoundedSpecimen>({
 	state,
 	preset,
 }: Pick<EditorContext<S>, "state" | "preset">): unknown[] {
@@ -62,8 +62,8 @@ export function sizeOf({ halfWidth, low, high }: Box): number {
 }
 
 /** The axis that grips stand at: the last one, where there are several. */
-export function axisOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): number {
-	return lay.axes(specimen).at(-1) ?? 0;
+export function axisOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): number {
+	return layout.axes(specimen).at(-1) ?? 0;
 }
 
 /** Of width that reaches out to one side, and of depth that was the same: round stays round. */
@@ -73,28 +73,34 @@ export function roundly({ parameters }: BoundedSpecimen, halfWidth: number): Par
 }
 
 /** So many places evenly across a width, about the middle. */
-export function standing(count: number, width: number): number[] {
+export function evenlySpaced(count: number, width: number): number[] {
 	return Array.from({ length: count }, (_, i) => width * ((i + 0.5) / count - 0.5));
 }
 
 /** The outline of a specimen's boundary, in shares of its box. */
-export function outlineIn<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): readonly Knot[] {
-	return outlineOf(lay.form(specimen), specimen.profile ?? lay.profile, specimen.volume);
+export function outlineIn<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): readonly Knot[] {
+	return outlineOf(layout.form(specimen), specimen.profile ?? layout.profile, specimen.volume);
 }
 
 /** The boundary from in front as closed loops in shares of its box: across −1 … 1, from below 0 … 1. */
-export function loopsIn<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): readonly (readonly Point[])[] {
-	if (lay.form(specimen) === "mesh" && specimen.volume) return contourOf(specimen.volume, FROM_FRONT.up);
-	const right = outlineIn(lay, specimen).map(([x, y]) => ({ x, y }));
+export function loopsIn<S extends BoundedSpecimen>(
+	layout: BoundaryLayout<S>,
+	specimen: S,
+): readonly (readonly Point[])[] {
+	if (layout.form(specimen) === "mesh" && specimen.volume) return contourOf(specimen.volume, FROM_FRONT.up);
+	const right = outlineIn(layout, specimen).map(([x, y]) => ({ x, y }));
 	return [[...right, ...right.map(({ x, y }) => ({ x: -x, y })).reverse()]];
 }
 
 /** The boundary from above: across and to the back −1 … 1. */
-export function footprintIn<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): readonly (readonly Point[])[] {
-	const form = lay.form(specimen);
+export function footprintIn<S extends BoundedSpecimen>(
+	layout: BoundaryLayout<S>,
+	specimen: S,
+): readonly (readonly Point[])[] {
+	const form = layout.form(specimen);
 	if (form === "mesh" && specimen.volume) return contourOf(specimen.volume, FROM_ABOVE.up);
 	if (form === "box") return [[[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) => ({ x, y }))]; // biome-ignore format: a square
-	const widest = Math.max(...outlineIn(lay, specimen).map(([radius]) => radius));
+	const widest = Math.max(...outlineIn(layout, specimen).map(([radius]) => radius));
 	const turn = Array.from({ length: ROUND }, (_, i) => (2 * Math.PI * i) / ROUND);
 	return [turn.map((angle) => ({ x: widest * Math.cos(angle), y: widest * Math.sin(angle) }))];
 }

@@ -4,29 +4,34 @@ import { onStep } from "../../../../specimen/table";
 import type { Change } from "../../../../ui/editor_context";
 import type { BoundedSpecimen } from "../bounded";
 import { fitted, MOST_TARGETS } from "../details/places";
+import type { GripWithoutKeys } from "./arrow_keys";
+import type { BoundaryLayout } from "./boundary_layout";
 import { type Facing, moved, placeInWords, seen } from "./facing";
-import type { Lay } from "./lay";
-import type { Unstepped } from "./stepped";
 
 const WIDTH = 3;
 
 /** x, y and z of each. */
-export function feetOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): number[][] {
-	const targets = specimen.targets ?? lay.targets(specimen);
+export function targetsIn<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): number[][] {
+	const targets = specimen.targets ?? layout.targets(specimen);
 	return Array.from({ length: targets.length / WIDTH }, (_, i) => targets.slice(WIDTH * i, WIDTH * (i + 1)));
 }
 
 /** None where there are more than a list of them can hold; the last one cannot be taken out. */
-export function footGrips<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S, facing: Facing): Unstepped[] {
-	const feet = feetOf(lay, specimen);
+export function targetGrips<S extends BoundedSpecimen>(
+	layout: BoundaryLayout<S>,
+	specimen: S,
+	preset: S,
+	facing: Facing,
+): GripWithoutKeys[] {
+	const feet = targetsIn(layout, specimen);
 	if (feet.length > MOST_TARGETS) return [];
 	return feet.map((foot, i) => ({
 		id: `target${i}`,
 		at: seen(foot, facing),
-		label: `${lay.target} ${i + 1}`,
+		label: `${layout.target} ${i + 1}`,
 		value: placeInWords(foot, facing),
 		pull: (to) => placed(feet.toSpliced(i, 1, moved(foot, to, facing))),
-		reset: () => reset(lay, specimen, preset, i),
+		reset: () => reset(layout, specimen, preset, i),
 		...(feet.length > 1 ? { remove: () => placed(feet.toSpliced(i, 1)) } : {}),
 	}));
 }
@@ -34,8 +39,8 @@ export function footGrips<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, p
 const placed = (feet: readonly (readonly number[])[]): Change => ({ details: { targets: fitted("targets", feet) } });
 
 /** Back to where the preset, or else the table, has it; all of them so, and no list of them is kept. */
-function reset<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S, index: number): Change {
-	const [feet, before] = [feetOf(lay, specimen), feetOf(lay, { ...specimen, targets: preset.targets })];
+function reset<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, preset: S, index: number): Change {
+	const [feet, before] = [targetsIn(layout, specimen), targetsIn(layout, { ...specimen, targets: preset.targets })];
 	feet[index] = before[index] ?? feet[index];
 	const same =
 		feet.length === before.length && feet.flat().every((value, i) => onStep(before.flat()[i]) === onStep(value));

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { layingOut } from "../../../../../web/src/models/particles/boundary/editor/lay";
+import { layoutInputs } from "../../../../../web/src/models/particles/boundary/editor/boundary_layout";
 import { TREE } from "../../../../../web/src/models/tree/schema";
 import type { TreeSpecimen } from "../../../../../web/src/models/tree/specimen";
 import { apply } from "../../../../../web/src/ui/change";
@@ -9,7 +9,7 @@ import { tree } from "./particles";
 
 describe("what lays out a boundary", () => {
 	const piecesOf = (specimen = tree("oak"), preset = tree("oak")) =>
-		layingOut({ state: { specimen }, preset } as Pick<EditorContext<TreeSpecimen>, "state" | "preset">);
+		layoutInputs({ state: { specimen }, preset } as Pick<EditorContext<TreeSpecimen>, "state" | "preset">);
 	const same = (specimen: TreeSpecimen) => !changed(piecesOf(oak, oak), piecesOf(specimen, oak));
 	const oak = tree("oak");
 

@@ -5,7 +5,7 @@ import type { PackedMesh } from "../../../plant/packed_mesh";
 import type { Slot } from "./batch";
 import { STEPS, stepAt } from "./level_choice";
 
-export interface Standing {
+export interface DrawnPlant {
 	readonly plant: number;
 	/** The middle of it. */
 	readonly at: Vector3;
@@ -13,19 +13,19 @@ export interface Standing {
 	readonly size: number;
 	readonly slots: readonly Slot[];
 	/** What its finest level is made of, where that is only shown of few at once. */
-	readonly fine: readonly Fine[];
+	readonly fine: readonly FineMesh[];
 	/** Its finest level, while it is one of these. */
 	near: readonly Slot[];
 	/** Of each level. */
 	readonly triangles: readonly number[];
 	/** What its size asks for, were it shown as finely as it can be. */
-	asked: number;
+	ideal: number;
 	/** As level_choice.ts counts: what is shown, and what is to be; −1 of what is not. */
 	shown: number;
 	wanted: number;
 }
 
-export interface Fine {
+export interface FineMesh {
 	readonly mesh: PackedMesh;
 	readonly material: MeshStandardMaterial;
 	readonly place: Matrix4;
@@ -37,7 +37,7 @@ const CELLS = 12;
 
 export interface Cell {
 	readonly box: Box3;
-	readonly plants: Standing[];
+	readonly plants: DrawnPlant[];
 	seen: boolean;
 }
 
@@ -75,8 +75,8 @@ export class Cells {
 				const { at, size, triangles } = each;
 				const last = STEPS * (triangles.length - 1);
 				const distance = Math.max(at.distanceTo(eye) - 0.5 * size, 0.01);
-				each.asked = cell.seen ? stepAt((modest * size) / (distance * high), triangles.length) : last;
-				each.wanted = each.fine.length > 0 ? Math.max(STEPS, each.asked) : each.asked;
+				each.ideal = cell.seen ? stepAt((modest * size) / (distance * high), triangles.length) : last;
+				each.wanted = each.fine.length > 0 ? Math.max(STEPS, each.ideal) : each.ideal;
 				if (!cell.seen) continue;
 				const level = Math.floor(each.wanted / STEPS);
 				count += triangles[level] + (each.wanted > STEPS * level ? triangles[level + 1] : 0);

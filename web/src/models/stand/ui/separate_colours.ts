@@ -1,4 +1,4 @@
-/** Colours kept apart: of those that would be taken for one the later is another, by the least change. Pure. */
+/** Colours separated apart: of those that would be taken for one the later is another, by the least change. Pure. */
 import { clamp, fromLch, type Lch, toLch } from "../../../plant/colour";
 
 /** Two closer than this are taken for one (OKLab); then one is made lighter or darker by steps, or else turned in hue, radians, either way. */
@@ -6,7 +6,7 @@ const APART = 0.07;
 const STEP = 0.05;
 const TURN = 0.5;
 /** What is turned has a hue to tell it by. */
-const TOLD = 0.1;
+const MIN_CHROMA = 0.1;
 
 type Range = readonly [least: number, most: number];
 
@@ -14,10 +14,11 @@ type Range = readonly [least: number, most: number];
  * Each as near to what is wanted as the ones before it let it be; as wanted where there is no room left.
  * @param range of lightness, into which all are brought
  */
-export function keptApart(wanted: readonly Lch[], range: Range): Lch[] {
-	const kept: Lch[] = [];
-	for (const each of wanted) kept.push(apartFrom(kept, { ...each, lightness: clamp(each.lightness, ...range) }, range));
-	return kept;
+export function separateColours(wanted: readonly Lch[], range: Range): Lch[] {
+	const separated: Lch[] = [];
+	for (const each of wanted)
+		separated.push(apartFrom(separated, { ...each, lightness: clamp(each.lightness, ...range) }, range));
+	return separated;
 }
 
 /** Of lightness before hue: a hue is what a sort is known by. */
@@ -27,15 +28,15 @@ function apartFrom(others: readonly Lch[], wanted: Lch, [least, most]: Range): L
 		for (const more of eitherWay(STEP, most - least)) {
 			const lightness = wanted.lightness + more;
 			if (lightness < least || lightness > most) continue;
-			const chroma = turn === 0 ? wanted.chroma : Math.max(TOLD, wanted.chroma);
-			const shown = asShown({ lightness, chroma, hue: wanted.hue + turn });
+			const chroma = turn === 0 ? wanted.chroma : Math.max(MIN_CHROMA, wanted.chroma);
+			const shown = displayable({ lightness, chroma, hue: wanted.hue + turn });
 			if (free(shown)) return shown;
 		}
-	return asShown(wanted);
+	return displayable(wanted);
 }
 
 /** A screen has no yellow as yellow as it can be asked for. */
-const asShown = (lch: Lch): Lch => toLch(fromLch(lch));
+const displayable = (lch: Lch): Lch => toLch(fromLch(lch));
 
 /** 0, step, -step, 2 step, …, up to that far. */
 const eitherWay = (step: number, far: number): number[] =>
