@@ -65,13 +65,13 @@ export default [
 		faults: [
 			{
 				id: "flower-luck-always-rebuilds",
-				find: "if (program.luck_rebuilds && before.seed != now.seed) return true;",
+				find: "if (program.draws_rebuild && before.seed != now.seed) return true;",
 				replace: "if (before.seed != now.seed) return true;",
 				breaks: "every flower of a bed is grown anew",
 			},
 			{
 				id: "flower-luck-never-rebuilds",
-				find: "if (program.luck_rebuilds && before.seed != now.seed) return true;",
+				find: "if (program.draws_rebuild && before.seed != now.seed) return true;",
 				replace: "",
 				breaks: "what is drawn for each instance may change the map, and does not",
 			},
@@ -95,8 +95,8 @@ export default [
 			},
 			{
 				id: "flower-never-told-under-other-steps",
-				find: "asked_[production.number] == 1 && !stopped_ && !cut_short_",
-				replace: "asked_[production.number] == 1 && !stopped_",
+				find: "condition_results_[production.number] == 1 && !stopped_ && !cut_short_",
+				replace: "condition_results_[production.number] == 1 && !stopped_",
 				breaks: "a flower of fewer steps has notes on all that it has not come to",
 			},
 		],
@@ -138,7 +138,7 @@ export default [
 		faults: [
 			{
 				id: "flower-calls-give-nothing",
-				find: "if (said != given.end() && said->first == i) {",
+				find: "if (next_given != given.end() && next_given->first == i) {",
 				replace: "if (false) {",
 				breaks: "a module's variables keep their own values whatever a call gives them",
 			},

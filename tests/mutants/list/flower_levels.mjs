@@ -18,7 +18,7 @@ export default [
 			},
 			{
 				id: "flower-levels-painted-by-neighbours",
-				find: "while (*at != nobody && of_[*at].number != number) at = &of_[*at].next;",
+				find: "while (*at != invalid && of_[*at].number != number) at = &of_[*at].next;",
 				replace: "",
 				breaks: "in a bed petals have their stem's place in the picture where they meet it",
 			},

@@ -173,7 +173,7 @@ export default [
 		faults: [
 			{
 				id: "girth-said-widths-as-they-are",
-				find: "segment.radius *= girth.said;",
+				find: "segment.radius *= girth.width_factor;",
 				replace: "",
 				breaks: "the factor on a text's widths reaches one end of a line alone",
 			},
@@ -197,8 +197,8 @@ export default [
 			},
 			{
 				id: "sketch-natural-colour",
-				find: "asked == 1 ? natural : asked",
-				replace: "asked",
+				find: "colour == 1 ? natural : colour",
+				replace: "colour",
 				breaks: "leaves of a text without colours are brown",
 			},
 		],
@@ -221,7 +221,7 @@ export default [
 			},
 			{
 				id: "dressing-never-simpler",
-				find: "borne[organ.tag] > many_surfaces",
+				find: "counts[organ.tag] > many_surfaces",
 				replace: "false",
 				breaks: "tens of thousands of leaves have as many triangles each as one alone",
 			},
@@ -233,14 +233,14 @@ export default [
 			},
 			{
 				id: "dressing-never-coarse",
-				find: "habit.coarse && segments.size() >= many_in_passing",
+				find: "options.coarse && segments.size() >= many_in_preview",
 				replace: "false",
 				breaks: "a character typed beside 10,000 segments takes four times as long",
 			},
 			{
 				id: "dressing-few-coarse",
-				find: "habit.coarse && segments.size() >= many_in_passing",
-				replace: "habit.coarse",
+				find: "options.coarse && segments.size() >= many_in_preview",
+				replace: "options.coarse",
 				breaks: "a small plant has pentagons for stems while it is dragged",
 			},
 		],
@@ -293,7 +293,7 @@ export default [
 		faults: [
 			{
 				id: "blades-organ-by-order",
-				find: "organ.push_back(polygon.borne);",
+				find: "organ.push_back(polygon.organ);",
 				replace: "organ.push_back(static_cast<std::uint32_t>(organ.size()));",
 				breaks: "another polygon lights up than the one that is pointed at",
 			},

@@ -71,7 +71,7 @@ export default [
 		faults: [
 			{
 				id: "divisors-chance-drawn-once-for-all",
-				find: "rules_.repeatable &= !draws && !luck && !rule.probability.draws && (uses & bit(Word::order)) == 0;",
+				find: "rules_.repeatable &= !draws && !is_random && !rule.probability.draws && (uses & bit(Word::order)) == 0;",
 				replace: "",
 				breaks: "what is drawn for one shoot all others of its age do as well",
 			},
@@ -113,8 +113,8 @@ export default [
 		faults: [
 			{
 				id: "divisors-standard-after-the-texts-own",
-				find: "rules.of_shoots.insert(rules.of_shoots.end(), std::make_move_iterator(own.begin()),",
-				replace: "rules.of_shoots.insert(rules.of_shoots.begin(), std::make_move_iterator(own.begin()),",
+				find: "rules.of_shoots.insert(rules.of_shoots.end(), std::make_move_iterator(own_shoot_rules.begin()),",
+				replace: "rules.of_shoots.insert(rules.of_shoots.begin(), std::make_move_iterator(own_shoot_rules.begin()),",
 				breaks: "conditions on ndv never hold, for it is worked out behind them",
 			},
 			{
@@ -203,8 +203,8 @@ export default [
 			},
 			{
 				id: "growth-leaves-of-another-turn",
-				find: "luck.about[held] = about + golden_turn * static_cast<float>(k);",
-				replace: "luck.about[held] = about + golden_turn * static_cast<float>(held);",
+				find: "noise.about[held] = about + golden_turn * static_cast<float>(k);",
+				replace: "noise.about[held] = about + golden_turn * static_cast<float>(held);",
 				breaks: "leaves that are worked out with others hang elsewhere",
 			},
 		],
@@ -221,8 +221,8 @@ export default [
 			},
 			{
 				id: "growth-leaves-alike",
-				find: "{level * around.cosine, level * around.sine, stray * luck.height}",
-				replace: "{level * around.cosine, level * around.cosine, stray * luck.height}",
+				find: "{level * around.cosine, level * around.sine, stray * noise.height}",
+				replace: "{level * around.cosine, level * around.cosine, stray * noise.height}",
 				breaks: "leaves are strewn to one side",
 			},
 		],

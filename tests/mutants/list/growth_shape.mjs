@@ -78,8 +78,8 @@ export default [
 			},
 			{
 				id: "growth-horizon-hides-nothing",
-				find: "lamp.share = 0;",
-				replace: "lamp.share *= 1;",
+				find: "direction.share = 0;",
+				replace: "direction.share *= 1;",
 				breaks: "the sky behind neighbours is as light as any",
 			},
 			{

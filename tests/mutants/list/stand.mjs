@@ -22,14 +22,14 @@ export default [
 			},
 			{
 				id: "stand-last-plants-are-lost",
-				find: "static_cast<std::uint32_t>(upto * asked / all - before * asked / all);",
-				replace: "static_cast<std::uint32_t>((upto - before) * asked / all);",
+				find: "static_cast<std::uint32_t>(upto * requested / all - before * requested / all);",
+				replace: "static_cast<std::uint32_t>((upto - before) * requested / all);",
 				breaks: "fewer plants stand than were asked for",
 			},
 			{
 				id: "stand-borne-on-the-ground",
-				find: "const float high = by.scale * drawn(kind.high, luck.unit(8 * k + 5));",
-				replace: "const float high = 0 * luck.unit(8 * k + 5);",
+				find: "const float high = by.scale * drawn(kind.high, draws.unit(8 * k + 5));",
+				replace: "const float high = 0 * draws.unit(8 * k + 5);",
 				breaks: "bunches lie on the ground",
 			},
 			{

@@ -15,7 +15,7 @@ using namespace panicle::flower::tests;
 
 namespace {
 
-struct Asked {
+struct FlowerRequest {
   std::string text;
   float age = 1, smooth = 1;
   std::uint32_t seed = 1;
@@ -24,26 +24,26 @@ struct Asked {
   std::vector<float> values = {};
 };
 
-Result<Plant> ask(const Asked& asked, CacheSlot* kept) {
+Result<Plant> grow_flower(const FlowerRequest& wanted, CacheSlot* cache) {
   const std::string name = "flower";
-  const std::vector<float> parameters = {0, asked.age, asked.smooth};
-  const std::vector<std::uint32_t> seed = {asked.seed};
+  const std::vector<float> parameters = {0, wanted.age, wanted.smooth};
+  const std::vector<std::uint32_t> seed = {wanted.seed};
   const auto view = [](std::string_view block, const auto& values) {
     using Value = std::remove_cvref_t<decltype(values[0])>;
     return ColumnView{block, element_of<Value>(), 1, static_cast<std::uint32_t>(values.size()),
                       reinterpret_cast<const std::uint8_t*>(values.data())};
   };
-  const std::vector<ColumnView> blocks{view("model", name),         view("outputs", asked.outputs),
-                                       view("text", asked.text),    view("parameters", parameters),
-                                       view("seed", seed),          view("values.names", asked.names),
-                                       view("values", asked.values)};
-  Request request(blocks, nullptr, kept);
+  const std::vector<ColumnView> blocks{view("model", name),         view("outputs", wanted.outputs),
+                                       view("text", wanted.text),    view("parameters", parameters),
+                                       view("seed", seed),          view("values.names", wanted.names),
+                                       view("values", wanted.values)};
+  Request request(blocks, nullptr, cache);
   return model.grow(request, Limits{});
 }
 
 // All that an answer has, as text; the message of what cannot be grown.
-std::string answer(const Asked& asked, CacheSlot* kept) {
-  const auto grown = ask(asked, kept);
+std::string answer(const FlowerRequest& wanted, CacheSlot* cache) {
+  const auto grown = grow_flower(wanted, cache);
   if (!grown) return grown.error().message + std::to_string(grown.error().line);
   std::string all = std::to_string(grown->fingerprint);
   const auto add = [&](const void* data, std::size_t bytes) {
@@ -118,48 +118,48 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
   };
   std::size_t changed = 0;
   // By luck and by age another map.
-  const std::string lucky =
+  const std::string random_map =
       "#define A(4,0,0,0,2,2,2,1)\n#axiom: A\nA{}{math.random(0,1) < 0.5}{} -> A[A]_{C1}\n"
       "A{}{step < 8*age}{} -> A[A(,<math.random(0,9)>)]_{E}";
   for (const char* name : {"table-3", "figure-16", "petal", "lucky"}) {
-    CacheSlot kept;
-    const std::string whole = std::string_view(name) == "lucky" ? lucky : text_named(name);
+    CacheSlot cache;
+    const std::string whole = std::string_view(name) == "lucky" ? random_map : text_named(name);
     const auto all = figures(whole);
-    Asked asked{whole};
-    std::string before = answer(asked, &kept);
+    FlowerRequest wanted{whole};
+    std::string before = answer(wanted, &cache);
     for (int i = 0; i < 60; ++i) {
       // Mostly a figure of the text, sometimes the panel's, and back.
       switch (drawn(9)) {
         case 0:
-          asked.text = whole;
-          asked.seed = static_cast<std::uint32_t>(1 + drawn(2));
+          wanted.text = whole;
+          wanted.seed = static_cast<std::uint32_t>(1 + drawn(2));
           break;
         case 1:
-          asked.age = static_cast<float>(drawn(3));
+          wanted.age = static_cast<float>(drawn(3));
           break;
         case 2:
-          asked.smooth = static_cast<float>(drawn(3));
+          wanted.smooth = static_cast<float>(drawn(3));
           break;
         case 3: {
           const std::size_t at = drawn(3);
-          asked.names = std::vector<std::string>{"", "rd", "rd nothing"}[at];
-          asked.values = std::vector<std::vector<float>>{{}, {static_cast<float>(drawn(9))}, {3, 4}}[at];
+          wanted.names = std::vector<std::string>{"", "rd", "rd nothing"}[at];
+          wanted.values = std::vector<std::vector<float>>{{}, {static_cast<float>(drawn(9))}, {3, 4}}[at];
           break;
         }
         case 4:
-          asked.outputs =
+          wanted.outputs =
               std::vector<std::string>{"meshes sky measures map", "measures", "levels", "levels measures"}[drawn(4)];
           break;
         default: {
           const auto [from, to] = all[drawn(all.size())];
-          asked.text = whole;
-          asked.text.replace(from, to - from, std::to_string(drawn(9)) + (drawn(2) == 0 ? ".5" : ""));
+          wanted.text = whole;
+          wanted.text.replace(from, to - from, std::to_string(drawn(9)) + (drawn(2) == 0 ? ".5" : ""));
         }
       }
       CAPTURE(name);
       CAPTURE(i);
-      const std::string again = answer(asked, &kept);
-      REQUIRE((again == answer(asked, nullptr)));
+      const std::string again = answer(wanted, &cache);
+      REQUIRE((again == answer(wanted, nullptr)));
       changed += again != before;
       before = again;
     }
@@ -172,7 +172,7 @@ TEST_CASE("a value in a request takes the place of a variable's, and one that th
       "#define k=3\n#define own=1\n#define A(4,0,0,0,k,2,2,1)\n#axiom: A\n#module M\n#define j=1\n"
       "#define B(4)\n#axiom: B";
   const auto grown = [&](const std::string& names, std::vector<float> values) {
-    return sound(ask({text, 1, 1, 1, "measures", names, std::move(values)}, nullptr));
+    return sound(grow_flower({text, 1, 1, 1, "measures", names, std::move(values)}, nullptr));
   };
   CHECK(grown("", {}).measures[0] == doctest::Approx(0.3));
   CHECK(grown("own k", {1, 8}).measures[0] == doctest::Approx(0.8));
@@ -188,15 +188,15 @@ TEST_CASE("a value in a request takes the place of a variable's, and one that th
     strangers += (i == 0 ? "u" : " u") + std::to_string(i);
     values.push_back(1);
   }
-  const std::string told = sound(ask({many + text, 1, 1, 1, "measures", strangers, values}, nullptr)).notes.back();
-  CHECK(told.find("u0, u1, u2") != std::string::npos);
-  CHECK(told.find(" and 288 more, so") != std::string::npos);
-  CHECK(told.size() < 2000);
+  const std::string note = sound(grow_flower({many + text, 1, 1, 1, "measures", strangers, values}, nullptr)).notes.back();
+  CHECK(note.find("u0, u1, u2") != std::string::npos);
+  CHECK(note.find(" and 288 more, so") != std::string::npos);
+  CHECK(note.size() < 2000);
 }
 
 TEST_CASE("an m that is no material is told with the line that gives it") {
   const auto noted = [](const std::string& text, std::string_view words) {
-    const Plant plant = sound(ask({text}, nullptr));
+    const Plant plant = sound(grow_flower({text}, nullptr));
     return std::any_of(plant.notes.begin(), plant.notes.end(),
                        [&](const std::string& note) { return note.find(words) != std::string::npos; });
   };
@@ -277,17 +277,17 @@ TEST_CASE("a skin that would have too many triangles is rounded less often, with
   const std::string many =
       "#define A(4)\n#define B(5)\n#axiom: A\n#define finalStep=400\nA -> A[A]_{E}[&M]_{C1}\n#module M\n"
       "#define B(3)\n#axiom: B\n#define finalStep=100\nB -> B[B]_{E}";
-  const auto asked = [&](float smooth) {
-    Asked one{many};
+  const auto wanted = [&](float smooth) {
+    FlowerRequest one{many};
     one.smooth = smooth;
-    return sound(ask(one, nullptr));
+    return sound(grow_flower(one, nullptr));
   };
   const auto count = [](const Plant& plant) {
     std::size_t triangles = 0;
     for (const PlantMesh& mesh : plant.meshes) triangles += mesh.mesh.indices.size() / 3;
     return triangles;
   };
-  const Plant once = asked(1), thrice = asked(3);
+  const Plant once = wanted(1), thrice = wanted(3);
   CHECK(count(once) > 500'000);
   CHECK(count(thrice) <= Skin::most_triangles);
   CHECK(count(thrice) == 4 * count(once));
@@ -311,8 +311,8 @@ TEST_CASE("a skin faces outwards") {
 
 // As their lines have it: name, type and how many of it, where that is not 1.
 TEST_CASE("all columns are documented where the model is") {
-  const Asked asked{.text = text_named("table-3"), .outputs = "meshes"};
-  const Plant plant = sound(ask(asked, nullptr));
+  const FlowerRequest wanted{.text = text_named("table-3"), .outputs = "meshes"};
+  const Plant plant = sound(grow_flower(wanted, nullptr));
   const std::string page = content(panicle::tests::repository_folder() + "/wasm-core/src/models/flower/model.hpp");
   std::size_t wide = 0;
   for (std::size_t i = 0; i < plant.columns.size(); ++i) {

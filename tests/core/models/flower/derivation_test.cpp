@@ -393,12 +393,12 @@ TEST_CASE("other numbers are placed on the same map as if it had grown with them
   CHECK_FALSE(flower::rebuilds(orders, {{{"k", 6}}, 0, 1, 1}, {{{"k", 7}}, 0, 1, 1}));
   // Another seed, where luck has nothing to do with the map; where it has, what it has drawn tells.
   CHECK_FALSE(flower::rebuilds(orders, {}, {{}, 0, 1, 2}));
-  const auto lucky = [](const std::string& order) {
+  const auto random_order = [](const std::string& order) {
     return program_of("#define n=floor(math.random(4,6))\n#define A(" + order +
                       ",0,0,0,1,1,1,1)\n#axiom: A\nA->A[&M{k=" + order +
                       "}]_{E}\n#module M\n#define k=4\n#define finalStep=k\n#axiom: A\n#define A(4)\nA->A[A]_{E}");
   };
-  const Program drawn = lucky("n"), anyhow = lucky("floor(math.random(4,6))");
+  const Program drawn = random_order("n"), anyhow = random_order("floor(math.random(4,6))");
   std::size_t same = 0;
   for (std::uint64_t seed = 2; seed < 42; ++seed) {
     const Given now{{}, 0, 1, seed};
@@ -526,18 +526,18 @@ TEST_CASE("functions of Lua are read under their own names, its angles as radian
 
 TEST_CASE("what never comes about is told, but not where age, values or the panel's steps may bring it about") {
   const std::string start = "#define k=100\n#define A(4,0,0,0,1,1,1,1)\n#define Z(4)\n#axiom: A\n#define finalStep=6\n";
-  const auto told = [&](const std::string& production, const Given& given = {}) {
+  const auto notes_that_it_never_happens = [&](const std::string& production, const Given& given = {}) {
     return grown(start + production, given).noted("never c");
   };
   CHECK(grown(start + "A{}{step>9}{} -> A[A]_{E}").noted("Line 6: this never came about: whenever there was room"));
-  CHECK_FALSE(told("A{}{step>4}{} -> A[A]_{E}"));
-  CHECK_FALSE(told("A{}{step>9}{} -> A[A]_{E}", steps(3)));
-  CHECK_FALSE(told("A{}{step>k}{} -> A[A]_{E}"));
-  CHECK_FALSE(told("A{}{age>1.5}{} -> A[A]_{E}"));
-  CHECK_FALSE(told("A{w=k}{step>w}{} -> A[A]_{E}"));
-  CHECK_FALSE(told("A{}{math.random(0,1)>2}{} -> A[A]_{E}"));
+  CHECK_FALSE(notes_that_it_never_happens("A{}{step>4}{} -> A[A]_{E}"));
+  CHECK_FALSE(notes_that_it_never_happens("A{}{step>9}{} -> A[A]_{E}", steps(3)));
+  CHECK_FALSE(notes_that_it_never_happens("A{}{step>k}{} -> A[A]_{E}"));
+  CHECK_FALSE(notes_that_it_never_happens("A{}{age>1.5}{} -> A[A]_{E}"));
+  CHECK_FALSE(notes_that_it_never_happens("A{w=k}{step>w}{} -> A[A]_{E}"));
+  CHECK_FALSE(notes_that_it_never_happens("A{}{math.random(0,1)>2}{} -> A[A]_{E}"));
   CHECK(grown(start + "A -> A[A]_{E}\nZ -> Z[A]_{E}").noted("Line 7: nothing grows a Z, so this never comes about."));
-  CHECK_FALSE(told("A -> A[Z]_{E}\nZ -> Z[A]_{E}"));
-  CHECK_FALSE(told("A -> Z\nZ -> Z[A]_{E}"));
-  CHECK_FALSE(told("A -> A[A]_{E}\n#module M\n#define B(4)\n#axiom: B\nB -> B[B]_{E}"));
+  CHECK_FALSE(notes_that_it_never_happens("A -> A[Z]_{E}\nZ -> Z[A]_{E}"));
+  CHECK_FALSE(notes_that_it_never_happens("A -> Z\nZ -> Z[A]_{E}"));
+  CHECK_FALSE(notes_that_it_never_happens("A -> A[A]_{E}\n#module M\n#define B(4)\n#axiom: B\nB -> B[B]_{E}"));
 }

@@ -45,7 +45,7 @@ Levelled levelled(const std::string& text, const Given& given = {}) {
   generalized_map::Embedding embedding;
   embedding.lay(derived.map);
   const std::vector<VolumeValues> values = derived.values;
-  Levels levels(program, given, {}, derived, embedding);
+  FlowerLevels levels(program, given, {}, derived, embedding);
   CHECK(derived.values == values);
   Levelled made;
   std::vector<std::uint32_t> numbers;
@@ -152,8 +152,8 @@ TEST_CASE("plants of one map have the same triangles at each distance, wherever 
   for (seeded.seed = 1; seeded.seed < 9; ++seeded.seed) {
     Given given;
     given.values = {{"bells", 8}};
-    const Plant told = levelled(bells, given).plant, drawn = levelled(bells, seeded).plant;
-    same += told.meshes[0].mesh.indices == drawn.meshes[0].mesh.indices;
+    const Plant set_by_value = levelled(bells, given).plant, drawn = levelled(bells, seeded).plant;
+    same += set_by_value.meshes[0].mesh.indices == drawn.meshes[0].mesh.indices;
   }
   CHECK(same > 0);
   CHECK(same < 8);

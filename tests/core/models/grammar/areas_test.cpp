@@ -59,7 +59,7 @@ struct Blocks {
   }
 };
 
-Asked in(const Blocks& blocks, std::string text) {
+GrammarRequest in(const Blocks& blocks, std::string text) {
   return {.text = std::move(text), .parameters = {{"unit", 1000}}, .more = blocks.views()};
 }
 
@@ -88,23 +88,23 @@ TEST_CASE("no lateral leaves its area, whatever the areas are and however they a
       areas.push_back(std::move(area));
     }
     const Blocks blocks(areas);
-    Asked asked = in(blocks, text);
-    asked.constants = {{"leaf", 0.14f}};
-    asked.seed = static_cast<std::uint32_t>(trial + 1);
-    const Plant plant = grow(asked);
+    GrammarRequest request = in(blocks, text);
+    request.constants = {{"leaf", 0.14f}};
+    request.seed = static_cast<std::uint32_t>(trial + 1);
+    const Plant plant = grow(request);
     const auto area = column_in<std::uint8_t>(plant.columns, "segments.area"),
                main = column_in<std::uint8_t>(plant.columns, "segments.main");
     std::vector<Volume> volumes;
     for (const Area& each : areas) volumes.push_back(each.volume());
-    std::vector<bool> bears(plant.segments.size());
+    std::vector<bool> is_parent(plant.segments.size());
     for (const Segment& segment : plant.segments)
-      if (segment.parent >= 0) bears[static_cast<std::size_t>(segment.parent)] = true;
+      if (segment.parent >= 0) is_parent[static_cast<std::size_t>(segment.parent)] = true;
     for (std::size_t i = 0; i < plant.segments.size(); ++i) {
       if (main[i] == 1) continue;
       REQUIRE(area[i] >= 1);
       const Volume& volume = volumes[area[i] - 1u];
       const Segment& segment = plant.segments[i];
-      if (!bears[i]) {
+      if (!is_parent[i]) {
         ++tips;
         outside += volume.contains(segment.end) ? 0 : 1;
       }
@@ -127,9 +127,9 @@ TEST_CASE("the main branch ends inside the last area, wherever the places lead t
     const Area cube{Kind::box, {0, 0.85f, 0}, {1, 1, 1}};
     Blocks blocks({cube});
     blocks.path = path;
-    Asked asked = in(blocks, topiary());
-    asked.constants = {{"leaf", 0.1f}};
-    const Plant plant = grow(asked);
+    GrammarRequest request = in(blocks, topiary());
+    request.constants = {{"leaf", 0.1f}};
+    const Plant plant = grow(request);
     const auto main = column_in<std::uint8_t>(plant.columns, "segments.main");
     std::size_t segments = 0;
     glm::vec3 tip(0);
@@ -191,9 +191,9 @@ TEST_CASE("an area that the main branch does not come to is told, and so is a me
       {{Kind::mesh, {0, 0.6f, 0}, {1, 1, 1}, {1, 0, 0, 0}, open}, {Kind::sphere, {9, 9, 9}, {1, 1, 1}}});
   Blocks led = blocks;
   led.path = {0, 0.6f, 0, 0, 2, 0};
-  Asked asked = in(led, topiary());
-  asked.constants = {{"leaf", 0.2f}};
-  const Plant plant = grow(asked);
+  GrammarRequest request = in(led, topiary());
+  request.constants = {{"leaf", 0.2f}};
+  const Plant plant = grow(request);
   REQUIRE(plant.notes.size() == 2);
   CHECK(plant.notes[0].find("The mesh of area 1 is open at 3 edges") == 0);
   CHECK(plant.notes[1].find("Nothing grows in area 2: the main branch does not come there") == 0);
@@ -201,9 +201,9 @@ TEST_CASE("an area that the main branch does not come to is told, and so is a me
 
 TEST_CASE("an area within one before it has no turn, and that is told") {
   const Blocks blocks({{Kind::box, {0, 0.6f, 0}, {1, 1, 1}}, {Kind::sphere, {0.1f, 0.6f, 0}, {0.4f, 0.4f, 0.4f}}});
-  Asked asked = in(blocks, topiary());
-  asked.constants = {{"leaf", 0.2f}};
-  const Plant plant = grow(asked);
+  GrammarRequest request = in(blocks, topiary());
+  request.constants = {{"leaf", 0.2f}};
+  const Plant plant = grow(request);
   REQUIRE(plant.notes.size() == 1);
   CHECK(plant.notes[0].find("Nothing grows in area 2: its middle lies within area 1") == 0);
 }
@@ -211,15 +211,15 @@ TEST_CASE("an area within one before it has no turn, and that is told") {
 TEST_CASE("areas whose triangles are looked at too often are an error, as are too many triangles") {
   const Blocks blocks({{Kind::mesh, {0, 1, 0}, {1, 2, 1}, {1, 0, 0, 0}, spanning_tetrahedra(100)},
                        {Kind::mesh, {0, 3, 0}, {1, 2, 1}, {1, 0, 0, 0}, spanning_tetrahedra(100)}});
-  Asked asked = in(blocks, topiary());
-  CHECK(ask(asked));
-  asked.limits.looks = 10'000;
-  const auto stopped = ask(asked);
+  GrammarRequest request = in(blocks, topiary());
+  CHECK(try_grow(request));
+  request.limits.looks = 10'000;
+  const auto stopped = try_grow(request);
   REQUIRE_FALSE(stopped);
   CHECK(stopped.error().reason == Reason::limit);
   CHECK(stopped.error().message.find("simplify the mesh") != std::string::npos);
-  asked.limits.triangles = 799;
-  const auto refused = ask(asked);
+  request.limits.triangles = 799;
+  const auto refused = try_grow(request);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().message == "The meshes have 800 triangles, more than 799; simplify them.");
 }
@@ -228,8 +228,8 @@ TEST_CASE("areas of another form are refused, with the reason") {
   const auto refused = [](auto change) {
     Blocks blocks({{Kind::mesh, {0, 1, 0}, {1, 1, 1}, {1, 0, 0, 0}, corner()}});
     change(blocks);
-    Asked asked = in(blocks, topiary());
-    const auto plant = ask(asked);
+    GrammarRequest request = in(blocks, topiary());
+    const auto plant = try_grow(request);
     REQUIRE_FALSE(plant);
     return plant.error().message;
   };

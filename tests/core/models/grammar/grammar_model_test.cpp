@@ -29,7 +29,7 @@ TEST_CASE("steps, constants and the unit are what is asked for") {
   CHECK(count_of(other, "segments") == 0);
   CHECK(count_of(other, "modules") == 1);
   CHECK(std::find(other.notes.begin(), other.notes.end(), "The grammar draws nothing.") != other.notes.end());
-  CHECK(ask({.text = text}).error().reason == Reason::bad_input);
+  CHECK(try_grow({.text = text}).error().reason == Reason::bad_input);
 }
 
 TEST_CASE("the derived string reads back as an axiom that draws the same") {
@@ -142,8 +142,8 @@ TEST_CASE("a limit that is reached ends the drawing, and what grew so far is sho
 }
 
 TEST_CASE("requests that cannot be used are refused in words") {
-  CHECK(ask({.text = ""}).error().reason == Reason::bad_request);
-  const auto broken = ask({.text = "axiom: F(\n"});
+  CHECK(try_grow({.text = ""}).error().reason == Reason::bad_request);
+  const auto broken = try_grow({.text = "axiom: F(\n"});
   CHECK(broken.error().reason == Reason::syntax);
   CHECK(broken.error().line > 0);
 }
@@ -166,16 +166,16 @@ TEST_CASE("where a limit cuts the telling, nothing is marked by modules of the s
   // Idle modules, which every step copies and one go writes once.
   const std::string text = "axiom: A(300)\nA(n) : n>0 --> A(n-1) F S(1) Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q\n";
   const std::uint32_t step = 9999;
-  const std::vector<ColumnView> asked{
+  const std::vector<ColumnView> request{
       {"chronicle_step", Element::uint32, 1, 1, reinterpret_cast<const std::uint8_t*>(&step)}};
   Limits limits;
   limits.work = 5000;
   for (const bool cut : {false, true}) {
     CAPTURE(cut);
-    const Plant plant = grow({.text = text, .outputs = "chronicle", .limits = cut ? limits : Limits{}, .more = asked});
+    const Plant plant = grow({.text = text, .outputs = "chronicle", .limits = cut ? limits : Limits{}, .more = request});
     CHECK(plant.segments.size() == 300);
-    const auto told = column_in<std::uint32_t>(plant.columns, "chronicle.counts");
-    CHECK((told.back() == count_of(plant, "modules")) == !cut);
+    const auto traced = column_in<std::uint32_t>(plant.columns, "chronicle.counts");
+    CHECK((traced.back() == count_of(plant, "modules")) == !cut);
     for (const char* of : {"segments.module", "organs.module"}) {
       const auto modules = column_in<std::uint32_t>(plant.columns, of);
       CHECK(modules.size() == 300);

@@ -16,7 +16,7 @@
 
 namespace panicle::grammar {
 
-struct Asked {
+struct GrammarRequest {
   std::string text;
   std::vector<std::pair<std::string_view, float>> parameters = {};
   std::vector<std::pair<std::string_view, float>> constants = {};
@@ -27,9 +27,9 @@ struct Asked {
   std::vector<ColumnView> more = {};  // blocks besides
 };
 
-inline Result<Plant> ask(const Asked& asked) {
+inline Result<Plant> try_grow(const GrammarRequest& wanted) {
   std::vector<float> values(parameter_count, NAN);
-  for (const auto& [key, value] : asked.parameters) {
+  for (const auto& [key, value] : wanted.parameters) {
     bool known = false;
     for (std::size_t i = 0; i < parameter_count; ++i) {
       if (parameter_table[i].key != key) continue;
@@ -40,7 +40,7 @@ inline Result<Plant> ask(const Asked& asked) {
   }
   std::string names;
   std::vector<float> constants;
-  for (const auto& [name, value] : asked.constants) {
+  for (const auto& [name, value] : wanted.constants) {
     names.append(names.empty() ? "" : "\n").append(name);
     constants.push_back(value);
   }
@@ -48,24 +48,24 @@ inline Result<Plant> ask(const Asked& asked) {
   const auto add = [&blocks](std::string_view name, Element element, std::size_t rows, const void* data) {
     blocks.push_back({name, element, 1, static_cast<std::uint32_t>(rows), static_cast<const std::uint8_t*>(data)});
   };
-  const std::uint32_t steps = asked.steps.value_or(0);
+  const std::uint32_t steps = wanted.steps.value_or(0);
   add("model", Element::text, model.name.size(), model.name.data());
-  add("seed", Element::uint32, 1, &asked.seed);
-  add("outputs", Element::text, asked.outputs.size(), asked.outputs.data());
+  add("seed", Element::uint32, 1, &wanted.seed);
+  add("outputs", Element::text, wanted.outputs.size(), wanted.outputs.data());
   add("parameters", Element::float32, values.size(), values.data());
-  add("grammar", Element::text, asked.text.size(), asked.text.data());
-  if (asked.steps) add("steps", Element::uint32, 1, &steps);
+  add("grammar", Element::text, wanted.text.size(), wanted.text.data());
+  if (wanted.steps) add("steps", Element::uint32, 1, &steps);
   if (!constants.empty()) {
     add("constants.names", Element::text, names.size(), names.data());
     add("constants.values", Element::float32, constants.size(), constants.data());
   }
-  blocks.insert(blocks.end(), asked.more.begin(), asked.more.end());
+  blocks.insert(blocks.end(), wanted.more.begin(), wanted.more.end());
   Request request(blocks, nullptr);
-  return model.grow(request, asked.limits);
+  return model.grow(request, wanted.limits);
 }
 
-inline Plant grow(const Asked& asked) {
-  Result<Plant> plant = ask(asked);
+inline Plant grow(const GrammarRequest& wanted) {
+  Result<Plant> plant = try_grow(wanted);
   REQUIRE_MESSAGE(plant, plant.error().message);
   return std::move(plant.value());
 }

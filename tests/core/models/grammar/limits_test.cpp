@@ -17,11 +17,11 @@ struct Limited {
   }
 };
 
-Limited limited(Asked asked, const char* outputs = "meshes sky measures") {
-  asked.outputs = outputs;
-  WorkBudget budget(asked.limits.work, asked.limits.bytes);
-  asked.limits.budget = &budget;
-  Limited grown{grow(asked)};
+Limited limited(GrammarRequest request, const char* outputs = "meshes sky measures") {
+  request.outputs = outputs;
+  WorkBudget budget(request.limits.work, request.limits.bytes);
+  request.limits.budget = &budget;
+  Limited grown{grow(request)};
   grown.spent = budget.spent();
   grown.held = budget.held();
   return grown;
@@ -136,12 +136,12 @@ TEST_CASE("surfaces that are unknown are named a few times, however many there a
 double hundredths = 0;
 double next_hundredth() { return ++hundredths / 100; }
 
-Limited limited_in_time(Asked asked) {
+Limited limited_in_time(GrammarRequest request) {
   hundredths = 0;
-  asked.outputs = "meshes sky measures";
-  WorkBudget budget(asked.limits.work, asked.limits.bytes, next_hundredth);
-  asked.limits.budget = &budget;
-  return {grow(asked), budget.spent(), budget.held()};
+  request.outputs = "meshes sky measures";
+  WorkBudget budget(request.limits.work, request.limits.bytes, next_hundredth);
+  request.limits.budget = &budget;
+  return {grow(request), budget.spent(), budget.held()};
 }
 
 TEST_CASE("a text that reaches its time limit shows what it grew in three quarters of the time") {
@@ -157,8 +157,8 @@ TEST_CASE("a text that reaches its time limit shows what it grew in three quarte
 }
 
 TEST_CASE("a text that ends within its time limit grows as without one") {
-  const Asked asked{.text = "derivation length: 40\naxiom: A\nA --> F(1) [+A] F\n"};
-  const Limited timed = limited_in_time(asked), untimed = limited(asked);
+  const GrammarRequest request{.text = "derivation length: 40\naxiom: A\nA --> F(1) [+A] F\n"};
+  const Limited timed = limited_in_time(request), untimed = limited(request);
   CHECK(timed.plant.cut_short == CutShort::none);
   CHECK(timed.plant.fingerprint == untimed.plant.fingerprint);
   CHECK(timed.plant.notes == untimed.plant.notes);
@@ -175,10 +175,10 @@ TEST_CASE("a plant that a limit of work, of segments or of its file ended is mar
 TEST_CASE("a trace with its reasons takes nothing of the work that is left for the plant") {
   const std::string text = "derivation length: 6\naxiom: A(0)\nA(x) : x<0 --> F\nA(x) --> F(1) [+(30) A(x+1)] A(x+1)\n";
   const std::uint32_t step = 5;
-  Asked asked{.text = text};
-  const Limited plain = limited(asked);
-  asked.more = {{"chronicle_step", Element::uint32, 1, 1, reinterpret_cast<const std::uint8_t*>(&step)}};
-  const Limited traced = limited(asked, "meshes sky measures chronicle");
+  GrammarRequest request{.text = text};
+  const Limited plain = limited(request);
+  request.more = {{"chronicle_step", Element::uint32, 1, 1, reinterpret_cast<const std::uint8_t*>(&step)}};
+  const Limited traced = limited(request, "meshes sky measures chronicle");
   bool has_refusals = false;
   for (std::size_t i = 0; i < traced.plant.columns.size(); ++i)
     has_refusals |= traced.plant.columns[i].name == "chronicle.refusals";

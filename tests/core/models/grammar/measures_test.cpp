@@ -135,13 +135,13 @@ TEST_CASE("growth areas have the volume of their form, and are clothed as far as
 
 TEST_CASE("a text is told each area's largest extent, in its own unit") {
   const std::string text = "#input size[]\naxiom: F(size[1])\n";
-  const auto told = [&](std::vector<ColumnView> views) {
+  const auto largest_extent = [&](std::vector<ColumnView> views) {
     return of(measured(text, {{"unit", 10}}, std::move(views)), Measure::line_length);
   };
   const OneArea box(Volume::Kind::box, {1, 3, 2}), ball(Volume::Kind::sphere, {1, 3, 2});
-  CHECK(told(box.views()) == near(3, 1e-5));
-  CHECK(told(ball.views()) == near(1, 1e-5));
-  CHECK(told({}) == near(1, 1e-5));
+  CHECK(largest_extent(box.views()) == near(3, 1e-5));
+  CHECK(largest_extent(ball.views()) == near(1, 1e-5));
+  CHECK(largest_extent({}) == near(1, 1e-5));
 }
 
 TEST_CASE("each leaf clothes as far as itself is long") {

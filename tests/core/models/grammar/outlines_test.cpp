@@ -50,8 +50,8 @@ TEST_CASE("a surface that is named for an outline is the leaf which the text of 
     const Outline& outline = outlines[i];
     CAPTURE(outline.name);
     REQUIRE(surfaces[first_outline_surface + i].name == outline.name);
-    Asked asked{.text = text, .parameters = {{"unit", 1000}}, .outputs = "meshes"};
-    asked.constants = {{"stalk", 0},
+    GrammarRequest request{.text = text, .parameters = {{"unit", 1000}}, .outputs = "meshes"};
+    request.constants = {{"stalk", 0},
                        {"thick", 0},
                        {"beta", 0},
                        {"veins", 0},
@@ -65,20 +65,20 @@ TEST_CASE("a surface that is named for an outline is the leaf which the text of 
                        {"turns", outline.turns},
                        {"round", outline.round},
                        {"teeth", outline.teeth}};
-    const Plant grown = grow(asked);
+    const Plant grown = grow(request);
     const PlantMesh* blade = mesh_of(grown, "blades");
     REQUIRE(blade != nullptr);
     // The text's midrib is as long as its functions say; the surface's is 1.
     const float length = shape_of(blade->mesh, 1).top;
-    const Shape wanted = shape_of(blade->mesh, 1 / length);
+    const Shape expected = shape_of(blade->mesh, 1 / length);
     const Shape shape = shape_of(make_surface(first_outline_surface + static_cast<std::uint32_t>(i)), 1);
     CHECK(shape.top == doctest::Approx(1).epsilon(1e-4));
-    CHECK(shape.left == doctest::Approx(wanted.left).epsilon(1e-3));
-    CHECK(shape.right == doctest::Approx(wanted.right).epsilon(1e-3));
-    CHECK(shape.bottom == doctest::Approx(wanted.bottom).epsilon(1e-3));
-    CHECK(shape.area == doctest::Approx(wanted.area).epsilon(2e-3));
+    CHECK(shape.left == doctest::Approx(expected.left).epsilon(1e-3));
+    CHECK(shape.right == doctest::Approx(expected.right).epsilon(1e-3));
+    CHECK(shape.bottom == doctest::Approx(expected.bottom).epsilon(1e-3));
+    CHECK(shape.area == doctest::Approx(expected.area).epsilon(2e-3));
     // A sheet hides half of its area.
-    CHECK(surfaces[first_outline_surface + i].area == doctest::Approx(0.5 * wanted.area).epsilon(0.1));
+    CHECK(surfaces[first_outline_surface + i].area == doctest::Approx(0.5 * expected.area).epsilon(0.1));
   }
 }
 

@@ -197,7 +197,7 @@ TEST_CASE("a text says how thick a polygon is, in its unit and its size; without
   CHECK(blades("{(0)").mesh.indices.size() == 6);
   CHECK(volume_of(blades("{(0.02)").mesh) == near(0.1 * 0.1 * 0.002, 1e-3));
   CHECK(volume_of(blades("@D(2) {(0.02)").mesh) == near(8 * 0.1 * 0.1 * 0.002, 1e-3));
-  const Result<Plant> wrong = ask({.text = "axiom: {(-1)" + square});
+  const Result<Plant> wrong = try_grow({.text = "axiom: {(-1)" + square});
   REQUIRE(!wrong);
   CHECK(wrong.error().line == 1);
 }

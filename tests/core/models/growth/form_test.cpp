@@ -53,9 +53,9 @@ TEST_CASE("whatever is counted is there: a shoot for each, none of them at a poi
       CHECK(segment.radius_end > 0);
       CHECK(segment.radius_end <= segment.radius * 1.0001f);
       if (segment.parent >= 0) {
-        const Segment& bearer = moment.segments[static_cast<std::size_t>(segment.parent)];
-        CHECK(segment.start == bearer.end);
-        CHECK(segment.radius <= bearer.radius * 1.0001f);
+        const Segment& parent = moment.segments[static_cast<std::size_t>(segment.parent)];
+        CHECK(segment.start == parent.end);
+        CHECK(segment.radius <= parent.radius * 1.0001f);
       }
     }
     // A child trunk that came with the last step has not risen yet.

@@ -27,25 +27,25 @@ glm::vec3 direction(int i) {
 
 // As the page of the model has it: 0.55 r about a place no node, a twentieth outside, up to one and a half in the
 // light. `doubt`: what the places would count for that lie as good as on one of the borders, which rounding decides.
-FreeRoom::Found plainly(const FreeRoom::Look& look, const std::vector<glm::vec3>& nodes, const VolumeShape& volume,
+FreeRoom::Found plainly(const FreeRoom::Query& query, const std::vector<glm::vec3>& nodes, const VolumeShape& volume,
                         const Surroundings& about, float& doubt) {
   FreeRoom::Found found;
   for (int i = 0; i < looks; ++i) {
     const glm::vec3 d = direction(i);
-    const float luck = look.luck + golden * static_cast<float>(i + 1), deep = luck - std::floor(luck);
-    const float ahead = glm::dot(d, look.forward);
-    const glm::vec3 place = look.tip + (0.5f + 0.5f * deep) * look.radius * d;
+    const float noise = query.noise + golden * static_cast<float>(i + 1), deep = noise - std::floor(noise);
+    const float ahead = glm::dot(d, query.forward);
+    const glm::vec3 place = query.tip + (0.5f + 0.5f * deep) * query.radius * d;
     float nearest = 1e9f;
     for (const glm::vec3& node : nodes)
-      if (glm::distance(node, look.tip) > 1e-4f) nearest = std::min(nearest, glm::distance(node, place) / look.radius);
+      if (glm::distance(node, query.tip) > 1e-4f) nearest = std::min(nearest, glm::distance(node, place) / query.radius);
     if (ahead < 0.3f - 1e-5f) continue;
     const bool taken = nearest < 0.55f || !about.holds(place);
-    const float weight = (taken ? 1 - look.regard : 1.0f) * (volume.holds(place) ? 1.0f : 0.05f) *
-                         (1 + 0.5f * std::max(0.0f, glm::dot(d, look.light)));
-    const glm::vec3 aside(2e-5f * look.radius);
+    const float weight = (taken ? 1 - query.regard : 1.0f) * (volume.holds(place) ? 1.0f : 0.05f) *
+                         (1 + 0.5f * std::max(0.0f, glm::dot(d, query.light)));
+    const glm::vec3 offset(2e-5f * query.radius);
     if (ahead < 0.3f + 1e-5f || std::fabs(nearest - 0.55f) < 1e-5f || deep < 1e-5f || deep > 1 - 1e-5f ||
-        volume.holds(place - aside) != volume.holds(place + aside) ||
-        about.holds(place - aside) != about.holds(place + aside))
+        volume.holds(place - offset) != volume.holds(place + offset) ||
+        about.holds(place - offset) != about.holds(place + offset))
       doubt += 1.5f;
     found.middle += weight * d;
     found.sum += weight;
@@ -78,19 +78,19 @@ TEST_CASE("the quick search finds the places that the plain one finds") {
     for (std::uint64_t i = 0; i < count; ++i)
       nodes.push_back(between(0, 4, 7, hash_combine(k, i)) * random_direction(7, 8, hash_combine(k, i)) +
                       glm::vec3(0, 4, 0));
-    FreeRoom::Look look;
+    FreeRoom::Query query;
     // A tip is a node itself.
-    look.tip = nodes.empty() ? glm::vec3(0, 1, 0) : nodes[k % nodes.size()];
-    look.forward = random_direction(7, 9, k);
-    look.light = random_direction(7, 10, k);
-    look.radius = between(0.1f, 2, 11, k);
-    look.luck = random_unit(7, 12, k);
-    look.regard = k % 5 == 0 ? between(0, 1, 13, k) : 1;
+    query.tip = nodes.empty() ? glm::vec3(0, 1, 0) : nodes[k % nodes.size()];
+    query.forward = random_direction(7, 9, k);
+    query.light = random_direction(7, 10, k);
+    query.radius = between(0.1f, 2, 11, k);
+    query.noise = random_unit(7, 12, k);
+    query.regard = k % 5 == 0 ? between(0, 1, 13, k) : 1;
     const Surroundings& about = k % 2 == 0 ? alone : walled;
     float doubt = 1e-4f;
-    const FreeRoom::Found plain = plainly(look, nodes, volume, about, doubt);
-    room.lay(nodes, between(0.05f, 1.5f, 14, k));
-    const FreeRoom::Found found = room.about(look, volume, about);
+    const FreeRoom::Found plain = plainly(query, nodes, volume, about, doubt);
+    room.set_nodes(nodes, between(0.05f, 1.5f, 14, k));
+    const FreeRoom::Found found = room.find(query, volume, about);
     CAPTURE(k);
     CHECK(std::fabs(found.sum - plain.sum) <= doubt);
     CHECK(glm::distance(found.middle, plain.middle) <= doubt);
@@ -104,25 +104,25 @@ TEST_CASE("the quick search finds the places that the plain one finds") {
 
 TEST_CASE("a place that is no number is not free, and a node that is none takes no room") {
   const float none = std::nanf("");
-  const FreeRoom::Look look{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, 1, 0.5f, 1};
-  const auto free = [](const FreeRoom::Look& at, const std::vector<glm::vec3>& nodes) {
+  const FreeRoom::Query query{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, 1, 0.5f, 1};
+  const auto free = [](const FreeRoom::Query& at, const std::vector<glm::vec3>& nodes) {
     FreeRoom room;
-    room.lay(nodes, 1);
-    return room.about(at, VolumeShape(GrowthVolume{}), Surroundings{});
+    room.set_nodes(nodes, 1);
+    return room.find(at, VolumeShape(GrowthVolume{}), Surroundings{});
   };
   const std::vector<glm::vec3> nodes = {{0, 1, 0}, {0, 1.5f, 0}};
-  const float usual = free(look, nodes).sum;
+  const float usual = free(query, nodes).sum;
   CHECK(usual > 0);
   for (const std::vector<glm::vec3>& about : {nodes, std::vector<glm::vec3>{}}) {
-    FreeRoom::Look lucky = look, lost = look, boundless = look;
-    lucky.luck = lost.tip.x = boundless.radius = none;
-    for (const FreeRoom::Look& each : {lucky, lost, boundless}) {
+    FreeRoom::Query invalid_noise = query, invalid_tip = query, invalid_radius = query;
+    invalid_noise.noise = invalid_tip.tip.x = invalid_radius.radius = none;
+    for (const FreeRoom::Query& each : {invalid_noise, invalid_tip, invalid_radius}) {
       const FreeRoom::Found found = free(each, about);
       CHECK(found.sum == 0);
       CHECK(found.middle == glm::vec3(0));
     }
   }
-  CHECK(free(look, {nodes[0], nodes[1], {none, 1, 0}, {0, none, none}}).sum == usual);
+  CHECK(free(query, {nodes[0], nodes[1], {none, 1, 0}, {0, none, none}}).sum == usual);
 }
 
 TEST_CASE("where all places about one are said to be within the room, they are") {

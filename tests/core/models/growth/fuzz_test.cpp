@@ -114,10 +114,10 @@ Limits small_limits() {
 
 // Whether it is a tree; a diagnostic says something, at a place of the text or at none.
 bool grows(const std::string& text) {
-  const Diagnostic told = trouble(text, 7, small_limits());
-  if (told.reason == Reason::none) return true;
-  CHECK_FALSE(told.message.empty());
-  CHECK((told.line == 0) == (told.column == 0));
+  const Diagnostic diagnostic = trouble(text, 7, small_limits());
+  if (diagnostic.reason == Reason::none) return true;
+  CHECK_FALSE(diagnostic.message.empty());
+  CHECK((diagnostic.line == 0) == (diagnostic.column == 0));
   return false;
 }
 

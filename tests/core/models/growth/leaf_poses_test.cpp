@@ -37,20 +37,20 @@ TEST_CASE("four leaves at once stand as each of them alone") {
   for (std::uint64_t k = 0; k < 300; ++k) {
     const glm::vec3 along = random_direction(1, 1, k), one = beside(along);
     const Twig twig{along, one, glm::cross(along, one)};
-    LeafNoise luck{};
+    LeafNoise noise{};
     for (int i = 0; i < 4; ++i) {
       const std::uint64_t address = hash_combine(k, static_cast<std::uint64_t>(i));
-      luck.about[i] = 6 * random_unit(1, 2, address);
-      luck.height[i] = 2 * random_unit(1, 3, address) - 1;
-      luck.around[i] = random_unit(1, 4, address);
+      noise.about[i] = 6 * random_unit(1, 2, address);
+      noise.height[i] = 2 * random_unit(1, 3, address) - 1;
+      noise.around[i] = random_unit(1, 4, address);
     }
-    const auto leaves = leaf_poses(twig, luck, 0.5f), needles = needle_poses(twig, luck);
+    const auto leaves = leaf_poses(twig, noise, 0.5f), needles = needle_poses(twig, noise);
     for (int i = 0; i < 4; ++i) {
       CAPTURE(k);
       CAPTURE(i);
       const auto at = static_cast<std::size_t>(i);
-      CHECK(apart(leaves[at], plainly(twig, luck.about[i], luck.height[i], luck.around[i], false)) < 2e-4f);
-      CHECK(apart(needles[at], plainly(twig, luck.about[i], luck.height[i], luck.around[i], true)) < 2e-4f);
+      CHECK(apart(leaves[at], plainly(twig, noise.about[i], noise.height[i], noise.around[i], false)) < 2e-4f);
+      CHECK(apart(needles[at], plainly(twig, noise.about[i], noise.height[i], noise.around[i], true)) < 2e-4f);
       CHECK(glm::length(leaves[at]) == doctest::Approx(1).epsilon(1e-6));
     }
   }
@@ -61,11 +61,11 @@ TEST_CASE("where nothing says which way a leaf looks, it still stands") {
   for (const float height : {-1.0f, 0.0f, 1.0f})
     for (const glm::vec3& along : {glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(1, 0, 0)}) {
       const glm::vec3 one = beside(along);
-      LeafNoise luck{};
-      luck.about = Four{0, 0.25f, 0.5f, 0.75f};
-      luck.height = all_of(height);
-      luck.around = luck.about;
-      for (const glm::vec4& pose : leaf_poses({along, one, glm::cross(along, one)}, luck, 0.5f))
+      LeafNoise noise{};
+      noise.about = Four{0, 0.25f, 0.5f, 0.75f};
+      noise.height = all_of(height);
+      noise.around = noise.about;
+      for (const glm::vec4& pose : leaf_poses({along, one, glm::cross(along, one)}, noise, 0.5f))
         CHECK(glm::length(pose) == doctest::Approx(1).epsilon(1e-6));
     }
 }

@@ -20,7 +20,7 @@ constexpr float blade_area = 0.5f;
 struct Tree {
   Plant plant;
   Moment moment;
-  Levels levels;
+  TreeLevels levels;
 };
 
 Tree tree_of(std::string_view text, std::uint16_t steps, std::uint64_t seed, bool leafy = true) {
@@ -136,7 +136,7 @@ TEST_CASE("a tree in flower is seen to be one at every distance") {
     blossom.scale = 0.04f;
     organs.push_back(blossom);
   }
-  const Levels levels = levels_of(tree.moment, organs, blade_area, 0.3f);
+  const TreeLevels levels = levels_of(tree.moment, organs, blade_area, 0.3f);
   const double whole = area_of(levels.meshes[0], 2);
   CHECK(whole == doctest::Approx(static_cast<double>(leaves) * 0.3 * 0.04 * 0.04).epsilon(0.01));
   for (const PlantMesh& level : levels.meshes) {

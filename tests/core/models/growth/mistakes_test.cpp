@@ -108,9 +108,9 @@ const Mistake mistakes[] = {
 
 TEST_CASE("mistakes in a growth grammar are told at their place, with advice") {
   panicle::tests::check_told(mistakes, [](const std::string& text) {
-    const Diagnostic told = trouble(text);
-    CHECK(told.message.find('%') == std::string::npos);
-    return told;
+    const Diagnostic diagnostic = trouble(text);
+    CHECK(diagnostic.message.find('%') == std::string::npos);
+    return diagnostic;
   });
 }
 

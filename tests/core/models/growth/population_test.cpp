@@ -70,11 +70,11 @@ TEST_CASE("shoots stand behind what bears them, on an internode that it has") {
 
 TEST_CASE("an internode bears no more branches than buds") {
   const Population plant = grown(sigma, 11, 2);
-  std::vector<std::uint32_t> borne(plant.shoots.size() * 12);
+  std::vector<std::uint32_t> attached(plant.shoots.size() * 12);
   for (const Shoot& shoot : plant.shoots)
-    if (shoot.order > 1) ++borne[static_cast<std::size_t>(shoot.parent) * 12 + shoot.node];
-  for (std::size_t i = 0; i < borne.size(); ++i)
-    if (borne[i] > 0) REQUIRE(borne[i] <= i % 12 - 1);
+    if (shoot.order > 1) ++attached[static_cast<std::size_t>(shoot.parent) * 12 + shoot.node];
+  for (std::size_t i = 0; i < attached.size(); ++i)
+    if (attached[i] > 0) REQUIRE(attached[i] <= i % 12 - 1);
 }
 
 TEST_CASE("a later step only adds to an earlier one") {

@@ -50,9 +50,9 @@ double brightness(const Plant& plant) {
 
 TEST_CASE("places for bunches hide no sky") {
   const Chosen needles{{Parameter::leaf_kind, 1}};
-  Chosen borne = needles;
-  borne[Parameter::bunches] = 3;
-  const Plant without = tree(needles), with = tree(borne);
+  Chosen with_bunches = needles;
+  with_bunches[Parameter::bunches] = 3;
+  const Plant without = tree(needles), with = tree(with_bunches);
   REQUIRE(with.organs.size() > without.organs.size());
   CHECK(with.organs.back().tag == bunch_tag);
   CHECK(sky_of(with.meshes[0].columns, "sky") == sky_of(without.meshes[0].columns, "sky"));

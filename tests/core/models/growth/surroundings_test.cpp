@@ -137,7 +137,7 @@ TEST_CASE("light comes from where the crown is thin") {
   for (int i = 0; i < 20; ++i)
     for (int k = 0; k < 7; ++k)
       light.put({1, 1 + 0.4f * static_cast<float>(i), 0.9f * static_cast<float>(k - 3)}, 0.2f);
-  light.shine();
+  light.update();
   CHECK(light.from({0, 5, 0}).x < -0.03f);
   CHECK(light.from({3, 5, 0}).x > 0.03f);
   CHECK(std::abs(light.from({0, 5, 0}).z) < 0.5f * std::abs(light.from({0, 5, 0}).x));

@@ -81,7 +81,7 @@ TEST_CASE("stand: a plan goes on behind commas and colons, and works out its num
 TEST_CASE("stand: every plan of the presets is read and laid") {
   REQUIRE(texts().size() >= 1);
   for (const std::string& text : texts()) {
-    const Laid all = laid(text);
+    const PlacedStand all = placed(text);
     CHECK(all.notes.empty());
     CHECK(all.plants.size() >= 20);
   }

@@ -24,7 +24,7 @@ float nearest(const std::vector<Placement>& plants) {
 TEST_CASE("stand: every spacing places as many as asked, on the ground") {
   for (const char* const spacing : {"random", "stratified", "blue", "blue 1.5", "rows 3 x 2"}) {
     CAPTURE(spacing);
-    const auto plants = laid(std::string("ground 60 x 40, relief 3\nplants 300, ") + spacing + "\na/b").plants;
+    const auto plants = placed(std::string("ground 60 x 40, relief 3\nplants 300, ") + spacing + "\na/b").plants;
     CHECK(plants.size() == 300);
     for (const Placement& plant : plants) {
       CHECK(std::abs(plant.at.x) <= 30);
@@ -41,7 +41,7 @@ TEST_CASE("stand: the thinnest strip there may be holds its layer too") {
       for (const char* const depth : {"0 to 0.001", "0.999 to 1"}) {
         const std::string text = std::string(ground) + "\n" + plants + ", depth " + depth + "\na/b";
         CAPTURE(text);
-        const Laid all = laid(text);
+        const PlacedStand all = placed(text);
         CHECK(all.plants.size() == all.plan.layers[0].count);
         for (const Placement& plant : all.plants) {
           CHECK(std::abs(plant.at.x) <= 0.5f * all.plan.ground.width);
@@ -52,35 +52,35 @@ TEST_CASE("stand: the thinnest strip there may be holds its layer too") {
 
 TEST_CASE("stand: asked for another number, layers keep their proportion") {
   const char* const text = "plants 30, blue 0.2\na/b\nplants 10, random\nc/d";
-  const auto plants = laid(text, 1, 200).plants;
+  const auto plants = placed(text, 1, 200).plants;
   CHECK(plants.size() == 200);
   CHECK(std::count_if(plants.begin(), plants.end(), [](const Placement& each) { return each.kind == 1; }) == 50);
 }
 
 TEST_CASE("stand: as many stand as asked for, however few, and a layer that gets none is told") {
   const char* const text = "plants 60, random\na/b\nplants 30, random\nc/d\nplants 50, random\ne/f";
-  for (const std::uint32_t asked : {1u, 2u, 3u, 7u, 24u, 139u, 140u, 141u, 3000u}) {
-    CAPTURE(asked);
-    const Laid all = laid(text, 1, asked);
-    CHECK(all.plants.size() == asked);
+  for (const std::uint32_t requested : {1u, 2u, 3u, 7u, 24u, 139u, 140u, 141u, 3000u}) {
+    CAPTURE(requested);
+    const PlacedStand all = placed(text, 1, requested);
+    CHECK(all.plants.size() == requested);
     std::vector<double> of(3, 0);
     for (const Placement& plant : all.plants) ++of[plant.kind];
-    CHECK(std::abs(of[0] - asked * 60 / 140.0) < 1);
-    CHECK(std::abs(of[1] - asked * 30 / 140.0) < 1);
-    CHECK(std::abs(of[2] - asked * 50 / 140.0) < 1);
+    CHECK(std::abs(of[0] - requested * 60 / 140.0) < 1);
+    CHECK(std::abs(of[1] - requested * 30 / 140.0) < 1);
+    CHECK(std::abs(of[2] - requested * 50 / 140.0) < 1);
     CHECK(all.notes.size() == static_cast<std::size_t>(std::count(of.begin(), of.end(), 0)));
   }
-  const Laid one = laid(text, 1, 1);
+  const PlacedStand one = placed(text, 1, 1);
   REQUIRE(one.notes.size() == 2);
   CHECK(one.notes[0].find("line 1") != std::string::npos);
   CHECK(one.notes[1].find("line 3") != std::string::npos);
 }
 
 TEST_CASE("stand: no two darts of blue noise come nearer than said, and a full ground says so") {
-  const Laid some = laid("ground 30 x 30\nplants 400, blue 1\na/b");
+  const PlacedStand some = placed("ground 30 x 30\nplants 400, blue 1\na/b");
   CHECK(some.notes.empty());
   CHECK(nearest(some.plants) >= 1);
-  const Laid full = laid("ground 10 x 10\nplants 400, blue 1\na/b");
+  const PlacedStand full = placed("ground 10 x 10\nplants 400, blue 1\na/b");
   CHECK(full.plants.size() < 90);
   CHECK(full.plants.size() > 50);
   REQUIRE(full.notes.size() == 1);
@@ -88,13 +88,13 @@ TEST_CASE("stand: no two darts of blue noise come nearer than said, and a full g
 }
 
 TEST_CASE("stand: blue noise without a distance finds room for all and is far more even than chance") {
-  const float blue = nearest(laid("ground 50 x 50\nplants 500, blue\na/b").plants);
+  const float blue = nearest(placed("ground 50 x 50\nplants 500, blue\na/b").plants);
   CHECK(blue >= 0.69f * std::sqrt(2500.0f / 500));
-  CHECK(blue > 5 * nearest(laid("ground 50 x 50\nplants 500, random\na/b").plants));
+  CHECK(blue > 5 * nearest(placed("ground 50 x 50\nplants 500, random\na/b").plants));
 }
 
 TEST_CASE("stand: each stratum holds one plant") {
-  const auto plants = laid("ground 20 x 10\nplants 200, stratified\na/b").plants;
+  const auto plants = placed("ground 20 x 10\nplants 200, stratified\na/b").plants;
   std::vector<int> cells(200, 0);
   for (const Placement& plant : plants)
     ++cells[static_cast<std::size_t>(plant.at.z + 5) * 20 + static_cast<std::size_t>(plant.at.x + 10)];
@@ -102,17 +102,17 @@ TEST_CASE("stand: each stratum holds one plant") {
 }
 
 TEST_CASE("stand: rows run where they are told, as far apart as said, and fill the ground") {
-  const auto plants = laid("ground 20 x 20\nplants, rows 4 x 2\na/b").plants;
+  const auto plants = placed("ground 20 x 20\nplants, rows 4 x 2\na/b").plants;
   CHECK(plants.size() == 5 * 11);
   for (const Placement& plant : plants) {
     CHECK(std::fmod(std::abs(plant.at.z), 4.0f) == doctest::Approx(0));
     CHECK(std::fmod(std::abs(plant.at.x), 2.0f) == doctest::Approx(0));
     CHECK((plant.turn == 0 || plant.turn == 180));
   }
-  for (const Placement& plant : laid("ground 20 x 20\nplants, rows 4 x 2, towards 90\na/b").plants)
+  for (const Placement& plant : placed("ground 20 x 20\nplants, rows 4 x 2, towards 90\na/b").plants)
     CHECK(std::fmod(std::abs(plant.at.x), 4.0f) == doctest::Approx(0).epsilon(0.001));
   float off = 0;
-  for (const Placement& plant : laid("ground 20 x 20\nplants, rows 4 x 4, jitter 0.5\na/b").plants)
+  for (const Placement& plant : placed("ground 20 x 20\nplants, rows 4 x 4, jitter 0.5\na/b").plants)
     off = std::max(off, std::abs(plant.at.z - 4 * std::round(plant.at.z / 4)));
   CHECK(off > 0.3f);
   CHECK(off <= 0.5f);
@@ -122,8 +122,8 @@ TEST_CASE("stand: asked for fewer, rows about the middle are whole, and the last
   // Five rows of eleven.
   for (const char* const count : {"plants", "plants 55"}) {
     const std::string text = "ground 20 x 20\n" + std::string(count) + ", rows 4 x 2\na/b";
-    CHECK(laid(text).plants.size() == 55);
-    const auto plants = laid(text, 1, 25).plants;
+    CHECK(placed(text).plants.size() == 55);
+    const auto plants = placed(text, 1, 25).plants;
     REQUIRE(plants.size() == 25);
     const auto in_row = [&](float z) {
       return std::count_if(plants.begin(), plants.end(), [&](const Placement& each) { return each.at.z == z; });
@@ -137,7 +137,7 @@ TEST_CASE("stand: asked for fewer, rows about the middle are whole, and the last
   // Of more than may stand at all, too, in rows and within a row.
   for (const char* const rows : {"1 x 1", "1 x 0.02"})
     for (const Placement& plant :
-         laid("ground 200 x 200\nplants 5000, rows " + std::string(rows) + "\na/b", 1, 50).plants) {
+         placed("ground 200 x 200\nplants 5000, rows " + std::string(rows) + "\na/b", 1, 50).plants) {
       CHECK(plant.at.z == 0);
       CHECK(std::abs(plant.at.x) <= 25);
     }
@@ -146,8 +146,8 @@ TEST_CASE("stand: asked for fewer, rows about the middle are whole, and the last
 TEST_CASE("stand: however rows run, all of their places that lie in the strip are taken") {
   for (const int towards : {0, 1, 30, 45, 90, 137, 180, -89, -270}) {
     CAPTURE(towards);
-    const Laid all =
-        laid("ground 40 x 30\nplants, rows 0.7 x 0.5, depth 0.1 to 0.35, towards " + std::to_string(towards) + "\na/b");
+    const PlacedStand all =
+        placed("ground 40 x 30\nplants, rows 0.7 x 0.5, depth 0.1 to 0.35, towards " + std::to_string(towards) + "\na/b");
     const float turn = static_cast<float>(towards) * pi / 180;
     std::size_t inner = 0, outer = 0;
     for (int row = -60; row <= 60; ++row)
@@ -168,20 +168,20 @@ TEST_CASE("stand: rows far finer than the ground are laid in a strip of it") {
   for (const char* const towards : {"0", "30", "90"}) {
     CAPTURE(towards);
     const std::string text = std::string("rows 0.01 x 0.01, depth 0 to 0.001, towards ") + towards + "\na/b";
-    const Laid one = laid("ground 1000 x 1000\nplants 1, " + text);
+    const PlacedStand one = placed("ground 1000 x 1000\nplants 1, " + text);
     CHECK(one.plants.size() == 1);
     CHECK(one.plants[0].at.z <= -499);
-    CHECK(laid("ground 1000 x 1000\nplants 5000, " + text).plants.size() == 5000);
+    CHECK(placed("ground 1000 x 1000\nplants 5000, " + text).plants.size() == 5000);
   }
 }
 
 TEST_CASE("stand: a strip holds its layer") {
-  for (const Placement& plant : laid("ground 20 x 20\nplants 50, random, depth 0.75 to 1\na/b").plants)
+  for (const Placement& plant : placed("ground 20 x 20\nplants 50, random, depth 0.75 to 1\na/b").plants)
     CHECK(plant.at.z >= 5);
 }
 
 TEST_CASE("stand: shares are met within chance") {
-  const auto plants = laid("ground 100 x 100\nplants 4000, random\na/b, share 3\nc/d, share 1\ne/f, share 0").plants;
+  const auto plants = placed("ground 100 x 100\nplants 4000, random\na/b, share 3\nc/d, share 1\ne/f, share 0").plants;
   std::vector<int> of(3, 0);
   for (const Placement& plant : plants) ++of[plant.kind];
   CHECK(std::abs(of[0] - 3000) < 110);  // four standard deviations
@@ -189,7 +189,7 @@ TEST_CASE("stand: shares are met within chance") {
 }
 
 TEST_CASE("stand: values are drawn from end to end, each plant its own; words are none") {
-  const auto plants = laid("plants 2000, random\na/b, scale 0.5 to 2: age 10 to 20, leaf oak, steps 3").plants;
+  const auto plants = placed("plants 2000, random\na/b, scale 0.5 to 2: age 10 to 20, leaf oak, steps 3").plants;
   float least = 1e9f, most = 0;
   for (const Placement& plant : plants) {
     least = std::min(least, plant.settings[0]);
@@ -205,7 +205,7 @@ TEST_CASE("stand: values are drawn from end to end, each plant its own; words ar
 }
 
 TEST_CASE("stand: of so many seeds there are so many plants, alike in their values") {
-  const auto plants = laid("plants 500, random\na/b, seeds 4, scale 1 to 2: age 10 to 20").plants;
+  const auto plants = placed("plants 500, random\na/b, seeds 4, scale 1 to 2: age 10 to 20").plants;
   std::vector<std::pair<std::uint32_t, float>> found;
   for (const Placement& plant : plants) found.emplace_back(plant.seed, plant.settings[0]);
   std::sort(found.begin(), found.end());
@@ -215,12 +215,12 @@ TEST_CASE("stand: of so many seeds there are so many plants, alike in their valu
 }
 
 TEST_CASE("stand: what is borne hangs on each bearer, along its row") {
-  const auto plants = laid("plants 20, rows 4 x 4\na/b, scale 2\nc/d, each 3 to 5, height 0.8 to 1, reach 0.5").plants;
+  const auto plants = placed("plants 20, rows 4 x 4\na/b, scale 2\nc/d, each 3 to 5, height 0.8 to 1, reach 0.5").plants;
   std::vector<int> of(20, 0);
   for (const Placement& plant : plants) {
-    if (plant.bearer < 0) continue;
-    const Placement& by = plants[static_cast<std::size_t>(plant.bearer)];
-    ++of[static_cast<std::size_t>(plant.bearer)];
+    if (plant.parent < 0) continue;
+    const Placement& by = plants[static_cast<std::size_t>(plant.parent)];
+    ++of[static_cast<std::size_t>(plant.parent)];
     CHECK(plant.at.y - by.at.y >= 1.6f);
     CHECK(plant.at.y - by.at.y <= 2);
     CHECK(std::abs(plant.at.x - by.at.x) <= 1.001f);
@@ -232,8 +232,8 @@ TEST_CASE("stand: what is borne hangs on each bearer, along its row") {
 
 TEST_CASE("stand: the same seed lays the same, another another; what a plant is does not hang on how many there are") {
   const char* const text = "ground 40 x 40, relief 2\nplants 100, blue 1\na/b: age 1 to 9";
-  const auto once = laid(text, 7).plants, again = laid(text, 7).plants, other = laid(text, 8).plants;
-  const auto fewer = laid(text, 7, 40).plants;
+  const auto once = placed(text, 7).plants, again = placed(text, 7).plants, other = placed(text, 8).plants;
+  const auto fewer = placed(text, 7, 40).plants;
   int same = 0;
   for (std::size_t i = 0; i < once.size(); ++i) {
     CHECK(once[i].at == again[i].at);

@@ -17,17 +17,17 @@ namespace panicle::stand::tests {
 
 using panicle::tests::sound;
 
-struct Laid {
+struct PlacedStand {
   Plan plan;
   std::vector<Placement> plants;
   std::vector<std::string> notes;
 };
 
-inline Laid laid(std::string_view text, std::uint64_t seed = 1, std::uint32_t asked = 0) {
-  Laid laid;
-  laid.plan = sound(read_plan(text));
-  laid.plants = sound(place(laid.plan, Relief(laid.plan.ground, seed), seed, asked, laid.notes));
-  return laid;
+inline PlacedStand placed(std::string_view text, std::uint64_t seed = 1, std::uint32_t requested = 0) {
+  PlacedStand placed;
+  placed.plan = sound(read_plan(text));
+  placed.plants = sound(place(placed.plan, Relief(placed.plan.ground, seed), seed, requested, placed.notes));
+  return placed;
 }
 
 inline glm::vec2 flat(const Placement& plant) { return {plant.at.x, plant.at.z}; }

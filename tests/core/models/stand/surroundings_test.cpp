@@ -60,18 +60,18 @@ TEST_CASE(
 }
 
 TEST_CASE("stand: what is told of neighbours are whole degrees and centimetres, and never no room at all") {
-  const Laid all = laid("ground 9 x 9, relief 1\nplants 40, random\na/b, crown 3 x 4, scale 0.5 to 1.5");
-  const auto told = surroundings_of(all.plan, all.plants);
-  for (std::size_t i = 0; i < told.size(); ++i) {
+  const PlacedStand all = placed("ground 9 x 9, relief 1\nplants 40, random\na/b, crown 3 x 4, scale 0.5 to 1.5");
+  const auto surroundings = surroundings_of(all.plan, all.plants);
+  for (std::size_t i = 0; i < surroundings.size(); ++i) {
     const float steps = i % 16 < 8 ? 1.0f : 100.0f;
-    CHECK(std::round(steps * told[i]) / steps == told[i]);
-    if (i % 16 >= 8) CHECK(told[i] >= least_room);
+    CHECK(std::round(steps * surroundings[i]) / steps == surroundings[i]);
+    if (i % 16 >= 8) CHECK(surroundings[i] >= least_room);
   }
   CHECK(around({{0, 0, 0}, {0.001f, 0, 0}})[8] == least_room);
 }
 
 TEST_CASE("stand: what is borne is nobody's neighbour and has none") {
-  const Laid all = laid("ground 20 x 20\nplants 4, rows 5 x 5\na/b\nc/d, each 2");
+  const PlacedStand all = placed("ground 20 x 20\nplants 4, rows 5 x 5\na/b\nc/d, each 2");
   const auto with = surroundings_of(all.plan, all.plants);
   std::vector<Placement> standing(all.plants.begin(), all.plants.begin() + 4);
   const auto without = surroundings_of(all.plan, standing);
@@ -81,8 +81,8 @@ TEST_CASE("stand: what is borne is nobody's neighbour and has none") {
 }
 
 TEST_CASE("stand: what many neighbours leave is the least that any of them leaves, to the last bit") {
-  const Laid all =
-      laid("ground 8 x 8, relief 1\nplants 60, random\na/b, crown 3 x 4, scale 1 to 1.5\nc/d, crown 1 x 15, share 0.2");
+  const PlacedStand all =
+      placed("ground 8 x 8, relief 1\nplants 60, random\na/b, crown 3 x 4, scale 1 to 1.5\nc/d, crown 1 x 15, share 0.2");
   const auto together = surroundings_of(all.plan, all.plants);
   for (std::size_t i = 0; i < all.plants.size(); ++i) {
     std::vector<float> one(8, 0.0f);

@@ -15,7 +15,7 @@ using namespace panicle::stand::tests;
 
 namespace {
 
-Trellises built(const Laid& all) { return trellises_of(all.plan, Relief(all.plan.ground, 1), all.plants); }
+Trellises built(const PlacedStand& all) { return trellises_of(all.plan, Relief(all.plan.ground, 1), all.plants); }
 
 std::vector<glm::vec3> corners(const Mesh& mesh) {
   std::vector<glm::vec3> all;
@@ -27,7 +27,7 @@ std::vector<glm::vec3> corners(const Mesh& mesh) {
 }  // namespace
 
 TEST_CASE("stand: a trellis has posts between its rows' plants, no further apart than said, and at both ends") {
-  const Laid all = laid("ground 20 x 8\nplants, rows 4 x 2\ntrellis 2, posts 6\na/b");
+  const PlacedStand all = placed("ground 20 x 8\nplants, rows 4 x 2\ntrellis 2, posts 6\na/b");
   // Two rows more than the middle one; of eleven plants each, in panels of three.
   const Trellises trellises = built(all);
   CHECK(trellises.posts == 3 * 5);
@@ -35,15 +35,15 @@ TEST_CASE("stand: a trellis has posts between its rows' plants, no further apart
   for (const glm::vec3& corner : corners(trellises.wood))
     if (corner.y < 0 && std::abs(corner.x) < 10.5f) feet.insert(static_cast<int>(std::floor(corner.x + 0.5f)));
   CHECK(feet == std::set<int>{-5, 1, 7});
-  CHECK(built(laid("ground 20 x 8\nplants, rows 4 x 2\na/b")).posts == 0);
+  CHECK(built(placed("ground 20 x 8\nplants, rows 4 x 2\na/b")).posts == 0);
 }
 
 TEST_CASE("stand: wires follow the ground at their heights, a pair to both sides of the posts") {
-  const Laid all = laid("ground 30 x 12, relief 3\nplants, rows 4 x 2, towards 20\ntrellis 2, wire 0.9, pair 1.5\na/b");
+  const PlacedStand all = placed("ground 30 x 12, relief 3\nplants, rows 4 x 2, towards 20\ntrellis 2, wire 0.9, pair 1.5\na/b");
   const Relief relief(all.plan.ground, 1);
   const Trellises trellises = built(all);
   for (const Placement& plant : all.plants) {
-    std::vector<float> aside;
+    std::vector<float> offsets;
     for (const float high : {0.9f, 1.5f}) {
       const float over = relief.at(plant.at.x, plant.at.z) + high;
       const auto met = corners(trellises.metal);
@@ -58,7 +58,7 @@ TEST_CASE("stand: wires follow the ground at their heights, a pair to both sides
 
 TEST_CASE("stand: faces of posts and wires look outwards") {
   const Trellises trellises =
-      built(laid("ground 20 x 4\nplants, rows 4 x 2, towards 30\ntrellis 2, wire 0.9, pair 1.5\na/b"));
+      built(placed("ground 20 x 4\nplants, rows 4 x 2, towards 30\ntrellis 2, wire 0.9, pair 1.5\na/b"));
   for (const Mesh* const mesh : {&trellises.wood, &trellises.metal}) {
     const auto places = corners(*mesh);
     for (std::size_t i = 0; i < mesh->indices.size(); i += 3) {
@@ -72,7 +72,7 @@ TEST_CASE("stand: faces of posts and wires look outwards") {
 
 TEST_CASE("stand: what is tied to a trellis goes along it one way, others to both") {
   for (const bool tied : {true, false}) {
-    const Laid all = laid(std::string("ground 20 x 20\nplants, rows 4 x 2\n") + (tied ? "trellis 2\n" : "") + "a/b");
+    const PlacedStand all = placed(std::string("ground 20 x 20\nplants, rows 4 x 2\n") + (tied ? "trellis 2\n" : "") + "a/b");
     const auto back =
         std::count_if(all.plants.begin(), all.plants.end(), [](const Placement& plant) { return plant.turn != 0; });
     CHECK((back == 0) == tied);

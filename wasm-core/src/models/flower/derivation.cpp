@@ -20,7 +20,7 @@ using generalized_map::none;
 using generalized_map::Refusal;
 using generalized_map::words;
 
-constexpr std::uint32_t deepest = 32;  // modules in one another
+constexpr std::uint32_t most_nested = 32;  // modules in one another
 constexpr std::size_t most_notes = 100;
 constexpr std::uint64_t of_step = 0x73746570, of_face = 0x66616365;
 
@@ -35,9 +35,9 @@ class Deriver {
         attached_(program.growths, 0),
         glued_(program.productions.size(), 0),
         displaced_(program.productions.size(), 0),
-        stood_(program.labels.size(), 0),
+        has_label_occurred_(program.labels.size(), 0),
         cut_short_(given.steps > 0),
-        asked_(program.productions.size(), 0),
+        condition_results_(program.productions.size(), 0),
         refusals_(program.productions.size(), Refusal::nothing) {}
 
   Result<Derived> run() {
@@ -46,7 +46,7 @@ class Deriver {
     // Instances come at the end while these run.
     for (std::uint32_t instance = 0; instance < derived_.instances.size() && !stopped_; ++instance)
       if (!run(instance)) return evaluation_.trouble();
-    tell();
+    add_notes();
     if (limits_.budget != nullptr)
       limits_.budget->spend(std::min<std::uint64_t>(work_ + evaluation_.work(), limits_.work));
     derived_.whole = !stopped_;
@@ -72,17 +72,17 @@ class Deriver {
     const auto grown = derived_.map.plant(static_cast<std::uint32_t>(values[0]), main.axiom);
     if (grown.refusal != Refusal::nothing) return stop(grown.refusal, 0, main.place), true;
     record.volume = grown.volume;
-    keep(record, values);
+    store(record, values);
     firsts_.push_back(grown.volume);
     return true;
   }
 
-  void keep(const Record& record, const VolumeValues& values) {
-    if (record.volume >= derived_.record_of.size()) derived_.record_of.resize(record.volume + 1, nobody);
+  void store(const Record& record, const VolumeValues& values) {
+    if (record.volume >= derived_.record_of.size()) derived_.record_of.resize(record.volume + 1, invalid);
     derived_.record_of[record.volume] = static_cast<std::uint32_t>(derived_.records.size());
     derived_.records.push_back(record);
     derived_.values.push_back(values);
-    stood_[record.label] = 1;
+    has_label_occurred_[record.label] = 1;
   }
 
   bool run(std::uint32_t instance) {
@@ -113,7 +113,7 @@ class Deriver {
     const std::uint32_t record = derived_.record_of[volume];
     const Label& label = program_.labels[label_of(volume)];
     const std::uint64_t address = hash_combine(derived_.records[record].address, step_);
-    std::uint32_t becomes = nobody, split = nobody, last = nobody;
+    std::uint32_t becomes = invalid, split = invalid, last = invalid;
     bool may_act = false;
     chosen_.clear();
     if (!numbers_.enter(derived_.instances, instance_)) return false;
@@ -122,26 +122,26 @@ class Deriver {
       if (is_spent(1)) return stop_for_work();
       if (production.kind == Production::Kind::glue) continue;
       const bool grows = production.kind == Production::Kind::grow;
-      if (grows && production.becomes == nobody && !room_for(production, volume)) continue;
+      if (grows && production.becomes == invalid && !room_for(production, volume)) continue;
       may_act = true;
-      evaluation_.stand(derived_.values[record], derived_.records[record].rank, step_);
-      evaluation_.face(0);
+      evaluation_.set_volume(derived_.values[record], derived_.records[record].rank, step_);
+      evaluation_.set_face(0);
       if (!evaluation_.holds(production.condition, address)) {
         if (evaluation_.failed()) return false;
-        asked_[production.number] |= 1;
+        condition_results_[production.number] |= 1;
         continue;
       }
-      asked_[production.number] |= 2;
+      condition_results_[production.number] |= 2;
       if (!grows) {
-        displaced(split == nobody ? nullptr : &program_.productions[split]);
+        displaced(split == invalid ? nullptr : &program_.productions[split]);
         split = i;
       }
-      if (production.becomes != nobody) {
-        displaced(becomes == nobody ? nullptr : &program_.productions[last]);
+      if (production.becomes != invalid) {
+        displaced(becomes == invalid ? nullptr : &program_.productions[last]);
         becomes = production.becomes;
         last = i;
       }
-      for (const Growth& growth : production.growths)
+      for (const GrowAction& growth : production.growths)
         if (!choose(growth, volume, address)) return false;
     }
     for (const Chosen& each : chosen_) {
@@ -149,12 +149,12 @@ class Deriver {
       if (!grow(volume, record, each)) return false;
       if (stopped_) return true;
     }
-    if (becomes != nobody) {
+    if (becomes != invalid) {
       derived_.map.relabel(volume, becomes);
-      stood_[becomes] = 1;
+      has_label_occurred_[becomes] = 1;
     }
-    if (split != nobody && !part(volume, record, program_.productions[split])) return false;
-    if (may_act || becomes != nobody || split != nobody) still_.push_back(volume);
+    if (split != invalid && !part(volume, record, program_.productions[split])) return false;
+    if (may_act || becomes != invalid || split != invalid) still_.push_back(volume);
     return true;
   }
 
@@ -176,7 +176,7 @@ class Deriver {
 
   // Whether a face that it could grow on is free; one that is worked out may be.
   bool room_for(const Production& production, std::uint32_t volume) const {
-    for (const Growth& growth : production.growths)
+    for (const GrowAction& growth : production.growths)
       for (const FaceOf& face : growth.faces)
         if (face.worked_out || !derived_.map.has(volume, face.face) || derived_.map.is_free(volume, face.face))
           return true;
@@ -184,7 +184,7 @@ class Deriver {
   }
 
   // Notes the faces that something is to grow on; later ones displace earlier ones.
-  bool choose(const Growth& growth, std::uint32_t volume, std::uint64_t address) {
+  bool choose(const GrowAction& growth, std::uint32_t volume, std::uint64_t address) {
     const bool worked_out =
         std::any_of(growth.faces.begin(), growth.faces.end(), [](const FaceOf& face) { return face.worked_out; });
     if (worked_out && !evaluation_.run(growth.blocks, address)) return false;
@@ -216,9 +216,9 @@ class Deriver {
   }
 
   bool grow(std::uint32_t volume, std::uint32_t before, const Chosen& chosen) {
-    const Growth& growth = numbers_.growth(chosen.growth);
+    const GrowAction& growth = numbers_.growth(chosen.growth);
     const Instance& host = derived_.instances[instance_];
-    if (growth.module && host.depth + 1 > deepest) {
+    if (growth.module && host.depth + 1 > most_nested) {
       if (too_deep_ == 0) too_deep_ = growth.arguments.place.line;
       return true;
     }
@@ -247,7 +247,7 @@ class Deriver {
     }
     attached_[chosen.growth] += grown.attached;
     record.volume = grown.volume;
-    keep(record, values);
+    store(record, values);
     if (growth.module) {
       firsts_.push_back(grown.volume);
     } else {
@@ -280,7 +280,7 @@ class Deriver {
       if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values,
                              static_cast<float>(derived_.map.volume(record.volume).order), values))
         return false;
-      keep(record, values);
+      store(record, values);
       if (!rest) made_.push_back(parted.part);
     }
     return true;
@@ -288,12 +288,12 @@ class Deriver {
 
   // Every production that glues, for all that stands by now: what is not adjacent yet waits.
   void glue_all() {
-    std::size_t kept = 0;
+    std::size_t waiting = 0;
     for (std::size_t i = 0; i < standing_.size(); ++i) {
       const std::uint32_t volume = standing_[i];
-      if (stopped_ || wants_glue(volume)) standing_[kept++] = volume;
+      if (stopped_ || wants_glue(volume)) standing_[waiting++] = volume;
     }
-    standing_.resize(kept);
+    standing_.resize(waiting);
   }
 
   // False: it never will again.
@@ -304,7 +304,7 @@ class Deriver {
       const Production& production = program_.productions[i];
       // What is relabelled or split may come to want it.
       if (production.kind != Production::Kind::glue) {
-        waits |= production.becomes != nobody || production.kind == Production::Kind::split;
+        waits |= production.becomes != invalid || production.kind == Production::Kind::split;
         continue;
       }
       if (!derived_.map.has(volume, production.face) || !derived_.map.is_free(volume, production.face)) continue;
@@ -368,13 +368,13 @@ class Deriver {
   }
 
   // One note for all, since most flowers have such places: a stem of twelve sides bears a leaf of four.
-  void tell_attached() {
+  void note_attached() {
     constexpr std::size_t most_named = 6;
     std::string first, others;
     std::size_t count = 0;
     for (std::size_t i = 0; i < attached_.size(); ++i) {
       if (attached_[i] == 0 || ++count > most_named) continue;
-      const Growth& growth = numbers_.growth(static_cast<std::uint32_t>(i));
+      const GrowAction& growth = numbers_.growth(static_cast<std::uint32_t>(i));
       const std::string& name =
           growth.module ? program_.grammars[growth.target].name : program_.labels[growth.target].name;
       const std::string line = std::to_string(growth.arguments.place.line),
@@ -393,8 +393,8 @@ class Deriver {
   }
 
   // What did not come as the text has it.
-  void tell() {
-    tell_attached();
+  void add_notes() {
+    note_attached();
     for (const Production& production : program_.productions) {
       const auto note = [&](const char* pattern, std::string_view more = {}) {
         derived_.notes.push_back(sentence(pattern, {std::to_string(production.place.line), more}));
@@ -409,11 +409,11 @@ class Deriver {
         if (lacks.empty()) lacks = without_face(production.other, production.other_face);
         if (!lacks.empty())
           note("Line %: %", lacks);
-        else if (stood_[production.predecessor] != 0 && stood_[production.other] != 0)
+        else if (has_label_occurred_[production.predecessor] != 0 && has_label_occurred_[production.other] != 0)
           note("Line %: these faces never came to be adjacent, and nothing was glued.");
       }
       // Where it is the text that says how many steps there are.
-      if (production.by_step && asked_[production.number] == 1 && !stopped_ && !cut_short_)
+      if (production.by_step && condition_results_[production.number] == 1 && !stopped_ && !cut_short_)
         note("Line %: this never came about: whenever there was room for it its condition did not hold.");
       if (displaced_[production.number] != 0)
         note("Line %: where a later line splits or renames the same volume in the same step, this one does not.");
@@ -421,7 +421,7 @@ class Deriver {
     if (too_deep_ > 0)
       derived_.notes.push_back(
           sentence("Line %: modules stand in one another more than % deep; what is deeper was left out.",
-                   {std::to_string(too_deep_), std::to_string(deepest)}));
+                   {std::to_string(too_deep_), std::to_string(most_nested)}));
     if (derived_.notes.size() <= most_notes) return;
     const std::size_t more = derived_.notes.size() - most_notes;
     derived_.notes.resize(most_notes);
@@ -430,7 +430,7 @@ class Deriver {
 
   const Program& program_;
   const Limits& limits_;
-  Evaluation evaluation_;
+  FlowerEvaluation evaluation_;
   Numbers numbers_;
   Derived derived_;
   std::vector<std::uint32_t> firsts_;                            // of each instance the volume that it begins with
@@ -438,9 +438,9 @@ class Deriver {
   std::vector<Chosen> chosen_;
   std::vector<std::uint32_t> attached_, glued_;  // of growths and productions, how often
   std::vector<std::uint8_t> displaced_;          // of productions
-  std::vector<std::uint8_t> stood_;              // labels that some volume has had
+  std::vector<std::uint8_t> has_label_occurred_;              // labels that some volume has had
   bool cut_short_;                               // whether it is not the text that says how many steps there are
-  std::vector<std::uint8_t> asked_;              // productions whose condition was asked: 1 did not hold, 2 held once
+  std::vector<std::uint8_t> condition_results_;              // productions whose condition was asked: 1 did not hold, 2 held once
   std::vector<Refusal> refusals_;                // of productions, the last
   std::uint32_t instance_ = 0, step_ = 0;
   std::uint32_t stamp_ = 0;  // one a step of an instance: what is split in it is cut together
@@ -476,7 +476,7 @@ Result<Derived> derive(const Program& program, const Given& given, const Limits&
 
 Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& given, const Derived& derived,
                                            const Limits& limits) {
-  Evaluation evaluation(program, given);
+  FlowerEvaluation evaluation(program, given);
   Numbers numbers(program, evaluation);
   if (!evaluation.bind(limits)) return evaluation.trouble();
   std::vector<VolumeValues> all(derived.records.size());
@@ -501,10 +501,10 @@ bool rebuilds(const Program& program, const Given& before, const Given& now, con
   // 0 and −0 are equal, and 1/0 and 1/−0 are far apart.
   const auto differ = [](float a, float b) { return a != b || std::signbit(a) != std::signbit(b); };
   if (before.steps != now.steps || program.values_rebuild) return true;
-  if (program.luck_rebuilds && before.seed != now.seed) return true;
+  if (program.draws_rebuild && before.seed != now.seed) return true;
   if (program.age_rebuilds && differ(before.age, now.age)) return true;
   // What the text's own variables come to tells, be it given, drawn or worked out of others.
-  Evaluation then(program, before), here(program, now);
+  FlowerEvaluation then(program, before), here(program, now);
   if (!then.bind(limits) || !here.bind(limits)) return true;
   for (std::size_t i = 0; i < program.variables.size(); ++i) {
     const Variable& variable = program.variables[i];

@@ -24,7 +24,7 @@ struct Record {
   std::uint16_t side = 0;  // that it grew on, 0 of O and E
   Rank rank;               // of its volume
   std::uint32_t volume = 0;
-  std::uint32_t before = nobody;  // the record of what it grew from
+  std::uint32_t before = invalid;  // the record of what it grew from
   std::uint32_t source = 0;       // which growth or split of the program
   std::uint32_t label = 0;        // that it was made with
   std::uint32_t instance = 0;     // that it belongs to

@@ -18,13 +18,13 @@ constexpr std::uint32_t otherwise_steps = 10;  // where a grammar does not say h
 
 }  // namespace
 
-Evaluation::Evaluation(const Program& program, const Given& given)
+FlowerEvaluation::FlowerEvaluation(const Program& program, const Given& given)
     : program_(program), given_(given), registers_(program.code.registers) {
   sources_.seed = given.seed;
   set(Word::age, given.age);
 }
 
-bool Evaluation::bind(const Limits& limits) {
+bool FlowerEvaluation::bind(const Limits& limits) {
   most_steps_ = limits.steps;
   for (const Given::Value& value : given_.values) {
     if (!std::isfinite(value.value))
@@ -48,7 +48,7 @@ bool Evaluation::bind(const Limits& limits) {
   return true;
 }
 
-bool Evaluation::count(const Number& number, std::uint32_t& steps) {
+bool FlowerEvaluation::count(const Number& number, std::uint32_t& steps) {
   if (!number.value.given) return true;
   if (!run(number.value.code, hash_text("finalStep"))) return false;
   const float value = at(number.value.source);
@@ -63,15 +63,15 @@ bool Evaluation::count(const Number& number, std::uint32_t& steps) {
 }
 
 // All of a grammar, each after what it is worked out from, and then what follows from them.
-bool Evaluation::variables(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given) {
+bool FlowerEvaluation::variables(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given) {
   const Grammar& of = program_.grammars[grammar];
   std::uint32_t followed = of.once_bound.begin;
-  auto said = given.begin();
+  auto next_given = given.begin();
   for (std::uint32_t i = of.variables.begin; i < of.variables.end; ++i) {
     follow(followed, program_.variables[i].needs);
     followed = program_.variables[i].needs;
-    if (said != given.end() && said->first == i) {
-      registers_[program_.variables[i].to] = said++->second;
+    if (next_given != given.end() && next_given->first == i) {
+      registers_[program_.variables[i].to] = next_given++->second;
     } else if (!variable(i, address)) {
       return false;
     }
@@ -80,7 +80,7 @@ bool Evaluation::variables(std::uint32_t grammar, std::uint64_t address, const G
   return true;
 }
 
-bool Evaluation::variable(std::size_t at, std::uint64_t address) {
+bool FlowerEvaluation::variable(std::size_t at, std::uint64_t address) {
   const Variable& variable = program_.variables[at];
   float value = 0;
   const expression::Value& of = variable.number.value;
@@ -102,21 +102,21 @@ bool Evaluation::variable(std::size_t at, std::uint64_t address) {
   return true;
 }
 
-bool Evaluation::is_finite(std::uint32_t variable, float value, const expression::Place& place) {
+bool FlowerEvaluation::is_finite(std::uint32_t variable, float value, const expression::Place& place) {
   if (std::isfinite(value)) return true;
   return fail(error_at(Reason::evaluation, place, "'%' comes to %; it must be a finite number.",
                        {program_.variables[variable].name, number_text(value)}));
 }
 
 // What follows from variables alone.
-void Evaluation::follow(std::uint32_t begin, std::uint32_t end) {
+void FlowerEvaluation::follow(std::uint32_t begin, std::uint32_t end) {
   work_ += end - begin;
-  Diagnostic unheard;
+  Diagnostic ignored;
   for (std::uint32_t at = begin; at < end; ++at)
-    expression::execute(program_.code, at, at + 1, registers_.data(), sources_, unheard);
+    expression::execute(program_.code, at, at + 1, registers_.data(), sources_, ignored);
 }
 
-bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given) {
+bool FlowerEvaluation::enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given) {
   const auto ends_at = [&](std::uint32_t steps) {
     own_steps_ = steps;
     set(Word::final_step, static_cast<float>(steps));
@@ -131,7 +131,7 @@ bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address, const Given
   return count(of.final_step, steps) && ends_at(steps);
 }
 
-bool Evaluation::settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given) {
+bool FlowerEvaluation::evaluate_settings(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given) {
   given.clear();
   for (const Setting& setting : settings) {
     ++work_;
@@ -145,25 +145,25 @@ bool Evaluation::settle(const std::vector<Setting>& settings, std::uint64_t addr
   return true;
 }
 
-void Evaluation::stand(const VolumeValues& values, const Rank& rank, std::uint32_t step) {
+void FlowerEvaluation::set_volume(const VolumeValues& values, const Rank& rank, std::uint32_t step) {
   std::copy(values.begin(), values.end(), registers_.begin());
   set(Word::step, static_cast<float>(step));
   set(Word::along, rank.along);
   set(Word::beside, rank.beside);
 }
 
-bool Evaluation::holds(const Number& condition, std::uint64_t address) {
+bool FlowerEvaluation::holds(const Number& condition, std::uint64_t address) {
   if (!condition.value.given) return true;
   return run(condition.value.code, address) && at(condition.value.source) != 0;
 }
 
-bool Evaluation::run(expression::Range code, std::uint64_t address) {
+bool FlowerEvaluation::run(expression::Range code, std::uint64_t address) {
   work_ += code.size();
   sources_.address = address;
   return expression::execute(program_.code, code.begin, code.end, registers_.data(), sources_, trouble_);
 }
 
-bool Evaluation::describe(const Description& description, std::uint64_t address, VolumeValues& values) {
+bool FlowerEvaluation::describe(const Description& description, std::uint64_t address, VolumeValues& values) {
   if (description.given == 0) return true;
   if (!run(description.code, address)) return false;
   for (std::size_t i = 0; i < fields; ++i) {

@@ -31,10 +31,10 @@ struct Given {
 // What a module was called with: variables, by their place in the program and in that order, and their values.
 using GivenVariables = std::vector<std::pair<std::uint32_t, float>>;
 
-class Evaluation {
+class FlowerEvaluation {
  public:
-  Evaluation(const Program& program, const Given& given);
-  Evaluation(const Evaluation&) = delete;
+  FlowerEvaluation(const Program& program, const Given& given);
+  FlowerEvaluation(const FlowerEvaluation&) = delete;
 
   // Works out the variables of all grammars, and how many steps each has with those. False: `trouble()`.
   bool bind(const Limits& limits);
@@ -44,8 +44,8 @@ class Evaluation {
   bool enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given);
 
   // The volume that a production is for, or that another grows from.
-  void stand(const VolumeValues& values, const Rank& rank, std::uint32_t step);
-  void face(std::uint32_t side) { set(Word::face, static_cast<float>(side)); }
+  void set_volume(const VolumeValues& values, const Rank& rank, std::uint32_t step);
+  void set_face(std::uint32_t side) { set(Word::face, static_cast<float>(side)); }
   bool holds(const Number& condition, std::uint64_t address);
   bool run(expression::Range code, std::uint64_t address);
   float at(std::uint32_t source) const { return registers_[source]; }
@@ -53,7 +53,7 @@ class Evaluation {
   bool describe(const Description& description, std::uint64_t address, VolumeValues& values);
 
   // What a call gives a module's variables.
-  bool settle(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given);
+  bool evaluate_settings(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given);
 
   // What all that was worked out has taken so far, in instructions and values, for limits of work: by the text, and not
   // by what it comes to.

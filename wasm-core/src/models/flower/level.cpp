@@ -30,22 +30,22 @@ Level::Level(Remains remains, const std::vector<glm::vec3>& places)
 void Level::part(const std::vector<std::uint32_t>& vertices, const std::vector<glm::vec3>& places) {
   std::vector<glm::vec3> normals;  // of `smooth_`, sums
   // Of each vertex the first of its sides, and of each side the next.
-  std::vector<std::uint32_t> first(places.size(), nobody), next;
+  std::vector<std::uint32_t> first(places.size(), invalid), next;
   for (std::size_t t = 0; t < vertices.size(); t += 3) {
     const glm::vec3 &a = places[vertices[t]], &b = places[vertices[t + 1]], &c = places[vertices[t + 2]];
     const glm::vec3 normal = glm::cross(b - a, c - a);
     const float length = glm::length(normal);
     for (std::size_t i = t; i < t + 3; ++i) {
       std::uint32_t* side = &first[vertices[i]];
-      while (*side != nobody && glm::dot(normals[*side], normal) < crease * glm::length(normals[*side]) * length)
+      while (*side != invalid && glm::dot(normals[*side], normal) < crease * glm::length(normals[*side]) * length)
         side = &next[*side];
-      if (*side == nobody) {
+      if (*side == invalid) {
         *side = static_cast<std::uint32_t>(smooth_.size());
         corners_.push_back(*side);
         smooth_.push_back(vertices[i]);
         normals.push_back(normal);
         // From here on `side` may point to what was.
-        next.push_back(nobody);
+        next.push_back(invalid);
       } else {
         normals[*side] += normal;
         corners_.push_back(*side);
@@ -65,7 +65,7 @@ void Level::dress(const Program& program, const std::vector<std::uint8_t>& numbe
   drawn_.clear();
   number_.clear();
   // Of what has one normal the first of its vertices, and of each vertex the next: one a material.
-  std::vector<std::uint32_t> first(smooth_.size(), nobody), next;
+  std::vector<std::uint32_t> first(smooth_.size(), invalid), next;
   for (std::size_t k = 0; k < material_kinds.size(); ++k) {
     if (triangles[k].empty()) continue;
     MeshRun run;
@@ -75,12 +75,12 @@ void Level::dress(const Program& program, const std::vector<std::uint8_t>& numbe
     for (const std::uint32_t t : triangles[k])
       for (std::size_t i = 3 * std::size_t{t}; i < 3 * std::size_t{t} + 3; ++i) {
         const std::uint8_t number = numbers[volumes_[t]];
-        std::uint32_t vertex = first[corners_[i]], last = nobody;
-        while (vertex != nobody && number_[vertex] != number) vertex = next[last = vertex];
-        if (vertex == nobody) {
+        std::uint32_t vertex = first[corners_[i]], last = invalid;
+        while (vertex != invalid && number_[vertex] != number) vertex = next[last = vertex];
+        if (vertex == invalid) {
           vertex = static_cast<std::uint32_t>(drawn_.size());
-          (last == nobody ? first[corners_[i]] : next[last]) = vertex;
-          next.push_back(nobody);
+          (last == invalid ? first[corners_[i]] : next[last]) = vertex;
+          next.push_back(invalid);
           drawn_.push_back(corners_[i]);
           number_.push_back(number);
         }

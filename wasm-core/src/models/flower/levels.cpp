@@ -25,7 +25,7 @@ constexpr std::array<const char*, level_count> names{"level0", "level1", "level2
 // Of what stands close together one in so many is left, in this order.
 constexpr std::array<std::uint32_t, 17> strides{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 1024, 4096};
 constexpr std::uint32_t crowd = 8, few = 4;  // organs of a form: those are a crowd, and so many are left of it
-constexpr std::uint32_t bearing = 6;         // by a sixth of the stride those are thinned that bear others
+constexpr std::uint32_t parent_stride_factor = 6;         // by a sixth of the stride those are thinned that bear others
 constexpr float narrowest = 0.1f, fullest = 1.3f, widest_kite = 1.8f;  // how wide a kite may be for its area
 constexpr float widest = 4;                                            // times as wide what is left may be
 constexpr float sky_cells = 14;
@@ -36,7 +36,7 @@ bool usual_values(const Program& program, const Given& given, const Limits& limi
                   std::vector<VolumeValues>& values) {
   Given usual;
   usual.steps = given.steps;
-  Evaluation evaluation(program, given);
+  FlowerEvaluation evaluation(program, given);
   if (!evaluation.bind(limits)) return false;
   for (std::size_t i = 0; i < program.variables.size(); ++i) {
     const Variable& variable = program.variables[i];
@@ -58,15 +58,15 @@ class InOrgans {
   // `numbers`: of materials, by volume; `corners`: by half-edge.
   InOrgans(const generalized_map::Boundary& boundary, const std::vector<std::uint8_t>& numbers,
            const std::vector<glm::vec2>& corners)
-      : first_(boundary.surface.positions.size(), nobody) {
+      : first_(boundary.surface.positions.size(), invalid) {
     const ClosedSurface& surface = boundary.surface;
     for (std::uint32_t h = 0; h < surface.half_edges(); ++h) {
       const std::uint8_t number = numbers[boundary.volume[surface.face[h]]];
       std::uint32_t* at = &first_[surface.origin[h]];
-      while (*at != nobody && of_[*at].number != number) at = &of_[*at].next;
-      if (*at == nobody) {
+      while (*at != invalid && of_[*at].number != number) at = &of_[*at].next;
+      if (*at == invalid) {
         *at = static_cast<std::uint32_t>(of_.size());
-        of_.push_back({nobody, number, glm::vec3(corners[h], 1)});
+        of_.push_back({invalid, number, glm::vec3(corners[h], 1)});
       } else {
         of_[*at].sum += glm::vec3(corners[h], 1);
       }
@@ -76,7 +76,7 @@ class InOrgans {
   // Of all corners there where only thinning has brought the material to the vertex.
   glm::vec2 at(std::uint32_t vertex, std::uint8_t number) const {
     glm::vec3 all(0);
-    for (std::uint32_t i = first_[vertex]; i != nobody; i = of_[i].next) {
+    for (std::uint32_t i = first_[vertex]; i != invalid; i = of_[i].next) {
       if (of_[i].number == number) return glm::vec2(of_[i].sum) / of_[i].sum.z;
       all += of_[i].sum;
     }
@@ -99,7 +99,7 @@ bool is_flat(const std::array<std::uint32_t, 3>& triangle) {
 
 }  // namespace
 
-Levels::Levels(const Program& program, const Given& given, const Limits& limits, Derived& derived,
+FlowerLevels::FlowerLevels(const Program& program, const Given& given, const Limits& limits, Derived& derived,
                generalized_map::Embedding& embedding)
     : boundary_(generalized_map::boundary_of(derived.map, embedding)),
       is_tube_(tubes_of(derived, boundary_)),
@@ -115,54 +115,54 @@ Levels::Levels(const Program& program, const Given& given, const Limits& limits,
   for (const std::size_t most : most_triangles) levels_.emplace_back(remains(choose(most), places), places);
 }
 
-std::uint32_t Levels::stride(const OrganForm& form, const Sparse& sparse) {
+std::uint32_t FlowerLevels::stride(const OrganForm& form, const Sparse& sparse) {
   const std::uint32_t thin = sparse.of_form;
   if (!form.rooted || form.organs < crowd) return 1;
-  if (form.bears) return std::clamp(thin / bearing, 1u, form.organs / few);
+  if (form.has_attached) return std::clamp(thin / parent_stride_factor, 1u, form.organs / few);
   return std::min(thin, form.organs / few);
 }
 
-std::uint32_t Levels::stride_of_all(const OrganForm& form, const Sparse& sparse) {
-  return !form.rooted ? 1 : form.bears ? std::max(1u, sparse.of_all / bearing) : sparse.of_all;
+std::uint32_t FlowerLevels::stride_of_all(const OrganForm& form, const Sparse& sparse) {
+  return !form.rooted ? 1 : form.has_attached ? std::max(1u, sparse.of_all / parent_stride_factor) : sparse.of_all;
 }
 
-std::vector<std::uint8_t> Levels::kept(const Sparse& sparse) const {
+std::vector<std::uint8_t> FlowerLevels::retained_organs(const Sparse& sparse) const {
   const std::vector<FormedOrgan>& organs = organs_->organs();
-  std::vector<std::uint8_t> kept(organs.size(), 1);
+  std::vector<std::uint8_t> retained(organs.size(), 1);
   // Of each form, those whose bearers are kept; and of those that are left, what bears and what does not.
   std::vector<std::uint32_t> count(organs_->forms().size(), 0);
   std::array<std::uint32_t, 2> of_all{};
   for (std::size_t i = 1; i < organs.size(); ++i) {
     const FormedOrgan& organ = organs[i];
     const OrganForm& form = organs_->form(organ);
-    kept[i] = kept[organ.maker] != 0 && count[organ.form]++ % stride(form, sparse) == 0 &&
-              (!form.rooted || of_all[form.bears ? 1 : 0]++ % stride_of_all(form, sparse) == 0);
+    retained[i] = retained[organ.maker] != 0 && count[organ.form]++ % stride(form, sparse) == 0 &&
+              (!form.rooted || of_all[form.has_attached ? 1 : 0]++ % stride_of_all(form, sparse) == 0);
   }
-  return kept;
+  return retained;
 }
 
-std::size_t Levels::triangles(const std::vector<std::uint8_t>& kept, float error) const {
+std::size_t FlowerLevels::triangles(const std::vector<std::uint8_t>& retained, float error) const {
   std::vector<std::size_t> of_form;
   for (const OrganForm& form : organs_->forms()) of_form.push_back(form.remaining(error));
   std::size_t all = 0;
-  for (std::size_t i = 0; i < kept.size(); ++i) all += kept[i] != 0 ? of_form[organs_->organs()[i].form] : 0;
+  for (std::size_t i = 0; i < retained.size(); ++i) all += retained[i] != 0 ? of_form[organs_->organs()[i].form] : 0;
   return all;
 }
 
 // Thins all organs to one error, and crowds only where that is not enough.
-Levels::Choice Levels::choose(std::size_t most) const {
+FlowerLevels::Choice FlowerLevels::choose(std::size_t most) const {
   constexpr float all = std::numeric_limits<float>::max();
   Choice choice;
   std::vector<std::uint8_t>& there = choice.organs;
   for (const std::uint32_t each : strides) {
     choice.sparse.of_form = each;
-    there = kept(choice.sparse);
+    there = retained_organs(choice.sparse);
     if (static_cast<float>(triangles(there, all)) <= least_share * static_cast<float>(most)) break;
   }
   // Organs that are all unlike are no crowds, and may still be too many.
   for (std::size_t i = 1; i < strides.size() && triangles(there, all) > most; ++i) {
     choice.sparse.of_all = strides[i];
-    there = kept(choice.sparse);
+    there = retained_organs(choice.sparse);
   }
   std::vector<float> errors{0};
   for (const OrganForm& form : organs_->forms()) {
@@ -176,7 +176,7 @@ Levels::Choice Levels::choose(std::size_t most) const {
   return choice;
 }
 
-std::vector<float> Levels::fuller(float error, const std::vector<glm::vec3>& places) const {
+std::vector<float> FlowerLevels::fuller(float error, const std::vector<glm::vec3>& places) const {
   std::vector<float> fuller(organs_->forms().size(), 1);
   for (const FormedOrgan& organ : organs_->organs()) {
     const OrganForm& form = organs_->form(organ);
@@ -200,7 +200,7 @@ std::vector<float> Levels::fuller(float error, const std::vector<glm::vec3>& pla
   return fuller;
 }
 
-Level::Remains Levels::remains(const Choice& choice, const std::vector<glm::vec3>& places) const {
+Level::Remains FlowerLevels::remains(const Choice& choice, const std::vector<glm::vec3>& places) const {
   const auto& [sparse, there, error] = choice;
   const std::vector<FormedOrgan>& organs = organs_->organs();
   std::vector<std::vector<std::uint32_t>> to;
@@ -251,20 +251,20 @@ Level::Remains Levels::remains(const Choice& choice, const std::vector<glm::vec3
     }
     if (!form.rooted) continue;
     const float crowded =
-        form.bears ? 1 : std::min(widest, static_cast<float>(stride(form, sparse) * stride_of_all(form, sparse)));
+        form.has_attached ? 1 : std::min(widest, static_cast<float>(stride(form, sparse) * stride_of_all(form, sparse)));
     const float times = fuller[organ.form] * crowded;
     if (times != 1) remains.wide.push_back({i, times});
   }
   return remains;
 }
 
-std::vector<glm::vec3> Levels::rounded(const Derived& derived, generalized_map::Embedding& embedding) {
+std::vector<glm::vec3> FlowerLevels::rounded(const Derived& derived, generalized_map::Embedding& embedding) {
   embedding.place(shapes_to_round(derived, is_tube_, 1));
   std::copy(embedding.positions().begin(), embedding.positions().end(), boundary_.surface.positions.begin());
   return rounded_vertices(boundary_.surface);
 }
 
-void Levels::add_to(Plant& plant, const Program& program, const Derived& derived, generalized_map::Embedding& embedding,
+void FlowerLevels::add_to(Plant& plant, const Program& program, const Derived& derived, generalized_map::Embedding& embedding,
                     std::vector<std::uint32_t>& numbers) {
   if (organs_->is_coarse())
     plant.notes.push_back(expression::sentence(
@@ -287,7 +287,7 @@ void Levels::add_to(Plant& plant, const Program& program, const Derived& derived
   std::array<bool, 256> is_known{};
   for (std::size_t i = 0; i < numbers.size(); ++i)
     index[numbers[i]] = static_cast<std::uint8_t>(i), is_known[numbers[i]] = true;
-  std::vector<Occluder> screens;
+  std::vector<Occluder> occluders;
   const std::size_t first = plant.meshes.size();
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     const Level& level = levels_[k];
@@ -296,7 +296,7 @@ void Levels::add_to(Plant& plant, const Program& program, const Derived& derived
     if (k == 0)
       for (std::size_t t = 0; t < level.triangles(); ++t) {
         const auto [a, b, c] = level.triangle(t);
-        screens.push_back({metres * upright((wider[a] + wider[b] + wider[c]) / 3.0f),
+        occluders.push_back({metres * upright((wider[a] + wider[b] + wider[c]) / 3.0f),
                            metres * metres / 2 * area_of(wider[a], wider[b], wider[c])});
       }
     PlantMesh& out = plant.meshes.emplace_back(level.mesh(wider));
@@ -315,12 +315,12 @@ void Levels::add_to(Plant& plant, const Program& program, const Derived& derived
     }
     out.columns.add("paint", std::move(paint));
   }
-  const SkyVisibility open(plant.segments, screens, sky_cells, sky_directions);
+  const SkyVisibility open(plant.segments, occluders, sky_cells, sky_directions);
   for (std::size_t i = first; i < plant.meshes.size(); ++i)
     plant.meshes[i].columns.add("sky", open.of(plant.meshes[i].mesh));
 }
 
-std::uint64_t Levels::bytes() const {
+std::uint64_t FlowerLevels::bytes() const {
   std::uint64_t bytes = 16ull * boundary_.surface.half_edges() + bytes_of(boundary_.surface.positions) +
                         bytes_of(boundary_.volume) + bytes_of(boundary_.face) + bytes_of(is_tube_) + corners_.bytes() +
                         bytes_of(numbers_) + organs_->bytes();

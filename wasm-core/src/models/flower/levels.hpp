@@ -23,10 +23,10 @@ namespace panicle::flower {
 
 inline constexpr std::size_t level_count = 4;
 
-class Levels {
+class FlowerLevels {
  public:
   // Of a map that `embedding` has laid, and which it places anew. What `derived` has stays as it is.
-  Levels(const Program& program, const Given& given, const Limits& limits, Derived& derived,
+  FlowerLevels(const Program& program, const Given& given, const Limits& limits, Derived& derived,
          generalized_map::Embedding& embedding);
 
   // Whether another flower with the same map has the same levels, placed anew.
@@ -51,8 +51,8 @@ class Levels {
 
   static std::uint32_t stride(const OrganForm& form, const Sparse& sparse);
   static std::uint32_t stride_of_all(const OrganForm& form, const Sparse& sparse);
-  std::vector<std::uint8_t> kept(const Sparse& sparse) const;
-  std::size_t triangles(const std::vector<std::uint8_t>& kept, float error) const;
+  std::vector<std::uint8_t> retained_organs(const Sparse& sparse) const;
+  std::size_t triangles(const std::vector<std::uint8_t>& retained, float error) const;
   Choice choose(std::size_t most) const;
   // Of each form, how much wider what is left of an organ must be to be as large as it was.
   std::vector<float> fuller(float error, const std::vector<glm::vec3>& places) const;

@@ -50,7 +50,7 @@ glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embe
 }
 
 // Volumes, each behind the one that it stands on: what a split has made may have a higher number.
-std::vector<std::uint32_t> from_the_first(const generalized_map::Map& map) {
+std::vector<std::uint32_t> parents_first(const generalized_map::Map& map) {
   std::vector<std::uint32_t> order, line;
   std::vector<bool> is_known(map.volumes(), false);
   order.reserve(map.volumes());
@@ -68,10 +68,10 @@ std::vector<std::uint32_t> from_the_first(const generalized_map::Map& map) {
 void add_segments(Plant& plant, const Program& program, const Derived& derived,
                   const generalized_map::Embedding& embedding) {
   std::vector<std::int32_t> tags(program.labels.size(), -1), of_volume(derived.map.volumes(), -1);
-  for (const std::uint32_t v : from_the_first(derived.map)) {
+  for (const std::uint32_t v : parents_first(derived.map)) {
     const Record& record = derived.records[derived.record_of[v]];
-    const std::uint32_t bearer = derived.map.volume(v).parent;
-    const std::int32_t parent = bearer == generalized_map::none ? -1 : of_volume[bearer];
+    const std::uint32_t parent_volume = derived.map.volume(v).parent;
+    const std::int32_t parent = parent_volume == generalized_map::none ? -1 : of_volume[parent_volume];
     of_volume[v] = parent;
     if (record.rank.beside > 0) continue;
     const std::uint32_t label = derived.map.volume(v).label;
@@ -100,7 +100,7 @@ void add_lines(Plant& plant, const Program& program, const Derived& derived) {
   std::vector<std::uint32_t> of_growth(program.growths, 0), of_production(program.productions.size(), 0);
   for (const Production& production : program.productions) {
     of_production[production.number] = static_cast<std::uint32_t>(production.place.line);
-    for (const Growth& growth : production.growths)
+    for (const GrowAction& growth : production.growths)
       of_growth[growth.number] = static_cast<std::uint32_t>(growth.arguments.place.line);
   }
   std::vector<std::uint32_t> called(derived.instances.size(), 0), lines, calls;
@@ -108,7 +108,7 @@ void add_lines(Plant& plant, const Program& program, const Derived& derived) {
     if (record.instance != record.maker) called[record.instance] = of_growth[record.source];
   for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
     const Record& record = derived.records[derived.record_of[v]];
-    const bool begins = record.before == nobody || record.instance != record.maker;
+    const bool begins = record.before == invalid || record.instance != record.maker;
     const bool grown = record.kind == Record::Kind::grown;
     lines.push_back(begins ? 0 : grown ? of_growth[record.source] : of_production[record.source]);
     calls.push_back(called[record.instance]);
@@ -219,7 +219,7 @@ std::string listed(const std::vector<std::string_view>& names) {
 }
 
 // A text that is edited may no longer have what was given a value: the flower grows without it.
-void note_strangers(Plant& plant, const Program& program, const Given& given) {
+void note_unknown_values(Plant& plant, const Program& program, const Given& given) {
   std::vector<std::string_view> own, strange;
   for (const Variable& variable : program.variables)
     if (variable.grammar == 0) own.push_back(variable.name);
@@ -240,8 +240,8 @@ bool read_values(Request& request, Given& given) {
 }
 
 // A flower that has grown, as far as another can be made of it that differs only in where its volumes are.
-struct Grown {
-  explicit Grown(Derived grown) : derived(std::move(grown)) { embedding.lay(derived.map); }
+struct CachedFlower {
+  explicit CachedFlower(Derived grown) : derived(std::move(grown)) { embedding.lay(derived.map); }
 
   std::string text;
   std::shared_ptr<const Program> program;
@@ -249,7 +249,7 @@ struct Grown {
   Derived derived;
   generalized_map::Embedding embedding;
   std::optional<Skin> skin;
-  std::optional<Levels> levels;
+  std::optional<FlowerLevels> levels;
 
   std::uint64_t bytes() const {
     return text.capacity() + program->bytes() + derived.bytes() + embedding.bytes() + (skin ? skin->bytes() : 0) +
@@ -258,14 +258,14 @@ struct Grown {
 };
 
 // The last flower first. Of a bed's there are several: plants of one text whose maps differ come by turns.
-struct LastFlowers : Cache {
-  std::vector<std::unique_ptr<Grown>> all;
+struct FlowerCache : Cache {
+  std::vector<std::unique_ptr<CachedFlower>> all;
 };
 
-constexpr std::size_t most_kept = 12;
+constexpr std::size_t most_cached = 12;
 
 // The same map placed anew for a text that grows the same, where that is the same as growing; else it stays as it is.
-bool replaced(Grown& last, const Program& program, const Given& given, const Limits& limits) {
+bool rework_cached(CachedFlower& last, const Program& program, const Given& given, const Limits& limits) {
   if (rebuilds(program, last.given, given, limits)) return false;
   auto values = reworked(program, given, last.derived, limits);
   // What went wrong is told by growing.
@@ -275,8 +275,8 @@ bool replaced(Grown& last, const Program& program, const Given& given, const Lim
 }
 
 // The flower now stands first. Errors: those of reading and of growing.
-Result<Grown*> grown(std::string_view text, const Given& given, const Limits& limits, bool skinless,
-                     LastFlowers& last) {
+Result<CachedFlower*> find_or_grow(std::string_view text, const Given& given, const Limits& limits, bool skinless,
+                     FlowerCache& last) {
   auto& all = last.all;
   std::shared_ptr<const Program> program;
   for (const auto& each : all)
@@ -290,7 +290,7 @@ Result<Grown*> grown(std::string_view text, const Given& given, const Limits& li
   bool again = false;
   for (std::size_t i = 0; i < all.size() && !again; ++i) {
     if (same_text ? all[i]->text != text : i > 0 || !same_map(*program, *all[i]->program)) continue;
-    again = replaced(*all[i], *program, given, limits);
+    again = rework_cached(*all[i], *program, given, limits);
     if (again)
       std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
                   all.begin() + static_cast<std::ptrdiff_t>(i) + 1);
@@ -300,9 +300,9 @@ Result<Grown*> grown(std::string_view text, const Given& given, const Limits& li
     if (!skinless) all.clear();
     auto derived = derive(*program, given, limits);
     if (!derived) return derived.error();
-    all.insert(all.begin(), std::make_unique<Grown>(std::move(derived.value())));
+    all.insert(all.begin(), std::make_unique<CachedFlower>(std::move(derived.value())));
   }
-  Grown& flower = *all.front();
+  CachedFlower& flower = *all.front();
   // Levels are thinned by the text's own sizes.
   if (!same_text) flower.levels.reset();
   flower.program = std::move(program);
@@ -312,13 +312,13 @@ Result<Grown*> grown(std::string_view text, const Given& given, const Limits& li
 }
 
 // What is kept for the next, those used last first.
-void let_go(LastFlowers& last) {
+void evict(FlowerCache& last) {
   auto& all = last.all;
   if (all.front()->levels && !all.front()->levels->lasting()) all.front()->levels.reset();
   if (!all.front()->derived.whole) all.erase(all.begin());
   std::uint64_t bytes = 0;
   std::size_t count = 0;
-  while (count < all.size() && count < most_kept && (bytes += all[count]->bytes()) <= Cache::most_bytes) ++count;
+  while (count < all.size() && count < most_cached && (bytes += all[count]->bytes()) <= Cache::most_bytes) ++count;
   all.resize(count);
 }
 
@@ -329,7 +329,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const bool meshes = request.wants("meshes"), measures = request.wants("measures"), sky = request.wants("sky"),
              whole = request.wants("map"), mesh_fingerprint = request.wants("mesh_fingerprint"),
              levels = request.wants("levels");
-  const std::span<const float> asked = request.floats("parameters");
+  const std::span<const float> parameters = request.floats("parameters");
   const bool has_text = request.has("text");
   const std::string_view text = request.text("text");
   const bool paired = read_values(request, given);
@@ -337,22 +337,22 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (!has_text) return Diagnostic{Reason::bad_request, "The request has no text.", 0, 0};
   if (!paired) return Diagnostic{Reason::bad_request, "There are not as many values as names of values.", 0, 0};
   Plant plant;
-  const FlowerValues values(asked, plant.notes);
+  const FlowerValues values(parameters, plant.notes);
   given.steps = values.whole(steps);
   given.age = values[age];
-  CacheSlot* const kept = request.kept();
-  std::unique_ptr<LastFlowers> last(kept ? static_cast<LastFlowers*>(kept->release()) : nullptr);
-  if (!last) last = std::make_unique<LastFlowers>();
-  const auto flower = grown(text, given, limits, !meshes, *last);
+  CacheSlot* const cache_slot = request.kept();
+  std::unique_ptr<FlowerCache> last(cache_slot ? static_cast<FlowerCache*>(cache_slot->release()) : nullptr);
+  if (!last) last = std::make_unique<FlowerCache>();
+  const auto flower = find_or_grow(text, given, limits, !meshes, *last);
   if (!flower) {
-    if (kept) *kept = std::move(last);
+    if (cache_slot) *cache_slot = std::move(last);
     return flower.error();
   }
   auto& [own_text, own_program, own_given, derived, embedding, skin, own_levels] = *flower.value();
   const Program& program = *own_program;
   plant.notes.insert(plant.notes.end(), derived.notes.begin(), derived.notes.end());
   if (!derived.whole) plant.cut_short = limits.budget != nullptr ? cut_short_by(*limits.budget) : CutShort::limit;
-  note_strangers(plant, program, given);
+  note_unknown_values(plant, program, given);
 
   embedding.place(derived.shapes());
   plant.fingerprint = fingerprint_of(derived, embedding);
@@ -386,9 +386,9 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   }
   if (meshes || levels) add_materials(plant, program, given.age, std::move(numbers));
   if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
-  if (kept) {
-    let_go(*last);
-    *kept = std::move(last);
+  if (cache_slot) {
+    evict(*last);
+    *cache_slot = std::move(last);
   }
   return plant;
 }

@@ -5,17 +5,17 @@
 namespace panicle::flower {
 namespace {
 
-constexpr VolumeValues nothing_said = {4, 1, 0, 0, 0, 1, 1, 1, 1};
+constexpr VolumeValues default_values = {4, 1, 0, 0, 0, 1, 1, 1, 1};
 
 constexpr std::size_t at(Field field) { return static_cast<std::size_t>(field); }
 
 }  // namespace
 
-Numbers::Numbers(const Program& program, Evaluation& evaluation)
+Numbers::Numbers(const Program& program, FlowerEvaluation& evaluation)
     : program_(program), evaluation_(evaluation), growths_(program.growths), productions_(program.productions.size()) {
   for (const Production& production : program.productions) {
     productions_[production.number] = &production;
-    for (const Growth& growth : production.growths) growths_[growth.number] = &growth;
+    for (const GrowAction& growth : production.growths) growths_[growth.number] = &growth;
   }
 }
 
@@ -32,10 +32,10 @@ bool Numbers::of_label(const Record& record, VolumeValues& values) {
 
 bool Numbers::work_out(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
                        const std::vector<VolumeValues>& known, float order, VolumeValues& values) {
-  values = nothing_said;
+  values = default_values;
   values[at(Field::order)] = order;
-  const VolumeValues& before = record.before == nobody ? values : known[record.before];
-  const Rank rank = record.before == nobody ? Rank{} : records[record.before].rank;
+  const VolumeValues& before = record.before == invalid ? values : known[record.before];
+  const Rank rank = record.before == invalid ? Rank{} : records[record.before].rank;
   if (record.kind == Record::Kind::rest || record.kind == Record::Kind::part) {
     const Production& split = production(record.source);
     const bool rest = record.kind == Record::Kind::rest;
@@ -53,28 +53,28 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
       values[at(Field::width)] = before[at(Field::height)];
     }
     if (!enter(instances, record.instance)) return false;
-    evaluation_.stand(before, rank, record.step);
-    evaluation_.face(record.side);
+    evaluation_.set_volume(before, rank, record.step);
+    evaluation_.set_face(record.side);
     return evaluation_.run(split.blocks, records[record.before].address) &&
            evaluation_.describe(rest ? split.rest_description : split.part_description, record.address, values);
   }
-  const bool begins = record.before == nobody || record.instance != record.maker;
+  const bool begins = record.before == invalid || record.instance != record.maker;
   if (begins) {
     given_.resize(record.instance);
     given_.emplace_back();
   }
-  if (begins && record.before != nobody && !growth(record.source).settings.empty()) {
+  if (begins && record.before != invalid && !growth(record.source).settings.empty()) {
     // The call's luck is the volume's, so that each call draws for itself.
-    if (!stand_at_call(record, records, instances, before) ||
-        !evaluation_.settle(growth(record.source).settings, record.address, given_[record.instance]))
+    if (!enter_call(record, records, instances, before) ||
+        !evaluation_.evaluate_settings(growth(record.source).settings, record.address, given_[record.instance]))
       return false;
   }
   if (record.inherits) {
     values = before;
   } else {
     if (!enter(instances, record.instance)) return false;
-    evaluation_.stand(before, rank, 0);
-    evaluation_.face(record.side);
+    evaluation_.set_volume(before, rank, 0);
+    evaluation_.set_face(record.side);
     if (!of_label(record, values)) return false;
   }
   if (begins) {
@@ -83,17 +83,17 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
     if (!evaluation_.describe(grammar.axiom_arguments, record.address, values)) return false;
   }
   if (record.kind == Record::Kind::axiom) return true;
-  const Growth& growth = this->growth(record.source);
+  const GrowAction& growth = this->growth(record.source);
   if (growth.arguments.given == 0) return enter(instances, record.maker);
-  return stand_at_call(record, records, instances, before) &&
+  return enter_call(record, records, instances, before) &&
          evaluation_.describe(growth.arguments, record.address, values);
 }
 
-bool Numbers::stand_at_call(const Record& record, const std::vector<Record>& records,
+bool Numbers::enter_call(const Record& record, const std::vector<Record>& records,
                             const std::vector<Instance>& instances, const VolumeValues& before) {
   if (!enter(instances, record.maker)) return false;
-  evaluation_.stand(before, records[record.before].rank, record.step);
-  evaluation_.face(record.side);
+  evaluation_.set_volume(before, records[record.before].rank, record.step);
+  evaluation_.set_face(record.side);
   return evaluation_.run(growth(record.source).blocks, hash_combine(records[record.before].address, record.step));
 }
 

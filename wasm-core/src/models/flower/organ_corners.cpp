@@ -18,7 +18,7 @@ OrganCorners::OrganCorners(const Derived& derived, const ClosedSurface& surface,
   for (std::uint32_t h = 0; h < surface.half_edges(); ++h) about[end[surface.origin[h]]++] = h;
 
   // Of each organ the last vertex that it had a corner at, and which.
-  std::vector<std::uint32_t> last(derived.instances.size(), nobody), own(derived.instances.size(), nobody);
+  std::vector<std::uint32_t> last(derived.instances.size(), invalid), own(derived.instances.size(), invalid);
   corner_.resize(surface.half_edges());
   for (const std::uint32_t h : about) {
     const std::uint32_t organ = derived.records[derived.record_of[volume_[h]]].instance;

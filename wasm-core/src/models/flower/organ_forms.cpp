@@ -76,7 +76,7 @@ OrganForms::OrganForms(const Derived& derived, const generalized_map::Boundary& 
   finding.find_organs();
   for (std::uint32_t organ = 0; organ < organs_.size(); ++organ) finding.find_form(organ);
   for (FormedOrgan& organ : organs_) organ.number = forms_[organ.form].organs++;
-  for (std::uint32_t i = 1; i < organs_.size(); ++i) forms_[organs_[organs_[i].maker].form].bears = true;
+  for (std::uint32_t i = 1; i < organs_.size(); ++i) forms_[organs_[organs_[i].maker].form].has_attached = true;
 }
 
 OrganForms::Finding::Finding(OrganForms& found, const Derived& derived, const generalized_map::Boundary& boundary,
@@ -85,13 +85,13 @@ OrganForms::Finding::Finding(OrganForms& found, const Derived& derived, const ge
   const ClosedSurface& surface = boundary.surface;
   begin_.resize(surface.faces + 1, surface.half_edges());
   for (std::uint32_t h = surface.half_edges(); h-- > 0;) begin_[surface.face[h]] = h;
-  owner_.assign(surface.positions.size(), nobody);
+  owner_.assign(surface.positions.size(), invalid);
   for (std::uint32_t h = 0; h < surface.half_edges(); ++h) {
     const std::uint32_t volume = boundary.volume[surface.face[h]];
     std::uint32_t& of = owner_[surface.origin[h]];
     of = std::min(of, derived.records[derived.record_of[volume]].instance);
   }
-  local_.assign(surface.positions.size(), nobody);
+  local_.assign(surface.positions.size(), invalid);
 }
 
 // Of each the faces, in their order.
@@ -127,14 +127,14 @@ std::vector<std::uint32_t> OrganForms::Finding::number_vertices(std::uint32_t or
     sign.push_back(begin_[face + 1] - begin_[face]);
     for (std::uint32_t h = begin_[face]; h < begin_[face + 1]; ++h) {
       const std::uint32_t vertex = surface.origin[h];
-      if (local_[vertex] == nobody) {
+      if (local_[vertex] == invalid) {
         local_[vertex] = static_cast<std::uint32_t>(found_.own_vertices_.size()) - of.vertices;
         found_.own_vertices_.push_back(vertex);
       }
       sign.push_back(2 * local_[vertex] + (owner_[vertex] != organ));
     }
   }
-  for (std::size_t i = of.vertices; i < found_.own_vertices_.size(); ++i) local_[found_.own_vertices_[i]] = nobody;
+  for (std::size_t i = of.vertices; i < found_.own_vertices_.size(); ++i) local_[found_.own_vertices_[i]] = invalid;
   return sign;
 }
 

@@ -26,10 +26,10 @@ struct OrganForm {
   std::array<std::uint32_t, 4> kite{};
   std::array<std::uint32_t, 2> kite_faces{};  // whose materials its two sides have
   float kite_error = 0;
-  bool bears = false, rooted = false;
+  bool has_attached = false, rooted = false;
 
   std::uint32_t tip() const { return kite[2]; }
-  bool is_kite(float error) const { return rooted && !bears && error >= kite_error; }
+  bool is_kite(float error) const { return rooted && !has_attached && error >= kite_error; }
   std::size_t remaining(float error) const;               // triangles
   std::vector<std::uint32_t> targets(float error) const;  // where each vertex has gone
 };

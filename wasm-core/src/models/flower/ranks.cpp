@@ -15,7 +15,7 @@ std::vector<glm::vec2> places_in_organs(const Derived& derived) {
                            values[static_cast<std::size_t>(Field::height)]);
   };
   for (const Record& record : derived.records) {
-    const bool begins = record.before == nobody || record.instance != record.maker;
+    const bool begins = record.before == invalid || record.instance != record.maker;
     widest[record.instance] = std::max(widest[record.instance], record.rank.beside);
     if (begins || record.kind == Record::Kind::rest) continue;
     const std::uint32_t before = derived.records[record.before].volume, v = record.volume;

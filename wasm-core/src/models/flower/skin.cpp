@@ -51,11 +51,11 @@ bool number_of(float m, std::uint8_t& number) {
 
 // Of a volume whose m is no material's number: where the text gives it.
 std::string strange_material(const Program& program, const Derived& derived, std::uint32_t volume) {
-  std::vector<const Growth*> growths(program.growths, nullptr);
+  std::vector<const GrowAction*> growths(program.growths, nullptr);
   std::vector<const Production*> splits(program.productions.size(), nullptr);
   for (const Production& production : program.productions) {
     splits[production.number] = &production;
-    for (const Growth& growth : production.growths) growths[growth.number] = &growth;
+    for (const GrowAction& growth : production.growths) growths[growth.number] = &growth;
   }
   expression::Place place;
   const auto gives = [&](const Description& description) {
@@ -68,9 +68,9 @@ std::string strange_material(const Program& program, const Derived& derived, std
     if (grown) gives(growths[record->source]->arguments);
     if (record->kind == Record::Kind::rest) gives(splits[record->source]->rest_description);
     if (record->kind == Record::Kind::part) gives(splits[record->source]->part_description);
-    const bool begins = record->before == nobody || record->instance != record->maker;
+    const bool begins = record->before == invalid || record->instance != record->maker;
     if (begins) gives(program.grammars[derived.instances[record->instance].grammar].axiom_arguments);
-    if (record->before == nobody || (grown && !record->inherits)) {
+    if (record->before == invalid || (grown && !record->inherits)) {
       gives(program.labels[record->label].description);
       break;
     }
@@ -103,11 +103,11 @@ Colours colours_at(const Material& material, float age) {
   return {mixed(from.base, to.base, share), mixed(from.tip, to.tip, share)};
 }
 
-std::uint32_t Skin::rounds_for(const Derived& derived, std::uint32_t asked) {
+std::uint32_t Skin::rounds_for(const Derived& derived, std::uint32_t requested) {
   std::uint64_t free = 0;
   for (std::uint32_t dart = 0; dart < derived.map.darts(); ++dart) free += derived.map.alpha(3, dart) == dart;
   // Two darts an edge of a face, which is two triangles when it has been rounded; each round makes four of each.
-  std::uint32_t rounds = asked;
+  std::uint32_t rounds = requested;
   while (rounds > 1 && free << 2 * (rounds - 1) > most_triangles) --rounds;
   return rounds;
 }
@@ -136,7 +136,7 @@ Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, 
   const ClosedSurface& last = levels_.back();
   begin_.reserve(last.faces + 1);
   // Those of a face stand together.
-  for (std::uint32_t h = 0, face = nobody; h < last.half_edges(); ++h) {
+  for (std::uint32_t h = 0, face = invalid; h < last.half_edges(); ++h) {
     if (last.face[h] == face) continue;
     face = last.face[h];
     begin_.push_back(h);
@@ -153,7 +153,7 @@ void Skin::part(const std::vector<std::uint8_t>& numbers) {
   std::array<std::vector<std::uint32_t>, 256> faces;
   for (std::uint32_t f = 0; f < surface.faces; ++f) faces[numbers[volume_[f]]].push_back(f);
   parts_.clear();
-  std::vector<std::uint32_t> of_vertex(surface.positions.size(), nobody);
+  std::vector<std::uint32_t> of_vertex(surface.positions.size(), invalid);
   for (std::uint32_t number = 0; number < faces.size(); ++number) {
     const std::vector<std::uint32_t>& own = faces[number];
     if (own.empty()) continue;
@@ -174,7 +174,7 @@ void Skin::part(const std::vector<std::uint8_t>& numbers) {
       part.begins.push_back(begin);
       for (std::uint32_t edge = begin_[f]; edge < begin_[f + 1]; ++edge) {
         std::uint32_t& here = of_vertex[surface.origin[edge]];
-        if (here == nobody) {
+        if (here == invalid) {
           here = static_cast<std::uint32_t>(part.vertices.size());
           part.vertices.push_back(surface.origin[edge]);
         }
@@ -188,7 +188,7 @@ void Skin::part(const std::vector<std::uint8_t>& numbers) {
       }
     }
     part.begins.push_back(static_cast<std::uint32_t>(part.corners.size()));
-    for (const std::uint32_t vertex : part.vertices) of_vertex[vertex] = nobody;
+    for (const std::uint32_t vertex : part.vertices) of_vertex[vertex] = invalid;
     part.volumes = std::make_shared<const std::vector<std::uint32_t>>(std::move(volumes));
     part.faces = std::make_shared<const std::vector<std::uint32_t>>(std::move(own_faces));
   }
@@ -204,18 +204,18 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
   for (std::size_t i = 1; i < levels_.size(); ++i) places = refined_places(levels_[i - 1], places);
 
   std::vector<std::uint8_t> numbers(derived.map.volumes());
-  std::uint32_t strange = nobody;
+  std::uint32_t strange = invalid;
   std::vector<std::uint8_t> is_seen(derived.map.volumes(), 0);
   for (const std::uint32_t volume : volume_) is_seen[volume] = 1;
   for (std::uint32_t v = 0; v < numbers.size(); ++v) {
     const float m = derived.values[derived.record_of[v]][static_cast<std::size_t>(Field::material)];
-    if (!number_of(m, numbers[v]) && is_seen[v] != 0 && strange == nobody) strange = v;
+    if (!number_of(m, numbers[v]) && is_seen[v] != 0 && strange == invalid) strange = v;
   }
-  if (strange != nobody) plant.notes.push_back(strange_material(program, derived, strange));
+  if (strange != invalid) plant.notes.push_back(strange_material(program, derived, strange));
   if (numbers != numbers_ || parts_.empty()) part(numbers);
   numbers_ = std::move(numbers);
 
-  std::vector<Occluder> screens;
+  std::vector<Occluder> occluders;
   for (const Part& part : parts_) {
     PlantMesh& mesh = plant.meshes.emplace_back();
     mesh.name = std::string("m").append(std::to_string(part.number));
@@ -248,11 +248,11 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
         return surface.positions[part.vertices[part.corners[part.begins[f] + i]]];
       };
       const glm::vec3 &a = corner(0), b = corner(1) - a, c = corner(2) - a;
-      screens.push_back({metres * upright(a), 0.25f * metres * metres * glm::length(glm::cross(b, c))});
+      occluders.push_back({metres * upright(a), 0.25f * metres * metres * glm::length(glm::cross(b, c))});
     }
   }
   if (!sky) return;
-  const SkyVisibility open(plant.segments, screens);
+  const SkyVisibility open(plant.segments, occluders);
   for (PlantMesh& mesh : plant.meshes) mesh.columns.add("sky", open.of(mesh.mesh));
 }
 

@@ -33,7 +33,7 @@ class Skin {
   Skin(const Derived& derived, const generalized_map::Embedding& embedding, std::uint32_t rounds);
 
   // Of so many rounds that are asked for, how many there can be before there are more triangles than there may be.
-  static std::uint32_t rounds_for(const Derived& derived, std::uint32_t asked);
+  static std::uint32_t rounds_for(const Derived& derived, std::uint32_t requested);
   static constexpr std::uint32_t most_triangles = 4'000'000;
 
   // What the embedding is to place so that the skin is as thick as the text says: rounding draws tubes in, by a third

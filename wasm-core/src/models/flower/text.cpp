@@ -10,8 +10,8 @@ bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0x
 }  // namespace
 
 Result<std::string> without_comments(std::string_view text) {
-  std::string kept;
-  kept.reserve(text.size());
+  std::string cleaned;
+  cleaned.reserve(text.size());
   expression::Place place{1, 1}, opened;
   bool comment = false, bracket = false, other_comment = false;
   char before = 0;
@@ -22,12 +22,12 @@ Result<std::string> without_comments(std::string_view text) {
     if (c == '@' && !other_comment) {
       comment = !comment;
       opened = place;
-      kept += ' ';
+      cleaned += ' ';
     } else if (comment && c != '\n' && c != '\r') {
-      if (begins_character(c)) kept += ' ';
+      if (begins_character(c)) cleaned += ' ';
     } else {
       const bool of_bracket = c == '_' && bracket;
-      kept += of_bracket ? ' ' : c;
+      cleaned += of_bracket ? ' ' : c;
       bracket = c == ']' || (bracket && (c == ' ' || c == '\t' || c == '\r' || c == '\n'));
     }
     if (c == '\n') {
@@ -38,7 +38,7 @@ Result<std::string> without_comments(std::string_view text) {
     }
   }
   if (comment) return expression::error_at(Reason::syntax, opened, "This comment is never closed; end it with @.");
-  return kept;
+  return cleaned;
 }
 
 }  // namespace panicle::flower

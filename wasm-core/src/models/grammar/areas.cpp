@@ -124,14 +124,14 @@ Result<Areas> Areas::read(Request& request, const Limits& limits) {
   return areas;
 }
 
-void Areas::tell(lsystem::Inputs& inputs, float metres) {
+void Areas::add_inputs(lsystem::Inputs& inputs, float metres) {
   metres_ = metres;
   // Without areas a text has somewhere to go all the same.
   if (path_.empty()) {
     path_.emplace_back(0, 1, 0);
     from_.push_back(0);
   }
-  tell_forks(inputs);
+  add_fork_inputs(inputs);
   inputs.scalars.push_back({"areas", static_cast<float>(volumes_.size())});
   inputs.scalars.push_back({"places", static_cast<float>(path_.size())});
   lsystem::Inputs::Array path{"path", {}};
@@ -147,7 +147,7 @@ void Areas::tell(lsystem::Inputs& inputs, float metres) {
   inputs.arrays.push_back(std::move(size));
 }
 
-void Areas::tell_forks(lsystem::Inputs& inputs) const {
+void Areas::add_fork_inputs(lsystem::Inputs& inputs) const {
   const std::size_t count = path_.size();
   std::vector<std::uint32_t> next(count, static_cast<std::uint32_t>(count + 1)), fork(count, 0), last(count, 0);
   std::vector<std::uint32_t> own(count, 0);

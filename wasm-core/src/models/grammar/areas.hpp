@@ -43,7 +43,7 @@ class Areas final : public expression::Space {
   // place `#input next[]` (the place after it, `places` + 1 at an end), `#input fork[]` (the next one of those that
   // come from the same place, 0 for none) and `#input own[]` (the area that the way from there comes to first, 1 where
   // to none).
-  void tell(lsystem::Inputs& inputs, float metres);
+  void add_inputs(lsystem::Inputs& inputs, float metres);
 
   bool bound(const glm::vec3& place, float area) const override;
   float reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const override;
@@ -69,7 +69,7 @@ class Areas final : public expression::Space {
   };
 
   const Volume* find(float area) const;
-  void tell_forks(lsystem::Inputs& inputs) const;
+  void add_fork_inputs(lsystem::Inputs& inputs) const;
 
   std::shared_ptr<QueryBudget> budget_;  // of all meshes
   std::vector<Form> forms_;

@@ -18,7 +18,7 @@ float parameter_of(const std::uint32_t* module, std::uint32_t place) {
   return value;
 }
 
-Belonging told_by(const std::uint32_t* module) {
+Belonging read_belonging(const std::uint32_t* module) {
   const float number = parameter_of(module, 0);
   return {number >= 1 && number <= 255 ? static_cast<std::uint8_t>(number) : std::uint8_t{0},
           parameter_of(module, 1) == 1};
@@ -42,7 +42,7 @@ std::vector<Belonging> belongings(const lsystem::Program& program, const lsystem
       now = around.back();
       around.pop_back();
     }
-    if (roles.of(symbol) == role) now = told_by(module);
+    if (roles.of(symbol) == role) now = read_belonging(module);
     made.push_back(now);
   }
   return made;

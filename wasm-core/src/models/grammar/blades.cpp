@@ -91,7 +91,7 @@ PlantMesh blades_of(const Polygons& polygons, float scale, std::uint32_t& empty,
     blades.runs.push_back({"Blade", base, static_cast<std::uint32_t>(used.size()), first,
                            static_cast<std::uint32_t>(mesh.indices.size()) - first});
     colour.push_back(polygon.mark.colour);
-    organ.push_back(polygon.borne);
+    organ.push_back(polygon.organ);
   }
   blades.columns.add("colour", std::move(colour));
   blades.columns.add("organ", std::move(organ));

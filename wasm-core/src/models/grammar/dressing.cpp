@@ -34,7 +34,7 @@ constexpr float cosine_of_corner = 0.8192f;
 // From so many of a surface on, each is small beside the plant, and simpler.
 constexpr std::size_t many_surfaces = 4000;
 // From so many lines on meshing takes longer than all else, which a step of a drag has no time for.
-constexpr std::size_t many_in_passing = 2'000;
+constexpr std::size_t many_in_preview = 2'000;
 
 float extent_of(std::span<const Segment> segments) {
   if (segments.empty()) return 0;
@@ -102,23 +102,23 @@ std::uint8_t sky_of(const SkyVisibility& open, const Organ& organ) {
 }
 
 // How fine tubes are.
-TubeOptions tubes_of(const std::vector<Segment>& segments, const Dress& habit) {
-  const bool coarse = habit.coarse && segments.size() >= many_in_passing;
-  return {.sides = habit.sides,
+TubeOptions tubes_of(const std::vector<Segment>& segments, const DressOptions& options) {
+  const bool coarse = options.coarse && segments.size() >= many_in_preview;
+  return {.sides = options.sides,
           .most_vertices = most_vertices,
           .thin = coarse ? std::numeric_limits<float>::max() : thin * extent_of(segments),
-          .thin_sides = segments.size() < many ? std::min(habit.sides, thin_sides) : thinnest_sides,
+          .thin_sides = segments.size() < many ? std::min(options.sides, thin_sides) : thinnest_sides,
           .thin_plain = true};
 }
 
 // Tubes, a run a colour.
-PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, const Dress& habit,
+PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, const DressOptions& options,
                    const SkyVisibility* open) {
   std::vector<std::int32_t> groups;
   groups.reserve(marks.size());
   for (const Mark& mark : marks) groups.push_back(mark.colour);
   StemMesh stems = sweep_stems({.segments = segments, .groups = groups, .jointed = false, .corner = cosine_of_corner},
-                               tubes_of(segments, habit), 1.0f);
+                               tubes_of(segments, options), 1.0f);
   Columns columns;
   if (open) columns.add("sky", sky_of(*open, segments, stems));
   PlantMesh mesh{"stems", "stem", std::move(stems.mesh), {}, std::move(columns)};
@@ -133,7 +133,7 @@ PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> m
 }
 
 // Half of a sheet's area: what it hides, taken over all sides.
-Occluder screen_of(std::span<const glm::vec3> corners, float metres) {
+Occluder occluder_of(std::span<const glm::vec3> corners, float metres) {
   glm::vec3 sum(0), twice(0);
   for (const glm::vec3& corner : corners) sum += corner;
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
@@ -141,27 +141,27 @@ Occluder screen_of(std::span<const glm::vec3> corners, float metres) {
   return {sum * (metres / static_cast<float>(std::max<std::size_t>(corners.size(), 1))), 0.25f * glm::length(twice)};
 }
 
-std::vector<Occluder> screens_of(const Plant& plant, const Sketch& sketch, float metres) {
-  std::vector<Occluder> screens;
+std::vector<Occluder> occluders_of(const Plant& plant, const Sketch& sketch, float metres) {
+  std::vector<Occluder> occluders;
   for (const Organ& organ : plant.organs) {
     const float square = organ.scale * organ.scale;
-    if (organ.tag == ball_tag) screens.push_back({organ.position, pi * square});
+    if (organ.tag == ball_tag) occluders.push_back({organ.position, pi * square});
     if (organ.tag < first_surface_tag) continue;
     const float half = 0.5f * surfaces[organ.tag - first_surface_tag].area * square;
-    screens.push_back({organ.position, half});
-    screens.push_back({along(organ, organ.scale), half});
+    occluders.push_back({organ.position, half});
+    occluders.push_back({along(organ, organ.scale), half});
   }
   for (const Polygon& polygon : sketch.polygons.all)
-    screens.push_back(screen_of(std::span(sketch.polygons.corners).subspan(polygon.first, polygon.count), metres));
-  return screens;
+    occluders.push_back(occluder_of(std::span(sketch.polygons.corners).subspan(polygon.first, polygon.count), metres));
+  return occluders;
 }
 
 // The meshes that organs are drawn with, those alone that any has; and their places among the plant's.
 void add_shared(Plant& plant) {
   std::array<std::int32_t, first_surface_tag + surfaces.size()> meshes;
-  std::array<std::size_t, meshes.size()> borne{};
+  std::array<std::size_t, meshes.size()> counts{};
   meshes.fill(-1);
-  for (const Organ& organ : plant.organs) ++borne[organ.tag];
+  for (const Organ& organ : plant.organs) ++counts[organ.tag];
   for (Organ& organ : plant.organs) {
     if (organ.tag == polygon_tag) continue;
     std::int32_t& mesh = meshes[organ.tag];
@@ -170,15 +170,15 @@ void add_shared(Plant& plant) {
       if (organ.tag == ball_tag) {
         plant.meshes.push_back({"balls",
                                 "skin",
-                                make_uv_sphere(borne[ball_tag] > many_surfaces ? many_ball_segments : ball_segments),
+                                make_uv_sphere(counts[ball_tag] > many_surfaces ? many_ball_segments : ball_segments),
                                 {},
                                 {}});
       } else {
         const std::uint32_t which = organ.tag - first_surface_tag;
-        const Surface& surface = surfaces[which];
+        const NamedSurface& surface = surfaces[which];
         plant.meshes.push_back({std::string(surface.name),
                                 std::string(surface.material),
-                                make_surface(which, borne[organ.tag] > many_surfaces),
+                                make_surface(which, counts[organ.tag] > many_surfaces),
                                 {},
                                 {}});
       }
@@ -196,12 +196,12 @@ void note_empty(Plant& plant, std::uint32_t empty) {
                                   "corners, or all on a line.");
 }
 
-void add_meshes(Plant& plant, const Sketch& sketch, const Dress& habit) {
+void add_meshes(Plant& plant, const Sketch& sketch, const DressOptions& options) {
   std::optional<SkyVisibility> open;
-  if (habit.sky) open.emplace(plant.segments, screens_of(plant, sketch, habit.metres));
-  PlantMesh stems = stems_of(plant.segments, sketch.lines, habit, open ? &*open : nullptr);
+  if (options.sky) open.emplace(plant.segments, occluders_of(plant, sketch, options.metres));
+  PlantMesh stems = stems_of(plant.segments, sketch.lines, options, open ? &*open : nullptr);
   std::uint32_t empty = 0;
-  PlantMesh blades = blades_of(sketch.polygons, habit.metres, empty, habit.budget);
+  PlantMesh blades = blades_of(sketch.polygons, options.metres, empty, options.budget);
   note_empty(plant, empty);
   if (open) {
     if (!blades.runs.empty()) blades.columns.add("sky", open->of(blades.mesh));
@@ -216,24 +216,24 @@ void add_meshes(Plant& plant, const Sketch& sketch, const Dress& habit) {
 
 }  // namespace
 
-void dress(Plant& plant, const Sketch& sketch, const Dress& habit) {
+void dress(Plant& plant, const Sketch& sketch, const DressOptions& options) {
   plant.tags = {"stem"};
   plant.organ_tags = {"ball", "polygon"};
-  for (const Surface& surface : surfaces) plant.organ_tags.emplace_back(surface.name);
+  for (const NamedSurface& surface : surfaces) plant.organ_tags.emplace_back(surface.name);
   plant.segments = sketch.segments;
   for (Segment& segment : plant.segments) {
-    segment.start *= habit.metres;
-    segment.end *= habit.metres;
-    segment.radius *= habit.metres;
-    segment.radius_end *= habit.metres;
+    segment.start *= options.metres;
+    segment.end *= options.metres;
+    segment.radius *= options.metres;
+    segment.radius_end *= options.metres;
   }
-  for (const Borne& one : sketch.borne)
+  for (const SketchOrgan& one : sketch.organs)
     plant.organs.push_back(
-        {one.tag, one.segment, -1, one.place * habit.metres, quaternion_of(one.frame), one.size * habit.metres});
-  add_marks(plant.columns, "segments", habit.marked, sketch.lines, [](const Mark& mark) { return mark; });
+        {one.tag, one.segment, -1, one.place * options.metres, quaternion_of(one.frame), one.size * options.metres});
+  add_marks(plant.columns, "segments", options.marked, sketch.lines, [](const Mark& mark) { return mark; });
   if (!plant.organs.empty())
-    add_marks(plant.columns, "organs", habit.marked, sketch.borne, [](const Borne& one) { return one.mark; });
-  if (habit.meshes) add_meshes(plant, sketch, habit);
+    add_marks(plant.columns, "organs", options.marked, sketch.organs, [](const SketchOrgan& one) { return one.mark; });
+  if (options.meshes) add_meshes(plant, sketch, options);
 }
 
 }  // namespace panicle::grammar

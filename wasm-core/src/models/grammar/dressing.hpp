@@ -8,7 +8,7 @@
 
 namespace panicle::grammar {
 
-struct Dress {
+struct DressOptions {
   float metres = 0.01f;  // of one unit of the grammar
   std::uint32_t sides = 10;
   bool meshes = true;
@@ -19,6 +19,6 @@ struct Dress {
 };
 
 // Segments, organs, their columns, and the meshes that model.hpp lists; a note on polygons that show nothing.
-void dress(Plant& plant, const Sketch& sketch, const Dress& habit);
+void dress(Plant& plant, const Sketch& sketch, const DressOptions& options);
 
 }  // namespace panicle::grammar

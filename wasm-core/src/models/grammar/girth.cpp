@@ -51,8 +51,8 @@ void thicken(std::span<Segment> segments, const Girth& girth) {
     const bool open = unset(segment) || segment.radius == 0;
     any = any || open;
     if (open) continue;
-    segment.radius *= girth.said;
-    segment.radius_end *= girth.said;
+    segment.radius *= girth.width_factor;
+    segment.radius_end *= girth.width_factor;
   }
   if (!any) return;
   const float thinnest = 0.5f * girth.tip * measure_of(segments, length);

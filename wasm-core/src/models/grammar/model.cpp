@@ -30,7 +30,7 @@ constexpr float metres_a_millimetre = 0.001f;
 constexpr std::uint64_t most_words_as_text = 4 * 1024 * 1024;
 
 // What is asked for.
-struct Asked {
+struct GrowOptions {
   std::uint64_t seed = 1;
   std::optional<std::uint32_t> steps;
   std::span<const float> parameters;
@@ -52,23 +52,23 @@ Diagnostic read_constants(Request& request, lsystem::Inputs& inputs) {
   return {};
 }
 
-Result<Asked> read(Request& request) {
-  Asked asked;
+Result<GrowOptions> read(Request& request) {
+  GrowOptions options;
   request.text("model");
-  asked.seed = request.word("seed", 1);
-  asked.meshes = request.wants("meshes");
-  asked.measures = request.wants("measures");
-  asked.sky = request.wants("sky");
-  asked.coarse = request.wants("coarse");
-  asked.mesh_fingerprint = request.wants("mesh_fingerprint");
-  asked.string = request.wants("string");
-  if (request.has("steps")) asked.steps = request.word("steps");
-  asked.parameters = request.floats("parameters");
-  if (Diagnostic trouble = read_constants(request, asked.inputs); trouble.reason != Reason::none) return trouble;
+  options.seed = request.word("seed", 1);
+  options.meshes = request.wants("meshes");
+  options.measures = request.wants("measures");
+  options.sky = request.wants("sky");
+  options.coarse = request.wants("coarse");
+  options.mesh_fingerprint = request.wants("mesh_fingerprint");
+  options.string = request.wants("string");
+  if (request.has("steps")) options.steps = request.word("steps");
+  options.parameters = request.floats("parameters");
+  if (Diagnostic trouble = read_constants(request, options.inputs); trouble.reason != Reason::none) return trouble;
   auto chronicle = read_chronicle(request);
   if (!chronicle) return chronicle.error();
-  asked.chronicle = chronicle.value();
-  return asked;
+  options.chronicle = chronicle.value();
+  return options;
 }
 
 // Upright, its left side to the left of who looks from +Z.
@@ -118,14 +118,14 @@ void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belong
 }
 
 // The derivation told, where that is asked for.
-Result<std::optional<lsystem::DerivationTrace>> tell(const lsystem::BoundProgram& bound, const Asked& asked,
+Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const lsystem::BoundProgram& bound, const GrowOptions& options,
                                                      const Limits& limits, const lsystem::Surroundings& around) {
-  if (!asked.chronicle) return std::optional<lsystem::DerivationTrace>();
+  if (!options.chronicle) return std::optional<lsystem::DerivationTrace>();
   Limits of_derivation = limits;
   of_derivation.work = limits.work_of_derivation();
-  auto told = lsystem::chronicle(bound, asked.seed, asked.steps, of_derivation, around, *asked.chronicle);
-  if (!told) return told.error();
-  return std::optional(std::move(told.value()));
+  auto traced = lsystem::chronicle(bound, options.seed, options.steps, of_derivation, around, *options.chronicle);
+  if (!traced) return traced.error();
+  return std::optional(std::move(traced.value()));
 }
 
 constexpr ProgramOptions program_options{lsystem::Notation::cpfg, lsystem::Lineages::where_needed};
@@ -133,34 +133,34 @@ constexpr ProgramOptions program_options{lsystem::Notation::cpfg, lsystem::Linea
 Result<Plant> grow(Request& request, const Limits& given) {
   WorkBudget own(given.work, given.bytes);
   const Limits limits = roomy(given).counted_by(own);
-  const Result<Asked> asked = read(request);
+  const Result<GrowOptions> options = read(request);
   Result<Areas> areas = Areas::read(request, limits);
   const auto program = requested_program(request, program_options, limits);
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
-  if (!asked) return asked.error();
+  if (!options) return options.error();
   if (!areas) return areas.error();
   if (!program) return program.error();
   Plant plant;
-  const GrammarValues values(asked->parameters, plant.notes);
+  const GrammarValues values(options->parameters, plant.notes);
 
   const float metres = metres_a_millimetre * values[unit];
   // What the document says, besides which a text is told of its areas.
-  lsystem::Inputs inputs = asked->inputs;
-  areas->tell(inputs, metres);
+  lsystem::Inputs inputs = options->inputs;
+  areas->add_inputs(inputs, metres);
   const auto bound = lsystem::bind(program.value(), inputs, limits);
   if (!bound) return bound.error();
   Neighbours neighbours(*limits.budget);
-  const bool asks = lsystem::asks(*program.value());
-  const lsystem::Surroundings around{standing(), &areas.value(), asks ? &neighbours : nullptr};
+  const bool has_queries = lsystem::asks(*program.value());
+  const lsystem::Surroundings around{standing(), &areas.value(), has_queries ? &neighbours : nullptr};
   const auto derived = [&] {
     const WorkBudget::Share share(*limits.budget, limits.work_of_derivation());
-    return lsystem::develop_so_far(*bound.value(), asked->seed, asked->steps, limits, around);
+    return lsystem::develop_so_far(*bound.value(), options->seed, options->steps, limits, around);
   }();
   if (!derived) return derived.error();
   const lsystem::String& string = *derived->string;
   Sketch sketch(limits);
   sketch.begin();
-  const auto drawn = lsystem::trace(*bound.value(), string, standing(), sketch, asked->seed, limits, around.space);
+  const auto drawn = lsystem::trace(*bound.value(), string, standing(), sketch, options->seed, limits, around.space);
   if (areas->is_exhausted()) return QueryBudget::error();
   const Diagnostic undrawn = drawn ? Diagnostic{} : drawn.error();
   if (undrawn.reason != Reason::none && undrawn.reason != Reason::limit) return undrawn;
@@ -172,17 +172,17 @@ Result<Plant> grow(Request& request, const Limits& given) {
   plant.notes.insert(plant.notes.end(), sketch.notes.begin(), sketch.notes.end());
   thicken(sketch.segments, {0.01f * values[thickness], values[thickening], 0.01f * values[widths]});
 
-  const auto told = tell(*bound.value(), asked.value(), limits, around);
-  if (!told) return told.error();
-  const std::optional<lsystem::DerivationTrace>& chronicle = told.value();
+  const auto traced = trace_derivation(*bound.value(), options.value(), limits, around);
+  if (!traced) return traced.error();
+  const std::optional<lsystem::DerivationTrace>& chronicle = traced.value();
   const bool whole = !chronicle || chronicle->counts().back() == lsystem::length(string);
   dress(plant, sketch,
         {.metres = metres,
          .sides = values.whole(sides),
-         .meshes = asked->meshes,
-         .sky = asked->sky,
+         .meshes = options->meshes,
+         .sky = options->sky,
          .marked = whole,
-         .coarse = asked->coarse,
+         .coarse = options->coarse,
          .budget = limits.budget});
   const auto count = [](std::uint64_t number) { return static_cast<std::uint32_t>(number); };
   plant.counts = {{"modules", count(lsystem::length(string))},
@@ -190,11 +190,11 @@ Result<Plant> grow(Request& request, const Limits& given) {
                   {"segments", count(plant.segments.size())},
                   {"organs", count(plant.organs.size())},
                   {"polygons", count(sketch.polygons.all.size())}};
-  if (asked->measures) measure(plant, {sketch, string, areas.value(), metres, limits.budget});
+  if (options->measures) measure(plant, {sketch, string, areas.value(), metres, limits.budget});
   add_belongings(plant, sketch, belongings(*program.value(), string), areas.value());
   if (!whole) plant.notes.push_back(cut_short(*chronicle));
   if (chronicle) add_chronicle(plant, *chronicle);
-  if (asked->string) {
+  if (options->string) {
     const bool too_long = string.used > most_words_as_text;
     plant.columns.add("string", too_long ? std::string() : lsystem::to_text(*program.value(), string));
     if (too_long)
@@ -202,10 +202,10 @@ Result<Plant> grow(Request& request, const Limits& given) {
                             " modules, too many to be written as text; let the grammar take fewer steps.");
   }
   if (plant.segments.empty() && plant.organs.empty()) plant.notes.push_back("The grammar draws nothing.");
-  for (const lsystem::Remark& remark : lsystem::remarks(*program.value(), asked->inputs.scalars, asked->steps))
+  for (const lsystem::Remark& remark : lsystem::remarks(*program.value(), options->inputs.scalars, options->steps))
     plant.notes.push_back(lsystem::to_text(remark));
   plant.fingerprint = fingerprint_of(plant);
-  if (asked->meshes && asked->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  if (options->meshes && options->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   return plant;
 }
 

@@ -51,8 +51,8 @@ void Neighbours::ask(const lsystem::Turtle& turtle, std::span<float> parameters,
 }
 
 Neighbours::Cells& Neighbours::cells(float edge) {
-  for (Cells& kept : cells_)
-    if (kept.edge == edge) return kept;
+  for (Cells& cached : cells_)
+    if (cached.edge == edge) return cached;
   if (cells_.size() == most_radii) cells_.erase(cells_.begin());
   budget_.spend(4 + 2 * ends_.size());
   cells_.push_back({edge, PointGrid(ends_, edge), nullptr});

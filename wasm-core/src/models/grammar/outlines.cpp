@@ -14,7 +14,7 @@ constexpr float droop = 0.16f;  // how far the tip lies below the base's plane
 constexpr float point = 1e-3f;  // a ray as short as this has no length
 constexpr std::uint32_t whole_rings = 3;
 
-float said_by(const Outline& outline, float t) {
+float ray_formula(const Outline& outline, float t) {
   const auto waves = [t](float degrees) { return sincos_degrees(degrees * t).cosine; };
   return outline.offset + power(std::max(0.0f, 1 - outline.fall * t), outline.bow) * exponential(-outline.slim * t) *
                               power(1 - outline.lobe + outline.lobe * std::fabs(waves(outline.turns)), outline.round) *
@@ -29,7 +29,7 @@ glm::vec3 normal_at(const glm::vec2& p) {
 
 }  // namespace
 
-float ray(const Outline& outline, float t) { return said_by(outline, t) / said_by(outline, 0); }
+float ray(const Outline& outline, float t) { return ray_formula(outline, t) / ray_formula(outline, 0); }
 
 Mesh blade_within(const Outline& outline, bool plain) {
   const std::uint32_t rings = plain ? 1 : whole_rings;

@@ -22,8 +22,8 @@ std::uint64_t bytes_of(const Mesh& mesh) {
 
 // Colour 1 is each thing's own.
 Mark mark_of(const lsystem::Turtle& turtle, const lsystem::Lineage& lineage, std::uint8_t natural) {
-  const auto asked = static_cast<std::uint8_t>(std::clamp<std::int32_t>(turtle.colour, 1, colours));
-  return {lineage.module, asked == 1 ? natural : asked};
+  const auto colour = static_cast<std::uint8_t>(std::clamp<std::int32_t>(turtle.colour, 1, colours));
+  return {lineage.module, colour == 1 ? natural : colour};
 }
 
 }  // namespace
@@ -44,8 +44,8 @@ bool Sketch::has_room(std::uint64_t bytes) {
   return false;
 }
 
-bool Sketch::may_bear(std::uint32_t tag) {
-  return within(borne.size(), limits().spheres, "spheres, polygons and surfaces") && has_room(bytes_[tag]);
+bool Sketch::can_add_organ(std::uint32_t tag) {
+  return within(organs.size(), limits().spheres, "spheres, polygons and surfaces") && has_room(bytes_[tag]);
 }
 
 void Sketch::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
@@ -54,16 +54,16 @@ void Sketch::line(std::int32_t id, const lsystem::Turtle& before, const lsystem:
   if (lines.size() < segments.size()) lines.push_back(mark_of(after, lineage, of_lines));
 }
 
-void Sketch::bear(std::uint32_t tag, const lsystem::Turtle& turtle, float size, std::uint8_t natural,
+void Sketch::add_organ(std::uint32_t tag, const lsystem::Turtle& turtle, float size, std::uint8_t natural,
                   const lsystem::Lineage& lineage) {
   // Of a plant that has reached its limit of segments some may be missing.
   const std::int32_t segment = std::min(segment_of(turtle), static_cast<std::int32_t>(segments.size()) - 1);
-  borne.push_back({tag, segment, turtle.position, glm::mat3(-turtle.left, turtle.heading, turtle.up), size,
+  organs.push_back({tag, segment, turtle.position, glm::mat3(-turtle.left, turtle.heading, turtle.up), size,
                    mark_of(turtle, lineage, natural)});
 }
 
 void Sketch::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {
-  if (may_bear(ball_tag)) bear(ball_tag, turtle, radius, of_balls, lineage);
+  if (can_add_organ(ball_tag)) add_organ(ball_tag, turtle, radius, of_balls, lineage);
 }
 
 void Sketch::polygon(const lsystem::Turtle& turtle, std::span<const glm::vec3> corners,
@@ -73,12 +73,12 @@ void Sketch::polygon(const lsystem::Turtle& turtle, std::span<const glm::vec3> c
 
 void Sketch::plate(const lsystem::Turtle& turtle, std::span<const glm::vec3> corners, float thickness,
                    const lsystem::Lineage& lineage) {
-  if (!may_bear(polygon_tag) || !has_room(corner_bytes * corners.size())) return;
+  if (!can_add_organ(polygon_tag) || !has_room(corner_bytes * corners.size())) return;
   if (!within(polygons.corners.size() + corners.size(), limits().moves, "corners of polygons")) return;
-  bear(polygon_tag, turtle, 1, of_blades, lineage);
+  add_organ(polygon_tag, turtle, 1, of_blades, lineage);
   polygons.all.push_back({static_cast<std::uint32_t>(polygons.corners.size()),
-                          static_cast<std::uint32_t>(corners.size()), static_cast<std::uint32_t>(borne.size() - 1),
-                          thickness, borne.back().mark});
+                          static_cast<std::uint32_t>(corners.size()), static_cast<std::uint32_t>(organs.size() - 1),
+                          thickness, organs.back().mark});
   polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
 }
 
@@ -89,18 +89,18 @@ void Sketch::surface(const lsystem::Turtle& turtle, std::string_view name, float
     if (unknown_.size() == most_unknown || unknown_.contains(name)) return;
     unknown_.emplace(name);
     std::string known;
-    for (const Surface& one : surfaces) known += " ~" + std::string(one.name);
+    for (const NamedSurface& one : surfaces) known += " ~" + std::string(one.name);
     notes.push_back("There is no surface ~" + std::string(name) + "; there are" + known + ".");
     if (unknown_.size() == most_unknown) notes.push_back("Further unknown surfaces are not listed.");
     return;
   }
-  if (size != 0 && may_bear(first_surface_tag + *which))
-    bear(first_surface_tag + *which, turtle, size, surfaces[*which].colour, lineage);
+  if (size != 0 && can_add_organ(first_surface_tag + *which))
+    add_organ(first_surface_tag + *which, turtle, size, surfaces[*which].colour, lineage);
 }
 
 void Sketch::disc(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {
-  if (radius != 0 && may_bear(first_surface_tag + disc_surface))
-    bear(first_surface_tag + disc_surface, turtle, 2 * radius, surfaces[disc_surface].colour, lineage);
+  if (radius != 0 && can_add_organ(first_surface_tag + disc_surface))
+    add_organ(first_surface_tag + disc_surface, turtle, 2 * radius, surfaces[disc_surface].colour, lineage);
 }
 
 }  // namespace panicle::grammar

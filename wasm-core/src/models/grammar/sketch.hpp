@@ -30,7 +30,7 @@ struct Mark {
 };
 
 // Something borne, where the turtle stood.
-struct Borne {
+struct SketchOrgan {
   std::uint32_t tag = 0;
   std::int32_t segment = -1;  // −1 for none
   glm::vec3 place{0};
@@ -41,7 +41,7 @@ struct Borne {
 
 struct Polygon {
   std::uint32_t first = 0, count = 0;  // of the corners
-  std::uint32_t borne = 0;             // which of all that is borne it is
+  std::uint32_t organ = 0;             // which of all that is borne it is
   float thickness = 0;                 // 0: a sheet
   Mark mark;
 };
@@ -69,7 +69,7 @@ class Sketch final : public Drawing {
   void note(std::string_view note) override { notes.emplace_back(note); }
 
   std::vector<Mark> lines;   // of each segment
-  std::vector<Borne> borne;  // in the order of the string
+  std::vector<SketchOrgan> organs;  // in the order of the string
   Polygons polygons;
   std::vector<std::string> notes;
 
@@ -79,8 +79,8 @@ class Sketch final : public Drawing {
   // Takes `bytes` of the file's limit. False, and `trouble` is set: there are not as many left.
   bool has_room(std::uint64_t bytes);
   // Whether another organ of a tag is within the limits; if not, `trouble` is set.
-  bool may_bear(std::uint32_t tag);
-  void bear(std::uint32_t tag, const lsystem::Turtle& turtle, float size, std::uint8_t natural,
+  bool can_add_organ(std::uint32_t tag);
+  void add_organ(std::uint32_t tag, const lsystem::Turtle& turtle, float size, std::uint8_t natural,
             const lsystem::Lineage& lineage);
 };
 

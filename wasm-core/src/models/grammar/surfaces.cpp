@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t round_sides = 14, plain_sides = 8;  // sides of what is turned
 
 // Half of a blade's outline, from its base (0) to its tip (1), and how it lies.
-struct Blade {
+struct BladeShape {
   float width = 0.4f;   // at the widest
   float widest = 0.4f;  // where that is
   float fold = 0.2f;    // how far margins stand above the midrib, over their distance
@@ -24,14 +24,14 @@ struct Blade {
 };
 
 // About half the rows, margins and midrib alone.
-Blade plainer(Blade blade) {
+BladeShape simplified(BladeShape blade) {
   blade.rows = (blade.rows + 1) / 2;
   blade.across = 3;
   return blade;
 }
 
 // Half the width: from nothing at the base through the widest place to the tip, smoothly, the tip pointed.
-float half_width(const Blade& blade, float t) {
+float half_width(const BladeShape& blade, float t) {
   const float rise = t < blade.widest ? t / blade.widest : (1 - t) / (1 - blade.widest);
   return 0.5f * blade.width * std::sqrt(rise * (2 - rise));
 }
@@ -54,7 +54,7 @@ void add_normals(Mesh& mesh) {
 }
 
 // Across it margins, midrib and what is between.
-Mesh blade_of(const Blade& blade) {
+Mesh make_blade(const BladeShape& blade) {
   const std::uint32_t across = blade.across, middle = across / 2;
   Mesh mesh;
   for (std::uint32_t row = 0; row <= blade.rows; ++row) {
@@ -112,16 +112,16 @@ Mesh flower(const Mesh& petal) {
 }
 
 // A place on the outline of something turned about the heading.
-struct Knot {
+struct ProfilePoint {
   float radius, height;
 };
 
 // Smooth but where a knot stands twice, for a sharp edge, and at its ends, which may be points.
-Mesh turned(std::span<const Knot> outline, std::uint32_t sides) {
+Mesh surface_of_revolution(std::span<const ProfilePoint> outline, std::uint32_t sides) {
   Mesh mesh;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Knot& before = outline[i > 0 ? i - 1 : 0];
-    const Knot& after = outline[i + 1 < outline.size() ? i + 1 : i];
+    const ProfilePoint& before = outline[i > 0 ? i - 1 : 0];
+    const ProfilePoint& after = outline[i + 1 < outline.size() ? i + 1 : i];
     const float dr = after.radius - before.radius, dy = after.height - before.height;
     const float length = std::sqrt(dr * dr + dy * dy);
     for (std::uint32_t k = 0; k <= sides; ++k) {
@@ -133,7 +133,7 @@ Mesh turned(std::span<const Knot> outline, std::uint32_t sides) {
     }
   }
   for (std::uint32_t row = 0; row + 1 < outline.size(); ++row) {
-    const Knot &one = outline[row], &next = outline[row + 1];
+    const ProfilePoint &one = outline[row], &next = outline[row + 1];
     if (one.radius == next.radius && one.height == next.height) continue;
     for (std::uint32_t k = 0; k < sides; ++k) {
       const std::uint32_t a = row * (sides + 1) + k, b = a + sides + 1;
@@ -161,12 +161,12 @@ std::optional<std::uint32_t> surface_named(std::string_view name) {
 }
 
 Mesh make_surface(std::uint32_t which, bool plain) {
-  constexpr Knot disc[] = {{0.5f, 0}, {0, 0.02f}};
-  constexpr Knot cone[] = {{0, 0}, {0.25f, 0}, {0.25f, 0}, {0, 1}};
-  constexpr Knot bud[] = {{0, 0},         {0.1f, 0.04f}, {0.2f, 0.18f},  {0.23f, 0.36f},
+  constexpr ProfilePoint disc[] = {{0.5f, 0}, {0, 0.02f}};
+  constexpr ProfilePoint cone[] = {{0, 0}, {0.25f, 0}, {0.25f, 0}, {0, 1}};
+  constexpr ProfilePoint bud[] = {{0, 0},         {0.1f, 0.04f}, {0.2f, 0.18f},  {0.23f, 0.36f},
                           {0.19f, 0.58f}, {0.1f, 0.82f}, {0.04f, 0.95f}, {0, 1}};
   const std::uint32_t sides = plain ? plain_sides : round_sides;
-  const auto blade = [plain](const Blade& whole) { return blade_of(plain ? plainer(whole) : whole); };
+  const auto blade = [plain](const BladeShape& whole) { return make_blade(plain ? simplified(whole) : whole); };
   switch (which) {
     case 0:
       return blade({.width = 0.46f, .widest = 0.38f, .fold = 0.25f, .droop = 0.16f, .rows = 8});
@@ -177,11 +177,11 @@ Mesh make_surface(std::uint32_t which, bool plain) {
     case 3:
       return flower(blade({.width = 0.75f, .widest = 0.62f, .fold = 0.25f, .droop = 0.12f, .rows = 6}));
     case 4:
-      return turned(disc, sides);
+      return surface_of_revolution(disc, sides);
     case 5:
-      return turned(cone, sides);
+      return surface_of_revolution(cone, sides);
     case 6:
-      return turned(bud, sides);
+      return surface_of_revolution(bud, sides);
     case 7:
       return berry(sides);
     default:

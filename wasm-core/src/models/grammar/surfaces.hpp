@@ -11,14 +11,14 @@
 
 namespace panicle::grammar {
 
-struct Surface {
+struct NamedSurface {
   std::string_view name;      // as texts have it
   std::string_view material;  // its kind
   std::uint8_t colour;        // by nature, of the palette
   float area;                 // that it hides, at size 1
 };
 
-inline constexpr std::array<Surface, 20> surfaces = {{
+inline constexpr std::array<NamedSurface, 20> surfaces = {{
     {"leaf", "blade", 3, 0.3f},
     {"petal", "petal", 5, 0.4f},
     {"sepal", "sepal", 2, 0.2f},

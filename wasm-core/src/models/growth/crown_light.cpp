@@ -35,23 +35,23 @@ DensityGrid cells_of(const Population& population) {
 }
 
 // Even all about, few as they are: trees would lean else.
-std::vector<LightDirection> even_sky() {
-  std::vector<LightDirection> lamps{{{0, 1, 0}, 1 - about_share * about_count}};
+std::vector<LightDirection> even_directions() {
+  std::vector<LightDirection> directions{{{0, 1, 0}, 1 - about_share * about_count}};
   const SinCos high = sincos_degrees(about_height);
   for (int i = 0; i < about_count; ++i) {
     const SinCos way = sincos_degrees(360.0f * static_cast<float>(i) / about_count);
-    lamps.push_back({{high.cosine * way.cosine, high.sine, high.cosine * way.sine}, about_share});
+    directions.push_back({{high.cosine * way.cosine, high.sine, high.cosine * way.sine}, about_share});
   }
-  return lamps;
+  return directions;
 }
 
 }  // namespace
 
 CrownLight::CrownLight(const Population& population, const Surroundings& about)
-    : matter_(cells_of(population)), lamps_(about.dimmed(even_sky())) {
-  const auto middle = [](const std::vector<LightDirection>& lamps) {
+    : matter_(cells_of(population)), directions_(about.dimmed(even_directions())) {
+  const auto middle = [](const std::vector<LightDirection>& directions) {
     glm::vec3 sum(0);
-    for (const LightDirection& lamp : lamps) sum += lamp.share * lamp.towards;
+    for (const LightDirection& direction : directions) sum += direction.share * direction.towards;
     return sum;
   };
   if (about.alone()) return;
@@ -64,7 +64,7 @@ CrownLight::CrownLight(const Population& population, const Surroundings& about)
 
 void CrownLight::put(const glm::vec3& place, float area) { matter_.put(place, area); }
 
-void CrownLight::shine() { light_.emplace(matter_.light(lamps_)); }
+void CrownLight::update() { light_.emplace(matter_.light(directions_)); }
 
 glm::vec3 CrownLight::from(const glm::vec3& place) const {
   if (!light_) return sky_;

@@ -18,13 +18,13 @@ class CrownLight {
   // Something that hides light from now on, square metres over all directions.
   void put(const glm::vec3& place, float area);
   // Lets the light in anew.
-  void shine();
+  void update();
   // The unit vector from which most light comes: the middle of the open sky, drawn to where the crown is lighter.
   glm::vec3 from(const glm::vec3& place) const;
 
  private:
   DensityGrid matter_;
-  std::vector<LightDirection> lamps_;
+  std::vector<LightDirection> directions_;
   glm::vec3 sky_{0, 1, 0};
   std::optional<VoxelLight> light_;  // none before anything hides some
 };

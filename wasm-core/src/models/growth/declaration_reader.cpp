@@ -25,7 +25,7 @@ constexpr std::size_t in_brackets = 6;
 
 }  // namespace
 
-bool Reader::footprint() {
+bool GrowthReader::footprint() {
   ++at_;
   if (at_ != arrow_)
     return wrong(here(), "A footprint has no condition; an arrow is expected here, not '%'.", {found()});
@@ -39,7 +39,7 @@ bool Reader::footprint() {
   return true;
 }
 
-bool Reader::growth_volume() {
+bool GrowthReader::growth_volume() {
   if (!(on_name() && tokens_[at_].is("GrowVol") && opens(at_ + 1)))
     return wrong(here(), "A footprint consists of growth volumes: GrowVol(cnt, id, wb, h, wt, grad), not '%'.",
                  {found()});
@@ -71,13 +71,13 @@ bool Reader::growth_volume() {
 }
 
 // Passes over a comma, which has to be followed by something; at the end of the brackets there is none.
-bool Reader::next_argument() {
+bool GrowthReader::next_argument() {
   if (on_sign(')') || at_ >= end_) return true;
   if (!expect(',', "A comma is expected here, not '%'.")) return false;
   return !on_sign(')') || wrong(here(), "A value is missing here; take the comma before it out.");
 }
 
-bool Reader::positional(std::vector<Number>& values, VolumeRule& rule) {
+bool GrowthReader::positional(std::vector<Number>& values, VolumeRule& rule) {
   if (values.size() != in_brackets)
     return wrong(rule.place, "GrowVol takes (cnt, id, wb, h, wt, grad), or each by its name, as in h(10).");
   std::vector<Attribute> attributes;
@@ -87,7 +87,7 @@ bool Reader::positional(std::vector<Number>& values, VolumeRule& rule) {
   return true;
 }
 
-bool Reader::attribute(std::string_view name, VolumeRule& rule) {
+bool GrowthReader::attribute(std::string_view name, VolumeRule& rule) {
   const Token& token = tokens_[at_];
   const std::string_view part = token.text.substr(name.size());
   if (!part.empty() && part != ".rand")
@@ -97,7 +97,7 @@ bool Reader::attribute(std::string_view name, VolumeRule& rule) {
   return numbers(0, values) && range_of(values, !part.empty(), name, rule, token.place);
 }
 
-bool Reader::range_of(std::vector<Number>& values, bool drawn, std::string_view name, VolumeRule& rule,
+bool GrowthReader::range_of(std::vector<Number>& values, bool drawn, std::string_view name, VolumeRule& rule,
                       const Place& place) {
   if (name == "size") {
     if (values.size() != 4)
@@ -131,7 +131,7 @@ bool Reader::range_of(std::vector<Number>& values, bool drawn, std::string_view 
   return true;
 }
 
-bool Reader::tree() {
+bool GrowthReader::tree() {
   TreeRule rule;
   rule.place = here();
   ++at_;
@@ -146,7 +146,7 @@ bool Reader::tree() {
   return true;
 }
 
-bool Reader::divisor_function(TreeRule& rule) {
+bool GrowthReader::divisor_function(TreeRule& rule) {
   if (!(at_ < successors_end_ && tokens_[at_].is("DivFunc") && opens(at_ + 1)))
     return wrong(here(), "A tree consists of divisor functions: DivFunc(\"sigma1\"){branches}, not '%'.", {found()});
   DivisorFunction function;
@@ -178,7 +178,7 @@ bool Reader::divisor_function(TreeRule& rule) {
   return true;
 }
 
-bool Reader::type_of(const Token& token, DivisorFunction& function) {
+bool GrowthReader::type_of(const Token& token, DivisorFunction& function) {
   std::string_view name = token.text;
   struct Type {
     std::string_view name;
@@ -212,7 +212,7 @@ bool Reader::type_of(const Token& token, DivisorFunction& function) {
       {token.text});
 }
 
-bool Reader::parameters_fit(const Token& type, DivisorFunction& function) {
+bool GrowthReader::parameters_fit(const Token& type, DivisorFunction& function) {
   const bool residue = function.kind == DivisorRule::Kind::residue;
   const std::size_t wanted = function.argument ? 2 : (function.powered ? 0u : 1u) + (residue ? 2u : 0u);
   if (function.parameters.size() == wanted) return true;

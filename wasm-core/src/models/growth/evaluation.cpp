@@ -10,22 +10,22 @@ namespace panicle::growth {
 using expression::error_at;
 using expression::number_text;
 
-Evaluation::Evaluation(const Rules& rules, std::uint64_t seed) : code_(rules.code), registers_(rules.code.registers) {
+GrowthEvaluation::GrowthEvaluation(const Rules& rules, std::uint64_t seed) : code_(rules.code), registers_(rules.code.registers) {
   sources_.arrays = functions_;
   sources_.seed = seed;
   set(Word::one, 1);
 }
 
-void Evaluation::give(std::vector<float> branches, std::vector<float> leaves) {
+void GrowthEvaluation::give(std::vector<float> branches, std::vector<float> leaves) {
   functions_ = {std::move(branches), std::move(leaves)};
 }
 
-bool Evaluation::holds(const Number& condition) {
+bool GrowthEvaluation::holds(const Number& condition) {
   float truth = 1;
   return !condition.value.given || (work_out(condition, truth) && truth != 0);
 }
 
-bool Evaluation::work_out(const Number& number, float& value) {
+bool GrowthEvaluation::work_out(const Number& number, float& value) {
   const expression::Value& of = number.value;
   Diagnostic fault;
   work_ += of.code.size() / 8;
@@ -41,14 +41,14 @@ bool Evaluation::work_out(const Number& number, float& value) {
   return fail(error_at(Reason::evaluation, of.place, "A finite number is needed here, not %.", {number_text(value)}));
 }
 
-bool Evaluation::within(const Number& number, float least, float most, const char* what, float& value) {
+bool GrowthEvaluation::within(const Number& number, float least, float most, const char* what, float& value) {
   if (!work_out(number, value)) return false;
   if (value >= least && value <= most) return true;
   return fail(error_at(Reason::evaluation, number.value.place, "% is from % to %, not %.",
                        {what, number_text(least), number_text(most), number_text(value)}));
 }
 
-bool Evaluation::whole(const Number& number, float least, float most, const char* what, std::uint32_t& value) {
+bool GrowthEvaluation::whole(const Number& number, float least, float most, const char* what, std::uint32_t& value) {
   float found = 0;
   if (!within(number, least, most, what, found)) return false;
   value = static_cast<std::uint32_t>(found);
@@ -57,7 +57,7 @@ bool Evaluation::whole(const Number& number, float least, float most, const char
       error_at(Reason::evaluation, number.value.place, "% is a whole number, not %.", {what, number_text(found)}));
 }
 
-bool Evaluation::probability(const Number& number, float& value) {
+bool GrowthEvaluation::probability(const Number& number, float& value) {
   value = 1;
   return !number.value.given || within(number, 0, 1, "A probability", value);
 }

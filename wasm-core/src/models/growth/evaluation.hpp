@@ -9,10 +9,10 @@
 
 namespace panicle::growth {
 
-class Evaluation {
+class GrowthEvaluation {
  public:
-  Evaluation(const Rules& rules, std::uint64_t seed);
-  Evaluation(const Evaluation&) = delete;
+  GrowthEvaluation(const Rules& rules, std::uint64_t seed);
+  GrowthEvaluation(const GrowthEvaluation&) = delete;
 
   // What D(0), D(1) … and E(0), E(1) … are.
   void give(std::vector<float> branches, std::vector<float> leaves);

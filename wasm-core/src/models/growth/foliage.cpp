@@ -24,7 +24,7 @@ constexpr float least_size = 0.7f;  // of the largest
 // flying on: few go far, so that litter thins outwards and has no edge.
 constexpr float drift = 0.12f, blown = 0.25f;
 constexpr float above = 0.01f;         // the ground, metres
-constexpr float least_bearing = 0.6f;  // of a leaf's length, what an internode is long that bears this year's
+constexpr float least_internode = 0.6f;  // of a leaf's length, what an internode is long that bears this year's
 constexpr std::size_t most_together = 256;
 constexpr float near_tip = 0.35f;  // from where on along an internode they stand
 
@@ -45,8 +45,8 @@ glm::vec4 turned(const glm::vec3& out, const glm::vec3& face) {
 
 void lie_down(Organ& leaf, std::uint32_t tag, std::uint64_t seed, std::uint64_t address) {
   const SinCos way = sincos_degrees(360 * random_unit(seed, stream_lie, address));
-  const float luck = random_unit(seed, stream_lie, hash_combine(address, 1));
-  const float far = drift * leaf.position.y * luck / (1 + blown - luck);
+  const float noise = random_unit(seed, stream_lie, hash_combine(address, 1));
+  const float far = drift * leaf.position.y * noise / (1 + blown - noise);
   leaf.position += glm::vec3(far * way.cosine, 0, far * way.sine);
   leaf.position.y = above;
   const glm::vec3 face = glm::normalize(glm::vec3(0, 1, 0) + 0.25f * random_direction(seed, stream_lie, address));
@@ -54,7 +54,7 @@ void lie_down(Organ& leaf, std::uint32_t tag, std::uint64_t seed, std::uint64_t 
   leaf.tag = tag;
 }
 
-float risen(float value) {
+float smooth_step(float value) {
   const float share = std::clamp(value, 0.0f, 1.0f);
   return share * share * (3 - 2 * share);
 }
@@ -87,14 +87,14 @@ class Crown {
 
   // Of `count` counted leaves from the l-th on, which stand together.
   void leaves_of(std::size_t l, std::size_t count) {
-    Place place;
+    TwigPlace place;
     if (!place_of(l, place)) return;
     const Twig twig{place.along, place.one, place.other};
-    LeafNoise luck{};
-    std::array<Which, 4> four;
+    LeafNoise noise{};
+    std::array<CountedLeaf, 4> four;
     std::uint32_t held = 0;
     const auto hang = [&] {
-      const auto poses = habit_.needles ? needle_poses(twig, luck) : leaf_poses(twig, luck, habit_.stray);
+      const auto poses = habit_.needles ? needle_poses(twig, noise) : leaf_poses(twig, noise, habit_.stray);
       for (std::uint32_t i = 0; i < held; ++i) leaf(four[i], place, poses[i]);
       held = 0;
     };
@@ -103,9 +103,9 @@ class Crown {
       for (std::uint32_t k = 0; k < habit_.many; ++k) {
         const std::uint64_t address = hash_combine(l, k);
         const auto [height, around] = faces_.units(address);
-        luck.about[held] = about + golden_turn * static_cast<float>(k);
-        luck.height[held] = 2 * height - 1;
-        luck.around[held] = around;
+        noise.about[held] = about + golden_turn * static_cast<float>(k);
+        noise.height[held] = 2 * height - 1;
+        noise.around[held] = around;
         four[held] = {l * habit_.many + k, address};
         if (++held == 4) hang();
       }
@@ -114,7 +114,7 @@ class Crown {
   }
 
   void blossoms_of(std::size_t l) {
-    Place place;
+    TwigPlace place;
     if (!place_of(l, place)) return;
     for (std::uint32_t k = 0; k < habit_.blossoms; ++k) blossom(hash_combine(l, k), place);
   }
@@ -126,9 +126,9 @@ class Crown {
     float begins = 0;
     std::uint32_t k = 0;
     for (std::uint32_t node = 1; node <= way.count && k < habit_.bunches; ++node) {
-      const std::int32_t bearer = moment_.of_node[way.first + node];
-      if (bearer < 0) return;
-      const Segment& wood = moment_.segments[static_cast<std::size_t>(bearer)];
+      const std::int32_t segment = moment_.of_node[way.first + node];
+      if (segment < 0) return;
+      const Segment& wood = moment_.segments[static_cast<std::size_t>(segment)];
       const float length = glm::distance(wood.start, wood.end);
       for (; k < habit_.bunches; ++k) {
         const float along = habit_.first_bunch + habit_.between * static_cast<float>(k) - begins;
@@ -136,7 +136,7 @@ class Crown {
         const glm::vec3 down(0, -1, 0);
         Organ bunch;
         bunch.tag = bunch_tag;
-        bunch.segment = bearer;
+        bunch.segment = segment;
         bunch.position = glm::mix(wood.start, wood.end, length > 0 ? std::max(along / length, 0.0f) : 0.0f);
         bunch.rotation = turn_to(down, beside(down));
         plant_.organs.push_back(bunch);
@@ -147,41 +147,41 @@ class Crown {
 
  private:
   // A leaf among all of the tree, and where its luck is drawn.
-  struct Which {
+  struct CountedLeaf {
     std::size_t number = 0;
     std::uint64_t address = 0;
   };
 
   // The twig that a leaf stands on, and how much of it is there.
-  struct Place {
-    std::int32_t bearer = -1;
+  struct TwigPlace {
+    std::int32_t segment = -1;
     float share = 0, length = 0;
     bool falls = false;
     glm::vec3 along{0}, one{0}, other{0};
   };
 
-  bool place_of(std::size_t l, Place& place) const {
+  bool place_of(std::size_t l, TwigPlace& place) const {
     const Leaf& counted = population_.leaves[l];
     const Way& way = form_.ways[counted.shoot];
     const bool marked = counted.falls != Leaf::never && time_ >= static_cast<float>(counted.falls);
     place.falls = marked && sheds_now();
-    place.share = come(counted.born, time_);
+    place.share = grown_share(counted.born, time_);
     // Counted leaves about to fall hang for a step, and shrivel all the while; foliage is renewed every year, and an
     // earlier year's gives way to this one's.
     if (counted.gone != Leaf::never)
-      place.share *= 1 - come(counted.gone, time_);
+      place.share *= 1 - grown_share(counted.gone, time_);
     else if (marked)
       place.share *= 1 - std::clamp(time_ - static_cast<float>(counted.falls), 0.0f, 1.0f);
     if (!(place.share > 0) || way.count == 0) return false;
     const std::uint32_t node =
         std::min<std::uint32_t>(counted.born > way.from ? counted.born - way.from : 0u, way.count - 1) + 1;
-    place.bearer = moment_.of_node[way.first + node];
-    if (place.bearer < 0) return false;
+    place.segment = moment_.of_node[way.first + node];
+    if (place.segment < 0) return false;
     const glm::vec3 whole = form_.nodes[way.first + node] - form_.nodes[way.first + node - 1];
-    const Segment& twig = moment_.segments[static_cast<std::size_t>(place.bearer)];
+    const Segment& twig = moment_.segments[static_cast<std::size_t>(place.segment)];
     const float length = glm::length(whole);
     // A shoot that found no room to grow has none for leaves.
-    if (counted.gone != Leaf::never && length < least_bearing * habit_.size) return false;
+    if (counted.gone != Leaf::never && length < least_internode * habit_.size) return false;
     place.length = std::min(length, glm::distance(twig.start, twig.end));
     place.along = length > 0 ? whole / length : glm::vec3(0, 1, 0);
     place.one = beside(place.along);
@@ -193,10 +193,10 @@ class Crown {
   // wood, and in autumn where foliage is renewed every year.
   bool sheds_now() const { return !population_.has_foliage || (!habit_.evergreen && habit_.season >= autumn); }
 
-  Organ on(const Place& place, float back) const {
+  Organ on(const TwigPlace& place, float back) const {
     Organ organ;
-    organ.segment = place.bearer;
-    organ.position = moment_.segments[static_cast<std::size_t>(place.bearer)].end - back * place.length * place.along;
+    organ.segment = place.segment;
+    organ.position = moment_.segments[static_cast<std::size_t>(place.segment)].end - back * place.length * place.along;
     return organ;
   }
 
@@ -204,7 +204,7 @@ class Crown {
   float unfolded(std::uint64_t address) const {
     if (habit_.evergreen || habit_.season > unfolded_by) return 1;
     const float begins = budburst + burst_spread * buds_.unit(address);
-    return risen((habit_.season - begins) / unfolding);
+    return smooth_step((habit_.season - begins) / unfolding);
   }
 
   bool shed(std::uint64_t address) const {
@@ -212,11 +212,11 @@ class Crown {
            habit_.season > first_fall + fall_spread * falls_.unit(address);
   }
 
-  void leaf(const Which& which, const Place& place, const glm::vec4& pose) {
-    const std::uint64_t address = which.address;
+  void leaf(const CountedLeaf& counted_leaf, const TwigPlace& place, const glm::vec4& pose) {
+    const std::uint64_t address = counted_leaf.address;
     const float share = place.share * unfolded(address);
     if (!(share > 0)) return;
-    const float turns = golden * static_cast<float>(which.number);
+    const float turns = golden * static_cast<float>(counted_leaf.number);
     Organ leaf = on(place, (1 - near_tip) * (turns - std::floor(turns)));
     leaf.tag = place.falls ? falling_tag : leaf_tag;
     leaf.rotation = pose;
@@ -228,13 +228,13 @@ class Crown {
     plant_.organs.push_back(leaf);
   }
 
-  void blossom(std::uint64_t address, const Place& place) {
+  void blossom(std::uint64_t address, const TwigPlace& place) {
     const float late = flower_spread * blooms_.unit(address);
-    const float share = place.share * risen((habit_.season - flowering - late) / opening) *
-                        (1 - risen((habit_.season - withering - late) / withered));
+    const float share = place.share * smooth_step((habit_.season - flowering - late) / opening) *
+                        (1 - smooth_step((habit_.season - withering - late) / withered));
     if (!(share > 0)) return;
-    const glm::vec3 luck = blooms_.direction(hash_combine(address, 1));
-    const glm::vec3 way = luck - 0.7f * glm::dot(luck, place.along) * place.along + glm::vec3(0, 0.3f, 0);
+    const glm::vec3 noise = blooms_.direction(hash_combine(address, 1));
+    const glm::vec3 way = noise - 0.7f * glm::dot(noise, place.along) * place.along + glm::vec3(0, 0.3f, 0);
     const glm::vec3 out = glm::length(way) > 1e-3f ? glm::normalize(way) : place.one;
     Organ blossom = on(place, blooms_.unit(hash_combine(address, 2)));
     blossom.tag = blossom_tag;

@@ -45,9 +45,9 @@ glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
   return length > 1e-6f ? v / length : otherwise;
 }
 
-class Maker {
+class FormBuilder {
  public:
-  Maker(const Population& population, const FormHabit& habit, const Surroundings& about)
+  FormBuilder(const Population& population, const FormHabit& habit, const Surroundings& about)
       : population_(population),
         habit_(habit),
         angles_(habit.seed, stream_angle),
@@ -59,7 +59,7 @@ class Maker {
         light_(population, about) {}
 
   Form run() {
-    lay_out();
+    allocate_nodes();
     for (std::uint16_t step = 1; step <= population_.steps; ++step) grow(step);
     return std::move(form_);
   }
@@ -70,9 +70,9 @@ class Maker {
   }
 
   // How many internodes each shoot comes to have is known, and so where its nodes stand.
-  void lay_out() {
+  void allocate_nodes() {
     std::uint32_t nodes = 0;
-    std::vector<std::uint32_t> borne(population_.shoots.size(), 0);
+    std::vector<std::uint32_t> attached_count(population_.shoots.size(), 0);
     for (const Shoot& shoot : population_.shoots) {
       Way way;
       way.first = nodes;
@@ -81,7 +81,7 @@ class Maker {
       if (shoot.parent >= 0 && !shoot.trunk) {
         const auto parent = static_cast<std::size_t>(shoot.parent);
         way.internode = internode_at(population_.shoots[parent], shoot.node);
-        const std::uint32_t place = borne[parent]++;
+        const std::uint32_t place = attached_count[parent]++;
         ordinals_.push_back(place);
         const float turns = golden * static_cast<float>(place + 1);
         const bool low = population_.shoots[parent].trunk && way.internode == 0;
@@ -95,7 +95,7 @@ class Maker {
       form_.ways.push_back(way);
     }
     form_.nodes.resize(nodes);
-    laid_.reserve(nodes);
+    placed_nodes_.reserve(nodes);
     deformed_.resize(population_.shoots.size());
     firsts_.assign(form_.ways.size(), 0);
     for (const GrowthVolume& volume : population_.volumes) shapes_.emplace_back(volume);
@@ -108,7 +108,7 @@ class Maker {
   }
 
   void grow(std::uint16_t step) {
-    room_.lay(laid_, std::max(cell_, 0.05f));
+    room_.set_nodes(placed_nodes_, std::max(cell_, 0.05f));
     shade(step);
     for (; next_ < population_.deformations.size() && population_.deformations[next_].step <= step; ++next_)
       deformed_[population_.deformations[next_].shoot] = population_.deformations[next_];
@@ -121,19 +121,19 @@ class Maker {
 
   // Lays what came with the steps before into the cells of light.
   void shade(std::uint16_t step) {
-    if (laid_.empty()) return;
+    if (placed_nodes_.empty()) return;
     const auto side = [&](std::uint32_t shoot) {
       return habit_.shoot * population_.volumes[population_.shoots[shoot].volume].height / 10;
     };
-    for (; shaded_ < laid_.size(); ++shaded_)
-      light_.put(laid_[shaded_], node_shade * side(of_laid_[shaded_]) * side(of_laid_[shaded_]));
+    for (; shaded_ < placed_nodes_.size(); ++shaded_)
+      light_.put(placed_nodes_[shaded_], node_shade * side(placed_shoots_[shaded_]) * side(placed_shoots_[shaded_]));
     for (; leaf_ < population_.leaves.size() && population_.leaves[leaf_].born < step; ++leaf_) {
       const std::uint32_t shoot = population_.leaves[leaf_].shoot;
       const Way& way = form_.ways[shoot];
       if (way.count > 0 && way.from < step)
         light_.put(form_.nodes[way.first + 1], leaf_shade * side(shoot) * side(shoot));
     }
-    light_.shine();
+    light_.update();
   }
 
   glm::vec3 begin(std::uint32_t q, glm::vec3& ahead_of) {
@@ -149,9 +149,9 @@ class Maker {
       }
       return volume.at;
     }
-    const Way& bearer = form_.ways[static_cast<std::size_t>(shoot.parent)];
-    const glm::vec3 from = form_.nodes[bearer.first + way.internode],
-                    to = form_.nodes[bearer.first + way.internode + 1];
+    const Way& parent = form_.ways[static_cast<std::size_t>(shoot.parent)];
+    const glm::vec3 from = form_.nodes[parent.first + way.internode],
+                    to = form_.nodes[parent.first + way.internode + 1];
     const glm::vec3 along = unit(to - from, glm::vec3(0, 1, 0)), one = beside(along), other = glm::cross(along, one);
     const float angle =
         (population_.shoots[static_cast<std::size_t>(shoot.parent)].trunk ? habit_.trunk_angle : habit_.branch_angle) *
@@ -218,7 +218,7 @@ class Maker {
     glm::vec3 forward(0, 1, 0);
     if (internode == 0) {
       nodes[0] = begin(q, forward);
-      lay(nodes[0], q);
+      add_node(nodes[0], q);
     } else {
       forward = unit(nodes[internode] - nodes[internode - 1], forward);
     }
@@ -226,7 +226,7 @@ class Maker {
     float length = length_of(q, internode, tip, forward);
     cell_ = std::max(cell_, 0.5f * length);
     const std::uint64_t address = hash_combine(q, internode);
-    const glm::vec3 luck = habit_.crook * crooks_.direction(address);
+    const glm::vec3 noise = habit_.crook * crooks_.direction(address);
     if (shoot.trunk) {
       const glm::vec3 back = 0.3f * shapes_[shoot.volume].axis();
       if (internode == 1 && habit_.cordon > 0) {
@@ -234,7 +234,7 @@ class Maker {
         forward = {cosine(towards), 0, sine(towards)};
       }
       const bool wired = habit_.cordon > 0;
-      forward = internode == 0 ? forward : unit(forward + trunk_crook * luck + (wired ? glm::vec3(0) : back), forward);
+      forward = internode == 0 ? forward : unit(forward + trunk_crook * noise + (wired ? glm::vec3(0) : back), forward);
       if (internode > 0 && wired)
         forward = unit({forward.x, 0.3f * forward.y + tied * (habit_.cordon - tip.y), forward.z}, forward);
     } else {
@@ -245,16 +245,16 @@ class Maker {
       const glm::vec3 light = light_.from(tip);
       const float deep = reaches_.unit(address);
       const FreeRoom::Found free =
-          room_.about({tip, forward, light, reach * length, deep, regard}, shapes_[shoot.volume], about_);
+          room_.find({tip, forward, light, reach * length, deep, regard}, shapes_[shoot.volume], about_);
       const float order = std::min(static_cast<float>(shoot.order) - 1, 2.0f) / 2;
       const float down = around.gravitropism + deformed.gravitropism + habit_.hang * order;
       forward = unit(habit_.inertia * forward + habit_.space * unit(free.middle, glm::vec3(0)) +
-                         around.phototropism * light - glm::vec3(0, down, 0) + luck,
+                         around.phototropism * light - glm::vec3(0, down, 0) + noise,
                      forward);
       if (habit_.cordon > 0 && internode > 0) {
         const GrowthVolume& volume = population_.volumes[shoot.volume];
-        const glm::vec3 aside = across(volume);
-        forward = unit(forward - held * glm::dot(tip - volume.at, aside) * aside, forward);
+        const glm::vec3 row_normal = across(volume);
+        forward = unit(forward - held * glm::dot(tip - volume.at, row_normal) * row_normal, forward);
       }
       // Never death: how many there are is the text's to say.
       if (free.sum < crowded && habit_.cordon <= 0) length *= short_shoot;
@@ -265,12 +265,12 @@ class Maker {
       if (tip.y + length * forward.y < floor) length = std::min(length, 0.02f * length + std::max(0.0f, tip.y - floor));
     }
     nodes[internode + 1] = tip + length * forward;
-    lay(nodes[internode + 1], q);
+    add_node(nodes[internode + 1], q);
   }
 
-  void lay(const glm::vec3& node, std::uint32_t shoot) {
-    laid_.push_back(node);
-    of_laid_.push_back(shoot);
+  void add_node(const glm::vec3& node, std::uint32_t shoot) {
+    placed_nodes_.push_back(node);
+    placed_shoots_.push_back(shoot);
   }
 
   const Population& population_;
@@ -283,8 +283,8 @@ class Maker {
   std::vector<VolumeShape> shapes_;       // of the volumes
   std::vector<float> firsts_;             // of each branch of a trunk the first length by which it comes to the edge
   std::vector<float> by_age_, by_order_;  // what lengths are multiplied by
-  std::vector<glm::vec3> laid_;           // every node so far, and the shoots that they are of
-  std::vector<std::uint32_t> of_laid_;
+  std::vector<glm::vec3> placed_nodes_;           // every node so far, and the shoots that they are of
+  std::vector<std::uint32_t> placed_shoots_;
   std::size_t shaded_ = 0, leaf_ = 0;  // how many of them, and of the leaves, the light has gone through
   FreeRoom room_;                      // among the nodes of the steps before
   float cell_ = 0;
@@ -295,7 +295,7 @@ class Maker {
 }  // namespace
 
 Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about) {
-  return Maker(population, habit, about).run();
+  return FormBuilder(population, habit, about).run();
 }
 
 }  // namespace panicle::growth

@@ -64,7 +64,7 @@ const std::array<Group, groups>& directions() {
 
 }  // namespace
 
-void FreeRoom::lay(std::span<const glm::vec3> nodes, float edge) {
+void FreeRoom::set_nodes(std::span<const glm::vec3> nodes, float edge) {
   grid_.lay(nodes, edge);
   const std::size_t count = grid_.ids().size(), room = count + lanes;
   x_.assign(room, far_away);
@@ -79,9 +79,9 @@ void FreeRoom::lay(std::span<const glm::vec3> nodes, float edge) {
   near_.resize(3 * count);
 }
 
-void FreeRoom::find_near(const Look& look) {
-  const float far = (1 + apart) * look.radius, behind = (0.5f * ahead - apart) * look.radius;
-  const glm::vec3 &tip = look.tip, &forward = look.forward;
+void FreeRoom::find_near(const Query& query) {
+  const float far = (1 + apart) * query.radius, behind = (0.5f * ahead - apart) * query.radius;
+  const glm::vec3 &tip = query.tip, &forward = query.forward;
   float* next = near_.data();
   grid_.within(tip - far, tip + far, [&](std::uint32_t first, std::uint32_t end) {
     for (std::uint32_t slot = first; slot < end; slot += lanes) {
@@ -106,19 +106,19 @@ void FreeRoom::find_near(const Look& look) {
   near_count_ = static_cast<std::size_t>(next - near_.data()) / 3;
 }
 
-FreeRoom::Found FreeRoom::about(const Look& look, const VolumeShape& volume, const Surroundings& about) {
-  find_near(look);
-  const float reach = look.radius, square = apart * apart * reach * reach;
-  const bool walled = !about.holds_about(look.tip, reach);
+FreeRoom::Found FreeRoom::find(const Query& query, const VolumeShape& volume, const Surroundings& about) {
+  find_near(query);
+  const float reach = query.radius, square = apart * apart * reach * reach;
+  const bool walled = !about.holds_about(query.tip, reach);
   Four x(all_of(0)), y(x), z(x), sum(x);
   for (const Group& group : directions()) {
     const Four way_x = load(group.x.data()), way_y = load(group.y.data()), way_z = load(group.z.data());
-    const auto seen = way_x * look.forward.x + way_y * look.forward.y + way_z * look.forward.z >= ahead;
+    const auto seen = way_x * query.forward.x + way_y * query.forward.y + way_z * query.forward.z >= ahead;
     if (true_lanes(seen) == 0) continue;
-    const Four turned = load(group.turn.data()) + look.luck, deep = turned - (turned >= 1.0f ? all_of(1) : all_of(0));
+    const Four turned = load(group.turn.data()) + query.noise, deep = turned - (turned >= 1.0f ? all_of(1) : all_of(0));
     const Four out = (0.5f + 0.5f * deep) * reach;
     const Four off_x = out * way_x, off_y = out * way_y, off_z = out * way_z;
-    const Four place_x = off_x + look.tip.x, place_y = off_y + look.tip.y, place_z = off_z + look.tip.z;
+    const Four place_x = off_x + query.tip.x, place_y = off_y + query.tip.y, place_z = off_z + query.tip.z;
     // What is no number is no place that is free; and a node that is none takes no room, for the grid leaves it out.
     const Four somewhere = place_x + place_y + place_z;
     auto taken = somewhere != somewhere;  // NOLINT(misc-redundant-expression)
@@ -128,8 +128,8 @@ FreeRoom::Found FreeRoom::about(const Look& look, const VolumeShape& volume, con
     }
     for (std::size_t lane = 0; walled && lane < lanes; ++lane)
       if (!about.holds({place_x[lane], place_y[lane], place_z[lane]})) taken[lane] = -1;
-    const Four lit = way_x * look.light.x + way_y * look.light.y + way_z * look.light.z;
-    const Four worth = (taken ? all_of(1 - look.regard) : all_of(1)) *
+    const Four lit = way_x * query.light.x + way_y * query.light.y + way_z * query.light.z;
+    const Four worth = (taken ? all_of(1 - query.regard) : all_of(1)) *
                        (volume.holds(place_x, place_y, place_z) ? all_of(1) : all_of(outside)) *
                        (1.0f + lightwards * (lit > 0.0f ? lit : all_of(0)));
     const Four weight = seen ? worth : all_of(0);

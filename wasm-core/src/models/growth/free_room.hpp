@@ -16,10 +16,10 @@ namespace panicle::growth {
 class FreeRoom {
  public:
   // A tip that looks about.
-  struct Look {
+  struct Query {
     glm::vec3 tip, forward, light;  // the way it grows, and that to the light, of length 1
     float radius;                   // how far it looks
-    float luck;                     // 0 … 1, how far each place is: no two tips look to the same
+    float noise;                     // 0 … 1, how far each place is: no two tips look to the same
     float regard;                   // how much it counts that a place is taken, 0 … 1
   };
   // Σ w d of the places, d the way to each and w what it is worth; and Σ w.
@@ -29,12 +29,12 @@ class FreeRoom {
   };
 
   // Nodes that take room from now on, and no others. `edge`: some width of cells, above 0.
-  void lay(std::span<const glm::vec3> nodes, float edge);
+  void set_nodes(std::span<const glm::vec3> nodes, float edge);
 
-  Found about(const Look& look, const VolumeShape& volume, const Surroundings& about);
+  Found find(const Query& query, const VolumeShape& volume, const Surroundings& about);
 
  private:
-  void find_near(const Look& look);
+  void find_near(const Query& query);
 
   PointGrid grid_;
   std::vector<float> x_, y_, z_;  // of the nodes, by the grid's slots, and beyond them some that are far away

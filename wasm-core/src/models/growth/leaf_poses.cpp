@@ -43,29 +43,29 @@ std::array<glm::vec4, 4> turns_to(const FourVectors& up, const FourVectors& fron
   return turns;
 }
 
-FourVectors side_of(const Twig& twig, const LeafNoise& luck) {
-  const FourSinCos about = sincos_turns(luck.about);
+FourVectors side_of(const Twig& twig, const LeafNoise& noise) {
+  const FourSinCos about = sincos_turns(noise.about);
   return about.cosine * all_of(twig.one) + about.sine * all_of(twig.other);
 }
 
 }  // namespace
 
-std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafNoise& luck, float stray) {
+std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafNoise& noise, float stray) {
   const FourVectors along = all_of(twig.along);
-  FourVectors out = panicle::all_of(0.6f) * along + side_of(twig, luck);
+  FourVectors out = panicle::all_of(0.6f) * along + side_of(twig, noise);
   out.y -= droop;
   out = unit(out);
-  const FourSinCos around = sincos_turns(luck.around);
-  const Four level = stray * square_root((1.0f - luck.height) * (1.0f + luck.height));
+  const FourSinCos around = sincos_turns(noise.around);
+  const Four level = stray * square_root((1.0f - noise.height) * (1.0f + noise.height));
   const FourVectors sky = {panicle::all_of(0), panicle::all_of(1), panicle::all_of(0)};
-  const FourVectors strewn = {level * around.cosine, level * around.sine, stray * luck.height};
+  const FourVectors strewn = {level * around.cosine, level * around.sine, stray * noise.height};
   const FourVectors face = unit(sky + panicle::all_of(outwards) * along + strewn, beside(along));
   // The tip points out as nearly as its face may look to where it does.
   return turns_to(unit(out - dot(out, face) * face, beside(face)), face);
 }
 
-std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafNoise& luck) {
-  const FourVectors out = unit(all_of(twig.along) + panicle::all_of(0.5f) * side_of(twig, luck));
+std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafNoise& noise) {
+  const FourVectors out = unit(all_of(twig.along) + panicle::all_of(0.5f) * side_of(twig, noise));
   return turns_to(out, beside(out));
 }
 

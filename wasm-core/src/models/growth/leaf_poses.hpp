@@ -21,7 +21,7 @@ struct LeafNoise {
 
 // From a leaf's frame (its tip at +Y, its face to +Z) to where it stands: unit quaternions x y z w.
 // `stray`: how far faces look elsewhere than to the sky, against that.
-std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafNoise& luck, float stray);
-std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafNoise& luck);
+std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafNoise& noise, float stray);
+std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafNoise& noise);
 
 }  // namespace panicle::growth

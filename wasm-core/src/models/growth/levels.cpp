@@ -68,46 +68,46 @@ struct Run {
 };
 
 // What is borne, as one run of each level.
-struct ParticleSystem {
+struct SheetGroup {
   const char* name;
   Sheets sheets;
   Box reach = {};  // of the corners of all in the first level
 };
 
-class Maker {
+class LevelBuilder {
  public:
-  Maker(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area)
+  LevelBuilder(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area)
       : moment_(moment),
-        crowds_{{{"leaves", {organs, leaf_tag, falling_tag, SheetKind::leaf, leaf_area}},
+        groups_{{{"leaves", {organs, leaf_tag, falling_tag, SheetKind::leaf, leaf_area}},
                  {"blossoms", {organs, blossom_tag, blossom_tag, SheetKind::blossom, blossom_area}}}},
-        open_(openness_of(moment, crowds_)) {
+        open_(visibility_of(moment, groups_)) {
     for (std::uint32_t n = 3; n <= most_sides; ++n)
       for (std::uint32_t k = 0; k < n; ++k)
         turns_[n][k] = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(n));
     find_shoots();
-    for (const ParticleSystem& crowd : crowds_) leafy_ |= tells_outline(crowd.sheets);
+    for (const SheetGroup& group : groups_) leafy_ |= covers_outline(group.sheets);
   }
 
-  Levels run(std::size_t count) {
+  TreeLevels run(std::size_t count) {
     made_.meshes.resize(count);
     made_.tolerance.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
       if (k == 1)
-        for (ParticleSystem& crowd : crowds_) crowd.sheets.sort();
+        for (SheetGroup& group : groups_) group.sheets.sort();
       make(k);
     }
     return std::move(made_);
   }
 
  private:
-  static SkyVisibility openness_of(const Moment& moment, std::span<const ParticleSystem> crowds) {
-    std::vector<Occluder> screens;
+  static SkyVisibility visibility_of(const Moment& moment, std::span<const SheetGroup> groups) {
+    std::vector<Occluder> occluders;
     std::size_t count = 0;
-    for (const ParticleSystem& crowd : crowds) count += crowd.sheets.all().size();
-    screens.reserve(count);
-    for (const ParticleSystem& crowd : crowds)
-      for (const Sheet& sheet : crowd.sheets.all()) screens.push_back({sheet.middle, 0.5f * sheet.area});
-    return {moment.segments, screens, sky_cells, sky_directions};
+    for (const SheetGroup& group : groups) count += group.sheets.all().size();
+    occluders.reserve(count);
+    for (const SheetGroup& group : groups)
+      for (const Sheet& sheet : group.sheets.all()) occluders.push_back({sheet.middle, 0.5f * sheet.area});
+    return {moment.segments, occluders, sky_cells, sky_directions};
   }
 
   // Thickest first: whatever bears a shoot stands before it.
@@ -126,7 +126,7 @@ class Maker {
     high_ = shoots_.empty() ? 0 : std::max(tree_.high.y - tree_.low.y, 1e-3f);
   }
 
-  bool tells_outline(const Sheets& sheets) const {
+  bool covers_outline(const Sheets& sheets) const {
     const glm::vec3 crown = sheets.middles().size(), all = tree_.size();
     return sheets.all().size() >= few && crown.x > sparse * all.x && crown.z > sparse * all.z &&
            sheets.middles().high.y > sparse * tree_.high.y;
@@ -143,20 +143,20 @@ class Maker {
     end_run("bark");
     if (level == 0) {
       first_wood_ = triangles();
-      for (ParticleSystem& crowd : crowds_) {
-        open_room(4 * crowd.sheets.all().size(), 2 * crowd.sheets.all().size());
-        const std::span<const Sheet> all = crowd.sheets.all();
+      for (SheetGroup& group : groups_) {
+        open_room(4 * group.sheets.all().size(), 2 * group.sheets.all().size());
+        const std::span<const Sheet> all = group.sheets.all();
         const std::vector<std::uint8_t> sky = sky_of(all);
         for (std::size_t i = 0; i < all.size(); ++i) add_folded(all[i], sky[i]);
-        end_run(crowd.name);
+        end_run(group.name);
       }
       first_all_ = triangles();
       if (made_.meshes.size() > 1) find_reaches(out.runs);
     } else {
       const float left = static_cast<float>(first_all_) / fall(level) - static_cast<float>(triangles());
-      for (const ParticleSystem& crowd : crowds_) {
-        add_merged(level, crowd, left);
-        end_run(crowd.name);
+      for (const SheetGroup& group : groups_) {
+        add_merged(level, group, left);
+        end_run(group.name);
       }
     }
     out.columns.add("sky", std::move(sky_));
@@ -165,7 +165,7 @@ class Maker {
 
   std::size_t sheet_count() const {
     std::size_t all = 0;
-    for (const ParticleSystem& crowd : crowds_) all += crowd.sheets.all().size();
+    for (const SheetGroup& group : groups_) all += group.sheets.all().size();
     return all;
   }
 
@@ -182,7 +182,7 @@ class Maker {
   // How far the first level and its crowds, whose runs stand behind the bark's, reach: later ones do too.
   void find_reaches(std::span<const MeshRun> runs) {
     whole_ = box_of(mesh_->positions);
-    for (std::size_t i = 0; i < crowds_.size(); ++i) crowds_[i].reach = box_of(vertices_of(runs[i + 1]));
+    for (std::size_t i = 0; i < groups_.size(); ++i) groups_[i].reach = box_of(vertices_of(runs[i + 1]));
   }
 
   std::span<const float> vertices_of(const MeshRun& run) const {
@@ -228,10 +228,10 @@ class Maker {
   // `budget`: triangles; 0: as many as there are.
   void add_wood(std::size_t level, float budget) {
     float spent = 0;
-    const std::vector<bool> kept = leafy_ || level == 0 ? std::vector<bool>() : outermost();
-    for (std::size_t pass = kept.empty() ? 1 : 0; pass < 2; ++pass)
+    const std::vector<bool> retained = leafy_ || level == 0 ? std::vector<bool>() : outermost();
+    for (std::size_t pass = retained.empty() ? 1 : 0; pass < 2; ++pass)
       for (std::size_t i = 0; i < shoots_.size(); ++i) {
-        if (!kept.empty() && kept[i] != (pass == 0)) continue;
+        if (!retained.empty() && retained[i] != (pass == 0)) continue;
         line_of(shoots_[i], bend[level] * high_);
         const float radius = moment_.segments[shoots_[i].first].radius;
         const std::uint32_t n = sides(level, radius);
@@ -247,7 +247,7 @@ class Maker {
 
   // Where leaves do not tell a tree's outline: the shoots that do, with what bears them.
   std::vector<bool> outermost() const {
-    std::vector<bool> kept(shoots_.size(), false);
+    std::vector<bool> retained(shoots_.size(), false);
     std::vector<std::uint32_t> of_segment(moment_.segments.size());
     for (std::uint32_t i = 0; i < shoots_.size(); ++i)
       std::fill_n(of_segment.begin() + shoots_[i].first, shoots_[i].count, i);
@@ -264,11 +264,11 @@ class Maker {
       }
       while (at >= 0) {
         const std::uint32_t shoot = of_segment[static_cast<std::size_t>(at)];
-        kept[shoot] = true;
+        retained[shoot] = true;
         at = moment_.segments[shoots_[shoot].first].parent;
       }
     }
-    return kept;
+    return retained;
   }
 
   // Makes room for so many more vertices and triangles, which are written next.
@@ -365,14 +365,14 @@ class Maker {
   }
 
   // Each crowd gets as much of the triangles that are left as it has of all sheets.
-  void add_merged(std::size_t level, const ParticleSystem& crowd, float left) {
-    const std::size_t own = crowd.sheets.all().size();
+  void add_merged(std::size_t level, const SheetGroup& group, float left) {
+    const std::size_t own = group.sheets.all().size();
     if (own == 0) return;
     const float share = static_cast<float>(own) / static_cast<float>(sheet_count());
     const auto count = static_cast<std::size_t>(std::max(0.5f * left * share, 1.0f));
-    Box target = crowd.reach;
-    if (tells_outline(crowd.sheets)) target = {{whole_.low.x, crowd.reach.low.y, whole_.low.z}, whole_.high};
-    const std::vector<Sheet> merged = crowd.sheets.merged(count, target);
+    Box target = group.reach;
+    if (covers_outline(group.sheets)) target = {{whole_.low.x, group.reach.low.y, whole_.low.z}, whole_.high};
+    const std::vector<Sheet> merged = group.sheets.merged(count, target);
     open_room(4 * merged.size(), 2 * merged.size());
     const std::vector<std::uint8_t> sky = sky_of(merged);
     for (std::size_t i = 0; i < merged.size(); ++i) {
@@ -382,9 +382,9 @@ class Maker {
   }
 
   const Moment& moment_;
-  std::array<ParticleSystem, 2> crowds_;
+  std::array<SheetGroup, 2> groups_;
   SkyVisibility open_;
-  Levels made_;
+  TreeLevels made_;
   std::vector<Run> shoots_;
   Box tree_, whole_;  // of its nodes, and of the first level
   bool leafy_ = false;
@@ -403,9 +403,9 @@ class Maker {
 
 }  // namespace
 
-Levels levels_of(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area,
+TreeLevels levels_of(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area,
                  std::size_t count) {
-  return Maker(moment, organs, leaf_area, blossom_area).run(count);
+  return LevelBuilder(moment, organs, leaf_area, blossom_area).run(count);
 }
 
 }  // namespace panicle::growth

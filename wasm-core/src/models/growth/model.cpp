@@ -155,7 +155,7 @@ void measure(Plant& plant, float leaf_area, std::uint32_t leaves_each) {
 
 // One mesh for all that are borne of a kind, where there are any.
 template <class Is>
-void add_borne(Plant& plant, std::string name, std::string material, const Mesh& mesh, Is is) {
+void add_organ_mesh(Plant& plant, std::string name, std::string material, const Mesh& mesh, Is is) {
   const auto number = static_cast<std::int32_t>(plant.meshes.size());
   bool any = false;
   for (Organ& organ : plant.organs) {
@@ -171,13 +171,13 @@ void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky
   StemMesh stems = sweep_wood(plant.segments, moment.axes, moment.feet, foot);
   Columns columns;
   if (sky) {
-    std::vector<Occluder> screens;
+    std::vector<Occluder> occluders;
     for (const Organ& organ : plant.organs) {
       if (organ.tag == bunch_tag) continue;  // a place, and nothing yet
       const float area = organ.tag == blossom_tag ? blossom.area : blade.area;
-      screens.push_back({organ.position, 0.5f * area * organ.scale * organ.scale});
+      occluders.push_back({organ.position, 0.5f * area * organ.scale * organ.scale});
     }
-    const SkyVisibility open(plant.segments, screens);
+    const SkyVisibility open(plant.segments, occluders);
     std::vector<std::uint8_t> of_organs;
     for (const Organ& organ : plant.organs) of_organs.push_back(open.at(organ.position));
     columns.add("sky", open.of(stems.mesh));
@@ -185,12 +185,12 @@ void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky
   }
   columns.add("segment", std::move(stems.segment));
   plant.meshes.push_back({"stems", "bark", std::move(stems.mesh), {}, std::move(columns)});
-  add_borne(plant, "leaves", "blade", blade.mesh, [](const Organ& organ) { return organ.tag < blossom_tag; });
-  add_borne(plant, "blossoms", "petal", blossom.mesh, [](const Organ& organ) { return organ.tag == blossom_tag; });
+  add_organ_mesh(plant, "leaves", "blade", blade.mesh, [](const Organ& organ) { return organ.tag < blossom_tag; });
+  add_organ_mesh(plant, "blossoms", "petal", blossom.mesh, [](const Organ& organ) { return organ.tag == blossom_tag; });
 }
 
 void add_levels(Plant& plant, const Moment& moment, float leaf_area, std::size_t count) {
-  Levels levels = levels_of(moment, plant.organs, leaf_area, make_blossom().area, count);
+  TreeLevels levels = levels_of(moment, plant.organs, leaf_area, make_blossom().area, count);
   for (PlantMesh& mesh : levels.meshes) plant.meshes.push_back(std::move(mesh));
   plant.columns.add("levels.tolerance", std::move(levels.tolerance));
 }
@@ -202,7 +202,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const bool meshes = request.wants("meshes"), measures = request.wants("measures"), sky = request.wants("sky"),
              mesh_fingerprint = request.wants("mesh_fingerprint"), levels = request.wants("levels");
   const std::uint32_t many_levels = request.word("levels", level_count);
-  const std::span<const float> asked = request.floats("parameters"), about = request.floats("surroundings");
+  const std::span<const float> parameters = request.floats("parameters"), about = request.floats("surroundings");
   const bool has_text = request.has("rules");
   const std::string_view text = request.text("rules");
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
@@ -213,13 +213,13 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const Result<Surroundings> surroundings = about.empty() ? Surroundings() : Surroundings::of(about);
   if (!surroundings) return surroundings.error();
   Plant plant;
-  const GrowthValues values(asked, plant.notes);
+  const GrowthValues values(parameters, plant.notes);
   const auto rules = read_rules(text, limits);
   if (!rules) return rules.error();
   plant.notes.insert(plant.notes.end(), rules->notes.begin(), rules->notes.end());
-  const auto told = steps_of(rules.value(), seed, usual_steps);
-  if (!told) return told.error();
-  const auto count = values.whole(steps) > 0 ? static_cast<std::uint16_t>(values.whole(steps)) : told.value();
+  const auto steps_in_rules = steps_of(rules.value(), seed, usual_steps);
+  if (!steps_in_rules) return steps_in_rules.error();
+  const auto count = values.whole(steps) > 0 ? static_cast<std::uint16_t>(values.whole(steps)) : steps_in_rules.value();
   const auto population = populate(rules.value(), seed, count, limits, plant.notes);
   if (!population) return population.error();
 

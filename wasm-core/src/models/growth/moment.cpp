@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t trunk_tag = 0, branch_tag = 1;
 constexpr float tapered = 0.6f;  // the end of a shoot against where it begins to be one
 
-struct Growing {
+struct MomentBuilder {
   const Population& population;
   const Form& form;
   float time;
@@ -22,21 +22,21 @@ struct Growing {
   std::vector<std::uint32_t> children;  // of all shoots, side by side, in the order in which they stand on theirs
   std::vector<std::uint32_t> first;     // of each shoot's in `children`, and the end
 
-  bool there(std::uint32_t shoot) const {
+  bool exists(std::uint32_t shoot) const {
     const Way& way = form.ways[shoot];
-    return way.count > 0 && come(way.from, time) > 0;
+    return way.count > 0 && grown_share(way.from, time) > 0;
   }
 
   void sort_children() {
     const std::size_t count = form.ways.size();
     first.assign(count + 1, 0);
     for (std::uint32_t q = 0; q < count; ++q)
-      if (borne(q)) ++first[static_cast<std::size_t>(population.shoots[q].parent) + 1];
+      if (is_attached(q)) ++first[static_cast<std::size_t>(population.shoots[q].parent) + 1];
     for (std::size_t q = 0; q < count; ++q) first[q + 1] += first[q];
     children.resize(first[count]);
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (std::uint32_t q = 0; q < count; ++q)
-      if (borne(q)) children[next[static_cast<std::size_t>(population.shoots[q].parent)]++] = q;
+      if (is_attached(q)) children[next[static_cast<std::size_t>(population.shoots[q].parent)]++] = q;
     for (std::size_t q = 0; q < count; ++q)
       std::sort(children.begin() + first[q], children.begin() + first[q + 1], [&](std::uint32_t a, std::uint32_t b) {
         const Way &one = form.ways[a], &other = form.ways[b];
@@ -45,31 +45,31 @@ struct Growing {
       });
   }
 
-  bool borne(std::uint32_t q) const {
-    return population.shoots[q].parent >= 0 && !population.shoots[q].trunk && there(q);
+  bool is_attached(std::uint32_t q) const {
+    return population.shoots[q].parent >= 0 && !population.shoots[q].trunk && exists(q);
   }
 
   // Of each shoot that is borne, the segment that ends where it begins.
-  std::vector<std::int32_t> bearers;
+  std::vector<std::int32_t> parent_segments;
 
-  void lay(std::uint32_t q) {
+  void add_shoot(std::uint32_t q) {
     const Shoot& shoot = population.shoots[q];
     const Way& way = form.ways[q];
     const bool standing = shoot.trunk;
-    std::int32_t last = standing ? -1 : bearers[q];
+    std::int32_t last = standing ? -1 : parent_segments[q];
     const glm::vec3* const nodes = &form.nodes[way.first];
     glm::vec3 at = last >= 0 ? moment.segments[static_cast<std::size_t>(last)].end : nodes[0];
     if (standing) moment.feet.push_back(at);
     if (!standing) ++moment.branches;
     std::uint32_t child = first[q];
     for (std::uint32_t i = 0; i < way.count; ++i) {
-      const float share = come(static_cast<std::uint16_t>(way.from + i), time);
+      const float share = grown_share(static_cast<std::uint16_t>(way.from + i), time);
       if (!(share > 0)) break;
       const glm::vec3 from = at, whole = share * (nodes[i + 1] - nodes[i]);
       for (; child < first[q + 1] && form.ways[children[child]].internode == i; ++child) {
         const glm::vec3 place = from + form.ways[children[child]].along * whole;
         if (glm::distance(place, at) > 0) add(q, last, at, place);
-        bearers[children[child]] = last;
+        parent_segments[children[child]] = last;
       }
       add(q, last, at, from + whole);
       moment.of_node[way.first + i + 1] = last;
@@ -93,7 +93,7 @@ struct Growing {
     std::vector<float> sums(moment.segments.size(), 0);
     for (std::size_t i = moment.segments.size(); i-- > 0;) {
       const auto q = static_cast<std::uint32_t>(moment.axes[i]);
-      if (!goes_on(i)) sums[i] += come(form.ways[q].from, time);
+      if (!has_next(i)) sums[i] += grown_share(form.ways[q].from, time);
       if (moment.segments[i].parent >= 0) sums[static_cast<std::size_t>(moment.segments[i].parent)] += sums[i];
     }
     for (std::size_t i = 0; i < moment.segments.size(); ++i) {
@@ -103,11 +103,11 @@ struct Growing {
     }
     for (std::size_t i = 0; i < moment.segments.size(); ++i)
       moment.segments[i].radius_end =
-          goes_on(i) ? moment.segments[next_[i]].radius : tapered * moment.segments[i].radius;
+          has_next(i) ? moment.segments[next_[i]].radius : tapered * moment.segments[i].radius;
   }
 
   // Whether its shoot has a segment behind it.
-  bool goes_on(std::size_t i) {
+  bool has_next(std::size_t i) {
     if (next_.empty()) {
       next_.assign(moment.segments.size(), none);
       for (std::size_t k = 0; k < moment.segments.size(); ++k) {
@@ -125,28 +125,28 @@ struct Growing {
 
 }  // namespace
 
-float come(std::uint16_t step, float time) { return std::clamp(time - static_cast<float>(step) + 1, 0.0f, 1.0f); }
+float grown_share(std::uint16_t step, float time) { return std::clamp(time - static_cast<float>(step) + 1, 0.0f, 1.0f); }
 
 Result<Moment> moment_of(const Population& population, const Form& form, float time, const WoodHabit& habit,
                          const Limits& limits) {
-  Growing growing{population, form, time, habit, {}, {}, {}, {}};
-  growing.moment.of_node.assign(form.nodes.size(), -1);
-  growing.bearers.assign(form.ways.size(), -1);
-  growing.sort_children();
+  MomentBuilder builder{population, form, time, habit, {}, {}, {}, {}};
+  builder.moment.of_node.assign(form.nodes.size(), -1);
+  builder.parent_segments.assign(form.ways.size(), -1);
+  builder.sort_children();
   // Each shoot's internodes, and those that what it bears cuts in two.
-  growing.moment.segments.reserve(form.nodes.size());
-  growing.moment.axes.reserve(form.nodes.size());
+  builder.moment.segments.reserve(form.nodes.size());
+  builder.moment.axes.reserve(form.nodes.size());
   for (std::uint32_t q = 0; q < form.ways.size(); ++q) {
-    if (!growing.there(q)) continue;
-    growing.lay(q);
-    if (growing.moment.segments.size() > limits.segments)
+    if (!builder.exists(q)) continue;
+    builder.add_shoot(q);
+    if (builder.moment.segments.size() > limits.segments)
       return Diagnostic{Reason::limit,
                         "The tree has more than " + std::to_string(limits.segments) +
                             " shoots; ask for fewer steps, or for a divisor function that grows less.",
                         0, 0};
   }
-  growing.thicken();
-  return std::move(growing.moment);
+  builder.thicken();
+  return std::move(builder.moment);
 }
 
 }  // namespace panicle::growth

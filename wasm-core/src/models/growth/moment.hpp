@@ -28,6 +28,6 @@ Result<Moment> moment_of(const Population& population, const Form& form, float t
                          const Limits& limits);
 
 // How much of what a step brings is there: 0 before it, 1 after.
-float come(std::uint16_t step, float time);
+float grown_share(std::uint16_t step, float time);
 
 }  // namespace panicle::growth

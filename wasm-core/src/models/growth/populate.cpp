@@ -43,9 +43,9 @@ struct Memory {
 constexpr float most_at_once = 1e7f;
 constexpr std::size_t most_outcomes = 1 << 16;
 
-class Growth {
+class PopulationBuilder {
  public:
-  Growth(const Rules& rules, std::uint64_t seed, const Limits& limits)
+  PopulationBuilder(const Rules& rules, std::uint64_t seed, const Limits& limits)
       : rules_(rules), seed_(seed), limits_(limits), evaluation_(rules, seed) {}
 
   Result<Population> run(std::uint16_t steps) {
@@ -146,10 +146,10 @@ class Growth {
     if (chance < 1 && random_unit(seed_, rule.stream, hash_combine(memories_[number].address, step)) >= chance)
       return true;
     return std::all_of(rule.consequences.begin(), rule.consequences.end(),
-                       [&](const Consequence& each) { return happen(rule, each, number, outcome); });
+                       [&](const Consequence& each) { return apply_consequence(rule, each, number, outcome); });
   }
 
-  bool happen(const Rule& rule, const Consequence& each, std::uint32_t number, Outcome& outcome) {
+  bool apply_consequence(const Rule& rule, const Consequence& each, std::uint32_t number, Outcome& outcome) {
     float value = 0;
     switch (each.kind) {
       case Consequence::Kind::set:
@@ -229,13 +229,13 @@ class Growth {
     if (grown == 0) return true;
     const std::uint32_t first = memories_[number].buds_used;
     std::uint16_t node = age;
-    std::uint32_t laid = 0;
-    if (outcome.buds != nullptr) laid = buds_until(node = 1);
+    std::uint32_t bud_count = 0;
+    if (outcome.buds != nullptr) bud_count = buds_until(node = 1);
     const auto first_leaf = static_cast<std::uint32_t>(plant_.leaves.size());
     const auto first_branch = static_cast<std::uint32_t>(plant_.shoots.size());
     for (std::uint32_t i = 0; i < grown; ++i) {
       // Buds open in the order in which they were laid.
-      while (outcome.buds != nullptr && laid <= first + i && node < age) laid = buds_until(++node);
+      while (outcome.buds != nullptr && bud_count <= first + i && node < age) bud_count = buds_until(++node);
       const std::uint64_t address = hash_combine(memories_[number].address, (std::uint64_t{step} << 32) + i);
       const auto order = static_cast<std::uint8_t>(std::min(shoot.order + 1, 255));
       if (!add_shoot({static_cast<std::int32_t>(number), shoot.volume, step, node, order, false}, address))
@@ -267,11 +267,11 @@ class Growth {
   bool open_buds(std::uint32_t number, std::uint16_t step, const Outcome& outcome, std::uint32_t& grown) {
     const Memory& memory = memories_[number];
     const auto age = static_cast<std::uint16_t>(step - plant_.shoots[number].born);
-    if (!lay_buds(*outcome.buds, age)) return false;
-    const std::uint32_t laid = buds_until(age), asked = grown;
+    if (!count_buds(*outcome.buds, age)) return false;
+    const std::uint32_t bud_count = buds_until(age), requested = grown;
     const std::uint64_t address = hash_combine(memory.address, step);
     grown = 0;
-    for (std::uint32_t bud = memory.buds_used; bud < laid && grown < asked; ++bud) {
+    for (std::uint32_t bud = memory.buds_used; bud < bud_count && grown < requested; ++bud) {
       if (!spend(1)) return false;
       if (outcome.bud_chance >= 1 ||
           random_unit(seed_, hash_combine(outcome.buds->stream, bud), address) < outcome.bud_chance)
@@ -283,9 +283,9 @@ class Growth {
   // How many buds the internodes laid up to an age bear, by the rule that was looked at last.
   std::uint32_t buds_until(std::uint16_t age) const { return buds_until_[age]; }
 
-  bool lay_buds(const Rule& rule, std::uint16_t age) {
-    if (laid_by_ != &rule) {
-      laid_by_ = &rule;
+  bool count_buds(const Rule& rule, std::uint16_t age) {
+    if (buds_rule_ != &rule) {
+      buds_rule_ = &rule;
       buds_until_.assign(1, 0);
     }
     while (buds_until_.size() <= age) {
@@ -359,13 +359,13 @@ class Growth {
   const Rules& rules_;
   std::uint64_t seed_;
   const Limits& limits_;
-  Evaluation evaluation_;
+  GrowthEvaluation evaluation_;
   Population plant_;
   std::vector<Memory> memories_;           // one a shoot
   std::vector<std::uint16_t> trunk_born_;  // one a volume
   std::vector<Outcome> outcomes_;          // of this step, by volume and age, where shoots do the same
   std::vector<std::uint32_t> buds_until_;  // by age
-  const Rule* laid_by_ = nullptr;
+  const Rule* buds_rule_ = nullptr;
   std::uint64_t spent_ = 0, next_look_ = 0;
 };
 
@@ -374,12 +374,12 @@ class Growth {
 Result<Population> populate(const Rules& rules, std::uint64_t seed, std::uint16_t steps, const Limits& limits,
                             std::vector<std::string>& notes) {
   notes.insert(notes.end(), rules.notes.begin(), rules.notes.end());
-  return Growth(rules, seed, limits).run(steps);
+  return PopulationBuilder(rules, seed, limits).run(steps);
 }
 
 Result<std::uint16_t> steps_of(const Rules& rules, std::uint64_t seed, std::uint16_t otherwise) {
   if (!rules.steps_from.value.given) return otherwise;
-  Evaluation evaluation(rules, seed);
+  GrowthEvaluation evaluation(rules, seed);
   evaluation.at(hash_text("gs"));
   std::uint32_t from = 0, to = 0;
   if (!evaluation.whole(rules.steps_from, 0, 4096, "gs", from)) return evaluation.trouble();

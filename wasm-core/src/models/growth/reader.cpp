@@ -50,14 +50,14 @@ std::string known_functions() {
 
 }  // namespace
 
-Reader::Reader(std::span<const Token> tokens, Rules& rules, expression::Lowering& lowering)
+GrowthReader::GrowthReader(std::span<const Token> tokens, Rules& rules, expression::Lowering& lowering)
     : TokenReader(tokens), rules_(rules), lowering_(lowering) {
   curves_.add(branch_function);
   curves_.add(leaf_function);
   for (const std::string_view name : word_names) formals_.push_back({name, {}});
 }
 
-bool Reader::run() {
+bool GrowthReader::run() {
   while (at_ < tokens_.size()) {
     end_ = statement_end();
     if (!statement()) return false;
@@ -67,7 +67,7 @@ bool Reader::run() {
 }
 
 // A statement goes on in the next line within brackets, and behind a sign that something has to follow.
-std::size_t Reader::statement_end() const {
+std::size_t GrowthReader::statement_end() const {
   std::size_t open = 0;
   for (std::size_t at = at_; at < tokens_.size(); ++at) {
     const Token& token = tokens_[at];
@@ -84,7 +84,7 @@ std::size_t Reader::statement_end() const {
   return tokens_.size();
 }
 
-bool Reader::statement() {
+bool GrowthReader::statement() {
   arrow_ = at_;
   while (arrow_ < end_ && tokens_[arrow_].kind != TokenKind::arrow) ++arrow_;
   successors_end_ = colon_after_arrow();
@@ -100,7 +100,7 @@ bool Reader::statement() {
   return conditional();
 }
 
-std::size_t Reader::colon_after_arrow() const {
+std::size_t GrowthReader::colon_after_arrow() const {
   std::size_t colon = end_;
   std::size_t open = 0;
   for (std::size_t at = arrow_ + 1; at < end_; ++at) {
@@ -112,14 +112,14 @@ std::size_t Reader::colon_after_arrow() const {
   return colon;
 }
 
-std::size_t Reader::colon_before_arrow() const {
+std::size_t GrowthReader::colon_before_arrow() const {
   std::size_t at = at_;
   while (at < arrow_ && !tokens_[at].is(':')) ++at;
   return at;
 }
 
 // `name = expression`: steps, or what holds for all volumes.
-bool Reader::setting() {
+bool GrowthReader::setting() {
   const Token& first = tokens_[at_];
   if (first.is("gs") || first.is("gs.rand")) return steps();
   if (first.kind != TokenKind::name || !next_is(at_, '=')) return wrong(first.place, beginnings, {first.text});
@@ -128,7 +128,7 @@ bool Reader::setting() {
   return consequences(end_, rule) && place_rule(std::move(rule));
 }
 
-bool Reader::steps() {
+bool GrowthReader::steps() {
   const Token& first = tokens_[at_];
   if (rules_.steps_from.value.given)
     return wrong(first.place, "The steps have been given already; a text says gs once.");
@@ -144,7 +144,7 @@ bool Reader::steps() {
 }
 
 // `bud(n) : condition -> branch : probability`: each internode laid at age k bears n buds, of which branches come.
-bool Reader::buds() {
+bool GrowthReader::buds() {
   Rule rule;
   rule.place = here();
   Consequence buds{Consequence::Kind::buds, Word::one, {}, {}};
@@ -163,12 +163,12 @@ bool Reader::buds() {
     return wrong(here(), "A bud grows to a branch: bud(k - 1) -> branch, not '%'.", {found()});
   ++at_;
   rule.consequences.push_back(buds);
-  said_.buds = true;
+  own_rules_.buds = true;
   return weight(rule.probability) && place_rule(std::move(rule));
 }
 
 // `condition -> consequences : probability`
-bool Reader::conditional() {
+bool GrowthReader::conditional() {
   Rule rule;
   rule.place = here();
   const std::size_t colon = colon_before_arrow();
@@ -180,13 +180,13 @@ bool Reader::conditional() {
   return consequences(successors_end_, rule) && weight(rule.probability) && place_rule(std::move(rule));
 }
 
-bool Reader::condition(std::size_t end, Rule& rule) {
+bool GrowthReader::condition(std::size_t end, Rule& rule) {
   if (at_ == end) return wrong(here(), "A condition is missing before the arrow, such as ndv < 0 -> …");
   if (!number(end, any_word, rule.condition)) return false;
   return at_ == end || wrong(here(), "An arrow is expected here, not '%'.", {found()});
 }
 
-bool Reader::consequences(std::size_t end, Rule& rule) {
+bool GrowthReader::consequences(std::size_t end, Rule& rule) {
   do {
     if (on_sign(',') && !rule.consequences.empty()) ++at_;
     if (at_ >= end) return wrong(here(), "What happens is missing here, such as gravitropism = 0.2.");
@@ -195,7 +195,7 @@ bool Reader::consequences(std::size_t end, Rule& rule) {
   return true;
 }
 
-bool Reader::consequence(std::size_t end, Rule& rule) {
+bool GrowthReader::consequence(std::size_t end, Rule& rule) {
   const Token& name = tokens_[at_];
   Consequence consequence;
   bool fine = true;
@@ -210,19 +210,19 @@ bool Reader::consequence(std::size_t end, Rule& rule) {
   return fine;
 }
 
-bool Reader::assigned(const Token& name, Consequence& consequence) {
+bool GrowthReader::assigned(const Token& name, Consequence& consequence) {
   constexpr std::uint32_t settable =
       of_environment | bit(Word::ndv) | bit(Word::nbr) | bit(Word::nlf) | bit(Word::length);
   const std::uint32_t word = word_named(name.text);
   if (word == words || (settable >> word & 1) == 0)
     return fail(Reason::undefined, name.place, "'%' cannot be set; a rule sets %.", {name.text, list_of(settable)});
   consequence.word = static_cast<Word>(word);
-  said_.counts |= consequence.word == Word::ndv || consequence.word == Word::nbr;
-  said_.leaves |= consequence.word == Word::nlf;
+  own_rules_.counts |= consequence.word == Word::ndv || consequence.word == Word::nbr;
+  own_rules_.leaves |= consequence.word == Word::nlf;
   return true;
 }
 
-bool Reader::called(const Token& name, std::size_t end, Consequence& consequence) {
+bool GrowthReader::called(const Token& name, std::size_t end, Consequence& consequence) {
   struct Call {
     std::string_view name;
     Consequence::Kind kind;
@@ -245,7 +245,7 @@ bool Reader::called(const Token& name, std::size_t end, Consequence& consequence
   consequence.kind = call->kind;
   ++at_;
   if (call->kind == Consequence::Kind::child_trunk) return true;
-  said_.leaves = true;
+  own_rules_.leaves = true;
   std::vector<Number> values;
   if (at_ >= end || !opens(at_)) return wrong(here(), "How many stands behind it, as in %(nlf).", {name.text});
   if (!numbers(any_word, values)) return false;
@@ -257,7 +257,7 @@ bool Reader::called(const Token& name, std::size_t end, Consequence& consequence
 }
 
 // `: probability`, where it is given.
-bool Reader::weight(Number& probability) {
+bool GrowthReader::weight(Number& probability) {
   if (at_ >= end_) return true;
   if (!expect(':', "'%' cannot stand here; a probability stands behind a colon.")) return false;
   if (at_ >= end_) return wrong(here(), "A probability is missing behind the colon, such as 0.1.");
@@ -265,17 +265,17 @@ bool Reader::weight(Number& probability) {
 }
 
 // Decides once a volume what nothing of a shoot is used for.
-bool Reader::place_rule(Rule rule) {
+bool GrowthReader::place_rule(Rule rule) {
   std::uint32_t uses = rule.condition.uses | rule.probability.uses;
   bool draws = rule.condition.draws;
-  bool environment = true, luck = rule.probability.value.given;
+  bool environment = true, is_random = rule.probability.value.given;
   for (const Consequence& each : rule.consequences) {
     uses |= each.number.uses;
     uses |= each.steps.uses;
     draws |= each.number.draws || each.steps.draws;
     environment &= each.kind == Consequence::Kind::set && (of_environment & bit(each.word)) != 0;
     // The luck of a bud, or of a child trunk, is drawn apart from what shoots have in common.
-    luck &= each.kind == Consequence::Kind::set || each.kind == Consequence::Kind::leaf ||
+    is_random &= each.kind == Consequence::Kind::set || each.kind == Consequence::Kind::leaf ||
             each.kind == Consequence::Kind::falling_leaf || each.kind == Consequence::Kind::foliage ||
             rule.consequences.size() > 1;
   }
@@ -290,12 +290,12 @@ bool Reader::place_rule(Rule rule) {
                    "Of a single branch gravitropism and length can be set; % is a volume's: give it a rule without "
                    "k, ndv and the like.",
                    {word_names[static_cast<std::size_t>(each.word)]});
-  rules_.repeatable &= !draws && !luck && !rule.probability.draws && (uses & bit(Word::order)) == 0;
+  rules_.repeatable &= !draws && !is_random && !rule.probability.draws && (uses & bit(Word::order)) == 0;
   rules_.of_shoots.push_back(std::move(rule));
   return true;
 }
 
-bool Reader::numbers(std::uint32_t may_use, std::vector<Number>& values) {
+bool GrowthReader::numbers(std::uint32_t may_use, std::vector<Number>& values) {
   const Place opened = here();
   ++at_;
   if (on_sign(')')) return ++at_, true;
@@ -308,7 +308,7 @@ bool Reader::numbers(std::uint32_t may_use, std::vector<Number>& values) {
   }
 }
 
-bool Reader::number(std::size_t end, std::uint32_t may_use, Number& number) {
+bool GrowthReader::number(std::size_t end, std::uint32_t may_use, Number& number) {
   expression::Expression tree;
   if (!expression_before(end, tree)) {
     if (trouble_.reason != Reason::undefined) return false;
@@ -330,7 +330,7 @@ bool Reader::number(std::size_t end, std::uint32_t may_use, Number& number) {
 }
 
 // D(x) and E(x) become places in lists that begin at 0: what the divisor functions give is put there before growth.
-bool Reader::rewritten(expression::Expression& tree, std::uint32_t may_use, Number& number) {
+bool GrowthReader::rewritten(expression::Expression& tree, std::uint32_t may_use, Number& number) {
   using expression::Node;
   std::vector<Node> nodes;
   for (const Node& node : tree.nodes) {
@@ -364,7 +364,7 @@ bool Reader::rewritten(expression::Expression& tree, std::uint32_t may_use, Numb
   return true;
 }
 
-bool Reader::unknown_word(const expression::Node& node, std::uint32_t may_use) {
+bool GrowthReader::unknown_word(const expression::Node& node, std::uint32_t may_use) {
   if (may_use == 0)
     return fail(Reason::undefined, node.place, "'%' is not known before anything grows; write a number here.",
                 {node.name});

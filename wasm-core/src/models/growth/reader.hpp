@@ -11,18 +11,18 @@
 namespace panicle::growth {
 
 // What a text says of its own: the standard lines are for the rest (standard.hpp).
-struct Said {
+struct OwnRules {
   bool counts = false, buds = false, leaves = false;
 };
 
-class Reader : expression::TokenReader {
+class GrowthReader : expression::TokenReader {
  public:
-  Reader(std::span<const expression::Token> tokens, Rules& rules, expression::Lowering& lowering);
+  GrowthReader(std::span<const expression::Token> tokens, Rules& rules, expression::Lowering& lowering);
 
   // False: `trouble()`.
   bool run();
   const Diagnostic& trouble() const { return trouble_; }
-  const Said& said() const { return said_; }
+  const OwnRules& own_rules() const { return own_rules_; }
   std::uint32_t used() const { return used_; }
   // A rule that uses D or E, which a `tree` has to give: where.
   const expression::Place& needs_function() const { return needs_function_; }
@@ -72,7 +72,7 @@ class Reader : expression::TokenReader {
   std::array<std::uint64_t, 2> expressions_{};
   bool in_footprint_ = false;
   std::uint32_t used_ = 0;
-  Said said_;
+  OwnRules own_rules_;
   expression::Place needs_function_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 // Reads lines of the standard, which have no mistakes.
 std::uint32_t add_standard(std::string_view text, Rules& rules, expression::Lowering& lowering) {
   const auto tokens = expression::tokenize(text, expression::Writing::rules);
-  Reader reader(tokens.value(), rules, lowering);
+  GrowthReader reader(tokens.value(), rules, lowering);
   reader.run();
   return reader.used();
 }
@@ -72,17 +72,17 @@ Result<Rules> read_rules(std::string_view text, const Limits& limits) {
   expression::Lowering lowering(rules.code);
   lowering.define_array("D");
   lowering.define_array("E");
-  Reader reader(tokens.value(), rules, lowering);
+  GrowthReader reader(tokens.value(), rules, lowering);
   if (!reader.run()) return reader.trouble();
 
-  const Said& said = reader.said();
-  std::vector<Rule> own = std::exchange(rules.of_shoots, {});
+  const OwnRules& own_rules = reader.own_rules();
+  std::vector<Rule> own_shoot_rules = std::exchange(rules.of_shoots, {});
   std::uint32_t used = reader.used();
-  if (!said.counts) used |= add_standard(standard_counts, rules, lowering);
-  if (!said.buds) used |= add_standard(standard_buds, rules, lowering);
-  if (!said.leaves && !rules.tree.empty()) used |= add_standard(standard_leaves, rules, lowering);
-  rules.of_shoots.insert(rules.of_shoots.end(), std::make_move_iterator(own.begin()),
-                         std::make_move_iterator(own.end()));
+  if (!own_rules.counts) used |= add_standard(standard_counts, rules, lowering);
+  if (!own_rules.buds) used |= add_standard(standard_buds, rules, lowering);
+  if (!own_rules.leaves && !rules.tree.empty()) used |= add_standard(standard_leaves, rules, lowering);
+  rules.of_shoots.insert(rules.of_shoots.end(), std::make_move_iterator(own_shoot_rules.begin()),
+                         std::make_move_iterator(own_shoot_rules.end()));
 
   if (!gives(rules, DivisorFunction::Of::branches, false) && (rules.uses_branch_function || rules.uses_leaf_function))
     return error_at(Reason::undefined,

@@ -39,10 +39,10 @@ void reach(std::vector<Sheet>& sheets, const Box& target) {
     middles.hold(sheet.middle);
     for (const glm::vec3& corner : sheet.corners()) corners.hold(sheet.middle + corner);
   }
-  const glm::vec3 wide = middles.size(), over = corners.size() - wide, asked = target.size();
+  const glm::vec3 wide = middles.size(), over = corners.size() - wide, wanted = target.size();
   for (int k = 0; k < 3; ++k) {
     if (!(wide[k] > 1e-4f)) continue;
-    const float factor = std::max(asked[k] - over[k], 0.0f) / wide[k];
+    const float factor = std::max(wanted[k] - over[k], 0.0f) / wide[k];
     const float low = target.low[k] + (middles.low[k] - corners.low[k]);
     for (Sheet& sheet : sheets) sheet.middle[k] = low + factor * (sheet.middle[k] - middles.low[k]);
   }

@@ -57,18 +57,18 @@ bool Surroundings::holds(const glm::vec3& p) const {
   return way_x * (p.z - z) - way_z * (p.x - x) >= 0;
 }
 
-std::vector<LightDirection> Surroundings::dimmed(std::vector<LightDirection> lamps) const {
-  if (alone_) return lamps;
-  for (LightDirection& lamp : lamps) {
-    const glm::vec3& way = lamp.towards;
+std::vector<LightDirection> Surroundings::dimmed(std::vector<LightDirection> directions) const {
+  if (alone_) return directions;
+  for (LightDirection& direction : directions) {
+    const glm::vec3& way = direction.towards;
     float turns = arc_tangent(way.z, way.x) * (static_cast<float>(sides) / (2 * pi));
     if (turns < 0) turns += static_cast<float>(sides);
     const auto i = std::min(static_cast<std::size_t>(turns), sides - 1);
     const float share = turns - static_cast<float>(i);
     const float height = (1 - share) * horizon_[i] + share * horizon_[(i + 1) % sides];
-    if (way.y < sine(height * pi / 180)) lamp.share = 0;
+    if (way.y < sine(height * pi / 180)) direction.share = 0;
   }
-  return lamps;
+  return directions;
 }
 
 }  // namespace panicle::growth

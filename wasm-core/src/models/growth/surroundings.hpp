@@ -29,7 +29,7 @@ class Surroundings {
   // Whether all places so near to one surely are.
   bool holds_about(const glm::vec3& p, float radius) const;
   // Those lamps, the ones behind the horizon dark.
-  std::vector<LightDirection> dimmed(std::vector<LightDirection> lamps) const;
+  std::vector<LightDirection> dimmed(std::vector<LightDirection> directions) const;
 
  private:
   bool alone_ = true;

@@ -40,7 +40,7 @@ float mean_width(const GrowthVolume& volume) { return (volume.base + volume.top)
 struct Drawer {
   const Rules& rules;
   std::uint64_t seed;
-  Evaluation& evaluation;
+  GrowthEvaluation& evaluation;
 
   // `address` is the volume's.
   bool value(const Attribute& attribute, std::uint64_t address, float& out) {
@@ -124,7 +124,7 @@ float half_width(const GrowthVolume& volume) { return std::max({volume.base, vol
 
 }  // namespace
 
-bool draw_volumes(const Rules& rules, std::uint64_t seed, Evaluation& evaluation, std::vector<GrowthVolume>& volumes) {
+bool draw_volumes(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation, std::vector<GrowthVolume>& volumes) {
   Drawer drawer{rules, seed, evaluation};
   const GrowthVolume otherwise{1, 8, 10, 5, 0, {}, 1, 0, 6.5f};
   for (std::uint64_t i = 0; i < rules.footprint.size(); ++i) {
@@ -156,7 +156,7 @@ bool draw_volumes(const Rules& rules, std::uint64_t seed, Evaluation& evaluation
   return true;
 }
 
-void enter_volume(const GrowthVolume& volume, const Environment& environment, Evaluation& evaluation) {
+void enter_volume(const GrowthVolume& volume, const Environment& environment, GrowthEvaluation& evaluation) {
   evaluation.set(Word::id, static_cast<float>(volume.id));
   evaluation.set(Word::base, volume.base);
   evaluation.set(Word::height, volume.height);
@@ -168,7 +168,7 @@ void enter_volume(const GrowthVolume& volume, const Environment& environment, Ev
 }
 
 bool environment_of(const Rules& rules, std::uint64_t seed, const GrowthVolume& volume, std::uint32_t number,
-                    Evaluation& evaluation, Environment& environment) {
+                    GrowthEvaluation& evaluation, Environment& environment) {
   enter_volume(volume, {}, evaluation);
   evaluation.at(hash_combine(hash_text("volume"), number));
   for (const Rule& rule : rules.of_volumes) {
@@ -194,7 +194,7 @@ bool environment_of(const Rules& rules, std::uint64_t seed, const GrowthVolume& 
 namespace {
 
 // The rules of a tree that hold: all without a probability, and one of the others.
-bool drawn_rules(const Rules& rules, std::uint64_t seed, Evaluation& evaluation, std::vector<const TreeRule*>& drawn) {
+bool drawn_rules(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation, std::vector<const TreeRule*>& drawn) {
   std::vector<float> weights(rules.tree.size());
   float total = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -214,7 +214,7 @@ bool drawn_rules(const Rules& rules, std::uint64_t seed, Evaluation& evaluation,
   return true;
 }
 
-bool rule_of(const DivisorFunction& function, Evaluation& evaluation, DivisorRule& rule) {
+bool rule_of(const DivisorFunction& function, GrowthEvaluation& evaluation, DivisorRule& rule) {
   rule = {function.kind, function.power, 0, 1};
   const Number* next = function.parameters.data();
   if (!function.powered && !evaluation.whole(*next++, 0, 100, "The power", rule.power)) return false;
@@ -223,7 +223,7 @@ bool rule_of(const DivisorFunction& function, Evaluation& evaluation, DivisorRul
          evaluation.whole(next[0], 0, static_cast<float>(rule.modulus - 1), "The remainder", rule.remainder);
 }
 
-bool fail_at(Evaluation& evaluation, Diagnostic trouble, const expression::Place& place) {
+bool fail_at(GrowthEvaluation& evaluation, Diagnostic trouble, const expression::Place& place) {
   trouble.line = place.line;
   trouble.column = place.column;
   if (!trouble.message.empty() && trouble.message[0] >= 'a' && trouble.message[0] <= 'z')
@@ -233,7 +233,7 @@ bool fail_at(Evaluation& evaluation, Diagnostic trouble, const expression::Place
 }
 
 // As floats, which hold whole numbers to 2^24.
-bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::Place& place, Evaluation& evaluation,
+bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::Place& place, GrowthEvaluation& evaluation,
                std::vector<float>& values) {
   const auto sums = divisor_sums(rule, last);
   if (!sums) return fail_at(evaluation, sums.error(), place);
@@ -252,7 +252,7 @@ bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::Pl
 
 }  // namespace
 
-bool draw_functions(const Rules& rules, std::uint64_t seed, std::uint16_t steps, Evaluation& evaluation) {
+bool draw_functions(const Rules& rules, std::uint64_t seed, std::uint16_t steps, GrowthEvaluation& evaluation) {
   std::vector<const TreeRule*> drawn;
   evaluation.at(hash_text("tree"));
   if (!drawn_rules(rules, seed, evaluation, drawn)) return false;

@@ -95,7 +95,7 @@ void add_plants(Plant& plant, const std::vector<Placement>& plants, std::vector<
   Columns& columns = plant.columns;
   columns.add("plants.kind", each<std::uint32_t>(plants, [](const Placement& of) { return of.kind; }));
   columns.add("plants.seed", each<std::uint32_t>(plants, [](const Placement& of) { return of.seed; }));
-  columns.add("plants.bearer", each<std::int32_t>(plants, [](const Placement& of) { return of.bearer; }));
+  columns.add("plants.bearer", each<std::int32_t>(plants, [](const Placement& of) { return of.parent; }));
   columns.add("plants.at", column_of<float>(plants, 3, [](const Placement& of, float* at) { put(of.at, at); }), 3);
   columns.add("plants.scale", each<float>(plants, [](const Placement& of) { return of.scale; }));
   columns.add("plants.turn", each<float>(plants, [](const Placement& of) { return of.turn; }));
@@ -147,7 +147,7 @@ void measure(Plant& plant, const Plan& plan, const std::vector<Placement>& plant
   std::vector<glm::vec3> feet;
   float crowns = 0;
   for (const Placement& of : plants) {
-    if (of.bearer >= 0) continue;
+    if (of.parent >= 0) continue;
     feet.emplace_back(of.at.x, 0, of.at.z);
     const float width = kinds[of.kind]->width * of.scale;
     crowns += 0.25f * pi * width * width;
@@ -166,13 +166,13 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const bool meshes = request.wants("meshes"), measures = request.wants("measures"),
              mesh_fingerprint = request.wants("mesh_fingerprint");
   request.wants("sky");
-  const std::span<const float> asked = request.floats("parameters");
+  const std::span<const float> requested = request.floats("parameters");
   const bool has_text = request.has("plan");
   const std::string_view text = request.text("plan");
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
   if (!has_text) return Diagnostic{Reason::bad_request, "The request has no plan.", 0, 0};
   Plant plant;
-  const StandValues values(asked, plant.notes);
+  const StandValues values(requested, plant.notes);
   auto plan = read_plan(text, limits);
   if (!plan) return plan.error();
   plan->ground.relief *= values[relief];
@@ -185,10 +185,10 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   add_kinds(plant, kinds);
   add_plants(plant, plants.value(), surroundings_of(plan.value(), plants.value()));
   plant.columns.add("ground.size", std::vector<float>{plan->ground.width, plan->ground.depth, plan->ground.relief}, 3);
-  const auto borne = static_cast<std::uint32_t>(
-      std::count_if(plants->begin(), plants->end(), [](const Placement& of) { return of.bearer >= 0; }));
+  const auto attached = static_cast<std::uint32_t>(
+      std::count_if(plants->begin(), plants->end(), [](const Placement& of) { return of.parent >= 0; }));
   plant.counts = {
-      {"plants", static_cast<std::uint32_t>(plants->size())}, {"kinds", count_names(kinds)}, {"borne", borne}};
+      {"plants", static_cast<std::uint32_t>(plants->size())}, {"kinds", count_names(kinds)}, {"borne", attached}};
   Trellises trellises = trellises_of(plan.value(), ground, plants.value());
   if (trellises.posts > 0) plant.counts.push_back({"posts", trellises.posts});
   if (measures) measure(plant, plan.value(), plants.value(), kinds);

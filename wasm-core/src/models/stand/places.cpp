@@ -32,9 +32,9 @@ Strip strip_of(const Layer& layer, const Ground& ground) {
 std::uint32_t whole(float value, float most) { return static_cast<std::uint32_t>(std::clamp(value, 0.0f, most)); }
 
 // Luck of one place, by what it is for.
-class Luck {
+class RandomDraws {
  public:
-  Luck(std::uint64_t seed, std::string_view what, std::uint64_t layer)
+  RandomDraws(std::uint64_t seed, std::string_view what, std::uint64_t layer)
       : seed_(seed), stream_(hash_combine(hash_text(what), layer)) {}
   float unit(std::uint64_t address) const { return random_unit(seed_, stream_, address); }
   std::uint64_t bits(std::uint64_t address) const { return random_bits(seed_, stream_, address); }
@@ -43,21 +43,21 @@ class Luck {
   std::uint64_t seed_, stream_;
 };
 
-std::vector<glm::vec2> by_chance(const Strip& strip, std::uint32_t count, const Luck& luck) {
+std::vector<glm::vec2> by_chance(const Strip& strip, std::uint32_t count, const RandomDraws& draws) {
   std::vector<glm::vec2> spots;
-  for (std::uint32_t i = 0; i < count; ++i) spots.push_back(strip.at(luck.unit(2 * i), luck.unit(2 * i + 1)));
+  for (std::uint32_t i = 0; i < count; ++i) spots.push_back(strip.at(draws.unit(2 * i), draws.unit(2 * i + 1)));
   return spots;
 }
 
 // Cells as square as they can be, one plant in each anywhere; which of them stay empty is drawn.
-std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const Luck& luck) {
+std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const RandomDraws& draws) {
   const float square = std::sqrt(static_cast<float>(count) * strip.size.x / strip.size.y);
   const std::uint32_t across = std::max(whole(square + 0.5f, static_cast<float>(count)), 1u);
   const std::uint32_t deep = (count + across - 1) / across;
   std::vector<std::uint32_t> cells(static_cast<std::size_t>(across) * deep);
   for (std::uint32_t i = 0; i < cells.size(); ++i) cells[i] = i;
   std::sort(cells.begin(), cells.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const std::uint64_t of_a = luck.bits(3 * a + 2), of_b = luck.bits(3 * b + 2);
+    const std::uint64_t of_a = draws.bits(3 * a + 2), of_b = draws.bits(3 * b + 2);
     return of_a != of_b ? of_a < of_b : a < b;
   });
   cells.resize(count);
@@ -65,8 +65,8 @@ std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const
   std::vector<glm::vec2> spots;
   for (const std::uint32_t cell : cells) {
     const std::uint32_t column = cell % across, row = cell / across;
-    const float u = (static_cast<float>(column) + luck.unit(3 * cell)) / static_cast<float>(across);
-    const float v = (static_cast<float>(row) + luck.unit(3 * cell + 1)) / static_cast<float>(deep);
+    const float u = (static_cast<float>(column) + draws.unit(3 * cell)) / static_cast<float>(across);
+    const float v = (static_cast<float>(row) + draws.unit(3 * cell + 1)) / static_cast<float>(deep);
     spots.push_back(strip.at(u, v));
   }
   return spots;
@@ -77,7 +77,7 @@ std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const
 constexpr std::uint32_t throws = 60;
 constexpr float most_cells = 1e6f;  // along an edge: the last of them is wider in a strip that needs more
 
-std::vector<glm::vec2> blue(const Strip& strip, std::uint32_t count, float apart, const Luck& luck) {
+std::vector<glm::vec2> blue(const Strip& strip, std::uint32_t count, float apart, const RandomDraws& draws) {
   const float room = std::sqrt(strip.size.x * strip.size.y / static_cast<float>(count));
   const float edge = std::max(apart, 0.7f * room);
   const std::uint32_t across = whole(strip.size.x / edge, most_cells) + 1;
@@ -85,7 +85,7 @@ std::vector<glm::vec2> blue(const Strip& strip, std::uint32_t count, float apart
   std::vector<std::int32_t> first(static_cast<std::size_t>(across) * deep, -1), next;
   std::vector<glm::vec2> spots;
   for (std::uint32_t i = 0; i < throws * count && spots.size() < count; ++i) {
-    const glm::vec2 dart = strip.at(luck.unit(2 * i), luck.unit(2 * i + 1));
+    const glm::vec2 dart = strip.at(draws.unit(2 * i), draws.unit(2 * i + 1));
     const std::uint32_t x = whole((dart.x - strip.low.x) / edge, static_cast<float>(across - 1));
     const std::uint32_t z = whole((dart.y - strip.low.y) / edge, static_cast<float>(deep - 1));
     bool free = true;
@@ -144,7 +144,7 @@ void keep_middle(std::vector<InRow>& spots, std::uint32_t count) {
 
 // Parallel lines over the whole strip, its middle in the midst of them. `count` 0: all there is room for; the text's
 // own count fills them from the back, fewer than the text says stand in the middle.
-void in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const Luck& luck, Spots& spots) {
+void in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const RandomDraws& draws, Spots& spots) {
   const SinCos turn = sincos_degrees(layer.towards);
   const glm::vec2 along(turn.cosine, turn.sine), across(-turn.sine, turn.cosine);
   const glm::vec2 middle = strip.at(0.5f, 0.5f);
@@ -170,13 +170,13 @@ void in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const 
   if (fewer) keep_middle(found, count);
   for (const auto& [row, place, spot] : found) {
     const std::uint64_t address = hash_combine(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(place));
-    const glm::vec2 off(2 * luck.unit(address) - 1, 2 * luck.unit(hash_combine(address, 1)) - 1);
+    const glm::vec2 off(2 * draws.unit(address) - 1, 2 * draws.unit(hash_combine(address, 1)) - 1);
     spots.at.push_back(glm::clamp(spot + layer.jitter * off, strip.low, strip.low + strip.size));
     spots.row.emplace_back(row, place);
   }
 }
 
-float drawn(const Range& range, float unit) { return range.from + (range.to - range.from) * unit; }
+float drawn(const ValueRange& range, float unit) { return range.from + (range.to - range.from) * unit; }
 
 // A plant's own luck: scale, seed and settings of what stands at an address.
 void draw(Placement& plant, const Kind& kind, std::uint64_t seed, std::uint64_t address) {
@@ -201,11 +201,11 @@ bool tied(const Layer& layer, float unit) { return layer.trellis.has_value() || 
 
 const Kind& chosen(const std::vector<Kind>& kinds, float unit, std::uint32_t& number) {
   float all = 0;
-  for (const Kind& kind : kinds) all += kind.borne ? 0 : kind.share;
+  for (const Kind& kind : kinds) all += kind.attached ? 0 : kind.share;
   float left = unit * all;
   std::uint32_t last = 0;
   for (std::uint32_t i = 0; i < kinds.size(); ++i) {
-    if (kinds[i].borne || kinds[i].share <= 0) continue;
+    if (kinds[i].attached || kinds[i].share <= 0) continue;
     last = i;
     left -= kinds[i].share;
     if (left < 0) break;
@@ -220,22 +220,22 @@ float middle_of(const Layer& layer, const Ground& ground) { return strip_of(laye
 
 Spots spots_of(const Layer& layer, std::uint32_t count, const Ground& ground, std::uint64_t seed, std::uint32_t place) {
   const Strip strip = strip_of(layer, ground);
-  const Luck luck(seed, "stand spot", place);
+  const RandomDraws draws(seed, "stand spot", place);
   Spots spots;
   switch (layer.spacing) {
     case Spacing::chance:
-      spots.at = by_chance(strip, count, luck);
+      spots.at = by_chance(strip, count, draws);
       break;
     case Spacing::strata:
-      spots.at = stratified(strip, count, luck);
+      spots.at = stratified(strip, count, draws);
       break;
     case Spacing::blue: {
       const float suits = 0.7f * std::sqrt(strip.size.x * strip.size.y / static_cast<float>(count));
-      spots.at = blue(strip, count, layer.apart > 0 ? layer.apart : suits, luck);
+      spots.at = blue(strip, count, layer.apart > 0 ? layer.apart : suits, draws);
       break;
     }
     case Spacing::rows:
-      in_rows(strip, layer, count, luck, spots);
+      in_rows(strip, layer, count, draws, spots);
       break;
   }
   spots.missing = count - std::min(count, static_cast<std::uint32_t>(spots.at.size()));
@@ -245,29 +245,29 @@ Spots spots_of(const Layer& layer, std::uint32_t count, const Ground& ground, st
 namespace {
 
 // What the lines below a bearer's line hang on it.
-void bear(std::vector<Placement>& plants, const std::vector<Kind>& kinds, std::uint32_t first_kind, std::size_t bearer,
+void attach(std::vector<Placement>& plants, const std::vector<Kind>& kinds, std::uint32_t first_kind, std::size_t parent,
           bool in_row, std::uint64_t seed, std::uint64_t address) {
-  for (std::uint32_t i = plants[bearer].kind - first_kind + 1; i < kinds.size() && kinds[i].borne; ++i) {
+  for (std::uint32_t i = plants[parent].kind - first_kind + 1; i < kinds.size() && kinds[i].attached; ++i) {
     const Kind& kind = kinds[i];
     const std::uint64_t all = hash_combine(address, i);
-    const Luck luck(seed, "stand borne", all);
-    const auto many = static_cast<std::uint32_t>(drawn({kind.each.from, kind.each.to + 1}, luck.unit(0)));
-    const Placement by = plants[bearer];
+    const RandomDraws draws(seed, "stand borne", all);
+    const auto many = static_cast<std::uint32_t>(drawn({kind.each.from, kind.each.to + 1}, draws.unit(0)));
+    const Placement by = plants[parent];
     for (std::uint32_t k = 0; k < std::min(many, static_cast<std::uint32_t>(kind.each.to)); ++k) {
       if (plants.size() > most_plants) return;
       Placement each;
       each.layer = by.layer;
       each.kind = first_kind + i;
-      each.bearer = static_cast<std::int32_t>(bearer);
+      each.parent = static_cast<std::int32_t>(parent);
       draw(each, kind, seed, hash_combine(all, k + 1));
-      each.turn = 360 * luck.unit(8 * k + 1);
-      const SinCos way = sincos_degrees(in_row ? by.turn : 360 * luck.unit(8 * k + 2));
+      each.turn = 360 * draws.unit(8 * k + 1);
+      const SinCos way = sincos_degrees(in_row ? by.turn : 360 * draws.unit(8 * k + 2));
       // Evenly along a row's plant, each in a part of it; about another as an even disc.
-      const float share = (static_cast<float>(k) + luck.unit(8 * k + 3)) / static_cast<float>(many);
-      const float out = by.scale * kind.reach * (in_row ? 2 * share - 1 : std::sqrt(luck.unit(8 * k + 3)));
-      const float aside = in_row ? by.scale * 0.05f * (2 * luck.unit(8 * k + 4) - 1) : 0;
-      const float high = by.scale * drawn(kind.high, luck.unit(8 * k + 5));
-      each.at = by.at + glm::vec3(out * way.cosine - aside * way.sine, high, out * way.sine + aside * way.cosine);
+      const float share = (static_cast<float>(k) + draws.unit(8 * k + 3)) / static_cast<float>(many);
+      const float out = by.scale * kind.reach * (in_row ? 2 * share - 1 : std::sqrt(draws.unit(8 * k + 3)));
+      const float sideways = in_row ? by.scale * 0.05f * (2 * draws.unit(8 * k + 4) - 1) : 0;
+      const float high = by.scale * drawn(kind.high, draws.unit(8 * k + 5));
+      each.at = by.at + glm::vec3(out * way.cosine - sideways * way.sine, high, out * way.sine + sideways * way.cosine);
       plants.push_back(std::move(each));
     }
   }
@@ -275,7 +275,7 @@ void bear(std::vector<Placement>& plants, const std::vector<Kind>& kinds, std::u
 
 }  // namespace
 
-Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std::uint64_t seed, std::uint32_t asked,
+Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std::uint64_t seed, std::uint32_t requested,
                                      std::vector<std::string>& notes) {
   const auto too_many = [] {
     return Diagnostic{Reason::limit, "More than 5000 plants come of this plan; make rows wider, or ask for fewer.", 0,
@@ -291,11 +291,11 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
     if (all > most_plants) return too_many();
   }
   std::vector<Placement> plants;
-  struct Standing {
+  struct Rooted {
     std::uint32_t layer, first_kind;
     std::uint64_t address;
   };
-  std::vector<Standing> standing;
+  std::vector<Rooted> rooted;
   std::uint32_t first_kind = 0;
   // Shares of the running sum: they come to all that is asked for.
   std::uint64_t before = 0;
@@ -303,7 +303,7 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
     const Layer& layer = plan.layers[i];
     const std::uint64_t upto = before + counts[i];
     const std::uint32_t count =
-        asked == 0 || all == 0 ? counts[i] : static_cast<std::uint32_t>(upto * asked / all - before * asked / all);
+        requested == 0 || all == 0 ? counts[i] : static_cast<std::uint32_t>(upto * requested / all - before * requested / all);
     before = upto;
     if (count == 0) {
       if (counts[i] > 0)
@@ -316,26 +316,26 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
     if (spots.missing > 0)
       notes.push_back(expression::sentence("Of % plants % found no place: the ground is full.",
                                            {std::to_string(count), std::to_string(spots.missing)}));
-    const Luck luck(seed, "stand kind", i);
+    const RandomDraws draws(seed, "stand kind", i);
     for (std::uint32_t k = 0; k < spots.at.size(); ++k) {
       Placement plant;
       plant.layer = i;
       if (!spots.row.empty()) plant.row = spots.row[k].x, plant.place = spots.row[k].y;
       plant.kind = first_kind;
-      const Kind& kind = chosen(layer.kinds, luck.unit(2 * k), plant.kind);
+      const Kind& kind = chosen(layer.kinds, draws.unit(2 * k), plant.kind);
       plant.at = {spots.at[k].x, relief.at(spots.at[k].x, spots.at[k].y), spots.at[k].y};
       const std::uint64_t address = hash_combine(i, k);
       draw(plant, kind, seed, address);
-      const float unit = luck.unit(2 * k + 1);
+      const float unit = draws.unit(2 * k + 1);
       plant.turn = layer.spacing != Spacing::rows ? 360 * unit : layer.towards + (tied(layer, unit) ? 0 : 180);
       plants.push_back(std::move(plant));
-      standing.push_back({i, first_kind, address});
+      rooted.push_back({i, first_kind, address});
     }
     first_kind += static_cast<std::uint32_t>(layer.kinds.size());
   }
-  for (std::size_t i = 0; i < standing.size(); ++i) {
-    const Layer& layer = plan.layers[standing[i].layer];
-    bear(plants, layer.kinds, standing[i].first_kind, i, layer.spacing == Spacing::rows, seed, standing[i].address);
+  for (std::size_t i = 0; i < rooted.size(); ++i) {
+    const Layer& layer = plan.layers[rooted[i].layer];
+    attach(plants, layer.kinds, rooted[i].first_kind, i, layer.spacing == Spacing::rows, seed, rooted[i].address);
     if (plants.size() > most_plants) return too_many();
   }
   return plants;

@@ -19,7 +19,7 @@ struct Placement {
   std::int32_t row = 0, place = 0;  // of a layer in rows: which, and where in it, from the middle
   std::uint32_t kind = 0;           // all layers' kinds in the order of the text
   std::uint32_t seed = 0;
-  std::int32_t bearer = -1;  // the placement that bears it
+  std::int32_t parent = -1;  // the placement that bears it
   glm::vec3 at{0};
   float scale = 1;
   float turn = 0;               // of its x axis, degrees from +x to +z
@@ -36,9 +36,9 @@ struct Spots {
 float middle_of(const Layer& layer, const Ground& ground);
 Spots spots_of(const Layer& layer, std::uint32_t count, const Ground& ground, std::uint64_t seed, std::uint32_t place);
 
-// `asked`: how many plants in place of what the text says, those that are borne not counted; 0: as it says.
+// `requested`: how many plants in place of what the text says, those that are borne not counted; 0: as it says.
 // Error: limit.
-Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std::uint64_t seed, std::uint32_t asked,
+Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std::uint64_t seed, std::uint32_t requested,
                                      std::vector<std::string>& notes);
 
 }  // namespace panicle::stand

@@ -16,7 +16,7 @@ namespace panicle::stand {
 inline constexpr std::uint32_t most_plants = 5000, most_kinds = 64, most_settings = 16, most_wires = 12;
 
 // Both ends included; what is drawn between them is drawn for each plant.
-struct Range {
+struct ValueRange {
   float from = 0, to = 0;
 };
 
@@ -24,7 +24,7 @@ struct Range {
 struct Setting {
   std::string key;
   std::string word;  // where it is no number
-  Range range;
+  ValueRange range;
   expression::Place place;
 };
 
@@ -34,11 +34,11 @@ struct Kind {
   expression::Place place;
   float share = 1;
   float width = 4, height = 8;  // of the crown at scale 1, metres: what neighbours know of it
-  Range scale{1, 1};
+  ValueRange scale{1, 1};
   std::uint32_t seeds = 0;  // how many different ones there are; 0: as many as plants
-  bool borne = false;       // by the plants of the line above that is not
-  Range each{1, 1};         // of those, how many on each
-  Range high{1, 1};         // above the bearer's foot, metres at its scale 1
+  bool attached = false;       // by the plants of the line above that is not
+  ValueRange each{1, 1};         // of those, how many on each
+  ValueRange high{1, 1};         // above the bearer's foot, metres at its scale 1
   float reach = 0.5f;       // along the bearer, metres each way
   std::string spot;         // which of the bearer's organs it hangs at, in place of these two; empty: they say
   std::vector<Setting> settings;
@@ -68,7 +68,7 @@ struct Layer {
   float along = 0;    // in a row
   float towards = 0;  // where rows run, degrees from +x to +z
   float jitter = 0;   // off a row's place, metres each way
-  Range depth{0, 1};  // the strip of the ground, from its back (−z) to its front
+  ValueRange depth{0, 1};  // the strip of the ground, from its back (−z) to its front
   std::optional<Trellis> trellis;
   std::vector<Kind> kinds;
 };

@@ -26,9 +26,9 @@ constexpr float least_depth = 0.000999f;
 // What may stand between two numbers, and so ends the first.
 bool joins(const Token& token) { return token.is("x") || token.is("to"); }
 
-class Reader : expression::TokenReader {
+class PlanReader : expression::TokenReader {
  public:
-  explicit Reader(std::span<const Token> tokens) : TokenReader(tokens), lowering_(code_) {}
+  explicit PlanReader(std::span<const Token> tokens) : TokenReader(tokens), lowering_(code_) {}
 
   bool run() {
     while (at_ < tokens_.size()) {
@@ -56,7 +56,7 @@ class Reader : expression::TokenReader {
   bool item_follows();
   bool number(float least, float most, const char* what, float& value);
   bool count(std::uint32_t least, std::uint32_t most, const char* what, std::uint32_t& value);
-  bool range(float least, float most, const char* what, Range& range);
+  bool range(float least, float most, const char* what, ValueRange& range);
   bool product(float least, float most, const char* what, float& first, float& second);
   // Passes over a word that has to be here.
   bool word(std::string_view word, const char* otherwise);
@@ -69,7 +69,7 @@ class Reader : expression::TokenReader {
 };
 
 // A statement goes on in the next line within brackets, and behind a comma or a colon.
-std::size_t Reader::statement_end() const {
+std::size_t PlanReader::statement_end() const {
   std::size_t open = 0;
   for (std::size_t at = at_; at < tokens_.size(); ++at) {
     const Token& token = tokens_[at];
@@ -83,7 +83,7 @@ std::size_t Reader::statement_end() const {
   return tokens_.size();
 }
 
-bool Reader::statement() {
+bool PlanReader::statement() {
   const Token& first = tokens_[at_];
   if (first.is("ground")) return ground();
   if (first.is("plants")) return layer();
@@ -93,20 +93,20 @@ bool Reader::statement() {
               {first.text});
 }
 
-bool Reader::item_follows() {
+bool PlanReader::item_follows() {
   if (at_ >= end_ || on_sign(':')) return false;
   if (!expect(',', "A comma is expected here, not '%'.")) return false;
   if (on_name()) return true;
   return wrong(here(), "Something is missing behind the comma; take it out, or go on.");
 }
 
-bool Reader::word(std::string_view wanted, const char* otherwise) {
+bool PlanReader::word(std::string_view wanted, const char* otherwise) {
   if (!on(wanted)) return wrong(here(), otherwise, {found()});
   ++at_;
   return true;
 }
 
-bool Reader::number(float least, float most, const char* what, float& value) {
+bool PlanReader::number(float least, float most, const char* what, float& value) {
   const Place place = here();
   std::size_t until = at_, open = 0;
   while (until < end_ && (open > 0 || !(tokens_[until].is(',') || tokens_[until].is(':') || joins(tokens_[until])))) {
@@ -137,7 +137,7 @@ bool Reader::number(float least, float most, const char* what, float& value) {
               {what, number_text(least), number_text(most), number_text(value)});
 }
 
-bool Reader::count(std::uint32_t least, std::uint32_t most, const char* what, std::uint32_t& value) {
+bool PlanReader::count(std::uint32_t least, std::uint32_t most, const char* what, std::uint32_t& value) {
   const Place place = here();
   float found = 0;
   if (!number(static_cast<float>(least), static_cast<float>(most), what, found)) return false;
@@ -146,7 +146,7 @@ bool Reader::count(std::uint32_t least, std::uint32_t most, const char* what, st
          fail(Reason::evaluation, place, "% is a whole number, not %.", {what, number_text(found)});
 }
 
-bool Reader::range(float least, float most, const char* what, Range& range) {
+bool PlanReader::range(float least, float most, const char* what, ValueRange& range) {
   if (!number(least, most, what, range.from)) return false;
   range.to = range.from;
   if (!on("to")) return true;
@@ -157,12 +157,12 @@ bool Reader::range(float least, float most, const char* what, Range& range) {
                                         {number_text(range.to), number_text(range.from)});
 }
 
-bool Reader::product(float least, float most, const char* what, float& first, float& second) {
+bool PlanReader::product(float least, float most, const char* what, float& first, float& second) {
   return number(least, most, what, first) && word("x", "Two lengths with an x between are needed here, not '%'.") &&
          number(least, most, what, second);
 }
 
-bool Reader::ground() {
+bool PlanReader::ground() {
   if (grounded_) return wrong(here(), "There is a ground already; a plan has one.");
   grounded_ = true;
   ++at_;
@@ -181,12 +181,12 @@ bool Reader::ground() {
   return at_ == end_ || wrong(here(), "'%' cannot stand here; take it out.", {found()});
 }
 
-bool Reader::rows(Layer& layer) {
+bool PlanReader::rows(Layer& layer) {
   layer.spacing = Spacing::rows;
   return product(0.01f, 1000, "From row to row, and in a row, metres", layer.apart, layer.along);
 }
 
-bool Reader::layer() {
+bool PlanReader::layer() {
   Layer layer;
   layer.place = here();
   ++at_;
@@ -227,7 +227,7 @@ bool Reader::layer() {
   return true;
 }
 
-bool Reader::trellis() {
+bool PlanReader::trellis() {
   if (plan_.layers.empty() || plan_.layers.back().spacing != Spacing::rows || plan_.layers.back().trellis)
     return wrong(here(),
                  "A trellis is one layer's that stands in rows: plants, rows 2.2 x 1.2, and below it trellis 2.");
@@ -253,7 +253,7 @@ bool Reader::trellis() {
   return true;
 }
 
-bool Reader::kind() {
+bool PlanReader::kind() {
   Kind kind;
   kind.place = here();
   if (plan_.layers.empty())
@@ -270,7 +270,7 @@ bool Reader::kind() {
   if (trouble_.reason != Reason::none) return false;
   if (on_sign(':') && !(++at_, settings(kind))) return false;
   std::vector<Kind>& kinds = plan_.layers.back().kinds;
-  if (kind.borne && kinds.empty())
+  if (kind.attached && kinds.empty())
     return wrong(kind.place, "What is borne stands below what bears it; nothing stands above this line.");
   std::size_t all = 1;
   for (const Layer& each : plan_.layers) all += each.kinds.size();
@@ -279,29 +279,29 @@ bool Reader::kind() {
   return true;
 }
 
-bool Reader::kind_item(Kind& kind) {
+bool PlanReader::kind_item(Kind& kind) {
   const Token& item = tokens_[at_++];
   if (item.is("share")) return number(0, 1e6f, "A share", kind.share);
   if (item.is("crown"))
     return product(0.001f, 200, "A crown's width and the plant's height, in metres,", kind.width, kind.height);
   if (item.is("scale")) return range(0.01f, 100, "A scale", kind.scale);
   if (item.is("seeds")) return count(1, most_plants, "How many different ones there are", kind.seeds);
-  if (item.is("each")) return kind.borne = true, range(0, 100, "How many are on each", kind.each);
-  if (item.is("height")) return kind.borne = true, range(-10, 100, "How high they hang, in metres,", kind.high);
+  if (item.is("each")) return kind.attached = true, range(0, 100, "How many are on each", kind.each);
+  if (item.is("height")) return kind.attached = true, range(-10, 100, "How high they hang, in metres,", kind.high);
   if (item.is("at")) {
     if (!on_name()) return wrong(here(), "Which of its bearer's organs it hangs at stands here, as in at bunch.");
-    kind.borne = true;
+    kind.attached = true;
     kind.spot = tokens_[at_++].text;
     return true;
   }
-  if (item.is("reach")) return kind.borne = true, number(0, 100, "reach, in metres,", kind.reach);
+  if (item.is("reach")) return kind.attached = true, number(0, 100, "reach, in metres,", kind.reach);
   return fail(Reason::undefined, item.place,
               "There is share, crown, scale, seeds, and of what is borne each, at, height and reach, not %; parameters "
               "stand behind a colon.",
               {item.text});
 }
 
-bool Reader::settings(Kind& kind) {
+bool PlanReader::settings(Kind& kind) {
   do {
     if (on_sign(',') && !kind.settings.empty()) ++at_;
     if (!on_name())
@@ -313,7 +313,7 @@ bool Reader::settings(Kind& kind) {
   return true;
 }
 
-bool Reader::setting(Setting& setting) {
+bool PlanReader::setting(Setting& setting) {
   setting.place = here();
   setting.key = tokens_[at_++].text;
   if (at_ < end_ && tokens_[at_].kind == TokenKind::quoted) {
@@ -328,13 +328,13 @@ bool Reader::setting(Setting& setting) {
   return range(-1e6f, 1e6f, "A parameter", setting.range);
 }
 
-bool Reader::whole() {
+bool PlanReader::whole() {
   end_ = tokens_.size();
   if (plan_.layers.empty())
     return wrong({1, 1}, "Nothing says how many plants there are; write plants 100, blue 2 and below it what grows.");
   for (const Layer& layer : plan_.layers) {
     float shares = 0;
-    for (const Kind& kind : layer.kinds) shares += kind.borne ? 0 : kind.share;
+    for (const Kind& kind : layer.kinds) shares += kind.attached ? 0 : kind.share;
     if (layer.kinds.empty())
       return wrong(layer.place, "Below plants stands what grows, a line each: growth/figure-9, share 3.");
     if (!(shares > 0)) return wrong(layer.place, "The shares below are 0 together; nothing would grow.");
@@ -350,7 +350,7 @@ Result<Plan> read_plan(std::string_view text, const Limits& limits) {
                     {std::to_string(limits.text_bytes)});
   const auto tokens = expression::tokenize(text, expression::Writing::rules);
   if (!tokens) return tokens.error();
-  Reader reader(tokens.value());
+  PlanReader reader(tokens.value());
   if (!reader.run()) return reader.trouble();
   return std::move(reader.plan());
 }

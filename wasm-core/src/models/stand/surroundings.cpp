@@ -39,7 +39,7 @@ std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement
   for (const Placement& plant : plants) {
     const Kind& kind = *kinds[plant.kind];
     crowns.push_back({plant.at, 0.5f * kind.width * plant.scale, kind.height * plant.scale});
-    if (plant.bearer >= 0) continue;
+    if (plant.parent >= 0) continue;
     feet.emplace_back(plant.at.x, 0, plant.at.z);
     tallest = std::max(tallest, crowns.back().height);
   }
@@ -51,7 +51,7 @@ std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement
     float* const room = horizon + azimuths;
     std::fill(room, room + azimuths, no_neighbour);
     const Crown& own = crowns[i];
-    if (plants[i].bearer >= 0) continue;
+    if (plants[i].parent >= 0) continue;
     float lowest = 0, widest = no_neighbour;
     float from = 0, to = first_ring * reach;
     const auto see = [&](std::uint32_t j) {
@@ -99,7 +99,7 @@ std::vector<std::uint8_t> sky_below(const Plan& plan, const std::vector<Placemen
   std::vector<glm::vec3> feet;
   float widest = 0.01f;
   for (const Placement& plant : plants) {
-    if (plant.bearer >= 0) continue;
+    if (plant.parent >= 0) continue;
     const Kind& kind = *kinds[plant.kind];
     feet.emplace_back(plant.at.x, 0, plant.at.z);
     widest = std::max(widest, plant.scale * (0.5f * kind.width + 0.5f * kind.height));

@@ -136,7 +136,7 @@ Trellises trellises_of(const Plan& plan, const Relief& relief, const std::vector
   };
   std::map<std::pair<std::uint32_t, std::int32_t>, Ends> rows;
   for (const Placement& plant : plants) {
-    if (!plan.layers[plant.layer].trellis || plant.bearer >= 0) continue;
+    if (!plan.layers[plant.layer].trellis || plant.parent >= 0) continue;
     Ends& ends = rows.try_emplace({plant.layer, plant.row}, Ends{plant.place, plant.place}).first->second;
     ends = {std::min(ends.first, plant.place), std::max(ends.last, plant.place)};
   }

@@ -20,7 +20,7 @@ constexpr std::size_t longest_name = 40;
 }  // namespace
 
 // `#material 4 petal "c8102e" "f6d55c"`
-bool Reader::material() {
+bool FlowerReader::material() {
   static constexpr const char* advice =
       "A material is a number, a kind and one or two colours: #material 4 petal \"c8102e\".";
   Material material;
@@ -41,23 +41,23 @@ bool Reader::material() {
   if (!colours(material.open)) return false;
   material.bud = material.wilted = material.open;
   material.light = light_through(material.kind);
-  if (!said_of(material)) return false;
+  if (!material_settings(material)) return false;
   program_.materials.push_back(std::move(material));
   return true;
 }
 
 // `margin "ffffff" 0.2 light 0.6`: each once, in any order.
-bool Reader::said_of(Material& material) {
-  static constexpr std::array<std::string_view, 7> sayable = {"foot", "margin", "veins", "light",
+bool FlowerReader::material_settings(Material& material) {
+  static constexpr std::array<std::string_view, 7> setting_names = {"foot", "margin", "veins", "light",
                                                               "bud",  "wilted", "name"};
-  std::array<bool, sayable.size()> said{};
+  std::array<bool, setting_names.size()> is_set{};
   while (at_ < end_) {
-    const auto word = static_cast<std::size_t>(std::find(sayable.begin(), sayable.end(), found()) - sayable.begin());
-    if (!on_name() || word == sayable.size())
+    const auto word = static_cast<std::size_t>(std::find(setting_names.begin(), setting_names.end(), found()) - setting_names.begin());
+    if (!on_name() || word == setting_names.size())
       return wrong(here(), "Of a material one can say foot, margin, veins, light, bud, wilted and name; '%' is none.",
                    {found()});
-    if (said[word]) return wrong(here(), "% has been said already; take one out.", {found()});
-    said[word] = true;
+    if (is_set[word]) return wrong(here(), "% has been said already; take one out.", {found()});
+    is_set[word] = true;
     ++at_;
     const bool fine = word == 0   ? share(material.foot, 1)
                       : word == 1 ? colour(material.margin) && share(material.margin_width, 1)
@@ -72,7 +72,7 @@ bool Reader::said_of(Material& material) {
 }
 
 // `"8a1030" 9 0.5`, and it may be said that they are feathered.
-bool Reader::veins_of(Material& material) {
+bool FlowerReader::veins_of(Material& material) {
   if (!colour(material.veins) || !share(material.vein_count, most_veins) || !share(material.vein_strength, 1))
     return false;
   material.feathered = on_name() && found() == "feathered";
@@ -80,7 +80,7 @@ bool Reader::veins_of(Material& material) {
   return true;
 }
 
-bool Reader::part_name(std::string& name) {
+bool FlowerReader::part_name(std::string& name) {
   const auto plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ' || c == '-' || c == ',';
   };
@@ -94,7 +94,7 @@ bool Reader::part_name(std::string& name) {
 }
 
 // A number that is no less than nothing.
-bool Reader::share(float& value, float most) {
+bool FlowerReader::share(float& value, float most) {
   if (at_ >= end_ || tokens_[at_].kind != TokenKind::number || !(tokens_[at_].number <= most))
     return wrong(here(), "A number from 0 to % stands here, not '%'.", {expression::number_text(most), found()});
   value = tokens_[at_++].number;
@@ -102,13 +102,13 @@ bool Reader::share(float& value, float most) {
 }
 
 // One, or two: where an organ begins, and where it ends.
-bool Reader::colours(Colours& colours) {
+bool FlowerReader::colours(Colours& colours) {
   if (!colour(colours.base)) return false;
   colours.tip = colours.base;
   return at_ >= end_ || tokens_[at_].kind != TokenKind::quoted || colour(colours.tip);
 }
 
-bool Reader::colour(std::uint32_t& colour) {
+bool FlowerReader::colour(std::uint32_t& colour) {
   static constexpr const char* advice = "A colour is six hexadecimal digits in quotes, such as \"c8102e\".";
   if (at_ >= end_ || tokens_[at_].kind != TokenKind::quoted || tokens_[at_].text.size() != 6)
     return wrong(here(), advice);

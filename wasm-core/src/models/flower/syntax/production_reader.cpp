@@ -40,7 +40,7 @@ bool face_named(std::string_view name, Face& face) {
 }  // namespace
 
 // `p00 PREDECESSOR{…}{…}{…} -> …`: what it is called may be in parentheses, or missing.
-bool Reader::production() {
+bool FlowerReader::production() {
   if (on_sign('(') && at_ + 2 < end_ && tokens_[at_ + 1].kind == TokenKind::name && tokens_[at_ + 2].is(')')) {
     at_ += 3;
   } else if (on_name() && at_ + 1 < end_ && tokens_[at_ + 1].kind == TokenKind::name) {
@@ -76,7 +76,7 @@ bool Reader::production() {
 }
 
 // All three, or none.
-bool Reader::blocks(Blocks& blocks) {
+bool FlowerReader::blocks(Blocks& blocks) {
   if (!on_sign('{')) return true;
   if (!block(blocks.before, blocks.before_end)) return false;
   if (!on_sign('{')) return wrong(here(), three_blocks);
@@ -85,7 +85,7 @@ bool Reader::blocks(Blocks& blocks) {
   return block(blocks.after, blocks.after_end);
 }
 
-bool Reader::block(std::size_t& begin, std::size_t& end) {
+bool FlowerReader::block(std::size_t& begin, std::size_t& end) {
   const Place opened = here();
   begin = ++at_;
   while (at_ < end_ && !tokens_[at_].is('}')) ++at_;
@@ -95,7 +95,7 @@ bool Reader::block(std::size_t& begin, std::size_t& end) {
 }
 
 // `name = expression;` as often as you like.
-bool Reader::assignments(std::size_t begin, std::size_t end) {
+bool FlowerReader::assignments(std::size_t begin, std::size_t end) {
   const std::size_t behind = at_;
   at_ = begin;
   while (at_ < end) {
@@ -119,7 +119,7 @@ bool Reader::assignments(std::size_t begin, std::size_t end) {
   return true;
 }
 
-bool Reader::condition_of(const Blocks& blocks, Production& production) {
+bool FlowerReader::condition_of(const Blocks& blocks, Production& production) {
   if (blocks.condition == blocks.condition_end) return true;
   lowering_.begin_production(formals_, production_key_);
   const std::uint32_t begin = lowering_.here();
@@ -135,7 +135,7 @@ bool Reader::condition_of(const Blocks& blocks, Production& production) {
 }
 
 // What a production works out anew wherever it is used: its draws are the same each time, and no other's.
-bool Reader::both_blocks(const Blocks& blocks, const Production& production) {
+bool FlowerReader::both_blocks(const Blocks& blocks, const Production& production) {
   lowering_.begin_production(formals_, production_key_);
   locals_.clear();
   read_here_ =
@@ -152,7 +152,7 @@ bool Reader::both_blocks(const Blocks& blocks, const Production& production) {
 }
 
 // `-> STEM[STEM(…)]_{E}[PETAL]_{C1, C2}`
-bool Reader::grow(const Blocks& blocks, Production& production) {
+bool FlowerReader::grow(const Blocks& blocks, Production& production) {
   ++at_;
   const Place place = here();
   std::uint32_t root = 0;
@@ -170,17 +170,17 @@ bool Reader::grow(const Blocks& blocks, Production& production) {
     production.becomes = root;
     renamed_.push_back({place.line, production.predecessor, root});
   }
-  if (at_ == end_ && production.becomes == nobody)
+  if (at_ == end_ && production.becomes == invalid)
     return wrong(here(), "Nothing happens here; a volume grows in brackets, as in STEM -> STEM[STEM]_{E}.");
   while (on_sign('['))
     if (!growth(blocks, production)) return false;
   return true;
 }
 
-bool Reader::growth(const Blocks& blocks, Production& production) {
+bool FlowerReader::growth(const Blocks& blocks, Production& production) {
   const Place opened = here();
   ++at_;
-  Growth growth;
+  GrowAction growth;
   growth.number = program_.growths++;
   growth.module = on_sign('&');
   if (growth.module) ++at_;
@@ -189,7 +189,7 @@ bool Reader::growth(const Blocks& blocks, Production& production) {
   if (is_unclosed(growth.module)) return false;
   if (growth.module) {
     growth.target = find_grammar(found());
-    if (growth.target == nobody)
+    if (growth.target == invalid)
       return fail(Reason::undefined, here(), "There is no module %; write one behind all else, under #module %.",
                   {found(), found()});
     ++at_;
@@ -225,12 +225,12 @@ bool Reader::growth(const Blocks& blocks, Production& production) {
 }
 
 // `A[A_{E}`: what stands behind the bracket was read as the name's end.
-bool Reader::is_unclosed(bool module) {
+bool FlowerReader::is_unclosed(bool module) {
   const std::string_view both = found();
   const std::size_t low = both.rfind('_');
   if (low == std::string_view::npos || low == 0) return false;
   const auto is_known = [&](std::string_view name) {
-    return (module ? find_grammar(name) : find_label(name)) != nobody;
+    return (module ? find_grammar(name) : find_label(name)) != invalid;
   };
   Face face;
   const std::string_view behind = both.substr(low + 1);
@@ -244,7 +244,7 @@ bool Reader::is_unclosed(bool module) {
 }
 
 // `{len = 60; open = age}` behind a module that is called
-bool Reader::settings(Growth& growth) {
+bool FlowerReader::settings(GrowAction& growth) {
   std::size_t begin = 0, end = 0;
   if (!block(begin, end)) return false;
   const std::size_t behind = at_;
@@ -254,7 +254,7 @@ bool Reader::settings(Growth& growth) {
       return wrong(here(), "A module's variables are given their values here, as in &PETAL{len = 60}.");
     Setting setting;
     setting.variable = find_variable(found(), growth.target);
-    if (setting.variable == nobody || program_.variables[setting.variable].grammar != growth.target)
+    if (setting.variable == invalid || program_.variables[setting.variable].grammar != growth.target)
       return fail(Reason::undefined, here(), "The module % has no variable %; add #define %=… to it.",
                   {program_.grammars[growth.target].name, found(), found()});
     for (const Setting& other : growth.settings)
@@ -281,7 +281,7 @@ bool Reader::settings(Growth& growth) {
 }
 
 // Blocks stand once in the text and are worked out for every face: what they come to has its limit.
-bool Reader::too_much(const Place& place) {
+bool FlowerReader::too_much(const Place& place) {
   read_again_ += read_here_;
   if (lowering_.here() <= most_code && read_again_ <= most_code) return false;
   fail(Reason::limit, place, "The blocks of this text are worked out in too many places; make them shorter.");
@@ -289,7 +289,7 @@ bool Reader::too_much(const Place& place) {
 }
 
 // `{E}`, `{C1, C4}`, or the same without braces.
-bool Reader::faces(Growth& growth) {
+bool FlowerReader::faces(GrowAction& growth) {
   const Place opened = here();
   const bool braces = on_sign('{');
   if (braces) ++at_;
@@ -303,7 +303,7 @@ bool Reader::faces(Growth& growth) {
   return true;
 }
 
-bool Reader::face(FaceOf& face) {
+bool FlowerReader::face(FaceOf& face) {
   static constexpr const char* advice =
       "A face is O, E, C1, C2 and so on, or C(…) with a number that is worked out; '%' is none.";
   face.place = here();
@@ -325,7 +325,7 @@ bool Reader::face(FaceOf& face) {
 }
 
 // `VOL : VOL_C1 < VOL_C3 -> VOL_C1 | VOL_C3`
-bool Reader::glue(Production& production) {
+bool FlowerReader::glue(Production& production) {
   production.kind = Production::Kind::glue;
   ++at_;
   std::array<std::uint32_t, 4> labels{};
@@ -354,7 +354,7 @@ bool Reader::glue(Production& production) {
 }
 
 // `VOLA -E-> VOLB VOLC`
-bool Reader::split(const Blocks& blocks, Production& production) {
+bool FlowerReader::split(const Blocks& blocks, Production& production) {
   production.kind = Production::Kind::split;
   ++at_;
   FaceOf where;
@@ -375,7 +375,7 @@ bool Reader::split(const Blocks& blocks, Production& production) {
 }
 
 // `PETAL_C3`
-bool Reader::label_with_face(std::uint32_t& label, Face& face) {
+bool FlowerReader::label_with_face(std::uint32_t& label, Face& face) {
   static constexpr const char* advice = "A volume and its face are expected here, as in PETAL_C3, not '%'.";
   if (!on_name()) return wrong(here(), advice, {found()});
   const std::string_view both = found();
@@ -383,17 +383,17 @@ bool Reader::label_with_face(std::uint32_t& label, Face& face) {
   if (low == std::string_view::npos || low == 0 || low + 1 == both.size()) return wrong(here(), advice, {both});
   const std::string_view name = both.substr(0, low), of = both.substr(low + 1);
   label = find_label(name);
-  if (label == nobody)
+  if (label == invalid)
     return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.",
                 {name, name, numbers_of_volume});
   if (!face_named(of, face)) return wrong(here(), advice, {both});
   return ++at_, true;
 }
 
-bool Reader::label_named(std::uint32_t& label) {
+bool FlowerReader::label_named(std::uint32_t& label) {
   if (!on_name()) return wrong(here(), "A volume's name is expected here, not '%'.", {found()});
   label = find_label(found());
-  if (label == nobody)
+  if (label == invalid)
     return fail(Reason::undefined, here(), "Nothing says what '%' is; add #define %%.",
                 {found(), found(), numbers_of_volume});
   ++at_;
@@ -401,7 +401,7 @@ bool Reader::label_named(std::uint32_t& label) {
 }
 
 // Productions of volumes that nothing can make of what is begun with.
-void Reader::tell_unreached() {
+void FlowerReader::note_unreached() {
   std::vector<bool> reached(program_.labels.size());
   std::vector<std::uint32_t> waiting;
   const auto reach = [&](std::uint32_t label) {
@@ -414,8 +414,8 @@ void Reader::tell_unreached() {
     waiting.pop_back();
     for (std::uint32_t i = label.productions.begin; i < label.productions.end; ++i) {
       const Production& production = program_.productions[i];
-      if (production.becomes != nobody) reach(production.becomes);
-      for (const Growth& growth : production.growths)
+      if (production.becomes != invalid) reach(production.becomes);
+      for (const GrowAction& growth : production.growths)
         reach(growth.module ? program_.grammars[growth.target].axiom : growth.target);
       if (production.kind != Production::Kind::split) continue;
       reach(production.rest);

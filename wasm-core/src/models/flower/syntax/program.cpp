@@ -72,15 +72,15 @@ Tokens without_lua(const Tokens& tokens) {
 }
 
 // The thesis's draw, in functions that there are: math.random() as ran(1), math.random(a, b) as a + ran(b − a).
-class Draws {
+class RandomCallRewriter {
  public:
-  explicit Draws(const Tokens& tokens) : tokens_(tokens) {}
+  explicit RandomCallRewriter(const Tokens& tokens) : tokens_(tokens) {}
 
-  Result<Tokens> spelled_out() {
+  Result<Tokens> rewritten() {
     while (at_ < tokens_.size()) {
       if (!tokens_[at_].is(random_number)) {
         out_.push_back(tokens_[at_++]);
-      } else if (!spell_out()) {
+      } else if (!rewrite_call()) {
         return trouble_;
       }
     }
@@ -95,7 +95,7 @@ class Draws {
     return false;
   }
 
-  bool spell_out() {
+  bool rewrite_call() {
     const expression::Place place = tokens_[at_].place;
     const bool first = tokens_[at_].first_on_line;
     const auto put = [&](TokenKind kind, std::string_view text, float number = 0) {
@@ -150,7 +150,7 @@ class Draws {
 
 // What follows from variables, told apart by whose they are: with those of the text alone it stands first, then what
 // each module's own are in. A module's step into another instance so takes no more work the more modules there are.
-void part_once_bound(Program& program, expression::Range all) {
+void sort_once_bound(Program& program, expression::Range all) {
   std::vector<std::uint32_t> owner(program.code.registers.size(), 0);
   for (const Variable& variable : program.variables) owner[variable.to] = variable.grammar;
   std::vector<std::vector<std::uint32_t>> own(program.grammars.size());
@@ -195,7 +195,7 @@ std::uint64_t Program::bytes() const {
   for (const std::string& note : notes) bytes += bytes_of(note);
   for (const Production& production : productions) {
     bytes += bytes_of(production.growths);
-    for (const Growth& growth : production.growths) bytes += bytes_of(growth.faces) + bytes_of(growth.settings);
+    for (const GrowAction& growth : production.growths) bytes += bytes_of(growth.faces) + bytes_of(growth.settings);
   }
   return bytes;
 }
@@ -204,21 +204,21 @@ Result<Program> read_program(std::string_view text, const Limits& limits) {
   if (text.size() > limits.text_bytes)
     return error_at(Reason::limit, {}, "The text is longer than % bytes, which is the limit; make it shorter.",
                     {std::to_string(limits.text_bytes)});
-  const auto kept = without_comments(text);
-  if (!kept) return kept.error();
-  const auto written = expression::tokenize(kept.value(), expression::Writing::rules);
+  const auto cleaned = without_comments(text);
+  if (!cleaned) return cleaned.error();
+  const auto written = expression::tokenize(cleaned.value(), expression::Writing::rules);
   if (!written) return written.error();
   const Tokens ours = without_lua(written.value());
-  const auto tokens = Draws(ours).spelled_out();
+  const auto tokens = RandomCallRewriter(ours).rewritten();
   if (!tokens) return tokens.error();
   if (tokens->empty())
     return error_at(Reason::syntax, {1, 1},
                     "The text is empty; begin with #define STEM(8, 0, 0, 0, 1, 1, 1, 1) and #axiom: STEM.");
   Program program;
   expression::Lowering lowering(program.code);
-  Reader reader(tokens.value(), program, lowering);
+  FlowerReader reader(tokens.value(), program, lowering);
   if (!reader.run()) return reader.trouble();
-  part_once_bound(program, lowering.finish());
+  sort_once_bound(program, lowering.finish());
   return program;
 }
 

@@ -18,7 +18,7 @@ namespace panicle::flower {
 
 using generalized_map::Face;
 
-inline constexpr std::uint32_t nobody = ~0u;
+inline constexpr std::uint32_t invalid = ~0u;
 
 // What a volume's numbers say, in the order of Table 4. The thesis's text has them without the translation.
 enum class Field : std::uint8_t {
@@ -97,7 +97,7 @@ struct Setting {
 };
 
 // `[NEW(…)]_{faces}`, or with & a module.
-struct Growth {
+struct GrowAction {
   bool module = false;
   std::uint32_t target = 0;  // a label, or a grammar
   std::vector<FaceOf> faces;
@@ -116,8 +116,8 @@ struct Production {
   Number condition;      // where given
   bool by_step = false;  // whether that asks for steps and nothing else
   // grow
-  std::uint32_t becomes = nobody;  // another label, where the successor begins with one
-  std::vector<Growth> growths;
+  std::uint32_t becomes = invalid;  // another label, where the successor begins with one
+  std::vector<GrowAction> growths;
   // glue: own face, and whose other one; split: where
   Face face = generalized_map::base_face, other_face = generalized_map::base_face;
   std::uint32_t other = 0;
@@ -169,7 +169,7 @@ float light_through(std::string_view kind);
 // The text itself, or one of its modules.
 struct Grammar {
   std::string name;
-  std::uint32_t axiom = nobody;  // a label
+  std::uint32_t axiom = invalid;  // a label
   Description axiom_arguments;
   expression::Range variables;  // in Program::variables
   // What follows from its variables, and those of the text, alone: code that runs where they have their values.
@@ -187,7 +187,7 @@ struct Program {
   std::vector<Material> materials;
   std::uint32_t growths = 0;
   bool age_rebuilds = false, values_rebuild = false;  // whether the map depends on `age`, or on volumes' own numbers
-  bool luck_rebuilds = false;                         // or on what is drawn but in variables of the text
+  bool draws_rebuild = false;                         // or on what is drawn but in variables of the text
   // The text less all that only places the map: materials, and the figures of numbers that no order, face, condition or
   // number of steps depends on.
   std::string structure_key;

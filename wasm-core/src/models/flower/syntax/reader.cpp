@@ -24,7 +24,7 @@ bool is_axiom(const Token& token) { return token.is("axiom") || token.is("axiome
 
 }  // namespace
 
-void Reader::Uses::add(const Uses& other) {
+void FlowerReader::Uses::add(const Uses& other) {
   variables |= other.variables;
   age |= other.age;
   values |= other.values;
@@ -32,13 +32,13 @@ void Reader::Uses::add(const Uses& other) {
   draws |= other.draws;
 }
 
-Reader::Reader(std::span<const Token> tokens, Program& program, expression::Lowering& lowering)
+FlowerReader::FlowerReader(std::span<const Token> tokens, Program& program, expression::Lowering& lowering)
     : TokenReader(tokens), program_(program), lowering_(lowering), figures_(tokens.size(), Figure::unread) {
   for (const std::string_view name : field_names) formals_.push_back({name, {}});
   for (const std::string_view name : word_names) formals_.push_back({name, {}});
 }
 
-bool Reader::run() {
+bool FlowerReader::run() {
   program_.grammars.push_back({});
   grammars_.add("");
   if (!part()) return false;
@@ -59,7 +59,7 @@ bool Reader::run() {
     }
   }
   for (const Grammar& grammar : program_.grammars)
-    if (grammar.axiom == nobody)
+    if (grammar.axiom == invalid)
       return wrong(grammar.name.empty() ? Place{1, 1} : grammar.place,
                    "Nothing says what %% begins with; write #axiom: and a volume's name.",
                    {grammar.name.empty() ? "the flower" : "the module ", grammar.name});
@@ -68,7 +68,7 @@ bool Reader::run() {
 }
 
 // A module's numbers are those of the volume that it begins with.
-void Reader::find_forms_of_modules() {
+void FlowerReader::find_forms_of_modules() {
   forms_of_modules_.assign(program_.grammars.size(), Form::plain);
   for (const Statement& each : statements_) {
     if (!tokens_[each.begin].is('#') || each.begin + 3 >= each.end || !is_axiom(tokens_[each.begin + 1])) continue;
@@ -77,7 +77,7 @@ void Reader::find_forms_of_modules() {
   }
 }
 
-bool Reader::part() {
+bool FlowerReader::part() {
   end_ = tokens_.size();
   std::uint32_t grammar = 0;
   for (std::size_t at = 0; at < tokens_.size();) {
@@ -95,7 +95,7 @@ bool Reader::part() {
   return true;
 }
 
-bool Reader::begin_module(std::size_t end) {
+bool FlowerReader::begin_module(std::size_t end) {
   end_ = end;
   at_ += 2;
   if (!on_name() || at_ + 1 < end) return wrong(here(), "A module has a name: #module PETAL.");
@@ -110,7 +110,7 @@ bool Reader::begin_module(std::size_t end) {
 }
 
 // A statement goes on in the next line within brackets, and where something has to follow.
-std::size_t Reader::statement_end(std::size_t begin) const {
+std::size_t FlowerReader::statement_end(std::size_t begin) const {
   std::size_t open = 0;
   for (std::size_t at = begin; at < tokens_.size(); ++at) {
     const Token& token = tokens_[at];
@@ -127,7 +127,7 @@ std::size_t Reader::statement_end(std::size_t begin) const {
   return tokens_.size();
 }
 
-bool Reader::declare(const Statement& statement) {
+bool FlowerReader::declare(const Statement& statement) {
   at_ = statement.begin;
   end_ = statement.end;
   grammar_ = statement.grammar;
@@ -140,7 +140,7 @@ bool Reader::declare(const Statement& statement) {
   return next_is(at_, '=') ? declare_variable(statement) : declare_volume(statement);
 }
 
-bool Reader::declare_volume(const Statement& statement) {
+bool FlowerReader::declare_volume(const Statement& statement) {
   const Place place = here();
   const std::string key = key_of(found(), statement.grammar);
   if (labels_.find(key) != expression::Names::none)
@@ -164,7 +164,7 @@ bool Reader::declare_volume(const Statement& statement) {
   return true;
 }
 
-bool Reader::declare_variable(const Statement& statement) {
+bool FlowerReader::declare_variable(const Statement& statement) {
   const std::string_view name = found();
   if (name == final_step) return true;
   if (is_reserved(name)) return wrong(here(), "% has a meaning of its own here; call the variable otherwise.", {name});
@@ -187,7 +187,7 @@ bool Reader::declare_variable(const Statement& statement) {
   return true;
 }
 
-bool Reader::statement(const Statement&) {
+bool FlowerReader::statement(const Statement&) {
   if (!on_sign('#')) return production();
   ++at_;
   if (is_axiom(tokens_[at_])) return axiom();
@@ -196,9 +196,9 @@ bool Reader::statement(const Statement&) {
   return definition();
 }
 
-bool Reader::definition() { return next_is(at_, '=') ? variable() : volume(); }
+bool FlowerReader::definition() { return next_is(at_, '=') ? variable() : volume(); }
 
-bool Reader::volume() {
+bool FlowerReader::volume() {
   const std::uint32_t at = find_label(found());
   Label& label = program_.labels[at];
   const Place place = here();
@@ -215,7 +215,7 @@ bool Reader::volume() {
   return description(forms_[at], Scope::description, label.description);
 }
 
-bool Reader::variable() {
+bool FlowerReader::variable() {
   const std::string_view name = found();
   const Place place = here();
   at_ += 2;
@@ -237,9 +237,9 @@ bool Reader::variable() {
 }
 
 // `#axiom: STEM`, or `#axiom: STEM(12, …)`
-bool Reader::axiom() {
+bool FlowerReader::axiom() {
   Grammar& grammar = program_.grammars[grammar_];
-  if (grammar.axiom != nobody) return wrong(here(), "What it begins with has been said already; take one out.");
+  if (grammar.axiom != invalid) return wrong(here(), "What it begins with has been said already; take one out.");
   ++at_;
   if (!expect(':', "A colon is expected here, as in #axiom: STEM.")) return false;
   if (!label_named(grammar.axiom)) return false;
@@ -248,7 +248,7 @@ bool Reader::axiom() {
 }
 
 // To the comma or the ) that ends what stands here.
-bool Reader::entry_end(std::size_t& end) const {
+bool FlowerReader::entry_end(std::size_t& end) const {
   std::size_t open = 0;
   for (end = at_; end < end_; ++end) {
     const Token& token = tokens_[end];
@@ -259,7 +259,7 @@ bool Reader::entry_end(std::size_t& end) const {
   return false;
 }
 
-bool Reader::description(Form form, Scope scope, Description& description) {
+bool FlowerReader::description(Form form, Scope scope, Description& description) {
   const std::uint32_t begin = lowering_.here();
   description.code = {begin, begin};
   if (!opens(at_)) return true;
@@ -312,7 +312,7 @@ bool Reader::description(Form form, Scope scope, Description& description) {
   return true;
 }
 
-bool Reader::number(std::size_t end, Scope scope, bool of_map, Number& number, Uses* used) {
+bool FlowerReader::number(std::size_t end, Scope scope, bool of_map, Number& number, Uses* used) {
   for (std::size_t at = at_; at < end; ++at)
     if (figures_[at] == Figure::unread) figures_[at] = Figure::free;
   if (of_map) pin(at_, end);
@@ -338,7 +338,7 @@ bool Reader::number(std::size_t end, Scope scope, bool of_map, Number& number, U
 }
 
 // Of an expression up to `end`, that what is called is one of the functions that there are here.
-bool Reader::knows_functions(std::size_t end) {
+bool FlowerReader::knows_functions(std::size_t end) {
   for (std::size_t at = at_; at + 1 < end; ++at) {
     const std::string_view name = tokens_[at].text;
     if (tokens_[at].kind != TokenKind::name || !tokens_[at + 1].is('(')) continue;
@@ -355,7 +355,7 @@ bool Reader::knows_functions(std::size_t end) {
 }
 
 // Names → the variables of this grammar, or of the text.
-bool Reader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& draws) {
+bool FlowerReader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& draws) {
   for (Node& node : tree.nodes) {
     if (node.kind == Node::Kind::element)
       return wrong(node.place, "There are no lists in a flower's grammar; numbers stand in round brackets.");
@@ -375,7 +375,7 @@ bool Reader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& draws) {
     // A variable of the text hides a number of the volume that is called the same.
     std::uint32_t variable = find_variable(node.name, grammar_);
     if (scope == Scope::variable && variable >= known_variables_) variable = find_variable(node.name, 0);
-    if (variable == nobody || (scope == Scope::variable && variable >= known_variables_)) {
+    if (variable == invalid || (scope == Scope::variable && variable >= known_variables_)) {
       std::size_t formal = 0;
       while (formal < formals_.size() && formals_[formal].name != node.name) ++formal;
       if (formal == formals_.size()) return unknown(node, scope);
@@ -394,7 +394,7 @@ bool Reader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& draws) {
   return true;
 }
 
-bool Reader::unknown(const Node& node, Scope scope) {
+bool FlowerReader::unknown(const Node& node, Scope scope) {
   if (scope == Scope::variable)
     return fail(Reason::undefined, node.place, "Nothing above this line gives % a value; add #define %=… before it.",
                 {node.name, node.name});
@@ -405,11 +405,11 @@ bool Reader::unknown(const Node& node, Scope scope) {
               {node.name, node.name});
 }
 
-void Reader::rebuilds(const Uses& uses) {
+void FlowerReader::rebuilds(const Uses& uses) {
   rebuilding_ |= uses.variables;
   program_.age_rebuilds |= uses.age;
   program_.values_rebuild |= uses.values;
-  program_.luck_rebuilds |= uses.draws;
+  program_.draws_rebuild |= uses.draws;
   if (uses.locals) {
     Uses of_blocks = of_blocks_;
     of_blocks.locals = false;
@@ -418,13 +418,13 @@ void Reader::rebuilds(const Uses& uses) {
   }
 }
 
-void Reader::pin(std::size_t begin, std::size_t end) {
+void FlowerReader::pin(std::size_t begin, std::size_t end) {
   std::fill(figures_.begin() + static_cast<std::ptrdiff_t>(begin), figures_.begin() + static_cast<std::ptrdiff_t>(end),
             Figure::pinned);
 }
 
 // Lines are in it, since notes name them.
-void Reader::write_bones() {
+void FlowerReader::append_structure_key() {
   for (std::size_t i = 0; i < definitions_.size(); ++i)
     if (program_.variables[i].rebuilds) pin(definitions_[i].begin, definitions_[i].end);
   for (const auto& [variable, statement] : calls_)
@@ -452,31 +452,31 @@ void Reader::write_bones() {
   for (const Grammar& each : program_.grammars) add(each.final_step.value);
   for (const Variable& variable : program_.variables) add(variable.number.value);
   for (const Production& production : program_.productions)
-    for (const Growth& growth : production.growths)
+    for (const GrowAction& growth : production.growths)
       for (const Setting& setting : growth.settings) add(setting.value);
 }
 
-std::string Reader::key_of(std::string_view name, std::uint32_t grammar) const {
+std::string FlowerReader::key_of(std::string_view name, std::uint32_t grammar) const {
   return (program_.grammars[grammar].name + ':').append(name);
 }
 
-std::uint32_t Reader::find_label(std::string_view name) const {
+std::uint32_t FlowerReader::find_label(std::string_view name) const {
   const std::uint32_t found = labels_.find(key_of(name, grammar_));
-  return found == expression::Names::none ? nobody : found;
+  return found == expression::Names::none ? invalid : found;
 }
 
-std::uint32_t Reader::find_variable(std::string_view name, std::uint32_t grammar) const {
+std::uint32_t FlowerReader::find_variable(std::string_view name, std::uint32_t grammar) const {
   std::uint32_t found = variables_.find(key_of(name, grammar));
   if (found == expression::Names::none) found = variables_.find(key_of(name, 0));
-  return found == expression::Names::none ? nobody : found;
+  return found == expression::Names::none ? invalid : found;
 }
 
-std::uint32_t Reader::find_grammar(std::string_view name) const {
+std::uint32_t FlowerReader::find_grammar(std::string_view name) const {
   const std::uint32_t found = grammars_.find(name);
-  return found == expression::Names::none || found == 0 ? nobody : found;
+  return found == expression::Names::none || found == 0 ? invalid : found;
 }
 
-void Reader::finish() {
+void FlowerReader::finish() {
   // A variable that is made of others, or given by a call: whoever depends on it depends on those. Calls may stand in
   // any order, and so it is gone through again until nothing is new.
   std::bitset<most_variables> gone_into;
@@ -491,7 +491,7 @@ void Reader::finish() {
     }
   }
   for (std::size_t i = 0; i < program_.variables.size(); ++i) program_.variables[i].rebuilds = rebuilding_[i];
-  write_bones();
+  append_structure_key();
   std::stable_sort(program_.productions.begin(), program_.productions.end(),
                    [](const Production& a, const Production& b) { return a.predecessor < b.predecessor; });
   for (std::uint32_t i = 0; i < program_.productions.size(); ++i) {
@@ -499,7 +499,7 @@ void Reader::finish() {
     if (of.end == 0) of.begin = i;
     of.end = i + 1;
   }
-  tell_unreached();
+  note_unreached();
   for (const Renamed& each : renamed_) {
     const Label& to = program_.labels[each.to];
     if (to.productions.size() == 0) continue;

@@ -19,9 +19,9 @@ enum class Form : std::uint8_t { plain, translated };
 inline constexpr std::size_t most_variables = 1000;
 inline constexpr const char* numbers_of_volume = "(N, atx, aty, atz, H, L, W, m)";
 
-class Reader : expression::TokenReader {
+class FlowerReader : expression::TokenReader {
  public:
-  Reader(std::span<const expression::Token> tokens, Program& program, expression::Lowering& lowering);
+  FlowerReader(std::span<const expression::Token> tokens, Program& program, expression::Lowering& lowering);
 
   // False: `trouble()`.
   bool run();
@@ -61,7 +61,7 @@ class Reader : expression::TokenReader {
   bool variable();
   bool axiom();
   bool material();
-  bool said_of(Material& material);
+  bool material_settings(Material& material);
   bool colour(std::uint32_t& colour);
   bool colours(Colours& colours);
   bool veins_of(Material& material);
@@ -76,9 +76,9 @@ class Reader : expression::TokenReader {
   bool grow(const Blocks& blocks, Production& production);
   bool growth(const Blocks& blocks, Production& production);
   bool is_unclosed(bool module);
-  bool settings(Growth& growth);
+  bool settings(GrowAction& growth);
   bool too_much(const expression::Place& place);
-  bool faces(Growth& growth);
+  bool faces(GrowAction& growth);
   bool face(FaceOf& face);
   bool glue(Production& production);
   bool split(const Blocks& blocks, Production& production);
@@ -96,14 +96,14 @@ class Reader : expression::TokenReader {
   void rebuilds(const Uses& uses);
   // Whether figures are part of what the map depends on.
   void pin(std::size_t begin, std::size_t end);
-  void write_bones();
+  void append_structure_key();
   bool opens(std::size_t at) const { return at < end_ && tokens_[at].is('('); }
   std::uint32_t find_label(std::string_view name) const;
   std::uint32_t find_variable(std::string_view name, std::uint32_t grammar) const;
   std::uint32_t find_grammar(std::string_view name) const;
   std::string key_of(std::string_view name, std::uint32_t grammar) const;
   std::uint64_t next_key() { return ++keys_; }
-  void tell_unreached();
+  void note_unreached();
   void finish();
 
   Program& program_;

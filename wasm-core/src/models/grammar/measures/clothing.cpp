@@ -46,12 +46,12 @@ float Clothing::share_of(const Surface& surface) const {
   double whole = 0, done = 0;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) whole += area(i);
   if (!(whole > 0)) return 0;
-  std::size_t asked = 0, clothed = 0;
+  std::size_t sampled = 0, clothed = 0;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
     done += area(i);
     // Of each triangle as many as its share, folded into it.
-    for (const double until = std::floor(places * done / whole + 0.5); static_cast<double>(asked) < until; ++asked) {
-      double u = share(0.5 + across * static_cast<double>(asked)), v = share(0.5 + along * static_cast<double>(asked));
+    for (const double until = std::floor(places * done / whole + 0.5); static_cast<double>(sampled) < until; ++sampled) {
+      double u = share(0.5 + across * static_cast<double>(sampled)), v = share(0.5 + along * static_cast<double>(sampled));
       if (u + v > 1) {
         u = 1 - u;
         v = 1 - v;
@@ -62,7 +62,7 @@ float Clothing::share_of(const Surface& surface) const {
                      : 0;
     }
   }
-  return asked > 0 ? static_cast<float>(clothed) / static_cast<float>(asked) : 0;
+  return sampled > 0 ? static_cast<float>(clothed) / static_cast<float>(sampled) : 0;
 }
 
 }  // namespace panicle::grammar

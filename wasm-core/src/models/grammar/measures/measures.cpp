@@ -74,7 +74,7 @@ double area_of_surface(std::uint32_t which) {
 
 // Square metres.
 double leaf_area(const Plant& plant, const Polygons& polygons, double metres, WorkBudget* budget) {
-  double filled = 0, borne = 0;
+  double filled = 0, surface_area = 0;
   std::array<double, surfaces.size()> squares{};
   for (const Polygon& polygon : polygons.all) {
     const auto corners = std::span(polygons.corners).subspan(polygon.first, polygon.count);
@@ -86,8 +86,8 @@ double leaf_area(const Plant& plant, const Polygons& polygons, double metres, Wo
     if (is_leaf(organ.tag))
       squares[organ.tag - first_surface_tag] += static_cast<double>(organ.scale) * static_cast<double>(organ.scale);
   for (std::uint32_t which = 0; which < surfaces.size(); ++which)
-    if (squares[which] > 0) borne += squares[which] * area_of_surface(which);
-  return filled * metres * metres + borne;
+    if (squares[which] > 0) surface_area += squares[which] * area_of_surface(which);
+  return filled * metres * metres + surface_area;
 }
 
 void measure_areas(Plant& plant, const Areas& areas, Values& values) {
@@ -112,20 +112,20 @@ void measure_areas(Plant& plant, const Areas& areas, Values& values) {
 
 }  // namespace
 
-void measure(Plant& plant, const Measured& measured) {
+void measure(Plant& plant, const MeasureInput& input) {
   Values values;
-  const Sketch& sketch = measured.sketch;
-  const glm::dvec3 size = box_of(plant, sketch, measured.metres).size();
+  const Sketch& sketch = input.sketch;
+  const glm::dvec3 size = box_of(plant, sketch, input.metres).size();
   values.set(Measure::height, 100 * size.y);
   values.set(Measure::spread, 50 * (size.x + size.z));
   values.set(Measure::box_volume, 1000 * size.x * size.y * size.z);
   const Branching branching = branching_of(plant.segments);
-  values.set(Measure::modules, static_cast<double>(lsystem::length(measured.string)));
+  values.set(Measure::modules, static_cast<double>(lsystem::length(input.string)));
   values.set(Measure::segments, static_cast<double>(plant.segments.size()));
   values.set(Measure::line_length, branching.length);
   values.set(Measure::line_volume, 1e6 * branching.volume);
   if (!plant.segments.empty()) {
-    const Axes axes = axes_of(measured.string, sketch.lines);
+    const Axes axes = axes_of(input.string, sketch.lines);
     values.set(Measure::tips, branching.tips);
     values.set(Measure::forks, branching.forks);
     values.set(Measure::axes, axes.count);
@@ -136,8 +136,8 @@ void measure(Plant& plant, const Measured& measured) {
   }
   values.set(Measure::organs, static_cast<double>(plant.organs.size()));
   values.set(Measure::polygons, static_cast<double>(sketch.polygons.all.size()));
-  values.set(Measure::leaf_area, 1e4 * leaf_area(plant, sketch.polygons, measured.metres, measured.budget));
-  measure_areas(plant, measured.areas, values);
+  values.set(Measure::leaf_area, 1e4 * leaf_area(plant, sketch.polygons, input.metres, input.budget));
+  measure_areas(plant, input.areas, values);
   plant.measures = std::move(values.all);
 }
 

@@ -8,7 +8,7 @@
 
 namespace panicle::grammar {
 
-struct Measured {
+struct MeasureInput {
   const Sketch& sketch;
   const lsystem::String& string;
   const Areas& areas;
@@ -18,6 +18,6 @@ struct Measured {
 
 // Puts them into a plant that has been dressed; and where there are growth areas, of each the columns `areas.volume`
 // (float32, m³) and `areas.clothed` (float32, share).
-void measure(Plant& plant, const Measured& measured);
+void measure(Plant& plant, const MeasureInput& input);
 
 }  // namespace panicle::grammar
