@@ -1,6 +1,6 @@
 /**
- * Growing off the page's thread, for one document. Latest wins: besides what runs at most one request waits, so a drag
- * never queues up. Several documents have a client each over one pool.
+ * Grows plants off the page's thread, for one document. The latest request wins: at most one request waits besides the
+ * running one, so a drag never queues up. Several documents have a client each over one pool.
  */
 import type { Answer } from "./core";
 import { Superseded } from "./errors";
@@ -9,38 +9,38 @@ import { type Order, Pool } from "./pool";
 import { spawnWorker } from "./spawn";
 
 export interface ClientOptions {
-	/** Where workers come from; without it the client has a pool of one seat to itself. */
+	/** The source of workers; without it the client has a pool with one worker of its own. */
 	pool?: Pool;
-	/** Starts a worker that runs core/worker.ts; for a pool of its own. */
+	/** Starts a worker that runs core/worker.ts; for a pool of the client's own. */
 	workerFactory?: () => Worker;
-	/** Compiles a module; the default fetches it. For a pool of its own. */
+	/** Compiles a module; the default fetches it. For a pool of the client's own. */
 	compile?: (wasm: string) => Promise<WebAssembly.Module>;
 	/**
-	 * Growths of this document side by side at the most; 1 where absent. With two, a step of a drag that comes while the
-	 * step before still grows begins at once; their answers may come in another order.
+	 * The most growths of this document at once; 1 where absent. With two, a step of a drag begins at once while the
+	 * step before still grows; their answers may arrive in another order.
 	 */
 	abreast?: number;
-	/** How many workers of a pool of its own; `abreast` where absent. */
+	/** The number of workers in a pool of the client's own; `abreast` where absent. */
 	seats?: number;
-	/** Told what works but could be better, such as a server that names a wrong type. */
+	/** Receives warnings, such as a server that sends a wrong type. */
 	onNote?: (text: string) => void;
 }
 
 export interface GrowOptions {
-	/** Cancels: a growth that runs is ended with its worker. The promise rejects with the signal's reason. */
+	/** Cancels the growth: a running one ends with its worker. The promise rejects with the signal's reason. */
 	signal?: AbortSignal;
 }
 
 interface Waiting {
 	begin(): void;
 	reject(reason: unknown): void;
-	/** Stops listening for cancelling: it waits no longer. */
+	/** Removes the listener for cancelling. */
 	ignoreSignal(): void;
 }
 
 export class Client {
 	readonly #pool: Pool;
-	/** Ends what is under way when the client is closed; a pool that others share goes on. */
+	/** Ends running growths when the client is closed; a shared pool stays open. */
 	readonly #closing = new AbortController();
 	readonly #ownsPool: boolean;
 	readonly #abreast: number;
@@ -66,14 +66,14 @@ export class Client {
 			});
 	}
 
-	/** Starts fetching a module and the first worker now, so that both are warm when the first plant is asked for. */
+	/** Starts fetching a module and the first worker, so that both are ready for the first plant. */
 	warm(wasm: string): void {
 		this.#pool.warm(wasm);
 	}
 
 	/**
-	 * Grows what is ordered. The promise rejects with Superseded when a newer call took its place before it had begun:
-	 * ignore it, the newer answer follows; else as Pool.run.
+	 * Grows a request. The promise rejects with Superseded when a newer call replaced this one before it began: ignore
+	 * that, the newer answer follows. Otherwise it rejects as Pool.run does.
 	 */
 	grow(order: Order, { signal }: GrowOptions = {}): Promise<Answer> {
 		return new Promise((resolve, reject) => {
@@ -93,36 +93,34 @@ export class Client {
 		});
 	}
 
-	/**
-	 * Grows one of many that make up a document: each is waited for, and none takes another's place. Rejects as Pool.run does.
-	 */
+	/** Grows one of many plants of a document: none replaces another. Rejects as Pool.run does. */
 	among(order: Order, { signal }: GrowOptions = {}): Promise<Answer> {
 		return this.#pool.run(order, { signal: this.#ending(signal) });
 	}
 
-	/** What is under way rejects with Superseded. Ends the workers of a pool of its own. */
+	/** Closes the client. Running growths reject with Superseded; the workers of its own pool end. */
 	close(): void {
 		this.#takeWaiting()?.reject(new Superseded());
 		if (this.#ownsPool) this.#pool.close();
 		else this.#closing.abort(new Superseded());
 	}
 
-	/** A growth ends with its caller's wish or with the client. */
+	/** A signal that aborts with the caller's signal or when the client closes. */
 	#ending(signal: AbortSignal | undefined): AbortSignal {
 		return signal ? AbortSignal.any([signal, this.#closing.signal]) : this.#closing.signal;
 	}
 
-	/** Takes the place of the request that waits. */
+	/** Replaces the waiting request. */
 	#wait(begin: () => void, reject: (reason: unknown) => void, signal: AbortSignal | undefined): void {
 		this.#takeWaiting()?.reject(new Superseded());
 		const abort = () => this.#takeWaiting()?.reject(signal?.reason);
-		// A drag has one signal for all its requests: each that waits no longer takes its listener along.
+		// A drag has one signal for all its requests: remove the listener of each request that no longer waits.
 		const ignoreSignal = () => signal?.removeEventListener("abort", abort);
 		this.#waiting = { begin, reject, ignoreSignal };
 		signal?.addEventListener("abort", abort);
 	}
 
-	/** The request that waits, which waits no longer. */
+	/** Removes and returns the waiting request. */
 	#takeWaiting(): Waiting | undefined {
 		const waiting = this.#waiting;
 		this.#waiting = undefined;

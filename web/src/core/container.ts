@@ -1,19 +1,19 @@
 /**
- * The one thing that crosses the border, both ways: a directory of named arrays and their data in a single block of
- * bytes (layout: wasm-core/src/foundation/container.hpp). A request is one, and so is what comes back.
+ * The container: the only data that crosses between page and core, both ways. A directory of named arrays and their
+ * data in a single block of bytes (layout: wasm-core/src/foundation/container.hpp), used for requests and answers.
  */
 
-/** What an array is made of, by the numbers of the layout. */
+/** Types of an array's elements, by their numbers in the layout. */
 export const ELEMENTS = ["text", "uint8", "int32", "uint32", "float32"] as const;
 export type Element = (typeof ELEMENTS)[number];
 
 export type ColumnData = Uint8Array | Int32Array | Uint32Array | Float32Array;
 
-/** A named array on its way to the core: numbers, or a text. */
+/** A named array to send to the core: numbers, or a text. */
 export interface Block {
 	readonly name: string;
 	readonly data: ColumnData | string;
-	/** How many elements make one row; 1 where absent. */
+	/** Elements per row; 1 where absent. */
 	readonly width?: number;
 }
 
@@ -25,7 +25,7 @@ const ENTRY_WORDS = 6;
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-/** Lays blocks out as bytes. Names are unique. */
+/** Encodes blocks as a container. Names are unique. */
 export function writeContainer(blocks: readonly Block[]): Uint8Array<ArrayBuffer> {
 	const entries = blocks.map(({ name, data, width = 1 }) => ({
 		name: encoder.encode(name),
@@ -54,9 +54,9 @@ export function writeContainer(blocks: readonly Block[]): Uint8Array<ArrayBuffer
 }
 
 /**
- * A container out of a memory, as bytes of our own. Its arrays may lie anywhere in that memory: where the directory says,
- * counted from `at` and modulo 2^32.
- * @throws RangeError where something lies outside of the memory
+ * Copies a container out of a WebAssembly memory. The directory may place arrays anywhere in that memory, counted from
+ * `at` modulo 2^32.
+ * @throws RangeError where an array lies outside of the memory
  */
 export function copyContainer(memory: ArrayBuffer, at: number): Uint8Array<ArrayBuffer> {
 	const [, , count, length] = new Uint32Array(memory, at, HEADER_WORDS);
@@ -87,12 +87,12 @@ interface Column {
 	readonly data: ColumnData;
 }
 
-/** What is in a container, by name. Arrays are views of its bytes: whoever has the container has them. */
+/** The arrays of a container, by name. They are views of the container's bytes and belong to its owner. */
 export class Columns {
 	readonly #columns = new Map<string, Column>();
 
 	/**
-	 * @param bytes as `writeContainer` or the core lays them out; the view must begin at a multiple of four
+	 * @param bytes written by `writeContainer` or the core; the view must begin at a multiple of four
 	 * @throws RangeError where the bytes are no container
 	 */
 	constructor(readonly bytes: Uint8Array<ArrayBuffer>) {
@@ -115,7 +115,7 @@ export class Columns {
 		return [...this.#columns.keys()];
 	}
 
-	/** Elements to a row of a column. */
+	/** Elements per row of a column. */
 	width(name: string): number {
 		return this.#column(name).width;
 	}
@@ -124,7 +124,7 @@ export class Columns {
 		return decoder.decode(this.#of(name, "text"));
 	}
 
-	/** The lines of a text; none where there is no such text. */
+	/** Non-empty lines of a text; none where there is no such text. */
 	lines(name: string): string[] {
 		return this.has(name) ? this.text(name).split("\n").filter(Boolean) : [];
 	}
@@ -145,7 +145,7 @@ export class Columns {
 		return this.#of(name, "uint8") as Uint8Array<ArrayBuffer>;
 	}
 
-	/** A column whatever it is made of. */
+	/** A column of any element type. */
 	any(name: string): ColumnData {
 		return this.#column(name).data;
 	}
@@ -187,7 +187,7 @@ function view(
 	return new Uint8Array(buffer, from, length);
 }
 
-/** Everything begins at a word. */
+/** Rounds up to a multiple of four: every array begins at a 32-bit word. */
 function padded(bytes: number): number {
 	return (bytes + 3) & ~3;
 }

@@ -1,29 +1,29 @@
-/** One instance of the core: the only code that touches its memory. */
+/** One instance of the core: the only code that accesses its memory. */
 import { type Block, Columns, copyContainer, writeContainer } from "./container";
 import { CORE_REASONS, CoreError, CoreTrap, UnsupportedError } from "./errors";
 import { ABI, areCoreExports, type CoreExports } from "./exports";
 
-/** Bytes of the largest request: parameters, lists and the longest grammar stay far below. */
+/** The largest request in bytes: parameters, lists and the longest grammar stay far below. */
 const MOST_REQUEST_BYTES = 1024 * 1024;
-/** Compiled grammars that are kept: those of the procedures, and of a text before and after an edit. */
+/** The number of cached compiled grammars: those of the presets' procedures, and of a text before and after an edit. */
 const MOST_PROGRAMS = 8;
 const encoder = new TextEncoder();
 const WASI_NOT_SUPPORTED = 52; // ENOSYS
 
-/** What a request grew into. */
+/** The result of a request. */
 export interface Answer {
-	/** What has grown, by name; the caller's own. */
+	/** The columns by name; they belong to the caller. */
 	columns: Columns;
-	/** How long growing took. */
+	/** The time of growing. */
 	milliseconds: number;
 }
 
-/** The share of a time limit that has passed, 1 or more when the time is over. */
+/** Returns the elapsed share of a time limit, 1 or more once the time is over. */
 export type TimePassed = () => number;
 
 export class Core {
 	readonly #exports: CoreExports;
-	/** Handles of compiled grammars by their texts, those used last at the end. */
+	/** Handles of compiled grammars by text, the last used at the end. */
 	readonly #programs = new Map<string, number>();
 	#trapped = false;
 
@@ -32,9 +32,9 @@ export class Core {
 	}
 
 	/**
-	 * Brings a compiled core to life.
-	 * @param timePassed the share of the time limit that has passed: a plant ends as far as it has grown when it is 1.
-	 * Called about once a millisecond while a plant grows. The default is no limit
+	 * Instantiates a compiled core.
+	 * @param timePassed the elapsed share of the time limit: at 1 the plant stops growing. Called about once a
+	 * millisecond while a plant grows. The default is no limit
 	 * @throws UnsupportedError where the module is no core, or one of another version
 	 */
 	static async instantiate(module: WebAssembly.Module, timePassed: TimePassed = () => 0): Promise<Core> {
@@ -51,17 +51,17 @@ export class Core {
 		return new Core(exports);
 	}
 
-	/** Bytes of memory that the instance holds. */
+	/** Bytes of memory of the instance. */
 	get memoryBytes(): number {
 		return this.#exports.memory.buffer.byteLength;
 	}
 
 	/**
-	 * Grows a request, as a model's `encode` writes it. What comes back is the caller's own. A grammar is compiled once
-	 * and kept for the next requests with the same text.
+	 * Grows a request that a model's `encode` has made. The answer belongs to the caller. A grammar is compiled once
+	 * and cached for later requests with the same text.
 	 *
-	 * @throws CoreError where the request cannot be grown; the instance stays good
-	 * @throws CoreTrap where the core broke; the instance must be thrown away
+	 * @throws CoreError where the request cannot be grown; the instance stays valid
+	 * @throws CoreTrap where the core crashed; discard the instance
 	 */
 	grow(blocks: readonly Block[]): Answer {
 		return this.#guarded(() => {
@@ -70,7 +70,7 @@ export class Core {
 		});
 	}
 
-	/** The same for a request that is laid out already, whatever it is. */
+	/** Grows a request that is already encoded, without checks. */
 	growBytes(request: Uint8Array): Answer {
 		return this.#guarded(() => this.#grown(request));
 	}
@@ -86,11 +86,11 @@ export class Core {
 		}
 	}
 
-	/** The handle of a grammar's text, in the place of the text. */
+	/** Replaces a grammar's text by the handle of the compiled grammar. */
 	#compiled({ data: text }: Block): Block {
 		if (typeof text !== "string") throw new CoreError("bad request", "A grammar is a text.");
 		const known = this.#programs.get(text);
-		// The newest stands last: what has not been used for longest is forgotten first.
+		// Reinsert the text at the end of the map: the first one is evicted next.
 		if (known !== undefined) this.#programs.delete(text);
 		const program = known ?? this.#compile(text);
 		this.#programs.set(text, program);
@@ -120,7 +120,7 @@ export class Core {
 		return { columns, milliseconds };
 	}
 
-	/** Copies bytes in, calls, copies the answer out. */
+	/** Copies the input in, calls, and copies the answer out. */
 	#call(input: Uint8Array, call: (pointer: number, bytes: number) => number): Columns {
 		if (input.length > MOST_REQUEST_BYTES) throw new CoreError("limit", "The request is larger than 1 MiB.");
 		const exports = this.#exports;
@@ -130,7 +130,7 @@ export class Core {
 		const answer = call(pointer, input.length) >>> 0;
 		exports.panicle_release(pointer);
 		if (answer === 0) throw new CoreError("limit", "There is no memory for the plant; make it smaller.");
-		// The buffer is asked for after the call: it is another one where the memory has grown.
+		// Read the buffer after the call: it is a new one where the memory has grown.
 		const columns = new Columns(copyContainer(exports.memory.buffer as ArrayBuffer, answer));
 		exports.panicle_release(answer);
 		const [reason, line, column] = columns.uint32("status");
@@ -140,8 +140,8 @@ export class Core {
 }
 
 /**
- * Something to link every function that the module imports: the core calls none of them on its way, they come with the
- * C library. Leaving the program is the exception: it must not return.
+ * Stubs for every function that the module imports. They come with the C library, and the core calls none of them,
+ * except for leaving the program, which must not return.
  */
 function stubs(module: WebAssembly.Module): WebAssembly.Imports {
 	const imports: Record<string, Record<string, WebAssembly.ImportValue>> = {};

@@ -1,23 +1,26 @@
-/** Cores on the thread that asks: one a module, kept from plant to plant. */
+/** Cores on the calling thread: one per module, cached from plant to plant. */
 import type { Block } from "./container";
 import type { Answer, Core } from "./core";
 import { CoreError } from "./errors";
 
-/** A core whose memory has grown beyond this is dropped, and the next request gets a new one, bytes. */
+/** Bytes of memory beyond which a core is dropped; the next request gets a new one. */
 const MOST_MEMORY = 256 * 1024 * 1024;
 
 export class Cores {
 	readonly #load: (wasm: string) => Promise<Core>;
 	readonly #cores = new Map<string, Promise<Core>>();
 
-	/** @param load brings a model's core to life, by the name of its file: `bunch.wasm`; one that failed is asked for again */
+	/**
+	 * @param load instantiates a model's core by the name of its file (`bunch.wasm`); the next request repeats a failed
+	 * load
+	 */
 	constructor(load: (wasm: string) => Promise<Core>) {
 		this.#load = load;
 	}
 
 	/**
 	 * Grows a request.
-	 * @throws CoreError where it cannot be grown, CoreTrap where the core broke, and what `load` throws
+	 * @throws CoreError where it cannot be grown, CoreTrap where the core crashed, and errors of `load`
 	 */
 	async grow(wasm: string, blocks: readonly Block[]): Promise<Answer> {
 		const loading = this.#cores.get(wasm) ?? this.#load(wasm);

@@ -1,9 +1,9 @@
-/** What can go wrong on the way to a grown plant, by type. Every message is one plain sentence that can be shown. */
+/** Errors on the way to a grown plant, by type. Every message is one plain sentence that can be shown. */
 
-/** Why the core could not grow a request. */
+/** The reason why the core could not grow a request. */
 export type CoreReason = "none" | "bad request" | "bad input" | "syntax" | "undefined name" | "evaluation" | "limit";
 
-/** The same by the codes that the core gives (wasm-core/src/foundation/result.hpp). */
+/** Reasons by the core's codes (wasm-core/src/foundation/result.hpp). */
 export const CORE_REASONS: readonly CoreReason[] = [
 	"none",
 	"bad request",
@@ -14,32 +14,35 @@ export const CORE_REASONS: readonly CoreReason[] = [
 	"limit",
 ];
 
-/** The core could not grow the request. Line and column count from 1 in the grammar's text; 0 where none is concerned. */
+/**
+ * The core could not grow the request. Line and column count from 1 in the grammar's text; 0 where no text is
+ * concerned.
+ */
 export class CoreError extends Error {
 	override name = "CoreError";
 	constructor(
-		/** What kind of fault it is. */
+		/** The kind of error. */
 		readonly reason: CoreReason,
 		message: string,
-		/** In the grammar's text, from 1; 0 where no text is concerned. */
+		/** The line in the grammar's text, from 1; 0 where no text is concerned. */
 		readonly line = 0,
-		/** In that line, from 1; 0 where no text is concerned. */
+		/** The column in that line, from 1; 0 where no text is concerned. */
 		readonly column = 0,
 	) {
 		super(message);
 	}
 }
 
-/** The core stopped half-way, which it never should: the instance is of no further use. */
+/** The core crashed; discard the instance. */
 export class CoreTrap extends Error {
 	override name = "CoreTrap";
 }
 
-/** Nothing can be grown here: what is missing, and what to do about it. */
+/** Nothing can be grown here; the message names the missing part and a remedy. */
 export class UnsupportedError extends Error {
 	override name = "UnsupportedError";
 	constructor(
-		/** No WebAssembly; no worker; the core could not be fetched; what was fetched is no core. */
+		/** No WebAssembly; no worker; the core could not be fetched; the fetched file is no core. */
 		readonly missing: "webassembly" | "worker" | "fetch" | "core",
 		message: string,
 		options?: ErrorOptions,
@@ -48,7 +51,7 @@ export class UnsupportedError extends Error {
 	}
 }
 
-/** A newer request took this one's place. Nothing to show: the newer one's result follows. */
+/** A newer request replaced this one. Show nothing: the result of the newer one follows. */
 export class Superseded extends Error {
 	override name = "Superseded";
 	constructor() {

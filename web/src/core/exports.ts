@@ -9,12 +9,12 @@ export interface CoreExports {
 	panicle_allocate(bytes: number): Pointer;
 	panicle_release(memory: Pointer): void;
 	panicle_grow(request: Pointer, bytes: number): Pointer;
-	/** This and the next: absent of modules whose models grow from no texts. */
+	/** This function and the next are absent from modules of models without grammars. */
 	panicle_compile?(text: Pointer, bytes: number): Pointer;
 	panicle_forget?(program: number): void;
 }
 
-/** Version of the boundary that this side speaks. */
+/** The version of the core's interface that this code supports. */
 export const ABI = 5;
 
 const FUNCTIONS = ["abi", "allocate", "release", "grow"];

@@ -1,16 +1,15 @@
-/** Fetches and compiles the core; what may fail on the way has its own words. */
+/** Fetches and compiles the core, with a message for each failure. */
 import { Core, type TimePassed } from "./core";
 import { UnsupportedError } from "./errors";
 
-/** Browsers compile while fetching only where the type is exactly this. */
+/** Browsers compile while they fetch only with exactly this type. */
 const MIME = "application/wasm";
 const WASM_MAGIC = [0x00, 0x61, 0x73, 0x6d]; // "\0asm"
 
 /**
- * Fetches and compiles in one go where the server names the type, else one after the other.
- *
- * @param note told what works but could be better
- * @throws UnsupportedError where there is no WebAssembly, no answer, or no core in the answer
+ * Fetches and compiles a module, at the same time where the server names the right type, else one after the other.
+ * @param note receives warnings
+ * @throws UnsupportedError where there is no WebAssembly, no response, or no core in the response
  */
 export async function compileCore(
 	url: string | URL,
@@ -30,7 +29,7 @@ export async function compileCore(
 	return module;
 }
 
-/** A core from the bytes of a model's wasm, for Node; `timePassed` as of `Core.instantiate`. */
+/** A core from the bytes of a model's wasm file, for Node; `timePassed` as in `Core.instantiate`. */
 export async function loadCoreFromBytes(bytes: BufferSource, timePassed?: TimePassed): Promise<Core> {
 	requireWebAssembly();
 	const view = ArrayBuffer.isView(bytes)

@@ -1,4 +1,4 @@
-/** What the page and a worker say to each other. `wasm` names a module: the address it was fetched from. */
+/** Messages between the page and a worker. `wasm` names a module: the address it was fetched from. */
 import type { Block } from "./container";
 import type { CoreReason } from "./errors";
 
@@ -10,9 +10,9 @@ export type ToWorker =
 /** From the worker: one `ready` or `broken` for each module, then one answer to each request. */
 export type FromWorker =
 	| { type: "ready" }
-	/** The core could not be brought to life. */
+	/** The core could not be instantiated. */
 	| { type: "broken"; message: string }
-	/** A container (core/container.ts), the milliseconds that growing it took, and the memory of all cores of the worker. */
+	/** A container (core/container.ts), the milliseconds of growing, and the memory of all cores of the worker. */
 	| { type: "grown"; id: number; container: Uint8Array<ArrayBuffer>; milliseconds: number; memoryBytes: number }
 	/** The request cannot be grown; the worker goes on. */
 	| {
@@ -24,5 +24,5 @@ export type FromWorker =
 			column: number;
 			memoryBytes: number;
 	  }
-	/** The core trapped; the worker is to be replaced. */
+	/** The core crashed; replace the worker. */
 	| { type: "trapped"; id: number; message: string };

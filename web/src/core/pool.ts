@@ -1,6 +1,6 @@
 /**
- * Workers as a pool of seats. A request takes a seat that is free, or waits for one; a seat that breaks is replaced, and
- * its request tried once more. A warm spare stands by, so that cancelling, which ends a worker, costs nothing.
+ * A pool of workers. A request takes a free worker, or waits for one; a worker that crashes is replaced, and its
+ * request tried once more. A warm spare worker is ready, so that cancelling, which ends a worker, costs nothing.
  */
 import type { Block } from "./container";
 import { Columns } from "./container";
@@ -9,26 +9,26 @@ import { CoreError, CoreTrap, Superseded, UnsupportedError } from "./errors";
 import type { FromWorker } from "./messages";
 import { type Compiling, PoolWorker } from "./pool_worker";
 
-/** What is to be grown: by which module, and the blocks of the request. */
+/** A request to a core. */
 export interface Order {
-	/** Address of the model's module. */
+	/** Address of the model's core. */
 	readonly wasm: string;
 	readonly blocks: readonly Block[];
 }
 
 export interface RunOptions {
-	/** Cancels: a growth that runs is ended with its worker. The promise rejects with the signal's reason. */
+	/** Cancels the growth: a running one ends with its worker. The promise rejects with the signal's reason. */
 	signal?: AbortSignal;
-	/** Whether a worker's death is worth a second try; where it is not, the promise rejects with Superseded. */
+	/** Whether to retry when the worker crashes; if not, the promise rejects with Superseded. */
 	worthAgain?: () => boolean;
 }
 
 export interface PoolOptions {
 	/** Starts a worker that runs core/worker.ts. */
 	spawn: () => Worker;
-	/** Fetches and compiles a module. One that failed is asked for again with the next request. */
+	/** Fetches and compiles a module. The next request repeats a failed fetch. */
 	compile: (wasm: string) => Promise<WebAssembly.Module>;
-	/** Growths side by side at the most, the spare not counted; 1 where absent. */
+	/** The most growths at once, without the spare; 1 where absent. */
 	seats?: number;
 }
 
@@ -40,21 +40,24 @@ interface Job extends Order {
 	reject(reason: unknown): void;
 }
 
-/** How often a request is given to a worker before it is given up. */
+/** How often a request is tried before it fails. */
 const MOST_ATTEMPTS = 2;
-/** The spare starts this long after a growth, in milliseconds: not before the first picture. */
+/** Milliseconds from a growth to the start of the spare: not before the first picture. */
 const SPARE_DELAY = 400;
-/** All seats but one end when nothing has been requested for so long, ms: a core keeps the memory that its largest plant took. */
+/**
+ * Milliseconds without a request after which all workers but one end: a core never gives back the memory of its largest
+ * plant.
+ */
 const REST = 4000;
-/** A seat whose cores hold more memory than this ends at rest as well, bytes: an instance of WebAssembly never shrinks. */
+/** Bytes of memory above which an idle worker ends, too: an instance of WebAssembly never shrinks. */
 const MOST_MEMORY = 256 * 1024 * 1024;
 
 export class Pool {
 	readonly #options: Required<PoolOptions>;
 	readonly #modules = new Map<string, Promise<WebAssembly.Module>>();
-	/** The seats, each with what it is at; the spare is none of them. */
+	/** The workers with their jobs, without the spare. */
 	readonly #seats = new Map<PoolWorker, Job | undefined>();
-	/** Memory that the cores of seats held after their last growth, bytes. */
+	/** Bytes of memory of each worker's cores after the last growth. */
 	readonly #memory = new WeakMap<PoolWorker, number>();
 	readonly #waiting: Job[] = [];
 	#spare: PoolWorker | undefined;
@@ -66,21 +69,21 @@ export class Pool {
 		this.#options = { seats: 1, ...options };
 	}
 
-	/** Starts a worker and fetches a module now, for requests to come. What fails here is told when one does. */
+	/** Starts a worker and fetches a module for requests to come. The first request reports errors. */
 	warm(wasm: string): void {
 		try {
 			if (this.#seats.size === 0) this.#newWorker().warm(this.#compiling(wasm));
 		} catch {
-			// The first request tries again, and says why not.
+			// The first request tries again and reports the reason.
 		}
 	}
 
 	/**
-	 * Grows. The promise rejects with
+	 * Grows a request. The promise rejects with
 	 * - CoreError when the request cannot be grown, with line and column for a grammar;
-	 * - CoreTrap when the core broke, twice;
+	 * - CoreTrap when the core crashed twice;
 	 * - UnsupportedError when nothing can be grown here; a later call tries again;
-	 * - Superseded when the pool was closed, or the worker died and the request is not worth another;
+	 * - Superseded when the pool was closed, or the worker crashed and `worthAgain` is false;
 	 * - the signal's reason when it was cancelled.
 	 */
 	run(order: Order, { signal, worthAgain = () => true }: RunOptions = {}): Promise<Answer> {
@@ -92,7 +95,7 @@ export class Pool {
 		});
 	}
 
-	/** Ends all workers. What is under way rejects with Superseded. */
+	/** Ends all workers. Running growths reject with Superseded. */
 	close(): void {
 		clearTimeout(this.#spareTimer);
 		clearTimeout(this.#restTimer);
@@ -144,7 +147,7 @@ export class Pool {
 		}
 	}
 
-	/** A seat without work: one that is there, the spare, a new one; none where there are enough. */
+	/** An idle worker, the spare, or a new worker; undefined where the pool is full. */
 	#freeWorker(): PoolWorker | undefined {
 		for (const [seat, job] of this.#seats) if (!job) return seat;
 		if (this.#seats.size >= this.#options.seats) return undefined;
@@ -187,7 +190,7 @@ export class Pool {
 		this.#next();
 	}
 
-	/** One compilation serves all workers. Where it fails, all who wait for that module hear of it. */
+	/** Compiles a module once for all workers. Where that fails, all jobs of the module reject. */
 	#compiling(wasm: string): Compiling {
 		const known = this.#modules.get(wasm);
 		if (known) return { wasm, module: known };
@@ -206,7 +209,7 @@ export class Pool {
 		return { wasm, module };
 	}
 
-	/** A worker is gone. Its request is tried once more on another. */
+	/** Removes a crashed worker and retries its job once on another. */
 	#lost(seat: PoolWorker, error: Error): void {
 		if (this.#spare === seat) this.#spare = undefined;
 		if (!this.#seats.has(seat)) return;
@@ -232,7 +235,7 @@ export class Pool {
 		this.#seats.delete(seat);
 	}
 
-	/** A seat is free, or may be made: those who wait come on, oldest first. */
+	/** Begins the oldest waiting job; without one, schedules the spare and the release of idle workers. */
 	#next(): void {
 		const job = this.#waiting.shift();
 		if (job) {
@@ -244,7 +247,7 @@ export class Pool {
 		this.#restTimer = setTimeout(() => this.#rest(), REST);
 	}
 
-	/** Those at work may be asked again soon. */
+	/** Ends idle workers, unless one of them still works. */
 	#rest(): void {
 		if ([...this.#seats.values()].some((job) => job)) return;
 		const seats = [...this.#seats.keys()];
@@ -261,7 +264,7 @@ export class Pool {
 				this.#spare = this.#makeWorker();
 				for (const [wasm, module] of this.#modules) this.#spare.warm({ wasm, module });
 			} catch {
-				this.#spare = undefined; // Cancelling will start one, or say why not.
+				this.#spare = undefined; // Cancelling starts a worker, or reports the error.
 			}
 		}, SPARE_DELAY);
 	}

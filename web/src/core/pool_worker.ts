@@ -1,15 +1,15 @@
-/** One worker with its cores, from start to end. */
+/** One worker of a pool and its cores. */
 import type { Block } from "./container";
 import type { FromWorker, ToWorker } from "./messages";
 
 export interface PoolWorkerEvents {
-	/** An answer to a request. */
+	/** Receives an answer to a request. */
 	answered(message: Exclude<FromWorker, { type: "ready" | "broken" }>): void;
-	/** The worker is of no further use. `started` tells whether it ever was. */
+	/** The worker has crashed. `started` is false where it never ran. */
 	died(message: string, started: boolean): void;
 }
 
-/** A module on its way: its name and its compilation. */
+/** A module by its name, and its compilation. */
 export interface Compiling {
 	readonly wasm: string;
 	readonly module: Promise<WebAssembly.Module>;
@@ -18,7 +18,7 @@ export interface Compiling {
 export class PoolWorker {
 	readonly #worker: Worker;
 	readonly #events: PoolWorkerEvents;
-	/** Modules that the worker has been given. */
+	/** Modules that the worker has received. */
 	readonly #given = new Set<string>();
 	#started = false;
 	#over = false;
@@ -29,13 +29,13 @@ export class PoolWorker {
 		this.#worker = spawn();
 		this.#worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#hear(data);
 		this.#worker.onerror = (event) => {
-			event.preventDefault(); // It is dealt with here; the console need not hear of it.
+			event.preventDefault(); // Handled here; keep it out of the console.
 			this.#die(event.message || "its script could not be run");
 		};
 		this.#worker.onmessageerror = () => this.#die("its answer could not be read");
 	}
 
-	/** Has the module's core brought to life as soon as it is compiled. */
+	/** Instantiates the module's core in the worker once it is compiled. */
 	warm({ wasm, module }: Compiling): void {
 		this.#when(module, (compiled) => this.#give(wasm, compiled));
 	}
@@ -47,7 +47,7 @@ export class PoolWorker {
 		});
 	}
 
-	/** Ends the worker, whatever it is doing; nothing is heard of it after this. */
+	/** Ends the worker at once; no more events follow. */
 	end(): void {
 		this.#over = true;
 		this.#worker.terminate();
@@ -59,7 +59,10 @@ export class PoolWorker {
 		this.#post({ type: "start", wasm, module });
 	}
 
-	/** Messages wait for the core to be compiled. Where it cannot be, the pool knows from the same promise. */
+	/**
+	 * Calls `then` once the module is compiled. Where it cannot be compiled, the pool learns that from the same
+	 * promise.
+	 */
 	#when(module: Promise<WebAssembly.Module>, then: (module: WebAssembly.Module) => void): void {
 		module.then(
 			(compiled) => {
@@ -69,7 +72,10 @@ export class PoolWorker {
 		);
 	}
 
-	/** A request that cannot be copied (DataCloneError, or no memory for the copy) ends the worker: its job is settled as that of one that died. */
+	/**
+	 * Sends a message. A request that cannot be copied (DataCloneError, or no memory for the copy) ends the worker: the
+	 * pool settles its job as one of a crashed worker.
+	 */
 	#post(message: ToWorker): void {
 		try {
 			this.#worker.postMessage(message);

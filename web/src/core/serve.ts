@@ -1,13 +1,17 @@
-/** The worker's side: brings cores to life and answers requests one after the other. */
+/** The worker's side: instantiates cores and answers requests one after the other. */
 import { Core } from "./core";
 import { CoreError } from "./errors";
 import type { FromWorker, ToWorker } from "./messages";
 
-/** @returns what to call with every message; `post` sends an answer, moving the buffers instead of copying them */
+/**
+ * Serves requests in a worker.
+ * @param post sends an answer, moving the buffers instead of copying them
+ * @returns the handler of messages
+ */
 export function serve(
 	post: (message: FromWorker, transfer: Transferable[]) => void,
 ): (message: ToWorker) => Promise<void> {
-	/** By the names of their modules. */
+	/** Cores by the names of their modules. */
 	const cores = new Map<string, Promise<Core>>();
 	const started: Core[] = [];
 	const memoryBytes = () => started.reduce((sum, core) => sum + core.memoryBytes, 0);

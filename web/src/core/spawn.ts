@@ -1,14 +1,14 @@
 /** Starts workers. */
 import address from "./worker.ts?worker&url";
 
-/** Starts the worker that grows. */
+/** Starts a worker for the core. */
 export function spawnWorker(): Worker {
 	return startWorker(new URL(address, import.meta.url));
 }
 
 /**
- * Starts a worker of a script, a module. A page may only start workers of its own origin. Where the script lies elsewhere (assets served from another
- * host), a small script of this origin imports it.
+ * Starts a worker of a script, a module. A page may only start workers of its own origin: a script from another host is
+ * imported by a small script of this origin.
  */
 export function startWorker(script: URL): Worker {
 	if (script.origin === location.origin) return new Worker(script, { type: "module" });

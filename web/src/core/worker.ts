@@ -1,8 +1,8 @@
-/** The worker: all of it is in serve.ts. */
+/** The script of the worker; serve.ts has the logic. */
 import type { FromWorker, ToWorker } from "./messages";
 import { serve } from "./serve";
 
-/** What this file needs of a worker's global scope, which the page's types do not describe. */
+/** The part of a worker's global scope that this file needs; the page's types do not describe it. */
 interface Scope {
 	postMessage(message: FromWorker, transfer: Transferable[]): void;
 	onmessage: ((event: MessageEvent<ToWorker>) => void) | null;

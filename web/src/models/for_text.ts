@@ -1,6 +1,7 @@
 /**
- * Which model a grammar's text is for that comes without a name: a file on the command line, or dropped on the page. What the file says of
- * itself decides, then the text, then the ending of the file's name; the model for any text takes what is left.
+ * Finds the model for a grammar's text that comes without a model's name: a file on the command line, or dropped on the
+ * page. The comment in the file decides, then the text itself, then the suffix of the file's name; every other text
+ * goes to the model that takes any.
  */
 import { modelInQuery } from "../specimen/link";
 import type { Specimen } from "../specimen/specimen";
@@ -8,19 +9,20 @@ import { readTextFile, specimenOf, type TextFile } from "../specimen/text_file";
 import { isModel, modelNamed, modelNames } from "./index";
 import type { Model } from "./model";
 
-/** A text and the model that it is for. */
+/** A grammar's text and the model that it is for. */
 export interface ReadText {
-	/** Undefined where no model takes it. */
+	/** Undefined where no model takes the text. */
 	readonly model: Model | undefined;
-	/** As that model's grammars are written, where it came in another form of them. */
+	/** The text in the notation of that model, translated where the file had another form. */
 	readonly text: string;
-	/** What the file says besides its text; undefined where it says nothing. */
+	/** The specimen that the file describes besides its text; undefined where it describes none. */
 	readonly specimen: Specimen | undefined;
 }
 
 /**
- * @param fileName the file's name, with an ending such as `.growth`
- * @throws TextError where the form that the text came in has a mistake
+ * Reads a grammar's text and finds its model.
+ * @param fileName the file's name, with a suffix such as `.growth`
+ * @throws TextError where the text is in a translatable form and has a mistake
  */
 export async function readText(said: string, fileName = ""): Promise<ReadText> {
 	const file = readTextFile(said);
@@ -29,7 +31,7 @@ export async function readText(said: string, fileName = ""): Promise<ReadText> {
 	return { model, text, specimen: model && specimenOf(model, file) };
 }
 
-/** The model that a file says it is of, where that grows by a text. */
+/** The model that a file names, if that model grows by a text. */
 async function modelNamedIn({ query }: TextFile): Promise<Model | undefined> {
 	const named = query === undefined ? undefined : modelInQuery(query);
 	if (named === undefined || !isModel(named)) return undefined;
@@ -37,7 +39,7 @@ async function modelNamedIn({ query }: TextFile): Promise<Model | undefined> {
 	return model.details.some(({ packed }) => packed?.key === "grammar") ? model : undefined;
 }
 
-/** The model that claims a text, else the one whose files end so, else the one that takes any. */
+/** The model that claims a text, else the one with this suffix of files, else the one that takes any text. */
 export async function modelForText(text: string, fileName = ""): Promise<Model | undefined> {
 	const models = await Promise.all(modelNames().map(modelNamed));
 	const ending = /\.\w+$/.exec(fileName.toLowerCase())?.[0];

@@ -1,19 +1,18 @@
 /**
- * Every model by its name. A folder here with an index.ts that exports `model` is one, and so is such a folder in a folder
- * here, one of a family that shares its parent's files; nothing else has to be told of it. The one place that imports
- * models.
+ * Every model by its name. A folder here with an index.ts that exports `model` is a model, and so is such a folder one
+ * level deeper, in a family that shares its parent's files; there is no other list. The only place that imports models.
  */
 import type { PageModel } from "./page_model";
 
-/** Brings a model; asked for again, it may bring the same one. */
+/** Loads a model; a second call may give the same one. */
 export type LoadModel = () => Promise<PageModel>;
 
-/** What a link means that names no model. */
+/** The model of links that name none. */
 export const DEFAULT_MODEL = "bunch";
 
 const folders = import.meta.glob<PageModel>("./*/index.ts", { import: "model" });
 
-/** How each is brought, by name: the default first, then by the alphabet, then what was added. */
+/** Loaders by model name: the default first, then in alphabetical order, then added models. */
 const loaders = new Map<string, LoadModel>(
 	Object.entries(folders)
 		.map(([path, load]) => [path.split("/").at(-2) as string, load] as const)
@@ -22,8 +21,8 @@ const loaders = new Map<string, LoadModel>(
 const loading = new Map<string, Promise<PageModel>>();
 
 /**
- * Adds a model from elsewhere, or puts one in another's place: for pages that bring their own, and for tests.
- * @param name as links are to write it; the model's own name must be the same
+ * Adds a model from elsewhere, or replaces one: for pages that bring their own, and for tests.
+ * @param name as links write it; the same as the model's `name`
  */
 export function addModel(name: string, load: LoadModel): void {
 	loaders.set(name, load);
@@ -40,8 +39,8 @@ export function isModel(name: string): boolean {
 }
 
 /**
- * The model of that name, loaded once; where there is none of that name, the default. One that could not be loaded is
- * tried again with the next call.
+ * The model of that name, loaded once; the default model where there is none of that name. The next call after a failed
+ * load tries again.
  */
 export function modelNamed(name: string = DEFAULT_MODEL): Promise<PageModel> {
 	const known = isModel(name) ? name : DEFAULT_MODEL;

@@ -1,12 +1,12 @@
 /**
- * Specimens that a plant of another model has in it (a stand): what is asked for, and what came of it. Types only; plain data, for
- * plants are cloned into the worker that makes files.
+ * Specimens that a plant of another model contains (a stand): requests for them, and grown members. Types only; plain
+ * data, because plants are cloned into the worker that makes files.
  */
 import type { Material } from "../plant/material";
 import type { PackedMesh } from "../plant/packed_mesh";
 import type { Specimen } from "../specimen/specimen";
 
-/** Where a text asks for it; counted from 1. */
+/** A position in a grammar's text; line and column count from 1. */
 export interface TextPosition {
 	readonly line: number;
 	readonly column: number;
@@ -17,40 +17,40 @@ export interface MemberRequest {
 	readonly model: string;
 	readonly preset: string;
 	readonly seed: number;
-	/** By the keys of its model's table; choices by the names of their options. */
+	/** By the keys of the model's table; choices by the names of their options. */
 	readonly values: Readonly<Record<string, number | string>>;
-	/** What stands about it (specimen/surroundings.ts), for models that heed it; absent: nothing. */
+	/** The surroundings of the plant (specimen/surroundings.ts), for models that use them; absent: open ground. */
 	readonly surroundings?: readonly number[];
-	/** Of which of its organs it is to be known where they are, by their tags; absent: of none. */
+	/** Tags of the organs whose positions the response lists; absent: none. */
 	readonly spots?: readonly string[];
-	/** Where the text names it, and where each of its values. */
+	/** Positions of the request and of each of its values in the text. */
 	readonly place: TextPosition;
 	readonly places: Readonly<Record<string, TextPosition>>;
 }
 
-/** A mesh of one material. Members that look alike share the material's object. */
+/** A mesh with one material. Members that look alike share the material's object. */
 export interface MemberMesh {
 	readonly mesh: PackedMesh;
 	readonly material: Material;
 }
 
-/** One that has grown. */
+/** A grown member. */
 export interface Member {
 	readonly specimen: Specimen;
-	/** Of its preset. */
+	/** The title of the member's preset. */
 	readonly title: string;
-	/** Query and fragment that grow it by itself, as it is here. */
+	/** Query and fragment of the link that grows this member by itself. */
 	readonly link: string;
 	/** 16 hexadecimal digits. */
 	readonly fingerprint: string;
-	/** What its core had to say. */
+	/** Messages of the core. */
 	readonly notes: readonly string[];
-	/** As of a plant (plant/plant.ts). */
+	/** As in a plant (plant/plant.ts). */
 	readonly cutShort?: "limit" | "time";
-	/** Meshes for so many distances, from near to far: one at the least, but where none were asked for. */
+	/** Meshes by level of detail, from near to far: at least one, none where no meshes were requested. */
 	readonly levels: readonly (readonly MemberMesh[])[];
-	/** Where the organs are that were asked for, by their tags: 3 × how many there are, metres. */
+	/** Positions of the requested organs by tag: 3 × organs, metres. */
 	readonly spots?: Readonly<Record<string, Float32Array>>;
-	/** Lowest and highest place and the farthest from the upright axis through its foot, metres. */
+	/** Lowest and highest height, and the greatest distance from the upright axis through the base, metres. */
 	readonly extent: { readonly low: number; readonly high: number; readonly out: number };
 }

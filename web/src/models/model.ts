@@ -1,9 +1,10 @@
 /**
- * The interface of a model: its document, requests, plants, parts and files. App, element, writers and command line know this
- * interface and the index (index.ts), but no model. A model is a folder beside this file whose index.ts exports one as `model`;
- * docs/adding-a-model.md shows how to add one. Types only.
+ * The interface of a model: its document, requests, plants, parts and files. App, element, writers and command line
+ * know this interface and the index (index.ts), but no model. A model is a folder beside this file whose index.ts
+ * exports one as `model`; docs/adding-a-model.md shows how to add one. Types only.
  *
- * How a page draws and edits a model is in page_model.ts, so that the command line and workers load neither Lit nor three.js.
+ * How a page draws and edits a model is in page_model.ts, so that the command line and workers load neither Lit nor
+ * three.js.
  */
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
@@ -19,130 +20,160 @@ import type { Member, MemberRequest } from "./member";
 
 export type { Member, MemberMesh, MemberRequest, TextPosition } from "./member";
 
-/** What of a growth is wanted. */
+/** The parts of a growth that are requested. */
 export interface GrowthOptions {
-	/** Whether triangles are wanted besides segments and organs; the default is yes. */
+	/** Whether to make triangles besides segments and organs; the default is true. */
 	meshes?: boolean;
-	/** Whether `measures` are wanted; the default is yes, but not in passing. */
+	/** Whether to measure the plant; the default is true, but false for a preview. */
 	measures?: boolean;
-	/** Whether the next is on its way, for a hand moves: what a figure can do without for so long may be left out. */
+	/**
+	 * Whether the plant is a preview that the next step of a drag soon replaces: the model may leave out details. The
+	 * default is false.
+	 */
 	preview?: boolean;
-	/** Whether the derived string is wanted, of models that have one (`strings`); the default is no. */
+	/** Whether to return the derived string, for models with `strings`; the default is false. */
 	string?: boolean;
-	/** Of the derivation, in place of what document and text say, of models that have one to tell of. */
+	/** Number of derivation steps, in place of the number in the document or text, for models with derivations. */
 	steps?: number;
 	/** Which step of the derivation is to be told, of models that have one to tell of (`traces`); the default is none. */
 	trace?: TraceRequest;
-	/** Whether all of its topology is wanted, of models that tell it; the default is yes, but not in passing. */
+	/** Whether to return the whole topology, for models that have one; the default is true, but false for a preview. */
 	map?: boolean;
-	/** Whether meshes for four distances are wanted, of models that make such (`levels`); the default is no. */
+	/** Whether to make meshes at four levels of detail, for models with `levels`; the default is false. */
 	levels?: boolean;
 }
 
-/** Specimens of other models that a plant has in it. */
+/** Specimens of other models that a plant contains. */
 export interface Members<G extends Plant = Plant> {
-	/** What is to be grown for it, each once. */
+	/** The specimens to grow for this plant, each once. */
 	requests(grown: G): readonly MemberRequest[];
-	/** The plant with those that have grown so far, in the order of `requests`. */
+	/** The plant with the members that have grown so far, in the order of `requests`. */
 	joined(grown: G, members: readonly (Member | undefined)[]): G;
 }
 
-/** Measures that a person may ask for. */
+/** Measures that can be set as targets. */
 export interface Targets<S extends Specimen = Specimen> {
-	/** Their keys; those of a specimen. */
+	/** Keys of the measures that a specimen can reach. */
 	measures(specimen: S): readonly string[];
-	/** What moves them, of a specimen and of all that is asked at once; from a module of its own. */
+	/**
+	 * Loads the function that lists the levers of a specimen for all measures that are targeted together; in a module
+	 * of its own.
+	 */
 	levers(): Promise<(specimen: S, asked: readonly string[]) => Levers<S>>;
 }
 
-/** Something that `Download` and the command line's `--out` give besides what every plant has. */
+/** A format that `Download` and the command line's `--out` offer besides those of every plant. */
 export interface Format<S extends Specimen = Specimen, G extends Plant = Plant> {
-	/** Its name for programs: `csv`. */
+	/** The name for programs: `csv`. */
 	readonly key: string;
 	readonly title: string;
-	/** One line about it. */
+	/** One line of description. */
 	readonly about: string;
-	/** After the plant's name: `-berries.csv`. */
+	/** The end of the file's name, after the plant's name: `-berries.csv`. */
 	readonly suffix: string;
 	/** The media type of the file. */
 	readonly type: string;
-	/** Whether it is of what was measured. */
+	/** Whether the file contains measures. */
 	readonly measured?: true;
-	/** Whether it suits this growth; absent where it suits all. */
+	/** Whether the format suits this plant; absent where it suits every plant. */
 	applies?(grown: G): boolean;
-	/** @param link the address that brings the specimen back */
+	/**
+	 * Makes the file.
+	 * @param link the address that restores the specimen
+	 */
 	make(grown: G, specimen: S, link: string): Promise<string | Uint8Array<ArrayBuffer>>;
 }
 
 export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> extends ModelSchema<S> {
-	/** Whether what its links mean is not yet frozen: the page and `--list` say so. */
+	/** Whether the meaning of the model's links is not frozen yet: the page and `--list` label it as a preview. */
 	readonly preview?: true;
-	/** What a person calls it, as a heading: "Grape bunch". */
+	/** The heading of the model: "Grape bunch". */
 	readonly title: string;
-	/** What the gallery calls its presets together, where that is not the title. */
+	/** The gallery's heading for the model's presets, where it differs from `title`. */
 	readonly shelf?: string;
-	/** What sentences call one: "the last bunch stays". */
+	/** The noun for one plant in sentences: "the last bunch stays". */
 	readonly noun: string;
-	/** The file of its core, beside the others: `bunch.wasm`; or a whole address, for a model from elsewhere. */
+	/**
+	 * The file of the model's core, beside the others: `bunch.wasm`; or a whole address, for a model from elsewhere.
+	 */
 	readonly wasm: string;
 
-	/** Whether wind leaves its plants alone, everywhere or in files. */
+	/** Whether wind does not move the model's plants, everywhere or in files only. */
 	readonly still?: true | "in files";
-	/** Whether its presets have pictures in public/gallery; absent where they have. */
+	/** False where the model's presets have no pictures in public/gallery. */
 	readonly pictures?: false;
-	/** Whether it tells the string that its grammar has derived, where that is asked for. */
+	/** Whether the model can return the derived string of its grammar. */
 	readonly strings?: true;
-	/** Whether it tells how its grammar is derived, step by step, where that is asked for. */
+	/** Whether the model can trace the derivation of its grammar, step by step. */
 	readonly traces?: true;
 
 	/**
-	 * Fetches what a specimen's request and plant need besides the core, where there is such: to be awaited before `encode`.
-	 * Where that fails, or nobody waits, the plant is without it, and a note says so; the next call tries again.
+	 * Fetches resources that a specimen's request and plant need besides the core; await it before `encode`. Without
+	 * them the plant lacks these resources, and a note reports it; the next call tries again.
 	 */
 	prepare?(specimen: S): Promise<void> | undefined;
-	/** Fetches what a first picture can do with in place of that, where there is such: the rest follows when it is drawn. */
+	/**
+	 * Fetches only the resources that a first picture needs, in place of `prepare`; the rest follows once the picture
+	 * is drawn.
+	 */
 	sketch?(specimen: S): Promise<void> | undefined;
 	/**
-	 * Takes the closed mesh of a file as what bounds the plant, where something does.
-	 * @throws Error with the reason in plain words where the file holds none
+	 * Makes the closed mesh of a file the boundary of the plant, for models that have boundaries.
+	 * @throws Error with the reason in plain words where the file holds no mesh
 	 */
 	bounded?(specimen: S, file: File): Promise<S>;
 	/**
-	 * A specimen as the core's request: `model`, `seed`, `outputs`, `parameters` and what else the model asks for.
-	 * @throws CoreError where the specimen cannot be written as one: it has not come through specimen/restore.ts
+	 * Encodes a specimen as a request to the core: `model`, `seed`, `outputs`, `parameters` and other columns of the
+	 * model.
+	 * @throws CoreError where the specimen cannot be encoded: it has not passed through specimen/restore.ts
 	 */
 	encode(specimen: S, options?: GrowthOptions): Block[];
-	/** What came back for a specimen, typed: plain data, for it is cloned into the worker that makes files. */
+	/** Decodes the core's answer for a specimen: plain data, because it is cloned into the worker that makes files. */
 	read(answer: Answer, specimen: S): G;
-	/** Whether anything of a plant depends on its age, of models whose texts may not say so; once `prepare` has been awaited. Absent: as the table has it. */
+	/**
+	 * Whether the plant depends on its age, for models whose texts may not use it; call it after `prepare`. Absent: as
+	 * in the table.
+	 */
 	ages?(specimen: S): boolean;
-	/** What the plant is made of, for the scene and the exporters, which run in a worker: meshes or instances with their materials. */
+	/**
+	 * The parts of the plant, for the scene and the exporters, which run in a worker: meshes or instances with their
+	 * materials.
+	 */
 	parts(grown: G, specimen: S): Iterable<Part>;
-	/** The plant for four distances, from near to far, where it was grown with `levels`; absent of models that have none. */
+	/**
+	 * The parts at four levels of detail, from near to far, of a plant grown with `levels`; absent of models without
+	 * levels.
+	 */
 	levels?(grown: G, specimen: S): readonly (readonly Part[])[];
-	/** Specimens of other models in it, grown by their own cores when it has grown; absent: there are none. */
+	/** Specimens of other models in the plant, grown by their own cores once the plant has grown; absent: none. */
 	readonly members?: Members<G>;
-	/** Whether some parts are one mesh many times, or alike; where absent, whether organs are drawn with meshes says so. */
+	/** Whether some parts are instances of one mesh, or similar ones; absent: true where organs have meshes. */
 	instanced?(grown: G): boolean;
-	/** What a specimen is called that is not named after its preset any more; absent or undefined: after that. */
+	/** The title of a specimen that no longer carries its preset's title; absent or undefined: the preset's title. */
 	titled?(specimen: S): string | undefined;
-	/** What grew in a few plain words, for people and screen readers: "73 berries, 22 cm long". */
+	/** Describes the plant in a few plain words, for readers and screen readers: "73 berries, 22 cm long". */
 	words(grown: G, specimen: S): string;
-	/** What the JSON document has of it besides its segments and organs, or in their place, by key. */
+	/** Fields of the JSON document by key, besides segments and organs or in place of them. */
 	record?(grown: G, specimen: S): object;
-	/** Why its JSON document with all its topology (`map`) is too large to be sent, and how to ask for less; undefined where it is not. It has grown without. */
+	/**
+	 * The reason why the JSON document with its whole topology (`map`) is too large to send, and a way to request less;
+	 * undefined where it is not too large. `grown` has no topology.
+	 */
 	heavy?(grown: G): string | undefined;
-	/** Descriptors with classes besides those of its measures. */
+	/** Descriptors with classes, besides those of the measures. */
 	readonly descriptors?: readonly Descriptor<S>[];
-	/** How points on its plants are labelled in clouds; absent: by the kinds of its parts, as they come. */
+	/** Labels of points in point clouds; absent: the kinds of the plant's parts, in their order. */
 	readonly labels?: PointLabels;
-	/** What files with meshes (glTF) say of it besides what they say of every plant, by key. */
+	/** Extra properties in files with meshes (glTF), by key, besides those of every plant. */
 	extras?(grown: G, specimen: S): Record<string, unknown>;
-	/** A grammar's text out of another form that the model claims; undefined of what is one already. Rejects with a TextError. */
+	/**
+	 * Translates a text in another form that the model claims into a grammar; undefined for a text that is a grammar
+	 * already. Rejects with a TextError.
+	 */
 	translated?(text: string): Promise<string> | undefined;
-	/** Files besides those of every plant. */
+	/** File formats besides those of every plant. */
 	readonly formats?: readonly Format<S, G>[];
 
-	/** What can be asked of its measures, where something can. */
+	/** Measures that can be set as targets, if any. */
 	readonly targets?: Targets<S>;
 }

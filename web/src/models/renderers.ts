@@ -1,4 +1,4 @@
-/** What draws plants: scripts that come when they are first asked for. */
+/** Renderers of plants; their scripts load when first needed. */
 
 import type { Plant } from "../plant/plant";
 import { swayOf } from "../plant/sway";
@@ -12,7 +12,7 @@ type Maker = RendererFactory<Specimen, Plant>;
 let loading: Promise<SceneModule> | undefined;
 const figures = new Map<PageModel, Promise<Maker>>();
 
-/** Starts loading the scene's script, the largest of the page; asked for again, it is the same one, unless it failed. */
+/** Starts loading the scene's script, the largest of the page. Later calls give the same promise, unless it failed. */
 export function loadScene(): Promise<SceneModule> {
 	if (loading) return loading;
 	const scene = import("../render/viewer");
@@ -23,7 +23,7 @@ export function loadScene(): Promise<SceneModule> {
 	return scene;
 }
 
-/** Starts loading what draws a model's plants: its own figure, or the one that draws any parts. */
+/** Starts loading a model's renderer: its own, or the one that draws parts. */
 export function loadRenderer(model: PageModel): Promise<Maker> {
 	const before = figures.get(model);
 	if (before) return before;

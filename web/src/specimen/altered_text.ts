@@ -1,13 +1,13 @@
-/** Whether a text is another one altered, as handles, gestures and sliders alter it, or one of somebody's own. */
+/** Tells a text that was altered by handles, gestures and sliders from a text of the user's own. */
 
 const NUMBER = /\d+(?:\.\d+)?|\.\d+/g;
-/** Of the lines of what it comes of so many are still there. */
+/** Share of the original's lines that an altered text still contains. */
 const SHARE = 0.5;
 
-/** The last one: titles are asked for at every frame of a drag. */
+/** The last result: titles are computed at every frame of a drag. */
 let last: { readonly text: string; readonly from: string; readonly comes: boolean } | undefined;
 
-/** Whether most lines of `from` stand in a text, whatever their numbers. */
+/** Whether a text contains most lines of `from`, whatever their numbers. */
 export function comesOf(text: string, from: string): boolean {
 	if (last?.text === text && last.from === from) return last.comes;
 	const own = new Set(linesOf(text));

@@ -1,8 +1,10 @@
-/** A closed mesh that a person brings: what bounds a plant or a part of it. Files carry it; it is too long for a link. */
+/**
+ * A closed mesh from a user's file: the boundary of a plant or a part of it. Files hold it; it is too long for a link.
+ */
 import { type Notes, quote } from "./notes";
 import { isRecord, readNumbers } from "./read_values";
 
-/** In a unit of its own; whoever uses it stretches it. */
+/** In arbitrary units; models scale it. */
 export interface ClosedMesh {
 	/** 3 × points. */
 	points: number[];
@@ -10,16 +12,16 @@ export interface ClosedMesh {
 	triangles: number[];
 }
 
-/** What import/mesh_file/closed.ts leaves at the most. */
+/** The largest mesh that import/mesh_file/closed.ts makes. */
 export const MOST_TRIANGLES = 4000;
 
-/** Whether two meshes are the same, number by number. */
+/** Whether two meshes are equal, number by number. */
 export function sameMesh(one: ClosedMesh, other: ClosedMesh | undefined): boolean {
 	const same = (a: number[], b: number[]) => a.length === b.length && a.every((value, i) => value === b[i]);
 	return other !== undefined && same(one.points, other.points) && same(one.triangles, other.triangles);
 }
 
-/** What is no such mesh is noted under its key, and left out. */
+/** Reads a closed mesh; notes an invalid one under its key, and leaves it out. */
 export function readClosedMesh(key: string, value: unknown, notes: Notes): ClosedMesh | undefined {
 	const [points, triangles] = isRecord(value) ? [readNumbers(value.points), readNumbers(value.triangles)] : [];
 	const corners = (points?.length ?? 0) / 3;

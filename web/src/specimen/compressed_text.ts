@@ -1,6 +1,6 @@
-/** Text packed for a link: UTF-8, raw deflate (RFC 1951), base64 with the letters that addresses leave alone (RFC 4648 §5). */
+/** Text compressed for a link: UTF-8, raw deflate (RFC 1951), base64 in the alphabet for URLs (RFC 4648 §5). */
 
-/** Packs text. A byte-order mark and every line end are kept. */
+/** Compresses a text. A byte-order mark and every line end are preserved. */
 export async function compressText(text: string): Promise<string> {
 	const packed = await pipe(
 		new TextEncoder().encode(text),
@@ -11,8 +11,8 @@ export async function compressText(text: string): Promise<string> {
 }
 
 /**
- * Unpacks what `compressText` packed.
- * @param longest bytes of UTF-8 after which unpacking stops, so that a few hostile bytes cannot fill the memory
+ * Expands a text that `compressText` made.
+ * @param longest bytes of UTF-8 after which expansion stops, so that a few hostile bytes cannot fill the memory
  * @returns undefined where the data is damaged or longer than that
  */
 export async function expandText(packed: string, longest: number): Promise<string | undefined> {

@@ -1,30 +1,30 @@
-/** The detail of models whose texts have constants: values in place of what their `#define`s say. */
+/** The field of models whose texts have constants: values that replace those of their `#define`s. */
 
 import type { Field } from "./model_schema";
 import { type Notes, quote } from "./notes";
 import { isRecord, readNumber } from "./read_values";
 import type { Specimen } from "./specimen";
 
-/** What a specimen with this detail holds. */
+/** A specimen with this field. */
 export interface WithConstants {
-	/** Values for the text's own constants, by name, in the order of the alphabet; those not here have what the text says. */
+	/** Values for the text's own constants by name, in alphabetical order; the text sets the others. */
 	constants: Constants;
 }
 
 export type Constants = Readonly<Record<string, number>>;
 
-/** As many as a text of any sense has. */
+/** The most constants that a specimen stores. */
 export const MOST_CONSTANTS = 200;
-/** A name as the notation has it (docs/language.md). */
+/** A name in the notation (docs/language.md). */
 const NAME = /^\p{L}[\p{L}\p{N}_]{0,63}$/u;
-/** Beyond these nothing is drawn that could be seen. */
+/** The largest absolute value: beyond it no drawing can be seen. */
 export const LARGEST = 1e9;
 
-/** Whether links and files hold such a value of such a name. */
+/** Whether links and files can hold this value for this name. */
 export const isHeld = (name: string, value: number): boolean =>
 	NAME.test(name) && Math.abs(value) <= LARGEST && (value === 0 || Math.fround(value) !== 0);
 
-/** @param names those that a specimen's text defines, once it has been fetched */
+/** @param names lists the constants that a specimen's text defines, once it has been fetched */
 export function constantValues<S extends Specimen & WithConstants>(
 	names: (specimen: S) => Promise<readonly string[]>,
 ): Field<S> {
@@ -76,7 +76,7 @@ function readConstants(key: string, value: unknown, notes: Notes): Constants {
 	return inOrder([...found]);
 }
 
-/** In the order of the alphabet: the same values are the same document. */
+/** Constants in alphabetical order: equal values make equal documents. */
 export function inOrder(values: readonly (readonly [name: string, value: number])[]): Constants {
 	return Object.fromEntries([...values].sort(([a], [b]) => (a < b ? -1 : 1)));
 }

@@ -1,12 +1,12 @@
 /**
- * Changes to a specimen that controls make: always in range, always on the steps that a link can hold. What a change leaves out
- * stays the same object, so that nothing is drawn anew for it.
+ * Changes to a specimen that controls make: always in range, and on steps that a link can hold. A change reuses the
+ * objects that it leaves out, so that nothing is redrawn for them.
  */
 import type { ModelSchema } from "./model_schema";
 import type { Specimen } from "./specimen";
 import { nearestWithin } from "./table";
 
-/** Sets parameters; the model's details bring along what goes with them. */
+/** Sets parameters; the model's fields adjust others that go with them. */
 export function withParameters<S extends Specimen>(
 	{ table, details }: ModelSchema<S>,
 	specimen: S,
@@ -40,7 +40,7 @@ export function withLook<S extends Specimen>(
 	return { ...specimen, look };
 }
 
-/** Sets the seed: a whole number from 0 to 4294967295, going round at the ends. */
+/** Sets the seed: a whole number from 0 to 4294967295, wrapping around. */
 export function withSeed<S extends Specimen>(specimen: S, seed: number): S {
 	return { ...specimen, seed: Math.trunc(seed) >>> 0 };
 }

@@ -1,13 +1,13 @@
 import type { ModelSchema } from "./model_schema";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 
-/** The seed of a link that names none. */
+/** The seed of a link without one. */
 export const DEFAULT_SEED = 1;
 
 /**
- * A fresh, complete specimen: the table's defaults with what the preset changes. An unknown name, or none, gives the
+ * A fresh, complete specimen: the table's defaults with the preset's changes. An unknown name, or none, gives the
  * model's standard preset.
- * @param version of the link that names the preset: what is younger than the link has the value it means there
+ * @param version of the link that names the preset: parameters younger than the link get the value for such links
  */
 export function fromPreset<S extends Specimen>(
 	{ name: model, table, presets, details }: ModelSchema<S>,

@@ -1,10 +1,10 @@
-/** The detail of models that are grown by a grammar: its text, in place of the built-in one. */
+/** The field of models that grow by a grammar: a text in place of the built-in one. */
 import { GRAMMAR_BYTES, overlongText } from "./limits";
 import type { Field } from "./model_schema";
 import { type Notes, quote } from "./notes";
 import type { Specimen } from "./specimen";
 
-/** What a specimen with this detail holds. */
+/** A specimen with this field. */
 export interface WithGrammar {
 	/** Grammar text in place of the built-in one. */
 	grammar?: string;
@@ -12,7 +12,10 @@ export interface WithGrammar {
 
 const BUILT_IN = "the built-in grammar is used";
 
-/** @param claims whether a text that names no model is for this one; "any": each that no other model claims; absent: none is */
+/**
+ * @param claims whether a text without a model's name is for this model; "any": each that no other model claims;
+ * absent: none
+ */
 export function grammarText<S extends Specimen & WithGrammar>(claims?: ((text: string) => boolean) | "any"): Field<S> {
 	return {
 		keys: ["grammar"],
@@ -28,7 +31,7 @@ export function grammarText<S extends Specimen & WithGrammar>(claims?: ((text: s
 	};
 }
 
-/** Lines end as the page's own do, wherever the text was saved: it is compared with texts that the page writes. */
+/** Line ends become those of the page, because the text is compared with texts that the page writes. */
 function readGrammar(specimen: WithGrammar, value: unknown, notes: Notes): void {
 	const problem = typeof value === "string" ? overlongText(value) : `${quote(value)} is not text`;
 	if (problem) notes.add("grammar", problem, specimen.grammar ? "the one before is used" : BUILT_IN);
@@ -36,7 +39,7 @@ function readGrammar(specimen: WithGrammar, value: unknown, notes: Notes): void 
 	else specimen.grammar = wellFormed(value as string).replaceAll("\r\n", "\n");
 }
 
-/** Half a surrogate pair has no UTF-8, so no link or request could carry it. */
+/** Replaces half a surrogate pair, which has no UTF-8: no link or request could carry it. */
 function wellFormed(text: string): string {
 	return new TextDecoder("utf-8", { ignoreBOM: true }).decode(new TextEncoder().encode(text));
 }

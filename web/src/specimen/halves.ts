@@ -1,12 +1,12 @@
-/** `key=value`, `from..to`: text about a mark. */
+/** Splits text at a separator: `key=value`, `from..to`. */
 
-/** The text before the first such mark and the text behind it, both trimmed; undefined if the mark is missing. */
+/** The text before the first separator and the text after it, both trimmed; undefined without a separator. */
 export function halvesOf(text: string, mark: string): readonly [before: string, after: string] | undefined {
 	const at = text.indexOf(mark);
 	return at < 0 ? undefined : [text.slice(0, at).trim(), text.slice(at + mark.length).trim()];
 }
 
-/** The same of `key=value`, where the key is one word. */
+/** Splits `key=value`, where the key is one word. */
 export function keyAndValue(text: string): readonly [key: string, value: string] | undefined {
 	const halves = halvesOf(text, "=");
 	return halves && halves[0] !== "" && !/\s/.test(halves[0]) ? halves : undefined;

@@ -1,4 +1,4 @@
-/** Undo and redo: a list of specimens, as plain data. Every function gives a new history. */
+/** Undo and redo: a list of specimens, as plain data. Every function returns a new history. */
 import { sameSpecimen } from "./same";
 import type { Specimen } from "./specimen";
 
@@ -6,15 +6,21 @@ export interface History<S extends Specimen = Specimen> {
 	/** Oldest first. */
 	readonly past: readonly S[];
 	readonly present: S;
-	/** Nearest first. While a drag lasts, what there was before it: a drag that ends where it began loses nothing. */
+	/**
+	 * Nearest first. During a drag it holds the specimens from before the drag, so that a drag which ends where it
+	 * began loses nothing.
+	 */
 	readonly future: readonly S[];
 	/** The drag that made the present, while it lasts. */
 	readonly gesture?: string | undefined;
-	/** The run of key presses that made the present, be it at rest: the next press of it is the same step. */
+	/**
+	 * The run of key presses that made the present, even when it has ended: the next press of the run extends the same
+	 * step.
+	 */
 	readonly run?: string | undefined;
 }
 
-/** Steps that can be undone; the oldest are forgotten. */
+/** The most steps that can be undone; the oldest are dropped. */
 export const LONGEST_HISTORY = 200;
 
 export function startHistory<S extends Specimen>(present: S): History<S> {
@@ -22,9 +28,9 @@ export function startHistory<S extends Specimen>(present: S): History<S> {
 }
 
 /**
- * Goes on to another specimen.
- * @param gesture names a drag; all changes of one gesture in a row are one step. Without it every change is a step.
- * @param run names what goes on through several gestures
+ * Sets another specimen as the present.
+ * @param gesture names a drag; consecutive changes of one gesture are one step. Without it every change is a step.
+ * @param run names a sequence that spans several gestures
  */
 export function change<S extends Specimen>(history: History<S>, next: S, gesture?: string, run?: string): History<S> {
 	if (gesture !== undefined && gesture === history.gesture) return { ...history, present: next, run };
@@ -35,7 +41,7 @@ export function change<S extends Specimen>(history: History<S>, next: S, gesture
 	return { past, present: next, future: gesture === undefined ? [] : settled.future, gesture, run };
 }
 
-/** Ends a drag: what follows is a new step. A drag that ended where it began leaves none. */
+/** Ends a drag: the next change is a new step. A drag that ended where it began leaves none. */
 export function settle<S extends Specimen>(history: History<S>): History<S> {
 	if (history.gesture === undefined) return history;
 	const { past, present, future, run } = history;

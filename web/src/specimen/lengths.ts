@@ -1,23 +1,25 @@
-/** Numbers as people read them: a model whose parameters are lengths in a unit of its own shows them in millimetres. */
+/**
+ * Converts numbers for display: a model whose parameters are lengths in a unit of its own shows them in millimetres.
+ */
 import type { Specimen } from "./specimen";
 import type { Entry, NumberEntry } from "./table";
 
-/** Millimetres to one of each unit that a model counts lengths in besides, as its table writes them: `px`. */
+/** Millimetres per unit, for each of a model's own units of length, as its table writes them: `px`. */
 export type OwnLengths = Readonly<Record<string, number>>;
 
-/** A parameter as it is read and typed. */
+/** How a parameter is displayed and typed. */
 export interface Scale {
-	/** Of this to one of the table's unit. */
+	/** Displayed units per unit of the table. */
 	readonly per: number;
 	readonly unit: string;
 	/** Digits after the point. */
 	readonly decimals: number;
 }
 
-/** Steps of less than this many millimetres are read to a hundredth. */
+/** Steps below this many millimetres are displayed to a hundredth. */
 const FINE = 0.3;
 
-/** How a specimen's values of a parameter are read. */
+/** The scale in which a specimen's parameter is displayed. */
 export function scaleOf<S extends Specimen>(
 	species: { lengths?(specimen: S): OwnLengths },
 	specimen: S,
@@ -28,23 +30,23 @@ export function scaleOf<S extends Specimen>(
 	return { per, unit: "mm", decimals: per < FINE ? 2 : 1 };
 }
 
-/** A value as it is read, without its unit: no more digits than the scale has, and none that say nothing. */
+/** A value as displayed, without its unit and trailing zeros: at most the scale's decimals. */
 export function readIn({ per, decimals }: Scale, value: number): number {
 	const tens = 10 ** decimals;
 	return Math.round(value * per * tens) / tens;
 }
 
-/** A value of an entry as a field shows it. */
+/** The text of an entry's value in its input field. */
 export function readOf({ zero }: { readonly zero?: string }, scale: Scale, value: number): string {
 	return value === 0 && zero !== undefined ? zero : String(readIn(scale, value));
 }
 
-/** A number that was typed for an entry, `zero` in words included. */
+/** The value that was typed for an entry, `zero` in words included. */
 export function typedOf({ zero }: { readonly zero?: string }, text: string, typed: number): number {
 	return zero !== undefined && text.trim().toLowerCase() === zero ? 0 : typed;
 }
 
-/** How far an entry goes: "12.5 … 250 mm.", "whole numbers 0 (auto) … 400." */
+/** The range of an entry: "12.5 … 250 mm.", "whole numbers 0 (auto) … 400." */
 export function rangeInWords({ min, max, kind, zero }: NumberEntry, scale: Scale): string {
 	const { unit, per } = scale;
 	const least = `${readIn(scale, min)}${min === 0 && zero !== undefined ? ` (${zero})` : ""}`;

@@ -1,23 +1,23 @@
-/** Ranges of what is in no parameter table. */
+/** Limits of values that no parameter table lists. */
 
 export const SEED = { kind: "integer", min: 0, max: 0xffffffff } as const;
-/** Bytes of UTF-8 of a grammar: the core's own limit (wasm-core/src/foundation/limits.hpp). */
+/** The most bytes of UTF-8 of a grammar: the core's own limit (wasm-core/src/foundation/limits.hpp). */
 export const GRAMMAR_BYTES = 256 * 1024;
-/** Of a file that has a grammar as XML, which says the same at ten times the length, and rules that are short at thirty times. */
+/** The most bytes of a file with a grammar as XML, which is ten times as long, thirty times with short rules. */
 const XML_BYTES = 32 * GRAMMAR_BYTES;
 
-/** What is wrong with so many bytes of a grammar. */
+/** The problem with this many bytes of a grammar, if any. */
 function overlong(bytes: number, most = GRAMMAR_BYTES): string | undefined {
 	return bytes > most ? `longer than ${most / 1024} KiB` : undefined;
 }
 
-/** What is wrong with the length of a file that has a grammar and begins so. */
+/** The problem with the length of a grammar's file that begins with `head`, if any. */
 export function overlongFile(bytes: number, head: string): string | undefined {
 	return overlong(bytes, /^\s*</.test(head) ? XML_BYTES : GRAMMAR_BYTES);
 }
 
-/** What is wrong with a grammar's length. */
+/** The problem with a grammar's length, if any. */
 export function overlongText(text: string): string | undefined {
-	// No text has fewer bytes than units.
+	// A text has at least as many bytes as UTF-16 code units.
 	return overlong(text.length) ?? overlong(new TextEncoder().encode(text).length);
 }

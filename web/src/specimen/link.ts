@@ -1,7 +1,7 @@
 /**
- * The link: a specimen as the part of an address from the `?` on (docs/links.md). Parameters are readable in the
- * query, only what differs from the preset; long texts go compressed into the fragment, which never leaves the
- * browser. Reading never throws: whatever comes in gives a complete specimen and notes.
+ * The link: a specimen as the part of an address from the `?` on (docs/links.md). The query holds readable parameters,
+ * only those that differ from the preset; long texts go compressed into the fragment, which never leaves the browser.
+ * Reading never throws: any input gives a complete specimen and notes.
  */
 
 import { compressText, expandText } from "./compressed_text";
@@ -12,13 +12,13 @@ import { type Restored, restore } from "./restore";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import { writtenIn } from "./table";
 
-/** The note on a key that a link gives twice. */
+/** The note on a key that a link repeats. */
 const REPEATED = ["given more than once", "the last is read"] as const;
-/** Characters that are read of a query and of a fragment; the rest is not looked at. */
+/** The most characters that are read of a query and of a fragment; the rest is ignored. */
 export const LONGEST_QUERY = 16 * 1024;
 export const LONGEST_FRAGMENT = 512 * 1024;
 
-/** `?v=2&…#g=…`: the whole specimen. */
+/** Encodes the whole specimen: `?v=2&…#g=…`. */
 export async function encodeLink<S extends Specimen>(species: ModelSchema<S>, specimen: S): Promise<string> {
 	const texts = textsOf(species, specimen);
 	const packed = await Promise.all(texts.map(async ([key, text]) => `${key}=${await compressText(text)}`));
@@ -124,7 +124,7 @@ function packedOf<S extends Specimen>({ details }: ModelSchema<S>): Packed<S>[] 
 	return details.flatMap(({ packed }) => packed ?? []);
 }
 
-/** All values of a key of the fragment. */
+/** All values of a key in the fragment. */
 function inFragment(hash: string, link: string): string[] {
 	return new URLSearchParams(hash.replace(/^#/, "").slice(0, LONGEST_FRAGMENT)).getAll(link);
 }
@@ -147,7 +147,7 @@ async function textIn<S extends Specimen>(
 	return text;
 }
 
-/** Numbers as short as they can be: at most two decimals, which is all that a specimen holds. */
+/** The shortest text of a number: at most two decimals, the precision of a specimen. */
 function shortest(value: number | string): string {
 	return typeof value === "string" ? value : String(Math.round(value * 100) / 100);
 }

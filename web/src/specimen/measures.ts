@@ -1,4 +1,4 @@
-/** Measures in words: a value with its unit, the class of a descriptor it falls into. */
+/** Measures in words: values with units, and classes of descriptors. */
 
 /** A class of a descriptor: values nearest to `at`, or from `from` on. */
 export interface MeasureClass {
@@ -8,27 +8,27 @@ export interface MeasureClass {
 	readonly from?: number;
 }
 
-/** What a measure is called, how it is written and how it is classed. */
+/** A measure: its label, how to write its value, and its classes. */
 export interface MeasureInfo {
 	readonly key: string;
 	readonly label: string;
 	readonly group: string;
 	/** A share is 0 … 1 and shown in percent; a note's value is its class. */
 	readonly kind: "number" | "share" | "whole" | "note";
-	/** Of the value; empty for shares, counts and notes. */
+	/** The unit of the value; empty for shares, counts and notes. */
 	readonly unit: string;
-	/** Digits after the point where it is shown; a share's in percent. */
+	/** Decimals of the displayed value; of a share in percent. */
 	readonly decimals: number;
 	/** Code of the OIV's descriptor. */
 	readonly oiv?: number;
 	/** One plain sentence. */
 	readonly help: string;
-	/** What of it was not compared with its source: the classes' limits, say. */
+	/** The part that was not compared with its source, such as the limits of classes. */
 	readonly unchecked?: string;
 	readonly classes?: readonly MeasureClass[];
 }
 
-/** A descriptor of what the core does not measure: the look alone decides its class. */
+/** A descriptor that the core does not measure: the look alone decides its class. */
 export interface Descriptor<S> {
 	readonly key: string;
 	readonly label: string;
@@ -42,7 +42,7 @@ export interface MeasureGroup {
 	readonly title: string;
 }
 
-/** The class a value falls into; none where the measure has no classes or does not apply. */
+/** The class of a value; undefined where the measure has no classes or does not apply. */
 export function classOf({ classes }: Pick<MeasureInfo, "classes">, value: number): MeasureClass | undefined {
 	if (!classes || !Number.isFinite(value)) return undefined;
 	return classes.reduce((best, one) => {
@@ -51,7 +51,7 @@ export function classOf({ classes }: Pick<MeasureInfo, "classes">, value: number
 	});
 }
 
-/** A value as it is read: `182 mm`, `94.1 %`, the words of a note, `–` where it does not apply. */
+/** The text of a value: `182 mm`, `94.1 %`, the words of a note, `–` where it does not apply. */
 export function measureText(info: MeasureInfo, value: number): string {
 	if (!Number.isFinite(value)) return "–";
 	if (info.kind === "note") return classOf(info, value)?.words ?? "–";
@@ -60,7 +60,7 @@ export function measureText(info: MeasureInfo, value: number): string {
 	return info.unit ? `${text} ${info.unit}` : text;
 }
 
-/** The class as a table shows it: `7 long`; empty without one. */
+/** The text of a value's class in a table: `7 long`; empty without one. */
 export function classText(info: MeasureInfo, value: number): string {
 	const found = classOf(info, value);
 	return found ? `${found.note} ${found.words}` : "";

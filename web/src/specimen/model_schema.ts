@@ -1,4 +1,6 @@
-/** What a specimen is a specimen of: the document's side of a model (models/model.ts). Plain data and pure functions. */
+/**
+ * The schema of a model's specimens: the document's side of a model (models/model.ts). Plain data and pure functions.
+ */
 import type { OwnLengths } from "./lengths";
 import type { Notes } from "./notes";
 import type { Presets } from "./presets";
@@ -6,53 +8,56 @@ import type { Specimen } from "./specimen";
 import type { Table } from "./table";
 
 /**
- * Something that a specimen holds beyond the table's parameters: berries taken off, a grammar's text, an outline. One
- * that several models share is in this folder; what is one model's own is in models/<model>/details/.
+ * A field of a specimen beyond the table's parameters: removed berries, a grammar's text, an outline. Fields of several
+ * models are in this folder; those of one model are in models/<model>/details/.
  */
 export interface Field<S extends Specimen = Specimen> {
-	/** Keys by which links and files bring it. */
+	/** Keys of the field in links and files. */
 	readonly keys: readonly string[];
-	/** Those of them that a person may set, as the command line's help writes them: `thin=ID.ID.…`. */
+	/** Those of them that a user may set, as the command line's help writes them: `thin=ID.ID.…`. */
 	readonly settings?: readonly string[];
-	/** The field of a written specimen whose own fields are such keys, where there is one: `inputs`. */
+	/** The object in a written specimen whose keys are those of this field: `inputs`. */
 	readonly group?: string;
-	/** The option that must hold for it to be heeded, as in the table. */
+	/** Options of choices that must be chosen for the field to apply, as in the table. */
 	readonly where?: Readonly<Record<string, string>>;
-	/** What a fresh specimen has of it. A new object every time. */
+	/** The field's value in a fresh specimen: a new object every time. */
 	fresh?(): Partial<S>;
-	/** Reads one of the keys into a specimen that may be written to. What cannot be used is noted, never thrown. */
+	/** Reads one of the keys into a specimen that may be written to. Notes unusable values, never throws. */
 	read?(specimen: S, key: string, value: unknown, notes: Notes): void;
-	/** What to read where someone sets names that neither the table nor a detail knows: those of a text's own. */
+	/** Reads values of names that neither the table nor a field knows: those of the text's own. */
 	named?(specimen: S, values: Readonly<Record<string, string>>): Readonly<Record<string, unknown>>;
 	/**
-	 * The first of such names that a specimen's text does not know, and what to say of it; undefined where it knows all.
-	 * @param asked those that are meant; all that the specimen has where absent
+	 * The first such name that a specimen's text does not define, with the problem; undefined where it defines all.
+	 * @param names names to check; all names in the specimen where absent
 	 */
 	stranger?(
 		specimen: S,
 		asked?: readonly string[],
 	): Promise<{ readonly name: string; readonly problem: string } | undefined>;
-	/** Whether a grammar's text that came without a model's name is for this one: no other model's text is claimed. */
+	/** Whether a grammar's text without a model's name is for this model; at most one model claims a text. */
 	claims?(text: string): boolean;
-	/** Whether it takes the texts that no model claims. */
+	/** Whether the model takes texts that no model claims. */
 	readonly takesAny?: true;
-	/** Once everything has been read: makes what was read fit together, and notes what did not. */
+	/** Makes the values fit together once everything has been read, and notes those that did not fit. */
 	agree?(specimen: S, notes: Notes): void;
-	/** What a link's query says of it, in order; nothing where it is as in the preset. */
+	/** Entries of a link's query, in order; none where the value is that of the preset. */
 	query?(specimen: S, preset: S): readonly (readonly [key: string, value: string])[];
-	/** Where no link holds it. */
+	/** For values that no link can hold. */
 	readonly unlinked?: Unlinked<S>;
 	/** A text that a link carries packed in its fragment. */
 	readonly packed?: Packed<S>;
-	/** What a change that a control made to some parameters does to others. `parameters` may be written to. */
+	/** Adjusts parameters to a control's change of others. `parameters` may be written to. */
 	push?(parameters: S["parameters"], changed: Readonly<Partial<Record<string, number>>>): void;
 }
 
-/** Something too long for links. */
+/** A value too long for links. */
 export interface Unlinked<S extends Specimen = Specimen> {
-	/** How to keep what the specimen has of it: a sentence for who copies the link; undefined where it has none, or its preset's. */
+	/**
+	 * Explains in a sentence how to save the specimen's value, for users who copy the link; undefined where it has
+	 * none, or the preset's.
+	 */
 	keep(specimen: S, preset: S): string | undefined;
-	/** Notes of a specimen out of a link that it would have some. */
+	/** Adds a note to a specimen from a link that lost such a value. */
 	missing(specimen: S, notes: Notes): void;
 }
 
@@ -60,25 +65,25 @@ export interface Unlinked<S extends Specimen = Specimen> {
 export interface Packed<S extends Specimen = Specimen> {
 	/** Its key after the `#`. */
 	readonly link: string;
-	/** Its key everywhere else, and in notes. */
+	/** Its key in files and notes. */
 	readonly key: string;
-	/** Bytes of UTF-8 at which unpacking stops. */
+	/** Bytes of UTF-8 at which expansion stops. */
 	readonly longest: number;
-	/** What is used where it cannot be read: "the built-in grammar is used". */
+	/** The outcome where the text cannot be read: "the built-in grammar is used". */
 	readonly otherwise: string;
-	/** A link carries it where the preset's is another. */
+	/** The text that a link carries where the preset has another. */
 	textOf(specimen: S): string | undefined;
 }
 
-/** The table, the presets and the details of one model. */
+/** The table, presets and fields of one model. */
 export interface ModelSchema<S extends Specimen = Specimen> {
 	/** As links and files write it: `bunch`. */
 	readonly name: string;
-	/** Whether a link means it that names no model. */
+	/** Whether links without a model mean this one. */
 	readonly unnamed?: boolean;
 	readonly table: Table;
 	readonly presets: Presets;
 	readonly details: readonly Field<S>[];
-	/** Units of its own that some of its parameters are lengths in, where there are such. */
+	/** Millimetres per unit of lengths in the model's own units, if any. */
 	lengths?(specimen: S): OwnLengths;
 }

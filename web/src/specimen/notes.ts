@@ -1,14 +1,14 @@
-/** What was wrong with one part of data from outside, and what is used in its place. */
+/** A note on one part of data from outside: the problem, and the value used in its place. */
 export interface Note {
-	/** The part, as it was named there. */
+	/** The name of the part in that data. */
 	key: string;
-	/** What was wrong, in plain words: "700 is above the greatest value, 580". */
+	/** The problem in plain words: "700 is above the greatest value, 580". */
 	problem: string;
 	/** The whole sentence to show: "l: 700 is above the greatest value, 580; 580 is used." */
 	text: string;
 }
 
-/** More than this many are summed up in one last note: a hostile link must not fill the page. */
+/** The most notes; the others are summed up in a last one, so that a hostile link cannot fill the page. */
 const MOST_NOTES = 12;
 const LONGEST_QUOTE = 32;
 
@@ -33,7 +33,7 @@ export class Notes {
 	}
 }
 
-/** A value as a note can quote it: short, on one line. */
+/** Quotes a value in a note: short, on one line. */
 export function quote(value: unknown): string {
 	if (typeof value === "string") return `“${cut(value)}”`;
 	if (typeof value === "number" || typeof value === "boolean") return String(value);

@@ -1,24 +1,24 @@
-/** The texts that presets of a model grow by. They are no part of what a page loads first: all come together when one is asked for. */
+/** The texts of presets. A page does not load them at first: the first use fetches all of them together. */
 
 import { comesOf } from "./altered_text";
 
-/** What is known of a preset before its text is there. */
+/** A preset and the text it grows by. */
 interface Named {
 	readonly name: string;
-	/** Whose text it has: presets may share one. */
+	/** The name of the text: presets may share one. */
 	readonly text: string;
 }
 
 export interface PresetTexts {
-	/** Fetches them; rejects where that fails, and tries again with the next call. */
+	/** Fetches the texts; rejects where that fails, and the next call tries again. */
 	fetchTexts(): Promise<void>;
-	/** What a document grows by: its own text, or its preset's; undefined where that has not been fetched. */
+	/** The text of a document: its own, or its preset's; undefined where that has not been fetched. */
 	fetchedText(document: { readonly grammar?: string | undefined; readonly preset: string }): string | undefined;
 }
 
 /**
- * What a plant with a text of its own is called; undefined of one that grows by its preset's, be it altered. Before that has been fetched
- * nobody can tell.
+ * Makes the title of plants with a text of their own; undefined for plants that grow by their preset's text, altered or
+ * not. Before the preset's text has been fetched, a plant counts as having a text of its own.
  */
 export function titledBy(own: string, fetchedText: PresetTexts["fetchedText"]) {
 	return ({

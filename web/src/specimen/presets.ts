@@ -2,7 +2,7 @@
 import { readChoice } from "./read_values";
 import type { Table } from "./table";
 
-/** A sort of preset, as the gallery groups them. */
+/** A group of presets in the gallery. */
 export interface PresetKind {
 	readonly key: string;
 	/** In the plural: "Varieties". */
@@ -10,24 +10,24 @@ export interface PresetKind {
 }
 
 /**
- * A named specimen; it holds only what differs from the defaults of the parameter table. Links hold only what differs
- * from their preset, so what a published preset says never changes.
+ * A named specimen; it holds only values that differ from the defaults of the parameter table. Links hold only values
+ * that differ from their preset, so the values of a published preset never change.
  */
 export interface Preset {
-	/** As in links and on the command line. */
+	/** The name in links and on the command line. */
 	readonly name: string;
 	/** The key of its kind. */
 	readonly kind: string;
 	readonly title: string;
-	/** The paper's figure, where it has one. */
+	/** The figure in the paper, if any. */
 	readonly figure?: string;
-	/** The link version that first knew it; the first where absent. */
+	/** The first link version that knows it; version 1 where absent. */
 	readonly since?: number;
-	/** One line about it. */
+	/** One line of description. */
 	readonly about: string;
 	readonly parameters: Readonly<Partial<Record<string, number>>>;
 	readonly look: Readonly<Partial<Record<string, number | string>>>;
-	/** What it has besides parameters, by the fields of a specimen. */
+	/** Values besides parameters, by the fields of a specimen. */
 	readonly details?: Readonly<Record<string, unknown>>;
 }
 
@@ -37,7 +37,7 @@ export class Presets {
 
 	/**
 	 * @param kinds in the order of the gallery
-	 * @param standard the preset that a link means which names none
+	 * @param standard the preset of links without one
 	 */
 	constructor(
 		readonly list: readonly Preset[],
@@ -47,13 +47,13 @@ export class Presets {
 		this.#byName = new Map(list.map((preset) => [preset.name, preset]));
 	}
 
-	/** The preset of that name, if there is one. */
+	/** The preset of that name, if any. */
 	named(name: string): Preset | undefined {
 		return this.#byName.get(name);
 	}
 }
 
-/** A preset's parameters as its file holds them, choices by the names of their options, as numbers. */
+/** The parameters of a preset's file as numbers; choices become indices of their options. */
 export function numbersIn(
 	table: Table,
 	values: Readonly<Partial<Record<string, number | string>>>,

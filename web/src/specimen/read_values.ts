@@ -1,8 +1,8 @@
-/** Reading single values from outside: text of a link, a form or the command line, or values of a JSON file. */
+/** Reads single values from outside: text of a link, a form or the command line, or values of a JSON file. */
 
 const DECIMAL = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?$/i;
 
-/** A number or the text of one; undefined where it is neither. Never NaN. */
+/** A number from a number or its text; undefined for any other value. Never NaN. */
 export function readNumber(value: unknown): number | undefined {
 	if (typeof value === "number") return Number.isNaN(value) ? undefined : value;
 	if (typeof value !== "string") return undefined;
@@ -10,13 +10,13 @@ export function readNumber(value: unknown): number | undefined {
 	return DECIMAL.test(text) ? Number(text) : undefined;
 }
 
-/** A list, or text with commas; a single value is a list of one. */
+/** A list, or text with commas; a single value becomes a list of one. */
 export function readList(value: unknown): readonly unknown[] {
 	if (Array.isArray(value)) return value;
 	return typeof value === "string" ? value.split(",") : [value];
 }
 
-/** Numbers of a list or of text with commas; undefined where one of them is none. */
+/** Numbers from a list or from text with commas; undefined where one of them is no number. */
 export function readNumbers(value: unknown): number[] | undefined {
 	const numbers: number[] = [];
 	for (const part of readList(value)) {
@@ -35,7 +35,7 @@ export function readColour(value: unknown): string | undefined {
 	return /^[0-9a-f]{3}$/.test(digits) ? digits.replace(/./g, "$&$&") : undefined;
 }
 
-/** The place among `options` from an option's name or the place itself. */
+/** The index in `options` from an option's name or from the index itself. */
 export function readChoice(value: unknown, options: readonly string[]): number | undefined {
 	const named = typeof value === "string" ? options.indexOf(value.trim().toLowerCase()) : -1;
 	const place = named >= 0 ? named : readNumber(value);

@@ -1,11 +1,11 @@
-/** Reading a number that has a range, with the note for one that does not fit. */
+/** Reads a number that has a range, with a note for one that does not fit. */
 import { type Notes, quote } from "./notes";
 import { readNumber } from "./read_values";
 import { inGap, nearestWithin, type Range } from "./table";
 
 /**
- * The number that fits the range, noted where it is not the one given; undefined where there is none.
- * @param before what is used where it is no number, as the note says it
+ * The number, moved into the range with a note where it does not fit; undefined where there is none.
+ * @param before the value that is used where it is no number, in the words of the note
  */
 export function readWithin(
 	range: Range,

@@ -1,6 +1,6 @@
 /**
- * The one door by which data from outside becomes a specimen: links, exported files and the command line all enter
- * here. Nothing is refused: what cannot be used is replaced, and a note says so.
+ * Turns data from outside into a specimen: links, exported files and the command line all pass through here. Nothing is
+ * refused: unusable values are replaced, with a note.
  */
 import { fromPreset } from "./from_preset";
 import { SEED } from "./limits";
@@ -12,17 +12,17 @@ import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import { type Entry, valueIn, writtenIn } from "./table";
 
 export interface Restored<S extends Specimen = Specimen> {
-	/** Complete and in range, whatever came in. */
+	/** Complete and in range for any input. */
 	specimen: S;
 	notes: Note[];
 }
 
-/** What may surround the values: the groups of a specimen written as JSON. */
+/** Objects that may enclose the values: the groups of a specimen written as JSON. */
 const GROUPS = ["parameters", "look"];
-/** Read before, or not of the specimen itself. */
+/** Read first, or not part of the specimen itself. */
 const READ_FIRST = new Set(["v", "model", "preset"]);
 
-/** Whether a key of a link or a table key means something here. */
+/** Whether a link key or a table key has a meaning here. */
 export function isKnown<S extends Specimen>({ table, details }: ModelSchema<S>, key: string): boolean {
 	if (READ_FIRST.has(key) || key === "seed") return true;
 	if (table.entry(key) !== undefined || table.linked(key).length > 0) return true;
@@ -30,20 +30,19 @@ export function isKnown<S extends Specimen>({ table, details }: ModelSchema<S>, 
 }
 
 /**
- * Reads a record of values by link keys (`p3: "79,76"`), table keys (`p3w: 79`), or both; values may be text or JSON's
- * own, and may stand in the groups of a written specimen. Null and undefined are absent.
+ * Reads a record of values by link keys (`p3: "79,76"`), table keys (`p3w: 79`), or both; values may be text or JSON
+ * values, and may be inside the groups of a written specimen. Null and undefined count as absent.
  *
- * A record of an older version gives what it meant then, as a specimen of now.
- *
- * @param species what the specimen is to be one of; a record that names another model is read as far as it goes
- * @param record what came in; anything but an object is noted and passed over
- * @param from   the specimen whose values hold where the record is silent; without one, the record's preset
+ * A record of an older version is converted into a current specimen with the meaning that it had.
+ * @param species the schema of the specimen; a record of another model is read as far as possible
+ * @param record the input; anything but an object is noted and ignored
+ * @param from   the specimen with the values that the record lacks; without one, the record's preset
  */
 export function restore<S extends Specimen>(species: ModelSchema<S>, record: unknown, from?: S): Restored<S> {
 	const notes = new Notes();
 	const parts = flatten(species, record, notes);
 	const named = new Map(parts);
-	// Links from before versions were written are version 1; they name no model. What says nothing of a specimen is no link.
+	// Links without a version are version 1; they name no model. A record without a single known key is no link.
 	const isOld = from === undefined && !named.has("model") && parts.some(([key]) => isKnown(species, key));
 	const version = readVersion(named.get("v"), isOld ? 1 : SPECIMEN_VERSION, notes);
 	if (isOld && !named.has("v")) noteYounger(species, named.get("preset"), notes);
@@ -56,7 +55,7 @@ export function restore<S extends Specimen>(species: ModelSchema<S>, record: unk
 	return { specimen, notes: notes.all() };
 }
 
-/** The name of the model that a record says it is of; undefined where it says none. */
+/** The model's name in a record; undefined where it has none. */
 export function modelIn(record: unknown): string | undefined {
 	const named = isRecord(record) && Object.hasOwn(record, "model") ? record.model : undefined;
 	return typeof named === "string" ? named : undefined;
@@ -89,7 +88,7 @@ function readVersion(value: unknown, silent: number, notes: Notes): number {
 	return version;
 }
 
-/** What says no version is read as the first, in which some presets never were. */
+/** Notes a preset that is younger than the record's version. */
 function noteYounger<S extends Specimen>({ presets }: ModelSchema<S>, value: unknown, notes: Notes): void {
 	const { title, since = 1 } = (typeof value === "string" && presets.named(value)) || {};
 	if (since > 1)
@@ -154,7 +153,7 @@ function readEntry(specimen: Specimen, entry: Entry, name: string, value: unknow
 	}
 }
 
-/** Parameters that share a link key, such as a control point's `w,r`: all or none. */
+/** Reads parameters that share a link key, such as a control point's `w,r`: all or none. */
 function readPoint(specimen: Specimen, entries: readonly Entry[], key: string, value: unknown, notes: Notes): void {
 	const numbers = readNumbers(value);
 	if (numbers?.length !== entries.length) {

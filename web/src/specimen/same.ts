@@ -1,16 +1,16 @@
 import type { Specimen } from "./specimen";
 
-/** Whether two specimens are the same document, of whatever model, and so have the same link. */
+/** Whether two specimens of any model are the same document, and so have the same link. */
 export function sameSpecimen<S extends Specimen>(a: S, b: S): boolean {
 	return alike(a, b);
 }
 
-/** Whether two specimens are sure to grow the same plant; colours do not count. Another preset may bring another text. */
+/** Whether two specimens surely grow the same plant; colours do not matter. Another preset may bring another text. */
 export function growsAlike<S extends Specimen>(a: S, b: S): boolean {
 	return alike({ ...a, look: b.look }, b);
 }
 
-/** Equality of plain data; what is undefined is absent. */
+/** Equality of plain data; undefined counts as absent. */
 function alike(a: unknown, b: unknown): boolean {
 	if (Object.is(a, b)) return true;
 	if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;

@@ -1,23 +1,25 @@
-/** The detail of models whose plants heed what stands about them: what that is, as a stand worked it out for one of its plants. */
+/**
+ * The field of models whose plants react to their surroundings: the values that a stand computes for one of its plants.
+ */
 
 import type { Field } from "./model_schema";
 import { type Notes, quote } from "./notes";
 import { readNumbers } from "./read_values";
 import type { Specimen } from "./specimen";
 
-/** What a specimen with this detail holds. */
+/** A specimen with this field. */
 export interface WithSurroundings {
 	/**
-	 * Eight heights of the horizon in whole degrees, from +X to +Z, and eight lengths of free room in metres, to the centimetre; absent:
-	 * it stands alone.
+	 * Eight heights of the horizon in whole degrees, from +X to +Z, and eight lengths of free room in metres, to the
+	 * centimetre; absent: open ground.
 	 */
 	surroundings?: readonly number[];
 }
 
-/** Directions about a plant. */
+/** Directions around a plant. */
 const SIDES = 8;
 const STEEPEST = 90;
-/** Metres: less is no room, more is what nothing stands in. */
+/** Least and greatest free room, metres. */
 const ROOM = [0.01, 99] as const;
 const ALONE = "it stands alone";
 

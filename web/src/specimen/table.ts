@@ -1,14 +1,14 @@
-/** Parameter tables (wasm-core/parameters/<model>.json), typed for look-up, and the one rule by which a value fits one. */
+/** Parameter tables (wasm-core/parameters/<model>.json), typed for look-up, and the rounding of values to them. */
 import type { MeasureGroup, MeasureInfo } from "./measures";
 import type { Specimen } from "./specimen";
 
 interface Common {
 	readonly key: string;
-	/** Key in the link, for ever. Parameters that share one are its comma-separated values, by `slot`. */
+	/** Key in the link, frozen. Parameters that share one are its comma-separated values, by `slot`. */
 	readonly link: string;
 	readonly slot?: number;
 	readonly label: string;
-	/** The paper's symbol, or empty. */
+	/** The symbol in the paper, or empty. */
 	readonly symbol: string;
 	/** The key of its group. */
 	readonly group: string;
@@ -16,22 +16,22 @@ interface Common {
 	readonly unit: string;
 	/** One plain sentence. */
 	readonly help: string;
-	/** The link version that first knew it. */
+	/** The first link version that knows it. */
 	readonly since: number;
 	/** Whether it only colours the result. */
 	readonly look?: boolean;
-	/** The options of choices that must hold for it to be heeded, by their keys; absent where it always is. */
+	/** Options of choices that must be chosen for the parameter to apply, by their keys; absent: it always applies. */
 	readonly where?: Readonly<Record<string, string>>;
 }
 
 interface Numeric extends Common {
 	readonly min: number;
 	readonly max: number;
-	/** Between 0 and this lies nothing: a value there is raised to it. */
+	/** Values between 0 and this are raised to it. */
 	readonly gapBelow?: number;
 	readonly default: number;
 	readonly step: number;
-	/** What a link from before `since` means; the preset's value where absent. */
+	/** The value in links from before `since`; the preset's value where absent. */
 	readonly before?: number;
 	/** The `#define` of the grammar that it replaces. */
 	readonly define?: string;
@@ -39,14 +39,14 @@ interface Numeric extends Common {
 
 export interface NumberEntry extends Numeric {
 	readonly kind: "number" | "integer";
-	/** What is read in place of 0, where that leaves a number to the text: "auto". */
+	/** The text displayed in place of 0, where 0 leaves the number to the grammar: "auto". */
 	readonly zero?: string;
 }
 
-/** One of a few named options; its number is the place among them. */
+/** A choice among a few named options; its number is the option's index. */
 export interface ChoiceEntry extends Numeric {
 	readonly kind: "choice";
-	/** As links write them. */
+	/** Names as links write them. */
 	readonly options: readonly string[];
 }
 
@@ -56,10 +56,10 @@ export interface ColourEntry extends Common {
 	readonly default: string;
 }
 
-/** One parameter: what it is called, what it may be, and where it stands in a link. */
+/** One parameter: its label, range, and place in a link. */
 export type Entry = NumberEntry | ChoiceEntry | ColourEntry;
 
-/** One that the core reads. */
+/** A parameter that the core reads. */
 export type CoreEntry = NumberEntry | ChoiceEntry;
 
 /** Parameters that panels and pages show together. */
@@ -67,28 +67,28 @@ export interface Group {
 	readonly key: string;
 	readonly title: string;
 	readonly help: string;
-	/** Whether most people touch it: such groups stand before the numbers, the others after them. */
+	/** Whether most users need it: such groups come before the numbers, the others after them. */
 	readonly everyday?: boolean;
-	/** Whether a first visit finds it closed. */
+	/** Whether it is closed on a first visit. */
 	readonly closed?: boolean;
-	/** Whether it stands at the panel's end: what comes and goes while a hand moves something else. */
+	/** Whether it comes last in the panel: its contents appear and vanish while another control moves. */
 	readonly last?: boolean;
-	/** Whether the panel may do without its help. */
+	/** Whether the panel may omit its help. */
 	readonly plain?: boolean;
 }
 
 /** A model's parameters and measures, made from its files in wasm-core/parameters. */
 export class Table {
-	/** Those that the core reads, in the order of its request. */
+	/** Parameters that the core reads, in the order of its request. */
 	readonly core: readonly CoreEntry[];
-	/** Every link key once, in the order of the table, with its parameters. */
+	/** Every link key once with its parameters, in the order of the table. */
 	readonly links: ReadonlyMap<string, readonly Entry[]>;
 	readonly #byKey: ReadonlyMap<string, Entry>;
 
 	/**
 	 * @param entries in the order of links and panels
-	 * @param groups in the order in which they are shown
-	 * @param measures in the order in which the core gives them
+	 * @param groups in the order of display
+	 * @param measures in the order in which the core returns them
 	 */
 	constructor(
 		readonly entries: readonly Entry[],
@@ -106,17 +106,17 @@ export class Table {
 		return this.#byKey.get(key);
 	}
 
-	/** The parameters that a link key stands for, in the order of its values; empty where the key is unknown. */
+	/** The parameters of a link key, in the order of its values; empty where the key is unknown. */
 	linked(link: string): readonly Entry[] {
 		return this.links.get(link) ?? [];
 	}
 
-	/** Whether a specimen's choices let it heed something. */
+	/** Whether a parameter or field applies with a specimen's choices. */
 	isActive(specimen: Specimen, { where = {} }: Pick<Entry, "where">): boolean {
 		return Object.entries(where).every(([key, option]) => this.option(specimen, key) === option);
 	}
 
-	/** The option that a specimen has chosen, as links write it; undefined where there is no such choice. */
+	/** The chosen option of a specimen, as links write it; undefined where there is no such choice. */
 	option({ parameters }: Pick<Specimen, "parameters">, key: string): string | undefined {
 		const entry = this.entry(key);
 		return entry?.kind === "choice" ? entry.options[parameters[key]] : undefined;
@@ -133,13 +133,13 @@ function groupByLink(entries: readonly Entry[]): Map<string, Entry[]> {
 	return groups;
 }
 
-/** The finest step a link can hold. Every specimen lies on it, so that its link is the same specimen. */
+/** The finest step of a link. Every specimen's values are multiples of it, so that its link gives the same specimen. */
 const STEPS_PER_UNIT = 100;
 
-/** What bounds a number. */
+/** The limits of a number. */
 export type Range = Pick<CoreEntry, "kind" | "min" | "max" | "gapBelow">;
 
-/** The nearest value that the range allows and a link can hold. */
+/** The nearest value within the range that a link can hold. */
 export function nearestWithin(range: Range, value: number): number {
 	const inside = Math.min(Math.max(value, range.min), range.max);
 	const raised = inGap(range, inside) ? range.gapBelow : inside;
@@ -151,17 +151,17 @@ export function onStep(value: number, stepsPerUnit = STEPS_PER_UNIT): number {
 	return Math.round(value * stepsPerUnit) / stepsPerUnit + 0; // −0 becomes 0
 }
 
-/** Whether a value lies between 0 and `gapBelow`, where nothing is. */
+/** Whether a value lies between 0 and `gapBelow`, where no value is allowed. */
 export function inGap(range: Range, value: number): range is Range & { gapBelow: number } {
 	return range.gapBelow !== undefined && value > 0 && value < range.gapBelow;
 }
 
-/** What a specimen holds for a parameter. */
+/** The value of a parameter in a specimen. */
 export function valueIn({ look, parameters }: Pick<Specimen, "look" | "parameters">, entry: Entry): number | string {
 	return entry.look ? look[entry.key] : parameters[entry.key];
 }
 
-/** What a specimen holds for a parameter, as links and files write it: a choice by the name of its option. */
+/** The value of a parameter in a specimen as links and files write it: a choice by the name of its option. */
 export function writtenIn(specimen: Pick<Specimen, "look" | "parameters">, entry: Entry): number | string {
 	const value = valueIn(specimen, entry);
 	return entry.kind === "choice" ? entry.options[value as number] : value;

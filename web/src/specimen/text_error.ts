@@ -1,6 +1,6 @@
-/** A mistake in a text that is read outside of the core, with its place. */
+/** A mistake in a text that is read outside of the core, with its position. */
 export class TextError extends Error {
-	/** Both from 1. */
+	/** Line and column count from 1. */
 	constructor(
 		readonly line: number,
 		readonly column: number,

@@ -1,6 +1,6 @@
 /**
- * A plant as a file of its grammar's text: `.growth`, `.stand`. What the text does not say, its preset, seed and parameters, stands in
- * a comment in the first line as a link's query: `/* Panicle ?v=2&model=growth&preset=oak` and the comment's end.
+ * A plant as a file of its grammar's text: `.growth`, `.stand`. Preset, seed and parameters are a link's query in a
+ * comment in the first line: `/* Panicle ?v=2&model=growth&preset=oak` and the comment's end.
  */
 import { decodeQuery, encodeQuery } from "./link";
 import type { ModelSchema } from "./model_schema";
@@ -8,28 +8,28 @@ import type { Specimen } from "./specimen";
 
 const FIRST_LINE = /^\uFEFF?\/\* Panicle (\?\S*) \*\/\r?\n/;
 
-/** What a file of a text holds. */
+/** The contents of a text file. */
 export interface TextFile {
-	/** Of a link without its text; undefined where the file says none. */
+	/** Query of a link without its text; undefined where the file has none. */
 	readonly query: string | undefined;
-	/** Without the comment that has it. */
+	/** The text without the comment that has the query. */
 	readonly text: string;
 }
 
-/** @param text what the specimen grows by */
+/** @param text the text that the specimen grows by */
 export function writeTextFile<S extends Specimen>(species: ModelSchema<S>, specimen: S, text: string): string {
-	// Nothing in it ends the comment.
+	// The query must not end the comment.
 	const query = encodeQuery(species, specimen).replaceAll("*/", "*%2F");
 	return `/* Panicle ${query} */\n${text}`;
 }
 
-/** Any text is a file: one that was not written here has no query. */
+/** Reads a text file. Any text is valid: one from elsewhere has no query. */
 export function readTextFile(file: string): TextFile {
 	const [line, query] = FIRST_LINE.exec(file) ?? [""];
 	return { query, text: file.slice(line.length) };
 }
 
-/** The specimen that the file says, but for its text; undefined where the file says none. */
+/** The specimen of the file's query, without the text; undefined where the file has none. */
 export function specimenOf<S extends Specimen>(species: ModelSchema<S>, { query }: TextFile): S | undefined {
 	return query === undefined ? undefined : decodeQuery(species, query).specimen;
 }
