@@ -1,4 +1,4 @@
-/** Growing a specimen of any model, wherever its core lives. */
+/** Grows a specimen of any model, wherever its core runs. */
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 import type { GrowthOptions, Model } from "../models/model";
@@ -6,10 +6,10 @@ import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import { grownMembers, type MembersOptions } from "./members";
 
-/** Has the core of that file (`bunch.wasm`) grow a request. */
+/** Runs a request in the core of a file (`bunch.wasm`). */
 export type Run = (wasm: string, blocks: readonly Block[]) => Promise<Answer>;
 
-/** Grows a specimen, and those that stand in it; throws what `run` throws. */
+/** Grows a specimen and its members; rejects as `run` does. */
 export async function growPlant(
 	model: Model,
 	specimen: Specimen,
@@ -22,7 +22,7 @@ export async function growPlant(
 	return grownMembers(model, grown, run, { ...members, meshes: options.meshes ?? true });
 }
 
-/** The same plant on any machine: how long it took is no part of it. */
+/** The plant without the time that growing took: the same on any machine. */
 export function untimed(plant: Plant): Plant {
 	return { ...plant, timings: { grow: 0 } };
 }

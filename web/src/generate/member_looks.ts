@@ -1,4 +1,4 @@
-/** What members look like, from near and from far. */
+/** Meshes and materials of members at several levels of detail. */
 
 import type { Member, MemberMesh } from "../models/member";
 import type { Model } from "../models/model";
@@ -8,10 +8,10 @@ import { everyPart, type Part, type Shape } from "../plant/part";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 
-/** Triangles of the levels of what makes none itself, from near to far. */
+/** Triangles of the levels, from near to far, for models without levels of their own. */
 const TRIANGLES = [3000, 600];
 
-/** Materials that are alike, as one object each. Pictures are left out: their mean is the colour. */
+/** Materials, one object per look. Pictures are dropped: their mean is the colour. */
 export class Looks {
 	readonly #known = new Map<string, Material>();
 
@@ -23,7 +23,7 @@ export class Looks {
 	}
 }
 
-/** The levels of a plant and how far it reaches; no levels where it was grown without meshes. */
+/** The levels and extent of a plant; no levels where it was grown without meshes. */
 export async function levelsOf(
 	model: Model,
 	plant: Plant,
@@ -39,7 +39,7 @@ export async function levelsOf(
 	const levels = shapes.map((level) =>
 		level.map(({ mesh, material }): MemberMesh => ({ mesh: packed(mesh, unit), material: looks.of(material) })),
 	);
-	// What has nothing to draw takes no room.
+	// Meshes without triangles have no extent.
 	const extents = (levels[0] ?? []).map(({ mesh }) => extentOf(mesh.positions, mesh.unit / PLACE_STEPS));
 	const whole = { low: 0, high: 0, out: 0 };
 	for (const { low, high, out } of extents) {
@@ -50,7 +50,7 @@ export async function levelsOf(
 	return { levels, extent: whole };
 }
 
-/** What makes no levels is merged and made light, as files are. */
+/** Merges and simplifies the parts of models without levels, as files do. */
 async function lighter(parts: Iterable<Part>): Promise<Part[][]> {
 	const { lightParts } = await import("../formats/light");
 	let from = [...parts];

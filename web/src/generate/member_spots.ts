@@ -1,4 +1,4 @@
-/** Where on a member others may hang: its organs of the tags that were asked for. */
+/** Positions of a member's organs with the requested tags, where other members may hang. */
 
 import type { Member, MemberRequest } from "../models/member";
 import type { Plant } from "../plant/plant";

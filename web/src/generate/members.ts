@@ -1,6 +1,6 @@
 /**
- * Growing a plant's members: each a specimen of its own, by the core of its own model, in whatever order. What each is follows
- * from what is asked alone, so that any worker in any order gives the same, and each can be grown again by itself.
+ * Grows a plant's members: each a specimen of its own, by the core of its own model. A member depends on its request
+ * alone, so that workers may grow members in any order, and each can be grown again by itself.
  */
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
@@ -16,31 +16,34 @@ import type { Specimen } from "../specimen/specimen";
 import { Looks, levelsOf } from "./member_looks";
 import { spotsOf } from "./member_spots";
 
-/** Has the core of that file (`growth.wasm`) grow a request. */
+/** Runs a request in the core of a file (`growth.wasm`). */
 export type RunCore = (wasm: string, blocks: readonly Block[]) => Promise<Answer>;
 
 export interface MembersOptions {
-	/** Whether meshes are wanted; the default is yes. */
+	/** Whether to make meshes; the default is true. */
 	meshes?: boolean;
-	/** How many are under way at once; 1 where absent. */
+	/** The most members that grow at once; 1 where absent. */
 	abreast?: number;
-	/** Those that have grown before: what is asked as it was then is not grown anew. */
+	/** Members that have grown before; equal requests reuse them. */
 	cache?: MemberCache;
-	/** Bytes that their meshes may take together; the default is what a page can hold. */
+	/** The most bytes of all their meshes; the default is the limit of a page. */
 	most?: number;
 	/** Whether the time limit is over: members that have not begun are left out, and the plant is cut short. */
 	timeIsOver?: () => boolean;
-	/** Told after some have grown, with what there is so far; where it throws, nothing more is grown. */
+	/** Called with the plant so far after some members have grown; if it throws, growing stops. */
 	grew?(grown: Plant, done: number, all: number): void;
 }
 
-/** Members by what was asked: those of the last plant, for the next one that has many of the same. */
+/** Members of the last plant by request, for a next plant with many of the same. */
 export class MemberCache {
-	/** Those of all, so that new ones share materials with those that stay, and files are the same whatever was there before. */
+	/**
+	 * Looks of all members, so that new ones share materials with cached ones; files do not depend on the order of
+	 * growing.
+	 */
 	readonly looks = new Looks();
 	#known = new Map<string, Member>();
 
-	/** Those that the plant asks for which are known; from now on no others are. */
+	/** Returns the cached members of these requests, and drops all others. */
 	keep(asked: readonly MemberRequest[], meshes: boolean): (Member | undefined)[] {
 		const keys = asked.map((each) => keyOf(each, meshes));
 		const found = keys.map((key) => this.#known.get(key));
@@ -57,15 +60,15 @@ function keyOf({ model, preset, seed, values, surroundings, spots }: MemberReque
 	return JSON.stringify([model, preset, seed, values, surroundings, spots, meshes]);
 }
 
-/** What is told in between is told when so many more have grown, as a share of those there are. */
+/** Report progress when the number of members has grown by this share. */
 const STEP = 1;
-/** Bytes of meshes: a page has them twice, once for the graphics card. */
+/** The most bytes of meshes: a page holds them twice, once for the graphics card. */
 const MOST = 600e6;
 
 /**
- * A plant with its members grown.
- * @throws CoreError at the place in its text that asks for it: where a model, a preset or a parameter does not exist, where one cannot
- * be grown, and where all of them take too much memory; and what else `run` throws
+ * Grows the members of a plant.
+ * @throws CoreError at the position of a request in the plant's text: where a model, a preset or a parameter does not
+ * exist, where a member cannot be grown, and where all of them take too much memory; and errors of `run`
  */
 export async function grownMembers(
 	model: Model,
@@ -97,7 +100,7 @@ export async function grownMembers(
 			bytes += bytesOf(member);
 			if (bytes > most) throw tooMuch(asked[at], most);
 			done[at] = member;
-			// What could not be fetched may be there the next time.
+			// Cache no member whose resources could not be fetched: the next try may succeed.
 			if (read[at].prepared) cache?.add(heard[at], meshes, member);
 			if (++count < tell || count === asked.length) continue;
 			tell = Math.ceil(count * (1 + STEP));
@@ -122,7 +125,7 @@ export async function grownMembers(
 	return cutShort ? { ...joined(), cutShort } : joined();
 }
 
-/** In which order they are grown: those of one preset one after the other, for cores keep what the next one has of the last. */
+/** The order of growing: members of one preset one after the other, because cores cache results for the next plant. */
 function alikeTogether(asked: readonly MemberRequest[]): readonly number[] {
 	const presets = new Map<string, number[]>();
 	for (const [i, { model, preset }] of asked.entries()) {
@@ -135,8 +138,8 @@ function alikeTogether(asked: readonly MemberRequest[]): readonly number[] {
 }
 
 /**
- * What was to be said of members, each once, in the order in which they are asked for. Remarks on a line of a preset’s own text are
- * for whoever opens that.
+ * Notes of the members, each once, in the order of requests. Notes on a line of a preset's own text are left out: they
+ * are for those who open the preset.
  */
 function notesOf(members: readonly (Member | undefined)[]): Set<string> {
 	return new Set(
@@ -161,19 +164,19 @@ function tooMuch({ place }: MemberRequest, most: number): CoreError {
 }
 
 interface Read {
-	/** What was asked, of which the model takes heed. */
+	/** The request without values that the model ignores. */
 	readonly asked: MemberRequest;
 	readonly model: Model;
 	readonly specimen: Specimen;
-	/** Whether all that it needs besides the core is there. */
+	/** Whether all resources besides the core are there. */
 	readonly prepared: boolean;
 }
 
-/** What is asked as specimens, with what each needs fetched. */
+/** Turns requests into specimens, and fetches the resources of each. */
 async function resolved(of: Model, asked: readonly MemberRequest[], notes: Set<string>): Promise<Read[]> {
 	const models = new Map<string, Model>();
 	const read: Omit<Read, "prepared">[] = [];
-	// Whether what it takes came, by what decides what that is.
+	// Whether resources could be fetched, by the values that determine them.
 	const fetched = new Map<string, Promise<boolean>>();
 	const keys: string[] = [];
 	for (const told of asked) {
@@ -210,28 +213,28 @@ async function resolved(of: Model, asked: readonly MemberRequest[], notes: Set<s
 	return read.map((each, i) => ({ ...each, prepared: prepared.get(keys[i]) ?? true }));
 }
 
-/** What a model knows nothing of makes no other plant. */
+/** Drops surroundings where the model has no such field. */
 function heeded({ details }: Model, { surroundings, ...asked }: MemberRequest): MemberRequest {
 	const isActive = surroundings !== undefined && details.some(({ keys }) => keys.includes("surroundings"));
 	return isActive ? { ...asked, surroundings } : asked;
 }
 
-/** What to fetch follows from what is chosen, and of numbers from whether there is any of it. */
+/** A key of the values that determine which resources are needed: choices, and whether numbers are above 0. */
 function preparedBy({ model, preset, values }: MemberRequest): string {
 	const telling = Object.entries(values).map(([key, value]) => [key, typeof value === "number" ? value > 0 : value]);
 	return JSON.stringify([model, preset, telling]);
 }
 
-/** What reads names that are a text's own. */
+/** The field that reads a text's own names. */
 const namerOf = ({ details }: Model) => details.find(({ named }) => named);
 
-/** Values of the text's own names; undefined where all are of the table. */
+/** Values of the text's own names; undefined where all names are in the table. */
 function ownNames({ table }: Model, { values }: MemberRequest): Record<string, string> | undefined {
 	const own = Object.entries(values).filter(([key]) => !table.entry(key));
 	return own.length > 0 ? Object.fromEntries(own.map(([key, value]) => [key, String(value)])) : undefined;
 }
 
-/** @throws CoreError at the place of a name that neither the table nor the text has */
+/** @throws CoreError at the position of a name that neither the table nor the text has */
 async function noStranger(model: Model, specimen: Specimen, { place, places, preset }: MemberRequest): Promise<void> {
 	const stranger = await namerOf(model)?.stranger?.(specimen);
 	if (!stranger) return;
@@ -243,7 +246,7 @@ async function noStranger(model: Model, specimen: Specimen, { place, places, pre
 	);
 }
 
-/** What is drawn is any number; of what is counted, the nearest whole one. What is no parameter is left out. */
+/** Rounds values of integer parameters; drops values that are no parameters. */
 function whole({ table }: Model, values: MemberRequest["values"]): MemberRequest["values"] {
 	const counted = (key: string) => table.entry(key)?.kind === "integer";
 	return Object.fromEntries(
@@ -268,7 +271,7 @@ function checked(model: Model, { preset, values, place, places }: MemberRequest)
 			place,
 		);
 	for (const key of Object.keys(values)) {
-		// What its text calls its own is known when that is there.
+		// Whether the text has such a name of its own is known once it is fetched.
 		if (table.entry(key) || (namerOf(model) && typeof values[key] === "number")) continue;
 		const keys = table.entries.map((each) => each.key).join(", ");
 		throw wrong(`The ${noun} has no parameter ${key}; there are ${keys}.`, places[key] ?? place);
@@ -279,7 +282,7 @@ function wrong(message: string, { line, column }: TextPosition): CoreError {
 	return new CoreError("undefined name", message, line, column);
 }
 
-/** What is wrong with one is so of the line that asks for it: the place in its own text says nothing in this one. */
+/** Errors of a member refer to the line that requests it: a position in the member's own text means nothing here. */
 async function memberOf(read: Read, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
 	try {
 		return await grownMember(read, run, meshes, looks);

@@ -2,17 +2,17 @@ import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 
-/** A plant that has grown, with what it grew from. */
+/** A grown plant with its specimen. */
 export interface Described {
 	readonly model: Model;
 	readonly specimen: Specimen;
 	readonly grown: Plant;
 }
 
-/** What a plant is, for those who do not see it: "Riesling bunch: 99 berries, 12 cm long", "Oak leaf, 42 cm², …". */
+/** Describes a plant for users who cannot see it: "Riesling bunch: 99 berries, 12 cm long", "Oak leaf, 42 cm², …". */
 export function plantInWords({ model, specimen, grown }: Described): string {
 	const words = model.words(grown, specimen);
-	// Some models' words say of themselves what it is.
+	// The words of some models already contain the noun.
 	if (/^[^,:]*/.exec(words.toLowerCase())?.[0].includes(model.noun)) return words;
 	const title = model.titled?.(specimen) ?? model.presets.named(specimen.preset)?.title ?? model.title;
 	const named = title.toLowerCase().includes(model.noun) ? title : `${title} ${model.noun}`;

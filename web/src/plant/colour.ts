@@ -1,4 +1,4 @@
-/** Colours as linear light, and the spaces in which the eye sees even steps. */
+/** Colours as linear light, and conversions to spaces with perceptually even steps. */
 
 /** Linear red, green, blue, 0 … 1. */
 export type Colour = [red: number, green: number, blue: number];
@@ -10,7 +10,7 @@ export interface Lch {
 	hue: number;
 }
 
-/** Mid grey: what is shown of a colour that cannot be read. */
+/** Mid grey, in place of a colour that cannot be read. */
 const UNREADABLE = 0x808080;
 
 /** Six hexadecimal digits of sRGB, `#` or not, as linear light (IEC 61966-2-1); mid grey where they cannot be read. */
@@ -55,7 +55,7 @@ export function fromLch({ lightness, chroma, hue }: Lch): Colour {
 	];
 }
 
-/** The value, brought between the two others. */
+/** Clamps the value to the range. */
 export function clamp(value: number, low = 0, high = 1): number {
 	return Math.min(high, Math.max(low, value));
 }

@@ -1,22 +1,22 @@
-/** What the core tells of a derivation, step by step (columns: wasm-core/src/lsystem_plant/derivation_trace_columns.hpp). */
+/** The trace of a derivation, step by step (columns: wasm-core/src/lsystem_plant/derivation_trace_columns.hpp). */
 import type { Block, Columns } from "../core/container";
 
-/** The longest window that may be asked for. */
+/** The most modules in a window. */
 export const MOST_TOLD = 2000;
 
-/** Which part of a derivation is to be told. No link keeps it. */
+/** The part of a derivation to trace. No link stores it. */
 export interface TraceRequest {
-	/** 0 is the axiom; of one beyond the last, the last is told. */
+	/** 0 is the axiom; steps beyond the last one give the last. */
 	readonly step: number;
 	/** Index of the window's first module in that step's string; 0 where absent. */
 	readonly first?: number;
-	/** How many modules from there on, at most `MOST_TOLD`, which is the default. */
+	/** Modules in the window, at most `MOST_TOLD`, which is the default. */
 	readonly count?: number;
-	/** A module of the last string, whose ancestors are wanted (`DerivationTrace.trail`). */
+	/** A module of the last string, for the trail of its ancestors (`DerivationTrace.trail`). */
 	readonly module?: number;
 }
 
-/** Where a production stands in the text, from 1 on: at its predecessor. */
+/** The position of a production's predecessor in the text. */
 export interface TextPlace {
 	/** From 1. */
 	readonly line: number;
@@ -24,35 +24,35 @@ export interface TextPlace {
 	readonly column: number;
 }
 
-/** Modules one after the other in a string. */
+/** Consecutive modules in a string. */
 export interface ModuleSpan {
 	/** Index of the first. */
 	readonly first: number;
-	/** May be 0: then `first` is where it would stand. */
+	/** May be 0: then `first` is the place where they would be. */
 	readonly count: number;
 }
 
-/** How a production was drawn among those that match. */
+/** The draw that chose a production among those that match. */
 export interface Chance {
-	/** The sum of the weights of all that matched. */
+	/** The sum of the weights of all matching productions. */
 	readonly total: number;
-	/** Its own weight. */
+	/** The weight of the chosen production. */
 	readonly weight: number;
-	/** Where in that sum the draw fell, from 0 up to `total`. */
+	/** The drawn number, from 0 up to `total`. */
 	readonly drawn: number;
 }
 
-/** What a module was told, or asked and was told. */
+/** The values that the environment set in a query module. */
 export interface ModuleAnswer {
-	/** Its parameters before; undefined of ?P, ?H, ?L and ?U, which ask nothing. */
+	/** Parameters before; undefined for ?P, ?H, ?L and ?U, which have no input. */
 	readonly asked?: readonly string[];
-	/** Its parameters afterwards. */
+	/** Parameters afterwards. */
 	readonly answered: readonly string[];
-	/** Why, in the environment's words, where it has any. */
+	/** The environment's reason, if any. */
 	readonly words?: string;
 }
 
-/** A production that does not rewrite a module, and why. */
+/** A production that does not rewrite a module, with the reason. */
 export interface Refusal {
 	readonly production: TextPlace;
 	/** "its condition is false with x = 3" */
@@ -61,47 +61,50 @@ export interface Refusal {
 
 /** A module of the window. */
 export interface ToldModule {
-	/** As the string has it: `B(29)`. */
+	/** Its text in the string: `B(29)`. */
 	readonly text: string;
-	/** Index in the step before of the module that it came from; undefined in the axiom. */
+	/** Index of its parent module in the step before; undefined in the axiom. */
 	readonly parent?: number;
-	/** The production that wrote it in this step; undefined where it was copied, and of the axiom. */
+	/** The production that wrote it in this step; undefined where it was copied, and in the axiom. */
 	readonly production?: TextPlace;
 	/** The production that rewrites it next; undefined where it stays, is cut, or there is no next step. */
 	readonly fires?: TextPlace;
 	/** The other productions of its symbol, in the order of the text; absent where there are none. */
 	readonly refusals?: readonly Refusal[];
-	/** What that production is used with, in its own order: parameters of predecessor and contexts, then what its blocks work out. */
+	/**
+	 * Values that the firing production uses, in its own order: parameters of predecessor and contexts, then results of
+	 * its blocks.
+	 */
 	readonly values: readonly { readonly name: string; readonly value: string }[];
-	/** Of a production with a weight that fires. */
+	/** For a firing production with a weight. */
 	readonly chance?: Chance;
-	/** What it becomes in the next step; of the last step nothing. */
+	/** Its successors in the next step; empty in the last step. */
 	readonly children: ModuleSpan;
-	/** Its descendants in the last string, by whose indices `DerivationTrace.segments` and `organs` go. */
+	/** Its descendants in the last string, whose indices `DerivationTrace.segments` and `organs` use. */
 	readonly last: ModuleSpan;
-	/** What it was told before the next step. */
+	/** The environment's values before the next step. */
 	readonly answer?: ModuleAnswer;
 }
 
 /** A derivation, and a window of one of its strings. */
 export interface DerivationTrace {
-	/** How many modules each step's string has; the axiom's first. */
+	/** Modules in each step's string, from the axiom on. */
 	readonly counts: Uint32Array;
-	/** The step that is told. */
+	/** The traced step. */
 	readonly step: number;
 	/** Index of the first of `modules` in its string. */
 	readonly first: number;
 	/** The window's modules, in their order. */
 	readonly modules: readonly ToldModule[];
-	/** Of the module of the last string that was asked for: the index of its ancestor in each step. */
+	/** For the requested module of the last string: the index of its ancestor in each step. */
 	readonly trail?: Uint32Array;
-	/** Of each segment of the plant, the module of the last string that drew it; `NOT_DRAWN` where none did. */
+	/** For each segment of the plant, the module of the last string that drew it; `NOT_DRAWN` where none did. */
 	readonly segments: Uint32Array;
-	/** Of each organ likewise. */
+	/** The same for each organ. */
 	readonly organs: Uint32Array;
 }
 
-/** What the text did not draw: a peduncle, a second bunch. */
+/** Marks parts that the text did not draw: a peduncle, a second bunch. */
 export const NOT_DRAWN = 0xffffffff;
 
 /** Blocks of a request that ask for it, besides the output word `chronicle`. */
@@ -154,7 +157,7 @@ function placeOf([line, column]: Uint32Array): TextPlace | undefined {
 	return line === 0 ? undefined : { line, column };
 }
 
-/** `3:1 its condition is false` of each, with tabs between. */
+/** Reads `3:1 its condition is false` for each production, separated by tabs. */
 function refusalsOf(line: string): Refusal[] {
 	return line
 		.split("\t")
@@ -175,7 +178,7 @@ function assignment(pair: string): { name: string; value: string } {
 	return { name: pair.slice(0, at), value: pair.slice(at + 1) };
 }
 
-/** `asked 1 0 → 1 3; because`, or `written 0 1 0`. */
+/** Reads `asked 1 0 → 1 3; because`, or `written 0 1 0`. */
 function answerOf(line: string): ModuleAnswer | undefined {
 	if (line === "") return undefined;
 	const numbers = (text: string) => text.split(" ").filter(Boolean);

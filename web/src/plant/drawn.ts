@@ -1,6 +1,6 @@
 /**
- * What a plant's modules have drawn, one by one: what is pointed at in a view, and what is made to shine there. Segments go by their
- * index, organs too, as `DerivationTrace.segments` and `organs` count them. Metres.
+ * Geometry that a plant's modules have drawn, one by one, for picking and highlighting in a view. Segments and organs
+ * are numbered as in `DerivationTrace.segments` and `organs`. Metres.
  */
 import { TRANSFORM } from "./part";
 import type { MeshRun, Plant, PlantMesh } from "./plant";
@@ -11,9 +11,9 @@ export interface DrawnSurface {
 	readonly positions: Float32Array;
 	/** 3 × triangles. */
 	readonly indices: ArrayLike<number>;
-	/** From these on, as many; all where absent. */
+	/** Its triangles within the mesh; all where absent. */
 	readonly run?: Pick<MeshRun, "firstIndex" | "indexCount">;
-	/** Where it stands: place x y z, rotation x y z w, scale; as it is where absent. */
+	/** Position x y z, rotation x y z w, scale; identity where absent. */
 	readonly transform?: Float32Array | undefined;
 }
 
@@ -22,15 +22,15 @@ export interface Drawn {
 	readonly ends: Float32Array;
 	/** 2 × segments: radius at the start, at the end. */
 	readonly radii: Float32Array;
-	/** How many organs there are. */
+	/** The number of organs. */
 	readonly organs: number;
-	/** An organ's surface; undefined where it has none. */
+	/** The surface of an organ; undefined where it has none. */
 	surface(organ: number): DrawnSurface | undefined;
 }
 
 /**
- * What any plant has drawn.
- * @param runs of meshes whose runs are organs, by the mesh's name: the organ that each run is
+ * The drawn geometry of any plant.
+ * @param runs for meshes whose runs are organs, by the mesh's name: the organ of each run
  */
 export function drawnOf(
 	{ segments, organs, meshes }: Pick<Plant, "segments" | "organs" | "meshes">,
@@ -57,7 +57,7 @@ export function drawnOf(
 	};
 }
 
-/** The corners of a surface's triangles where they stand: 9 × triangles. */
+/** The corners of a surface's triangles after its transform: 9 × triangles. */
 export function trianglesOf({ positions, indices, run, transform }: DrawnSurface): Float32Array {
 	const { firstIndex = 0, indexCount = indices.length } = run ?? {};
 	const corners = new Float32Array(3 * indexCount);
@@ -65,7 +65,7 @@ export function trianglesOf({ positions, indices, run, transform }: DrawnSurface
 	for (let i = 0; i < indexCount; i++) {
 		const at = 3 * indices[firstIndex + i];
 		const [px, py, pz] = [scale * positions[at], scale * positions[at + 1], scale * positions[at + 2]];
-		// Turned by the quaternion: p + 2 q × (q × p + w p).
+		// Rotate by the quaternion: p + 2 q × (q × p + w p).
 		const cx = qy * pz - qz * py + qw * px;
 		const cy = qz * px - qx * pz + qw * py;
 		const cz = qx * py - qy * px + qw * pz;

@@ -1,4 +1,4 @@
-/** Numbers as sentences say them. */
+/** Numbers in sentences. */
 
 /** "9.2 m", "34 cm". */
 export function lengthInWords(metres: number): string {
@@ -12,7 +12,7 @@ export function countInWords(count: number, one: string, many: string): string {
 	return `${count.toLocaleString("en")} ${count === 1 ? one : many}`;
 }
 
-/** The lowest and the highest that segments reach; 0 and 0 where there are none. */
+/** The lowest and highest end of segments; 0 and 0 where there are none. */
 export function heightsOf(ends: Float32Array): { low: number; high: number } {
 	if (ends.length === 0) return { low: 0, high: 0 };
 	let low = Number.POSITIVE_INFINITY;

@@ -1,44 +1,44 @@
 /**
- * A leaf that another plant bears: baked from a grown one, committed beside this file and read as data, so that no model
- * asks another for it (docs/foliage.md). `npm run generate -- leaves` writes them.
+ * A leaf of another plant: baked from a grown one, committed beside this file and read as data, so that models do not
+ * depend on the leaf model (docs/foliage.md). `npm run generate -- leaves` writes them.
  */
 import { type Block, Columns } from "../core/container";
 
-/** Veins as a picture over the square that texture coordinates span, its first row at v = 0. */
+/** Veins as a picture over the square of texture coordinates; its first row is at v = 0. */
 export interface Veins {
-	/** Pixels to a side. */
+	/** Pixels per side. */
 	side: number;
-	/** side × side, 0 … 255: how much of a pixel is vein. */
+	/** side × side, 0 … 255: the share of veins in a pixel. */
 	shares: Uint8Array;
 }
 
-/** A flat leaf in lengths of its midrib: the petiole joins at the origin, the tip lies near (0, 1). */
+/** A flat leaf in lengths of its midrib: the petiole joins at the origin, the tip is near (0, 1). */
 export interface AttachedLeaf {
 	/** 2 × vertices; the first is the petiole's. */
 	points: Float32Array;
-	/** By vertex, how far it is from the larger veins: 0 on one … 1 in the midst between them. */
+	/** By vertex, the distance from the larger veins: 0 on one … 1 midway between two. */
 	between: Float32Array;
-	/** 2 × vertices: as one sees the upper face with its tip up, u to the right, v down. */
+	/** 2 × vertices: the upper face seen with its tip up, u to the right, v down. */
 	uvs: Float32Array;
 	/** 3 × triangles, counter-clockwise. */
 	indices: Uint32Array;
-	/** Length and width; absent where whoever bears the leaf has petioles of its own. */
+	/** Length and width; absent where the plant has petioles of its own. */
 	petiole?: Float32Array;
-	/** Absent of leaves that are too small for them. */
+	/** Absent for leaves that are too small for veins. */
 	veins?: Veins;
 }
 
-/** A leaf as it is committed: where it comes from, and a container (core/container.ts), deflated, in base64. */
+/** A committed leaf: its source, and a container (core/container.ts), deflated, in base64. */
 export interface LeafFile {
-	/** The preset it was baked from: `leaf/grapevine`. */
+	/** The preset that was baked: `leaf/grapevine`. */
 	from: string;
 	data: string;
 }
 
 /**
- * The columns of that container: `uvs` (int32 × 2, in STEPS to the square), `between` (uint8, in STEEPS), `indices`
- * (uint32 × 3), `square` (float32: left, bottom and size of the square that the uvs span, in lengths of the midrib),
- * `petiole` (float32: length, width), and `veins` (uint8, rows of pixels).
+ * Scales of the container's columns: `uvs` (int32 × 2, in STEPS to the square), `between` (uint8, in STEEPS), `indices`
+ * (uint32 × 3), `square` (float32: left, bottom and size of the square of the uvs, in lengths of the midrib), `petiole`
+ * (float32: length, width), and `veins` (uint8, rows of pixels).
  */
 export const [STEPS, STEEPS] = [1024, 32];
 
@@ -60,7 +60,7 @@ export async function readLeaf({ data }: LeafFile): Promise<AttachedLeaf> {
 	return { ...leaf, veins: { side: columns.width("veins"), shares: columns.uint8("veins") } };
 }
 
-/** As a request has it (wasm-core/src/foliage/flat_leaf.hpp). */
+/** The leaf as columns of a request (wasm-core/src/foliage/flat_leaf.hpp). */
 export function leafBlocks({ points, between, uvs, indices, petiole }: AttachedLeaf): Block[] {
 	return [
 		{ name: "leaf.points", data: points, width: 2 },

@@ -1,14 +1,14 @@
-/** The colours of leaves through the year: no two turn on the same day. */
+/** The colours of leaves through the year: each leaf turns on a day of its own. */
 import { type Colour, clamp, fromLch, linear, mixed, toLch } from "./colour";
 import type { Veins } from "./leaf";
 import { leafPicture } from "./leaf_picture";
 import type { Material } from "./material";
 
-/** As many sorts of leaves as differ to the eye. */
+/** The number of visibly different kinds of leaves. */
 const TINTS = 6;
-/** When summer is. */
+/** The season of summer. */
 const SUMMER = 0.4;
-/** How far apart the first and the last leaf turn, as a share of the year. */
+/** Share of the year between the first and the last leaf to turn. */
 const SPREAD = 0.3;
 /** How much lighter or darker single leaves are. */
 const UNEVEN = 0.1;
@@ -21,7 +21,10 @@ export interface LeafLook {
 	season: number;
 }
 
-/** The colour of a leaf that is ahead of the others by so much of the year. */
+/**
+ * The colour of a leaf.
+ * @param ahead share of the year by which it is ahead of the others
+ */
 export function leafColour({ leaf, autumn, season }: LeafLook, ahead = 0): Colour {
 	const summer = linear(leaf);
 	if (season <= SUMMER) {
@@ -39,8 +42,8 @@ export function leafColour({ leaf, autumn, season }: LeafLook, ahead = 0): Colou
 }
 
 /**
- * One material a tint, by how far ahead its leaves are.
- * @param veins of all leaves; without them they are plain
+ * One material per tint, by how far ahead its leaves are.
+ * @param veins veins of all leaves; without them leaves are plain
  */
 export function leafTints(look: LeafLook, veins?: Veins): Material[] {
 	return Array.from({ length: TINTS }, (_, tint) => {
@@ -63,11 +66,11 @@ export function leafTints(look: LeafLook, veins?: Veins): Material[] {
 	});
 }
 
-/** Veins are paler than what is between them. */
+/** The colour of veins, paler than the blade. */
 function veinColour(blade: Colour): Colour {
 	const { lightness, chroma, hue } = toLch(blade);
 	return fromLch({ lightness: Math.min(0.95, lightness + 0.16), chroma: 0.9 * chroma, hue: hue - 0.08 });
 }
 
-/** Which tints are light and which dark, −1 … 1: not in the order in which they turn. */
+/** How light each tint is, −1 … 1: not in the order in which the tints turn. */
 const ORDER = [0.2, -0.6, 1, -1, 0.6, -0.2];

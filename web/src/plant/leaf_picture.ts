@@ -1,9 +1,9 @@
-/** What a leaf is laid with: its veins in colour. Vertices' colours multiply it. */
+/** The picture of a leaf: its veins in colour. Vertex colours multiply it. */
 import { type Colour, encoded, mixed } from "./colour";
 import type { Veins } from "./leaf";
 import type { Picture } from "./material";
 
-/** Of the veins' colour so much shows at the most. */
+/** The largest share of the veins' colour. */
 const MOST_VEIN = 0.85;
 
 /**

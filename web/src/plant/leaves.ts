@@ -1,17 +1,17 @@
-/** The baked leaves by name: each fetched when a plant first bears it. */
+/** The baked leaves by name, each fetched with the first plant that has it. */
 import { type AttachedLeaf, type LeafFile, readLeaf } from "./leaf";
 
-/** How each is fetched, by where it lies. */
+/** Loaders of the leaves by path. */
 const FILES = import.meta.glob<LeafFile>("./leaves/*.json", { import: "default" });
 
 const fetched = new Map<string, AttachedLeaf>();
 
-/** Fetches one; rejects where that fails, and tries again with the next call. A name that there is none of is nothing to fetch. */
+/** Fetches a leaf; rejects where that fails, and the next call tries again. Does nothing for an unknown name. */
 export async function fetchBakedLeaf(name: string): Promise<void> {
 	const file = FILES[`./leaves/${name}.json`];
 	if (fetched.has(name) || !file) return;
 	fetched.set(name, await readLeaf(await file()));
 }
 
-/** Undefined before it is there. */
+/** The leaf, or undefined before it has been fetched. */
 export const fetchedLeaf = (name: string): AttachedLeaf | undefined => fetched.get(name);

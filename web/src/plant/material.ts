@@ -1,69 +1,69 @@
-/** What surfaces are made of, as physically based values: what the view draws and what files say. */
+/** Materials of surfaces with physically based values, for the view and for files. */
 import { type Colour, linear } from "./colour";
 
-/** A picture that is laid on a surface by its uv: the first row is v = 0. */
+/** A picture on a surface: the first row is v = 0. */
 export interface Picture {
 	/** In pixels. */
 	width: number;
 	/** In pixels. */
 	height: number;
-	/** 3 × width × height: red, green, blue; 4 × where it is only to be drawn (plant/picture.ts). */
+	/** 3 × width × height: red, green, blue; 4 × where it is only for drawing (plant/picture.ts). */
 	pixels: Uint8Array;
 }
 
-/** What is finer than a mesh: view and files lay the same pictures on it. */
+/** Surface detail finer than a mesh; view and files use the same pictures. */
 export interface Textures {
-	/** Laid one beside the other where texture coordinates go on beyond 0 … 1; else they end at their edges. */
+	/** Whether pictures repeat where texture coordinates leave 0 … 1; else they end at their edges. */
 	repeats?: boolean;
-	/** sRGB: in place of the material's colour, which is its mean; colours of vertices multiply it. */
+	/** sRGB, in place of the material's colour, which is its mean; vertex colours multiply it. */
 	colour?: Picture;
 	/**
-	 * Normals in the surface's frame, 0 … 255 for −1 … 1: red to +u, green to −v, which is up in the picture, as glTF has it
-	 * ("+Y up"). Texture coordinates must not be mirrored: seen from outside, v runs down where u runs right. So
-	 * normal × tangent points to −v, whoever makes the tangents.
+	 * Normals in the surface's frame, 0 … 255 for −1 … 1: red to +u, green to −v, which is up in the picture, as in
+	 * glTF ("+Y up"). Texture coordinates must not be mirrored: seen from outside, v runs down where u runs right. So
+	 * normal × tangent points to −v for any way of making tangents.
 	 */
 	normal?: Picture;
 	/**
-	 * How much light from all around reaches it in the red channel (255 all), roughness in the green one in place of the material's, no
-	 * metal in the blue one: as glTF packs them. Files alone have it.
+	 * As glTF packs them: ambient light in the red channel (255 all), roughness in the green one in place of the
+	 * material's, no metal in the blue one. For files only.
 	 */
 	surface?: Picture;
-	/** Of the flesh, as a share of its thickness, in the green channel. Files alone have it. */
+	/** Share of the flesh's thickness in the green channel. For files only. */
 	thickness?: Picture;
 }
 
-/** Parts that share a material share the object. Nothing of a plant is metallic. */
+/** A material; parts with the same material share the object. No part of a plant is metallic. */
 export interface Material {
-	/** As files call it. */
+	/** The name in files. */
 	name: string;
-	/** Linear light: what is shown of parts without colours of their own, and where those cannot be told. */
+	/** Linear light: the colour of parts without vertex colours, and where vertex colours are not supported. */
 	colour: Colour;
 	/** 0 mirror … 1 matt. */
 	roughness: number;
-	/** Whether wind leaves what is made of it alone: stone. */
+	/** Whether wind does not move it: stone. */
 	still?: true;
-	/** Of sheets without thickness. */
+	/** For sheets without thickness. */
 	doubleSided?: boolean;
 	/**
-	 * Of sheets: light that comes through, as a factor on what the colour lets pass (`lightThrough`), and the colour of the
-	 * other side, as a factor on this one's, which files cannot say.
+	 * For sheets: transmitted light, as a factor on the light that the colour lets pass (`lightThrough`), and the
+	 * colour of the reverse, as a factor on this side's, which files cannot hold.
 	 */
 	sheet?: { through: Colour; reverse: Colour };
 	/** Fine fibres or wax, seen at grazing angles: linear colour and roughness. */
 	sheen?: { colour: Colour; roughness: number };
-	/** Refractive index, where it is not 1.5. */
+	/** Refractive index; 1.5 where absent. */
 	ior?: number;
-	/** Factor on the mirror, where it is not 1. */
+	/** Factor on mirror reflection; 1 where absent. */
 	specular?: number;
-	/** A second, smooth mirror over the first. */
+	/** A second, smooth mirror layer above the first. */
 	clearcoat?: { factor: number; roughness: number };
-	/** What is finer than the mesh, where something is. */
+	/** Detail finer than the mesh, if any. */
 	textures?: Textures;
-	/** Light through the flesh: its share; how thick it is; how long a way leaves how much of it (metres, linear colour). */
+	/** Light through the flesh: its share; the thickness; the linear colour that remains after `distance` (metres). */
 	flesh?: { factor: number; thickness: number; colour: Colour; distance: number };
 }
 
-/** Something fair for each kind of material that a plant's mesh may name. */
+/** Materials for the kinds that meshes may name. */
 const STANDARD: Readonly<Record<string, Material>> = {
 	stem: { name: "Stem", colour: linear("7d7a3f"), roughness: 0.85 },
 	bark: { name: "Bark", colour: linear("6d5745"), roughness: 0.95 },
@@ -88,13 +88,16 @@ const STANDARD: Readonly<Record<string, Material>> = {
 };
 const PLAIN: Omit<Material, "name"> = { colour: linear("86a046"), roughness: 0.75 };
 
-/** The material of a kind that a model does not dress itself: a kind nobody has heard of is a leaf's matt green. */
+/** The material of a kind for which a model has none of its own; an unknown kind is a leaf's matt green. */
 export function standardMaterial(kind: string): Material {
 	if (Object.hasOwn(STANDARD, kind)) return STANDARD[kind];
 	return { name: kind.charAt(0).toUpperCase() + kind.slice(1), ...PLAIN };
 }
 
-/** Light that comes through a sheet as a share of what it throws back, colour by colour: what is paler lets more pass. The view does the same pixel by pixel. */
+/**
+ * Light through a sheet as a share of the reflected light, by channel: paler colours let more pass. The view does the
+ * same pixel by pixel.
+ */
 export function lightThrough({ sheet, colour }: Material): Colour {
 	return (sheet?.through ?? [0, 0, 0]).map((share, k) => share * Math.sqrt(colour[k])) as Colour;
 }

@@ -1,4 +1,4 @@
-/** Chance that is the same for ever and everywhere: hashes of whole numbers, and smooth noise made of them. */
+/** Pseudo-random numbers that are the same on every machine: hashes of whole numbers, and smooth noise made of them. */
 
 /** A well-mixed hash of two integers (the finaliser of MurmurHash3) as a fraction of 1. */
 export function hashFraction(id: number, stream: number): number {
@@ -8,7 +8,7 @@ export function hashFraction(id: number, stream: number): number {
 	return ((h ^ (h >>> 16)) >>> 0) / 4294967296;
 }
 
-/** Smooth noise of one octave, 0 … 1, that changes over about one unit: what `noise` of NOISE_CHUNK draws. */
+/** Smooth noise of one octave, 0 … 1, that changes over about one unit: the same as `noise` in NOISE_CHUNK. */
 export function noise(x: number, y: number, z: number): number {
 	const cx = Math.floor(x);
 	const cy = Math.floor(y);
@@ -20,7 +20,7 @@ export function noise(x: number, y: number, z: number): number {
 	return near + fz * (plane(cx, cy, cz + 1, fx, fy) - near);
 }
 
-/** Between the four corners of a cell that have the same z. */
+/** Interpolates between the four corners of a cell with the same z. */
 function plane(cx: number, cy: number, cz: number, fx: number, fy: number): number {
 	const a = corner(cx, cy, cz);
 	const b = corner(cx, cy + 1, cz);
@@ -42,7 +42,7 @@ function eased(t: number): number {
 	return t * t * (3 - 2 * t);
 }
 
-/** The same for shaders: the eight corners of a cell by what they share. */
+/** Noise for shaders, on the eight corners of a cell. */
 export const NOISE_CHUNK = /* glsl */ `
 const uvec3 NOISE_PRIMES = uvec3(0x9e3779b1u, 0x85ebca6bu, 0xc2b2ae35u);
 vec4 mixed_bits(uvec4 h) {

@@ -1,4 +1,4 @@
-/** How something that faces +Y is turned to face along a direction. */
+/** Rotations from +Y to a direction. */
 
 /** A unit quaternion. */
 export interface Quaternion {
@@ -9,9 +9,8 @@ export interface Quaternion {
 }
 
 /**
- * The rotation that takes +Y to the unit vector (x, y, z): half a turn about X, then the shortest way from −Y. Fruits
- * mostly hang, so the one direction where the roll is undetermined is put at +Y, where few point; there it is the
- * identity.
+ * The rotation from +Y to the unit vector (x, y, z): half a turn about X, then the shortest way from −Y. Most fruits
+ * hang, so the one direction with an undetermined roll is at +Y, where few point; there it is the identity.
  */
 export function fromUp(x: number, y: number, z: number): Quaternion {
 	const across = x * x + z * z;
@@ -25,7 +24,7 @@ export function fromUp(x: number, y: number, z: number): Quaternion {
 /** A 3 × 3 matrix, row by row. */
 export type Rows = [number, number, number, number, number, number, number, number, number];
 
-/** The same rotation as a matrix. */
+/** The rotation as a matrix. */
 export function rows({ x, y, z, w }: Quaternion): Rows {
 	return [
 		1 - 2 * (y * y + z * z),
@@ -40,7 +39,7 @@ export function rows({ x, y, z, w }: Quaternion): Rows {
 	];
 }
 
-/** `vectors` turned, scaled and moved, written into `into` from `at` on. */
+/** Rotates, scales and moves `vectors`, and writes them into `into` from `at` on. */
 export function placeVectors(
 	vectors: Float32Array,
 	turn: Rows,

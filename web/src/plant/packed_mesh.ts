@@ -1,20 +1,20 @@
-/** Meshes in a third of the room: of thousands of plants side by side. */
+/** Meshes in a third of the memory: for thousands of plants at once. */
 import type { PartMesh } from "./part";
 
-/** Whole numbers up to these stand for −1 … 1, colours for 0 … 1. */
+/** Whole numbers up to this represent −1 … 1, colours 0 … 1. */
 export const PLACE_STEPS = 32_767;
 const NORMAL_STEPS = 127;
 export const COLOUR_STEPS = 65_535;
 
-/** Triangles as graphics cards take them, normalised. */
+/** Triangles with normalised integers, as graphics cards accept them. */
 export interface PackedMesh {
-	/** Metres that a place of 1 stands for; the same in all levels of a plant. */
+	/** Metres per 1 in positions; the same in all levels of a plant. */
 	readonly unit: number;
 	/** 3 × vertices. */
 	readonly positions: Int16Array<ArrayBuffer>;
 	/** 3 × vertices. */
 	readonly normals: Int8Array<ArrayBuffer>;
-	/** How much of the sky each vertex sees: 255 all. */
+	/** The share of the sky that each vertex sees: 255 all. */
 	readonly sky: Uint8Array<ArrayBuffer>;
 	/** 3 × vertices, linear light. */
 	readonly colours?: Uint16Array<ArrayBuffer>;
@@ -22,7 +22,7 @@ export interface PackedMesh {
 	readonly indices: Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
 }
 
-/** How far meshes reach along the axes, metres. */
+/** The largest coordinate of meshes along the axes, metres. */
 export function reachOf(meshes: Iterable<Pick<PartMesh, "positions">>): number {
 	let reach = 1e-6;
 	for (const { positions } of meshes) for (const value of positions) reach = Math.max(reach, Math.abs(value));
@@ -30,8 +30,8 @@ export function reachOf(meshes: Iterable<Pick<PartMesh, "positions">>): number {
 }
 
 /**
- * Places to a 32,767th of `unit`, normals to half a degree. Texture coordinates are left out.
- * @param unit how far it reaches, at the least
+ * Packs a mesh: positions to a 32,767th of `unit`, normals to half a degree, without texture coordinates.
+ * @param unit at least the mesh's largest coordinate
  */
 export function packed({ positions, normals, colours, sky, indices }: PartMesh, unit: number): PackedMesh {
 	const vertices = positions.length / 3;
@@ -49,7 +49,7 @@ export function packed({ positions, normals, colours, sky, indices }: PartMesh, 
 	};
 }
 
-/** The same as parts have it. */
+/** Unpacks a mesh. */
 export function unpacked({ unit, positions, normals, colours, sky, indices }: PackedMesh): PartMesh {
 	const lengths = new Float32Array(normals.length);
 	for (let i = 0; i < normals.length; i += 3) {

@@ -1,85 +1,83 @@
 /**
- * A plant in parts: what the scene draws and exporters write, whatever the model. All in the plant's frame: metres, +Y
- * up.
+ * A plant in parts: the scene draws and exporters write them, for any model. All in the plant's frame: metres, +Y up.
  */
 import type { Material } from "./material";
 import type { Mesh } from "./plant";
 
 /** Triangles of one material. */
 export interface PartMesh extends Mesh {
-	/** As files call it, where it is not its part's name: of a mesh that many draw. */
+	/** The name in files, where it is not its part's: for a mesh with many instances. */
 	name?: string;
 	/** 3 × vertices, linear light 0 … 1: in place of the material's colour. */
 	colours?: Float32Array;
-	/** How much of the sky each vertex sees: 255 all, 0 none; all where absent. */
+	/** The share of the sky that each vertex sees: 255 all, 0 none; all where absent. */
 	sky?: Uint8Array;
-	/** What each triangle is of, by the model's own numbers: it is picked and marked in place of the part. */
+	/** The model's own number for each triangle, which is picked and highlighted in place of the part. */
 	cells?: Uint32Array;
-	/** 3 × vertices: where each is held, of instances that have been put together and are to sway. */
+	/** 3 × vertices: the fixed points of merged instances that are to sway. */
 	feet?: Float32Array;
 }
 
-/** Where a mesh stands: once for each of its instances. */
+/** Placements of a mesh, one for each of its instances. */
 export interface Instances {
 	/** 8 × count: position x y z, rotation as a unit quaternion x y z w, scale. */
 	transforms: Float32Array;
-	/** How much of the sky each sees in the mean, where its mesh does not say: 255 all, 0 none; all where absent. */
+	/** The mean share of the sky that each sees, where its mesh has none: 255 all, 0 none; all where absent. */
 	sky?: Uint8Array;
-	/** What each is called, where each is a part by itself; without it they are the part together. */
+	/** The name of each instance, where each is a part by itself; without it they are one part together. */
 	each?: (index: number) => { name: string; extras?: Extras };
 }
 
-/** What is known of a part besides its shape; lengths in metres. */
+/** Properties of a part besides its shape; lengths in metres. */
 export type Extras = Record<string, unknown>;
 
-/** Parts share meshes, arrays and materials by sharing the objects; nothing in them is ever changed. */
+/** Parts share meshes, arrays and materials by sharing the objects, which never change. */
 export interface Part {
-	/** As people call it: `Leaf 2`. One of a kind among all parts of a plant. */
+	/** The name for users: `Leaf 2`. Unique among all parts of a plant. */
 	name: string;
-	/** Absent for a mere group. */
+	/** Absent for a group. */
 	shape?: Shape;
-	/** What is known of it besides. */
+	/** Further properties. */
 	extras?: Extras;
-	/** Move with it. */
+	/** Parts that move with it. */
 	children?: readonly Part[];
 }
 
 export type Vector = [x: number, y: number, z: number];
 
-/** What of a surface is finer than its vertices, wherever one asks. */
+/** Detail of a surface finer than its vertices, sampled at any point. */
 export interface Finer {
-	/** Whether its normals are finer, too. */
+	/** Whether it has finer normals, too. */
 	readonly relief: boolean;
-	/** What there is at a place among three of the mesh's vertices, by weights that sum to 1. */
+	/** The detail at a point between three of the mesh's vertices, by weights that sum to 1. */
 	at(corners: readonly number[], weights: readonly number[]): Fine;
 }
 
 export interface Fine {
 	/** 0 mirror … 1 matt. */
 	roughness: number;
-	/** In the mesh's frame, of unit length; of what has a relief. */
+	/** In the mesh's frame, of unit length; with a relief only. */
 	normal?: Vector;
 }
 
-/** What is to be seen of a part. */
+/** The visible shape of a part. */
 export interface Shape {
-	/** Where it stands, or, with `instances`, in its own frame. */
+	/** In the plant's frame, or, with `instances`, in its own. */
 	mesh: PartMesh;
-	/** What it is made of. */
 	material: Material;
-	/** Where it stands, where it does more than once. */
+	/** Placements, where the mesh is drawn more than once. */
 	instances?: Instances;
-	/** Where it is held and turned about; the origin where absent. Not with `instances`. */
+	/** The fixed point, which it turns about; the origin where absent. Not with `instances`. */
 	centre?: readonly [x: number, y: number, z: number];
 	/**
-	 * Of a body like others of its material: what takes one of unit size that faces +Y to it (a transform, as of `Instances`).
-	 * Files with instances draw one for all that are alike.
+	 * The transform (as in `Instances`) from a unit-sized body that faces +Y to this body, for bodies of one material
+	 * that resemble each other. Files with instances draw one mesh for all of them.
 	 */
 	pose?: Float32Array;
-	/** For files that say it in pictures; what tells it is fetched then. */
+	/** For files that hold detail in pictures; loads its sampler. */
 	finer?: () => Promise<Finer>;
 	/**
-	 * For readers that know no colours of vertices: parts of one material and one variant are written in the mean of their
+	 * For readers without vertex colours: parts of one material and one variant are written in the mean of their
 	 * colours. Without it they have the material's.
 	 */
 	variant?: string;
@@ -96,7 +94,7 @@ export function* everyPart(parts: Iterable<Part>): Generator<Part> {
 	}
 }
 
-/** A contiguous run of vertices and triangles, its indices counted from the whole mesh's first vertex. */
+/** A contiguous run of vertices and triangles; its indices count from the whole mesh's first vertex. */
 export interface Run {
 	firstVertex: number;
 	vertexCount: number;
@@ -104,7 +102,7 @@ export interface Run {
 	indexCount: number;
 }
 
-/** One run of a mesh as a mesh of its own, indices counted from its first vertex. */
+/** A run of a mesh as a mesh of its own; its indices count from its first vertex. */
 export function cut(mesh: PartMesh, { firstVertex, vertexCount, firstIndex, indexCount }: Run): PartMesh {
 	const lastVertex = firstVertex + vertexCount;
 	const colours = mesh.colours?.subarray(3 * firstVertex, 3 * lastVertex);
@@ -119,7 +117,9 @@ export function cut(mesh: PartMesh, { firstVertex, vertexCount, firstIndex, inde
 	};
 }
 
-/** Indices counted from another vertex. By a plain loop: `map` takes ten times as long, and a plant may have millions. */
+/**
+ * Indices that count from another vertex. A plain loop: `map` takes ten times as long, and a plant may have millions.
+ */
 function countedFrom(first: number, indices: Uint32Array): Uint32Array {
 	if (first === 0) return indices;
 	const counted = new Uint32Array(indices.length);

@@ -1,12 +1,12 @@
-/** Any plant in parts: what is shown and written of a model that says nothing more about its looks. */
+/** Parts of any plant, for models without parts of their own. */
 import { type Material, standardMaterial } from "./material";
 import { cut, type Part, TRANSFORM } from "./part";
 import type { Organs, Plant, PlantMesh } from "./plant";
 
 /**
- * Each run of a mesh is a part, a mesh without runs is one; a mesh that organs are drawn with is a group of as many parts
- * as there are such organs, named by their tags.
- * @param materials the model's own, by kind; others are `standardMaterial`'s
+ * Each run of a mesh is a part; a mesh without runs is one part; a mesh of organs is a group with one part per organ,
+ * named by the tags.
+ * @param materials the model's own, by kind; others come from `standardMaterial`
  */
 export function* partsOf(
 	{ meshes, organs }: Pick<Plant, "meshes" | "organs">,
@@ -47,12 +47,12 @@ function membersOf({ count, mesh: meshOf }: Organs, mesh: number): number[] {
 	return Array.from({ length: count }, (_, organ) => organ).filter((organ) => meshOf[organ] === mesh);
 }
 
-/** Names as an outliner shows them, each once. */
+/** Unique names for an outliner. */
 class Names {
 	readonly #used = new Set<string>();
 	readonly #numbers = new Map<string, number>();
 
-	/** `Trunk`; where there is one already, `Trunk 2`. */
+	/** `Trunk`; the second one `Trunk 2`. */
 	plain(name: string): string {
 		const title = titled(name);
 		for (let number = 1; ; number++) {
@@ -61,7 +61,7 @@ class Names {
 		}
 	}
 
-	/** `Leaf 001`, `Leaf 002` …: of those that are many. */
+	/** `Leaf 001`, `Leaf 002` …: for names with many parts. */
 	numbered(name: string): string {
 		const title = titled(name);
 		const number = (this.#numbers.get(title) ?? 0) + 1;

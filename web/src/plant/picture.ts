@@ -1,8 +1,8 @@
-/** What is done to pictures before they are laid on something. */
+/** Conversions of pictures for drawing. */
 import { type Colour, clamp, encoded, linear } from "./colour";
 import type { Picture } from "./material";
 
-/** Four numbers a pixel, the last one 255: as graphics cards take it, who make smaller copies of sRGB of four channels only. */
+/** Four numbers per pixel, the last one 255: graphics cards make smaller copies of sRGB only with four channels. */
 export function asCardsTakeIt(picture: Picture): Picture {
 	const { width, height, pixels } = picture;
 	if (pixels.length === 4 * width * height) return picture;
@@ -16,7 +16,7 @@ export function asCardsTakeIt(picture: Picture): Picture {
 	return { width, height, pixels: four };
 }
 
-/** The picture as it looks where a colour multiplies it; itself where that is white. */
+/** The picture multiplied by a colour; the same picture where that is white. */
 export function tinted(picture: Picture, by: Colour): Picture {
 	if (by.every((channel) => channel === 1)) return picture;
 	const shades = by.map((channel) =>

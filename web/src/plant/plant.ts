@@ -1,4 +1,4 @@
-/** What every model gives back, typed: the plant that scene, exporters and panels read. Metres, +Y up. */
+/** The plant that every model returns, for scene, exporters and panels. Metres, +Y up. */
 
 import type { DerivationTrace } from "./derivation_trace";
 
@@ -14,15 +14,14 @@ export interface Mesh {
 	indices: Uint32Array;
 }
 
-/** The modules that were drawn, one each, unmerged; parents come first. */
+/** The drawn modules, one each, unmerged; parents come first. */
 export interface Segments {
-	/** How many there are. */
 	count: number;
-	/** Index of the segment it grows from, −1 at a root. */
+	/** Index of the parent segment, −1 at a root. */
 	parent: Int32Array;
-	/** Index into `tags`: what it is. */
+	/** Index into `tags`: the kind of segment. */
 	tag: Uint32Array;
-	/** The model's names for what segments are. */
+	/** The model's names for kinds of segments. */
 	tags: readonly string[];
 	/** 6 × count: start x y z, end x y z. */
 	ends: Float32Array;
@@ -30,19 +29,18 @@ export interface Segments {
 	radii: Float32Array;
 }
 
-/** What is borne: leaves, fruits, flowers, one mesh many times. */
+/** Attached organs: leaves, fruits, flowers, as instances of meshes. */
 export interface Organs {
-	/** How many there are. */
 	count: number;
-	/** Index into `tags`: what it is. */
+	/** Index into `tags`: the kind of organ. */
 	tag: Uint32Array;
-	/** The model's names for what organs are. */
+	/** The model's names for kinds of organs. */
 	tags: readonly string[];
-	/** Index of the segment that bears it, −1 for none. */
+	/** Index of the segment that it is attached to, −1 for none. */
 	segment: Int32Array;
-	/** Index into `Plant.meshes`, −1 for what has no mesh of its own. */
+	/** Index into `Plant.meshes`, −1 for organs without a mesh of their own. */
 	mesh: Int32Array;
-	/** How much of the sky each sees, as a mean over it: 255 all, 0 none; absent if not asked for. */
+	/** The mean share of the sky that each sees: 255 all, 0 none; absent if not requested. */
 	sky?: Uint8Array;
 	/** 8 × count: position x y z, rotation as a unit quaternion x y z w, scale. */
 	transforms: Float32Array;
@@ -50,60 +48,59 @@ export interface Organs {
 
 /** A contiguous run of a mesh with a name of its own. */
 export interface MeshRun {
-	/** As parts call it. */
+	/** The name of the part. */
 	name: string;
-	/** Counted from the mesh's first. */
+	/** Index of its first vertex in the mesh. */
 	firstVertex: number;
-	/** How many vertices it has. */
 	vertexCount: number;
-	/** Into `indices`; the indices themselves count from the whole mesh's first vertex. */
+	/** Index into `indices`; the indices themselves count from the whole mesh's first vertex. */
 	firstIndex: number;
-	/** Three for each triangle. */
+	/** Three per triangle. */
 	indexCount: number;
 }
 
-/** A mesh of the plant: what it is made of, and what else is known at each vertex. */
+/** A mesh of the plant: its material, and values at each vertex. */
 export interface PlantMesh extends Mesh {
-	/** What it is of. */
+	/** The name in the model. */
 	name: string;
 	/** Kind of material: stem, bark, blade, petal, skin … */
 	material: string;
-	/** What parts it has, where it has more than one. */
+	/** Its parts, where it has more than one. */
 	runs: MeshRun[];
 	/**
-	 * How much of the sky each vertex sees, 255 all, 0 none; of a sheet the better of its sides. Absent if not asked for, and
-	 * of a mesh that organs are drawn with: theirs is `Organs.sky`.
+	 * The share of the sky that each vertex sees, 255 all, 0 none; for a sheet the better of its sides. Absent if not
+	 * requested, and for a mesh of organs: theirs is `Organs.sky`.
 	 */
 	sky?: Uint8Array;
 }
 
-/** A grown plant of any model. Models add what is theirs by extending it. */
+/** A grown plant of any model. Models extend it with their own data. */
 export interface Plant {
-	/** What was drawn: internodes, branches, veins. */
+	/** Internodes, branches, veins. */
 	segments: Segments;
-	/** What is borne. */
+	/** Leaves, fruits, flowers. */
 	organs: Organs;
-	/** What it is drawn with; empty where no meshes were asked for. */
+	/** Empty if not requested. */
 	meshes: PlantMesh[];
 	/** By name, in the order of the model. */
 	counts: Record<string, number>;
-	/** In the order of the model's table of measures; NaN where one does not apply; absent if not asked for. */
+	/** In the order of the model's table of measures; NaN where one does not apply; absent if not requested. */
 	measures?: Float32Array;
-	/** What the core has to say about the request, in plain words. */
+	/** Messages of the core about the request, in plain words. */
 	notes: string[];
-	/** What ended its growth before it was whole: a limit of the core, or the caller's time limit. Absent of a whole plant. */
+	/** The limit that ended growth early: one of the core, or the caller's time limit. Absent for a whole plant. */
 	cutShort?: "limit" | "time";
 	/** 16 hexadecimal digits over segments and organs (docs/fingerprint.md). */
 	fingerprint: string;
-	/** The same over the meshes; absent if not asked for. */
+	/** The same over the meshes; absent if not requested. */
 	meshFingerprint?: string;
-	/** How its text was derived; absent if not asked for. */
+	/** The trace of the text's derivation; absent if not requested. */
 	trace?: DerivationTrace;
 	/** Wall time measured by the caller, in milliseconds. */
 	timings: { grow: number };
 }
 
-/** Nothing has grown. */
+/** A plant without any parts. */
 export const EMPTY_PLANT: Plant = {
 	segments: {
 		count: 0,

@@ -1,13 +1,16 @@
-/** Columns of an answer → plant (layout: wasm-core/src/exports/panicle.h). Arrays are views of the answer's bytes. */
+/**
+ * Reads a plant from the columns of an answer (layout: wasm-core/src/exports/panicle.h). Arrays are views of the
+ * answer's bytes.
+ */
 import type { Columns } from "../core/container";
 import type { Answer } from "../core/core";
 import { readTrace } from "./derivation_trace";
 import { EMPTY_PLANT, type Mesh, type MeshRun, type Organs, type Plant, type PlantMesh, type Segments } from "./plant";
 
-/** Of `cut_short`: the time limit of the host, and not a limit of the core. */
+/** The value of `cut_short` for the host's time limit, rather than a limit of the core. */
 const CUT_BY_TIME = 2;
 
-/** What every model's plant has; models read what is theirs from the same columns. */
+/** Reads the data that every model's plant has; models read their own from the same columns. */
 export function readPlant({ columns, milliseconds }: Answer): Plant {
 	const names = columns.lines("counts.names");
 	const values = columns.uint32("counts");
@@ -66,7 +69,7 @@ function readPlantMesh(columns: Columns, name: string): PlantMesh {
 	};
 }
 
-/** The column `sky`, where it was asked for. */
+/** The column `sky`, if requested. */
 export function readSky(columns: Columns, prefix: string): { sky?: Uint8Array } {
 	const name = `${prefix}sky`;
 	return columns.has(name) ? { sky: columns.uint8(name) } : {};

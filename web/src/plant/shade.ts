@@ -1,10 +1,10 @@
-/** What is left of light from all around where part of the sky is hidden. */
+/** Ambient light that remains where part of the sky is hidden. */
 import type { Colour } from "./colour";
 
 /**
- * Light that bounces between equal surfaces brightens and tints the shade: a cubic in what is visible, its three
- * coefficients linear in the albedo, [slope, offset] each (Jimenez et al. 2016, "Practical real-time strategies for accurate
- * indirect occlusion", equation 10).
+ * Coefficients of light that bounces between equal surfaces, which brightens and tints the shade: a cubic in
+ * visibility, its three coefficients linear in the albedo, [slope, offset] each (Jimenez et al. 2016, "Practical
+ * real-time strategies for accurate indirect occlusion", equation 10).
  */
 export const BOUNCE = [
 	[2.0404, -0.3324],
@@ -13,7 +13,7 @@ export const BOUNCE = [
 ] as const;
 
 /**
- * The share of the light from all around that a surface of one albedo gives back, beside what it would under an open sky.
+ * The share of ambient light that a surface reflects, relative to an open sky.
  * @param visible share of the sky that it sees, 0 … 1
  */
 export function bounced(visible: number, albedo: number): number {
@@ -23,8 +23,8 @@ export function bounced(visible: number, albedo: number): number {
 }
 
 /**
- * 3 × vertices of colour, as they look in the shade of so much sky a vertex (255: all).
- * @param under what a picture laid on them shows in the mean, which the colours multiply
+ * Colours (3 × vertices) in the shade of the sky that each vertex sees (255: all).
+ * @param under mean of the picture that the colours multiply
  */
 export function shaded(colours: Float32Array, sky: Uint8Array, under: Colour = [1, 1, 1]): Float32Array {
 	const dimmed = new Float32Array(colours.length);
@@ -35,7 +35,7 @@ export function shaded(colours: Float32Array, sky: Uint8Array, under: Colour = [
 	return dimmed;
 }
 
-/** One colour for so many vertices. */
+/** One colour, repeated for all vertices. */
 export function everywhere(colour: Colour, vertices: number): Float32Array {
 	const colours = new Float32Array(3 * vertices);
 	for (let i = 0; i < vertices; i++) colours.set(colour, 3 * i);

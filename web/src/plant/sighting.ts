@@ -1,20 +1,20 @@
-/** What of a plant a line of sight meets first: a segment or an organ. */
+/** Picking: the first segment or organ that a ray meets. */
 import { type Drawn, type DrawnSurface, trianglesOf } from "./drawn";
 
-/** A line of sight, in metres. */
+/** A ray, in metres. */
 export interface Line {
 	readonly origin: ArrayLike<number>;
 	/** Of any length. */
 	readonly direction: ArrayLike<number>;
 }
 
-/** What is met: one of the two. */
+/** The first hit: a segment or an organ. */
 export interface Sighted {
 	readonly segment?: number;
 	readonly organ?: number;
 }
 
-/** A ball about an organ. */
+/** A bounding sphere of an organ. */
 interface Ball {
 	readonly x: number;
 	readonly y: number;
@@ -22,12 +22,15 @@ interface Ball {
 	readonly radius: number;
 }
 
-/** Made when first asked for. Triangles are not kept: of many thousands of organs they are hundreds of megabytes. */
+/**
+ * Bounding spheres, made on first use. Triangles are not cached: those of many thousands of organs take hundreds of
+ * megabytes.
+ */
 const known = new WeakMap<Drawn, (Ball | undefined)[]>();
 
 /**
- * What is met first.
- * @param slack by how much a segment may be missed, over its distance: threads are hard to hit
+ * The first hit of a ray.
+ * @param slack tolerance for segments per unit of distance: thin ones are hard to hit
  */
 export function sighted(drawn: Drawn, { origin, direction }: Line, slack: number): Sighted | undefined {
 	const length = Math.hypot(direction[0], direction[1], direction[2]);
@@ -49,7 +52,7 @@ export function sighted(drawn: Drawn, { origin, direction }: Line, slack: number
 function ballsOf(drawn: Drawn): (Ball | undefined)[] {
 	let balls = known.get(drawn);
 	if (!balls) {
-		// Organs that share a mesh have it in their size.
+		// Bounding spheres of meshes that several organs share, before their transforms.
 		const shared = new Map<Float32Array, Ball | undefined>();
 		balls = Array.from({ length: drawn.organs }, (_, index) => {
 			const surface = drawn.surface(index);
@@ -64,11 +67,11 @@ function ballsOf(drawn: Drawn): (Ball | undefined)[] {
 	return balls;
 }
 
-/** A mesh's ball where an organ stands. */
+/** Transforms a mesh's bounding sphere to an organ. */
 function standing(ball: Ball | undefined, transform: DrawnSurface["transform"]): Ball | undefined {
 	if (!ball || !transform) return ball;
 	const [x, y, z] = trianglesOf({ positions: Float32Array.of(ball.x, ball.y, ball.z), indices: [0], transform });
-	// Rounding must not leave a corner outside.
+	// Enlarge the sphere: rounding must not leave a corner outside.
 	return { x, y, z, radius: 1.0001 * Math.abs(transform[7]) * ball.radius + 1e-6 * Math.hypot(x, y, z) };
 }
 
@@ -91,7 +94,7 @@ function ballAbout(corners: Float32Array): Ball | undefined {
 
 type Direction = readonly [number, number, number];
 
-/** Whether a ball is met, nearer than what is known. */
+/** Whether a ray meets a sphere nearer than the nearest hit so far. */
 function meetsBall(ball: Ball, origin: ArrayLike<number>, along: Direction, nearest: number): boolean {
 	const [x, y, z] = [ball.x - origin[0], ball.y - origin[1], ball.z - origin[2]];
 	const middle = x * along[0] + y * along[1] + z * along[2];
@@ -99,7 +102,7 @@ function meetsBall(ball: Ball, origin: ArrayLike<number>, along: Direction, near
 	return x * x + y * y + z * z - middle * middle <= ball.radius * ball.radius;
 }
 
-/** How far the first triangle is that is met; undefined where none is nearer than what is known. */
+/** The distance of the first triangle that is nearer than the nearest hit so far; undefined where there is none. */
 function meetsTriangles(
 	corners: Float32Array,
 	origin: ArrayLike<number>,
@@ -114,7 +117,7 @@ function meetsTriangles(
 	return best;
 }
 
-/** Möller and Trumbore (1997), from both sides. */
+/** Intersection with a triangle from both sides (Möller and Trumbore 1997). */
 function meetsTriangle(c: Float32Array, i: number, o: ArrayLike<number>, d: Direction): number | undefined {
 	const [ax, ay, az] = [c[i + 3] - c[i], c[i + 4] - c[i + 1], c[i + 5] - c[i + 2]];
 	const [bx, by, bz] = [c[i + 6] - c[i], c[i + 7] - c[i + 1], c[i + 8] - c[i + 2]];
@@ -130,7 +133,7 @@ function meetsTriangle(c: Float32Array, i: number, o: ArrayLike<number>, d: Dire
 	return at > 0 ? at : undefined;
 }
 
-/** How far along the line a segment is nearest to it, where that is within its radius and the slack. */
+/** The distance along the ray of the point nearest to a segment, where that is within its radius and the slack. */
 function meetsSegment(
 	{ ends, radii }: Drawn,
 	segment: number,

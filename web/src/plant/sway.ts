@@ -1,34 +1,38 @@
 /**
- * How a calm wind moves a plant: a place of it by where it is, so that whatever touches stays together, whosever mesh it is in; what
- * is held by its foot (a leaf) goes with that, and turns a little about it. All in one beat, so that a sine and a cosine of time
- * say all. Here is what of it is a plant's own; the view's shader (render/wind.ts) and files (swing.ts) move a place by that.
+ * Motion of a plant in calm wind. A point's motion depends on its position, so that touching parts stay together, in
+ * whatever mesh they are; parts with a fixed point (leaves) move with it, and turn a little about it. All motion has
+ * one period, so that a sine and a cosine of time describe it. This file has the numbers of a plant; the view's shader
+ * (render/wind.ts) and files (swing.ts) move points by them.
  */
 import type { Vector } from "./part";
 import type { Plant } from "./plant";
 
-/** Seconds until everything is again where it was. */
+/** The period in seconds. */
 export const BEAT = 5;
-/** How far the top goes, as a share of the height; branches' ends beyond that, of how far they reach. */
+/** Amplitude of the top as a share of the height; ends of branches move further, by a share of their reach. */
 export const TRUNK = 0.022;
 export const BRANCH = 0.012;
-/** By how much a leaf turns about its foot, radians. */
+/** The angle by which a leaf turns about its fixed point, radians. */
 export const LEAF = 0.1;
-/** How much later the wind comes from end to end of a plant, and by how much leaves beside each other differ, radians. */
+/** Phase lag of the wind from end to end of a plant, and phase difference between neighbouring leaves, radians. */
 export const WAVE = 3;
 export const FLUTTER = 60;
 
-/** What of a plant says how it moves. */
+/** The numbers of a plant's motion. */
 export interface Sway {
-	/** What stands still: where its first segment begins, as high as the lowest that no other bears; of what hangs, the highest. */
+	/**
+	 * The point that does not move: the start of the first segment, at the height of the lowest segment without a
+	 * parent; for hanging plants, of the highest.
+	 */
 	readonly foot: Vector;
-	/** 1 of what stands, −1 of what hangs. */
+	/** 1 for standing plants, −1 for hanging ones. */
 	readonly up: 1 | -1;
-	/** From the foot to the top and from the axis to the farthest end, metres; more than 0. */
+	/** From the fixed point to the top, and from the axis to the farthest end, metres; above 0. */
 	readonly height: number;
 	readonly reach: number;
 }
 
-/** Undefined of a plant without extent. */
+/** Undefined for a plant without extent. */
 export function swayOf({ segments, organs }: Pick<Plant, "segments" | "organs">): Sway | undefined {
 	const { ends, parent, count } = segments;
 	if (count === 0) return undefined;

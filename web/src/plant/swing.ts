@@ -1,8 +1,8 @@
-/** How wind moves a place of a plant, by the numbers of plant/sway.ts: for files. Shaders have the same in render/wind.ts. */
+/** Motion of a point by the numbers of plant/sway.ts: for files. Shaders have the same in render/wind.ts. */
 import type { Vector } from "./part";
 import { BRANCH, FLUTTER, LEAF, type Sway, TRUNK, WAVE } from "./sway";
 
-/** Where a place is at a time: so much times the sine and so much times the cosine of the time's angle from where it stands. */
+/** Displacement of a point: coefficients of the sine and the cosine of the time's angle. */
 export interface Swing {
 	readonly sine: Vector;
 	readonly cosine: Vector;
@@ -11,8 +11,8 @@ export interface Swing {
 const clamped = (value: number) => Math.min(1, Math.max(0, value));
 
 /**
- * How a place swings.
- * @param held where what it belongs to is held, of what is held by a foot; else the place itself
+ * The motion of a point.
+ * @param held the fixed point of its part, where it has one; else the point itself
  */
 export function swing({ foot, up, height, reach }: Sway, place: Vector, held: Vector = place): Swing {
 	const [dx, dy, dz] = [held[0] - foot[0], held[1] - foot[1], held[2] - foot[2]];
@@ -24,10 +24,10 @@ export function swing({ foot, up, height, reach }: Sway, place: Vector, held: Ve
 	const late = (WAVE * (0.8 * dx + 0.5 * dy + 0.6 * dz)) / size;
 	const [c, s] = [bob * Math.cos(late), bob * Math.sin(late)];
 	const own = (FLUTTER * (held[0] + 1.7 * held[1] + 2.3 * held[2])) / size;
-	// What has fallen lies still.
+	// Fallen parts do not turn.
 	const turns = LEAF * Math.min(1, 8 * h);
 	const [lc, ls] = [turns * Math.cos(own), turns * Math.sin(own)];
-	// About the horizontal axis across the wind.
+	// Turn about the horizontal axis across the wind.
 	const [ox, oy, oz] = [place[0] - held[0], place[1] - held[1], place[2] - held[2]];
 	const turn: Vector = [-0.8 * oy, 0.8 * ox + 0.6 * oz, -0.6 * oy];
 	const along = bend + c;

@@ -1,25 +1,28 @@
-/** What moves a measure: a model's word on which of its parameters do. */
+/** Levers: the parameters of a model that change a measure. */
 import { withParameters } from "../specimen/edit";
 import type { ModelSchema } from "../specimen/model_schema";
 import type { Specimen } from "../specimen/specimen";
 
-/** One number by which a measure can be moved: a parameter, or several that move together. */
+/** A number that changes a measure: a parameter, or several that change together. */
 export interface Lever<S extends Specimen = Specimen> {
-	/** Between which values it can be set; `from` is above 0. */
+	/** The range of the lever; `from` is above 0. */
 	readonly from: number;
 	readonly to: number;
-	/** By which power of it the measure grows, roughly: 3 for a volume by a length; below 0 where it shrinks. */
+	/**
+	 * The power of the lever with which the measure grows, roughly: 3 for a volume by a length; below 0 where it
+	 * shrinks.
+	 */
 	readonly power: number;
-	/** What it stands at; 0 where it is not set, and is then in the unit of the measure. */
+	/** The lever's value; 0 where it is not set, and then in the unit of the measure. */
 	of(specimen: S): number;
-	/** The specimen with it set, as near as the table's limits and steps allow. */
+	/** The specimen with the lever set, as near as the table's limits and steps allow. */
 	set(specimen: S, value: number): S;
 }
 
-/** The levers of measures by their keys. Of a measure's the first is tried first, the next where that comes to an end. */
+/** Levers by the key of the measure. The first is tried first, the next one when that reaches its limit. */
 export type Levers<S extends Specimen = Specimen> = Readonly<Record<string, readonly Lever<S>[]>>;
 
-/** Parameters that keep their proportions; the first leads, and is the lever's value. */
+/** Parameters that keep their proportions; the first one is the lever's value. */
 export function together<S extends Specimen>(
 	species: ModelSchema<S>,
 	power: number,
@@ -42,5 +45,5 @@ export function together<S extends Specimen>(
 	};
 }
 
-/** The least of a parameter that begins at 0. */
+/** The least value of a parameter whose range begins at 0. */
 const FINEST = 0.01;

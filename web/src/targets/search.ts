@@ -1,14 +1,15 @@
 /**
- * Finds where residuals vanish, few evaluations at a time: Broyden's method (1965, "A class of methods for solving nonlinear simultaneous
- * equations") within bounds. What is searched may be noisy, as growth is: steps too short to tell a slope from noise teach none, the best point
- * seen is kept, and with one unknown a change of sign is a bracket that is not left again (regula falsi).
+ * Finds a root of residuals with few evaluations: Broyden's method (1965, "A class of methods for solving nonlinear
+ * simultaneous equations") within bounds. Residuals may be noisy, as growth is: steps too short to tell a slope from
+ * noise do not update slopes, the best point is stored, and with one unknown a change of sign gives a bracket that the
+ * search never leaves (regula falsi).
  */
 
-/** One unknown and the residual that it is there for. */
+/** One unknown and its residual. */
 export interface Unknown {
 	readonly from: number;
 	readonly to: number;
-	/** By how much the residual rises with it, roughly; not 0. */
+	/** A rough derivative of the residual by the unknown; not 0. */
 	readonly slope: number;
 }
 
@@ -19,16 +20,16 @@ interface Point {
 
 /** The longest step of an unknown. */
 const FAR = 1.2;
-/** Shorter steps teach no slope. */
+/** The shortest step that updates slopes. */
 const NEAR = 0.004;
-/** Points that come no nearer, after which the search rests. */
+/** The number of points without progress after which the search stops. */
 const PATIENCE = 5;
-/** Of the way to a bracket's ends, which is left to the point between. */
+/** Share of a bracket at each end that the next point avoids. */
 const INSET = 0.08;
 
 export class Search {
 	readonly #unknowns: readonly Unknown[];
-	/** Residuals by unknowns. */
+	/** Derivatives: residuals by unknowns. */
 	readonly #slopes: number[][];
 	readonly #seen: Point[] = [];
 	#best: Point;
@@ -41,17 +42,17 @@ export class Search {
 		this.#seen.push(this.#best);
 	}
 
-	/** Where the sum of squared residuals was the least. */
+	/** The point with the least sum of squared residuals. */
 	get best(): Point {
 		return this.#best;
 	}
 
-	/** Unknowns that stand at a bound while what they are there for lies beyond it. */
+	/** Unknowns at a bound whose root is beyond it. */
 	get spent(): number[] {
 		return this.#unknowns.flatMap((_, i) => (this.#isSpent(i) ? [i] : []));
 	}
 
-	/** The next point to look at; undefined where no further one promises anything. */
+	/** The next point to evaluate; undefined where none is promising. */
 	next(): readonly number[] | undefined {
 		if (this.#idle >= PATIENCE) return undefined;
 		const free = this.#unknowns.flatMap((_, i) => (this.#isSpent(i) ? [] : [i]));
@@ -69,7 +70,7 @@ export class Search {
 		return this.#unknowns.length === 1 ? [this.#bracketed(next[0])] : next;
 	}
 
-	/** What was found there, or as near to it as one can stand. */
+	/** Records the residuals at a point, which is the point of `next` or as near to it as possible. */
 	tell(at: readonly number[], residuals: readonly number[]): void {
 		const last = this.#seen[this.#seen.length - 1];
 		this.#learn({ at, residuals }, last === this.#best ? last : this.#best);
@@ -80,19 +81,19 @@ export class Search {
 		if (better) this.#best = point;
 	}
 
-	/** Nothing new stands where `next` points. */
+	/** Counts the point of `next` as no progress, because it has been evaluated. */
 	pass(): void {
 		this.#idle++;
 	}
 
-	/** Whether a point has been looked at. */
+	/** Whether a point has been evaluated. */
 	knows(at: readonly number[]): boolean {
 		return this.#seen.some((point) => point.at.every((value, i) => Math.abs(value - at[i]) < 1e-9));
 	}
 
 	/**
-	 * How much of a step to go when nothing came of the last ones: with one unknown, whose goal lies beyond all that was seen, further and
-	 * further; with several less and less and to either side, for noise has no slope.
+	 * The factor of the next step after steps without progress: with one unknown, whose root is beyond all evaluated
+	 * points, longer and longer; with several, shorter and to either side, because noise has no slope.
 	 */
 	#reach(): number {
 		if (this.#unknowns.length === 1) return 1 + this.#idle;
@@ -111,7 +112,7 @@ export class Search {
 		return Math.min(Math.max(value, from), to);
 	}
 
-	/** Broyden's rank-one update, with slopes of the diagonal kept to their sign. */
+	/** Broyden's rank-one update; slopes on the diagonal keep their signs. */
 	#learn(to: Point, from: Point): void {
 		const step = to.at.map((value, i) => value - from.at[i]);
 		const length = sumOfSquares(step);
@@ -126,7 +127,7 @@ export class Search {
 		}
 	}
 
-	/** With points on both sides of the goal, a place between the two nearest of them. */
+	/** With points on both sides of the root, a point between the two nearest of them. */
 	#bracketed(value: number): number {
 		const [{ slope }] = this.#unknowns;
 		const side = (sign: number) =>

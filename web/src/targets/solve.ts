@@ -1,6 +1,6 @@
 /**
- * Finds the parameters that give the measures asked for. Knows no model: which parameters move which measure is the model's to say (Lever), how
- * a specimen measures is the caller's (`measure`).
+ * Finds parameters that reach target measures. It knows no model: the model names the parameters that change a measure
+ * (Lever), and the caller measures specimens (`measure`).
  */
 import type { MeasureInfo } from "../specimen/measures";
 import type { Specimen } from "../specimen/specimen";
@@ -9,52 +9,52 @@ import { type Aim, toleranceOf } from "./aim";
 import type { Lever, Levers } from "./lever";
 import { Search } from "./search";
 
-/** Growths of one solution at the most. */
+/** The most growths for one solution. */
 export const MOST_GROWTHS = 15;
 
 export interface Question<S extends Specimen = Specimen> {
 	readonly table: Table;
 	readonly from: S;
-	/** Of different measures. */
+	/** Each for a different measure. */
 	readonly aims: readonly Aim[];
 	readonly levers: Levers<S>;
 }
 
 export interface Means<S extends Specimen = Specimen> {
-	/** Grows a specimen and gives its measures, in the table's order. What it throws ends the search. */
+	/** Grows a specimen and returns its measures, in the table's order. An error ends the search. */
 	measure(specimen: S): Promise<Float32Array>;
-	/** Told after each growth. */
+	/** Called after each growth. */
 	progress?(growths: number): void;
 }
 
-/** What came of one aim. */
+/** The result for one target. */
 export interface Reached extends Aim {
 	readonly info: MeasureInfo;
-	/** What the specimen found measures; NaN where it has no such measure. */
+	/** The measure of the found specimen; NaN where it has no such measure. */
 	readonly got: number;
-	/** Whether that is the value that was aimed at, but for what does not show, or within the range that it was drawn from. */
+	/** Whether that is the target value, except for invisible differences, or within its range. */
 	readonly there: boolean;
-	/** Whether there is a parameter that moves it. */
+	/** Whether a parameter changes the measure. */
 	readonly moved: boolean;
-	/** Whether its parameters stand at their ends, so that no nearer value can be had. */
+	/** Whether its parameters are at their limits, so that no nearer value is possible. */
 	readonly spent: boolean;
 }
 
 export interface Answer<S extends Specimen = Specimen> {
-	/** The one that came nearest; `from` itself where none came nearer. */
+	/** The specimen nearest to the targets; `from` itself where none is nearer. */
 	readonly specimen: S;
 	readonly reached: readonly Reached[];
 	readonly growths: number;
 }
 
-/** An aim, and where its measure stands. */
+/** A target, and the index of its measure. */
 interface Place extends Aim {
 	readonly info: MeasureInfo;
 	readonly index: number;
 	readonly tolerance: number;
 }
 
-/** With the levers that are left for it; the first is at work. */
+/** A target with its remaining levers; the first is in use. */
 interface Task<S extends Specimen> extends Place {
 	levers: readonly Lever<S>[];
 }
@@ -64,7 +64,7 @@ interface Sample<S> {
 	readonly values: Float32Array;
 }
 
-/** Solves for all aims at once. */
+/** Solves for all targets at once. */
 export async function solve<S extends Specimen>(question: Question<S>, means: Means<S>): Promise<Answer<S>> {
 	return new Solver(question, means).run();
 }
@@ -73,7 +73,7 @@ class Solver<S extends Specimen> {
 	readonly #means: Means<S>;
 	readonly #from: S;
 	readonly #tasks: readonly Task<S>[];
-	/** Those that can be had: the plant has the measure, and something moves it. The others are no reason to miss them. */
+	/** Reachable targets: the plant has the measure, and a lever changes it. The others do not count as misses. */
 	#sought: readonly Task<S>[] = [];
 	#best: Sample<S> | undefined;
 	#growths = 0;
@@ -116,7 +116,10 @@ class Solver<S extends Specimen> {
 		return { specimen, reached, growths: this.#growths };
 	}
 
-	/** Searches from a specimen on with the levers that are at work. @returns the tasks whose levers came to an end */
+	/**
+	 * Searches from a specimen with the first lever of each target.
+	 * @returns the tasks whose levers reached their limits
+	 */
 	async #searchOnce(start: Sample<S>): Promise<readonly number[]> {
 		const active = this.#tasks.flatMap(({ levers, index }, i) =>
 			levers.length > 0 && Number.isFinite(start.values[index]) ? [i] : [],
@@ -160,7 +163,7 @@ class Solver<S extends Specimen> {
 	}
 }
 
-/** Levers that are not set are in the measure's unit: set to what is asked. */
+/** Sets levers that are 0 to the target: they are in the measure's unit. */
 function setAll<S extends Specimen>(specimen: S, tasks: readonly Task<S>[]): S {
 	return tasks.reduce(
 		(done, { levers: [lever], value }) => (lever.of(done) > 0 ? done : lever.set(done, value)),
@@ -171,11 +174,17 @@ function setAll<S extends Specimen>(specimen: S, tasks: readonly Task<S>[]): S {
 const isThere = ({ index, value, tolerance }: Place, values: Float32Array) =>
 	Math.abs(values[index] - value) <= tolerance;
 
-/** The search aims at a value of its range, so that plants of a series are spread over it; any other is as good in the end. */
+/**
+ * Whether a value is within its target's range. The search aims at one value of the range, so that plants of a series
+ * are spread over it; any other is as good.
+ */
 const isWithin = ({ index, within, tolerance }: Place, values: Float32Array) =>
 	within !== undefined && values[index] >= within[0] - tolerance && values[index] <= within[1] + tolerance;
 
-/** Of logarithms where the measure is large, since lengths, volumes and weights grow by powers; straight near 0. */
+/**
+ * Difference of logarithms where the measure is large, since lengths, volumes and weights grow by powers; linear near
+ * 0.
+ */
 function residualOf({ index, value, tolerance }: Place, values: Float32Array): number {
 	const scaled = (measure: number) => Math.asinh(measure / (2 * tolerance));
 	return Number.isFinite(values[index]) ? scaled(values[index]) - scaled(value) : Number.POSITIVE_INFINITY;

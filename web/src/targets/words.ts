@@ -1,4 +1,4 @@
-/** What came of what was asked, in words. */
+/** Describes the results of targets. */
 import { readIn, scaleOf } from "../specimen/lengths";
 import { measureText } from "../specimen/measures";
 import type { ModelSchema } from "../specimen/model_schema";
@@ -17,10 +17,10 @@ export function reachedInWords({ info, value, within, got, there, moved, spent }
 	return `${info.label}: ${asked} asked, ${reachedText(info, got, value)} reached${end}`;
 }
 
-/** Changes that are named; the others are counted. */
+/** The most changes that are listed; the others are counted. */
 const MOST_NAMED = 3;
 
-/** What differs between two specimens, the most changed first: "Length 120 → 143.4 mm, Density 6 → 7.1 and 3 more". */
+/** Differences between two specimens, the largest first: "Length 120 → 143.4 mm, Density 6 → 7.1 and 3 more". */
 export function changesInWords<S extends Specimen>(
 	species: Pick<ModelSchema<S>, "table" | "lengths">,
 	from: S,
@@ -28,14 +28,14 @@ export function changesInWords<S extends Specimen>(
 ): string {
 	const heeded = species.table.core.filter((entry) => species.table.isActive(to, entry));
 	const changes = heeded.flatMap((entry) => {
-		// A length that goes with the scale is the scale's.
+		// Compare lengths in the displayed unit: one that only follows its scale has not changed.
 		if (from.parameters[entry.key] === to.parameters[entry.key]) return [];
 		const values = [from, to].map((each) => {
 			const scale = scaleOf(species, each, entry);
 			return { scale, exact: scale.per * each.parameters[entry.key], read: readIn(scale, each.parameters[entry.key]) };
 		});
 		const [before, after] = values;
-		// The same length in another unit is no change to those who read lengths.
+		// The same length in another unit is no change for users.
 		if (before.read === after.read) return [];
 		const [least, most] = values.map(({ exact }) => Math.max(exact, 0.01));
 		// To one percent, so that what moves together stays in the table's order.

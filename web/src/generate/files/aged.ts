@@ -1,4 +1,4 @@
-/** A plant at the ages of its life, for files that show it growing. */
+/** A plant at the ages of its life, for files that show growth. */
 import type { Aged } from "../../formats/growth_glb";
 import type { Model } from "../../models/model";
 import type { Plant } from "../../plant/plant";
@@ -6,18 +6,21 @@ import { restore } from "../../specimen/restore";
 import type { Specimen } from "../../specimen/specimen";
 import type { NumberEntry } from "../../specimen/table";
 
-/** The parameter that a life runs by, which is grown up where nobody says otherwise, and how many even steps are shown of it. */
+/**
+ * The parameter of age, its value for a grown-up plant where the table has no other, and the number of even steps to
+ * show.
+ */
 const AGE = "age";
 const STEPS = 24;
 
-/** The parameter that is a specimen's age; undefined where it has none, or nothing of it depends on that. */
+/** The entry of a specimen's age; undefined where it has none, or the plant does not depend on it. */
 export function ageOf({ table, ages }: Pick<Model, "table" | "ages">, specimen: Specimen): NumberEntry | undefined {
 	const entry = table.entry(AGE);
 	if (!entry || entry.kind === "colour" || entry.kind === "choice") return undefined;
 	return table.isActive(specimen, entry) && (ages?.(specimen) ?? true) ? entry : undefined;
 }
 
-/** Whether a specimen has ages; of some models that is known once they are prepared for it. */
+/** Whether a specimen has ages; some models know that only after `prepare`. */
 export function hasAges(model: Pick<Model, "table" | "ages">, specimen: Specimen): boolean {
 	return ageOf(model, specimen) !== undefined;
 }

@@ -1,13 +1,13 @@
 /**
- * Making files off the page's thread: a worker for each, which ends with it. A worker of its own has no failures to
- * remember, so that a script that did not come is fetched again with the next file.
+ * Makes files off the page's thread, with one worker per file. A new worker remembers no failures, so that a script
+ * that failed to load is fetched again with the next file.
  */
 import { startWorker } from "../../core/spawn";
 import type { Model } from "../../models/model";
 import address from "./file_worker.ts?worker&url";
 import type { FileRequest, FromExporter } from "./messages";
 
-/** A script of the page could not be fetched: trying again may bring it. */
+/** A script of the page could not be fetched; trying again may succeed. */
 export class NotFetched extends Error {
 	override name = "NotFetched";
 	constructor() {
@@ -23,9 +23,9 @@ export interface ExportOptions {
 }
 
 /**
- * Makes a file in a worker. A model that the page has brought by itself (`addModel`) is none of the worker's: its files are
- * made here.
- * @throws NotFetched, or an Error with what the making said
+ * Makes a file in a worker. The worker does not know models that the page has added (`addModel`): their files are made
+ * here.
+ * @throws NotFetched, or an Error with the message of the failure
  */
 export async function exportFile(model: Model, request: FileRequest, options: ExportOptions = {}): Promise<Blob> {
 	const answer = await ask(request, options);
@@ -49,14 +49,14 @@ function ask(request: FileRequest, { signal, spawn = spawnExporter }: ExportOpti
 		worker.onmessage = ({ data }: MessageEvent<FromExporter>) => end(() => resolve(data));
 		worker.onmessageerror = () => end(() => reject(new Error("The file could not be handed over.")));
 		worker.onerror = (event) => {
-			event.preventDefault(); // It is dealt with here; the console need not hear of it.
-			// What fails once the script runs is answered: without a word, it has not come.
+			event.preventDefault(); // Handled here; keep it out of the console.
+			// A running script answers its failures: an error without a message means that it could not be fetched.
 			end(() => reject(event.message ? new Error(event.message) : new NotFetched()));
 		};
 		try {
 			worker.postMessage(request);
 		} catch (error) {
-			// A plant that the browser cannot copy (DataCloneError): the worker has nothing to do.
+			// A plant that the browser cannot copy (DataCloneError) never reaches the worker.
 			end(() => reject(error));
 		}
 	});

@@ -1,8 +1,8 @@
-/** The worker that makes files: all of it is in serve.ts. */
+/** The script of the worker that makes files; serve.ts has the logic. */
 import type { FileRequest, FromExporter } from "./messages";
 import { answerTo } from "./serve";
 
-/** What this file needs of a worker's global scope, which the page's types do not describe. */
+/** The part of a worker's global scope that this file needs; the page's types do not describe it. */
 interface Scope {
 	postMessage(message: FromExporter): void;
 	onmessage: ((event: MessageEvent<FileRequest>) => void) | null;

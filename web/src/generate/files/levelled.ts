@@ -1,13 +1,13 @@
-/** A plant for several distances, for files that hold all of them. */
+/** A plant at several levels of detail, for files that hold all of them. */
 import type { Levels } from "../../formats/lod_glb";
 import type { GrowthOptions, Model } from "../../models/model";
 import type { Plant } from "../../plant/plant";
 import type { Specimen } from "../../specimen/specimen";
 
-/** Grows a specimen, with its meshes where nothing else is wanted. */
+/** Grows a specimen, with its meshes by default. */
 export type Growing = (specimen: Specimen, wanted?: GrowthOptions) => Promise<Plant>;
 
-/** Undefined of models that make no levels. */
+/** Undefined for models without levels. */
 export function levelledOf(model: Model, specimen: Specimen, grow: Growing): Levels | undefined {
 	const { levels } = model;
 	if (!levels) return undefined;

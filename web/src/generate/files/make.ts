@@ -1,4 +1,4 @@
-/** The files of a grown plant: what `Download` gives but for pictures. Runs in a worker, or anywhere. */
+/** The files of a grown plant: all that `Download` offers except pictures. Runs in a worker, or anywhere. */
 import { aboutPlant } from "../../formats/about_plant";
 import { writeJson } from "../../formats/json";
 import { writeObj } from "../../formats/obj";
@@ -14,8 +14,8 @@ const encoder = new TextEncoder();
 
 /**
  * Makes a file. The same request gives the same bytes.
- * @param grow for files that show the plant at many ages, or for many distances
- * @throws RangeError where neither every plant nor the model has such a file, and what the making throws
+ * @param grow for files that show the plant at many ages or levels of detail
+ * @throws RangeError where neither all plants nor the model have such a file, and errors of the writer
  */
 export async function makeFile(model: Model, request: FileRequest, grow?: Growing): Promise<Blob> {
 	const { format, grown, specimen, link, name, options } = request;

@@ -1,4 +1,4 @@
-/** The worker's side: makes the file that is asked for. */
+/** The worker's side: makes the requested file. */
 import { Core } from "../../core/core";
 import { compileCore } from "../../core/loader";
 import { isModel, modelNamed } from "../../models/index";
@@ -8,7 +8,7 @@ import type { Growing } from "./levelled";
 import { makeFile } from "./make";
 import type { FileRequest, FromExporter } from "./messages";
 
-/** Never throws: whatever goes wrong is in the answer. */
+/** Never throws: the answer holds every error. */
 export async function answerTo(request: FileRequest): Promise<FromExporter> {
 	if (!isModel(request.model)) return { type: "unknown" };
 	const model = await modelNamed(request.model).catch(() => undefined);
@@ -20,7 +20,7 @@ export async function answerTo(request: FileRequest): Promise<FromExporter> {
 	}
 }
 
-/** Grows with a core of its own; undefined where nobody says where that lies. */
+/** A function that grows with a core of its own; undefined where the core's address is unknown. */
 function growing(model: Model, { core: address }: FileRequest): Growing | undefined {
 	if (address === undefined) return undefined;
 	let core: Promise<Core> | undefined;

@@ -1,8 +1,8 @@
-/** How wind moves a plant of a model, for files that show it. */
+/** Motion of a model's plant in wind, for files that show it. */
 import type { Model } from "../../models/model";
 import type { Plant } from "../../plant/plant";
 import { type Sway, swayOf } from "../../plant/sway";
 
-/** Undefined of what stands still. */
+/** Undefined for plants that wind does not move. */
 export const swayed = (model: Pick<Model, "still">, grown: Plant): Sway | undefined =>
 	model.still ? undefined : swayOf(grown);

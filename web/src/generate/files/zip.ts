@@ -1,24 +1,29 @@
-/** ZIP archives: of a few files, so that an OBJ and its MTL travel as one download, and of many, one after the other. */
+/**
+ * ZIP archives: of a few files, so that an OBJ and its MTL are one download, and of many, written one after the other.
+ */
 import { Zip, ZipDeflate, ZipPassThrough, type Zippable, zipSync } from "fflate";
 import { ZIP_DATE } from "../../formats/zip_date";
 
 export interface ZipEntry {
-	/** Without folders. */
+	/** File name without folders. */
 	name: string;
 	bytes: Uint8Array<ArrayBuffer>;
 }
 
-/** Higher levels make numbers written as text no smaller (16 MB of OBJ: 5.4 MB), and take two to three times as long. */
+/**
+ * Compression level: higher ones make numbers in text no smaller (16 MB of OBJ: 5.4 MB), and take two to three times as
+ * long.
+ */
 const LEVEL = 1;
 
-/** The archive's bytes. */
+/** The archive of all entries, as bytes. */
 export function zip(entries: readonly ZipEntry[]): Uint8Array<ArrayBuffer> {
 	const files: Zippable = {};
 	for (const { name, bytes } of entries) files[name] = bytes;
 	return zipSync(files, { level: LEVEL, mtime: ZIP_DATE });
 }
 
-/** An archive that is written entry by entry; what is written is the browser's to keep, which need not be in memory. */
+/** An archive that is written entry by entry into a blob, which the browser need not hold in memory. */
 export class ZipStream {
 	readonly #chunks: Blob[] = [];
 	readonly #zip = new Zip((error, chunk) => {
@@ -33,7 +38,7 @@ export class ZipStream {
 		return this.#size;
 	}
 
-	/** What is an archive itself is not packed again. */
+	/** Adds an entry; archives are stored without compressing them again. */
 	add({ name, bytes }: ZipEntry): void {
 		const entry = name.endsWith(".zip") ? new ZipPassThrough(name) : new ZipDeflate(name, { level: LEVEL });
 		entry.mtime = ZIP_DATE;

@@ -1,15 +1,15 @@
 /**
- * Bark as a picture that multiplies the wood's colours: once round the stem, as high as that is, and on and on. Seams do
- * not show.
+ * Bark as a picture that multiplies the wood's colours; it repeats once around the stem, and along it at the same
+ * length, without visible seams.
  */
 import { clamp, smoothstep } from "../colour";
 import type { Picture } from "../material";
 import { hashFraction } from "../noise";
 
 /**
- * furrowed: long ridges that part and meet (oak, most trees). paper: pale, with lenticels across and rough dark patches (birch).
- * ringed: shallow creases across (carrot). fibrous: fine streaks along (roots, cypress, vine). smooth: hardly anything (beech).
- * plated: plates between deep cracks (pine). banded: smooth, with rows of lenticels across (cherry).
+ * furrowed: long ridges that part and meet (oak, most trees). paper: pale, with lenticels across and rough dark patches
+ * (birch). ringed: shallow creases across (carrot). fibrous: fine streaks along (roots, cypress, vine). smooth: hardly
+ * anything (beech). plated: plates between deep cracks (pine). banded: smooth, with rows of lenticels across (cherry).
  */
 export type BarkKind = "furrowed" | "paper" | "ringed" | "fibrous" | "smooth" | "plated" | "banded";
 
@@ -34,7 +34,7 @@ function painted(shade: (u: number, v: number) => number): Picture {
 	return { width: SIDE, height: SIDE, pixels };
 }
 
-/** How steep a relief is: the height from black to white, in sides of the picture. */
+/** Steepness of the relief: the height from black to white, in sides of the picture. */
 const STEEP: Readonly<Record<BarkKind, number>> = {
 	furrowed: 0.05,
 	paper: 0.012,
@@ -47,7 +47,7 @@ const STEEP: Readonly<Record<BarkKind, number>> = {
 
 const reliefs = new Map<BarkKind, Picture>();
 
-/** The same bark as normals (plant/material.ts): what is dark in its picture lies deep. */
+/** The bark as normals (plant/material.ts): dark pixels are deep. */
 export function barkRelief(kind: BarkKind): Picture {
 	const known = reliefs.get(kind) ?? raised(barkPicture(kind), STEEP[kind]);
 	reliefs.set(kind, known);
@@ -70,7 +70,7 @@ function raised({ pixels }: Picture, steep: number): Picture {
 	return { width: SIDE, height: SIDE, pixels: normals };
 }
 
-/** Of each kind how light it is at a place, 1 as the wood's own colour; in sRGB. */
+/** Lightness by kind at a point, 1 for the wood's own colour; in sRGB. */
 const SHADES: Readonly<Record<BarkKind, (u: number, v: number) => number>> = {
 	furrowed(u, v) {
 		const drawn = u + 0.035 * (tiled(3 * u, 4 * v, 3, 4, 1) - 0.5);
@@ -83,7 +83,7 @@ const SHADES: Readonly<Record<BarkKind, (u: number, v: number) => number>> = {
 	paper(u, v) {
 		const cloud = tiled(4 * u, 6 * v, 4, 6, 11);
 		const lenticels = smoothstep(0.77, 0.84, tiled(9 * u, 52 * v, 9, 52, 12));
-		// Where bark has split: wider than they are high, with frayed edges.
+		// Split bark: patches wider than high, with frayed edges.
 		const rough = 0.25 * (tiled(24 * u, 30 * v, 24, 30, 13) - 0.5);
 		const split = smoothstep(0.74, 0.82, tiled(3 * u, 6 * v, 3, 6, 14) + rough);
 		return (0.9 + 0.1 * cloud) * (1 - 0.5 * lenticels * (0.5 + cloud)) * (1 - 0.82 * split);
@@ -120,12 +120,12 @@ const SHADES: Readonly<Record<BarkKind, (u: number, v: number) => number>> = {
 	},
 };
 
-/** 0 in the furrow between what is above the middle and what is below, 1 far from it. */
+/** 0 in the furrow between noise above and below the middle, 1 far from it. */
 function ridge(noise: number): number {
 	return Math.abs(2 * noise - 1);
 }
 
-/** Smooth noise, 0 … 1, of one octave that repeats after so many units. */
+/** Smooth noise of one octave, 0 … 1, that repeats after `across` and `along` units. */
 function tiled(x: number, y: number, across: number, along: number, stream: number): number {
 	const [left, low] = [Math.floor(x), Math.floor(y)];
 	const corner = (dx: number, dy: number) =>

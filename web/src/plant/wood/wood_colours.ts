@@ -1,4 +1,4 @@
-/** Thin branches have another bark than thick ones: smoother, younger. */
+/** Colours of bark by thickness: that of thin branches is smoother and younger. */
 import { type Colour, smoothstep } from "../colour";
 import { noise } from "../noise";
 import type { PlantMesh } from "../plant";
@@ -7,17 +7,20 @@ import type { Wooden } from "./wooden";
 export interface Bark {
 	readonly old: Colour;
 	readonly young: Colour;
-	/** Radii in metres between which the one becomes the other. */
+	/** Radii in metres between which young bark turns into old. */
 	readonly from: number;
 	readonly to: number;
-	/** What old bark turns to towards the ground, as a birch's. */
+	/** The colour of old bark towards the ground, as on a birch. */
 	readonly foot?: Colour;
 }
 
-/** Of so many radii colours are worked out; those between take the next below. */
+/** Number of radii with computed colours; radii between take the next below. */
 const CLASSES = 64;
 
-/** 3 × vertices of the tubes, by the radius of what they go around; in passing, when a frame has little time, without the foot's. */
+/**
+ * Colours of the tubes (3 × vertices), by the radius of the segment; without the darkening near the ground for
+ * previews, which have little time.
+ */
 export function woodColours({ segments, bearing }: Wooden, mesh: PlantMesh, bark: Bark): Float32Array | undefined {
 	if (!bearing || bearing.length !== mesh.positions.length / 3) return undefined;
 	const palette = Float32Array.from({ length: 3 * CLASSES }, (_, i) => {
@@ -41,7 +44,7 @@ export function woodColours({ segments, bearing }: Wooden, mesh: PlantMesh, bark
 	return colours;
 }
 
-/** Bark splits towards the ground, here higher up and there less. */
+/** Darkens bark near the ground, up to a varying height. */
 function darken(colours: Float32Array, at: number, positions: Float32Array, dark: Colour, old: number): void {
 	if (old < 0.25) return;
 	const [x, y, z] = positions.subarray(at, at + 3);

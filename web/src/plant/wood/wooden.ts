@@ -1,7 +1,7 @@
-/** Plants of wood: of each vertex of their tubes it is known which segment it goes around. */
+/** Plants of wood, with the segment of each vertex of their tubes. */
 import type { Plant } from "../plant";
 
 export interface Wooden extends Plant {
-	/** By vertex of the mesh `stems`; absent without meshes. */
+	/** The segment of each vertex of the mesh `stems`; absent without meshes. */
 	bearing?: Uint32Array;
 }

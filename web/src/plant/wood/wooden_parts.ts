@@ -1,4 +1,4 @@
-/** Trees and roots in parts: what is solid as it stands, and what is borne as many instances of one mesh. */
+/** Parts of trees and roots: solid meshes as they are, and attached organs as instances. */
 import type { Material } from "../material";
 import { hashFraction } from "../noise";
 import { type Part, TRANSFORM } from "../part";
@@ -7,25 +7,25 @@ import { EMPTY_PLANT, type Plant, type PlantMesh } from "../plant";
 import { type Bark, woodColours } from "./wood_colours";
 import type { Wooden } from "./wooden";
 
-/** How leaves differ among themselves: as many materials as there are tints, each for its share of them. */
+/** Variation among leaves: one material per tint, each for an equal share of the leaves. */
 export type Tints = readonly Material[];
 
-/** What trees and roots are dressed in. */
+/** Materials of trees and roots. */
 export interface Dress {
-	/** Of all that is solid. */
+	/** The material of all solid meshes. */
 	readonly wood: Material;
 	readonly bark: Bark;
-	/** Of what is borne, by the kind of its mesh. */
+	/** Materials of attached organs, by the kind of their mesh. */
 	readonly tints: Readonly<Record<string, Tints>>;
 }
 
-/** More of a kind than these nobody picks one by one: none has a name of its own, and files hold them in a few meshes. */
+/** The most organs of a kind with names of their own, for picking; files hold more than these in a few meshes. */
 const MOST_NAMED = 300;
 
 export function* woodenParts(plant: Wooden, { wood, bark, tints }: Dress): Generator<Part> {
 	const { meshes, organs } = plant;
 	const borne = attachedMeshes(organs);
-	// What could be borne and is not, is not there.
+	// Leave out meshes of organs that have no instance.
 	const solid = meshes.filter(({ material }, index) => !borne.has(index) && !Object.hasOwn(tints, material));
 	for (const mesh of solid) {
 		const colours = woodColours(plant, mesh, bark);
@@ -35,7 +35,7 @@ export function* woodenParts(plant: Wooden, { wood, bark, tints }: Dress): Gener
 	yield* attachedParts(plant, tints);
 }
 
-/** What a plant bears, without its wood. */
+/** The attached organs of a plant, without its wood. */
 export function* attachedParts({ meshes, organs }: Plant, tints: Dress["tints"]): Generator<Part> {
 	const borne = attachedMeshes(organs);
 	for (const [index, mesh] of meshes.entries()) {
@@ -43,7 +43,7 @@ export function* attachedParts({ meshes, organs }: Plant, tints: Dress["tints"])
 	}
 }
 
-/** Meshes that something is drawn with. */
+/** Meshes with instances. */
 function attachedMeshes({ count, mesh }: Plant["organs"]): Set<number> {
 	const borne = new Set<number>();
 	let last = -1;
@@ -80,7 +80,9 @@ function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, t
 	}
 }
 
-/** The organs of one mesh, by tint: chance decides, by where they are, so that each stays what it is while others come. */
+/**
+ * The organs of one mesh by tint. A hash of their position decides, so that each keeps its tint while others appear.
+ */
 function sorted(organs: Plant["organs"], mesh: number, tints: number): { count: number; numbers: Uint32Array }[] {
 	const groups = Array.from({ length: tints }, () => ({ count: 0, numbers: new Uint32Array(organs.count) }));
 	const { buffer, byteOffset, length } = organs.transforms;
@@ -100,7 +102,7 @@ function picked(sky: Uint8Array, organs: Uint32Array): Uint8Array {
 	return into;
 }
 
-/** To a tenth of a millimetre and less: files that write them as text are a third smaller. */
+/** Rounds transforms to a tenth of a millimetre or less: text files become a third smaller. */
 function taken(transforms: Float32Array, organs: Uint32Array): Float32Array {
 	const into = new Float32Array(TRANSFORM * organs.length);
 	for (let i = 0; i < organs.length; i++) {
