@@ -36,10 +36,10 @@ export default defineConfig({
 				advancedChunks: {
 					// Each is needed whole, or nearly: by themselves these modules would be several scripts, which pack less well.
 					groups: [
-						{ name: "document", test: /web\/src\/(specimen\/|controls\/(change|handles\/(point|escape_key))\.ts)/ },
+						{ name: "document", test: /web\/src\/(specimen\/|ui\/(change|handles\/(point|escape_key))\.ts)/ },
 						{
 							name: "lit",
-							test: /node_modules\/(@lit|lit|lit-element|lit-html)\/|web\/src\/controls\/(term|icons|editor_element)\.ts/,
+							test: /node_modules\/(@lit|lit|lit-element|lit-html)\/|web\/src\/ui\/(term|icons|editor_element)\.ts/,
 						},
 						{ name: "three", test: /node_modules\/three\// },
 					],

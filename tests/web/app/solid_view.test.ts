@@ -221,8 +221,8 @@ describe("the 3-D view", () => {
 	});
 
 	it("fetches a figure that did not come once, and again only when it is asked to or another model was shown", async () => {
-		const figure = vi.fn<() => Promise<never>>(() => Promise.reject(new TypeError("Failed to fetch")));
-		const broken = { ...toy, figure } as unknown as PageModel;
+		const render = vi.fn<() => Promise<never>>(() => Promise.reject(new TypeError("Failed to fetch")));
+		const broken = { ...toy, render } as unknown as PageModel;
 		studio.grew(grown, studio.state.specimen);
 		const end = studio.subscribe(update);
 		const notices = () => studio.state.notices.filter(({ title }) => title === `The ${toy.noun} cannot be drawn`);
@@ -234,17 +234,17 @@ describe("the 3-D view", () => {
 		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
 		studio.grew({ ...toyPlant }, studio.state.specimen);
 		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
-		expect(figure).toHaveBeenCalledTimes(1);
+		expect(render).toHaveBeenCalledTimes(1);
 		notices()[0].again?.();
-		await vi.waitFor(() => expect(figure).toHaveBeenCalledTimes(2));
+		await vi.waitFor(() => expect(render).toHaveBeenCalledTimes(2));
 		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
 		studio.undo();
 		studio.grew(grown, studio.state.specimen);
 		studio.redo();
 		studio.grew(toyPlant, studio.state.specimen);
-		await vi.waitFor(() => expect(figure).toHaveBeenCalledTimes(3));
+		await vi.waitFor(() => expect(render).toHaveBeenCalledTimes(3));
 		for (let turn = 0; turn < 50; turn++) await Promise.resolve();
-		expect(figure).toHaveBeenCalledTimes(3);
+		expect(render).toHaveBeenCalledTimes(3);
 		end();
 	});
 

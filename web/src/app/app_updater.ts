@@ -11,7 +11,7 @@ const BEGINS_WITHIN = 1000;
 
 /** The page's main script, which no two versions share. */
 const mainScript = (): string => document.querySelector<HTMLScriptElement>("script[type=module]")?.src ?? "";
-const folder = () => new URL("../studio", document.baseURI);
+const folder = () => new URL("./", document.baseURI);
 
 export class AppUpdater {
 	readonly #offer: (reload: () => void) => void;

@@ -253,7 +253,7 @@ async function openedOn(studio: Studio): Promise<Opened> {
 	const { model, from, grown } = plant;
 	const name = fileName(from);
 	const of: Embedded = {
-		app: new URL("../../app/parts", `${location.origin}${location.pathname}`).href,
+		app: new URL("./", `${location.origin}${location.pathname}`).href,
 		link: await encodeLink(model, from),
 		words: plantInWords({ model, specimen: from, grown }),
 		file: `${name}.glb`,
