@@ -164,7 +164,7 @@ export default [
 		faults: [
 			{
 				id: "bar-seed-forgotten",
-				find: "hands.edit((now) => withSeed(now, seed));",
+				find: "interaction.edit((now) => withSeed(now, seed));",
 				replace: "",
 				breaks: "another seed in the bar grows nothing",
 			},

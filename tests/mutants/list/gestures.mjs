@@ -54,7 +54,7 @@ export default [
 		faults: [
 			{
 				id: "gestures-out-of-the-picture",
-				find: "if (this.#spindle && !showsWhole(shown, this.#spindle, lens))",
+				find: "if (this.#profile && !showsWhole(shown, this.#profile, lens))",
 				replace: "if (now.distance > 1.12 * shown.distance)",
 				breaks: "a flower that bends aside leaves the picture",
 			},

@@ -26,13 +26,13 @@ export default [
 		faults: [
 			{
 				id: "profile-input-untold",
-				find: 'this.tell("profile-input", { parameters });',
+				find: 'this.emit("profile-input", { parameters });',
 				replace: "",
 				breaks: "a drag of a handle grows nothing",
 			},
 			{
 				id: "profile-silent-after-a-key",
-				find: "this.say(handleValue(parameters, handle));",
+				find: "this.announce(handleValue(parameters, handle));",
 				replace: "",
 				suites: [`${E2E}/keys.spec.ts: a handle says where it stands`],
 				breaks: "a screen reader hears nothing of a handle's step",

@@ -136,8 +136,8 @@ export default [
 			},
 			{
 				id: "stage-mark-stays",
-				find: "this.#figure.show(grown, specimen);\n\t\tthis.#marked = undefined;",
-				replace: "this.#figure.show(grown, specimen);",
+				find: "this.#renderer.show(grown, specimen);\n\t\tthis.#marked = undefined;",
+				replace: "this.#renderer.show(grown, specimen);",
 				breaks: "a berry taken off cannot be pointed at again",
 			},
 		],

@@ -104,7 +104,7 @@ describe("the 3-D view", () => {
 		const other = sampleBunch(3);
 		studio.grew(grown, specimen);
 		update();
-		solid.showInstead({ grown: other, from: specimen });
+		solid.showSubstitute({ grown: other, from: specimen });
 		expect(view.show.mock.lastCall?.[0]).toBe(other);
 		expect(view.holdView.mock.lastCall).toEqual([true]);
 		update();
@@ -113,7 +113,7 @@ describe("the 3-D view", () => {
 		await solid.picture();
 		expect(view.snapshot).toHaveBeenCalled();
 		expect(view.show.mock.lastCall?.[0]).toBe(other);
-		solid.showInstead(undefined);
+		solid.showSubstitute(undefined);
 		expect(view.show.mock.lastCall?.[0]).toBe(grown);
 		expect(view.holdView.mock.lastCall).toEqual([false]);
 	});
@@ -123,7 +123,7 @@ describe("the 3-D view", () => {
 		const other = sampleBunch(3);
 		studio.grew(grown, specimen);
 		update();
-		solid.showInstead({ grown: other, from: specimen });
+		solid.showSubstitute({ grown: other, from: specimen });
 		const finish: (() => void)[] = [];
 		const take = () => new Promise<void>((resolve) => finish.push(resolve));
 		view.snapshot.mockImplementationOnce(take).mockImplementationOnce(take);

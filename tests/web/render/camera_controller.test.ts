@@ -1,12 +1,12 @@
 import { Vector3 } from "three";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { CameraController } from "../../../web/src/render/camera_controller";
-import { spindleOf } from "../../../web/src/render/camera_fit";
+import { boundingProfileOf } from "../../../web/src/render/camera_fit";
 import { sampleBunch } from "../models/bunch/sample_bunch";
 
-const spindle = (count: number, length: number) => {
+const profile = (count: number, length: number) => {
 	const bunch = sampleBunch(count, 1, length);
-	return spindleOf({ spheres: bunch.berries.spheres, points: bunch.internodes.ends });
+	return boundingProfileOf({ spheres: bunch.berries.spheres, points: bunch.internodes.ends });
 };
 
 /** As much of an element as OrbitControls asks for. */
@@ -30,7 +30,7 @@ describe("CameraController", () => {
 	beforeEach(() => {
 		table = new CameraController(element(), true, changed);
 		table.setAspect(1.6);
-		table.follow(spindle(90, 0.16), false);
+		table.follow(profile(90, 0.16), false);
 		near = table.controls.target.clone().lerp(table.camera.position, 0.1);
 		changed.mockClear();
 	});
@@ -47,7 +47,7 @@ describe("CameraController", () => {
 	it("draws all of both on the way from a seedling to a tree a hundred times as tall, and back", () => {
 		table.reducedMotion = false;
 		const { camera } = table;
-		const [small, large] = [spindle(90, 0.16), spindle(90, 16)];
+		const [small, large] = [profile(90, 0.16), profile(90, 16)];
 		table.follow(large, false);
 		table.advance(1000);
 		table.advance(1160);
@@ -65,7 +65,7 @@ describe("CameraController", () => {
 	it("fits a tree that goes on growing while the view is on its way", () => {
 		table.reducedMotion = false;
 		for (let i = 1; i <= 12; i++) {
-			table.follow(spindle(90, 0.16 * 1.2 ** i), false);
+			table.follow(profile(90, 0.16 * 1.2 ** i), false);
 			table.advance(100 * i);
 		}
 		table.advance(2000);
@@ -78,7 +78,7 @@ describe("CameraController", () => {
 	it("glides, and stops gliding when motion becomes unwelcome", () => {
 		table.reducedMotion = false;
 		const before = table.distance;
-		table.follow(spindle(90, 0.3), false);
+		table.follow(profile(90, 0.3), false);
 		expect(table.advance(1000)).toBe(true);
 		table.advance(1040);
 		const under = table.distance;
@@ -99,7 +99,7 @@ describe("CameraController", () => {
 		table.orbit(0.5, 0.2);
 		table.fit("side");
 		expectPose(before);
-		table.follow(spindle(90, 200), false);
+		table.follow(profile(90, 200), false);
 		expectPose(before);
 		expect(table.camera.far).toBeGreaterThan(400);
 		const far = table.camera.far;
@@ -111,21 +111,21 @@ describe("CameraController", () => {
 
 	it("stands still while a drag changes the bunch a little", () => {
 		const before = pose();
-		table.follow(spindle(90, 0.165), false);
+		table.follow(profile(90, 0.165), false);
 		table.advance(1000);
 		expectPose(before);
 	});
 
 	it("goes back from a plant that outgrows the view under a control in hand, and does nothing else meanwhile", () => {
 		const before = table.distance;
-		table.follow(spindle(90, 0.3), true);
+		table.follow(profile(90, 0.3), true);
 		table.advance(1000);
 		const { distance } = table;
 		expect(distance).toBeGreaterThan(1.4 * before);
-		table.follow(spindle(90, 0.1), true);
+		table.follow(profile(90, 0.1), true);
 		table.advance(2000);
 		expect(table.distance).toBeCloseTo(distance, 9);
-		table.follow(spindle(90, 0.1), false);
+		table.follow(profile(90, 0.1), false);
 		table.advance(3000);
 		expect(table.distance).toBeLessThan(0.7 * distance);
 	});
@@ -141,7 +141,10 @@ describe("CameraController", () => {
 				y += (length / 16) * Math.cos(angle);
 				spheres.push(x, y, 0, 0.002);
 			}
-			return { spindle: spindleOf({ spheres: Float32Array.from(spheres), points: new Float32Array(0) }), head: [x, y] };
+			return {
+				profile: boundingProfileOf({ spheres: Float32Array.from(spheres), points: new Float32Array(0) }),
+				head: [x, y],
+			};
 		};
 		table.setAspect(0.7);
 		table.keepsWhole = true;
@@ -154,7 +157,7 @@ describe("CameraController", () => {
 			[0.1, 20],
 			[0.4, 85],
 		]) {
-			const { spindle: bent, head } = stem(length, degrees);
+			const { profile: bent, head } = stem(length, degrees);
 			table.follow(bent, true);
 			table.advance(1000);
 			table.advance(2000);
@@ -164,7 +167,7 @@ describe("CameraController", () => {
 			distance = table.distance;
 		}
 		table.keepsWhole = false;
-		table.follow(stem(0.1, 0).spindle, false);
+		table.follow(stem(0.1, 0).profile, false);
 		table.advance(3000);
 		expect(table.distance).toBeLessThan(0.7 * distance);
 	});
@@ -172,11 +175,11 @@ describe("CameraController", () => {
 	it("follows a bunch that has outgrown the view, but not while a handle in the scene is held", () => {
 		const before = table.distance;
 		table.controls.enabled = false;
-		table.follow(spindle(90, 0.3), true);
+		table.follow(profile(90, 0.3), true);
 		table.advance(1000);
 		expect(table.distance).toBeCloseTo(before, 9);
 		table.controls.enabled = true;
-		table.follow(spindle(90, 0.3), false);
+		table.follow(profile(90, 0.3), false);
 		expect(changed).toHaveBeenCalled();
 		table.advance(2000);
 		expect(table.distance).toBeGreaterThan(1.4 * before);
@@ -185,7 +188,7 @@ describe("CameraController", () => {
 	it("comes back to where it was after a picture of another shape, turned and zoomed as it is", () => {
 		table.orbit(0.7, 0.5);
 		table.zoom(1.7);
-		table.follow(spindle(90, 0.167), false);
+		table.follow(profile(90, 0.167), false);
 		const before = pose();
 		table.setAspect(0.5);
 		table.setAspect(1.6);
@@ -222,7 +225,7 @@ describe("CameraController", () => {
 		table.pan(0.05, 0.03);
 		expect(seen().x).toBeGreaterThan(0.02);
 		expect(seen().y).toBeLessThan(-0.02);
-		const centre = new Vector3(...spindle(90, 0.16).centre);
+		const centre = new Vector3(...profile(90, 0.16).centre);
 		for (let i = 0; i < 50; i++) table.pan(1, 1);
 		const away = table.controls.target.distanceTo(centre);
 		// As far as the plant reaches from its middle, and no farther.
@@ -234,7 +237,7 @@ describe("CameraController", () => {
 		const first = table.distance;
 		table.orbit(1, 0.4);
 		table.forget();
-		table.follow(spindle(90, 0.3), true);
+		table.follow(profile(90, 0.3), true);
 		const fitted = table.distance;
 		expect(fitted).toBeGreaterThan(1.4 * first);
 		table.advance(1000);

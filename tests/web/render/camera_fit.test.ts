@@ -1,19 +1,19 @@
 import fc from "fast-check";
 import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { fitView, needsRefit, spindleOf } from "../../../web/src/render/camera_fit";
+import { boundingProfileOf, fitView, needsRefit } from "../../../web/src/render/camera_fit";
 import { evenly } from "../evenly";
 import { sampleBunch } from "../models/bunch/sample_bunch";
 
 const FOV = 24;
 const NONE = new Float32Array(0);
 const bunch = sampleBunch(90);
-const spindle = spindleOf({ spheres: bunch.berries.spheres, points: bunch.internodes.ends });
+const profile = boundingProfileOf({ spheres: bunch.berries.spheres, points: bunch.internodes.ends });
 
 /** The farthest any berry's centre comes from the middle of the view, as a share of half its height or width. */
 function reach(distance: number, azimuth: number, elevation: number, aspect: number): number {
 	const camera = new PerspectiveCamera(FOV, aspect, 0.001, 100);
-	const target = new Vector3(...spindle.centre);
+	const target = new Vector3(...profile.centre);
 	camera.position.setFromSphericalCoords(distance, Math.PI / 2 - elevation, azimuth).add(target);
 	camera.lookAt(target);
 	camera.updateMatrixWorld();
@@ -32,14 +32,14 @@ describe("fitView", () => {
 		const elevation = evenly(-1.4, 1.4);
 		fc.assert(
 			fc.property(aspect, azimuth, elevation, (ratio, turn, height) => {
-				const { distance } = fitView(spindle, (FOV * Math.PI) / 180, ratio, 0.07, height);
+				const { distance } = fitView(profile, (FOV * Math.PI) / 180, ratio, 0.07, height);
 				expect(reach(distance, turn, height, ratio)).toBeLessThan(0.87);
 			}),
 		);
 	});
 
 	it("comes no farther away than it must", () => {
-		const { distance } = fitView(spindle, (FOV * Math.PI) / 180, 1.6, 0.07, 0);
+		const { distance } = fitView(profile, (FOV * Math.PI) / 180, 1.6, 0.07, 0);
 		const reaches = Array.from({ length: 48 }, (_, k) => reach(distance, (k * Math.PI) / 24, 0, 1.6));
 		expect(Math.max(...reaches)).toBeGreaterThan(0.75);
 	});
@@ -52,7 +52,7 @@ describe("fitView", () => {
 			const across = 5 * out * Math.sqrt(1 - up * up);
 			spheres.set([across * Math.cos(turn), 6 + 5 * out * up, across * Math.sin(turn), 0.1], 4 * i);
 		}
-		const { centre, rings } = spindleOf({ spheres, points: NONE });
+		const { centre, rings } = boundingProfileOf({ spheres, points: NONE });
 		expect(rings.length / 3).toBeLessThan(500);
 		expect(centre[1]).toBeCloseTo(6, 1);
 		const whole = {
@@ -67,7 +67,7 @@ describe("fitView", () => {
 			expect(few.distance / all.distance).toBeGreaterThan(0.995);
 			expect(few.distance).toBeLessThanOrEqual(all.distance);
 		}
-		const flat = spindleOf({
+		const flat = boundingProfileOf({
 			spheres: spheres.map((value, i) => (i % 4 === 1 ? 2 : i % 4 === 3 ? 0 : value)),
 			points: NONE,
 		});
@@ -75,15 +75,15 @@ describe("fitView", () => {
 	});
 
 	it("fits something of no size and the stems of a bunch without berries", () => {
-		expect(fitView(spindleOf({ spheres: NONE, points: NONE }), 0.4, 1, 0.07, 0).distance).toBeGreaterThan(0);
-		const bare = fitView(spindleOf({ spheres: NONE, points: bunch.internodes.ends }), 0.4, 1, 0.07, 0);
+		expect(fitView(boundingProfileOf({ spheres: NONE, points: NONE }), 0.4, 1, 0.07, 0).distance).toBeGreaterThan(0);
+		const bare = fitView(boundingProfileOf({ spheres: NONE, points: bunch.internodes.ends }), 0.4, 1, 0.07, 0);
 		expect(bare.distance).toBeGreaterThan(0.1);
 		expect(Number.isFinite(bare.radius)).toBe(true);
 	});
 });
 
 describe("needsRefit", () => {
-	const fit = fitView(spindle, 0.4, 1.6, 0.07, 0);
+	const fit = fitView(profile, 0.4, 1.6, 0.07, 0);
 	it("lets a drag's small changes be", () => {
 		expect(needsRefit(fit, { ...fit, distance: fit.distance * 1.05 })).toBe(false);
 		expect(needsRefit(fit, { ...fit, distance: fit.distance * 0.85 })).toBe(false);

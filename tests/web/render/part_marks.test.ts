@@ -10,7 +10,7 @@ import { PULP, tetrahedron } from "../formats/toy_parts";
 it("marks cells by geometry of their own, so that what is thrown away with a mark is nothing of the plant's", () => {
 	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 	const figure = partRenderer<unknown, Part[]>((parts) => parts)(stage);
-	const mesh = { ...tetrahedron([0, 0, 0], 1), cells: Uint32Array.of(1, 2, 2, 1) };
+	const mesh = { ...tetrahedron([0, 0, 0], 1), pickIds: Uint32Array.of(1, 2, 2, 1) };
 	figure.show([{ name: "Petal", shape: { mesh, material: PULP } }], {});
 	const [shown] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);
 	figure.mark(1);

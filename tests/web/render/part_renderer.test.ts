@@ -135,9 +135,9 @@ describe("the figure of any plant", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const figure = partRenderer<unknown, Part[]>((parts) => parts)(stage);
 		const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
-		const part = (x: number, cells?: Uint32Array): Part => ({
+		const part = (x: number, pickIds?: Uint32Array): Part => ({
 			name: `At ${x}`,
-			shape: { mesh: { ...tetrahedron([x, 0, 0], 1), ...(cells && { cells }) }, material: PULP },
+			shape: { mesh: { ...tetrahedron([x, 0, 0], 1), ...(pickIds && { pickIds }) }, material: PULP },
 		});
 		figure.show([part(-5), part(0, Uint32Array.of(1, 1, 1, 1)), part(5), part(10, Uint32Array.of(2, 2, 2, 2))], {});
 		const pickAt = (x: number) => figure.pick({ origin: [x, 0.1, 9], direction: [0, 0, -1] });

@@ -7,6 +7,6 @@ export function tellInText(studio: Studio, fault: Fault): boolean {
 	const pane = studio.state.face?.tools.find((tool) => tool.pane)?.pane;
 	if (!pane || fault.line === 0) return false;
 	if (pane.open(studio)) studio.retract(GROWTH_TOPIC);
-	else pane.tell(studio, fault);
+	else pane.report(studio, fault);
 	return true;
 }

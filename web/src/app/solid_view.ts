@@ -6,7 +6,8 @@ import type { Plant } from "../plant/plant";
 import { turnedBy } from "../render/orbit_keys";
 import type { Viewer } from "../render/viewer";
 import type { Specimen } from "../specimen/specimen";
-import type { Instead, ModelUi, Sight, ToolInteraction, ToolView } from "../ui/tool";
+import type { Ray } from "../ui/handles/handle_ways";
+import type { ModelUi, SubstitutePlant, ToolInteraction, ToolView } from "../ui/tool";
 import type { Studio } from "./studio";
 import { lookOf, type PictureOptions, type Shown, type StudioState } from "./studio_state";
 import { TRY_AGAIN } from "./types";
@@ -43,13 +44,13 @@ export class SolidView implements ToolView {
 	#shown: Shown | undefined;
 	#look: StudioState["specimen"]["look"] | undefined;
 	/** What a tool shows, and what is shown of that. */
-	#instead: Instead | undefined;
+	#instead: SubstitutePlant | undefined;
 	#stands: Plant | undefined;
 	/** How many pictures are being taken. */
 	#taking = 0;
 	#dark: boolean | undefined;
 	/** The hands of the tools of `#face`. */
-	#hands: ToolInteraction[] = [];
+	#interactions: ToolInteraction[] = [];
 	#face: ModelUi | undefined;
 
 	private constructor(
@@ -116,7 +117,7 @@ export class SolidView implements ToolView {
 		this.#dark = dark;
 		// What is in view may still be another model's.
 		this.#arm(shown && shown.model !== model ? undefined : face);
-		for (const hands of this.#hands) hands.update(state);
+		for (const interaction of this.#interactions) interaction.update(state);
 	}
 
 	/** The present view as a PNG, of the document's plant. */
@@ -212,11 +213,11 @@ export class SolidView implements ToolView {
 		this.#view.mark(picked, whole);
 	}
 
-	sightThrough(x: number, y: number): Sight {
-		return this.#view.sightThrough(x, y);
+	rayThrough(x: number, y: number): Ray {
+		return this.#view.rayThrough(x, y);
 	}
 
-	project([x, y, z]: Sight["origin"]): { x: number; y: number } {
+	project([x, y, z]: Ray["origin"]): { x: number; y: number } {
 		return this.#view.project({ x, y, z });
 	}
 
@@ -229,7 +230,7 @@ export class SolidView implements ToolView {
 		return () => this.#above.delete(listener);
 	}
 
-	showInstead(plant: Instead | undefined): void {
+	showSubstitute(plant: SubstitutePlant | undefined): void {
 		if (plant?.grown === this.#instead?.grown) return;
 		this.#instead = plant;
 		this.update(this.#studio.state);
@@ -289,8 +290,8 @@ export class SolidView implements ToolView {
 	#arm(face: ModelUi | undefined): void {
 		if (face === this.#face) return;
 		this.#instead = undefined;
-		for (const hands of this.#hands) hands.dispose();
+		for (const interaction of this.#interactions) interaction.dispose();
 		this.#face = face;
-		this.#hands = face?.tools.flatMap((tool) => tool.hands?.(this, this.#studio) ?? []) ?? [];
+		this.#interactions = face?.tools.flatMap((tool) => tool.interaction?.(this, this.#studio) ?? []) ?? [];
 	}
 }

@@ -60,7 +60,7 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#extras = new Extras({
 			element: this,
 			root,
-			hands: {
+			interaction: {
 				edit: (change) => {
 					this.#put((document) => changedIn(document, change), { preview: true }).catch(() => {});
 				},

@@ -130,8 +130,8 @@ export class SpecimenView {
 	}
 
 	/** The line of sight through a point of the canvas. */
-	sightThrough(x: number, y: number): Ray {
-		return this.#viewer.sightThrough(x, y);
+	rayThrough(x: number, y: number): Ray {
+		return this.#viewer.rayThrough(x, y);
 	}
 
 	/** Calls back after every draw. @returns what ends it */

@@ -4,8 +4,9 @@ import type { Plant } from "../plant/plant";
 import { sighted } from "../plant/sighting";
 import type { Specimen } from "../specimen/specimen";
 import type { EditorContext, EditorState } from "../ui/editor_context";
+import type { Ray } from "../ui/handles/handle_ways";
 import { PickPointer } from "../ui/pick_pointer";
-import type { Sight, ToolInteraction, ToolView } from "../ui/tool";
+import type { ToolInteraction, ToolView } from "../ui/tool";
 import { DERIVATION, type DerivationSource, type DerivedScene, type LitDrawing } from "./derivation_tool";
 import { drawnBy, drawnIn } from "./lights";
 
@@ -20,7 +21,7 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	readonly #context: EditorContext<S, G>;
 	readonly #source: DerivationSource<S, G>;
 	readonly #pointer: PickPointer;
-	#figure: LitDrawing | undefined;
+	#renderer: LitDrawing | undefined;
 	#disposed = false;
 	#drawn: { readonly of: Plant; readonly drawn: Drawn } | undefined;
 	/** What shone last, and how. */
@@ -36,11 +37,11 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 			mark: (module) => this.#meet(module, false),
 			take: (module) => this.#meet(module, true),
 		});
-		void source.figure().then(
-			(figure) => {
+		void source.renderer().then(
+			(renderer) => {
 				if (this.#disposed) return;
-				this.#figure = figure;
-				view.addOverlay(figure.object);
+				this.#renderer = renderer;
+				view.addOverlay(renderer.object);
 				this.update(context.state);
 			},
 			() => {}, // Without it nothing shines; what is pointed at is told all the same.
@@ -50,34 +51,34 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	update({ grownFrom, dark }: EditorState<S, G>): void {
 		const { open, scene, lit } = this.#context.toolState(DERIVATION);
 		// That of a text just changed stays until the next has grown.
-		this.#view.showInstead(scene?.instead ? scene : undefined);
+		this.#view.showSubstitute(scene?.instead ? scene : undefined);
 		const current = scene?.from === grownFrom ? scene : undefined;
 		this.#pointer.enabled = open && current !== undefined && !this.#source.taken?.(this.#context);
 		const shines = [current, lit, dark];
-		if (!this.#figure || shines.every((each, index) => each === this.#shone[index])) return;
+		if (!this.#renderer || shines.every((each, index) => each === this.#shone[index])) return;
 		this.#shone = shines;
-		this.#shine(this.#figure, current, lit ? drawnBy(lit, current) : { segments: [], organs: [] });
+		this.#shine(this.#renderer, current, lit ? drawnBy(lit, current) : { segments: [], organs: [] });
 	}
 
 	dispose(): void {
 		this.#disposed = true;
 		this.#pointer.dispose();
-		this.#view.showInstead(undefined);
-		if (!this.#figure) return;
-		this.#view.removeOverlay(this.#figure.object);
-		this.#figure.dispose();
+		this.#view.showSubstitute(undefined);
+		if (!this.#renderer) return;
+		this.#view.removeOverlay(this.#renderer.object);
+		this.#renderer.dispose();
 	}
 
 	#shine(
-		figure: LitDrawing,
+		renderer: LitDrawing,
 		scene: DerivedScene | undefined,
 		{ segments, organs }: { readonly segments: readonly number[]; readonly organs: readonly number[] },
 	): void {
-		figure.object.visible = scene !== undefined && segments.length + organs.length > 0;
-		if (scene && figure.object.visible) {
+		renderer.object.visible = scene !== undefined && segments.length + organs.length > 0;
+		if (scene && renderer.object.visible) {
 			const drawn = this.#drawnOf(scene);
 			const colour = getComputedStyle(this.#view.canvas).getPropertyValue(COLOUR).trim() || "orange";
-			figure.show(drawn, segments, organs, this.#thinnest(drawn), colour);
+			renderer.show(drawn, segments, organs, this.#thinnest(drawn), colour);
 		}
 		this.#view.requestRender();
 	}
@@ -85,8 +86,8 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	#at(x: number, y: number): number | undefined {
 		const { scene } = this.#context.toolState(DERIVATION);
 		if (!scene) return undefined;
-		const sight = this.#view.sightThrough(x, y);
-		const met = sighted(this.#drawnOf(scene), sight, MISSED * apart(sight, this.#view.sightThrough(x + 1, y)));
+		const sight = this.#view.rayThrough(x, y);
+		const met = sighted(this.#drawnOf(scene), sight, MISSED * apart(sight, this.#view.rayThrough(x + 1, y)));
 		return met && drawnIn(scene, met);
 	}
 
@@ -107,14 +108,14 @@ export class DerivationInteraction<S extends Specimen, G extends Plant> implemen
 	#thinnest({ ends }: Drawn): number {
 		const { clientWidth, clientHeight } = this.#view.canvas;
 		const [x, y] = [clientWidth / 2, clientHeight / 2];
-		const sight = this.#view.sightThrough(x, y);
+		const sight = this.#view.rayThrough(x, y);
 		const away = Math.hypot(...sight.origin.map((each, k) => each - (ends[k] ?? 0)));
-		return THIN * away * apart(sight, this.#view.sightThrough(x + 1, y));
+		return THIN * away * apart(sight, this.#view.rayThrough(x + 1, y));
 	}
 }
 
 /** The angle between two lines of sight, radians. */
-function apart(a: Sight, b: Sight): number {
+function apart(a: Ray, b: Ray): number {
 	const [first, second] = [a, b].map(({ direction }) => {
 		const length = Math.hypot(...direction);
 		return direction.map((each) => each / length);

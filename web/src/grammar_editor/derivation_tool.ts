@@ -20,7 +20,7 @@ export interface DerivationSource<S extends Specimen = Specimen, G extends Plant
 	/** What a plant has drawn, in the order of its trace's segments and organs. */
 	drawn(grown: G): Drawn;
 	/** Fetches what makes it shine. */
-	figure(): Promise<LitDrawing>;
+	renderer(): Promise<LitDrawing>;
 	/** Whether the pointer is another tool's now. */
 	taken?(context: EditorContext<S, G>): boolean;
 }
@@ -80,7 +80,7 @@ export function derivationTool<S extends Specimen & WithGrammar, G extends Plant
 			{ keys: ["↑", "↓"], does: "In the string of a step: to the module it came from, to what it becomes" },
 			{ keys: ["Enter"], does: "In the string of a step: to the production, in the grammar" },
 		],
-		hands: (view, context) => {
+		interaction: (view, context) => {
 			let hands: ToolInteraction<S, G> | undefined;
 			let ended = false;
 			let asked = false;

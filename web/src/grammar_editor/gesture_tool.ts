@@ -54,7 +54,7 @@ export function gestureTool<S extends Specimen, G extends Plant>(source?: Gramma
 			title: "Gestures",
 			draw: (context) => html`<panicle-gestures .context=${context} .gestures=${gestures(context)}></panicle-gestures>`,
 		},
-		hands: (view, context) =>
+		interaction: (view, context) =>
 			new LazyInteraction({
 				context,
 				wanted: () => context.toolState(tool).open,
@@ -62,7 +62,7 @@ export function gestureTool<S extends Specimen, G extends Plant>(source?: Gramma
 					const { GestureInteraction } = await import("./gestures/gestures");
 					return new GestureInteraction(view, gestures(context));
 				},
-				missed: () => context.setToolState(tool, { ...context.toolState(tool), open: false }),
+				onFetchFailed: () => context.setToolState(tool, { ...context.toolState(tool), open: false }),
 			}),
 	};
 	const gestures = (context: EditorContext): Gestures => ({

@@ -126,7 +126,7 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 		pane: {
 			title: "Grammar",
 			open: (context) => context.toolState(tool).open,
-			tell: (context, fault) => tell(context, tool, source.noun, fault),
+			report: (context, fault) => reportFault(context, tool, source.noun, fault),
 			draw: (context) => html`<panicle-grammar
 				.context=${context} .source=${source} .tool=${tool} .stepped=${stepped} .close=${() => close(context, tool, source.noun)}
 			></panicle-grammar>`,
@@ -148,10 +148,10 @@ function close<S extends Specimen, G extends Plant>(
 ): void {
 	context.setToolState(tool, { ...context.toolState(tool), open: false });
 	const { fault, grown } = context.state;
-	if (fault && fault.line > 0 && grown) tell(context, tool, noun, fault);
+	if (fault && fault.line > 0 && grown) reportFault(context, tool, noun, fault);
 }
 
-function tell<S extends Specimen, G extends Plant>(
+function reportFault<S extends Specimen, G extends Plant>(
 	context: EditorContext<S, G>,
 	tool: Tool<S, G, GrammarState>,
 	noun: string,

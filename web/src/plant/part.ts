@@ -13,7 +13,7 @@ export interface PartMesh extends Mesh {
 	/** The share of the sky that each vertex sees: 255 all, 0 none; all where absent. */
 	sky?: Uint8Array;
 	/** The model's own number for each triangle, which is picked and highlighted in place of the part. */
-	cells?: Uint32Array;
+	pickIds?: Uint32Array;
 	/** 3 × vertices: the fixed points of merged instances that are to sway. */
 	feet?: Float32Array;
 }

@@ -34,7 +34,7 @@ export class CameraController {
 	readonly controls: OrbitControls;
 	#fit: Fit | undefined;
 	/** The plant shown, and the one that `#fit` fits. */
-	#spindle: BoundingProfile | undefined;
+	#profile: BoundingProfile | undefined;
 	#fitted: BoundingProfile | undefined;
 	/** Fits are for the elevation of the direction last asked for, so that turning the plant changes none. */
 	#fitElevation = MathUtils.degToRad(ELEVATION);
@@ -106,13 +106,13 @@ export class CameraController {
 	 * Takes note of the plant shown. The view follows only when it must, gliding; while a control is `held` it only goes back
 	 * from a plant that has outgrown it, and while a handle in the scene itself is (orbiting is off), not at all.
 	 */
-	follow(spindle: BoundingProfile, held: boolean): void {
-		this.#spindle = spindle;
+	follow(profile: BoundingProfile, held: boolean): void {
+		this.#profile = profile;
 		if (this.#walking) {
 			this.#setWalkingDepth();
 			return;
 		}
-		const now = this.#fitOf(spindle);
+		const now = this.#fitOf(profile);
 		if (this.#fit === undefined) this.fit();
 		else if (this.keepsWhole) this.#keepWhole(this.#fit, now);
 		else if (held ? this.controls.enabled && hasOutgrown(this.#fit, now) : needsRefit(this.#fit, now))
@@ -125,7 +125,7 @@ export class CameraController {
 		this.#firstElevation = elevation;
 		this.#fit = undefined;
 		this.#fitted = undefined;
-		this.#spindle = undefined;
+		this.#profile = undefined;
 		this.#glide = undefined;
 	}
 
@@ -140,9 +140,9 @@ export class CameraController {
 		const from = { ...VIEWS[view], elevation };
 		this.#place(from);
 		this.#fitElevation = MathUtils.degToRad(elevation);
-		if (this.#spindle) {
-			this.#fitted = this.#spindle;
-			this.#fit = this.#fitOf(this.#spindle);
+		if (this.#profile) {
+			this.#fitted = this.#profile;
+			this.#fit = this.#fitOf(this.#profile);
 			this.controls.target.fromArray(this.#fit.target);
 			this.#place(from);
 			this.#setDistance(this.#fit.distance);
@@ -229,13 +229,13 @@ export class CameraController {
 		this.controls.dispose();
 	}
 
-	#fitOf(spindle: BoundingProfile): Fit {
-		return fitView(spindle, MathUtils.degToRad(FOV), this.camera.aspect, MARGIN, this.#fitElevation);
+	#fitOf(profile: BoundingProfile): Fit {
+		return fitView(profile, MathUtils.degToRad(FOV), this.camera.aspect, MARGIN, this.#fitElevation);
 	}
 
 	#keepWhole(shown: Fit, now: Fit): void {
 		const lens = { fov: MathUtils.degToRad(FOV), aspect: this.camera.aspect, elevation: this.#fitElevation };
-		if (this.#spindle && !showsWhole(shown, this.#spindle, lens))
+		if (this.#profile && !showsWhole(shown, this.#profile, lens))
 			this.#glideTo({ ...now, distance: Math.max(now.distance, shown.distance) });
 	}
 
@@ -244,7 +244,7 @@ export class CameraController {
 		const aimed = this.#glide?.toDistance ?? this.distance;
 		const zoom = this.#fit ? aimed / this.#fit.distance : 1;
 		this.#fit = fit;
-		this.#fitted = this.#spindle;
+		this.#fitted = this.#profile;
 		this.controls.minDistance = 0;
 		this.controls.maxDistance = Infinity;
 		// On the way all of both is seen, be one a hundred times as large.
@@ -288,7 +288,7 @@ export class CameraController {
 	/** The whole plant is in sight from wherever in it the eye stands, however it has grown meanwhile. */
 	#setWalkingDepth(): void {
 		this.camera.near = WALKING_NEAR;
-		this.camera.far = Math.max(10, this.#spindle ? 6 * this.#fitOf(this.#spindle).radius : 0);
+		this.camera.far = Math.max(10, this.#profile ? 6 * this.#fitOf(this.#profile).radius : 0);
 		this.camera.updateProjectionMatrix();
 	}
 

@@ -36,7 +36,7 @@ const MOST_RINGS = 2000;
 const LEVELS = 400;
 
 /** Spins a plant. */
-export function spindleOf({ spheres, points }: Bodies): BoundingProfile {
+export function boundingProfileOf({ spheres, points }: Bodies): BoundingProfile {
 	const low: BoundingProfile["centre"] = [Infinity, Infinity, Infinity];
 	const high: BoundingProfile["centre"] = [-Infinity, -Infinity, -Infinity];
 	stretch(low, high, points, 3);
@@ -128,8 +128,8 @@ export interface Lens {
  * @param margin share of the view's height and width kept free on each side
  * @param elevation of the camera over the target's horizon, radians
  */
-export function fitView(spindle: BoundingProfile, fov: number, aspect: number, margin: number, elevation: number): Fit {
-	const { centre, rings } = spindle;
+export function fitView(profile: BoundingProfile, fov: number, aspect: number, margin: number, elevation: number): Fit {
+	const { centre, rings } = profile;
 	let radius = 0;
 	let breadth = 0;
 	for (let i = 0; i < rings.length; i += 3) {
@@ -137,13 +137,13 @@ export function fitView(spindle: BoundingProfile, fov: number, aspect: number, m
 		radius = Math.max(radius, Math.hypot(out, height) + thick);
 		breadth = Math.max(breadth, out + thick);
 	}
-	const distance = wholeFrom(spindle, centre, { fov, aspect, elevation }, margin);
+	const distance = wholeFrom(profile, centre, { fov, aspect, elevation }, margin);
 	return { target: centre, distance, radius, breadth };
 }
 
 /** Whether a view that was fitted to another plant shows all of this one, whichever way both are turned about the view's target. */
-export function showsWhole(view: Fit, spindle: BoundingProfile, lens: Lens): boolean {
-	return wholeFrom(spindle, view.target, lens, 0) <= view.distance;
+export function showsWhole(view: Fit, profile: BoundingProfile, lens: Lens): boolean {
+	return wholeFrom(profile, view.target, lens, 0) <= view.distance;
 }
 
 /** The nearest distance to a target from which a plant that is turned about it is seen whole; `margin` as in `fitView`. */

@@ -89,7 +89,7 @@ export class CapsuleShadow {
 	}
 
 	/** What casts, in place of the last. */
-	lay({ count, begins, ends }: Capsules): void {
+	set({ count, begins, ends }: Capsules): void {
 		const { geometry } = this.#mesh;
 		fillInstances(geometry, "begins", begins, 4);
 		fillInstances(geometry, "ends", ends, 3);

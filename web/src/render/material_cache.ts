@@ -65,13 +65,14 @@ export class MaterialCache {
 		const kept = this.#kept.get(key) ?? this.#make(material, coloured);
 		kept.worn = this.#plant;
 		this.#kept.set(key, kept);
-		for (const kind of laid ?? []) lay(kept, kind, textures?.[kind] as Picture);
+		for (const kind of laid ?? []) showPicture(kept, kind, textures?.[kind] as Picture);
 		return kept.made;
 	}
 
 	/** Another picture on a material that wears one already. */
-	lay(made: MeshStandardMaterial, kind: Drawn, picture: Picture): void {
-		for (const kept of this.#kept.values()) if (kept.made === made && kept.shows[kind]) lay(kept, kind, picture);
+	setPicture(made: MeshStandardMaterial, kind: Drawn, picture: Picture): void {
+		for (const kept of this.#kept.values())
+			if (kept.made === made && kept.shows[kind]) showPicture(kept, kind, picture);
 	}
 
 	dispose(): void {
@@ -99,7 +100,7 @@ export class MaterialCache {
 }
 
 /** Another picture in place of the one that it shows. */
-function lay({ made, shows }: Kept, kind: Drawn, picture: Picture): void {
+function showPicture({ made, shows }: Kept, kind: Drawn, picture: Picture): void {
 	if (shows[kind] === picture) return;
 	(made[DRAWN[kind]] as Texture).dispose();
 	made[DRAWN[kind]] = pictureTexture(

@@ -55,7 +55,7 @@ export class MeshShadow {
 	 * What casts, in place of the last; the meshes stay whose they are.
 	 * @param blown whether wind moves what is of a material
 	 */
-	lay(meshes: readonly Mesh<BufferGeometry, Material>[], blown: (material: Material) => boolean = () => true): void {
+	set(meshes: readonly Mesh<BufferGeometry, Material>[], blown: (material: Material) => boolean = () => true): void {
 		this.#clear();
 		for (const mesh of meshes) {
 			const cast = sharing(mesh, blown(mesh.material) ? this.#blown : this.#still);

@@ -53,18 +53,18 @@ export class PartMeshes {
 	/** Those with something of their instances in them, which nobody shares. */
 	readonly #own: BufferGeometry[] = [];
 
-	/** @param wardrobe whose materials they wear; it stays whose it is */
-	constructor(parts: Iterable<Part>, wardrobe: Pick<MaterialCache, "materialOf">) {
+	/** @param materials whose materials they wear; it stays whose it is */
+	constructor(parts: Iterable<Part>, materials: Pick<MaterialCache, "materialOf">) {
 		for (const { name, shape } of everyPart(parts)) {
 			if (!shape) continue;
 			const { mesh, instances } = shape;
 			const geometry = this.#geometryOf(mesh, instances);
 			if (shape.material.textures) geometry.setAttribute("uv", new BufferAttribute(mesh.uvs, 2));
 			const coloured = mesh.colours !== undefined;
-			const material = wardrobe.materialOf(shape.material, coloured);
+			const material = materials.materialOf(shape.material, coloured);
 			const object = instances ? instanced(geometry, material, instances.transforms) : new Mesh(geometry, material);
 			object.name = name;
-			object.userData.cells = mesh.cells;
+			object.userData.pickIds = mesh.pickIds;
 			object.castShadow = true;
 			object.receiveShadow = true;
 			// A plant is in view; to find out would take longer, of many instances, than drawing them.

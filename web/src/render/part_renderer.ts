@@ -25,7 +25,7 @@ import { windyDepth } from "./standard_material";
 
 /** The light that marks a part. */
 const MARK = new Color(0.22, 0.18, 0.12);
-/** What is laid over a cell, whatever is painted there: a colour that few plants have. */
+/** What is laid over a id, whatever is painted there: a colour that few plants have. */
 const CELL = {
 	color: 0x1f6fb0,
 	transparent: true,
@@ -38,8 +38,8 @@ const CELL = {
 const WHOLE = { ...CELL, opacity: 0.22, polygonOffsetFactor: -1, polygonOffsetUnits: -1 };
 
 /**
- * The figure of any model that gives parts: drawn in three's standard material under the stage's light. `pick` gives the cell of
- * meshes with `cells`; what has none is counted in the order of the parts, each instance by itself, from behind the last cell on.
+ * The figure of any model that gives parts: drawn in three's standard material under the stage's light. `pick` gives the id of
+ * meshes with `pickIds`; what has none is counted in the order of the parts, each instance by itself, from behind the last id on.
  */
 export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 	readonly modes = ["whole"];
@@ -48,13 +48,13 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 	readonly #room: (specimen: S) => Float32Array;
 	readonly #lights = new StandardLights();
 	readonly #shadow: MeshShadow;
-	readonly #wardrobe: MaterialCache;
+	readonly #materials: MaterialCache;
 	readonly #depth: MeshDepthMaterial;
 	readonly #swayOf: (grown: G) => Sway | undefined;
 	#sway: Sway | undefined;
 	#shown: PartMeshes;
-	/** One more than the last cell of any mesh. */
-	#cells = 0;
+	/** One more than the last id of any mesh. */
+	#pickIdCount = 0;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 	/** 3 × points that the view is to hold besides. */
 	#about: Float32Array = new Float32Array(0);
@@ -74,9 +74,9 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		this.#parts = parts;
 		this.#room = room;
 		this.#swayOf = swayOf;
-		this.#wardrobe = new MaterialCache(stage.light.uniforms, stage.wind);
+		this.#materials = new MaterialCache(stage.light.uniforms, stage.wind);
 		this.#depth = windyDepth(stage.wind);
-		this.#shown = new PartMeshes([], this.#wardrobe);
+		this.#shown = new PartMeshes([], this.#materials);
 		this.#shadow = new MeshShadow(stage.shadow, stage.wind);
 		stage.root.add(this.#lights.group);
 	}
@@ -84,15 +84,15 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 	show(grown: G, specimen: S): void {
 		this.#clear();
 		const parts = [...this.#parts(grown, specimen)];
-		this.#wardrobe.change();
-		this.#shown = new PartMeshes(parts, this.#wardrobe);
-		this.#cells = cellsIn(this.#shown.objects);
+		this.#materials.change();
+		this.#shown = new PartMeshes(parts, this.#materials);
+		this.#pickIdCount = countPickIds(this.#shown.objects);
 		for (const object of this.#shown.objects) {
 			if (object.material.userData.blown) object.customDepthMaterial = this.#depth;
 			this.#stage.root.add(object);
 		}
 		this.#sway = this.#swayOf(grown);
-		this.#shadow.lay(this.#shown.objects, ({ userData }) => userData.blown);
+		this.#shadow.set(this.#shown.objects, ({ userData }) => userData.blown);
 		this.#bounds = boundsOf(parts);
 		this.#about = this.#room(specimen);
 		this.#lights.shade(ballOf(this.#bounds));
@@ -119,12 +119,12 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		const ray = new Raycaster(new Vector3(...origin), new Vector3(...direction).normalize());
 		const [hit] = ray.intersectObjects(this.#shown.objects, false);
 		if (!hit) return undefined;
-		const cells = cellsOf(hit.object as PartObject);
-		if (cells) return cells[hit.faceIndex ?? 0];
-		let before = this.#cells;
+		const pickIds = pickIdsOf(hit.object as PartObject);
+		if (pickIds) return pickIds[hit.faceIndex ?? 0];
+		let before = this.#pickIdCount;
 		for (const object of this.#shown.objects) {
 			if (object === hit.object) break;
-			if (!cellsOf(object)) before += countOf(object);
+			if (!pickIdsOf(object)) before += countOf(object);
 		}
 		return before + (hit.instanceId ?? 0);
 	}
@@ -132,20 +132,25 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 	mark(picked: number | undefined, whole: ReadonlySet<number> = new Set()): void {
 		this.#unmark();
 		if (picked === undefined) return;
-		let left = picked - this.#cells;
+		let left = picked - this.#pickIdCount;
 		for (const object of this.#shown.objects) {
-			const cells = cellsOf(object);
-			if (cells) {
-				this.#lightCells(object, cells, (cell) => cell === picked, CELL);
-				this.#lightCells(object, cells, (cell) => cell !== picked && whole.has(cell), WHOLE);
+			const pickIds = pickIdsOf(object);
+			if (pickIds) {
+				this.#markTriangles(object, pickIds, (id) => id === picked, CELL);
+				this.#markTriangles(object, pickIds, (id) => id !== picked && whole.has(id), WHOLE);
 			} else if (left >= 0 && left < countOf(object)) this.#light(instanceOf(object, left));
-			if (!cells) left -= countOf(object);
+			if (!pickIds) left -= countOf(object);
 		}
 	}
 
-	#lightCells({ geometry }: PartObject, cells: Uint32Array, which: (cell: number) => boolean, by: typeof CELL): void {
-		if (!cells.some(which)) return;
-		const mark = new Mesh(onlyOf(geometry, cells, which), new MeshBasicMaterial(by));
+	#markTriangles(
+		{ geometry }: PartObject,
+		pickIds: Uint32Array,
+		which: (id: number) => boolean,
+		by: typeof CELL,
+	): void {
+		if (!pickIds.some(which)) return;
+		const mark = new Mesh(onlyOf(geometry, pickIds, which), new MeshBasicMaterial(by));
 		mark.userData.own = true;
 		this.#light(mark);
 	}
@@ -156,16 +161,16 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 	}
 
 	/** Lays another picture on a part that is drawn with one. */
-	lay(name: string, kind: Drawn, picture: Picture): void {
+	setPicture(name: string, kind: Drawn, picture: Picture): void {
 		const found = this.#shown.objects.find((object) => object.name === name);
-		if (found) this.#wardrobe.lay(found.material, kind, picture);
+		if (found) this.#materials.setPicture(found.material, kind, picture);
 	}
 
 	setMode(): void {}
 
 	dispose(): void {
 		this.#clear();
-		this.#wardrobe.dispose();
+		this.#materials.dispose();
 		this.#depth.dispose();
 		this.#shadow.dispose();
 		this.#lights.dispose();
@@ -175,7 +180,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 		this.#unmark();
 		for (const object of this.#shown.objects) object.removeFromParent();
 		this.#shown.dispose();
-		this.#shadow.lay([]);
+		this.#shadow.set([]);
 	}
 
 	#unmark(): void {
@@ -188,12 +193,12 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 	}
 }
 
-const cellsOf = ({ userData }: PartObject): Uint32Array | undefined => userData.cells;
+const pickIdsOf = ({ userData }: PartObject): Uint32Array | undefined => userData.pickIds;
 
-/** One more than the last cell of any mesh. */
-function cellsIn(objects: readonly PartObject[]): number {
+/** One more than the last id of any mesh. */
+function countPickIds(objects: readonly PartObject[]): number {
 	let count = 0;
-	for (const object of objects) for (const cell of cellsOf(object) ?? []) count = Math.max(count, cell + 1);
+	for (const object of objects) for (const id of pickIdsOf(object) ?? []) count = Math.max(count, id + 1);
 	return count;
 }
 
@@ -217,16 +222,16 @@ function instanceOf(object: PartObject, index: number): PartObject {
 }
 
 /**
- * The triangles of some cells, with vertices of their own: three deletes a geometry's buffers on the graphics card with the geometry, though
+ * The triangles of some pickIds, with vertices of their own: three deletes a geometry's buffers on the graphics card with the geometry, though
  * another shares its attributes.
  */
-function onlyOf(geometry: BufferGeometry, cells: Uint32Array, which: (cell: number) => boolean): BufferGeometry {
+function onlyOf(geometry: BufferGeometry, pickIds: Uint32Array, which: (id: number) => boolean): BufferGeometry {
 	const indices = geometry.index?.array ?? [];
 	/** The place of each vertex in the mark, in the order of first use. */
 	const places = new Map<number, number>();
 	const own: number[] = [];
-	for (let corner = 0; corner < 3 * cells.length; corner++) {
-		if (!which(cells[Math.floor(corner / 3)])) continue;
+	for (let corner = 0; corner < 3 * pickIds.length; corner++) {
+		if (!which(pickIds[Math.floor(corner / 3)])) continue;
 		const place = places.get(indices[corner]) ?? places.size;
 		places.set(indices[corner], place);
 		own.push(place);

@@ -16,7 +16,7 @@ export class Stage<S, G> implements Drawable {
 	readonly #shadow = new PaperShadow();
 	readonly #backdrop = new Backdrop(this.#shadow.texture);
 	#root = new Group();
-	#figure: ModelRenderer<S, G> | undefined;
+	#renderer: ModelRenderer<S, G> | undefined;
 	#mode = "";
 	#marked: number | undefined;
 	#whole: ReadonlySet<number> | undefined;
@@ -32,25 +32,25 @@ export class Stage<S, G> implements Drawable {
 
 	/** Puts a figure in place of the last. */
 	use(make: RendererFactory<S, G>): void {
-		this.#figure?.dispose();
+		this.#renderer?.dispose();
 		this.#root.removeFromParent();
 		this.#root = new Group();
 		this.scene.add(this.#root);
-		this.#figure = make({
+		this.#renderer = make({
 			root: this.#root,
 			light: this.#light,
 			shadow: this.#shadow,
 			wind: this.wind.uniforms,
 			changed: this.#changed,
 		});
-		this.#mode = this.#figure.modes[0];
+		this.#mode = this.#renderer.modes[0];
 		this.#empty();
 	}
 
 	/** Draws the paper alone, and in passing has every program built, while the first plant is still growing. */
 	readonly warmUp: Drawable = {
 		draw: (renderer, camera, paper) => {
-			this.#figure?.warmUp?.();
+			this.#renderer?.warmUp?.();
 			this.#fill();
 			this.draw(renderer, camera, paper);
 			this.#empty();
@@ -59,7 +59,7 @@ export class Stage<S, G> implements Drawable {
 
 	/** How far above the horizon the figure is to be seen from at first, degrees, where it says so. */
 	get elevation(): number | undefined {
-		return this.#figure?.elevation;
+		return this.#renderer?.elevation;
 	}
 
 	/** Whether there is a plant to draw. */
@@ -69,16 +69,16 @@ export class Stage<S, G> implements Drawable {
 
 	/** @returns what the view is to hold */
 	show(grown: G, specimen: S): Bodies {
-		if (!this.#figure) throw new Error("There is no figure to show a plant with: give the viewer one to use.");
-		this.#figure.show(grown, specimen);
+		if (!this.#renderer) throw new Error("There is no figure to show a plant with: give the viewer one to use.");
+		this.#renderer.show(grown, specimen);
 		this.#marked = undefined;
-		this.wind.fit(this.#figure.sway?.());
+		this.wind.fit(this.#renderer.sway?.());
 		this.#fill();
-		return this.#figure.bounds();
+		return this.#renderer.bounds();
 	}
 
 	pick(ray: Ray): number | undefined {
-		return this.#filled ? this.#figure?.pick(ray) : undefined;
+		return this.#filled ? this.#renderer?.pick(ray) : undefined;
 	}
 
 	/** @returns whether anything changed */
@@ -86,19 +86,19 @@ export class Stage<S, G> implements Drawable {
 		if (picked === this.#marked && (picked === undefined || whole === this.#whole)) return false;
 		this.#marked = picked;
 		this.#whole = whole;
-		this.#figure?.mark(picked, whole);
+		this.#renderer?.mark(picked, whole);
 		return true;
 	}
 
 	get modes(): readonly string[] {
-		return this.#figure?.modes ?? [];
+		return this.#renderer?.modes ?? [];
 	}
 
 	/** @returns whether anything changed */
 	setMode(mode: string): boolean {
 		if (mode === this.#mode || !this.modes.includes(mode)) return false;
 		this.#mode = mode;
-		this.#figure?.setMode(mode);
+		this.#renderer?.setMode(mode);
 		return true;
 	}
 
@@ -121,24 +121,24 @@ export class Stage<S, G> implements Drawable {
 	draw(renderer: WebGLRenderer, camera: PerspectiveCamera, paper: number): void {
 		this.#backdrop.setAspect(camera.aspect);
 		this.#light.aim(camera);
-		if (this.#filled) this.#figure?.prepare(camera);
-		this.#backdrop.setSky(this.#filled && this.#figure?.within ? camera : undefined);
+		if (this.#filled) this.#renderer?.prepare(camera);
+		this.#backdrop.setSky(this.#filled && this.#renderer?.within ? camera : undefined);
 		this.#shadow.draw(renderer, camera, paper);
 		renderer.render(this.scene, camera);
 	}
 
 	/** The graphics card begins anew: three sends buffers, textures and programs again with the next draw, where the page still has them. */
 	restored(): void {
-		this.#figure?.restored?.();
+		this.#renderer?.restored?.();
 	}
 
 	/** Settles when the figure has nothing left to make. */
 	async whenFinished(): Promise<void> {
-		await this.#figure?.whenFinished?.();
+		await this.#renderer?.whenFinished?.();
 	}
 
 	dispose(): void {
-		this.#figure?.dispose();
+		this.#renderer?.dispose();
 		this.#backdrop.dispose();
 		this.#shadow.dispose();
 	}

@@ -1,6 +1,6 @@
 import { type Object3D, type PerspectiveCamera, Vector3 } from "three";
 import { CameraController, type Gaze, type ViewName } from "./camera_controller";
-import { type BoundingProfile, spindleOf } from "./camera_fit";
+import { type BoundingProfile, boundingProfileOf } from "./camera_fit";
 import { type Frame, FrameLoop } from "./frame_loop";
 import type { Theme } from "./light";
 import type { Ray, RendererFactory } from "./model_renderer";
@@ -46,9 +46,9 @@ export class Viewer<S, G> {
 	/** Of a canvas that what was drawn is copied to, by a renderer that serves others, too. */
 	readonly #copied: CanvasRenderingContext2D | undefined;
 	readonly #stage = new Stage<S, G>(() => this.#loop.request());
-	readonly #turntable: CameraController;
+	readonly #cameraController: CameraController;
 	readonly #loop: FrameLoop;
-	#spindle: BoundingProfile | undefined;
+	#profile: BoundingProfile | undefined;
 	#held = false;
 	#rendered = 0;
 	#size = { width: 1, height: 1 };
@@ -60,8 +60,10 @@ export class Viewer<S, G> {
 		this.#renderer = options.renderer ?? new Renderer(canvas, options.checked ?? false);
 		if (options.renderer) this.#copied = canvas.getContext("2d", { alpha: false }) ?? undefined;
 		this.#loop = new FrameLoop((frame) => this.#frame(frame), window.devicePixelRatio, this.#renderer.slow);
-		this.#turntable = new CameraController(canvas, options.reducedMotion ?? false, () => this.#loop.request(true));
-		if (options.still) this.#turntable.controls.disconnect();
+		this.#cameraController = new CameraController(canvas, options.reducedMotion ?? false, () =>
+			this.#loop.request(true),
+		);
+		if (options.still) this.#cameraController.controls.disconnect();
 		this.setTheme(options.theme ?? "light");
 		this.#renderer.canvas.addEventListener("webglcontextlost", this.#onLost);
 		this.#renderer.canvas.addEventListener("webglcontextrestored", this.#onRestored);
@@ -71,8 +73,8 @@ export class Viewer<S, G> {
 	/** Plants are drawn by this figure from now on; the last one is taken off the stage. */
 	use(make: RendererFactory<S, G>): void {
 		this.#stage.use(make);
-		this.#spindle = undefined;
-		this.#turntable.forget(this.#stage.elevation);
+		this.#profile = undefined;
+		this.#cameraController.forget(this.#stage.elevation);
 		this.camera.updateMatrixWorld();
 		if (!this.#renderer.lost) this.#submit(this.#stage.warmUp, this.#loop.rest);
 		this.#loop.request();
@@ -80,8 +82,8 @@ export class Viewer<S, G> {
 
 	/** Shows a plant in place of the last. Cheap enough for every step of a drag: buffers and programs are reused. */
 	show(grown: G, specimen: S): void {
-		this.#spindle = spindleOf(this.#stage.show(grown, specimen));
-		this.#turntable.follow(this.#spindle, this.#held);
+		this.#profile = boundingProfileOf(this.#stage.show(grown, specimen));
+		this.#cameraController.follow(this.#profile, this.#held);
 		this.#loop.request(true);
 	}
 
@@ -109,36 +111,36 @@ export class Viewer<S, G> {
 
 	/** While held (a control is being dragged), the view goes after the plant only where that outgrows it; let go, it follows. */
 	holdView(held: boolean): void {
-		if (!held && this.#held && this.#spindle) this.#turntable.follow(this.#spindle, false);
+		if (!held && this.#held && this.#profile) this.#cameraController.follow(this.#profile, false);
 		this.#held = held;
 	}
 
 	/** Turns the plant, by radians to the right and down. */
 	orbit(dx: number, dy: number): void {
-		this.#turntable.orbit(dx, dy);
+		this.#cameraController.orbit(dx, dy);
 	}
 
 	/** Makes the plant look `factor` times as large. */
 	zoom(factor: number): void {
-		this.#turntable.zoom(factor);
+		this.#cameraController.zoom(factor);
 	}
 
 	/** Shifts the plant by shares of the view's height, to the right and down. */
 	pan(dx: number, dy: number): void {
-		this.#turntable.pan(dx, dy);
+		this.#cameraController.pan(dx, dy);
 	}
 
 	/** The whole plant, from the direction the page opens with or from a named one. */
 	resetView(view?: ViewName): void {
-		this.#turntable.fit(view);
+		this.#cameraController.fit(view);
 	}
 
 	get camera(): PerspectiveCamera {
-		return this.#turntable.camera;
+		return this.#cameraController.camera;
 	}
 
 	set reducedMotion(on: boolean) {
-		this.#turntable.reducedMotion = on;
+		this.#cameraController.reducedMotion = on;
 	}
 
 	/** Whether a wind blows: then it draws frame after frame. Pictures are of the plant at rest. */
@@ -149,12 +151,12 @@ export class Viewer<S, G> {
 
 	/** Whether pointers turn the plant; a handle in the scene switches this off while it is dragged. */
 	set orbiting(enabled: boolean) {
-		this.#turntable.controls.enabled = enabled;
+		this.#cameraController.controls.enabled = enabled;
 	}
 
 	/** Whether the view follows a plant only to keep all of it in the picture, and never comes nearer. */
 	set keepsWhole(on: boolean) {
-		this.#turntable.keepsWhole = on;
+		this.#cameraController.keepsWhole = on;
 	}
 
 	/** Adds something to the scene, in the plant's metres. */
@@ -177,7 +179,7 @@ export class Viewer<S, G> {
 
 	/** What is under a point of the canvas, CSS pixels from its top left corner, by the figure's number for it, if anything. */
 	pick(x: number, y: number): number | undefined {
-		return this.#stage.pick(this.sightThrough(x, y));
+		return this.#stage.pick(this.rayThrough(x, y));
 	}
 
 	/** Marks what is pointed at, by the number that `pick` gives; nothing where undefined. A new plant starts without. */
@@ -187,7 +189,7 @@ export class Viewer<S, G> {
 
 	/** Has the eye stand somewhere; undefined brings back the plant that turns before it. */
 	look(from: Gaze | undefined): void {
-		this.#turntable.look(from);
+		this.#cameraController.look(from);
 	}
 
 	/** For overlays that have changed. */
@@ -251,7 +253,7 @@ export class Viewer<S, G> {
 		this.#loop.stop();
 		this.#renderer.canvas.removeEventListener("webglcontextlost", this.#onLost);
 		this.#renderer.canvas.removeEventListener("webglcontextrestored", this.#onRestored);
-		this.#turntable.dispose();
+		this.#cameraController.dispose();
 		this.#stage.dispose();
 		if (!this.#copied) this.#renderer.dispose();
 	}
@@ -268,7 +270,7 @@ export class Viewer<S, G> {
 	};
 
 	/** The line of sight through a point of the canvas, CSS pixels from its top left corner. */
-	sightThrough(x: number, y: number): Ray {
+	rayThrough(x: number, y: number): Ray {
 		this.camera.updateMatrixWorld();
 		const { width, height } = this.#size;
 		const eye = this.camera.position;
@@ -278,11 +280,11 @@ export class Viewer<S, G> {
 
 	#setSize(width: number, height: number): void {
 		this.#size = { width: Math.max(1, width), height: Math.max(1, height) };
-		this.#turntable.setAspect(this.#size.width / this.#size.height);
+		this.#cameraController.setAspect(this.#size.width / this.#size.height);
 	}
 
 	#frame({ ratio, now }: Frame): boolean {
-		const moves = [this.#turntable.advance(now), this.#stage.wind.blow(now)];
+		const moves = [this.#cameraController.advance(now), this.#stage.wind.blow(now)];
 		this.#draw(ratio);
 		return moves.includes(true);
 	}
@@ -300,7 +302,7 @@ export class Viewer<S, G> {
 	#submit(stage: Drawable, ratio: number): void {
 		const { width, height } = this.#size;
 		const size: Size = { width: Math.ceil(width * ratio), height: Math.ceil(height * ratio) };
-		this.#renderer.draw(stage, this.camera, this.#turntable.paper, size);
+		this.#renderer.draw(stage, this.camera, this.#cameraController.paper, size);
 		if (this.#copied) this.#renderer.copy(this.#copied, size);
 	}
 }

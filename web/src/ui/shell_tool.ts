@@ -25,9 +25,9 @@ export interface ShownShells<S extends Specimen, G extends Plant = Plant> {
 	/** Whether they are shown at first; the default is no. */
 	readonly initial?: boolean;
 	/** What is said where the drawing does not come. */
-	readonly missed: string;
+	readonly fetchFailedMessage: string;
 	/** Fetches what draws them. */
-	figure(): Promise<ShellDrawing>;
+	renderer(): Promise<ShellDrawing>;
 	/** In the plant's metres; `grown` is the last plant, for those that it tells of. */
 	shells(specimen: S, grown: G | undefined): readonly ClosedMesh[];
 	/** Whether they are the last plant's as well as the specimen's; the default is no. */
@@ -46,18 +46,18 @@ export function shownShells<S extends Specimen, G extends Plant>(shown: ShownShe
 		...(applies ? { applies } : {}),
 		press: (context) => context.setToolState(tool, !context.toolState(tool)),
 		button: { icon, label, pressed: (context) => context.toolState(tool) },
-		hands: (view, context) => new ShellHands(view, context, shown, tool),
+		interaction: (view, context) => new ShellInteraction(view, context, shown, tool),
 	};
 	return tool;
 }
 
-class ShellHands<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
+class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
 	readonly #view: ToolView;
 	readonly #context: EditorContext<S, G>;
 	readonly #what: ShownShells<S, G>;
 	readonly #tool: Tool<S, G, boolean>;
 	/** Loaded when first asked for. */
-	#figure: Promise<ShellDrawing | undefined> | undefined;
+	#renderer: Promise<ShellDrawing | undefined> | undefined;
 	#shown: { readonly specimen: S; readonly dark: boolean; readonly grown: G | undefined } | undefined;
 	#disposed = false;
 
@@ -69,19 +69,19 @@ class ShellHands<S extends Specimen, G extends Plant> implements ToolInteraction
 	}
 
 	update(): void {
-		if (!this.#visible(this.#context.state.specimen) && !this.#figure) return;
-		this.#figure ??= this.#fetch();
-		void this.#figure.then((figure) => {
-			if (figure && !this.#disposed) this.#show(figure, this.#context.state);
+		if (!this.#visible(this.#context.state.specimen) && !this.#renderer) return;
+		this.#renderer ??= this.#fetch();
+		void this.#renderer.then((renderer) => {
+			if (renderer && !this.#disposed) this.#show(renderer, this.#context.state);
 		});
 	}
 
 	dispose(): void {
 		this.#disposed = true;
-		void this.#figure?.then((figure) => {
-			if (!figure) return;
-			this.#view.removeOverlay(figure.object);
-			figure.dispose();
+		void this.#renderer?.then((renderer) => {
+			if (!renderer) return;
+			this.#view.removeOverlay(renderer.object);
+			renderer.dispose();
 		});
 	}
 
@@ -89,18 +89,18 @@ class ShellHands<S extends Specimen, G extends Plant> implements ToolInteraction
 		return this.#context.toolState(this.#tool) && (this.#what.applies?.(specimen) ?? true);
 	}
 
-	#show(figure: ShellDrawing, { specimen, dark, grown }: EditorState<S, G>): void {
+	#show(renderer: ShellDrawing, { specimen, dark, grown }: EditorState<S, G>): void {
 		const visible = this.#visible(specimen);
 		const { marked, ofPlant = false } = this.#what;
 		const another = this.#shown?.grown !== grown;
 		const same = this.#shown?.specimen === specimen && this.#shown.dark === dark && !(ofPlant && another);
 		const alike = same && !(marked && another);
-		if (visible === figure.object.visible && (alike || !visible)) return;
-		figure.object.visible = visible;
+		if (visible === renderer.object.visible && (alike || !visible)) return;
+		renderer.object.visible = visible;
 		if (visible && !alike) {
 			const style = getComputedStyle(this.#view.canvas);
-			if (!same) figure.show(this.#what.shells(specimen, grown), style.color);
-			if (marked && grown) figure.mark(marked(grown), style.accentColor);
+			if (!same) renderer.show(this.#what.shells(specimen, grown), style.color);
+			if (marked && grown) renderer.mark(marked(grown), style.accentColor);
 			this.#shown = { specimen, dark, grown };
 		}
 		this.#view.requestRender();
@@ -108,15 +108,15 @@ class ShellHands<S extends Specimen, G extends Plant> implements ToolInteraction
 
 	/** Where the script does not come, the tool is off again, and the next press asks for it anew. */
 	async #fetch(): Promise<ShellDrawing | undefined> {
-		const figure = await this.#what.figure().catch(() => undefined);
-		if (!figure) {
-			this.#figure = undefined;
+		const renderer = await this.#what.renderer().catch(() => undefined);
+		if (!renderer) {
+			this.#renderer = undefined;
 			this.#context.setToolState(this.#tool, false);
-			this.#context.notify(this.#what.missed, ["Check the connection and press its button again."]);
+			this.#context.notify(this.#what.fetchFailedMessage, ["Check the connection and press its button again."]);
 			return undefined;
 		}
-		figure.object.visible = false;
-		this.#view.addOverlay(figure.object);
-		return figure;
+		renderer.object.visible = false;
+		this.#view.addOverlay(renderer.object);
+		return renderer;
 	}
 }

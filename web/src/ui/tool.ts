@@ -10,6 +10,7 @@ import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Group } from "../specimen/table";
 import type { Change, EditorContext, EditorState, Fault, Stateful } from "./editor_context";
+import type { Ray } from "./handles/handle_ways";
 
 /** A button on the 3-D view. */
 export interface ToolButton<S extends Specimen = Specimen, G extends Plant = Plant> {
@@ -47,18 +48,11 @@ export interface ToolPlace<S extends Specimen = Specimen, G extends Plant = Plan
 export interface ToolPane<S extends Specimen = Specimen, G extends Plant = Plant> extends ToolPlace<S, G> {
 	open(context: EditorContext<S, G>): boolean;
 	/** Says what is wrong with the text while the pane is closed; an open one shows it. */
-	tell(context: EditorContext<S, G>, fault: Fault): void;
-}
-
-/** A line of sight, in the plant's metres. */
-export interface Sight {
-	readonly origin: readonly [x: number, y: number, z: number];
-	/** Of any length. */
-	readonly direction: readonly [x: number, y: number, z: number];
+	report(context: EditorContext<S, G>, fault: Fault): void;
 }
 
 /** A plant that a tool shows in place of the document's, and what it has grown from. */
-export interface Instead {
+export interface SubstitutePlant {
 	readonly grown: Plant;
 	readonly from: Specimen;
 }
@@ -80,15 +74,15 @@ export interface ToolView {
 	/** Marks that, by the same number, and softly the cells that it is one of; nothing where undefined. */
 	mark(picked: number | undefined, whole?: ReadonlySet<number>): void;
 	/** The line of sight through a point of the canvas (CSS pixels from its top left corner). */
-	sightThrough(x: number, y: number): Sight;
+	rayThrough(x: number, y: number): Ray;
 	/** Where a place of the plant is seen: CSS pixels from the canvas's top left corner. */
-	project(at: Sight["origin"]): { x: number; y: number };
+	project(at: Ray["origin"]): { x: number; y: number };
 	/** Calls back after every draw, for what stands where something is seen. @returns what ends it */
 	onDrawn(listener: () => void): () => void;
 	/** Shows a plant in place of the document's, which comes back where undefined; pictures and files are of the document's all the same. */
-	showInstead(plant: Instead | undefined): void;
+	showSubstitute(plant: SubstitutePlant | undefined): void;
 	/** Has the eye stand somewhere and look towards a place, metres; undefined brings back the whole plant. */
-	look(from: { readonly eye: Sight["origin"]; readonly towards: Sight["origin"] } | undefined): void;
+	look(from: { readonly eye: Ray["origin"]; readonly towards: Ray["origin"] } | undefined): void;
 	/** One of the model's figure's ways of showing; the first where undefined. */
 	setMode(mode: string | undefined): void;
 }
@@ -122,7 +116,7 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 	readonly parameters?: readonly string[];
 	/** What a change brings along, besides what the table's details do: locked sides follow each other. */
 	follow?(change: Change, context: EditorContext<S, G>): Change;
-	hands?(view: ToolView, context: EditorContext<S, G>): ToolInteraction<S, G>;
+	interaction?(view: ToolView, context: EditorContext<S, G>): ToolInteraction<S, G>;
 	/** Ways out where this specimen cannot be grown. */
 	readonly remedies?: readonly { readonly words: string; press(context: EditorContext<S, G>): void }[];
 	/** Brings what runs by itself to rest: something is to be saved. */

@@ -23,12 +23,12 @@ it.each([
 	const focus = vi.fn();
 	const canvas = { focus, addEventListener: () => {}, classList: { toggle: () => {} } };
 	const view = { canvas, mark: vi.fn(), pick: () => undefined } as unknown as ToolView;
-	const hands = map.hands?.(view, context as unknown as EditorContext<StandSpecimen, StandPlant>);
-	hands?.update(context.state as never);
+	const interaction = map.interaction?.(view, context as unknown as EditorContext<StandSpecimen, StandPlant>);
+	interaction?.update(context.state as never);
 	expect(focus).not.toHaveBeenCalled();
 	chosen = undefined;
-	hands?.update(context.state as never);
-	hands?.update(context.state as never);
+	interaction?.update(context.state as never);
+	interaction?.update(context.state as never);
 	expect(focus).toHaveBeenCalledTimes(times);
 	expect(view.mark).toHaveBeenLastCalledWith(undefined);
 });
@@ -61,7 +61,7 @@ it.each([
 		classList: { toggle: () => {} },
 	};
 	const view = { canvas, mark: vi.fn(), pick: () => undefined } as unknown as ToolView;
-	const hands = map.hands?.(view, context as unknown as EditorContext<StandSpecimen, StandPlant>);
+	const interaction = map.interaction?.(view, context as unknown as EditorContext<StandSpecimen, StandPlant>);
 	const press = (key: string) => {
 		const event = new Event("keydown", { cancelable: true });
 		Object.defineProperties(event, { key: { value: key }, target: { value: target } });
@@ -72,7 +72,7 @@ it.each([
 	expect(setToolState).not.toHaveBeenCalled();
 	press("Escape");
 	expect(setToolState.mock.calls.map(([, chosen]) => chosen)).toEqual(leaves ? [undefined] : []);
-	hands?.dispose();
+	interaction?.dispose();
 	setToolState.mockClear();
 	press("Escape");
 	expect(setToolState).not.toHaveBeenCalled();

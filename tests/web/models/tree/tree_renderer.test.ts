@@ -3,7 +3,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { model as rootModel } from "../../../../web/src/models/root/index";
 import { model } from "../../../../web/src/models/tree/index";
-import { fitView, needsRefit, spindleOf } from "../../../../web/src/render/camera_fit";
+import { boundingProfileOf, fitView, needsRefit } from "../../../../web/src/render/camera_fit";
 import { PaperShadow } from "../../../../web/src/render/paper_shadow";
 import { StageLight } from "../../../../web/src/render/stage_light";
 import { windUniforms } from "../../../../web/src/render/wind";
@@ -27,7 +27,7 @@ async function fitOf(kind: typeof model | typeof rootModel, preset: string, life
 	const plant = (kind as typeof model).read(core.grow(kind.encode(specimen as never, { preview: true })), specimen);
 	const figure = (await (kind as typeof model).render())(stage());
 	figure.show(plant, specimen);
-	const fit = fitView(spindleOf(figure.bounds()), 0.42, 1, 0.07, 0.12);
+	const fit = fitView(boundingProfileOf(figure.bounds()), 0.42, 1, 0.07, 0.12);
 	figure.dispose();
 	return fit;
 }

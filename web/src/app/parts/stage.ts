@@ -131,7 +131,7 @@ export class Stage extends StudioPart {
 				class="button icon" type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
 			>${icon(drawn)}</button>`;
 		const tools = applying(face?.tools, specimen).flatMap((tool) =>
-			tool.button && (solid || !tool.hands)
+			tool.button && (solid || !tool.interaction)
 				? button(tool.button.icon, tool.button.label, () => tool.press?.(studio), tool.button.pressed?.(studio))
 				: [],
 		);

@@ -104,7 +104,7 @@ export class Bar implements Extra {
 	}
 
 	#listen(): void {
-		const { hands } = this.#host;
+		const { interaction } = this.#host;
 		this.#turn.addEventListener("click", () => {
 			if (this.#view.turnsByItself) this.#switchTurning();
 			else this.#view.turnBy(TURN);
@@ -113,7 +113,7 @@ export class Bar implements Extra {
 			const age = this.#shown && ageOf(this.#shown.model, this.#shown.specimen);
 			const { model } = this.#shown ?? {};
 			if (!age || !model) return;
-			hands.edit((now) => withParameters(model, now, { [age.key]: this.#age.valueAsNumber }));
+			interaction.edit((now) => withParameters(model, now, { [age.key]: this.#age.valueAsNumber }));
 		});
 		this.#age.addEventListener("change", () => this.#rest());
 		this.#seed.addEventListener("change", () => {
@@ -123,7 +123,7 @@ export class Bar implements Extra {
 				return;
 			}
 			this.#requestedSeed = seed;
-			hands.edit((now) => withSeed(now, seed));
+			interaction.edit((now) => withSeed(now, seed));
 			this.#rest();
 		});
 		this.#download.addEventListener("click", () => void this.#save());
@@ -146,7 +146,7 @@ export class Bar implements Extra {
 
 	#rest(): void {
 		this.#touched = true;
-		this.#host.hands.settle();
+		this.#host.interaction.settle();
 	}
 
 	/** To screen readers; what went wrong is seen, too, until the next plant or file. */

@@ -14,7 +14,7 @@ export interface Extra {
 export interface ExtrasHost {
 	readonly element: HTMLElement & { toFile(format: string): Promise<Blob> };
 	readonly root: ShadowRoot;
-	readonly hands: CanvasInteraction;
+	readonly interaction: CanvasInteraction;
 	/** The view of the plant; only ever asked for when one is shown. */
 	view(): Promise<SpecimenView>;
 }

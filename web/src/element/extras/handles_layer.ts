@@ -30,12 +30,12 @@ export class HandlesLayer implements Extra {
 		this.#layer = new PlantHandleLayer({
 			canvas: host.root.querySelector("canvas") as HTMLCanvasElement,
 			project: (at) => view.project(at),
-			sightThrough: (x, y) => view.sightThrough(x, y),
+			rayThrough: (x, y) => view.rayThrough(x, y),
 			begin: () => {
 				this.#before = this.#specimen;
 			},
 			change: (change) => this.#change(change),
-			settle: () => this.#host.hands.settle(),
+			settle: () => this.#host.interaction.settle(),
 			cancel: () => this.#cancel(),
 		});
 		this.#undraw = view.onDrawn(() => this.#layer.place());
@@ -45,7 +45,7 @@ export class HandlesLayer implements Extra {
 		const another = shown.model !== this.#shown?.model;
 		this.#shown = shown;
 		if (another || this.#missed) void this.#use(shown);
-		else if (!this.#layer.held) this.#lay(shown.specimen);
+		else if (!this.#layer.held) this.#setHandles(shown.specimen);
 	}
 
 	dispose(): void {
@@ -58,7 +58,7 @@ export class HandlesLayer implements Extra {
 	async #use({ model }: Shown): Promise<void> {
 		this.#layer.cancel();
 		this.#handlesOf = undefined;
-		this.#lay(undefined);
+		this.#setHandles(undefined);
 		this.#missed = false;
 		const handlesOf = await model.handles?.().catch(() => {
 			this.#missed = this.#shown?.model === model;
@@ -66,28 +66,28 @@ export class HandlesLayer implements Extra {
 		});
 		if (this.#disposed || this.#shown?.model !== model) return;
 		this.#handlesOf = handlesOf;
-		this.#lay(this.#shown.specimen);
+		this.#setHandles(this.#shown.specimen);
 	}
 
 	/** Puts the handles where a specimen has them. */
-	#lay(specimen: Specimen | undefined): void {
+	#setHandles(specimen: Specimen | undefined): void {
 		const { model } = this.#shown ?? {};
 		this.#specimen = specimen;
-		this.#layer.lay(specimen && model && this.#handlesOf?.(specimen, fromPreset(model, specimen.preset)));
+		this.#layer.set(specimen && model && this.#handlesOf?.(specimen, fromPreset(model, specimen.preset)));
 	}
 
 	#change(change: Change): void {
 		const { model } = this.#shown ?? {};
 		if (!model || !this.#specimen) return;
-		this.#lay(apply(model, this.#specimen, change));
-		this.#host.hands.edit((now) => (now.model === model.name ? apply(model, now, change) : now));
+		this.#setHandles(apply(model, this.#specimen, change));
+		this.#host.interaction.edit((now) => (now.model === model.name ? apply(model, now, change) : now));
 	}
 
 	#cancel(): void {
 		const before = this.#before;
 		if (!before) return;
-		this.#lay(before);
-		this.#host.hands.edit(() => before);
-		this.#host.hands.settle();
+		this.#setHandles(before);
+		this.#host.interaction.edit(() => before);
+		this.#host.interaction.settle();
 	}
 }

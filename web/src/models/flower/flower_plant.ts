@@ -49,7 +49,7 @@ export interface FlowerPlant extends Plant {
 	/** From near to far; none where they were not asked for. */
 	levels: readonly Level[];
 	/** Of each mesh, of each triangle the volume that it is of. */
-	cells: readonly Uint32Array[];
+	pickIds: readonly Uint32Array[];
 	/** Of each mesh, what number the text gives its material. */
 	numbers: Uint32Array;
 	/** And what it calls it; empty where it does not. */
@@ -75,7 +75,7 @@ export function readFlowerPlant(answer: Answer): FlowerPlant {
 	return {
 		...plant,
 		meshes,
-		cells: meshes.map(({ name }) => columns.uint32(`mesh.${name}.volume`)),
+		pickIds: meshes.map(({ name }) => columns.uint32(`mesh.${name}.volume`)),
 		levels: all
 			.filter(({ name }) => LEVEL.test(name))
 			.map((mesh) => ({ mesh, paint: columns.uint8(`mesh.${mesh.name}.paint`) })),

@@ -22,7 +22,7 @@ export function* flowerParts(plant: FlowerPlant): Generator<Part> {
 	const names = new Set<string>();
 	const paints = paintsOf(plant.colours, plant.paint);
 	for (const [i, plain] of plant.meshes.entries()) {
-		const mesh = { ...plain, cells: plant.cells[i] };
+		const mesh = { ...plain, pickIds: plant.pickIds[i] };
 		const paint = paints[i];
 		const named = capital(plant.names[i] || mesh.material);
 		// A text may itself call one so.

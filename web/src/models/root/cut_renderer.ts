@@ -19,7 +19,7 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 	readonly modes = ["whole"];
 	readonly #stage: RendererStage;
 	readonly #roots: PartRenderer<RootSpecimen, WoodenPlant>;
-	readonly #wardrobe: MaterialCache;
+	readonly #materials: MaterialCache;
 	#soil: PartMeshes | undefined;
 	/** The bounds that the pit was dug for, its points and its colour. */
 	#pitBounds: PitBounds | undefined;
@@ -30,7 +30,7 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 	constructor(stage: RendererStage) {
 		this.#stage = stage;
 		this.#roots = new PartRenderer(stage, rootParts);
-		this.#wardrobe = new MaterialCache(stage.light.uniforms);
+		this.#materials = new MaterialCache(stage.light.uniforms);
 	}
 
 	show(grown: WoodenPlant, specimen: RootSpecimen): void {
@@ -55,10 +55,10 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 
 	#rebuildPit(roots: PitBounds, soil: string): void {
 		this.#clear();
-		this.#wardrobe.change();
+		this.#materials.change();
 		const mesh = buildPit(roots, soil);
 		const shape = { mesh, material: { name: "Soil", colour: linear(soil), roughness: 1 } };
-		this.#soil = new PartMeshes([{ name: "Soil", shape }], this.#wardrobe);
+		this.#soil = new PartMeshes([{ name: "Soil", shape }], this.#materials);
 		// The near wall is not drawn, and so must not throw a shadow; roots' shadows on the far one would pass for roots.
 		for (const object of this.#soil.objects) object.castShadow = object.receiveShadow = false;
 		this.#stage.root.add(...this.#soil.objects);
@@ -91,7 +91,7 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 
 	dispose(): void {
 		this.#clear();
-		this.#wardrobe.dispose();
+		this.#materials.dispose();
 		this.#roots.dispose();
 	}
 

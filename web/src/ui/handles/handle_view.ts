@@ -137,13 +137,13 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	}
 
 	/** What it tells of a key says of which run of presses it is (editor_context.ts). */
-	protected tell(type: string, detail?: unknown): void {
+	protected emit(type: string, detail?: unknown): void {
 		const told = this.#run !== undefined && detail instanceof Object ? { ...detail, run: this.#run } : detail;
 		this.dispatchEvent(new CustomEvent(type, { detail: told, bubbles: true, composed: true }));
 	}
 
 	/** What is said twice is told apart by a space at its end, or the second time would not be heard. */
-	protected say(words: string): void {
+	protected announce(words: string): void {
 		this.#spoken = words === this.#spoken ? `${words}\u00a0` : words;
 		this.requestUpdate();
 	}
@@ -249,7 +249,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	#onClick(event: MouseEvent): void {
 		const handle = handleOf<H>(event);
 		if (handle === undefined || event.detail > 0) return;
-		this.say(this.words(handle));
+		this.announce(this.words(handle));
 		this.show(handle);
 	}
 

@@ -10,7 +10,7 @@ export interface LazyInteractionOptions<S extends Specimen, G extends Plant> {
 	wanted(state: EditorState<S, G>): boolean;
 	fetch(): Promise<ToolInteraction<S, G>>;
 	/** Puts the tool back to where its button fetches them anew. */
-	missed(): void;
+	onFetchFailed(): void;
 }
 
 export class LazyInteraction<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
@@ -36,7 +36,7 @@ export class LazyInteraction<S extends Specimen, G extends Plant> implements Too
 	}
 
 	async #fetch(): Promise<ToolInteraction<S, G> | undefined> {
-		const { context, fetch, missed } = this.#options;
+		const { context, fetch, onFetchFailed } = this.#options;
 		const hands = await fetch().catch(() => undefined);
 		if (hands) {
 			if (!this.#disposed) return hands;
@@ -44,7 +44,7 @@ export class LazyInteraction<S extends Specimen, G extends Plant> implements Too
 			return undefined;
 		}
 		this.#hands = undefined;
-		missed();
+		onFetchFailed();
 		context.notify("The handles could not be fetched", ["Check the connection and press their button again."]);
 		return undefined;
 	}

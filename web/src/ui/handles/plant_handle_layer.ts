@@ -15,7 +15,7 @@ export interface HandleHost {
 	/** Where a place is seen: CSS pixels from the canvas's upper left corner. */
 	project(at: Vector): Point;
 	/** What a point of the canvas looks along. */
-	sightThrough(x: number, y: number): Ray;
+	rayThrough(x: number, y: number): Ray;
 	/** A handle is taken hold of: what a cancelled drag brings back. */
 	begin?(): void;
 	/** What a hand does; the handles are laid anew of it, at once. */
@@ -86,9 +86,9 @@ export class PlantHandleLayer {
 	}
 
 	/** Shows these handles; none where undefined. */
-	lay(set: PlantHandles | undefined): void {
-		this.#handles = set?.handles ?? [];
-		this.#ends = set?.lines ?? [];
+	set(shown: PlantHandles | undefined): void {
+		this.#handles = shown?.handles ?? [];
+		this.#ends = shown?.lines ?? [];
 		const there = new Set(this.#handles.map(({ id }) => id));
 		const before = [...this.#buttons.keys()];
 		const focused = before.findIndex((id) => this.#buttons.get(id)?.matches(":focus"));
@@ -169,7 +169,7 @@ export class PlantHandleLayer {
 		this.#held = {
 			id,
 			pointer: event.pointerId,
-			ways: visibleWays(handle.along, this.#host.sightThrough(seen.x, seen.y)),
+			ways: visibleWays(handle.along, this.#host.rayThrough(seen.x, seen.y)),
 			offset: { x: seen.x - at.x, y: seen.y - at.y },
 			moved: false,
 		};
@@ -195,7 +195,7 @@ export class PlantHandleLayer {
 		if (!held?.to || !handle) return;
 		const { x, y } = this.#pointOf(held.to);
 		held.to = undefined;
-		const place = placeUnder(handle.at, held.ways, this.#host.sightThrough(x + held.offset.x, y + held.offset.y));
+		const place = placeUnder(handle.at, held.ways, this.#host.rayThrough(x + held.offset.x, y + held.offset.y));
 		if (!place) return;
 		held.moved = true;
 		this.#host.change(handle.pull(place));

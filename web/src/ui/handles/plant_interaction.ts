@@ -9,9 +9,9 @@ import { PlantHandleLayer } from "./plant_handle_layer";
 /** The canvas's class while handles stand on it: nothing fades at its edge (style/stage.css). */
 const WHOLE_SURFACE = "handles";
 
-export interface PlantHandsOptions<S extends Specimen> {
+export interface PlantInteractionOptions<S extends Specimen> {
 	/** What of a document handles change: what a cancelled drag brings back. */
-	kept(specimen: S): NonNullable<Change["details"]>;
+	editedDetails(specimen: S): NonNullable<Change["details"]>;
 	/** A handle has the focus. */
 	focused?(id: string): void;
 }
@@ -21,15 +21,15 @@ export class PlantInteraction<S extends Specimen, G extends Plant> {
 	readonly #layer: PlantHandleLayer;
 	readonly #undraw: () => void;
 
-	constructor(view: ToolView, context: EditorContext<S, G>, { kept, focused }: PlantHandsOptions<S>) {
+	constructor(view: ToolView, context: EditorContext<S, G>, { editedDetails, focused }: PlantInteractionOptions<S>) {
 		this.#view = view;
 		let before: NonNullable<Change["details"]> = {};
 		this.#layer = new PlantHandleLayer({
 			canvas: view.canvas,
 			project: (at) => view.project(at),
-			sightThrough: (x, y) => view.sightThrough(x, y),
+			rayThrough: (x, y) => view.rayThrough(x, y),
 			begin: () => {
-				before = kept(context.state.specimen);
+				before = editedDetails(context.state.specimen);
 			},
 			change: (change) => context.edit(change),
 			settle: () => context.settle(),
@@ -43,9 +43,9 @@ export class PlantInteraction<S extends Specimen, G extends Plant> {
 	}
 
 	/** Puts these handles where they are, or none. */
-	lay(handles: PlantHandles | undefined, wholeSurface = handles !== undefined): void {
+	set(handles: PlantHandles | undefined, wholeSurface = handles !== undefined): void {
 		this.#view.canvas.classList.toggle(WHOLE_SURFACE, wholeSurface);
-		this.#layer.lay(handles);
+		this.#layer.set(handles);
 		this.#view.requestRender();
 	}
 

@@ -61,10 +61,10 @@ function fakeView() {
 		pick: vi.fn((): number | undefined => 41),
 		mark: vi.fn(),
 		setMode: vi.fn(),
-		sightThrough: vi.fn(),
+		rayThrough: vi.fn(),
 		project: vi.fn(),
 		onDrawn: vi.fn(),
-		showInstead: vi.fn(),
+		showSubstitute: vi.fn(),
 		look: vi.fn(),
 	};
 	const send = (type: string, more: object = {}) =>
@@ -85,12 +85,12 @@ async function armed() {
 	const context = bunchContext(studio);
 	studio.grew({ berries: { ids: Uint32Array.of(40, 41) } } as unknown as BunchPlant, opened);
 	const fake = fakeView();
-	const hands = thinning.hands?.(fake.view, context);
-	if (!hands) throw new Error("no hands");
-	const update = () => hands.update(context.state);
+	const interaction = thinning.interaction?.(fake.view, context);
+	if (!interaction) throw new Error("no interaction");
+	const update = () => interaction.update(context.state);
 	context.setToolState(thinning, { on: true, marked: undefined });
 	update();
-	return { studio, context, ...fake, hands, update };
+	return { studio, context, ...fake, interaction, update };
 }
 
 it("marks the berry under the pointer, and a click takes it off", async () => {
@@ -126,7 +126,7 @@ it("takes nothing when the pointer has moved, when another is down, or when a ha
 });
 
 it("rests while the stems are shown alone, for the paper's bunches, and once its model has gone", async () => {
-	const { context, send, update, classes, listeners, hands } = await armed();
+	const { context, send, update, classes, listeners, interaction } = await armed();
 	const click = () => {
 		send("pointerdown");
 		send("pointerup");
@@ -140,6 +140,6 @@ it("rests while the stems are shown alone, for the paper's bunches, and once its
 	update();
 	click();
 	expect(context.state.specimen.thinned).toEqual([]);
-	hands.dispose();
+	interaction.dispose();
 	expect(listeners.size).toBe(0);
 });

@@ -34,7 +34,7 @@ const TOUCH_REACH = 26;
 
 export class OctahedronHandles {
 	readonly #host: OctahedronHost;
-	readonly #figure: OctahedronRenderer;
+	readonly #renderer: OctahedronRenderer;
 	readonly #raycaster = new Raycaster();
 	/** What of its handle's freedom each pointer sees. */
 	readonly #freedoms = new Map<number, Freedom>();
@@ -45,7 +45,7 @@ export class OctahedronHandles {
 
 	constructor(host: OctahedronHost) {
 		this.#host = host;
-		this.#figure = new OctahedronRenderer(host.canvas);
+		this.#renderer = new OctahedronRenderer(host.canvas);
 		this.#drags = profileDrags<Parameters>({
 			handles: () => HANDLES,
 			locks: () => host.locks(),
@@ -66,17 +66,17 @@ export class OctahedronHandles {
 
 	/** The outline, faces and handles; place it as the bunch is placed. */
 	get object(): Group {
-		return this.#figure.object;
+		return this.#renderer.object;
 	}
 
 	update(parameters: Parameters): void {
 		this.#parameters = parameters;
-		this.#figure.update(parameters);
+		this.#renderer.update(parameters);
 		this.#host.requestRender();
 	}
 
 	setColours(colours: OctahedronColours): void {
-		this.#figure.setColours(colours);
+		this.#renderer.setColours(colours);
 		this.#host.requestRender();
 	}
 
@@ -97,7 +97,7 @@ export class OctahedronHandles {
 		canvas.removeEventListener("pointerup", this.#onPointerEnd);
 		canvas.removeEventListener("lostpointercapture", this.#onPointerEnd);
 		this.object.removeFromParent();
-		this.#figure.dispose();
+		this.#renderer.dispose();
 	}
 
 	readonly #onPointerDown = (event: PointerEvent): void => {
@@ -152,7 +152,7 @@ export class OctahedronHandles {
 		this.#host.canvas.style.cursor = this.#drags.active ? "grabbing" : handle ? "grab" : "";
 		if (handle === this.#hovered) return;
 		this.#hovered = handle;
-		this.#figure.highlight(handle);
+		this.#renderer.highlight(handle);
 		this.#host.requestRender();
 	}
 

@@ -66,7 +66,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		locks: () => this.locks,
 		get: () => this.parameters as Parameters,
 		input: (parameters) => this.#input(parameters),
-		change: () => this.tell("profile-change"),
+		change: () => this.emit("profile-change"),
 	});
 
 	constructor() {
@@ -154,7 +154,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		const parameters = this.parameters && nudgeHandle(this.parameters, handle, key, shiftKey ? 10 : 1, options);
 		if (!parameters) return false;
 		this.#step(parameters);
-		this.say(handleValue(parameters, handle));
+		this.announce(handleValue(parameters, handle));
 		return true;
 	}
 
@@ -183,12 +183,12 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 
 	#input(parameters: Parameters): void {
 		this.parameters = parameters;
-		this.tell("profile-input", { parameters });
+		this.emit("profile-input", { parameters });
 	}
 
 	#step(parameters: Parameters): void {
 		this.#input(parameters);
-		this.tell("profile-change");
+		this.emit("profile-change");
 	}
 }
 

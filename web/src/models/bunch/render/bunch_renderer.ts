@@ -145,7 +145,7 @@ export class BunchRenderer implements ModelRenderer<Dress, BunchPlant> {
 		const whole = mode === "whole";
 		this.#surface.bare = !whole;
 		this.#shared.berriesShown.value = whole ? 1 : 0;
-		if (this.#grown) this.#shadow.lay(capsulesOf(this.#grown, whole));
+		if (this.#grown) this.#shadow.set(capsulesOf(this.#grown, whole));
 	}
 
 	dispose(): void {

@@ -7,7 +7,7 @@ import { thinning } from "./thinning";
 /** What the stepper has to know of bunches: internodes, and as organs the berries, each with its own surface or as the ball they share. */
 export const derivation: DerivationSource<BunchSpecimen, BunchPlant> = {
 	drawn: berriesDrawn,
-	figure: async () => new (await import("../../../render/lit_renderer")).LitRenderer(),
+	renderer: async () => new (await import("../../../render/lit_renderer")).LitRenderer(),
 	taken: (context) => context.toolState(thinning).on,
 };
 

@@ -14,13 +14,13 @@ export const octahedron: BunchTool<boolean> = {
 	press: (context) => context.setToolState(octahedron, !context.toolState(octahedron)),
 	button: { icon: OCTAHEDRON, label: "Octahedron", pressed: (context) => context.toolState(octahedron) },
 	key: { letter: "o", does: "Octahedron and its handles in 3-D, and back" },
-	hands: (view, context) => new OctahedronHands(view, context),
+	interaction: (view, context) => new OctahedronInteraction(view, context),
 };
 
 /** An outline or a handle near the view's edge must stay whole: style/stage.css. */
 const WHOLE_SURFACE = "handles";
 
-class OctahedronHands implements ToolInteraction<BunchSpecimen, BunchPlant> {
+class OctahedronInteraction implements ToolInteraction<BunchSpecimen, BunchPlant> {
 	readonly #view: ToolView;
 	readonly #context: BunchContext;
 	/** Loaded when first asked for. */

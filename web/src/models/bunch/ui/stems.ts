@@ -8,7 +8,7 @@ export const stems: BunchTool<boolean> = {
 	press: (context) => context.setToolState(stems, !context.toolState(stems)),
 	button: { icon: STEMS, label: "Show stems only", pressed: (context) => context.toolState(stems) },
 	key: { letter: "s", does: "Stems only, and back" },
-	hands: (view, context) => ({
+	interaction: (view, context) => ({
 		update: () => view.setMode(context.toolState(stems) ? "stems" : undefined),
 		dispose: () => view.setMode(undefined),
 	}),

@@ -29,7 +29,7 @@ export const thinning: BunchTool<ThinningState> = {
 		place: "below",
 		draw: (context) => html`<panicle-thinning .context=${context}></panicle-thinning>`,
 	},
-	hands: (view, context) => {
+	interaction: (view, context) => {
 		const pointer = new PickPointer(view, {
 			name: "thinning",
 			at: (x, y) => view.pick(x, y),

@@ -33,7 +33,7 @@ export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, Choice | undefined> =
 		draw: (context) =>
 			html`<panicle-volume .context=${context} .choose=${(volume: number | undefined) => choose(context, volume)} .chosenIn=${chosenIn}></panicle-volume>`,
 	},
-	hands: (view, context) => {
+	interaction: (view, context) => {
 		const pointer = new PickPointer(view, {
 			name: "picking-volume",
 			at: (x, y) => view.pick(x, y),

@@ -33,7 +33,7 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 		this.#view = view;
 		this.#context = context;
 		this.#handles = new PlantInteraction<GrammarSpecimen, GrammarPlant>(view, context, {
-			kept: ({ areas, path, from }) => ({ areas, path, from }),
+			editedDetails: ({ areas, path, from }) => ({ areas, path, from }),
 			focused: (id) => this.#focused(id),
 		});
 		// In the capturing phase, so that the view does not turn under a stroke.
@@ -49,7 +49,7 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 		this.#drawing = handles ? drawing : undefined;
 		this.#view.canvas.style.cursor = this.#drawing ? "crosshair" : "";
 		const shown = handles && !drawing ? areaHandles(specimen, { area: chosen, path, removable: true }) : undefined;
-		this.#handles.lay(shown, handles);
+		this.#handles.set(shown, handles);
 	}
 
 	dispose(): void {
@@ -75,7 +75,7 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 		const places = placesOf(this.#context.state.specimen);
 		const mean = (k: number) => places.reduce((sum, at) => sum + at[k], 0) / Math.max(1, places.length);
 		const middle: Vector = [mean(0), mean(1), mean(2)];
-		const facing = this.#view.sightThrough(width / 2, height / 2).direction;
+		const facing = this.#view.rayThrough(width / 2, height / 2).direction;
 		const level = Math.hypot(facing[0], facing[2]) || 1;
 		const right: Vector = [-facing[2] / level, 0, facing[0] / level];
 		const up: Vector = [
@@ -83,7 +83,7 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 			right[2] * facing[0] - right[0] * facing[2],
 			right[0] * facing[1] - right[1] * facing[0],
 		];
-		const found = placeUnder(middle, [right, up], this.#view.sightThrough(clientX - left, clientY - top));
+		const found = placeUnder(middle, [right, up], this.#view.rayThrough(clientX - left, clientY - top));
 		return found && [found[0], Math.max(0, found[1]), found[2]];
 	}
 

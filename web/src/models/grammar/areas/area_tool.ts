@@ -37,9 +37,9 @@ const areaGlass = shownShells<GrammarSpecimen, GrammarPlant>({
 	icon: GLASS,
 	label: "Growth areas as glass",
 	initial: true,
-	missed: "The areas could not be fetched",
+	fetchFailedMessage: "The areas could not be fetched",
 	applies: hasAreas,
-	figure: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
+	renderer: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
 	shells: ({ areas = [] }) => areas.map(surfaceOf),
 	marked: bareAreas,
 });
@@ -63,12 +63,12 @@ export const areaTool: Tool<GrammarSpecimen, GrammarPlant, AreaState> = {
 		{ keys: ["Delete"], does: "On a handle of an area: remove it" },
 		{ keys: ["Page Up", "Page Down"], does: "On a handle of an area: to the next one" },
 	],
-	hands: (view, context) =>
+	interaction: (view, context) =>
 		new LazyInteraction({
 			context,
 			wanted: ({ specimen }) => context.toolState(areaTool).handles && hasAreas(specimen),
 			fetch: async () => new (await import("./area_interaction")).AreaInteraction(view, context),
-			missed: () => context.setToolState(areaTool, { handles: false }),
+			onFetchFailed: () => context.setToolState(areaTool, { handles: false }),
 		}),
 };
 

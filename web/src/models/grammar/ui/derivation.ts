@@ -7,7 +7,7 @@ import type { GrammarSpecimen } from "../specimen";
 /** What the stepper has to know of texts' plants: lines, and what is borne; of blades each is a run of their mesh. */
 export const derivation: DerivationSource<GrammarSpecimen, GrammarPlant> = {
 	drawn: (grown) => drawnOf(grown, { blades: grown.bladeOrgans ?? bladesInTurn(grown) }),
-	figure: async () => new (await import("../../../render/lit_renderer")).LitRenderer(),
+	renderer: async () => new (await import("../../../render/lit_renderer")).LitRenderer(),
 	taken: (context) => context.toolState(areaTool).drawing !== undefined,
 };
 

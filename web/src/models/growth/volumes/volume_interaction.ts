@@ -14,7 +14,7 @@ export class VolumeInteraction implements ToolInteraction<GrowthSpecimen, Growth
 	constructor(view: ToolView, context: VolumeContext) {
 		this.#context = context;
 		this.#handles = new PlantInteraction<GrowthSpecimen, GrowthPlant>(view, context, {
-			kept: ({ grammar }) => ({ grammar }),
+			editedDetails: ({ grammar }) => ({ grammar }),
 			focused: (id) => this.#focused(id),
 		});
 	}
@@ -23,7 +23,7 @@ export class VolumeInteraction implements ToolInteraction<GrowthSpecimen, Growth
 		const { handles, chosen } = this.#context.toolState(volumeTool);
 		const volumes = volumesOf(specimen, grown);
 		const shown = handles && volumes.length > 0;
-		this.#handles.lay(
+		this.#handles.set(
 			shown
 				? volumeHandles(volumes, Math.min(chosen, volumes.length - 1), (changed) => put(specimen, changed))
 				: undefined,

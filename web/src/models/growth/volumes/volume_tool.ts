@@ -40,9 +40,9 @@ const volumeGlass = shownShells<GrowthSpecimen, GrowthPlant>({
 	icon: GLASS,
 	label: "Growth volumes as glass",
 	initial: true,
-	missed: "The volumes could not be fetched",
+	fetchFailedMessage: "The volumes could not be fetched",
 	ofPlant: true,
-	figure: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
+	renderer: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
 	shells: (specimen, grown) => volumesOf(specimen, grown).map(surfaceOf),
 });
 
@@ -64,12 +64,12 @@ export const volumeTool: Tool<GrowthSpecimen, GrowthPlant, VolumeState> = {
 		{ keys: ["Delete"], does: "On the handle of a growth volume: remove it, if it is not the only one" },
 		{ keys: ["Page Up", "Page Down"], does: "On a handle of a growth volume: to the next one" },
 	],
-	hands: (view, context) =>
+	interaction: (view, context) =>
 		new LazyInteraction({
 			context,
 			wanted: () => context.toolState(volumeTool).handles,
 			fetch: async () => new (await import("./volume_interaction")).VolumeInteraction(view, context),
-			missed: () => context.setToolState(volumeTool, { ...context.toolState(volumeTool), handles: false }),
+			onFetchFailed: () => context.setToolState(volumeTool, { ...context.toolState(volumeTool), handles: false }),
 		}),
 };
 

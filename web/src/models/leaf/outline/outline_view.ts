@@ -45,7 +45,7 @@ export class OutlineView extends HandleView<string> {
 		symmetry: () => this,
 		reach: (to) => (this.#frame ? inReach(this.#frame, to) : to),
 		input: (points) => this.#input(points),
-		change: () => this.tell("outline-change"),
+		change: () => this.emit("outline-change"),
 		refused: () => this.#refuse(),
 	});
 
@@ -97,7 +97,7 @@ export class OutlineView extends HandleView<string> {
 	protected override below(): unknown {
 		const kind = this.points?.[this.#chosen].kind ?? "smooth";
 		return html`<div class="bar" role="toolbar" aria-label="Points of the outline">
-			${this.#button(LOCK, "Both sides alike", () => this.tell("outline-mirror"), this.mirror)}
+			${this.#button(LOCK, "Both sides alike", () => this.emit("outline-mirror"), this.mirror)}
 			${this.#button(TURN, `Kind of point, now ${KIND_WORDS[kind]}`, () => this.#press(turned))}
 			${this.#button(ADD, "Add a point after the chosen one", () => this.#press(inserted))}
 			${this.#button(REMOVE, "Remove the chosen point", () => this.#press(removed))}
@@ -158,22 +158,22 @@ export class OutlineView extends HandleView<string> {
 
 	#input(outline: OutlinePoints): void {
 		this.points = outline;
-		this.tell("outline-input", { outline });
+		this.emit("outline-input", { outline });
 	}
 
 	#refuse(): void {
-		this.say(CROSSES);
-		this.tell("outline-refused");
+		this.announce(CROSSES);
+		this.emit("outline-refused");
 	}
 
 	/** A step of keys or buttons is told and said. */
 	#take({ points, chosen, message }: Step): void {
 		if (points) {
 			this.#input(points);
-			this.tell("outline-change");
+			this.emit("outline-change");
 		}
 		if (message === CROSSES) this.#refuse();
-		else if (message) this.say(message);
+		else if (message) this.announce(message);
 		if (chosen !== undefined) this.#chosen = chosen;
 		this.requestUpdate();
 	}

@@ -106,8 +106,8 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 	#pass(faces: BladeTextures): void {
 		this.#faces = (side) => ({ ...faces[side], normal: FLAT_PICTURE });
 		for (const side of ["upper", "lower"] as const) {
-			this.#parts.lay(FACES[side], "colour", faces[side].colour);
-			this.#parts.lay(FACES[side], "normal", FLAT_PICTURE);
+			this.#parts.setPicture(FACES[side], "colour", faces[side].colour);
+			this.#parts.setPicture(FACES[side], "normal", FLAT_PICTURE);
 		}
 		this.#stage.changed?.();
 	}
@@ -124,7 +124,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 	#applyNextSheet(): void {
 		const sheet = this.#sheets.shift();
 		if (!sheet) return;
-		this.#parts.lay(FACES[sheet.side], sheet.kind, sheet.picture);
+		this.#parts.setPicture(FACES[sheet.side], sheet.kind, sheet.picture);
 		if (this.#sheets.length > 0) this.#stage.changed?.();
 	}
 }

@@ -14,7 +14,7 @@ export const shellTool = <S extends BoundedSpecimen>(layout: BoundaryLayout<S>):
 		name: "shell",
 		icon: ICON,
 		label: "Boundary in 3-D",
-		missed: "The boundary could not be fetched",
-		figure: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
+		fetchFailedMessage: "The boundary could not be fetched",
+		renderer: async () => new (await import("../../../render/shell_renderer")).ShellRenderer(),
 		shells: (specimen) => shellsOf(layout, specimen),
 	});

@@ -21,7 +21,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	readonly elevation = 24;
 	readonly #stage: RendererStage;
 	readonly #lights = new StandardLights();
-	readonly #wardrobe: MaterialCache;
+	readonly #materials: MaterialCache;
 	readonly #crowd: Crowd;
 	readonly #ring = new MarkRing();
 	readonly #ground: GroundRenderer;
@@ -36,9 +36,9 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 
 	constructor(stage: RendererStage) {
 		this.#stage = stage;
-		this.#wardrobe = new MaterialCache(stage.light.uniforms);
+		this.#materials = new MaterialCache(stage.light.uniforms);
 		this.#crowd = new Crowd(stage.light.uniforms, stage.wind);
-		this.#trellis = new PartMeshes([], this.#wardrobe);
+		this.#trellis = new PartMeshes([], this.#materials);
 		this.#ground = new GroundRenderer(stage.light.uniforms);
 		stage.root.add(this.#lights.group, this.#crowd.group, this.#ground.object, this.#ring.object);
 	}
@@ -47,12 +47,12 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		this.mark(undefined);
 		this.#clear();
 		this.#stand = grown;
-		this.#wardrobe.change();
+		this.#materials.change();
 		const [ground, ...trellis] = groundParts(grown, specimen);
 		const { width, depth } = grown.ground;
 		const rim = grown.soil?.rim ?? new Float32Array((grown.meshes[0]?.positions.length ?? 0) / 3);
 		this.#ground.show(ground, rim, Math.min(width, depth));
-		this.#trellis = new PartMeshes(trellis, this.#wardrobe);
+		this.#trellis = new PartMeshes(trellis, this.#materials);
 		for (const object of this.#trellis.objects) this.#stage.root.add(object);
 		this.#crowd.show(grown);
 		this.#bounds = bodiesOf(grown);
@@ -103,7 +103,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		this.#crowd.dispose();
 		this.#ground.dispose();
 		this.#ring.dispose();
-		this.#wardrobe.dispose();
+		this.#materials.dispose();
 		this.#lights.dispose();
 	}
 

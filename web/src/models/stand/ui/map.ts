@@ -33,7 +33,7 @@ export const map: Tool<StandSpecimen, StandPlant, Chosen> = {
 	},
 	editor: { title: "Map", draw: (context) => (context.state.grown ? drawMap(context, context.state.grown) : nothing) },
 	keys: [{ keys: ["Esc"], does: "Choose no plant" }],
-	hands: (view, context) => {
+	interaction: (view, context) => {
 		const pointer = new PickPointer(view, {
 			name: "picking-plant",
 			at: (x, y) => view.pick(x, y),

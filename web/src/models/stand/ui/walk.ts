@@ -56,7 +56,7 @@ export const walk: Tool<StandSpecimen, StandPlant, Walking> = {
 		title: "Walk",
 		draw: (context) => html`<panicle-walk-bar .context=${context}></panicle-walk-bar>`,
 	},
-	hands: (view, context) => new WalkInteraction(view, context),
+	interaction: (view, context) => new WalkInteraction(view, context),
 };
 
 function go(context: StandContext, step: Step): void {

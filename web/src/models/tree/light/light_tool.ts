@@ -14,11 +14,11 @@ export const lightTool: LightTool = {
 	initial: false,
 	press: (context) => context.setToolState(lightTool, !context.toolState(lightTool)),
 	button: { icon: ICON, label: "Light in the crown", pressed: (context) => context.toolState(lightTool) },
-	hands: (view, context) =>
+	interaction: (view, context) =>
 		new LazyInteraction<TreeSpecimen, TreePlant>({
 			context,
 			wanted: () => context.toolState(lightTool),
 			fetch: async () => new (await import("./light_interaction")).LightHands(view, context, lightTool),
-			missed: () => context.setToolState(lightTool, false),
+			onFetchFailed: () => context.setToolState(lightTool, false),
 		}),
 };

@@ -54,7 +54,7 @@ export class DesignView extends HandleView<string> {
 		},
 		same: (one, other) => one === other,
 		input: (descriptions) => this.#input(descriptions),
-		change: () => this.tell("design-change"),
+		change: () => this.emit("design-change"),
 	});
 
 	constructor() {
@@ -130,9 +130,9 @@ export class DesignView extends HandleView<string> {
 		if (right === 0 && up === 0) return false;
 		const descriptions = withOne(this.descriptions, handle.nudge(right, up, shiftKey));
 		this.#input(descriptions);
-		this.tell("design-change");
+		this.emit("design-change");
 		const after = this.of?.(descriptions).handles.find((each) => each.id === id);
-		if (after) this.say(after.value);
+		if (after) this.announce(after.value);
 		return true;
 	}
 
@@ -140,7 +140,7 @@ export class DesignView extends HandleView<string> {
 
 	protected override focused(id: string): void {
 		this.#chosen = id;
-		this.tell("design-focus", id);
+		this.emit("design-focus", id);
 		this.requestUpdate();
 	}
 
@@ -162,7 +162,7 @@ export class DesignView extends HandleView<string> {
 
 	#input(descriptions: readonly Description[]): void {
 		this.descriptions = descriptions;
-		this.tell("design-input", { descriptions });
+		this.emit("design-input", { descriptions });
 	}
 }
 

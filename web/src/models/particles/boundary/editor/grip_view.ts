@@ -20,8 +20,8 @@ export abstract class GripView extends HandleView<string> {
 	protected frame: Frame = { width: 1, height: 1, scale: 1, origin: { x: 0, y: 0 } };
 	protected readonly drags = gripDrags({
 		pose: () => this.pose,
-		input: (change) => this.tell("grip-input", change),
-		change: () => this.tell("grip-change"),
+		input: (change) => this.emit("grip-input", change),
+		change: () => this.emit("grip-change"),
 	});
 
 	/** How the view's units lie in an element of its size. */
@@ -96,7 +96,7 @@ export abstract class GripView extends HandleView<string> {
 	#withArrowKeys(nearest: readonly Grip[], message?: string): void {
 		const next = nearest.find(({ id }) => gripIn(this.pose, id));
 		if (next) this.element(next.id)?.focus({ preventScroll: true });
-		this.say(message ?? this.words(nearest[0].id));
+		this.announce(message ?? this.words(nearest[0].id));
 	}
 
 	protected doubled(id: string | undefined): void {
@@ -105,11 +105,11 @@ export abstract class GripView extends HandleView<string> {
 	}
 
 	protected override focused(id: string): void {
-		this.tell("grip-focus", id);
+		this.emit("grip-focus", id);
 	}
 
 	#step(change: Change): void {
-		this.tell("grip-input", change);
-		this.tell("grip-change");
+		this.emit("grip-input", change);
+		this.emit("grip-change");
 	}
 }
