@@ -56,9 +56,9 @@ double derive(std::string_view text, std::uint32_t steps) {
 
 // The paper's procedure: the same bunch over and over down a longer rachis: lengths and widths are kept from shrinking,
 // else the tip's would vanish.
-bunch::Request longer_bunch(std::uint32_t factor) {
+bunch::BunchRequest longer_bunch(std::uint32_t factor) {
   constexpr std::int32_t axes[] = {8, 4, 6, 6, 3, 2, 3, 3, 1, 1, 1, 1};  // shouldered conical
-  bunch::Request request;
+  bunch::BunchRequest request;
   request.meshes = request.measures = false;
   request.parameters.assign(bunch::parameter_count, std::numeric_limits<float>::quiet_NaN());
   request.parameters[static_cast<std::size_t>(bunch::Parameter::procedure)] = 0;
@@ -73,7 +73,7 @@ bunch::Request longer_bunch(std::uint32_t factor) {
 double plan(std::uint32_t factor) {
   static const auto program = lsystem::compile(bunch::grammars::grape_bunch_3, {}, lsystem::Lineages::always);
   if (!program) return -1;
-  bunch::Request request = longer_bunch(factor);
+  bunch::BunchRequest request = longer_bunch(factor);
   request.program = program.value();
   const auto grown = bunch::grow(request);
   return grown ? grown->counts.pedicels : -1;

@@ -27,7 +27,7 @@ export default [
 			},
 			{
 				id: "growth-laid-rachis-forgotten",
-				find: "room = laid->room;",
+				find: "room = reserved->room;",
 				replace: "room = {};",
 				breaks: "a wing's rachis is cut off",
 			},

@@ -64,7 +64,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/luck.hpp`,
+		file: `${SRC}/random_value.hpp`,
 		suites: [`${TESTS}/situation_test.cpp`, `${TESTS}/traits_test.cpp`],
 		faults: [
 			{
@@ -81,7 +81,7 @@ export default [
 		faults: [
 			{
 				id: "crowding-upright-berries-crowd-as-round-ones",
-				find: "place.y / make.elongation",
+				find: "place.y / berry.elongation",
 				replace: "place.y",
 				breaks: "long berries are looser than was asked for",
 			},
@@ -111,7 +111,7 @@ export default [
 		faults: [
 			{
 				id: "crop-thinning-by-hand-unheeded",
-				find: "std::binary_search(wish.taken.begin(), wish.taken.end(), flowers[i].id)",
+				find: "std::binary_search(target.taken.begin(), target.taken.end(), flowers[i].id)",
 				replace: "false",
 				breaks: "berries that were taken off grow back",
 			},
@@ -123,14 +123,14 @@ export default [
 			},
 			{
 				id: "crop-elongation-unheeded",
-				find: "fruitlets[k].half_width * wish.make.elongation",
+				find: "fruitlets[k].half_width * target.berry.elongation",
 				replace: "fruitlets[k].half_width",
 				breaks: "fingers swell as balls",
 			},
 			{
 				id: "crop-beyond-the-room",
-				find: "choose_count(own, std::min(wish.count, wish.most))",
-				replace: "choose_count(own, wish.count)",
+				find: "choose_count(own, std::min(target.count, target.most))",
+				replace: "choose_count(own, target.count)",
 				breaks: "counts beyond the outline's room heap up",
 			},
 		],

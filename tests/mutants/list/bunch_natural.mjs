@@ -99,7 +99,7 @@ export default [
 		faults: [
 			{
 				id: "natural-plan-count-unheeded",
-				find: "plan.berries = std::min(asked ? values[Parameter::count] : filling, most_berries);",
+				find: "plan.berries = std::min(is_count_requested ? values[Parameter::count] : filling, most_berries);",
 				replace: "plan.berries = std::min(filling, most_berries);",
 				breaks: "the slider of the count does nothing",
 			},

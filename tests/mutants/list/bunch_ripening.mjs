@@ -51,19 +51,19 @@ export default [
 			{
 				id: "natural-foliage-never",
 				find: "if (!on_cane(values)) return std::nullopt;",
-				replace: "if (leaves_asked < 100) return std::nullopt;",
+				replace: "if (leaf_count < 100) return std::nullopt;",
 				breaks: "no cane and no leaves, however many are asked for",
 			},
 			{
 				id: "natural-room-of-one-bunch",
-				find: "wish.most += plan.room;",
-				replace: "wish.most = plan.room;",
+				find: "target.most += plan.room;",
+				replace: "target.most = plan.room;",
 				breaks: "a bunch with a wing bears no more than its wing has room for",
 			},
 			{
 				id: "natural-count-note-missing",
-				find: "static_cast<float>(kept) >= count_met * wish.count ||",
-				replace: "kept > 0 ||",
+				find: "static_cast<float>(found_room) >= count_met * target.count ||",
+				replace: "found_room > 0 ||",
 				breaks: "nothing says that fewer berries than asked for found room",
 			},
 		],
@@ -128,8 +128,8 @@ export default [
 		faults: [
 			{
 				id: "ripening-shade-colours-first",
-				find: "(0.5f - fortune.exposure)",
-				replace: "(fortune.exposure - 0.5f)",
+				find: "(0.5f - berry.exposure)",
+				replace: "(berry.exposure - 0.5f)",
 				breaks: "berries in the shade turn first",
 			},
 			{
@@ -140,7 +140,7 @@ export default [
 			},
 			{
 				id: "ripening-vigour-unheeded",
-				find: " + 4 * (1 - fortune.vigour)",
+				find: " + 4 * (1 - berry.vigour)",
 				replace: "",
 				breaks: "weak vines ripen as early as strong ones",
 			},

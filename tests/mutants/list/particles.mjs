@@ -34,7 +34,7 @@ export default [
 			},
 			{
 				id: "crowd-without-step-budget",
-				find: "const bool alone = steps_ > patience_ || count < 2;",
+				find: "const bool alone = steps_ > step_budget_ || count < 2;",
 				replace: "const bool alone = count < 2;",
 				breaks: "bends hold two in a circle without end",
 			},
@@ -46,8 +46,8 @@ export default [
 			},
 			{
 				id: "crowd-printed-rule-damped",
-				find: "rules_.printed ? towards(glm::vec3(0), aside + ahead)",
-				replace: "rules_.printed ? (aside + ahead) * 0.5f",
+				find: "rules_.printed ? towards(glm::vec3(0), to_neighbour + ahead)",
+				replace: "rules_.printed ? (to_neighbour + ahead) * 0.5f",
 				breaks: "the printed rule is not the printed one",
 			},
 		],
@@ -124,8 +124,8 @@ export default [
 			},
 			{
 				id: "polish-through-the-margin",
-				find: "if (free) trails.places[i] = laid;",
-				replace: "trails.places[i] = laid;",
+				find: "if (free) trails.places[i] = moved;",
+				replace: "trails.places[i] = moved;",
 				breaks: "trails are laid back across what is between",
 			},
 		],

@@ -72,7 +72,7 @@ export default [
 			},
 			{
 				id: "swelling-late-join-unasked",
-				find: "if (static_cast<float>(kept) >= near_enough * static_cast<float>(wanted)) return;",
+				find: "if (static_cast<float>(remaining) >= near_enough * static_cast<float>(wanted)) return;",
 				replace: "",
 				breaks: "more berries grow than were asked for",
 			},
@@ -120,8 +120,8 @@ export default [
 		faults: [
 			{
 				id: "spreading-lifts",
-				find: "glm::vec3(aside.x, -weight * berry.size.ball, aside.z)",
-				replace: "aside",
+				find: "glm::vec3(sideways.x, -weight * berry.size.ball, sideways.z)",
+				replace: "sideways",
 				breaks: "pedicels push each other's berries up, and bunches do not hang",
 			},
 			{

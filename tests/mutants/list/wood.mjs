@@ -137,8 +137,8 @@ export default [
 		faults: [
 			{
 				id: "waypoints-of-what-was-asked-first",
-				find: "while (!open_.empty() && !asked.closed) spread_next();",
-				replace: "if (!open_.empty() && !asked.closed) spread_next();",
+				find: "while (!open_.empty() && !requested.closed) spread_next();",
+				replace: "if (!open_.empty() && !requested.closed) spread_next();",
 				breaks: "ways are known only as far as was asked often enough",
 			},
 		],

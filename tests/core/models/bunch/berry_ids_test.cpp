@@ -10,8 +10,8 @@ using namespace panicle;
 using namespace panicle::bunch;
 
 TEST_CASE("what one module bears is told apart, and the first keeps the module's address") {
-  const std::vector<std::uint64_t> bearers{7, 7, 7, 9, 7};
-  const std::vector<std::uint64_t> own = own_addresses(bearers);
+  const std::vector<std::uint64_t> module_addresses{7, 7, 7, 9, 7};
+  const std::vector<std::uint64_t> own = own_addresses(module_addresses);
   CHECK(own[0] == 7);
   CHECK(own[3] == 9);
   CHECK(std::set<std::uint64_t>(own.begin(), own.begin() + 4).size() == 4);

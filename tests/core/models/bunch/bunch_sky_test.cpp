@@ -19,8 +19,8 @@ using namespace panicle::tests;
 
 namespace {
 
-Grown grown_with(std::initializer_list<std::pair<Parameter, float>> values) {
-  bunch::Request request;
+GrownBunch grown_with(std::initializer_list<std::pair<Parameter, float>> values) {
+  bunch::BunchRequest request;
   request.parameters.assign(std::size(parameter_table), std::numeric_limits<float>::quiet_NaN());
   for (const auto& [key, value] : values) request.parameters[static_cast<std::size_t>(key)] = value;
   request.measures = false;
@@ -32,8 +32,8 @@ Grown grown_with(std::initializer_list<std::pair<Parameter, float>> values) {
 }
 
 // Round berries of unit radius on pedicels of their own that come from above.
-Grown hung(const std::vector<glm::vec3>& centres) {
-  Grown grown;
+GrownBunch hung(const std::vector<glm::vec3>& centres) {
+  GrownBunch grown;
   for (const glm::vec3& centre : centres) {
     const auto pedicel = static_cast<std::int32_t>(grown.internodes.size());
     grown.internodes.push_back(
@@ -56,7 +56,7 @@ double mean(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 TEST_CASE("a lone berry sees all of the sky, its pedicel all but what the berry hides") {
-  const Grown lone = hung({{0, 0, 0}});
+  const GrownBunch lone = hung({{0, 0, 0}});
   REQUIRE(lone.sky);
   CHECK(std::all_of(lone.sky->berries.begin(), lone.sky->berries.end(), [](std::uint8_t byte) { return byte == 255; }));
   REQUIRE(lone.sky->stems.size() == lone.stem->segment.size());
@@ -70,7 +70,7 @@ TEST_CASE("a lone berry sees all of the sky, its pedicel all but what the berry 
 }
 
 TEST_CASE("two berries that touch darken each other where they do, and nowhere else") {
-  const Grown pair = hung({{-1, 0, 0}, {1, 0, 0}});
+  const GrownBunch pair = hung({{-1, 0, 0}, {1, 0, 0}});
   const std::vector<float>& normals = pair.berry->normals;
   const std::size_t each = normals.size() / 3;
   REQUIRE(pair.sky->berries.size() == 2 * each);
@@ -89,7 +89,7 @@ TEST_CASE("the whole turned sees as much") {
   const std::vector<glm::vec3> places{{-1, 0, 0}, {1, 0, 0}, {0, 1.8f, 0.3f}, {0.2f, -1.7f, 0.4f}};
   std::vector<glm::vec3> turned;
   for (const glm::vec3& p : places) turned.push_back({p.z, p.y, -p.x});
-  const Grown one = hung(places), other = hung(turned);
+  const GrownBunch one = hung(places), other = hung(turned);
   // Turned by a quarter, the shared berry's meridians fall on each other: find each vertex's place in the other.
   const std::vector<float>& normals = one.berry->normals;
   const std::size_t each = normals.size() / 3;
@@ -108,7 +108,7 @@ TEST_CASE("the whole turned sees as much") {
 
 TEST_CASE("a long berry hides as one: along its length, not only about its middle") {
   const auto beside_tip = [](float width, float length) {
-    Grown grown;
+    GrownBunch grown;
     grown.internodes.push_back({-1, Kind::pedicel, State::grown, 0, {0, 9, 0}, {0, 8, 0}, 0.1f, 0.1f});
     grown.berries = {{{0, 0, 0}, 1, {0, -1, 0}, 0, 0}, {{1.2f, -3, 0}, 0.4f, {0, -1, 0}, 0, 0}};
     grown.traits = {{width, length}, {0.8f, 0.8f}};
@@ -122,7 +122,7 @@ TEST_CASE("a long berry hides as one: along its length, not only about its middl
 }
 
 TEST_CASE("a grown bunch: a byte for every vertex, dark where berries are pressed, light on the outside") {
-  const Grown grown = grown_with({});
+  const GrownBunch grown = grown_with({});
   REQUIRE(grown.sky);
   const std::vector<std::uint8_t>& bytes = grown.sky->berries;
   const std::vector<std::uint8_t>& pressed = grown.surfaces->pressed;
@@ -150,8 +150,8 @@ TEST_CASE("a grown bunch: a byte for every vertex, dark where berries are presse
 }
 
 TEST_CASE("leaves and cane are seen from, and hide") {
-  const Grown bare = grown_with({});
-  const Grown leafy = grown_with({{Parameter::leaves, 3}, {Parameter::cane, 1}});
+  const GrownBunch bare = grown_with({});
+  const GrownBunch leafy = grown_with({{Parameter::leaves, 3}, {Parameter::cane, 1}});
   REQUIRE(leafy.foliage);
   REQUIRE(leafy.sky->foliage.size() == leafy.foliage->mesh.positions.size() / 3);
   CHECK(mean(leafy.sky->foliage) > 100);
@@ -165,7 +165,7 @@ TEST_CASE("leaves and cane are seen from, and hide") {
 }
 
 TEST_CASE("the paper's bunch: a byte for every vertex of the shared berry at every place") {
-  const Grown grown = grown_with({{Parameter::procedure, 0}});
+  const GrownBunch grown = grown_with({{Parameter::procedure, 0}});
   REQUIRE(grown.berry);
   CHECK(grown.sky->berries.size() == grown.berry->positions.size() / 3 * grown.berries.size());
   CHECK(grown.sky->stems.size() == grown.stem->segment.size());
@@ -174,7 +174,7 @@ TEST_CASE("the paper's bunch: a byte for every vertex of the shared berry at eve
 }
 
 TEST_CASE("there is no sky where it was not asked for, nor without meshes") {
-  bunch::Request request;
+  bunch::BunchRequest request;
   request.measures = false;
   CHECK(!grow(request)->sky);
   request.sky = true;

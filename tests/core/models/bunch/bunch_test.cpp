@@ -33,7 +33,7 @@ struct Expected {
   std::uint32_t internodes() const { return 5 * end_structures - bunches + 2 * racemes; }
 };
 
-void check_counts(const Grown& bunch) {
+void check_counts(const GrownBunch& bunch) {
   Expected expected;
   expected.add(bunch.plan);
   if (bunch.second) expected.add(*bunch.second);
@@ -46,9 +46,9 @@ void check_counts(const Grown& bunch) {
   CHECK(bunch.counts.internodes == expected.internodes());
 }
 
-double mean_berries(const Request& request, int seeds = 20) {
+double mean_berries(const BunchRequest& request, int seeds = 20) {
   double sum = 0;
-  Request each = request;
+  BunchRequest each = request;
   for (each.seed = 1; each.seed <= static_cast<std::uint32_t>(seeds); ++each.seed) sum += grown(each).counts.berries;
   return sum / seeds;
 }
@@ -57,12 +57,12 @@ double mean_berries(const Request& request, int seeds = 20) {
 
 TEST_CASE("L-system 1 with m = 3, n1 = 1, n2 = 2 gives 19 internodes and 12 berries") {
   for (const int system : {1, 3}) {
-    Request request = as_printed(shouldered());
+    BunchRequest request = as_printed(shouldered());
     request.grammar = builtin_grammar(system);
     request.m = 3;
     request.n = {1, 2};
     set_radius(request, 2, 3);
-    const Grown bunch = grown(request);
+    const GrownBunch bunch = grown(request);
     CHECK(bunch.counts.internodes == 19);
     CHECK(bunch.counts.berries == 12);
     CHECK(bunch.plan.axes == std::vector<std::int32_t>{2, 1});
@@ -70,13 +70,13 @@ TEST_CASE("L-system 1 with m = 3, n1 = 1, n2 = 2 gives 19 internodes and 12 berr
 }
 
 TEST_CASE("L-system 2 keeps apart the berries that L-system 1 lets overlap") {
-  Request request = as_printed(shouldered());
+  BunchRequest request = as_printed(shouldered());
   request.m = 5;
   request.n = {1, 2, 2, 3};
   request.grammar = builtin_grammar(1);
   CHECK(worst_overlap(grown(request)) > 0);
   request.grammar = builtin_grammar(2);
-  const Grown open = grown(request);
+  const GrownBunch open = grown(request);
   CHECK(worst_overlap(open) == 0);
   CHECK(open.counts.berries > 5);
   CHECK(open.counts.withered > 0);
@@ -97,11 +97,11 @@ TEST_CASE("counts hold and no two berries overlap for any profile and seed") {
   int uncut = 0;
   for (std::uint32_t seed = 1; seed <= 150; ++seed) {
     CAPTURE(seed);
-    Request request = request_for(random_profile(seed), seed);
+    BunchRequest request = request_for(random_profile(seed), seed);
     const auto low = static_cast<float>(random_integer(seed, 1, 1, 2, 50));
     set_radius(request, low, low + 10);
     if (seed % 3 == 0) set(request, Parameter::wing, 0.6f);
-    const Grown bunch = grown(request);
+    const GrownBunch bunch = grown(request);
     check_counts(bunch);
     CHECK(worst_overlap(bunch) == 0);
     uncut += bunch.counts.cut == 0;
@@ -110,7 +110,7 @@ TEST_CASE("counts hold and no two berries overlap for any profile and seed") {
 }
 
 TEST_CASE("redcurrant is a raceme: 20 pedicels, 38 internodes") {
-  const Grown bunch = grown(as_printed(table3[9].profile()));
+  const GrownBunch bunch = grown(as_printed(table3[9].profile()));
   CHECK(bunch.counts.cut == 0);
   CHECK(bunch.counts.pedicels == 20);
   CHECK(bunch.counts.internodes == 38);
@@ -119,7 +119,7 @@ TEST_CASE("redcurrant is a raceme: 20 pedicels, 38 internodes") {
 TEST_CASE("the mean of berries falls strictly as they grow: the pattern of Table 2") {
   double last = 1e9;
   for (float radius = 10; radius <= 40; radius += 5) {
-    Request request = as_printed(shouldered());
+    BunchRequest request = as_printed(shouldered());
     set_radius(request, radius * 0.8f, radius * 1.2f);
     const double mean = mean_berries(request);
     MESSAGE("radius " << radius << ": " << mean << " berries");
@@ -129,7 +129,7 @@ TEST_CASE("the mean of berries falls strictly as they grow: the pattern of Table
 }
 
 TEST_CASE("the larger radius that print suggests leaves the 20 to 30 berries the paper speaks of, or somewhat more") {
-  Request request = as_printed(shouldered());
+  BunchRequest request = as_printed(shouldered());
   set_radius(request, 45, 55);
   const double mean = mean_berries(request);
   MESSAGE("radius 45 to 55: " << mean << " berries");
@@ -144,9 +144,9 @@ TEST_CASE("the same request gives the same fingerprint; another seed another") {
 }
 
 TEST_CASE("parents come first, axes are those of the plan, withered pedicels bear nothing") {
-  Request request = request_for(shouldered(), 3);
+  BunchRequest request = request_for(shouldered(), 3);
   set(request, Parameter::wing, 0.5f);
-  const Grown bunch = grown(request);
+  const GrownBunch bunch = grown(request);
   const auto axes = static_cast<std::int32_t>(bunch.plan.axes.size() + bunch.second->axes.size());
   std::vector<int> berries(bunch.internodes.size(), 0);
   for (const Berry& berry : bunch.berries) ++berries[static_cast<std::size_t>(berry.parent)];
@@ -164,9 +164,9 @@ TEST_CASE("parents come first, axes are those of the plan, withered pedicels bea
 }
 
 TEST_CASE("every first-order axis has the internodes its count stands for") {
-  Request request = as_printed(table3[1].profile());
+  BunchRequest request = as_printed(table3[1].profile());
   set_radius(request, 2, 3);
-  const Grown bunch = grown(request);
+  const GrownBunch bunch = grown(request);
   REQUIRE(bunch.counts.cut == 0);
   std::vector<std::int32_t> found(bunch.plan.axes.size(), 0);
   std::int32_t rachis = 0;
@@ -178,14 +178,14 @@ TEST_CASE("every first-order axis has the internodes its count stands for") {
 
 TEST_CASE("sides point where the profile has them") {
   const std::array<glm::vec3, 4> towards = {{{1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}};
-  Request request = as_printed({290, {}});
+  BunchRequest request = as_printed({290, {}});
   set_radius(request, 2, 2);
   for (std::int32_t side = 0; side < 4; ++side) {
     Profile profile{290, {}};
     profile.sides[static_cast<std::size_t>(side)] = {150, 400};
     set_profile(request, profile);
     glm::vec3 sum{0};
-    const Grown bunch = grown(request);
+    const GrownBunch bunch = grown(request);
     for (const Internode& internode : bunch.internodes)
       if (internode.kind == Kind::axis) sum += internode.end;
     const glm::vec3 mean = glm::normalize(glm::vec3(sum.x, 0, sum.z));
@@ -194,9 +194,9 @@ TEST_CASE("sides point where the profile has them") {
 }
 
 TEST_CASE("the second bunch is the first's profile times the wing") {
-  Request request = request_for(shouldered());
+  BunchRequest request = request_for(shouldered());
   set(request, Parameter::wing, 0.5f);
-  const Grown bunch = grown(request);
+  const GrownBunch bunch = grown(request);
   REQUIRE(bunch.second);
   CHECK(bunch.second->m == 7);  // nearest(377 · 0.5 / 29)
   CHECK(bunch.second->sides[0].n == 4);
@@ -206,7 +206,7 @@ TEST_CASE("the second bunch is the first's profile times the wing") {
 TEST_CASE("counts hold for two bunches of any of the grammars") {
   for (const int system : {1, 2, 3}) {
     CAPTURE(system);
-    Request request = as_printed(shouldered());
+    BunchRequest request = as_printed(shouldered());
     set(request, Parameter::wing, 0.6f);
     request.grammar = builtin_grammar(system);
     check_counts(grown(request));
@@ -216,10 +216,10 @@ TEST_CASE("counts hold for two bunches of any of the grammars") {
 TEST_CASE("both bunches keep their rachis at every angle") {
   for (float angle = 25; angle <= 120; angle += 5) {
     CAPTURE(angle);
-    Request request = request_for(shouldered());
+    BunchRequest request = request_for(shouldered());
     set(request, Parameter::wing, 0.8f);
     set(request, Parameter::wing_angle, angle);
-    const Grown bunch = grown(request);
+    const GrownBunch bunch = grown(request);
     std::size_t rachis = 0;
     for (const Internode& internode : bunch.internodes) rachis += internode.kind == Kind::rachis;
     CHECK(rachis == static_cast<std::size_t>(bunch.plan.m + bunch.second->m - 2));
@@ -228,19 +228,19 @@ TEST_CASE("both bunches keep their rachis at every angle") {
 }
 
 TEST_CASE("notes say what a person may wonder at") {
-  Request crowded = request_for(shouldered());
+  BunchRequest crowded = request_for(shouldered());
   set(crowded, Parameter::wi, 40);
   set(crowded, Parameter::li, 10);
   REQUIRE(grown(crowded).notes.size() == 1);
   CHECK(grown(crowded).notes[0].find("ends early") != std::string::npos);
 
-  Request idle = request_for(shouldered());
+  BunchRequest idle = request_for(shouldered());
   idle.grammar = builtin_grammar(1);
   set(idle, Parameter::li, 40);
   REQUIRE(grown(idle).notes.size() == 1);
   CHECK(grown(idle).notes[0].find("no #define l_i") != std::string::npos);
 
-  Request empty = request_for(shouldered());
+  BunchRequest empty = request_for(shouldered());
   empty.grammar = "axiom: Z(3)\n";
   REQUIRE(grown(empty).notes.size() == 1);
   CHECK(grown(empty).notes[0].find("drew nothing") != std::string::npos);
@@ -250,9 +250,9 @@ TEST_CASE("a second bunch finds room beside any grape of the paper") {
   for (std::size_t row = 0; row < 9; ++row) {
     CAPTURE(table3[row].name);
     for (std::uint32_t seed = 1; seed <= 5; ++seed) {
-      Request request = request_for(table3[row].profile(), seed);
+      BunchRequest request = request_for(table3[row].profile(), seed);
       set(request, Parameter::wing, 0.6f);
-      const Grown bunch = grown(request);
+      const GrownBunch bunch = grown(request);
       std::size_t rachis = 0, berries = 0;
       for (const Internode& internode : bunch.internodes) rachis += internode.kind == Kind::rachis;
       for (const Berry& berry : bunch.berries)
@@ -269,18 +269,18 @@ TEST_CASE("a second bunch finds room beside any grape of the paper") {
 
 TEST_CASE("adding an axis leaves the berries' radii where they were") {
   Profile profile = shouldered();
-  const Grown before = grown(request_for(profile));
+  const GrownBunch before = grown(request_for(profile));
   profile.length += 29;
-  const Grown after = grown(request_for(profile));
+  const GrownBunch after = grown(request_for(profile));
   std::vector<float> radii;
   for (const Berry& berry : after.berries) radii.push_back(berry.radius);
-  int kept = 0;
-  for (const Berry& berry : before.berries) kept += std::find(radii.begin(), radii.end(), berry.radius) != radii.end();
-  CHECK(kept > 0.8 * double(before.berries.size()));
+  int unchanged = 0;
+  for (const Berry& berry : before.berries) unchanged += std::find(radii.begin(), radii.end(), berry.radius) != radii.end();
+  CHECK(unchanged > 0.8 * double(before.berries.size()));
 }
 
 TEST_CASE("bad input is an error value that says what to do") {
-  Request request = request_for(shouldered());
+  BunchRequest request = request_for(shouldered());
   request.m = 3;
   request.n = {1};
   auto wrong = grow(request);
@@ -302,17 +302,17 @@ TEST_CASE("bad input is an error value that says what to do") {
 }
 
 TEST_CASE("parameters out of range are clamped with a note") {
-  Request request = request_for(shouldered());
+  BunchRequest request = request_for(shouldered());
   set(request, Parameter::l, 10000);
   set(request, Parameter::wing, 0.1f);
-  const Grown bunch = grown(request);
+  const GrownBunch bunch = grown(request);
   CHECK(bunch.plan.m == 20);
   CHECK(bunch.second->m == 6);
   CHECK(bunch.notes.size() == 2);
 }
 
 TEST_CASE("limits end in an error value") {
-  Request request = request_for(shouldered());
+  BunchRequest request = request_for(shouldered());
   request.m = 1000;
   request.n.assign(999, 1000);
   auto result = grow(request);

@@ -17,7 +17,7 @@ namespace {
 // turn.
 using Place = std::vector<std::int32_t>;
 
-std::map<Place, glm::vec3> berries_by_place(const Grown& bunch) {
+std::map<Place, glm::vec3> berries_by_place(const GrownBunch& bunch) {
   std::vector<Place> places(bunch.internodes.size());
   std::map<Place, std::int32_t> children;
   for (std::size_t i = 0; i < bunch.internodes.size(); ++i) {

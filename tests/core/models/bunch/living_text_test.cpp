@@ -13,7 +13,7 @@ using namespace panicle::tests;
 
 namespace {
 
-Grown grown(Request request, const std::string& grammar) {
+GrownBunch grown(BunchRequest request, const std::string& grammar) {
   REQUIRE(!grammar.empty());
   request.grammar = grammar;
   auto result = grow(request);
@@ -21,9 +21,9 @@ Grown grown(Request request, const std::string& grammar) {
   return std::move(result.value());
 }
 
-const Request& roomy() {
-  static const Request request = [] {
-    Request r = as_printed(table3[1].profile());
+const BunchRequest& roomy() {
+  static const BunchRequest request = [] {
+    BunchRequest r = as_printed(table3[1].profile());
     set_radius(r, 2, 3);
     return r;
   }();
@@ -33,7 +33,7 @@ const Request& roomy() {
 double mean_berries(const std::string& grammar, float radius) {
   double sum = 0;
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-    Request request = as_printed(table3[1].profile(), seed);
+    BunchRequest request = as_printed(table3[1].profile(), seed);
     set_radius(request, radius * 0.8f, radius * 1.2f);
     sum += grown(request, grammar).counts.berries;
   }
@@ -44,7 +44,7 @@ double mean_berries(const std::string& grammar, float radius) {
 
 TEST_CASE("both procedures note what a text says and nothing heeds") {
   for (const int number : {3, 4}) {
-    Request request = number == 3 ? roomy() : natural_request(table3[1].profile());
+    BunchRequest request = number == 3 ? roomy() : natural_request(table3[1].profile());
     const std::string text = std::string(builtin_grammar(number)) + "\nAz --> F7\n";
     const std::vector<std::string> notes = grown(request, text).notes;
     CHECK(std::any_of(notes.begin(), notes.end(),
@@ -55,7 +55,7 @@ TEST_CASE("both procedures note what a text says and nothing heeds") {
 TEST_CASE("two pedicels in p8 give 2 A + Z pedicels") {
   const std::string two =
       edited(3, "  [ /(vary*(ran(50)-25)) -(alpha_y+vary*(ran(30)-15)) \\(alpha_r) Ap(l*r_p, w*r_w) ]\n", "");
-  const Grown bunch = grown(roomy(), two);
+  const GrownBunch bunch = grown(roomy(), two);
   CHECK(bunch.counts.cut == 0);
   CHECK(bunch.counts.end_structures == 40);
   CHECK(bunch.counts.pedicels == 80);
@@ -72,7 +72,7 @@ TEST_CASE("rachis and lateral brackets swapped in p1 to p4 place the laterals fi
     text.replace(at, std::string(rachis).size() + lateral.size(), lateral + rachis);
   }
   // The second internode drawn belongs to the topmost axis, no longer to the rachis.
-  const Request request = as_printed(table3[1].profile());
+  const BunchRequest request = as_printed(table3[1].profile());
   CHECK(grown(request, std::string(builtin_grammar(3))).internodes[1].kind == Kind::rachis);
   CHECK(grown(request, text).internodes[1].axis == 0);
 
@@ -85,15 +85,15 @@ TEST_CASE("rachis and lateral brackets swapped in p1 to p4 place the laterals fi
 
 TEST_CASE("without p7b the redcurrant keeps only its tip") {
   const std::string text = edited(3, "Af(i,l,w) : i<1 --> Ap(l*r_e*r_p, w*r_w)\n", "");
-  const Grown bunch = grown(as_printed(table3[9].profile()), text);
+  const GrownBunch bunch = grown(as_printed(table3[9].profile()), text);
   CHECK(bunch.counts.pedicels == 3);
 }
 
 TEST_CASE("without yaw all pedicels are collinear with their axis") {
-  Request request = roomy();
+  BunchRequest request = roomy();
   set(request, Parameter::sag, 0);
   set(request, Parameter::t, 0);
-  const Grown bunch = grown(request, edited(3, "#define alpha_y 60", "#define alpha_y 0"));
+  const GrownBunch bunch = grown(request, edited(3, "#define alpha_y 60", "#define alpha_y 0"));
   std::size_t pedicels = 0;
   for (const Internode& internode : bunch.internodes) {
     const glm::vec3 along = glm::normalize(internode.end - internode.start);
@@ -113,9 +113,9 @@ TEST_CASE("the constants of the text are the parameter table's defaults, and a p
     REQUIRE(at != std::string::npos);
     CHECK(std::stof(text.substr(at + define.size())) == info.standard);
   }
-  Request longer = roomy();
+  BunchRequest longer = roomy();
   set(longer, Parameter::li, 100);
-  const auto drop = [](const Grown& bunch) {
+  const auto drop = [](const GrownBunch& bunch) {
     float y = 0;
     for (const Internode& internode : bunch.internodes) y = std::fmin(y, internode.end.y);
     return y;
@@ -126,13 +126,13 @@ TEST_CASE("the constants of the text are the parameter table's defaults, and a p
 
 TEST_CASE("the outline that is measured against reaches as far as the text's own rates do") {
   // The same bunch, once by its text and once by a parameter.
-  Request request = request_for(table3[4].profile());
+  BunchRequest request = request_for(table3[4].profile());
   request.measures = true;
-  const Grown by_text = grown(request, edited(3, "#define r_e 0.6", "#define r_e 1.1"));
+  const GrownBunch by_text = grown(request, edited(3, "#define r_e 0.6", "#define r_e 1.1"));
   set(request, Parameter::re, 1.1f);
-  const Grown by_parameter = grown(request, std::string(builtin_grammar(3)));
+  const GrownBunch by_parameter = grown(request, std::string(builtin_grammar(3)));
   REQUIRE(by_text.fingerprint == by_parameter.fingerprint);
-  const auto coverage = [](const Grown& bunch) { return bunch.measures[static_cast<std::size_t>(Measure::coverage)]; };
+  const auto coverage = [](const GrownBunch& bunch) { return bunch.measures[static_cast<std::size_t>(Measure::coverage)]; };
   CHECK(coverage(by_text) == coverage(by_parameter));
   CHECK(coverage(by_text) != coverage(grown(request_for(table3[4].profile()), std::string(builtin_grammar(3)))));
 }

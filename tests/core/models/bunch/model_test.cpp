@@ -16,14 +16,14 @@ using namespace panicle::tests;
 
 namespace {
 
-bunch::Request read(const ContainerWriter& writer) {
+bunch::BunchRequest read(const ContainerWriter& writer) {
   std::uint8_t* const bytes = writer.write();
   const auto blocks = read_container({bytes, container_bytes(bytes)});
   REQUIRE(blocks);
   panicle::Request request(blocks.value(), nullptr);
   auto result = read_request(request);
   REQUIRE_MESSAGE(result, (result ? "" : result.error().message));
-  bunch::Request read = std::move(result.value());
+  bunch::BunchRequest read = std::move(result.value());
   read.grammar = {};  // they viewed the bytes
   read.leaf = {};
   std::free(bytes);
@@ -42,8 +42,8 @@ std::vector<Value> column(const Plant& plant, std::string_view name) {
 }
 
 // One that has all: a second bunch, withered stems, berries that are not there.
-bunch::Request manifold(float procedure) {
-  bunch::Request request = natural_request(table3[2].profile());
+bunch::BunchRequest manifold(float procedure) {
+  bunch::BunchRequest request = natural_request(table3[2].profile());
   set(request, Parameter::procedure, procedure);
   set(request, Parameter::wing, 0.5f);
   set(request, Parameter::count, 400);
@@ -71,7 +71,7 @@ TEST_CASE("each block of a request is read into what it is named after") {
   writer.add("m", m);
   writer.add("n", n);
   writer.add("parameters", parameters);
-  const bunch::Request request = read(writer);
+  const bunch::BunchRequest request = read(writer);
   CHECK(request.seed == 7);
   CHECK(request.stem_sides == 5);
   CHECK(request.berry_segments == 9);
@@ -117,8 +117,8 @@ TEST_CASE("a request's leaf is read from its four blocks, and refused where they
 TEST_CASE("columns say of each internode, berry and missing berry what the growth says") {
   for (const float procedure : {0.0f, 1.0f}) {
     CAPTURE(procedure);
-    const Grown bunch = grown(manifold(procedure));
-    const Plant plant = plant_of(Grown(bunch));
+    const GrownBunch bunch = grown(manifold(procedure));
+    const Plant plant = plant_of(GrownBunch(bunch));
     const auto axes = column<std::int32_t>(plant, "segments.axis");
     const auto states = column<std::uint8_t>(plant, "segments.state");
     REQUIRE(axes.size() == bunch.internodes.size());
@@ -160,10 +160,10 @@ TEST_CASE("columns say of each internode, berry and missing berry what the growt
 }
 
 TEST_CASE("the plan's columns are its sides' widths and drops, their counts, and each axis") {
-  bunch::Request request = manifold(0);
+  bunch::BunchRequest request = manifold(0);
   const Profile& profile = table3[2].profile();
-  const Grown bunch = grown(request);
-  const Plant plant = plant_of(Grown(bunch));
+  const GrownBunch bunch = grown(request);
+  const Plant plant = plant_of(GrownBunch(bunch));
   const auto sides = column<float>(plant, "plan.sides");
   const auto counts = column<std::int32_t>(plant, "plan.counts"), axes = column<std::int32_t>(plant, "plan.axes");
   for (std::size_t i = 0; i < 4; ++i) {
@@ -179,7 +179,7 @@ TEST_CASE("the plan's columns are its sides' widths and drops, their counts, and
 
 TEST_CASE("the fingerprint is what docs/fingerprint.md says it is") {
   for (const float procedure : {0.0f, 1.0f}) {
-    const Grown bunch = grown(manifold(procedure));
+    const GrownBunch bunch = grown(manifold(procedure));
     Fingerprint print;
     const auto add = [&print](const auto... values) { (print.add(static_cast<float>(values)), ...); };
     for (const Internode& one : bunch.internodes)
@@ -196,7 +196,7 @@ TEST_CASE("the fingerprint is what docs/fingerprint.md says it is") {
 }
 
 TEST_CASE("stems have the sides that were asked for, within reason") {
-  bunch::Request request = request_for(table3[3].profile());
+  bunch::BunchRequest request = request_for(table3[3].profile());
   request.meshes = true;
   const auto vertices = [&](std::uint32_t sides) {
     request.stem_sides = sides;
@@ -208,12 +208,12 @@ TEST_CASE("stems have the sides that were asked for, within reason") {
 }
 
 TEST_CASE("an organ drawn in several pieces is one in every count") {
-  bunch::Request request = request_for(table3[1].profile());
-  const Grown whole = grown(request);
+  bunch::BunchRequest request = request_for(table3[1].profile());
+  const GrownBunch whole = grown(request);
   const std::string text = edited(3, "F(l)", "F(l/2)F(l/2)");
   REQUIRE(!text.empty());
   request.grammar = text;
-  const Grown pieces = grown(request);
+  const GrownBunch pieces = grown(request);
   CHECK(pieces.internodes.size() > 1.5 * static_cast<double>(whole.internodes.size()));
   CHECK(pieces.counts.pedicels == whole.counts.pedicels);
   CHECK(pieces.counts.end_structures == whole.counts.end_structures);
@@ -221,10 +221,10 @@ TEST_CASE("an organ drawn in several pieces is one in every count") {
 }
 
 TEST_CASE("the scale scales everything that is a length, and nothing else") {
-  const bunch::Request request = request_for(table3[1].profile());
-  bunch::Request doubled = request;
+  const bunch::BunchRequest request = request_for(table3[1].profile());
+  bunch::BunchRequest doubled = request;
   set(doubled, Parameter::unit, 0.5f);
-  const Grown one = grown(request), two = grown(doubled);
+  const GrownBunch one = grown(request), two = grown(doubled);
   REQUIRE(one.internodes.size() == two.internodes.size());
   for (std::size_t i = 0; i < one.internodes.size(); ++i) {
     CHECK(two.internodes[i].end.y == doctest::Approx(2 * one.internodes[i].end.y).epsilon(1e-4));
@@ -243,10 +243,10 @@ TEST_CASE("a bunch whose telling a limit cuts is whole, and its own modules are 
     std::string text(builtin_grammar(system));
     text.insert(text.find("axiom: ") + 7, "ZZ(300) ");
     text += "ZZ(n) : n>0 --> ZZ(n-1) Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q\n";
-    bunch::Request request = request_for(table3[1].profile());
+    bunch::BunchRequest request = request_for(table3[1].profile());
     set(request, Parameter::procedure, system == 4 ? 1 : 0);
     request.grammar = text;
-    Grown plain = grown(request);
+    GrownBunch plain = grown(request);
     request.chronicle = lsystem::TraceRequest{.step = 9999};
     Limits limits;
     limits.work = 8000;
@@ -255,7 +255,7 @@ TEST_CASE("a bunch whose telling a limit cuts is whole, and its own modules are 
     REQUIRE(cut->chronicle);
     CHECK(cut->chronicle->stopped().reason == Reason::limit);
     std::string answers;
-    for (const auto& told : cut->chronicle->modules()) answers += told.answer;
+    for (const auto& entry : cut->chronicle->modules()) answers += entry.answer;
     CHECK(answers == "");
     CHECK(cut->fingerprint == plain.fingerprint);
     const Plant plant = plant_of(std::move(cut.value()));

@@ -26,7 +26,7 @@ Kind kind_in(const std::string& text, std::string_view symbol, std::vector<std::
   return roles_of(*program.value(), notes).of(static_cast<std::uint32_t>(found - symbols.begin()));
 }
 
-Grown grown(Request request, const std::string& grammar) {
+GrownBunch grown(BunchRequest request, const std::string& grammar) {
   request.grammar = grammar;
   auto result = grow(request);
   REQUIRE_MESSAGE(result, (result ? "" : result.error().message));
@@ -58,19 +58,19 @@ std::string undeclared(int number) {
 }
 
 // Where the paper's text has all the room it wants and nothing is left to luck.
-Request settled() {
-  Request request = as_printed(table3[1].profile());
+BunchRequest settled() {
+  BunchRequest request = as_printed(table3[1].profile());
   set_radius(request, 2, 2);
   return request;
 }
 
-Request in_flower() {
-  Request request = natural_request(table3[1].profile());
+BunchRequest in_flower() {
+  BunchRequest request = natural_request(table3[1].profile());
   set(request, Parameter::age, 5);
   return request;
 }
 
-std::array<std::ptrdiff_t, 4> kinds_of(const Grown& bunch) {
+std::array<std::ptrdiff_t, 4> kinds_of(const GrownBunch& bunch) {
   std::array<std::ptrdiff_t, 4> counts = {};
   for (const Internode& one : bunch.internodes) ++counts[static_cast<std::size_t>(one.kind)];
   return counts;
@@ -87,7 +87,7 @@ TEST_CASE("a text that declares nothing has the table's roles") {
   CHECK(kind_in(text, "Ae2", notes) == Kind::axis);
   CHECK(kind_in(text, "Ap", notes) == Kind::pedicel);
   CHECK(kind_in(text, "Af", notes) == Kind::axis);
-  CHECK(Roles().of(lsystem::no_symbol) == Kind::axis);
+  CHECK(SymbolRoles().of(lsystem::no_symbol) == Kind::axis);
   CHECK(notes.empty());
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("a text that declares roles has those and no others; one that a bunch 
   CHECK(kind_in(text, "T", notes) == Kind::axis);
   REQUIRE(notes.size() == 1);
   CHECK(notes[0].find("no role tendril") != std::string::npos);
-  const Grown bunch = grown(settled(), std::string(builtin_grammar(3)) + "#role leaf Az\nAz --> F(1)\n");
+  const GrownBunch bunch = grown(settled(), std::string(builtin_grammar(3)) + "#role leaf Az\nAz --> F(1)\n");
   CHECK(std::any_of(bunch.notes.begin(), bunch.notes.end(),
                     [](const std::string& note) { return note.find("no role leaf") != std::string::npos; }));
 }
@@ -121,7 +121,7 @@ TEST_CASE("a renamed symbol draws the same skeleton: addresses are of names, so 
     CAPTURE(name);
     CHECK(grown(settled(), renamed(3, name, "Zz")).fingerprint == grown(settled(), "").fingerprint);
   }
-  Request natural = in_flower();
+  BunchRequest natural = in_flower();
   set(natural, Parameter::vary, 0);
   for (const char* name : {"Ap", "Ae", "Ar", "Af"}) {
     CAPTURE(name);

@@ -72,7 +72,7 @@ TEST_CASE("axes are numbered by the rachis internode they leave; what ends the r
 
 TEST_CASE("balls that hang on nothing are left out, and counted") {
   SkeletonDrawing drawing = drawn_text("axiom: S(1) F(2) S(1)\n");
-  CHECK(drawing.borne() == 1);
+  CHECK(drawing.attached_balls() == 1);
   CHECK(drawing.finish() == 1);
   REQUIRE(drawing.balls.size() == 1);
   CHECK(drawing.balls[0].segment == 0);

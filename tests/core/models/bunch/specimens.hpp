@@ -19,12 +19,12 @@
 
 namespace panicle::tests {
 
-inline void set(bunch::Request& request, bunch::Parameter key, float value) {
+inline void set(bunch::BunchRequest& request, bunch::Parameter key, float value) {
   request.parameters.resize(bunch::parameter_count, std::numeric_limits<float>::quiet_NaN());
   request.parameters[static_cast<std::size_t>(key)] = value;
 }
 
-inline void set_profile(bunch::Request& request, const bunch::Profile& profile) {
+inline void set_profile(bunch::BunchRequest& request, const bunch::Profile& profile) {
   set(request, bunch::Parameter::l, profile.length);
   const auto first = static_cast<std::uint32_t>(bunch::Parameter::p3w);
   for (std::uint32_t i = 0; i < 4; ++i) {
@@ -33,8 +33,8 @@ inline void set_profile(bunch::Request& request, const bunch::Profile& profile) 
   }
 }
 
-inline bunch::Request request_for(const bunch::Profile& profile, std::uint32_t seed = 1) {
-  bunch::Request request;
+inline bunch::BunchRequest request_for(const bunch::Profile& profile, std::uint32_t seed = 1) {
+  bunch::BunchRequest request;
   request.seed = seed;
   request.meshes = false;
   set(request, bunch::Parameter::procedure, 0);
@@ -43,28 +43,28 @@ inline bunch::Request request_for(const bunch::Profile& profile, std::uint32_t s
 }
 
 // The natural procedure.
-inline bunch::Request natural_request(const bunch::Profile& profile, std::uint32_t seed = 1) {
-  bunch::Request request = request_for(profile, seed);
+inline bunch::BunchRequest natural_request(const bunch::Profile& profile, std::uint32_t seed = 1) {
+  bunch::BunchRequest request = request_for(profile, seed);
   set(request, bunch::Parameter::procedure, 1);
   request.measures = false;
   return request;
 }
 
-inline bunch::Grown grown(const bunch::Request& request) {
+inline bunch::GrownBunch grown(const bunch::BunchRequest& request) {
   auto result = bunch::grow(request);
   REQUIRE_MESSAGE(result, (result ? "" : result.error().message));
   return std::move(result.value());
 }
 
 // The paper's letter: whole segments, no variation.
-inline bunch::Request as_printed(const bunch::Profile& profile, std::uint32_t seed = 1) {
-  bunch::Request request = request_for(profile, seed);
+inline bunch::BunchRequest as_printed(const bunch::Profile& profile, std::uint32_t seed = 1) {
+  bunch::BunchRequest request = request_for(profile, seed);
   set(request, bunch::Parameter::fit, 0);
   set(request, bunch::Parameter::vary, 0);
   return request;
 }
 
-inline void set_radius(bunch::Request& request, float low, float high) {
+inline void set_radius(bunch::BunchRequest& request, float low, float high) {
   set(request, bunch::Parameter::rmin, low);
   set(request, bunch::Parameter::rmax, high);
 }
@@ -90,7 +90,7 @@ inline std::string edited(int number, std::string_view from, std::string_view to
 }
 
 // Greatest depth by which two berries overlap, in metres; 0 if none do.
-inline double worst_overlap(const bunch::Grown& grown) {
+inline double worst_overlap(const bunch::GrownBunch& grown) {
   double worst = 0;
   for (std::size_t a = 0; a < grown.berries.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {

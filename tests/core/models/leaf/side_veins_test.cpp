@@ -16,13 +16,13 @@ using namespace panicle::particles::leaf;
 
 namespace {
 
-struct Laid {
+struct Built {
   Margin margin;
   Outline outline;
   std::vector<Ribs> ribs;
 };
 
-Laid laid(const RibPlan& plan, std::span<const float> rows, const Teeth& teeth = {}) {
+Built built(const RibPlan& plan, std::span<const float> rows, const Teeth& teeth = {}) {
   std::vector<std::string> notes;
   const auto points = read_outline(rows, notes);
   REQUIRE(points);
@@ -30,7 +30,7 @@ Laid laid(const RibPlan& plan, std::span<const float> rows, const Teeth& teeth =
   REQUIRE(drawn);
   Margin margin = toothed(drawn.value(), teeth, notes);
   Outline outline(margin.points);
-  std::vector<Ribs> ribs = lay_ribs(plan, margin, outline, {0, 0, 0}, notes);
+  std::vector<Ribs> ribs = build_ribs(plan, margin, outline, {0, 0, 0}, notes);
   CHECK(notes.empty());
   return {std::move(margin), std::move(outline), std::move(ribs)};
 }
@@ -74,10 +74,10 @@ TEST_CASE("craspedodromous side veins end in tips of teeth, each in one of its o
   for (const ToothShape shape : {ToothShape::dentate, ToothShape::serrate, ToothShape::crenate}) {
     const RibPlan plan{.secondaries = 7, .angle = 50, .course = Course::teeth};
     const Teeth teeth{12, 0.3f, shape};
-    const Laid leaf = laid(plan, {}, teeth);
+    const Built leaf = built(plan, {}, teeth);
     RibPlan open = plan;
     open.course = Course::margin;
-    const auto lines = lines_of(leaf.ribs[0]), free = lines_of(laid(open, {}, teeth).ribs[0]);
+    const auto lines = lines_of(leaf.ribs[0]), free = lines_of(built(open, {}, teeth).ribs[0]);
     REQUIRE(lines.size() == 15);
     REQUIRE(free.size() == 15);
     std::set<std::size_t> taken;
@@ -96,7 +96,7 @@ TEST_CASE("craspedodromous side veins end in tips of teeth, each in one of its o
 }
 
 TEST_CASE("where there are fewer teeth than side veins, the others end before the margin") {
-  const Laid leaf = laid({.secondaries = 9, .course = Course::teeth}, {}, {4, 0.3f, ToothShape::dentate});
+  const Built leaf = built({.secondaries = 9, .course = Course::teeth}, {}, {4, 0.3f, ToothShape::dentate});
   const auto lines = lines_of(leaf.ribs[0]);
   REQUIRE(lines.size() == 19);
   std::size_t served = 0, tooth = 0;
@@ -121,7 +121,7 @@ TEST_CASE("corners that stand out are teeth too, to which side veins of palmate 
                                             {0.22f, 0.7f, 1},
                                             {0.1f, 0.8f, 0},
                                             {0, 1, 3}});
-  const Laid leaf = laid({.kind = RibKind::palmate, .secondaries = 6, .course = Course::teeth}, rows);
+  const Built leaf = built({.kind = RibKind::palmate, .secondaries = 6, .course = Course::teeth}, rows);
   CHECK(leaf.margin.teeth.size() == 6);
   std::set<std::size_t> served;
   for (const Ribs& ribs : leaf.ribs)
@@ -133,8 +133,8 @@ TEST_CASE("corners that stand out are teeth too, to which side veins of palmate 
 }
 
 TEST_CASE("brochidodromous side veins keep off the margin and bend up along it to just below the next") {
-  const Laid leaf = laid({.secondaries = 8, .angle = 55, .arch = 0.2f, .course = Course::arch}, {});
-  const Laid open = laid({.secondaries = 8, .angle = 55, .arch = 0.2f}, {});
+  const Built leaf = built({.secondaries = 8, .angle = 55, .arch = 0.2f, .course = Course::arch}, {});
+  const Built open = built({.secondaries = 8, .angle = 55, .arch = 0.2f}, {});
   const float clear = 0.32f * 0.985f / 8;  // of the spacing of side veins
   const auto lines = lines_of(leaf.ribs[0]), free = lines_of(open.ribs[0]);
   REQUIRE(lines.size() == free.size());
@@ -162,7 +162,7 @@ TEST_CASE("brochidodromous side veins keep off the margin and bend up along it t
 }
 
 TEST_CASE("the vein to a lobe keeps clear of the bays beside it, and alike on both sides") {
-  const Laid leaf = laid({.angle = 48}, rows_of("oak"));
+  const Built leaf = built({.angle = 48}, rows_of("oak"));
   const auto lines = lines_of(leaf.ribs[0]);
   REQUIRE(lines.size() == 9);
   for (std::size_t k = 1; k < lines.size(); ++k) {

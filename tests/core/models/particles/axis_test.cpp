@@ -31,7 +31,7 @@ TEST_CASE("an axis begins at its foot, strays as far as it is told, and each see
 }
 
 TEST_CASE("a trunk sways, in one line of wood") {
-  const auto aside = [](float sway) {
+  const auto largest_offset = [](float sway) {
     const Plant plant = grow_tree({.parameters = {{"particles", 1500}, {"sway", sway}}});
     check_sound(plant, 1);
     // Half-way up the thickest is the trunk.
@@ -43,8 +43,8 @@ TEST_CASE("a trunk sways, in one line of wood") {
     }
     return std::pair(off, thickest);
   };
-  const auto [straight, trunk] = aside(0);
-  const auto [swaying, other] = aside(0.15f);
+  const auto [straight, trunk] = largest_offset(0);
+  const auto [swaying, other] = largest_offset(0.15f);
   CHECK(straight < 0.25f);
   CHECK(swaying > straight + 0.15f);
   CHECK(other > 0.6f * trunk);

@@ -42,7 +42,7 @@ TEST_CASE("between, no energy is lost, trees keep their order and everyone moves
   crowd.run();
   const Trails trails = simplified(crowd.trails(), 0.004f);
   float before = 0;
-  double home = 0;
+  double at_target = 0;
   for (float moment = 0; moment <= static_cast<float>(crowd.steps()); moment += 1.5f) {
     const Trails young = at_moment(trails, moment, 0.05f);
     double roots = 0;
@@ -57,11 +57,11 @@ TEST_CASE("between, no energy is lost, trees keep their order and everyone moves
     }
     CHECK(roots == static_cast<double>(starts.size()));
     CHECK(length >= before);
-    CHECK(young.energy[0] >= home);
+    CHECK(young.energy[0] >= at_target);
     before = length;
-    home = young.energy[0];
+    at_target = young.energy[0];
   }
-  CHECK(home > 0);
+  CHECK(at_target > 0);
 }
 
 TEST_CASE("particles run evenly between places, whichever moment was seen before") {

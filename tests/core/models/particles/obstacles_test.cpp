@@ -72,7 +72,7 @@ TEST_CASE("a stone right below the collar is come past, however few particles th
       CAPTURE(particles);
       const Plant plant = grow_root(
           {.parameters = {{"particles", particles}, {"width", 4}, {"depth", 4}, {"reach", 1.8f}}, .obstacles = stone});
-      CHECK_FALSE(notes_say(plant, "no way past"));
+      CHECK_FALSE(has_note(plant, "no way past"));
       check_round(plant, stone);
     }
 }

@@ -323,7 +323,7 @@ TEST_CASE("two who are alone see each other, however far apart") {
     };
     const std::vector<glm::vec3> points{place(0), place(1)};
     Neighbours neighbours;
-    neighbours.lay(points);
+    neighbours.build(points);
     CHECK(neighbours.nearest(0, 1e9f, guide) == 1);
     CHECK(neighbours.nearest(1, 1e9f, guide) == 0);
   }
@@ -340,7 +340,7 @@ TEST_CASE("nearest and pairs are what looking at all would find, ties to the low
       if (seed % 8 == 2) points[i].y = 0;
     }
     Neighbours neighbours;
-    neighbours.lay(points);
+    neighbours.build(points);
     const float reach = seed % 3 == 0 ? 0.3f : 1e9f;
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       std::uint32_t nearest = Neighbours::none;

@@ -145,7 +145,7 @@ TEST_CASE("where a region says a quarter, a quarter as many start") {
 
 TEST_CASE("a region that grows keeps the points that it has, and another seed gives others") {
   const auto key = [](const glm::vec3& p) { return std::tuple(p.x, p.y, p.z); };
-  const auto kept = [&](const std::vector<glm::vec3>& now, const std::vector<glm::vec3>& before) {
+  const auto share_of_old = [&](const std::vector<glm::vec3>& now, const std::vector<glm::vec3>& before) {
     std::set<std::tuple<float, float, float>> all;
     for (const glm::vec3& p : now) all.insert(key(p));
     return static_cast<float>(
@@ -154,8 +154,8 @@ TEST_CASE("a region that grows keeps the points that it has, and another seed gi
   };
   for (const Pattern pattern : {Pattern::jittered, Pattern::blue}) {
     const auto before = scatter(Round(true, 1), pattern, 0, 0.05f, 1);
-    CHECK(kept(scatter(Round(true, 1.04f), pattern, 0, 0.05f, 1), before) > 0.9f);
-    CHECK(kept(scatter(Round(true, 1), pattern, 0, 0.05f, 2), before) == 0);
+    CHECK(share_of_old(scatter(Round(true, 1.04f), pattern, 0, 0.05f, 1), before) > 0.9f);
+    CHECK(share_of_old(scatter(Round(true, 1), pattern, 0, 0.05f, 2), before) == 0);
   }
 }
 
@@ -167,13 +167,13 @@ class FarApart final : public Region {
   glm::vec3 low() const override { return {-1, -1, -1}; }
   glm::vec3 high() const override { return {201, 1, 1}; }
   bool contains(const glm::vec3& p) const override {
-    ++asked;
+    ++queries;
     return glm::length(p) < 1 || glm::distance(p, glm::vec3(200, 0, 0)) < 1;
   }
   Share share_of(const glm::vec3& from, const glm::vec3& to) const override {
     return from.x > 1 && to.x < 199 ? Share::none : Share::some;
   }
-  mutable std::uint64_t asked = 0;
+  mutable std::uint64_t queries = 0;
 };
 
 }  // namespace
@@ -182,7 +182,7 @@ TEST_CASE("what lies empty between is not looked at place by place") {
   const FarApart region;
   const auto points = scatter(region, Pattern::jittered, 8000, 0.1f, 1);
   CHECK(points.size() > 7000);
-  CHECK(region.asked < 8 * points.size());
+  CHECK(region.queries < 8 * points.size());
 }
 
 TEST_CASE("a region without extent holds nobody, and nothing hangs") {

@@ -27,7 +27,7 @@ namespace root {
 extern const Model model;
 }
 
-struct Asked {
+struct SpaceOptions {
   std::vector<std::pair<std::string_view, float>> parameters = {};
   std::uint32_t seed = 1;
   std::string outputs = {};
@@ -47,9 +47,9 @@ inline constexpr std::array<std::uint32_t, 6> leaf_triangles{0, 1, 2, 0, 2, 3};
 inline FlatLeaf flat_leaf() { return {leaf_points, leaf_between, leaf_uvs, leaf_triangles, leaf_petiole}; }
 
 template <class Table>
-Result<Plant> ask(const Model& model, const Table& table, const Asked& asked) {
+Result<Plant> request_plant(const Model& model, const Table& table, const SpaceOptions& options) {
   std::vector<float> values(table.size(), NAN);
-  for (const auto& [key, value] : asked.parameters) {
+  for (const auto& [key, value] : options.parameters) {
     bool known = false;
     for (std::size_t i = 0; i < table.size(); ++i) {
       if (table[i].key != key) continue;
@@ -64,20 +64,20 @@ Result<Plant> ask(const Model& model, const Table& table, const Asked& asked) {
       blocks.push_back({name, element, 1, static_cast<std::uint32_t>(rows), static_cast<const std::uint8_t*>(data)});
   };
   add("model", Element::text, model.name.size(), model.name.data());
-  add("seed", Element::uint32, 1, &asked.seed);
-  add("outputs", Element::text, asked.outputs.size(), asked.outputs.data());
+  add("seed", Element::uint32, 1, &options.seed);
+  add("outputs", Element::text, options.outputs.size(), options.outputs.data());
   add("parameters", Element::float32, values.size(), values.data());
-  add("profile", Element::float32, asked.profile.size(), asked.profile.data());
-  add("targets", Element::float32, asked.targets.size(), asked.targets.data());
-  add("obstacles", Element::float32, asked.obstacles.size(), asked.obstacles.data());
-  add("obstacles.round", Element::float32, asked.rounds.size(), asked.rounds.data());
-  add("volume.points", Element::float32, asked.points.size(), asked.points.data());
-  add("volume.triangles", Element::uint32, asked.triangles.size(), asked.triangles.data());
+  add("profile", Element::float32, options.profile.size(), options.profile.data());
+  add("targets", Element::float32, options.targets.size(), options.targets.data());
+  add("obstacles", Element::float32, options.obstacles.size(), options.obstacles.data());
+  add("obstacles.round", Element::float32, options.rounds.size(), options.rounds.data());
+  add("volume.points", Element::float32, options.points.size(), options.points.data());
+  add("volume.triangles", Element::uint32, options.triangles.size(), options.triangles.data());
   std::vector<float> hollow;
-  for (const glm::vec3& p : asked.hollow.points) hollow.insert(hollow.end(), {p.x, p.y, p.z});
+  for (const glm::vec3& p : options.hollow.points) hollow.insert(hollow.end(), {p.x, p.y, p.z});
   add("hollow.points", Element::float32, hollow.size(), hollow.data());
-  add("hollow.triangles", Element::uint32, asked.hollow.triangles.size(), asked.hollow.triangles.data());
-  if (asked.leaf && model.name == "tree") {
+  add("hollow.triangles", Element::uint32, options.hollow.triangles.size(), options.hollow.triangles.data());
+  if (options.leaf && model.name == "tree") {
     const FlatLeaf leaf = flat_leaf();
     add("leaf.points", Element::float32, leaf.points.size(), leaf.points.data());
     add("leaf.between", Element::float32, leaf.between.size(), leaf.between.data());
@@ -86,18 +86,18 @@ Result<Plant> ask(const Model& model, const Table& table, const Asked& asked) {
     add("leaf.petiole", Element::float32, leaf.petiole.size(), leaf.petiole.data());
   }
   Request request(blocks, nullptr);
-  return model.grow(request, asked.limits);
+  return model.grow(request, options.limits);
 }
 
-inline Result<Plant> ask_tree(const Asked& asked) { return ask(tree::model, tree::parameter_table, asked); }
-inline Result<Plant> ask_root(const Asked& asked) { return ask(root::model, root::parameter_table, asked); }
-inline Plant grow_tree(const Asked& asked) {
-  Result<Plant> plant = ask_tree(asked);
+inline Result<Plant> request_tree(const SpaceOptions& options) { return request_plant(tree::model, tree::parameter_table, options); }
+inline Result<Plant> request_root(const SpaceOptions& options) { return request_plant(root::model, root::parameter_table, options); }
+inline Plant grow_tree(const SpaceOptions& options) {
+  Result<Plant> plant = request_tree(options);
   REQUIRE_MESSAGE(plant, plant.error().message);
   return std::move(plant.value());
 }
-inline Plant grow_root(const Asked& asked) {
-  Result<Plant> plant = ask_root(asked);
+inline Plant grow_root(const SpaceOptions& options) {
+  Result<Plant> plant = request_root(options);
   REQUIRE_MESSAGE(plant, plant.error().message);
   return std::move(plant.value());
 }
@@ -127,12 +127,12 @@ std::vector<Value> column_in(const Plant& plant, std::string_view name) {
 
 // Where particles started: ends that bear nothing. (All of a grown plant's particles are such ends.)
 inline std::vector<std::size_t> tips_of(const Plant& plant) {
-  std::vector<std::uint8_t> bears(plant.segments.size(), 0);
+  std::vector<std::uint8_t> has_child(plant.segments.size(), 0);
   for (const Segment& segment : plant.segments)
-    if (segment.parent >= 0) bears[static_cast<std::size_t>(segment.parent)] = 1;
+    if (segment.parent >= 0) has_child[static_cast<std::size_t>(segment.parent)] = 1;
   std::vector<std::size_t> tips;
-  for (std::size_t i = 0; i < bears.size(); ++i)
-    if (!bears[i]) tips.push_back(i);
+  for (std::size_t i = 0; i < has_child.size(); ++i)
+    if (!has_child[i]) tips.push_back(i);
   return tips;
 }
 
@@ -174,7 +174,7 @@ inline void check_sound(const Plant& plant, double energy) {
   }
 }
 
-inline bool notes_say(const Plant& plant, std::string_view words) {
+inline bool has_note(const Plant& plant, std::string_view words) {
   for (const std::string& note : plant.notes)
     if (note.find(words) != std::string::npos) return true;
   return false;

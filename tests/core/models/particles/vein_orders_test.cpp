@@ -27,7 +27,7 @@ TEST_CASE("a vein goes on as what carries most; what leaves it begins a vein of 
   REQUIRE(veins.size() == 4);
   CHECK(veins[0].places == std::vector<std::uint32_t>{0, 1, 2, 5});
   CHECK(veins[1].places == std::vector<std::uint32_t>{1, 3, 6});
-  CHECK(veins[1].bearer == 0);
+  CHECK(veins[1].parent == 0);
   CHECK(veins[2].places == std::vector<std::uint32_t>{2, 4});
   CHECK(veins[3].places == std::vector<std::uint32_t>{3, 7});
   CHECK(veins[0].order == 1);

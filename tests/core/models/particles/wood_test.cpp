@@ -49,8 +49,8 @@ TEST_CASE("where the nearest target cannot be come to, particles go to the neare
 }
 
 TEST_CASE("particles that no target can be come to from are left out, and told of") {
-  const Asked open{.parameters = {{"particles", 300}, {"pattern", 2}}};
-  Asked closed = open;
+  const SpaceOptions open{.parameters = {{"particles", 300}, {"pattern", 2}}};
+  SpaceOptions closed = open;
   closed.obstacles = hut(0);
   const Plant all = grow_tree(open), none = grow_tree(closed);
   CHECK(none.segments.empty());

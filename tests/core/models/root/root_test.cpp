@@ -149,16 +149,16 @@ TEST_CASE("what is measured is what there is") {
 
 TEST_CASE("a mesh whose triangles lie behind each other too often is an error, as is one of too many triangles") {
   const Surface mesh = spanning_tetrahedra(100);
-  Asked asked{.parameters = {{"particles", 200}, {"shape", 5}}, .triangles = mesh.triangles};
-  for (const glm::vec3& p : mesh.points) asked.points.insert(asked.points.end(), {p.x, p.y, p.z});
-  CHECK(ask_root(asked));
-  asked.limits.looks = 1'000'000;
-  const Result<Plant> stopped = ask_root(asked);
+  SpaceOptions options{.parameters = {{"particles", 200}, {"shape", 5}}, .triangles = mesh.triangles};
+  for (const glm::vec3& p : mesh.points) options.points.insert(options.points.end(), {p.x, p.y, p.z});
+  CHECK(request_root(options));
+  options.limits.looks = 1'000'000;
+  const Result<Plant> stopped = request_root(options);
   REQUIRE_FALSE(stopped);
   CHECK(stopped.error().reason == Reason::limit);
   CHECK(stopped.error().message.find("simplify the mesh") != std::string::npos);
-  asked.limits.triangles = 399;
-  const Result<Plant> refused = ask_root(asked);
+  options.limits.triangles = 399;
+  const Result<Plant> refused = request_root(options);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().reason == Reason::limit);
   CHECK(refused.error().message == "The meshes have 400 triangles, more than 399; simplify them.");

@@ -14,7 +14,7 @@ namespace panicle::particles {
 namespace {
 
 TEST_CASE("meshes: tubes of bark along the branches, leaves and balls as organs that share a mesh each") {
-  for (const auto& [age, material, borne] : {std::tuple{10.0f, "skin", "balls"}, {95.0f, "blade", "leaves"}}) {
+  for (const auto& [age, material, attached] : {std::tuple{10.0f, "skin", "balls"}, {95.0f, "blade", "leaves"}}) {
     CAPTURE(age);
     const Plant plant = grow_tree({.parameters = {{"particles", 400}, {"age", age}}, .outputs = "meshes sky"});
     REQUIRE(plant.meshes.size() == 2);
@@ -28,7 +28,7 @@ TEST_CASE("meshes: tubes of bark along the branches, leaves and balls as organs 
             doctest::Approx(1).epsilon(1e-3));
     CHECK(plant.organs.size() > 50);
     CHECK(column_in<std::uint8_t>(plant, "organs.sky").size() == plant.organs.size());
-    for (const Organ& organ : plant.organs) CHECK(plant.meshes[static_cast<std::size_t>(organ.mesh)].name == borne);
+    for (const Organ& organ : plant.organs) CHECK(plant.meshes[static_cast<std::size_t>(organ.mesh)].name == attached);
   }
   CHECK(grow_tree({.parameters = {{"particles", 400}}}).meshes.empty());
 }

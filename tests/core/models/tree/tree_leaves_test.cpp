@@ -96,12 +96,12 @@ TEST_CASE("the leaf area of a tree is that of the leaves which are drawn") {
 }
 
 TEST_CASE("a request without a leaf grows the same tree, says that its leaves have no shape, and draws none") {
-  const Asked asked{.parameters = {{"particles", 200}}, .outputs = "measures meshes"};
-  Asked without = asked;
+  const SpaceOptions options{.parameters = {{"particles", 200}}, .outputs = "measures meshes"};
+  SpaceOptions without = options;
   without.leaf = false;
   const Plant plant = grow_tree(without);
-  CHECK(notes_say(plant, "no shape"));
-  CHECK(plant.fingerprint == grow_tree(asked).fingerprint);
+  CHECK(has_note(plant, "no shape"));
+  CHECK(plant.fingerprint == grow_tree(options).fingerprint);
   CHECK(plant.meshes.size() == 1);
   for (const Organ& leaf : plant.organs) CHECK(leaf.mesh == -1);
   CHECK(std::isnan(measure(plant, Measure::leaf_area)));

@@ -20,10 +20,10 @@ float measure(const Plant& plant, Measure which) { return plant.measures[static_
 
 TEST_CASE("under a sky, the lower facing halves of twins hold at most 0.8 of the outer ones' particles") {
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
-    const auto halves = [seed](float heed) {
+    const auto halves = [seed](float light_exponent) {
       const Plant plant = grow_tree(
           {.parameters =
-               {{"crowns", 2}, {"distance", 6}, {"sky", 1}, {"absorption", 5}, {"by_light", heed}, {"particles", 4000}},
+               {{"crowns", 2}, {"distance", 6}, {"sky", 1}, {"absorption", 5}, {"by_light", light_exponent}, {"particles", 4000}},
            .seed = seed});
       std::uint32_t facing = 0, outer = 0;
       for (const std::size_t tip : tips_of(plant)) {
@@ -39,9 +39,9 @@ TEST_CASE("under a sky, the lower facing halves of twins hold at most 0.8 of the
 }
 
 TEST_CASE("particles gather on the side of the sun") {
-  const auto share = [](float bearing) {
+  const auto share = [](float azimuth) {
     const Plant plant =
-        grow_tree({.parameters = {{"sun", bearing}, {"sun_height", 20}, {"sky", 0.2f}, {"particles", 2000}}});
+        grow_tree({.parameters = {{"sun", azimuth}, {"sun_height", 20}, {"sky", 0.2f}, {"particles", 2000}}});
     float sum = 0;
     for (const std::size_t tip : tips_of(plant)) sum += plant.segments[tip].end.x;
     return sum / static_cast<float>(tips_of(plant).size());
@@ -100,9 +100,9 @@ TEST_CASE("apical dominance keeps side branches below the top from growing, and 
     std::uint32_t high = 0, low = 0, leader = 0;
     for (const std::size_t tip : tips_of(plant)) {
       const glm::vec3 p = plant.segments[tip].end;
-      const bool aside = p.x * p.x + p.z * p.z > 0.4f * 0.4f;
-      if (aside) ++(p.y > 6 ? high : low);
-      if (!aside && p.y > 6) ++leader;
+      const bool is_outside = p.x * p.x + p.z * p.z > 0.4f * 0.4f;
+      if (is_outside) ++(p.y > 6 ? high : low);
+      if (!is_outside && p.y > 6) ++leader;
     }
     return std::pair(static_cast<float>(high) / static_cast<float>(low), leader);
   };
@@ -162,15 +162,15 @@ TEST_CASE("age: what has grown stays, thickens, runs on evenly, and ends as the 
 }
 
 TEST_CASE("every step of the run is seen, and the last one is the end") {
-  const std::vector<Asked> trees{{.parameters = {{"particles", 20}}},
+  const std::vector<SpaceOptions> trees{{.parameters = {{"particles", 20}}},
                                  {.parameters = {{"particles", 150}, {"leaves", 0}, {"slant", 2}}},
                                  {.parameters = {{"particles", 90}, {"crowns", 2}, {"distance", 6}}},
                                  {.parameters = {{"particles", 60}, {"stems", 3}, {"pull", 0}}, .seed = 5}};
-  for (const Asked& tree : trees) {
+  for (const SpaceOptions& tree : trees) {
     const auto at = [&](float age) {
-      Asked asked = tree;
-      asked.parameters.push_back({"age", age});
-      return grow_tree(asked);
+      SpaceOptions options = tree;
+      options.parameters.push_back({"age", age});
+      return grow_tree(options);
     };
     const Plant whole = at(100);
     const std::uint32_t steps = count_of(whole, "steps");

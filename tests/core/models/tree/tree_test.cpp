@@ -60,10 +60,10 @@ TEST_CASE("for every shape and seed it ends, with all energy at the targets and 
       for (const float rule : {0.0f, 1.0f}) {
         CAPTURE(one.name);
         CAPTURE(seed);
-        Asked asked{.parameters = one.parameters, .seed = seed, .profile = one.profile};
-        asked.parameters.insert(asked.parameters.end(),
+        SpaceOptions options{.parameters = one.parameters, .seed = seed, .profile = one.profile};
+        options.parameters.insert(options.parameters.end(),
                                 {{"particles", 500}, {"rule", rule}, {"energy", 3}, {"stems", rule + 1}});
-        const Plant plant = grow_tree(asked);
+        const Plant plant = grow_tree(options);
         CHECK(count_of(plant, "particles") > 350);
         check_sound(plant, 3);
       }
@@ -84,9 +84,9 @@ TEST_CASE("odd numbers end too") {
   };
   for (std::size_t i = 0; i < odd.size(); ++i) {
     CAPTURE(i);
-    Asked asked{.parameters = odd[i]};
-    if (i + 1 < odd.size()) asked.parameters.push_back({"particles", 300});
-    check_sound(grow_tree(asked), 1);
+    SpaceOptions options{.parameters = odd[i]};
+    if (i + 1 < odd.size()) options.parameters.push_back({"particles", 300});
+    check_sound(grow_tree(options), 1);
   }
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("no particle starts inside an inner boundary that is a mesh, and some 
   // A triangle that has a corner which is no point is refused.
   Surface broken = half;
   broken.triangles.back() = 99;
-  CHECK(ask_tree({.parameters = parameters, .hollow = broken}).error().message.find("inner boundary") !=
+  CHECK(request_tree({.parameters = parameters, .hollow = broken}).error().message.find("inner boundary") !=
         std::string::npos);
   // An open one is told.
   Surface open = half;
@@ -158,11 +158,11 @@ TEST_CASE("nothing starts outside the outer or inside the inner boundary, and tr
       CAPTURE(one.name);
       CAPTURE(pattern);
       // Limbs that start level and bend up: through the crown's top, were it open.
-      Asked asked{.parameters = one.parameters, .profile = one.profile};
-      asked.parameters.insert(
-          asked.parameters.end(),
+      SpaceOptions options{.parameters = one.parameters, .profile = one.profile};
+      options.parameters.insert(
+          options.parameters.end(),
           {{"particles", 700}, {"pattern", pattern}, {"gravitropism", 1}, {"slant", 0.1f}, {"pull", 0.1f}});
-      const Plant plant = grow_tree(asked);
+      const Plant plant = grow_tree(options);
       const auto crowns = tree::make_crowns(habit_of(one), spline_through(profile_points(one.profile)), {});
       for (const std::size_t tip : tips_of(plant)) {
         CHECK(crowns.outer.contains(plant.segments[tip].end));
@@ -274,7 +274,7 @@ TEST_CASE("where crowns stand too far apart for their size to be lit finely, a n
                                      {"particles", 200}}});
   };
   CHECK(row(6).notes.empty());
-  CHECK(notes_say(row(0.2f), "light is told there coarsely"));
+  CHECK(has_note(row(0.2f), "light is told there coarsely"));
 }
 
 TEST_CASE("no particle starts in an obstacle, and no trail passes it") {
@@ -293,9 +293,9 @@ TEST_CASE("no particle starts in an obstacle, and no trail passes it") {
 TEST_CASE("another tree's crown is round: nothing starts in it, no trail passes it, and it takes light") {
   // Beside the crown, which reaches to 3 m, and into it.
   const std::vector<float> neighbour{1.5f, 3, -2.5f, 6.5f, 9, 2.5f};
-  const Asked asked{.parameters = {{"particles", 2500}, {"inner", 0.3f}, {"absorption", 6}}};
-  const Plant open = grow_tree(asked);
-  Asked beside = asked;
+  const SpaceOptions options{.parameters = {{"particles", 2500}, {"inner", 0.3f}, {"absorption", 6}}};
+  const Plant open = grow_tree(options);
+  SpaceOptions beside = options;
   beside.rounds = neighbour;
   const Plant plant = grow_tree(beside);
   check_sound(plant, 1);
@@ -317,16 +317,16 @@ TEST_CASE("another tree's crown is round: nothing starts in it, no trail passes 
   };
   CHECK(halves({}) == doctest::Approx(1).epsilon(0.05));
   CHECK(halves({{{2, 1, -4}, {10, 11, 4}}}) < 0.8f);
-  CHECK(ask_tree({.rounds = {0, 0, 0, 1, 1}}).error().message.find("Round obstacles must have 6") != std::string::npos);
+  CHECK(request_tree({.rounds = {0, 0, 0, 1, 1}}).error().message.find("Round obstacles must have 6") != std::string::npos);
 }
 
 TEST_CASE("a dropped mesh is the crown; an open one is noted, none is an ellipsoid") {
   const Surface cube = box({5, 5, 5}, {7, 9, 7});
-  Asked asked{
+  SpaceOptions options{
       .parameters = {{"shape", 5}, {"particles", 500}, {"inner", 0}, {"width", 4}, {"height", 2}, {"depth", 3}}};
-  for (const glm::vec3& p : cube.points) asked.points.insert(asked.points.end(), {p.x, p.y, p.z});
-  asked.triangles = cube.triangles;
-  const Plant plant = grow_tree(asked);
+  for (const glm::vec3& p : cube.points) options.points.insert(options.points.end(), {p.x, p.y, p.z});
+  options.triangles = cube.triangles;
+  const Plant plant = grow_tree(options);
   CHECK(plant.notes.empty());
   check_sound(plant, 1);
   glm::vec3 high(-100);
@@ -338,9 +338,9 @@ TEST_CASE("a dropped mesh is the crown; an open one is noted, none is an ellipso
   }
   CHECK(high.x > 1.8f);
   CHECK(high.y > 3.8f);
-  asked.triangles.resize(asked.triangles.size() - 3);
-  CHECK(notes_say(grow_tree(asked), "open at 3 edges"));
-  CHECK(notes_say(grow_tree({.parameters = {{"shape", 5}, {"particles", 50}}}), "no mesh"));
+  options.triangles.resize(options.triangles.size() - 3);
+  CHECK(has_note(grow_tree(options), "open at 3 edges"));
+  CHECK(has_note(grow_tree({.parameters = {{"shape", 5}, {"particles", 50}}}), "no mesh"));
 }
 
 TEST_CASE("more pieces of trail or leaves than there may be are refused, with what to ask for") {
@@ -349,43 +349,43 @@ TEST_CASE("more pieces of trail or leaves than there may be are refused, with wh
     CHECK(plant.error().reason == Reason::limit);
     return plant.error().message;
   };
-  const auto asked = [](std::uint32_t trails, std::uint32_t leaves) {
-    Asked each{.parameters = {{"particles", 300}}};
+  const auto options = [](std::uint32_t trails, std::uint32_t leaves) {
+    SpaceOptions each{.parameters = {{"particles", 300}}};
     each.limits.pieces = trails;
     each.limits.copies = leaves;
     return each;
   };
-  const Plant usual = grow_tree(asked(2000, 2000));
+  const Plant usual = grow_tree(options(2000, 2000));
   const auto segments = static_cast<std::uint32_t>(usual.segments.size()), leaves = count_of(usual, "leaves");
-  CHECK(grow_tree(asked(segments, leaves)).fingerprint == usual.fingerprint);
-  CHECK(refusal(ask_tree(asked(segments - 1, leaves))) ==
+  CHECK(grow_tree(options(segments, leaves)).fingerprint == usual.fingerprint);
+  CHECK(refusal(request_tree(options(segments - 1, leaves))) ==
         "The plant would have " + std::to_string(segments) + " pieces of trail, more than " +
             std::to_string(segments - 1) + "; ask for fewer particles.");
-  CHECK(refusal(ask_tree(asked(segments, leaves - 1))).find("particles or leaves a tip") != std::string::npos);
-  CHECK(refusal(ask_root(asked(100, 0))).find("more than 100;") != std::string::npos);
+  CHECK(refusal(request_tree(options(segments, leaves - 1))).find("particles or leaves a tip") != std::string::npos);
+  CHECK(refusal(request_root(options(100, 0))).find("more than 100;") != std::string::npos);
 }
 
 TEST_CASE("particles that would run for ever so long are stopped on their way, leaves too many are refused before") {
-  Asked slow{.parameters = {{"particles", 300}, {"step", 0.05f}, {"merge", 0.1f}, {"pull", 0}, {"stems", 3}}};
+  SpaceOptions slow{.parameters = {{"particles", 300}, {"step", 0.05f}, {"merge", 0.1f}, {"pull", 0}, {"stems", 3}}};
   slow.limits.moves = 1'000'000;
   const Plant plant = grow_tree(slow);
   CHECK(plant.segments.size() > 300);
   slow.limits.moves = 5000;
   const std::string words =
       "After 5000 moves particles are still on their way; ask for fewer particles, a longer step, or a wider merge.";
-  for (const auto& refused : {ask_tree(slow), ask_root(slow)}) {
+  for (const auto& refused : {request_tree(slow), request_root(slow)}) {
     REQUIRE_FALSE(refused);
     CHECK(refused.error().reason == Reason::limit);
     CHECK(refused.error().message == words);
   }
   // Before anything moves.
-  Asked leafy{.parameters = {{"particles", 1000}, {"leaves", 6}}};
+  SpaceOptions leafy{.parameters = {{"particles", 1000}, {"leaves", 6}}};
   leafy.limits.moves = 0;
   leafy.limits.copies = 5999;
-  CHECK(ask_tree(leafy).error().message.find("6000 leaves, more than 5999") != std::string::npos);
+  CHECK(request_tree(leafy).error().message.find("6000 leaves, more than 5999") != std::string::npos);
   // Fewer, while it is small.
   leafy.parameters.insert(leafy.parameters.end(), {{"life", 1}, {"age", 50}});
-  CHECK(ask_tree(leafy).error().message == "After 0" + words.substr(10));
+  CHECK(request_tree(leafy).error().message == "After 0" + words.substr(10));
 }
 
 TEST_CASE("targets in the crown or above it are climbed to, and a note says so") {
@@ -393,9 +393,9 @@ TEST_CASE("targets in the crown or above it are climbed to, and a note says so")
     return grow_tree({.parameters = {{"particles", 100}}, .targets = {0, target, 0, 1, 0, 0}}).notes;
   };
   CHECK(notes_of(1.9f).empty());
-  const std::vector<std::string> said = notes_of(20);
-  REQUIRE(said.size() == 1);
-  CHECK(said[0].find("Targets above the boundary's lowest place: 1;") == 0);
+  const std::vector<std::string> notes = notes_of(20);
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0].find("Targets above the boundary's lowest place: 1;") == 0);
   const Plant root = grow_root({.parameters = {{"particles", 100}}, .targets = {0, -1, 0, 1, 0.5f, 0}});
   REQUIRE(root.notes.size() == 1);
   CHECK(root.notes[0].find("Targets below the boundary's highest place: 1;") == 0);
@@ -407,14 +407,14 @@ TEST_CASE("a merge radius that would not end is raised, with a note") {
   };
   CHECK(notes_of(0.5f, 1).empty());
   CHECK(notes_of(0.1f, 0).empty());
-  const std::vector<std::string> said = notes_of(0.45f, 1);
-  REQUIRE(said.size() == 1);
-  CHECK(said[0].find("raised to 50 % of a spacing") != std::string::npos);
+  const std::vector<std::string> notes = notes_of(0.45f, 1);
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0].find("raised to 50 % of a spacing") != std::string::npos);
 }
 
 TEST_CASE("where nothing starts, a note says what leaves no room") {
-  const auto notes_of = [](const Asked& asked) {
-    const Plant plant = grow_tree(asked);
+  const auto notes_of = [](const SpaceOptions& options) {
+    const Plant plant = grow_tree(options);
     CHECK(plant.segments.empty());
     REQUIRE(plant.notes.size() == 1);
     return plant.notes[0];
@@ -426,8 +426,8 @@ TEST_CASE("where nothing starts, a note says what leaves no room") {
 }
 
 TEST_CASE("what cannot be used is refused in words, what is out of range is brought into it") {
-  const auto refusal = [](const Asked& asked) {
-    const Result<Plant> plant = ask_tree(asked);
+  const auto refusal = [](const SpaceOptions& options) {
+    const Result<Plant> plant = request_tree(options);
     REQUIRE_FALSE(plant);
     return plant.error().message;
   };
@@ -440,27 +440,27 @@ TEST_CASE("what cannot be used is refused in words, what is out of range is brou
   CHECK(refusal({.points = {0, 0, 0}, .triangles = {0, 0, 1}}).find("corner 1") != std::string::npos);
   CHECK(refusal({.points = {0, 0, 0}, .triangles = {0, 0}}).find("3 corners") != std::string::npos);
   const Plant plant = grow_tree({.parameters = {{"particles", 3}, {"width", 1e9f}, {"height", -5}}});
-  CHECK(notes_say(plant, "Parameter particles was brought into its range."));
-  CHECK(notes_say(plant, "Parameter width was brought"));
-  CHECK(notes_say(plant, "Parameter height was brought"));
+  CHECK(has_note(plant, "Parameter particles was brought into its range."));
+  CHECK(has_note(plant, "Parameter width was brought"));
+  CHECK(has_note(plant, "Parameter height was brought"));
   const Plant nowhere =
       grow_tree({.parameters = {{"particles", 100}, {"pattern", 1}}, .obstacles = {-50, -1, -50, 50, 50, 50}});
-  CHECK(notes_say(nowhere, "Obstacles leave no room"));
+  CHECK(has_note(nowhere, "Obstacles leave no room"));
   CHECK(nowhere.segments.empty());
 }
 
 TEST_CASE("a mesh whose triangles lie behind each other too often is an error, as is one of too many triangles") {
   const Surface mesh = spanning_tetrahedra(100);
-  Asked asked{.parameters = {{"particles", 200}, {"shape", 5}}, .triangles = mesh.triangles};
-  for (const glm::vec3& p : mesh.points) asked.points.insert(asked.points.end(), {p.x, p.y, p.z});
-  CHECK(ask_tree(asked));
-  asked.limits.looks = 1'000'000;
-  const Result<Plant> stopped = ask_tree(asked);
+  SpaceOptions options{.parameters = {{"particles", 200}, {"shape", 5}}, .triangles = mesh.triangles};
+  for (const glm::vec3& p : mesh.points) options.points.insert(options.points.end(), {p.x, p.y, p.z});
+  CHECK(request_tree(options));
+  options.limits.looks = 1'000'000;
+  const Result<Plant> stopped = request_tree(options);
   REQUIRE_FALSE(stopped);
   CHECK(stopped.error().reason == Reason::limit);
   CHECK(stopped.error().message.find("simplify the mesh") != std::string::npos);
-  asked.limits.triangles = 399;
-  const Result<Plant> refused = ask_tree(asked);
+  options.limits.triangles = 399;
+  const Result<Plant> refused = request_tree(options);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().reason == Reason::limit);
   CHECK(refused.error().message == "The meshes have 400 triangles, more than 399; simplify them.");

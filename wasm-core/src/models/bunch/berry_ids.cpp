@@ -34,13 +34,13 @@ class Taken {
 
 }  // namespace
 
-std::vector<std::uint64_t> own_addresses(std::span<const std::uint64_t> bearers) {
+std::vector<std::uint64_t> own_addresses(std::span<const std::uint64_t> module_addresses) {
   std::vector<std::uint64_t> own;
-  own.reserve(bearers.size());
-  std::uint64_t borne = 0;
-  for (std::size_t i = 0; i < bearers.size(); ++i) {
-    borne = i > 0 && bearers[i] == bearers[i - 1] ? borne + 1 : 0;
-    own.push_back(borne == 0 ? bearers[i] : hash_combine(bearers[i], borne));
+  own.reserve(module_addresses.size());
+  std::uint64_t repeats = 0;
+  for (std::size_t i = 0; i < module_addresses.size(); ++i) {
+    repeats = i > 0 && module_addresses[i] == module_addresses[i - 1] ? repeats + 1 : 0;
+    own.push_back(repeats == 0 ? module_addresses[i] : hash_combine(module_addresses[i], repeats));
   }
   return own;
 }

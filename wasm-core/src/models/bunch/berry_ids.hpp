@@ -10,7 +10,7 @@ namespace panicle::bunch {
 
 // An address for every berry, from those of the modules that bear them, in the order of the text: what is borne by one
 // module has the same address, so that the second and later ones are told apart here.
-std::vector<std::uint64_t> own_addresses(std::span<const std::uint64_t> bearers);
+std::vector<std::uint64_t> own_addresses(std::span<const std::uint64_t> module_addresses);
 
 // Below 2^30, so that links hold one in six letters; those from `second_from` on are of the second bunch, whose
 // addresses are the first's over again. An id that an earlier berry has is drawn anew.

@@ -20,7 +20,7 @@
 namespace panicle::bunch {
 namespace {
 
-void count(Grown& grown) {
+void count(GrownBunch& grown) {
   Counts& counts = grown.counts;
   counts.internodes = static_cast<std::uint32_t>(grown.internodes.size());
   counts.berries = static_cast<std::uint32_t>(grown.berries.size());
@@ -33,7 +33,7 @@ void count(Grown& grown) {
 }
 
 // docs/fingerprint.md has the order.
-std::uint64_t fingerprint(const Grown& grown) {
+std::uint64_t fingerprint(const GrownBunch& grown) {
   Fingerprint print;
   const auto point = [&print](const glm::vec3& p) {
     print.add(p.x);
@@ -74,7 +74,7 @@ void add_mesh(Fingerprint& print, const Mesh& mesh) {
 constexpr float thin_stem = 0.00125f;  // metres; radius
 
 // Stems and the paper's one berry; the natural procedure makes its other meshes itself.
-void add_meshes(Grown& grown, const Request& request) {
+void add_meshes(GrownBunch& grown, const BunchRequest& request) {
   TubeOptions tubes;
   if (grown.natural) {  // hundreds of pedicels, most of them hidden
     tubes.sides = 8;
@@ -89,7 +89,7 @@ void add_meshes(Grown& grown, const Request& request) {
 }
 
 // Of everything that has triangles.
-std::uint64_t mesh_fingerprint(const Grown& grown) {
+std::uint64_t mesh_fingerprint(const GrownBunch& grown) {
   Fingerprint print;
   add_mesh(print, grown.stem->mesh);
   if (grown.surfaces) {
@@ -106,8 +106,8 @@ std::uint64_t mesh_fingerprint(const Grown& grown) {
 
 }  // namespace
 
-Result<Grown> grow(const Request& request, const Limits& limits) {
-  Grown grown;
+Result<GrownBunch> grow(const BunchRequest& request, const Limits& limits) {
+  GrownBunch grown;
   const Values values(request.parameters, grown.notes);
   grown.natural = values[Parameter::procedure] == 1;
   const Diagnostic trouble =

@@ -16,7 +16,7 @@
 
 namespace panicle::bunch {
 
-struct Request {
+struct BunchRequest {
   std::uint32_t seed = 1;
   std::vector<float> parameters;                    // in the order of parameter_table; NaN or missing: the default
   std::int32_t m = 0;                               // rachis segments in place of the profile's; 0: from the profile
@@ -36,6 +36,6 @@ struct Request {
 };
 
 // Parameters out of range are clamped with a note; a grammar that cannot be used is an error with line and column.
-Result<Grown> grow(const Request& request, const Limits& limits = {});
+Result<GrownBunch> grow(const BunchRequest& request, const Limits& limits = {});
 
 }  // namespace panicle::bunch

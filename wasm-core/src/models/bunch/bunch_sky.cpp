@@ -17,7 +17,7 @@ constexpr float row_width = 0.96f;  // of the balls in a row, to the berry's own
 
 // Numbers of owners: internodes, then berries, then parts of the foliage.
 struct Owners {
-  explicit Owners(const Grown& grown)
+  explicit Owners(const GrownBunch& grown)
       : berries(static_cast<std::int32_t>(grown.internodes.size())),
         foliage(berries + static_cast<std::int32_t>(grown.berries.size())) {}
   const std::int32_t berries, foliage;
@@ -43,7 +43,7 @@ MeshPart place_of(const FoliagePart& part) {
   return {part.first_vertex, part.vertex_count, part.first_index, part.index_count};
 }
 
-Sky surroundings(const Grown& grown, std::span<const Segment> segments) {
+Sky surroundings(const GrownBunch& grown, std::span<const Segment> segments) {
   const Owners owners(grown);
   std::vector<SkyBody> balls;
   for (std::size_t i = 0; i < grown.berries.size(); ++i)
@@ -75,7 +75,7 @@ SkyFrame frame_for(const Berry& berry) {
   return frame;
 }
 
-std::vector<std::uint8_t> sky_of_berries(Sky& sky, const Grown& grown) {
+std::vector<std::uint8_t> sky_of_berries(Sky& sky, const GrownBunch& grown) {
   const Owners owners(grown);
   const bool own = grown.surfaces.has_value();
   const std::size_t each = own ? grown.surfaces->uvs.size() / 2 : grown.berry->uvs.size() / 2;
@@ -95,7 +95,7 @@ std::vector<std::uint8_t> sky_of_berries(Sky& sky, const Grown& grown) {
   return bytes;
 }
 
-std::vector<std::uint8_t> sky_of_foliage(Sky& sky, const Grown& grown) {
+std::vector<std::uint8_t> sky_of_foliage(Sky& sky, const GrownBunch& grown) {
   const Mesh& mesh = grown.foliage->mesh;
   std::vector<std::uint8_t> bytes(mesh.positions.size() / 3);
   std::int32_t owner = Owners(grown).foliage;
@@ -106,7 +106,7 @@ std::vector<std::uint8_t> sky_of_foliage(Sky& sky, const Grown& grown) {
 
 }  // namespace
 
-void add_sky(Grown& grown) {
+void add_sky(GrownBunch& grown) {
   const std::vector<Segment> segments = segments_of(grown.internodes);
   Sky sky = surroundings(grown, segments);
   SkyBytes& bytes = grown.sky.emplace();

@@ -10,6 +10,6 @@ namespace panicle::bunch {
 // thin pedicels, and leaves hide a little of what is near. Leaves are lit from both sides: of
 // the two the better is told. Open flowers hide what the berries hide that they will be, and have no bytes of their
 // own.
-void add_sky(Grown& grown);
+void add_sky(GrownBunch& grown);
 
 }  // namespace panicle::bunch

@@ -79,7 +79,7 @@ struct SwellingWork {
   std::uint64_t thinning_looks = 0;  // at pairs, to find the berries that have no room
 };
 
-struct Grown {
+struct GrownBunch {
   bool natural = false;  // by which procedure
   BerryForm form;
   Profile profile;  // of the natural procedure: what its seed makes of the handles', and what it fills

@@ -53,7 +53,7 @@ void add_skeleton(Plant& plant, const std::vector<Internode>& internodes) {
                     }));
 }
 
-void add_berries(Columns& columns, const Grown& grown) {
+void add_berries(Columns& columns, const GrownBunch& grown) {
   const std::vector<Berry>& berries = grown.berries;
   columns.add("berries.spheres",
               column_of<float>(berries, 4,
@@ -136,7 +136,7 @@ void add_sky(Plant& plant, SkyBytes sky) {
 }
 
 // What was derived, and what of it drew what is there.
-void add_told(Plant& plant, const Grown& grown) {
+void add_trace(Plant& plant, const GrownBunch& grown) {
   const lsystem::DerivationTrace& chronicle = *grown.chronicle;
   // A limit leaves another last string than was drawn.
   const bool whole = chronicle.stopped().reason == Reason::none;
@@ -163,8 +163,8 @@ Result<Plant> grow_plant(panicle::Request& blocks, const Limits& limits) {
 const Model model{"bunch", grow_plant,
                   [](std::string_view text, const Limits& limits) { return compile_program(text, {}, limits); }};
 
-Result<Request> read_request(panicle::Request& blocks) {
-  Request request;
+Result<BunchRequest> read_request(panicle::Request& blocks) {
+  BunchRequest request;
   blocks.text("model");
   request.seed = blocks.word("seed", request.seed);
   request.meshes = blocks.wants("meshes");
@@ -192,7 +192,7 @@ Result<Request> read_request(panicle::Request& blocks) {
   return request;
 }
 
-Plant plant_of(Grown&& grown) {
+Plant plant_of(GrownBunch&& grown) {
   Plant plant;
   add_skeleton(plant, grown.internodes);
   Columns& columns = plant.columns;
@@ -219,7 +219,7 @@ Plant plant_of(Grown&& grown) {
                   {"cut", counts.cut}};
   plant.measures = std::move(grown.measures);
   plant.notes = std::move(grown.notes);
-  if (grown.chronicle) add_told(plant, grown);
+  if (grown.chronicle) add_trace(plant, grown);
   plant.fingerprint = grown.fingerprint;
   plant.mesh_fingerprint = grown.mesh_fingerprint;
   return plant;

@@ -43,7 +43,7 @@ namespace panicle::bunch {
 extern const Model model;
 
 // The same in two steps, for tests: what a request asks for, and what has grown as a plant.
-Result<Request> read_request(panicle::Request& blocks);
-Plant plant_of(Grown&& grown);
+Result<BunchRequest> read_request(panicle::Request& blocks);
+Plant plant_of(GrownBunch&& grown);
 
 }  // namespace panicle::bunch

@@ -6,14 +6,14 @@ namespace panicle::bunch {
 
 void remark_text(const lsystem::BoundProgram& text, const Values& values, std::string_view procedure,
                  std::span<const Parameter> besides, std::vector<std::string>& notes) {
-  std::vector<lsystem::Inputs::Scalar> heeded;
+  std::vector<lsystem::Inputs::Scalar> used;
   for (const ParameterInfo* info : values.defining()) {
     const auto key = static_cast<Parameter>(info - parameter_table.data());
     if (!info->where.empty() && info->where != procedure) continue;
     if (std::find(besides.begin(), besides.end(), key) != besides.end()) continue;
-    heeded.push_back({std::string(info->define), 0});
+    used.push_back({std::string(info->define), 0});
   }
-  for (const lsystem::Remark& remark : lsystem::remarks(lsystem::program_of(text), heeded))
+  for (const lsystem::Remark& remark : lsystem::remarks(lsystem::program_of(text), used))
     notes.push_back(lsystem::to_text(remark));
 }
 

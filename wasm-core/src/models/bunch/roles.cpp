@@ -31,14 +31,14 @@ Kind standard_kind(std::string_view symbol) {
 // Those that a text declares.
 std::vector<Kind> declared_kinds(const lsystem::Roles& roles, std::size_t symbols, std::vector<std::string>& notes) {
   std::vector<Kind> kinds(symbols, Kind::axis);
-  std::vector<std::uint8_t> told(roles.names.size(), 0);
+  std::vector<std::uint8_t> reported(roles.names.size(), 0);
   for (std::uint32_t symbol = 0; symbol < symbols; ++symbol) {
     const std::uint32_t role = roles.of(symbol);
     if (role == lsystem::Roles::none) continue;
     if (const std::optional<Kind> kind = kind_named(roles.names[role])) {
       kinds[symbol] = *kind;
-    } else if (!told[role]) {
-      told[role] = 1;
+    } else if (!reported[role]) {
+      reported[role] = 1;
       notes.push_back("A bunch has no role " + std::string(roles.names[role]) +
                       "; its roles are rachis, axis, end and pedicel.");
     }
@@ -48,14 +48,14 @@ std::vector<Kind> declared_kinds(const lsystem::Roles& roles, std::size_t symbol
 
 }  // namespace
 
-Roles roles_of(const lsystem::Program& text, std::vector<std::string>& notes) {
+SymbolRoles roles_of(const lsystem::Program& text, std::vector<std::string>& notes) {
   const lsystem::Roles& roles = lsystem::roles(text);
   const std::span<const std::string> symbols = lsystem::symbols(text);
   for (std::uint32_t symbol = 0; symbol < symbols.size(); ++symbol)
-    if (roles.of(symbol) != lsystem::Roles::none) return Roles(declared_kinds(roles, symbols.size(), notes));
+    if (roles.of(symbol) != lsystem::Roles::none) return SymbolRoles(declared_kinds(roles, symbols.size(), notes));
   std::vector<Kind> kinds;
   for (const std::string& symbol : symbols) kinds.push_back(standard_kind(symbol));
-  return Roles(std::move(kinds));
+  return SymbolRoles(std::move(kinds));
 }
 
 }  // namespace panicle::bunch

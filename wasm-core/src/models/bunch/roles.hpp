@@ -11,11 +11,11 @@
 
 namespace panicle::bunch {
 
-class Roles {
+class SymbolRoles {
  public:
   // Each symbol's, by its number.
-  explicit Roles(std::vector<Kind> kinds) : kinds_(std::move(kinds)) {}
-  Roles() = default;
+  explicit SymbolRoles(std::vector<Kind> kinds) : kinds_(std::move(kinds)) {}
+  SymbolRoles() = default;
 
   // Of what a production of `symbol` draws, or asks about; axis where no role claims it, as of the axiom
   // (lsystem::no_symbol).
@@ -27,6 +27,6 @@ class Roles {
 
 // What a text declares, if it declares anything; else those of texts from before there was a way to
 // (parameters/bunch.json). A role that a bunch does not have is told in `notes`.
-Roles roles_of(const lsystem::Program& text, std::vector<std::string>& notes);
+SymbolRoles roles_of(const lsystem::Program& text, std::vector<std::string>& notes);
 
 }  // namespace panicle::bunch

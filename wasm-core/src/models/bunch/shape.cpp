@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::int32_t most_segments = 10000;  // of one axis, asked for in place of the profile's
 
-Result<Shape> asked_shape(const Request& request, const Profile& profile) {
+Result<Shape> requested_shape(const BunchRequest& request, const Profile& profile) {
   if (request.m < 0 || request.m > most_segments)
     return Diagnostic{Reason::bad_input, "m must be from 1 to 10000.", 0, 0};
   Shape shape{make_plan(profile, request.m), {}};
@@ -35,9 +35,9 @@ Shape shape_of(const Profile& profile, float fit) {
   return {std::move(plan), lengths};
 }
 
-Result<Shape> shape_for(const Request& request, const Profile& profile, float fit) {
-  const bool asked = request.m != 0 || !request.n.empty();
-  return asked ? asked_shape(request, profile) : Result<Shape>(shape_of(profile, fit));
+Result<Shape> shape_for(const BunchRequest& request, const Profile& profile, float fit) {
+  const bool has_segments = request.m != 0 || !request.n.empty();
+  return has_segments ? requested_shape(request, profile) : Result<Shape>(shape_of(profile, fit));
 }
 
 // The paper counts axes from the tip, n_k = n(m − 1 − k).

@@ -17,7 +17,7 @@ Shape shape_of(const Profile& profile, float fit);
 
 // As above where the request asks for no segments of its own; those take the place of the profile's, whose lengths
 // then no longer apply. Errors: bad_input.
-Result<Shape> shape_for(const Request& request, const Profile& profile, float fit);
+Result<Shape> shape_for(const BunchRequest& request, const Profile& profile, float fit);
 
 // The inputs of the paper's texts: m, n, stretch and reach, and what replaces their #defines.
 lsystem::Inputs inputs_for(const Shape& shape, const Values& values);

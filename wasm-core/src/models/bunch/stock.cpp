@@ -6,7 +6,7 @@
 
 namespace panicle::bunch {
 
-Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& request, std::string_view built_in,
+Result<std::shared_ptr<const lsystem::Program>> program_for(const BunchRequest& request, std::string_view built_in,
                                                             const Limits& limits) {
   if (request.program) return request.program;
   if (request.grammar.empty() && built_in.empty())
@@ -23,13 +23,13 @@ Result<Stock> derive_stock(std::shared_ptr<const lsystem::BoundProgram> bound, s
 
 std::uint64_t second_seed(std::uint64_t seed) { return hash_combine(seed, hash_text("second bunch")); }
 
-Result<std::optional<lsystem::DerivationTrace>> tell(const Stock& stock, const Request& request, const Limits& limits) {
+Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const Stock& stock, const BunchRequest& request, const Limits& limits) {
   if (!request.chronicle) return std::optional<lsystem::DerivationTrace>();
-  auto told = lsystem::chronicle(*stock.bound, stock.seed, request.steps, limits, {}, *request.chronicle);
-  if (!told) return told.error();
+  auto trace = lsystem::chronicle(*stock.bound, stock.seed, request.steps, limits, {}, *request.chronicle);
+  if (!trace) return trace.error();
   // One that came to a limit has another last string than is drawn.
-  if (told->stopped().reason == Reason::none) told->watch_drawing(stock.string);
-  return std::optional(std::move(told.value()));
+  if (trace->stopped().reason == Reason::none) trace->watch_drawing(stock.string);
+  return std::optional(std::move(trace.value()));
 }
 
 Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener,

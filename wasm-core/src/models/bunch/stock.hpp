@@ -23,7 +23,7 @@ struct Stock {
 
 // The grammar that every bunch of a request is derived from: compiled before, or now; `built_in` where the request
 // has none.
-Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& request, std::string_view built_in,
+Result<std::shared_ptr<const lsystem::Program>> program_for(const BunchRequest& request, std::string_view built_in,
                                                             const Limits& limits);
 
 // `steps` as for lsystem::develop.
@@ -34,7 +34,7 @@ Result<Stock> derive_stock(std::shared_ptr<const lsystem::BoundProgram> bound, s
 std::uint64_t second_seed(std::uint64_t seed);
 
 // Its derivation told, where the request asks. Errors: those of lsystem::chronicle.
-Result<std::optional<lsystem::DerivationTrace>> tell(const Stock& stock, const Request& request, const Limits& limits);
+Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const Stock& stock, const BunchRequest& request, const Limits& limits);
 
 // Walks the derived string from p1 on, and tells the chronicle, if any, what answers. Returns what the interpretation
 // itself ran into.

@@ -16,11 +16,11 @@ float admitted(float value, const ParameterInfo& info, std::vector<std::string>&
 
 }  // namespace
 
-Values::Values(const std::vector<float>& asked, std::vector<std::string>& notes) {
+Values::Values(const std::vector<float>& requested, std::vector<std::string>& notes) {
   for (std::uint32_t i = 0; i < parameter_count; ++i) {
     const ParameterInfo& info = parameter_table[i];
-    given_[i] = i < asked.size() && asked[i] == asked[i];
-    values_[i] = given_[i] ? admitted(asked[i], info, notes) : info.standard;
+    given_[i] = i < requested.size() && requested[i] == requested[i];
+    values_[i] = given_[i] ? admitted(requested[i], info, notes) : info.standard;
   }
 }
 

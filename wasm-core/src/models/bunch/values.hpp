@@ -14,7 +14,7 @@ namespace panicle::bunch {
 class Values {
  public:
   // What is missing or NaN has its default; what is out of range is brought into it, with a note.
-  Values(const std::vector<float>& asked, std::vector<std::string>& notes);
+  Values(const std::vector<float>& requested, std::vector<std::string>& notes);
 
   float operator[](Parameter key) const { return values_[static_cast<std::uint32_t>(key)]; }
 

@@ -25,7 +25,7 @@ glm::vec2 snapped(const glm::vec2& p) { return glm::floor(p * triangulation_latt
 // The points of a closed ring that are left when those are taken out which are hardly off the way between their
 // neighbours.
 std::vector<glm::vec2> simplified(std::span<const glm::vec2> ring, float within) {
-  std::vector<glm::vec2> kept;
+  std::vector<glm::vec2> retained;
   std::size_t last = 0;
   const auto off = [&](std::size_t from, std::size_t to) {
     float most = 0;
@@ -37,13 +37,13 @@ std::vector<glm::vec2> simplified(std::span<const glm::vec2> ring, float within)
     }
     return most;
   };
-  kept.push_back(ring[0]);
+  retained.push_back(ring[0]);
   for (std::size_t i = 2; i <= ring.size(); ++i) {
     if (i - last <= 16 && off(last, i) <= within) continue;
-    kept.push_back(ring[i - 1]);
+    retained.push_back(ring[i - 1]);
     last = i - 1;
   }
-  return kept;
+  return retained;
 }
 
 // Points by cells of a grid, to ask whether there is room for another.
@@ -85,19 +85,19 @@ class Crowding {
 std::vector<VeinPiece> widest(std::span<const VeinPiece> veins, float length) {
   std::vector<float> narrowness;
   for (const VeinPiece& vein : veins) narrowness.push_back(-vein.radius_from);
-  std::vector<VeinPiece> kept;
+  std::vector<VeinPiece> retained;
   float sum = 0;
   for (const std::uint32_t i : order_of(narrowness)) {
     if (!(sum < length)) break;
-    kept.push_back(veins[i]);
+    retained.push_back(veins[i]);
     sum += glm::distance(veins[i].from, veins[i].to);
   }
-  return kept;
+  return retained;
 }
 
 }  // namespace
 
-BladePoints lay_points(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins, float detail) {
+BladePoints place_points(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins, float detail) {
   const glm::vec2 low(outline.low().x, outline.low().y), high(outline.high().x, outline.high().y);
   const float spacing = std::sqrt(outline.area() / (lattice_points * detail));
   BladePoints blade;
@@ -120,15 +120,15 @@ BladePoints lay_points(const Margin& margin, const Outline& outline, std::span<c
   for (const VeinPiece& vein : shown) {
     const float length = glm::distance(vein.from, vein.to);
     if (!(length > 0)) continue;
-    const glm::vec2 way = (vein.to - vein.from) / length, aside(-way.y, way.x);
+    const glm::vec2 way = (vein.to - vein.from) / length, across(-way.y, way.x);
     const float count = std::max(1.0f, std::ceil(length / (along_vein * spacing)));
     for (float k = 0.5f; k < count; ++k) {
       const float t = k / count, radius = vein.radius_from + t * (vein.radius_to - vein.radius_from);
       const glm::vec2 axis = vein.from + t * (vein.to - vein.from);
       const float beside = std::min(radius, spacing);
       add(axis, 0.5f * beside);
-      add(axis + beside * aside, 0.6f * beside);
-      add(axis - beside * aside, 0.6f * beside);
+      add(axis + beside * across, 0.6f * beside);
+      add(axis - beside * across, 0.6f * beside);
     }
   }
   for (std::int32_t row = 0; low.y + static_cast<float>(row) * row_share * spacing < high.y; ++row)

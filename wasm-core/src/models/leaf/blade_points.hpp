@@ -16,6 +16,6 @@ struct BladePoints {
   std::vector<float> rise;  // of each point: the vein's radius on its axis, 0 beside; leaf lengths
 };
 
-BladePoints lay_points(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins, float detail);
+BladePoints place_points(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins, float detail);
 
 }  // namespace panicle::particles::leaf

@@ -36,13 +36,13 @@ MeshPart whole(const Mesh& mesh) {
 
 }  // namespace
 
-void dress(Plant& plant, const Asked& asked, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
+void dress(Plant& plant, const LeafRequest& leaf_request, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
            const Girth& girth) {
   using enum Parameter;
-  const Values& values = asked.values;
+  const Values& values = leaf_request.values;
   const BladeForm form{.thickness = 0.001f * values[thickness],
                        .relief = values[relief],
-                       .detail = asked.draft ? std::min(asked.detail, draft_detail) : asked.detail};
+                       .detail = leaf_request.draft ? std::min(leaf_request.detail, draft_detail) : leaf_request.detail};
   std::vector<PlantMesh> blade =
       make_blade(veins.margin, veins.outline, pieces_of(flat, veins.all, girth, bending.scale), bending, form);
   if (blade.empty()) plant.notes.push_back("The outline is too narrow somewhere for a blade: veins alone are shown.");
@@ -50,7 +50,7 @@ void dress(Plant& plant, const Asked& asked, const Veins& veins, std::span<const
       make_petiole(bending, 0.01f * values[petiole] * bending.scale, 0.0005f * values[petiole_width]);
   StemMesh tube;
   if (!stalk.empty()) tube = sweep_stems({.segments = stalk, .jointed = false}, {.sides = petiole_sides}, 1.0f);
-  if (asked.sky) {
+  if (leaf_request.sky) {
     // Owners are the petiole's segments, then the blade: a sheet that hides nothing from itself.
     const auto owner = static_cast<std::int32_t>(stalk.size());
     std::vector<SkyBody> specks;

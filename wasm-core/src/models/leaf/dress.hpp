@@ -14,7 +14,7 @@ namespace panicle::particles::leaf {
 // Adds the meshes `upper`, `lower` (blade.hpp), `petiole` (material `stem`; where it has a length) and, where there are
 // organs, `particle` (material `skin`), whose index is theirs; and `sky` to the first three where it is asked for.
 // `flat`: the trails as they stand, in the chart.
-void dress(Plant& plant, const Asked& asked, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
+void dress(Plant& plant, const LeafRequest& leaf_request, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
            const Girth& girth);
 
 }  // namespace panicle::particles::leaf

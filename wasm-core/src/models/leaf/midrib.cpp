@@ -31,7 +31,7 @@ std::int32_t add(Ribs& ribs, std::int32_t next, const glm::vec3& place) {
   return static_cast<std::int32_t>(ribs.places.size()) - 1;
 }
 
-Midrib lay_midrib(Ribs& ribs, std::vector<glm::vec3> places) {
+Midrib build_midrib(Ribs& ribs, std::vector<glm::vec3> places) {
   Midrib midrib{std::move(places), {0}, {0}};
   for (std::size_t i = 1; i < midrib.places.size(); ++i) {
     midrib.numbers.push_back(add(ribs, midrib.numbers.back(), midrib.places[i]));

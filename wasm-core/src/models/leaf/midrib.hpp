@@ -33,7 +33,7 @@ struct Midrib {
 // Adds a place that leads to the place `next`; gives its number.
 std::int32_t add(Ribs& ribs, std::int32_t next, const glm::vec3& place);
 // Lays a main vein from place 0 of the ribs, which is the first of `places`.
-Midrib lay_midrib(Ribs& ribs, std::vector<glm::vec3> places);
+Midrib build_midrib(Ribs& ribs, std::vector<glm::vec3> places);
 
 // Draws each place but the ends towards the middle of its neighbours, so many times, where there is room.
 void round_off(std::vector<glm::vec3>& places, const Outline& outline, int passes);

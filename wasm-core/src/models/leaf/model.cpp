@@ -105,10 +105,10 @@ void add_chart(Plant& plant, const Veins& veins, std::span<const Trails> flat) {
 Result<Plant> grow(Request& request, const Limits& limits) {
   using enum Parameter;
   Plant plant;
-  const auto asked = read_request(request, plant.notes);
-  if (!asked) return asked.error();
-  const Values& values = asked->values;
-  const auto grown = grow_veins(asked.value(), limits, plant.notes);
+  const auto leaf_request = read_request(request, plant.notes);
+  if (!leaf_request) return leaf_request.error();
+  const Values& values = leaf_request->values;
+  const auto grown = grow_veins(leaf_request.value(), limits, plant.notes);
   if (!grown) return grown.error();
   const Veins& veins = grown.value();
   const Bending bending = bending_of(values, veins.outline);
@@ -126,11 +126,11 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   add_orders(plant, ordered, segments);
   add_chart(plant, veins, flat);
   plant.fingerprint = fingerprint_of(plant);
-  if (asked->measures)
+  if (leaf_request->measures)
     plant.measures = measures_of({veins.margin, veins.outline, flat, ordered, veins.all, girth, bending.scale});
-  if (!asked->meshes) return plant;
-  dress(plant, asked.value(), veins, flat, bending, girth);
-  if (asked->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  if (!leaf_request->meshes) return plant;
+  dress(plant, leaf_request.value(), veins, flat, bending, girth);
+  if (leaf_request->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   return plant;
 }
 

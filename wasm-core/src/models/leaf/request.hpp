@@ -17,7 +17,7 @@ using Values = panicle::Values<Parameter, parameter_table>;
 // Blocks: `model`, `seed`, `outputs` (meshes, measures, sky, mesh_fingerprint; draft: few particles and triangles, for
 // as long as something is dragged), `parameters`, `outline` (float32, three to a point: margin.hpp), `detail` (float32:
 // triangles of the blade against the default, 0.02 … 4).
-struct Asked {
+struct LeafRequest {
   Values values;
   std::vector<ControlPoint> outline;
   std::uint64_t seed = 1;
@@ -26,6 +26,6 @@ struct Asked {
 };
 
 // Errors: bad_request; those of read_outline.
-Result<Asked> read_request(Request& request, std::vector<std::string>& notes);
+Result<LeafRequest> read_request(Request& request, std::vector<std::string>& notes);
 
 }  // namespace panicle::particles::leaf

@@ -27,7 +27,7 @@ class Planner {
 
   std::vector<Ribs> pinnate(std::vector<std::string>& notes) const {
     std::vector<Ribs> all{empty()};
-    const Midrib midrib = lay_midrib(all[0], midline());
+    const Midrib midrib = build_midrib(all[0], midline());
     std::uint32_t lobes = 0, hidden = 0;
     for (const std::size_t tip : margin_.tips) {
       if (tip == margin_.tip) continue;
@@ -37,7 +37,7 @@ class Planner {
     if (hidden > 0)
       notes.push_back("The midrib sees " + std::to_string(hidden) + " lobe tips from nowhere: they have no rib.");
     if (lobes == 0 && plan_.secondaries > 0)
-      side_veins_.lay(all[0], midrib, plan_.secondaries,
+      side_veins_.add_veins(all[0], midrib, plan_.secondaries,
                       {.tip = margin_.tip, .last = margin_.points.size(), .fan = true});
     return all;
   }
@@ -53,7 +53,7 @@ class Planner {
     float longest = 0;
     for (const std::size_t tip : tips) {
       all.push_back(empty());
-      rays.push_back(lay_midrib(all.back(), main_vein(base_, tip_at(tip), outline_)));
+      rays.push_back(build_midrib(all.back(), main_vein(base_, tip_at(tip), outline_)));
       longest = std::max(longest, rays.back().length());
     }
     const std::vector<Ribs> bare = all;
@@ -64,7 +64,7 @@ class Planner {
         if (tip < part.tip) part.first = std::max(part.first, tip);
         if (tip > part.tip) part.last = std::min(part.last, tip);
       }
-      side_veins_.lay(all[i], rays[i], static_cast<std::uint32_t>(count), part);
+      side_veins_.add_veins(all[i], rays[i], static_cast<std::uint32_t>(count), part);
     }
     return all;
   }
@@ -75,7 +75,7 @@ class Planner {
     std::vector<Ribs> all;
     for (std::int32_t k = -arcs; k <= arcs; ++k) {
       Ribs ribs = empty();
-      lay_midrib(ribs, between_sides(static_cast<float>(k) / (static_cast<float>(arcs) + 0.7f)));
+      build_midrib(ribs, between_sides(static_cast<float>(k) / (static_cast<float>(arcs) + 0.7f)));
       all.push_back(std::move(ribs));
     }
     return all;
@@ -83,12 +83,12 @@ class Planner {
 
   // From the base towards the tip between the margin's sides, −1 on the left one, 1 on the right; as far as that is
   // open.
-  std::vector<glm::vec3> between_sides(float aside) const {
+  std::vector<glm::vec3> between_sides(float position) const {
     constexpr float rows = 48;
     std::vector<glm::vec3> places{base_};
     for (float row = 1; row < rows; ++row) {
       const float share = before_tip * row / rows;
-      const glm::vec3 next = 0.5f * ((1 + aside) * sides_.right(share) + (1 - aside) * sides_.left(share)),
+      const glm::vec3 next = 0.5f * ((1 + position) * sides_.right(share) + (1 - position) * sides_.left(share)),
                       from = places.back();
       if (places.size() == 1 ? !outline_.contains(next) : !outline_.holds(from, next)) break;
       places.push_back(next);
@@ -132,7 +132,7 @@ class Planner {
 
 }  // namespace
 
-std::vector<Ribs> lay_ribs(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base,
+std::vector<Ribs> build_ribs(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base,
                            std::vector<std::string>& notes) {
   const Planner planner(plan, margin, outline, base);
   if (plan.kind == RibKind::pinnate) return planner.pinnate(notes);

@@ -30,7 +30,7 @@ struct RibPlan {
 // One tree of ribs for each target: none and pinnate have one, palmate one for each lobe tip, parallel one for each
 // arc. All end where the petiole joins, `base`. In a lobed pinnate leaf one secondary runs to each lobe tip. Says in
 // `notes` what cannot be laid.
-std::vector<Ribs> lay_ribs(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base,
+std::vector<Ribs> build_ribs(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base,
                            std::vector<std::string>& notes);
 
 }  // namespace panicle::particles::leaf

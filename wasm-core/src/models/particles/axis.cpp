@@ -28,7 +28,7 @@ Axis::Axis(const glm::vec3& foot, float height, float stray, std::uint64_t seed)
   const float phase = chance(2), first = sincos_degrees(phase).sine;
   for (std::uint32_t i = 0; i <= pieces; ++i) {
     const float share = static_cast<float>(i) / pieces;
-    aside_[i] = share * lean + (sincos_degrees(phase + 360 * turns * share).sine - first) * bend;
+    offsets_[i] = share * lean + (sincos_degrees(phase + 360 * turns * share).sine - first) * bend;
   }
 }
 
@@ -36,8 +36,8 @@ glm::vec3 Axis::at(float y) const {
   if (!(piece_ > 0)) return {foot_.x, y, foot_.z};
   const float along = std::min(std::fabs(y - foot_.y) / piece_, static_cast<float>(pieces));
   const auto below = std::min(static_cast<std::uint32_t>(along), pieces - 1);
-  const glm::vec3 aside = aside_[below] + (along - static_cast<float>(below)) * (aside_[below + 1] - aside_[below]);
-  return {foot_.x + aside.x, y, foot_.z + aside.z};
+  const glm::vec3 offset = offsets_[below] + (along - static_cast<float>(below)) * (offsets_[below + 1] - offsets_[below]);
+  return {foot_.x + offset.x, y, foot_.z + offset.z};
 }
 
 glm::vec3 Axis::along(const glm::vec3& from, const glm::vec3& to, float far) const {

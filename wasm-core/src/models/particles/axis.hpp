@@ -27,7 +27,7 @@ class Axis {
 
   glm::vec3 foot_;
   float piece_ = 0;  // of the height; 0: upright
-  std::array<glm::vec3, pieces + 1> aside_{};
+  std::array<glm::vec3, pieces + 1> offsets_{};
 };
 
 }  // namespace panicle::particles

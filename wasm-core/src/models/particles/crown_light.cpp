@@ -28,8 +28,8 @@ std::vector<LightDirection> lamps_of(const LightHabit& habit) {
   return lamps;
 }
 
-glm::vec3 towards_sun(float bearing, float height) {
-  const auto [sine, cosine] = sincos_degrees(bearing);
+glm::vec3 towards_sun(float azimuth, float height) {
+  const auto [sine, cosine] = sincos_degrees(azimuth);
   const auto [up, along] = sincos_degrees(height);
   return {along * sine, up, along * cosine};
 }

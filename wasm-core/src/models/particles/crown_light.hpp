@@ -21,7 +21,7 @@ struct LightHabit {
 // The sun and 24 directions of an overcast sky, which sum up to 1.
 std::vector<LightDirection> lamps_of(const LightHabit& habit);
 // A bearing as in the tables (0 in front, +z; 90 at the right, +x) and a height above the horizon, in degrees.
-glm::vec3 towards_sun(float bearing, float height);
+glm::vec3 towards_sun(float azimuth, float height);
 
 // What stands about a crown and takes its light.
 struct Shades {

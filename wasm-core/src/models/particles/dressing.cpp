@@ -10,7 +10,7 @@ namespace panicle::particles {
 namespace {
 
 // Of each segment the axis that it belongs to: at a fork the heaviest goes on.
-std::vector<std::int32_t> axes_of(const Grown& grown, std::size_t segments) {
+std::vector<std::int32_t> axes_of(const GrownWood& grown, std::size_t segments) {
   std::vector<std::int32_t> axes(segments, 0);
   std::int32_t count = 0;
   for (std::size_t c = 0; c < grown.trails.size(); ++c) {
@@ -44,7 +44,7 @@ std::vector<Occluder> leaves_of(const Plant& plant, std::uint32_t leaf_tag, floa
 
 }  // namespace
 
-void dress(Plant& plant, const Grown& grown, const DressHabit& habit) {
+void dress(Plant& plant, const GrownWood& grown, const DressHabit& habit) {
   std::vector<glm::vec3> targets;
   for (const Trails& trails : grown.wood.crowds)
     if (trails.size() > 0) targets.push_back(trails.places[0]);

@@ -25,6 +25,6 @@ struct DressHabit {
 // Appends the mesh `stems` of a material: tubes along the axes, at each fork on into the heaviest, thin ones with fewer
 // sides, on feet as told. Columns: `segment`, and with `sky` a byte a vertex, `sky`, and one an organ, the plant's
 // `organs.sky`: docs/sky.md, but from cells, for what a leaf sees is hidden by ever so many others.
-void dress(Plant& plant, const Grown& grown, const DressHabit& habit);
+void dress(Plant& plant, const GrownWood& grown, const DressHabit& habit);
 
 }  // namespace panicle::particles

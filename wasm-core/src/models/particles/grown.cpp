@@ -67,7 +67,7 @@ const char* why_none(const Extent& room, const Region& outer, bool young) {
 
 }  // namespace
 
-Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
+Result<GrownWood> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
                         const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
                         std::uint32_t traveller, const Limits& limits) {
   // What is young has the grown one's spacing, and so fewer particles.
@@ -87,7 +87,7 @@ Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer,
                             obstacles, request.seed, limits);
   if (region.is_exhausted()) return QueryBudget::error();
   if (!wooden) return wooden.error();
-  Grown grown;
+  GrownWood grown;
   grown.room = room.size;
   grown.wood = std::move(wooden.value());
   const Wood& wood = grown.wood;

@@ -67,7 +67,7 @@ SpaceHabit space_habit(const Values& values) {
   return habit;
 }
 
-struct Grown {
+struct GrownWood {
   float room = 0;  // volume of where particles may start
   Wood wood;
   std::vector<Trails> trails;                      // of each target, as they are now
@@ -78,7 +78,7 @@ struct Grown {
 // Scatters, runs, and adds to the plant its segments, columns and counts, and what there is to note; particles on their
 // way as organs of tag `traveller`. Nothing starts in an obstacle, nothing goes below `floor` or above `ceiling` to
 // pass one. Errors: those of `run`.
-Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
+Result<GrownWood> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
                         const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
                         std::uint32_t traveller, const Limits& limits);
 

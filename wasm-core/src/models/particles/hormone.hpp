@@ -21,10 +21,10 @@ struct Hormone {
   // The share that is left at a place: all on the axis, for the leader goes on.
   float left(const glm::vec3& p) const {
     if (!(strength > 0)) return 1;
-    float aside = leader;
+    float from_axis = leader;
     for (const glm::vec3& foot : feet)
-      aside = std::min(aside, std::sqrt((p.x - foot.x) * (p.x - foot.x) + (p.z - foot.z) * (p.z - foot.z)));
-    return 1 - strength * (aside / leader) * exponential(-std::fabs(p.y - tip) / reach);
+      from_axis = std::min(from_axis, std::sqrt((p.x - foot.x) * (p.x - foot.x) + (p.z - foot.z) * (p.z - foot.z)));
+    return 1 - strength * (from_axis / leader) * exponential(-std::fabs(p.y - tip) / reach);
   }
 };
 

@@ -30,7 +30,7 @@ float spacing(const glm::vec3& size, std::size_t count) {
 
 }  // namespace
 
-void Neighbours::lay(std::span<const glm::vec3> points) {
+void Neighbours::build(std::span<const glm::vec3> points) {
   points_ = points;
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
   for (const glm::vec3& p : points) {

@@ -21,7 +21,7 @@ class Neighbours {
   static constexpr std::uint32_t none = ~0u;
 
   // Forgets what was there; memory is kept. The points must outlive all questions.
-  void lay(std::span<const glm::vec3> points);
+  void build(std::span<const glm::vec3> points);
 
   // The other point nearest to point `i` among those that it sees: of equally near ones the one with the lowest index;
   // `none` where there is no other within `reach`.

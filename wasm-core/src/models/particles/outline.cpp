@@ -228,7 +228,7 @@ void Outline::measure() {
       for (std::int32_t k = 0; k < across_; ++k) {
         const std::int32_t x = sweep == 0 ? k : across_ - 1 - k;
         offer(x, y, known(x + back, y));
-        for (std::int32_t aside = -1; aside <= 1; ++aside) offer(x, y, known(x + aside, y + back));
+        for (std::int32_t sideways = -1; sideways <= 1; ++sideways) offer(x, y, known(x + sideways, y + back));
       }
       for (std::int32_t k = 0; k < across_; ++k) {
         const std::int32_t x = sweep == 0 ? across_ - 1 - k : k;

@@ -9,9 +9,9 @@
 namespace panicle::particles {
 namespace {
 
-constexpr std::uint32_t home = ~0u;
-constexpr float step_budget = 4;           // ways
-constexpr std::uint32_t ways_asked = 100;  // of as many starts, evenly
+constexpr std::uint32_t at_target = ~0u;
+constexpr float budget_in_ways = 4;           // ways
+constexpr std::uint32_t sampled_ways = 100;  // of as many starts, evenly
 constexpr float standing = 1e-6f;          // of a step: less is waiting
 constexpr std::uint32_t cells_a_particle = 24;
 
@@ -33,26 +33,26 @@ ParticleSystem::ParticleSystem(std::span<const glm::vec3> starts, double energy,
       particles_(starts.size()),
       nodes_at_(starts.size()),
       gone_(starts.size(), 0),
-      heirs_(starts.size()),
+      merged_into_(starts.size()),
       slots_(starts.size()) {
   rules_.merge = std::max(rules.merge, least_merge(rules));
   std::iota(particles_.begin(), particles_.end(), 0u);
   std::iota(nodes_at_.begin(), nodes_at_.end(), 1);
-  heirs_ = slots_ = particles_;
+  merged_into_ = slots_ = particles_;
   nodes_.push_back({guide.target()});
   float longest = 0;
   glm::vec3 low = guide.target(), high = low;
   for (std::uint32_t i = 0; i < started_; ++i) {
     nodes_.push_back({starts[i], -1, i});
-    if (i % (1 + started_ / ways_asked) == 0) longest = std::max(longest, guide.way(starts[i]));
+    if (i % (1 + started_ / sampled_ways) == 0) longest = std::max(longest, guide.way(starts[i]));
     low = glm::min(low, starts[i]);
     high = glm::max(high, starts[i]);
   }
-  const float strides = rules.step > 0 ? step_budget * longest / rules.step : 0;
-  patience_ = 1 + static_cast<std::uint32_t>(std::min(strides, 1e9f));
+  const float strides = rules.step > 0 ? budget_in_ways * longest / rules.step : 0;
+  step_budget_ = 1 + static_cast<std::uint32_t>(std::min(strides, 1e9f));
   if (rules_.join > 0) {
     grid_ = TrailGrid(low, high, rules_.join, cells_a_particle * started_ + 64);
-    for (const Node& node : nodes_) grid_.lay(node.place);
+    for (const Node& node : nodes_) grid_.add(node.place);
   }
 }
 
@@ -60,8 +60,8 @@ bool ParticleSystem::step() {
   if (places_.empty()) return false;
   ++steps_;
   moves_ += places_.size();
-  if (steps_ > 2 * patience_) {
-    for (std::uint32_t slot = 0; slot < places_.size(); ++slot) find_root(slot);
+  if (steps_ > 2 * step_budget_) {
+    for (std::uint32_t slot = 0; slot < places_.size(); ++slot) walk_to_target(slot);
     stragglers_ = static_cast<std::uint32_t>(places_.size());
     leave();
     return true;
@@ -81,8 +81,8 @@ bool ParticleSystem::step() {
 // Finds each one's nearest neighbour and the stride that follows.
 void ParticleSystem::look() {
   const auto count = static_cast<std::uint32_t>(places_.size());
-  const bool alone = steps_ > patience_ || count < 2;
-  if (!alone) neighbours_.lay(places_);
+  const bool alone = steps_ > step_budget_ || count < 2;
+  if (!alone) neighbours_.build(places_);
   const float reach = rules_.neighbourhood > 0 ? rules_.neighbourhood : std::numeric_limits<float>::max();
   strides_.resize(count);
   for (std::uint32_t slot = 0; slot < count; ++slot) {
@@ -92,9 +92,9 @@ void ParticleSystem::look() {
     glm::vec3& stride = strides_[slot];
     stride = rules_.step * ahead;
     if (other != Neighbours::none) {
-      const glm::vec3 aside = towards(place, places_[other]);
+      const glm::vec3 to_neighbour = towards(place, places_[other]);
       const glm::vec3 sum =
-          rules_.printed ? towards(glm::vec3(0), aside + ahead) : (rules_.pull * aside + ahead) / (1 + rules_.pull);
+          rules_.printed ? towards(glm::vec3(0), to_neighbour + ahead) : (rules_.pull * to_neighbour + ahead) / (1 + rules_.pull);
       if (guide_->passes(place, place + rules_.step * sum)) {
         stride = rules_.step * sum;
         continue;
@@ -118,7 +118,7 @@ void ParticleSystem::move() {
 
 void ParticleSystem::meet() {
   if (places_.size() < 2) return;
-  neighbours_.lay(places_);
+  neighbours_.build(places_);
   pairs_.clear();
   neighbours_.pairs(rules_.merge, pairs_);
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& one, const Pair& other) {
@@ -135,7 +135,7 @@ void ParticleSystem::meet() {
     if (guide_->passes(places_[heavy], mean)) go(heavy, mean);
     link(light, nodes_at_[heavy]);
     energies_[heavy] += energies_[light];
-    heirs_[particles_[light]] = particles_[heavy];
+    merged_into_[particles_[light]] = particles_[heavy];
     met_[heavy] = met_[light] = 1;
     gone_[light] = 1;
     ++merges_;
@@ -166,16 +166,16 @@ void ParticleSystem::join() {
     if (found < 0) continue;
     const std::uint32_t other = union_root(nodes_[static_cast<std::size_t>(found)].particle);
     link(slot, found);
-    if (slots_[other] == home)
+    if (slots_[other] == at_target)
       arrived_ += energies_[slot];
     else
       energies_[slots_[other]] += energies_[slot];
-    heirs_[self] = other;
+    merged_into_[self] = other;
     gone_[slot] = 1;
     ++joins_;
   }
   // Those of this step are not older.
-  for (std::size_t at = grid_.size(); at < nodes_.size(); ++at) grid_.lay(nodes_[at].place);
+  for (std::size_t at = grid_.size(); at < nodes_.size(); ++at) grid_.add(nodes_[at].place);
 }
 
 // Leads on from where a particle is.
@@ -194,7 +194,7 @@ void ParticleSystem::go(std::uint32_t slot, const glm::vec3& to) {
 }
 
 // From aim to aim, as long as that leads nearer.
-void ParticleSystem::find_root(std::uint32_t slot) {
+void ParticleSystem::walk_to_target(std::uint32_t slot) {
   for (float left = guide_->way(places_[slot]);;) {
     const glm::vec3 aim = guide_->aim(places_[slot]);
     const float then = guide_->way(aim);
@@ -208,38 +208,38 @@ void ParticleSystem::find_root(std::uint32_t slot) {
 void ParticleSystem::arrive(std::uint32_t slot) {
   link(slot, 0);
   arrived_ += energies_[slot];
-  slots_[particles_[slot]] = home;
+  slots_[particles_[slot]] = at_target;
   gone_[slot] = 1;
 }
 
 // Whose particle `particle` is now.
 std::uint32_t ParticleSystem::union_root(std::uint32_t particle) {
-  while (heirs_[particle] != particle) {
-    heirs_[particle] = heirs_[heirs_[particle]];
-    particle = heirs_[particle];
+  while (merged_into_[particle] != particle) {
+    merged_into_[particle] = merged_into_[merged_into_[particle]];
+    particle = merged_into_[particle];
   }
   return particle;
 }
 
 // Takes those that are gone out of the slots.
 void ParticleSystem::leave() {
-  std::uint32_t kept = 0;
+  std::uint32_t remaining = 0;
   for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
     if (gone_[slot]) continue;
-    places_[kept] = places_[slot];
-    energies_[kept] = energies_[slot];
-    particles_[kept] = particles_[slot];
-    nodes_at_[kept] = nodes_at_[slot];
-    if (!aims_.empty()) aims_[kept] = aims_[slot];
-    slots_[particles_[kept]] = kept;
-    ++kept;
+    places_[remaining] = places_[slot];
+    energies_[remaining] = energies_[slot];
+    particles_[remaining] = particles_[slot];
+    nodes_at_[remaining] = nodes_at_[slot];
+    if (!aims_.empty()) aims_[remaining] = aims_[slot];
+    slots_[particles_[remaining]] = remaining;
+    ++remaining;
   }
-  places_.resize(kept);
-  energies_.resize(kept);
-  particles_.resize(kept);
-  nodes_at_.resize(kept);
-  if (!aims_.empty()) aims_.resize(kept);
-  gone_.assign(kept, 0);
+  places_.resize(remaining);
+  energies_.resize(remaining);
+  particles_.resize(remaining);
+  nodes_at_.resize(remaining);
+  if (!aims_.empty()) aims_.resize(remaining);
+  gone_.assign(remaining, 0);
 }
 
 Trails ParticleSystem::trails() const {

@@ -69,14 +69,14 @@ class ParticleSystem {
   void link(std::uint32_t slot, std::int32_t to);
   void go(std::uint32_t slot, const glm::vec3& to);
   void arrive(std::uint32_t slot);
-  void find_root(std::uint32_t slot);
+  void walk_to_target(std::uint32_t slot);
   std::uint32_t union_root(std::uint32_t particle);
 
   const Guide* guide_;
   Rules rules_;
   double energy_;  // of each at the start
   std::uint32_t started_;
-  std::uint32_t patience_;  // steps until none heeds its neighbours
+  std::uint32_t step_budget_;  // steps until none heeds its neighbours
   std::uint32_t steps_ = 0, merges_ = 0, joins_ = 0, stragglers_ = 0;
   std::uint64_t moves_ = 0;
   double arrived_ = 0;
@@ -92,7 +92,7 @@ class ParticleSystem {
   std::vector<glm::vec3> aims_;           // of where they are, where that is known: after `join`
 
   std::vector<Node> nodes_;           // 0 is the target, 1 + i where particle i started
-  std::vector<std::uint32_t> heirs_;  // by particle: whose it is now; its own number while on its way or at the target
+  std::vector<std::uint32_t> merged_into_;  // by particle: whose it is now; its own number while on its way or at the target
   std::vector<std::uint32_t> slots_;  // by particle; `home` at the target
 
   Neighbours neighbours_;

@@ -111,31 +111,31 @@ void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach) {
       if (const Ribs::Foot along = ribs.nearest_on(lines[next], trails.places[i]); along.distance < reach) foot = along;
     lines[i] = ribs.line_of(foot.at);
     const auto carried = static_cast<float>(trails.energy[i] / (trails.energy[i] + bedded_energy * trails.energy[0]));
-    const glm::vec3 laid = trails.places[i] + carried * smooth_step(within, 0.5f * within, foot.distance) *
+    const glm::vec3 moved = trails.places[i] + carried * smooth_step(within, 0.5f * within, foot.distance) *
                                                   (foot.place - trails.places[i]);
     // So far there may be something between.
-    bool free = within == reach || guide.sees(laid, trails.places[next]);
+    bool free = within == reach || guide.sees(moved, trails.places[next]);
     for (std::uint32_t k = runs[i].first; free && within > reach && k < runs[i].first + runs[i].second; ++k)
-      free = guide.sees(trails.places[k], laid);
-    if (free) trails.places[i] = laid;
+      free = guide.sees(trails.places[k], moved);
+    if (free) trails.places[i] = moved;
   }
 }
 
 Trails simplified(const Trails& trails, float tolerance, bool arrivals) {
   const auto runs = leading_to(trails);
-  std::vector<std::uint8_t> kept(trails.size(), 0);
+  std::vector<std::uint8_t> retained(trails.size(), 0);
   std::vector<std::uint32_t> chain;
   std::vector<std::pair<std::size_t, std::size_t>> spans;
   for (std::uint32_t end = 0; end < trails.size(); ++end) {
     const bool arrival = arrivals && trails.next[end] == 0;
     if (end > 0 && runs[end].second == 1 && trails.particle[end] < 0 && !arrival) continue;
-    kept[end] = 1;
+    retained[end] = 1;
     if (end == 0) continue;
     // From here to the next fork, start or target.
     chain = {end};
     for (std::size_t i = next_of(trails, end);; i = next_of(trails, i)) {
       chain.push_back(static_cast<std::uint32_t>(i));
-      if (kept[i] || runs[i].second != 1 || trails.particle[i] >= 0) break;
+      if (retained[i] || runs[i].second != 1 || trails.particle[i] >= 0) break;
     }
     spans = {{0, chain.size() - 1}};
     while (!spans.empty()) {
@@ -150,7 +150,7 @@ Trails simplified(const Trails& trails, float tolerance, bool arrivals) {
         corner = k;
       }
       if (corner == 0) continue;
-      kept[chain[corner]] = 1;
+      retained[chain[corner]] = 1;
       spans.push_back({first, corner});
       spans.push_back({corner, last});
     }
@@ -158,7 +158,7 @@ Trails simplified(const Trails& trails, float tolerance, bool arrivals) {
   Trails left;
   std::vector<std::int32_t> now(trails.size(), -1);
   for (std::size_t i = 0; i < trails.size(); ++i) {
-    if (i > 0 && !kept[i]) {
+    if (i > 0 && !retained[i]) {
       now[i] = now[next_of(trails, i)];  // what leads here leads there
       continue;
     }

@@ -140,10 +140,10 @@ struct Lot {
   // down.
   void draw(const Region& region, const glm::vec3& p, bool known, const glm::ivec3& cell, std::uint64_t seed) {
     if (!known && !region.has_room(p)) return;
-    const float luck = random_unit(seed, stream_keep, Lattice::address_of(cell, 0)), density = region.density(p);
-    if (!(luck < density) || !(known || region.contains(p))) return;
+    const float noise = random_unit(seed, stream_keep, Lattice::address_of(cell, 0)), density = region.density(p);
+    if (!(noise < density) || !(known || region.contains(p))) return;
     points.push_back(p);
-    ranks.push_back(luck / density);
+    ranks.push_back(noise / density);
   }
 };
 
@@ -225,7 +225,7 @@ Lot blue(const Region& region, float apart, std::uint64_t seed) {
   return lot;
 }
 
-Lot lay(const Region& region, Pattern pattern, float spacing, std::uint64_t seed) {
+Lot scatter_at(const Region& region, Pattern pattern, float spacing, std::uint64_t seed) {
   if (pattern == Pattern::jittered) return jittered(region, spacing, seed);
   return blue(region, spacing * (region.flat() ? apart_flat : apart_deep), seed);
 }
@@ -261,7 +261,7 @@ std::vector<glm::vec3> scatter(const Region& region, Pattern pattern, std::uint3
                                std::uint64_t seed) {
   if (!(spacing > 0)) return {};
   if (pattern == Pattern::uniform) return uniform(region, count, seed);
-  return lay(region, pattern, spacing, seed).points;
+  return scatter_at(region, pattern, spacing, seed).points;
 }
 
 Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count, std::uint64_t seed, float growth) {
@@ -280,13 +280,13 @@ Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count
   // are.
   if (count > sample) {
     const float wider = root(wanted / sample, flat);
-    const auto found = static_cast<float>(lay(region, pattern, wider * nominal, seed).points.size());
+    const auto found = static_cast<float>(scatter_at(region, pattern, wider * nominal, seed).points.size());
     spacing *= root((1 + (found / sample - 1) / wider) / (1 + 0.5f * few_more), flat);
   }
   Lot best;
   float of_best = spacing;
   for (int k = 0; k < tries && !region.is_exhausted(); ++k) {
-    Lot lot = lay(region, pattern, spacing, seed);
+    Lot lot = scatter_at(region, pattern, spacing, seed);
     const std::size_t found = lot.points.size(), before = best.points.size();
     const bool coarse = lot.coarse;
     if (found >= count ? before < count || found < before : found > before) {
@@ -297,7 +297,7 @@ Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count
     spacing *= root(std::max(static_cast<float>(found), 0.5f) / ((1 + 0.5f * few_more) * wanted), flat);
   }
   const float limit = limit_of(best, count);
-  if (growth < 1) best = lay(region, pattern, of_best / growth, seed);
+  if (growth < 1) best = scatter_at(region, pattern, of_best / growth, seed);
   return {below(best, limit), nominal / growth, extent};
 }
 

@@ -21,7 +21,7 @@ TrailGrid::Cell TrailGrid::cell_of(const glm::vec3& p) const {
   return {along(p.x - low_.x, count_.x), along(p.y - low_.y, count_.y), along(p.z - low_.z, count_.z)};
 }
 
-void TrailGrid::lay(const glm::vec3& place) {
+void TrailGrid::add(const glm::vec3& place) {
   std::int32_t& last = last_[index(cell_of(place))];
   before_.push_back(last);
   last = static_cast<std::int32_t>(before_.size()) - 1;

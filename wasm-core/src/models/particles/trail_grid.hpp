@@ -15,7 +15,7 @@ class TrailGrid {
   // `reach`: how far is looked; cells are wider where more than `most_cells` would come of it.
   TrailGrid(const glm::vec3& low, const glm::vec3& high, float reach, std::uint32_t most_cells);
 
-  void lay(const glm::vec3& place);  // the next place; they are numbered from 0
+  void add(const glm::vec3& place);  // the next place; they are numbered from 0
   std::size_t size() const { return before_.size(); }
 
   // Calls `see(number)` for every place in the cells about `p`: all within `reach`, and others.

@@ -36,13 +36,13 @@ void add_veins(const Trails& trails, std::size_t crowd, std::vector<Vein>& veins
 std::vector<Vein> veins_of(std::span<const Trails> crowds) {
   std::vector<Vein> veins;
   for (std::size_t crowd = 0; crowd < crowds.size(); ++crowd) add_veins(crowds[crowd], crowd, veins);
-  std::vector<std::vector<std::size_t>> borne(veins.size());
+  std::vector<std::vector<std::size_t>> children(veins.size());
   std::vector<std::size_t> standing, left;
   for (std::size_t i = 0; i < veins.size(); ++i)
-    if (veins[i].bearer < 0)
+    if (veins[i].parent < 0)
       standing.push_back(i);
     else
-      borne[static_cast<std::size_t>(veins[i].bearer)].push_back(i);
+      children[static_cast<std::size_t>(veins[i].parent)].push_back(i);
   for (std::uint32_t order = 1; !standing.empty(); ++order) {
     double widest = 0;
     for (const std::size_t i : standing) widest = std::max(widest, energy_of(veins[i], crowds));
@@ -53,7 +53,7 @@ std::vector<Vein> veins_of(std::span<const Trails> crowds) {
         continue;
       }
       veins[i].order = order;
-      left.insert(left.end(), borne[i].begin(), borne[i].end());
+      left.insert(left.end(), children[i].begin(), children[i].end());
     }
     std::swap(standing, left);
   }

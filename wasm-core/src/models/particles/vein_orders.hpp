@@ -14,7 +14,7 @@ namespace panicle::particles {
 struct Vein {
   std::size_t crowd = 0;
   std::vector<std::uint32_t> places;  // from where it leaves to its end; the first is the bearer's, or where it ends
-  std::int32_t bearer = -1;  // index of an earlier vein; −1: begins at a target, or where a particle is on its way
+  std::int32_t parent = -1;  // index of an earlier vein; −1: begins at a target, or where a particle is on its way
   std::uint32_t order = 1;
 };
 

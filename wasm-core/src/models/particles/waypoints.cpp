@@ -67,11 +67,11 @@ void Waypoints::begin() {
 
 // Whether a way leads from a cell: goes on with the nearest until that is known.
 bool Waypoints::reaches(std::int32_t cell) {
-  const Cell& asked = cells_[static_cast<std::size_t>(cell)];
-  if (asked.closed) return true;
+  const Cell& requested = cells_[static_cast<std::size_t>(cell)];
+  if (requested.closed) return true;
   if (open_.empty() || !inside(cell % across_, cell / across_)) return false;
-  while (!open_.empty() && !asked.closed) spread_next();
-  return asked.closed;
+  while (!open_.empty() && !requested.closed) spread_next();
+  return requested.closed;
 }
 
 // The nearest cell offers its way to those around.
@@ -148,10 +148,10 @@ Waypoints::Choice Waypoints::choose(const glm::vec3& p) {
   for (const auto& [dx, dy] : around) consider(x + dx, y + dy);
   if (best.way >= 0) return best;
   if (nearest_.empty()) fill();
-  const std::int32_t home = nearest_[static_cast<std::size_t>(y * across_ + x)];
-  if (home < 0) return {goals_[0], glm::distance(p, goals_[0])};
-  const glm::vec3 place = middle(home % across_, home / across_);
-  return {place, glm::distance(p, place) + cells_[static_cast<std::size_t>(home)].way};
+  const std::int32_t at_target = nearest_[static_cast<std::size_t>(y * across_ + x)];
+  if (at_target < 0) return {goals_[0], glm::distance(p, goals_[0])};
+  const glm::vec3 place = middle(at_target % across_, at_target / across_);
+  return {place, glm::distance(p, place) + cells_[static_cast<std::size_t>(at_target)].way};
 }
 
 glm::vec3 Waypoints::next(const glm::vec3& p) { return choose(p).corner; }

@@ -103,10 +103,10 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   space.trunk.reach = 0.25f * (extent.x + extent.z);
   plant.tags = {"root"};
   plant.organ_tags = {"particle"};
-  const Result<Grown> ran =
+  const Result<GrownWood> ran =
       grow_wood(plant, soil, outer, targets, space, read.value(), deepest, 0, particle_tag, limits);
   if (!ran) return ran.error();
-  const Grown& grown = ran.value();
+  const GrownWood& grown = ran.value();
   if (Diagnostic trouble = beyond(limits, plant.segments.size(), 0); trouble.reason != Reason::none) return trouble;
   if (values[storage] > 0) {
     const StorageHabit store{0.005f * size * values[storage], values[storage_reach] * extent.y};

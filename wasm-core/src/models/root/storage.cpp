@@ -20,7 +20,7 @@ float storage_radius(const StorageHabit& habit, float below) {
   return habit.radius * power(1 - std::max(below, 0.0f) / habit.reach, taper);
 }
 
-void swell(std::vector<Segment>& segments, const Grown& grown, std::size_t target, const StorageHabit& habit) {
+void swell(std::vector<Segment>& segments, const GrownWood& grown, std::size_t target, const StorageHabit& habit) {
   const Trails& trails = grown.trails[target];
   const std::vector<std::int32_t>& numbers = grown.numbers[target];
   const double all = grown.wood.all[target];

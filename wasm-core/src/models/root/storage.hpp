@@ -19,6 +19,6 @@ float storage_radius(const StorageHabit& habit, float below);
 
 // Thickens the main root of a target: from the collar on along the heaviest, as far as it is stored in. It is drawn to
 // its axis as well, the more the thicker; what leaves it begins where it is then.
-void swell(std::vector<Segment>& segments, const Grown& grown, std::size_t target, const StorageHabit& habit);
+void swell(std::vector<Segment>& segments, const GrownWood& grown, std::size_t target, const StorageHabit& habit);
 
 }  // namespace panicle::particles::root

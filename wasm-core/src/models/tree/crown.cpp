@@ -50,8 +50,8 @@ glm::vec3 Crowns::middle_of(const glm::vec3& p) const {
   });
 }
 
-Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float heed, const Hormone& hormone)
-    : crowns_(&crowns), light_(light), hormone_(&hormone), heed_(heed) {
+Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float light_exponent, const Hormone& hormone)
+    : crowns_(&crowns), light_(light), hormone_(&hormone), light_exponent_(light_exponent) {
   if (light_ == nullptr) return;
   brightest_ = 0;
   const glm::vec3 size = high() - low();
@@ -85,7 +85,7 @@ Share Foliage::share_of(const glm::vec3& from, const glm::vec3& to) const {
 float Foliage::density(const glm::vec3& p) const {
   if (!(brightest_ > dark)) return 0;
   const float share = light_ ? std::min(light_->at(p) / brightest_, 1.0f) : 1;
-  const float lit = heed_ == 1 ? share : power(share, heed_);
+  const float lit = light_exponent_ == 1 ? share : power(share, light_exponent_);
   return lit * hormone_->left(p);
 }
 

@@ -53,7 +53,7 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
 class Foliage final : public Region {
  public:
   // All must outlive it; `light` may be null. `heed`: the power of the light that density follows.
-  Foliage(const Crowns& crowns, const VoxelLight* light, float heed, const Hormone& hormone);
+  Foliage(const Crowns& crowns, const VoxelLight* light, float light_exponent, const Hormone& hormone);
 
   glm::vec3 low() const override { return crowns_->outer.low(); }
   glm::vec3 high() const override { return crowns_->outer.high(); }
@@ -69,7 +69,7 @@ class Foliage final : public Region {
   const Crowns* crowns_;
   const VoxelLight* light_;
   const Hormone* hormone_;
-  float heed_;
+  float light_exponent_;
   float brightest_ = 1;
 };
 

@@ -25,7 +25,7 @@ constexpr float internode = 0.4f;   // from leaf to leaf along the shoot, in lea
 constexpr float rising = 0.6f;  // how long it takes until the highest leaves begin to unfold, of the time that all take
 
 // A place keeps its luck wherever it stands among the others.
-std::uint64_t luck_of(const glm::vec3& p) {
+std::uint64_t address_of(const glm::vec3& p) {
   const auto word = [](float value) { return std::uint64_t{bit_cast<std::uint32_t>(value)}; };
   return hash_combine(word(p.x) << 32 | word(p.y), word(p.z));
 }
@@ -51,12 +51,12 @@ void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t
     const float length = glm::length(along);
     const glm::vec3 way = length > 0 ? along / length : glm::vec3(0, 1, 0), side = beside(way),
                     across = glm::cross(way, side);
-    const std::uint64_t place = luck_of(trails.places[i]);
+    const std::uint64_t place = address_of(trails.places[i]);
     const float turn = 360 * random_unit(habit.seed, stream_turn, place);
     for (std::uint32_t k = 0; k < habit.count; ++k) {
       const std::uint32_t node = pair ? 0 : k;
       const std::uint64_t address = hash_combine(place, k);
-      if (!(random_unit(habit.seed, stream_fall, address) < habit.kept)) continue;
+      if (!(random_unit(habit.seed, stream_fall, address) < habit.attached)) continue;
       const float roll = turn + (pair ? 180.0f : golden_angle) * static_cast<float>(k);
       const auto [sine, cosine] = sincos_degrees(roll);
       glm::vec3 out = 0.6f * way + cosine * side + sine * across;

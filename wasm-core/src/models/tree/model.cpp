@@ -82,7 +82,7 @@ LeafHabit leaves_of(const TreeValues& values, const glm::vec3& light, std::uint6
   LeafHabit habit;
   habit.count = values.whole(leaves);
   habit.size = 0.01f * values[leaf_size];
-  habit.kept = smooth_step(leaves_fall, leaves_stay, values[day]);
+  habit.attached = smooth_step(leaves_fall, leaves_stay, values[day]);
   habit.needles = values.whole(leaf_kind) == needle;
   habit.light = light;
   habit.seed = seed;
@@ -90,7 +90,7 @@ LeafHabit leaves_of(const TreeValues& values, const glm::vec3& light, std::uint6
 }
 
 struct Seen {
-  const Grown& grown;
+  const GrownWood& grown;
   const Region& crown;
   const VoxelLight& light;
   float leaf_area;  // of all
@@ -120,7 +120,7 @@ std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
 }
 
 // Only of what is borne: a mesh that no organ is drawn with would stand by itself. Before the leaves stand particles.
-void add_meshes(Plant& plant, const Grown& grown, const Blade& blade, std::size_t first_leaf, bool sky,
+void add_meshes(Plant& plant, const GrownWood& grown, const Blade& blade, std::size_t first_leaf, bool sky,
                 const FootHabit& foot) {
   dress(plant, grown, {.material = "bark", .leaf = leaf_tag, .leaf_area = blade.area, .sky = sky, .foot = foot});
   const bool leafy = plant.organs.size() > first_leaf && !blade.mesh.indices.empty();
@@ -184,13 +184,13 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   space.trunk.height = crowns_made.top;
   space.trunk.reach = 0.25f * habit.growth * (habit.size.x + habit.size.z);
   LeafHabit leaf_habit = leaves_of(values, brightest, read->seed);
-  space.leafy = leaf_habit.count > 0 && leaf_habit.kept > 0;
+  space.leafy = leaf_habit.count > 0 && leaf_habit.attached > 0;
   plant.tags = {"branch"};
   plant.organ_tags = {"leaf", "particle"};
-  const Result<Grown> ran = grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0,
+  const Result<GrownWood> ran = grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0,
                                       highest, particle_tag, limits);
   if (!ran) return ran.error();
-  const Grown& grown = ran.value();
+  const GrownWood& grown = ran.value();
   leaf_habit.unfolded = grown.unfolded;
   if (Diagnostic trouble =
           beyond(limits, plant.segments.size(), std::size_t{grown.wood.tally.particles} * leaf_habit.count);

@@ -15,12 +15,12 @@ TEST_CASE("the slope is the field's change along the sphere") {
   constexpr float step = 1e-3f;
   for (std::uint64_t i = 0; i < 200; ++i) {
     const glm::vec3 at = random_direction(1, 1, i);
-    const glm::vec3 aside = glm::normalize(glm::cross(at, random_direction(1, 2, i)));
+    const glm::vec3 sideways = glm::normalize(glm::cross(at, random_direction(1, 2, i)));
     const Wrinkles::Value value = wrinkles.at(at);
-    const float ahead = wrinkles.at(glm::normalize(at + aside * step)).value;
-    const float behind = wrinkles.at(glm::normalize(at - aside * step)).value;
+    const float ahead = wrinkles.at(glm::normalize(at + sideways * step)).value;
+    const float behind = wrinkles.at(glm::normalize(at - sideways * step)).value;
     CHECK(glm::dot(value.slope, at) == doctest::Approx(0).epsilon(1e-4));
-    CHECK(std::fabs(glm::dot(value.slope, aside) - (ahead - behind) / (2 * step)) < 0.01f);
+    CHECK(std::fabs(glm::dot(value.slope, sideways) - (ahead - behind) / (2 * step)) < 0.01f);
   }
 }
 

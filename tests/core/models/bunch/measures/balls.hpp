@@ -16,8 +16,8 @@ namespace panicle::bunch {
 inline float uniform(std::uint64_t k) { return static_cast<float>(hash_combine(3, k) >> 40) / 16777216.0f; }
 
 // A bunch of balls, in millimetres; no stems.
-inline Grown balls(const std::vector<glm::vec3>& centres, float radius) {
-  Grown grown;
+inline GrownBunch balls(const std::vector<glm::vec3>& centres, float radius) {
+  GrownBunch grown;
   for (const glm::vec3& centre : centres) {
     grown.berries.push_back({centre / 1000.0f, radius / 1000, {0, -1, 0}, -1, 0});
     grown.traits.push_back({2 * radius / 1000, 2 * radius / 1000});
@@ -63,7 +63,7 @@ inline auto within(const Envelope& envelope) {
 }
 
 struct Measured {
-  Measured(const Grown& grown, const std::vector<HungEnvelope>& envelopes) : values(measure(grown, envelopes)) {
+  Measured(const GrownBunch& grown, const std::vector<HungEnvelope>& envelopes) : values(measure(grown, envelopes)) {
     REQUIRE(values.size() == measure_count);
   }
   float operator[](Measure key) const { return values[static_cast<std::size_t>(key)]; }

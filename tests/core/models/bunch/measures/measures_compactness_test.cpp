@@ -88,7 +88,7 @@ TEST_CASE("closer berries are denser, from the loosest note to the densest") {
 
 TEST_CASE("fingers touch along their sides, and have their gap from skin to skin") {
   const auto gap_of = [](float apart, const glm::vec3& along, const glm::vec3& away) {
-    Grown grown = balls({{0, -50, 0}, glm::vec3(0, -50, 0) + away * apart}, 10);
+    GrownBunch grown = balls({{0, -50, 0}, glm::vec3(0, -50, 0) + away * apart}, 10);
     for (std::size_t i = 0; i < 2; ++i) {
       grown.berries[i].direction = along;
       grown.traits[i].length = 0.06f;

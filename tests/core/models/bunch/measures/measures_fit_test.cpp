@@ -47,7 +47,7 @@ TEST_CASE("a second outline leans to the left, and both count as one") {
   std::vector<glm::vec3> leaning = lattice(10, within(envelope));
   for (glm::vec3& p : leaning) p = {p.x * turn.cosine + p.y * turn.sine, p.y * turn.cosine - p.x * turn.sine, p.z};
   CHECK(leaning.back().x < 0);
-  const Grown grown = balls(leaning, 8);
+  const GrownBunch grown = balls(leaning, 8);
   const Measured right(grown, hung(envelope, 50)), wrong(grown, hung(envelope, -50));
   CHECK(right[coverage_front] > 0.98f);
   CHECK(right[coverage_side] > 0.98f);
@@ -64,7 +64,7 @@ TEST_CASE("a second outline leans to the left, and both count as one") {
 
 TEST_CASE("an outline that barely leans is drawn as one that does not") {
   const Envelope envelope = spindle(40, 160);
-  const Grown grown = balls(lattice(14, within(envelope)), 7);
+  const GrownBunch grown = balls(lattice(14, within(envelope)), 7);
   const Measured upright(grown, hung(envelope, 0)), leaning(grown, hung(envelope, 0.2f));
   for (const Measure key : {coverage_front, coverage_side}) CHECK(leaning[key] == about(upright[key], 0.02));
 }

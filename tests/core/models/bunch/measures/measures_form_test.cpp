@@ -50,7 +50,7 @@ TEST_CASE("berries are named after their form") {
 }
 
 TEST_CASE("the peduncle ends where the bunch first branches") {
-  Grown grown;
+  GrownBunch grown;
   const auto add = [&](std::int32_t parent, float from, float to) {
     grown.internodes.push_back({parent, Kind::rachis, State::grown, -1, {0, from, 0}, {0, to, 0}, 0.001f, 0.001f});
   };

@@ -50,7 +50,7 @@ TEST_CASE("one ball measures what geometry says") {
 }
 
 TEST_CASE("a bunch weighs its berries at 1.08 and its stems, cones' frustums, at 1 gram a cubic centimetre") {
-  Grown grown = balls({{0, -50, 0}}, 10);
+  GrownBunch grown = balls({{0, -50, 0}}, 10);
   const float berry = Measured(grown, {})[bunch_weight];
   CHECK(berry == about(1.08 * 4 * pi / 3, 1e-4));  // of 1 cm
   grown.internodes = {{-1, Kind::rachis, State::grown, -1, {0, 0, 0}, {0, -0.03f, 0}, 0.002f, 0.001f},
@@ -61,7 +61,7 @@ TEST_CASE("a bunch weighs its berries at 1.08 and its stems, cones' frustums, at
 
 TEST_CASE("without berries or outlines what does not apply is no number, and the rest is") {
   const Envelope envelope = block(30, 200);
-  const Measured none(Grown{}, hung(envelope));
+  const Measured none(GrownBunch{}, hung(envelope));
   for (std::size_t k = 0; k < measure_count; ++k) {
     const bool applies = k == static_cast<std::size_t>(berry_count) || k == static_cast<std::size_t>(outline_volume);
     CHECK(std::isnan(none.values[k]) == !applies);
@@ -74,7 +74,7 @@ TEST_CASE("without berries or outlines what does not apply is no number, and the
 
 TEST_CASE("the order of berries does not matter") {
   const Envelope envelope = spindle(45, 180);
-  Grown grown = balls(lattice(15, within(envelope)), 7.4f);
+  GrownBunch grown = balls(lattice(15, within(envelope)), 7.4f);
   for (std::size_t i = 0; i < grown.berries.size(); ++i) {
     grown.berries[i].centre += 0.002f * glm::vec3(uniform(3 * i), uniform(3 * i + 1), uniform(3 * i + 2));
     grown.traits[i].length *= 1 + 0.2f * uniform(i + 9000);
@@ -105,7 +105,7 @@ TEST_CASE("twice the size is twice the lengths, eight times the volumes and the 
 
 TEST_CASE("grown bunches: density follows its control, the second outline hangs where the second bunch does") {
   const auto grown = [](Parameter key, float value) {
-    Request request = tests::natural_request(tests::table3[2].profile());
+    BunchRequest request = tests::natural_request(tests::table3[2].profile());
     request.measures = true;
     tests::set(request, key, value);
     const auto result = grow(request);
@@ -117,10 +117,10 @@ TEST_CASE("grown bunches: density follows its control, the second outline hangs 
     return measures[static_cast<std::size_t>(key)];
   };
   float before = 0;
-  for (const float asked : {1.0f, 3.0f, 5.0f, 7.0f, 9.0f}) {
-    const float note = of(grown(Parameter::density, asked), density);
+  for (const float requested : {1.0f, 3.0f, 5.0f, 7.0f, 9.0f}) {
+    const float note = of(grown(Parameter::density, requested), density);
     CHECK(note > before + 0.5f);
-    CHECK(std::abs(note - asked) < 2);
+    CHECK(std::abs(note - requested) < 2);
     before = note;
   }
   const std::vector<float> twofold = grown(Parameter::wing, 0.6f);
@@ -134,7 +134,7 @@ TEST_CASE("wild bunches give shares between 0 and 1 or no numbers") {
       0, 1e-6f, 1e6f, 1e30f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()};
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     CAPTURE(seed);
-    Grown grown;
+    GrownBunch grown;
     std::uint64_t drawn = 10000 * seed;
     const auto draw = [&] { return uniform(drawn++); };
     const auto place = [&] { return 0.2f * glm::vec3(draw() - 0.5f, -draw(), draw() - 0.5f); };
@@ -162,7 +162,7 @@ TEST_CASE("wild bunches give shares between 0 and 1 or no numbers") {
 
 TEST_CASE("two outlines hold what both hold") {
   const Envelope large = block(30, 200), small = block(20, 90);
-  const Grown grown = balls({{0, -50, 0}}, 10);
+  const GrownBunch grown = balls({{0, -50, 0}}, 10);
   const Measured both(grown, {{large, 0}, {small, 55}});
   CHECK(both[outline_volume] == about((large.volume() + small.volume()) / 1000, 1e-4));
 }

@@ -12,13 +12,13 @@ TEST_CASE("who hides whom") {
   CHECK(pair[visible_front] == 0.5f);
   CHECK(pair[visible_side] == 1);
   CHECK(pair[visible_mean] == about(25.0 / 26, 1e-4));  // hidden from the front, the front one from behind: a half each
-  Grown near = balls({{0, -50, 0}, {0, -50, 30}}, 10);
+  GrownBunch near = balls({{0, -50, 0}, {0, -50, 30}}, 10);
   near.traits[1].width = near.traits[1].length = 0.004f;
   CHECK(Measured(near, {})[visible_front] == 1);  // the small one before the large one
 }
 
 TEST_CASE("pedicels are seen where no berry is before them") {
-  Grown grown = balls({{0, -50, 0}}, 10);
+  GrownBunch grown = balls({{0, -50, 0}}, 10);
   grown.internodes = {{-1, Kind::rachis, State::grown, -1, {0, 0, 0}, {0, -0.03f, 0}, 0.002f, 0.002f},
                       {0, Kind::pedicel, State::grown, 0, {0, -0.03f, 0}, {0, -0.04f, 0}, 0.001f, 0.001f}};
   grown.berries[0].parent = 1;
@@ -35,7 +35,7 @@ TEST_CASE("pedicels are seen where no berry is before them") {
 
 TEST_CASE("the side is looked at from the left, as the side view is") {
   // A large ball at the left hides what is behind it from there, and from nowhere else.
-  Grown grown = balls({{-60, -50, 0}, {0, -45, 0}, {0, -55, 4}, {2, -50, -4}}, 5);
+  GrownBunch grown = balls({{-60, -50, 0}, {0, -45, 0}, {0, -55, 4}, {2, -50, -4}}, 5);
   grown.berries[0].radius = 0.03f;
   grown.traits[0].width = grown.traits[0].length = 0.06f;
   CHECK(Measured(grown, {})[visible_side] == about(0.25, 1e-4));

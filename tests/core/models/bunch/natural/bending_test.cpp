@@ -13,7 +13,7 @@ namespace {
 struct Bend {
   Twig twig;
   Hanging hanging;
-  std::vector<Outcome> outcomes{{FlowerState::berry, {32, -54, 0}}, {FlowerState::berry, {22, -62, 0}}};
+  std::vector<FlowerOutcome> outcomes{{FlowerState::berry, {32, -54, 0}}, {FlowerState::berry, {22, -62, 0}}};
   std::vector<glm::vec3> ends;
   Bend() {
     hanging = hang(twig.internodes, twig.flowers, 1);
@@ -52,22 +52,22 @@ TEST_CASE("girth goes with age: stems of a bunch in flower are little over half 
 TEST_CASE(
     "a berry that was lost leaves a withered stub, a flower hangs on its young stalk, a fallen one takes it along") {
   Bend bend;
-  bend.outcomes[0].fate = FlowerState::stub;
-  bend.outcomes[1].fate = FlowerState::flower;
+  bend.outcomes[0].state = FlowerState::stub;
+  bend.outcomes[1].state = FlowerState::flower;
   const Bent some = bend.run(0.08f);
   REQUIRE(some.internodes.size() == 5);
   CHECK(some.internodes[2].state == State::withered);
   CHECK(near(some.internodes[2].end, millimetres(23, -50, 0)));
   CHECK(some.internodes[3].state == State::grown);
   CHECK(near(some.internodes[3].end, millimetres(20, -50 - 10 * stalk_at(0.08f), 0)));
-  bend.outcomes[1].fate = FlowerState::fallen;
+  bend.outcomes[1].state = FlowerState::fallen;
   const Bent fewer = bend.run();
   CHECK(fewer.place_of == std::vector<std::int32_t>{0, 1, 2, -1, 3});
 }
 
 TEST_CASE("stems that bear nothing any more fall, but for the rachis and what never bore") {
   Bend bend;
-  bend.outcomes[0].fate = bend.outcomes[1].fate = FlowerState::fallen;
+  bend.outcomes[0].state = bend.outcomes[1].state = FlowerState::fallen;
   CHECK(bend.run().place_of == std::vector<std::int32_t>{0, 1, -1, -1, 2});  // the thorn holds its twig
   bend.twig.internodes.pop_back();
   bend.hanging = hang(bend.twig.internodes, bend.twig.flowers, 1);
@@ -82,7 +82,7 @@ TEST_CASE("a stalk of several internodes follows its berry as a whole, and what 
   const Hanging hanging = hang(chain, flowers, 1);
   const std::vector<glm::vec3> ends{{1, -50, 0}};
   // Turned by a right angle about z: (10, −5) becomes (5, 10).
-  const std::vector<Outcome> outcomes{{FlowerState::berry, {6, -40, 0}}};
+  const std::vector<FlowerOutcome> outcomes{{FlowerState::berry, {6, -40, 0}}};
   const Bent bent = bend_skeleton(chain, flowers, hanging, outcomes, ends, 1);
   REQUIRE(bent.internodes.size() == 4);
   CHECK(glm::length(bent.internodes[1].end - millimetres(1, -45, 0)) < 1e-6f);
@@ -97,11 +97,11 @@ TEST_CASE("a pedicel of two berries ends between them; of one that is left, at t
   const std::vector<Flower> flowers{flower_on(1, {1, 0, 0}), flower_on(1, {1, 0, 0}, 1)};
   const Hanging hanging = hang(two, flowers, 1);
   const std::vector<glm::vec3> ends{{0, -50, 0}};
-  std::vector<Outcome> outcomes{{FlowerState::berry, {10, -46, 0}}, {FlowerState::berry, {10, -58, 0}}};
+  std::vector<FlowerOutcome> outcomes{{FlowerState::berry, {10, -46, 0}}, {FlowerState::berry, {10, -58, 0}}};
   const Bent both = bend_skeleton(two, flowers, hanging, outcomes, ends, 1);
   CHECK(near(both.internodes[1].end, millimetres(10, -52, 0)));
   CHECK(both.internodes[1].radius_end == doctest::Approx(0.00135));
-  outcomes[0].fate = FlowerState::stub;
+  outcomes[0].state = FlowerState::stub;
   const Bent one = bend_skeleton(two, flowers, hanging, outcomes, ends, 1);
   CHECK(near(one.internodes[1].end, millimetres(10, -58, 0)));
   CHECK(one.internodes[1].state == State::grown);

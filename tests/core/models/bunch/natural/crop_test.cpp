@@ -26,14 +26,14 @@ std::size_t setting(const FruitSet& set) {
       std::count_if(set.volumes.begin(), set.volumes.end(), [](float volume) { return volume > 0; }));
 }
 
-CropTarget wish_of(float count) {
-  CropTarget wish;
-  wish.count = count;
-  wish.density = 5;
-  wish.most = 80;
-  wish.limit = 100;
-  wish.make.size = 16;
-  return wish;
+CropTarget target_of(float count) {
+  CropTarget target;
+  target.count = count;
+  target.density = 5;
+  target.most = 80;
+  target.limit = 100;
+  target.berry.size = 16;
+  return target;
 }
 
 // A rachis with pedicels all round it, far more than there is room for.
@@ -57,44 +57,44 @@ Sprout brush(std::uint32_t flowers) {
   return sprout;
 }
 
-Crop crop_of(const Sprout& sprout, const CropTarget& wish) {
+Crop crop_of(const Sprout& sprout, const CropTarget& target) {
   std::vector<Bud> buds;
   for (std::size_t i = 0; i < sprout.flowers.size(); ++i)
-    buds.push_back({sprout.internodes[static_cast<std::size_t>(sprout.flowers[i].bearer)].end, random_unit(5, 6, i)});
+    buds.push_back({sprout.internodes[static_cast<std::size_t>(sprout.flowers[i].parent)].end, random_unit(5, 6, i)});
   const std::vector<float> shares(buds.size(), 1);
   const Hanging hanging = hang(sprout.internodes, sprout.flowers, 0);
-  return grow_crop(sprout, hanging, buds, shares, wish, sizes_until(100));
+  return grow_crop(sprout, hanging, buds, shares, target, sizes_until(100));
 }
 
 }  // namespace
 
 TEST_CASE("as many set as were asked for or as fill the space, and never more than there may be") {
   const std::vector<float> ranks = ranks_up_to(200);
-  CHECK(setting(set_fruit(ranks, 0, wish_of(30))) == 30);
-  CHECK(setting(set_fruit(ranks, 0, wish_of(90))) == 80);  // more than the outline holds
-  CHECK(setting(set_fruit(ranks, 50, wish_of(0))) == 50);
-  CHECK(!set_fruit(ranks, 50, wish_of(0)).full);
-  CHECK(setting(set_fruit(ranks, 150, wish_of(0))) == 80);
-  CHECK(set_fruit(ranks, 150, wish_of(0)).full);
+  CHECK(setting(set_fruit(ranks, 0, target_of(30))) == 30);
+  CHECK(setting(set_fruit(ranks, 0, target_of(90))) == 80);  // more than the outline holds
+  CHECK(setting(set_fruit(ranks, 50, target_of(0))) == 50);
+  CHECK(!set_fruit(ranks, 50, target_of(0)).full);
+  CHECK(setting(set_fruit(ranks, 150, target_of(0))) == 80);
+  CHECK(set_fruit(ranks, 150, target_of(0)).full);
 }
 
 TEST_CASE("stand-ins are those whose turn is next, and none where no count was asked for") {
   const std::vector<float> ranks = ranks_up_to(200);
-  const FruitSet set = set_fruit(ranks, 0, wish_of(30));
-  const std::vector<std::uint32_t> next = stand_ins(ranks, set.volumes, wish_of(30));
+  const FruitSet set = set_fruit(ranks, 0, target_of(30));
+  const std::vector<std::uint32_t> next = stand_ins(ranks, set.volumes, target_of(30));
   REQUIRE(next.size() == 10);
   for (std::size_t k = 0; k < next.size(); ++k) CHECK(ranks[next[k]] == 30 + static_cast<float>(k));
-  CHECK(stand_ins(ranks, set.volumes, wish_of(0)).empty());
+  CHECK(stand_ins(ranks, set.volumes, target_of(0)).empty());
 }
 
 TEST_CASE(
     "where some of a count find no room others stand in, one swelling for all, and who did not set is not there") {
   const Sprout sprout = brush(160);
-  CropTarget wish = wish_of(84);
-  wish.limit = 160;
-  wish.most = 160;
-  wish.make.size = 17;
-  const Crop crop = crop_of(sprout, wish);
+  CropTarget target = target_of(84);
+  target.limit = 160;
+  target.most = 160;
+  target.berry.size = 17;
+  const Crop crop = crop_of(sprout, target);
   const auto lost =
       static_cast<std::size_t>(std::count(crop.swollen.lost.begin(), crop.swollen.lost.end(), RemovalReason::no_room));
   CHECK(lost > 0);                            // it is a crowd
@@ -111,21 +111,21 @@ TEST_CASE(
 }
 
 TEST_CASE("berries taken off by hand are known by their ids") {
-  CropTarget wish = wish_of(0);
-  wish.taken = {3, 9};
+  CropTarget target = target_of(0);
+  target.taken = {3, 9};
   std::vector<Flower> flowers;
   for (std::uint32_t i = 0; i < 12; ++i) flowers.push_back(flower_on(0, {0, -1, 0}, i));
   const std::vector<float> volumes(12, 1), shares(12, 1);
   std::vector<std::uint32_t> all(12);
   std::iota(all.begin(), all.end(), 0u);
-  const std::vector<Fruitlet> fruitlets = fruitlets_of(all, 12, volumes, shares, flowers, wish);
+  const std::vector<Fruitlet> fruitlets = fruitlets_of(all, 12, volumes, shares, flowers, target);
   for (const Fruitlet& one : fruitlets) {
     CHECK(one.taken == (one.flower == 3 || one.flower == 9));
     CHECK(one.half_width == doctest::Approx(8));
     CHECK(one.half_length == doctest::Approx(8));
   }
-  wish.make.elongation = 1.5f;
-  for (const Fruitlet& one : fruitlets_of(all, 12, volumes, shares, flowers, wish)) {
+  target.berry.elongation = 1.5f;
+  for (const Fruitlet& one : fruitlets_of(all, 12, volumes, shares, flowers, target)) {
     CHECK(one.half_width == doctest::Approx(8));
     CHECK(one.half_length == doctest::Approx(12));
   }

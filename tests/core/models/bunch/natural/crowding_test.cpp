@@ -24,12 +24,12 @@ std::vector<Bud> cloud(std::size_t count, const glm::vec3& box, std::uint64_t se
   return buds;
 }
 
-float crowding_of(const std::vector<Bud>& buds, const Make& make) {
-  return crowding(buds, std::vector<float>(buds.size(), 1), make);
+float crowding_of(const std::vector<Bud>& buds, const BerrySize& berry) {
+  return crowding(buds, std::vector<float>(buds.size(), 1), berry);
 }
 
-float crowding_with(const std::vector<Bud>& buds, const std::vector<float>& ranks, float fill, const Make& make) {
-  return crowding(buds, choose_set(ranks, fill), make);
+float crowding_with(const std::vector<Bud>& buds, const std::vector<float>& ranks, float fill, const BerrySize& berry) {
+  return crowding(buds, choose_set(ranks, fill), berry);
 }
 
 }  // namespace
@@ -48,13 +48,13 @@ TEST_CASE("berries that fill a share of space crowd each other by that share") {
 
 TEST_CASE("a berry alone is not crowded, nor by flowers that do not set, nor by another bunch") {
   std::vector<Bud> buds{{{0, 0, 0}, 0.5f}, {{8, 0, 0}, 0.5f}};
-  const Make make{size, 1};
-  CHECK(crowding_of(buds, make) > 0.01f);
-  CHECK(crowding(buds, std::vector<float>{1, 0}, make) == doctest::Approx(0));
-  CHECK(crowding(buds, std::vector<float>{0, 0}, make) == 0);
-  CHECK(crowding(buds, std::vector<float>{1, 0.5f}, make) < crowding_of(buds, make));
+  const BerrySize berry{size, 1};
+  CHECK(crowding_of(buds, berry) > 0.01f);
+  CHECK(crowding(buds, std::vector<float>{1, 0}, berry) == doctest::Approx(0));
+  CHECK(crowding(buds, std::vector<float>{0, 0}, berry) == 0);
+  CHECK(crowding(buds, std::vector<float>{1, 0.5f}, berry) < crowding_of(buds, berry));
   buds[1].bunch = 1;
-  CHECK(crowding_of(buds, make) == doctest::Approx(0));
+  CHECK(crowding_of(buds, berry) == doctest::Approx(0));
 }
 
 TEST_CASE("a berry that grows beyond the outline is crowded as if it were pushed inside") {
@@ -74,14 +74,14 @@ TEST_CASE("long berries crowd as round ones do in a bunch as much longer") {
 TEST_CASE("the fill found is the one that crowds as the density says") {
   const auto buds = cloud(4000, {110, 180, 90}, 7);
   for (const float elongation : {1.0f, 1.4f}) {
-    const Make make{size, elongation};
+    const BerrySize berry{size, elongation};
     const std::vector<float> ranks = ranks_of(buds, size);
     float before = 0;
     for (float density = 1; density <= 8.5f; density += 0.5f) {
       CAPTURE(density);
-      const float fill = fill_for(buds, ranks, density, make);
+      const float fill = fill_for(buds, ranks, density, berry);
       CHECK(fill > before);
-      CHECK(crowding_with(buds, ranks, fill, make) == doctest::Approx(crowding_at(density, elongation)).epsilon(0.02));
+      CHECK(crowding_with(buds, ranks, fill, berry) == doctest::Approx(crowding_at(density, elongation)).epsilon(0.02));
       before = fill;
     }
   }
@@ -96,12 +96,12 @@ TEST_CASE("where flowers are too few for a density, as good as all set") {
 
 TEST_CASE("a flower that moves a little changes the fill a little") {
   auto buds = cloud(900, {80, 130, 80}, 9);
-  const Make make{size, 1};
+  const BerrySize berry{size, 1};
   float most = 0;
   for (std::size_t i = 0; i < 60; ++i) {
-    const float before = fill_for(buds, ranks_of(buds, size), 5 + 0.05f * static_cast<float>(i), make);
+    const float before = fill_for(buds, ranks_of(buds, size), 5 + 0.05f * static_cast<float>(i), berry);
     for (std::size_t k = i; k < buds.size(); k += 60) buds[k].place.x += 0.3f;
-    const float after = fill_for(buds, ranks_of(buds, size), 5 + 0.05f * static_cast<float>(i), make);
+    const float after = fill_for(buds, ranks_of(buds, size), 5 + 0.05f * static_cast<float>(i), berry);
     most = std::max(most, std::abs(after / before - 1));
   }
   CHECK(most < 0.004f);

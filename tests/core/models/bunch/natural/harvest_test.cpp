@@ -28,7 +28,7 @@ struct Late {
     crop.swollen = {{{0, -50, 0}, {20, -50, 0}, {20, -45, 0}}, {{40, -50, 0}}, {{1, 0, 0}}, {lost}, {}};
   }
   Harvest at(float age, float size) const {
-    const std::vector<Outcome> outcomes = outcomes_of(crop, sprout.flowers, 1, age, size);
+    const std::vector<FlowerOutcome> outcomes = outcomes_of(crop, sprout.flowers, 1, age, size);
     const Bent bent = bend_skeleton(sprout.internodes, sprout.flowers, hanging, outcomes, crop.swollen.ends, size);
     return harvest(crop, sprout, hanging, outcomes, bent, size, 20);
   }
@@ -45,9 +45,9 @@ TEST_CASE("a berry is as large as its age has it, in metres, and sits on its ped
   CHECK(ripe.berries[0].radius == doctest::Approx(0.01 * 1.1447));  // cube root of 1.5
   CHECK(ripe.berries[0].parent == 2);
   CHECK(Late(RemovalReason{}).at(30, 0.5f).bodies[0].half_width == 5);
-  const std::vector<Outcome> outcomes =
+  const std::vector<FlowerOutcome> outcomes =
       outcomes_of(Late(RemovalReason{}).crop, Late(RemovalReason{}).sprout.flowers, 1, 100, 1);
-  CHECK(outcomes[0].fate == FlowerState::berry);
+  CHECK(outcomes[0].state == FlowerState::berry);
   CHECK(outcomes[0].seat.x == doctest::Approx(40 - 0.96 * 15));
 }
 

@@ -174,14 +174,14 @@ TEST_CASE("gaps are long waves about the mean fill, other ones for each seed") {
 }
 
 TEST_CASE("the bunch fills its own seed's outline, and says which that is") {
-  Request request = natural_request(table3[1].profile(), 5);
+  BunchRequest request = natural_request(table3[1].profile(), 5);
   request.measures = true;
-  const Grown varied = grown(request);
+  const GrownBunch varied = grown(request);
   CHECK(same(varied.profile, individual(table3[1].profile(), 5, 1, false)));
   CHECK(varied.plan.sides[0].point.width == table3[1].profile().sides[0].width);
   CHECK(varied.measures[static_cast<std::size_t>(Measure::coverage)] > 0.85f);
   set(request, Parameter::variability, 0);
-  const Grown even = grown(request);
+  const GrownBunch even = grown(request);
   CHECK(same(even.profile, table3[1].profile()));
   CHECK(even.fingerprint != varied.fingerprint);
 }

@@ -13,11 +13,11 @@ using namespace panicle::bunch;
 using namespace panicle::tests;
 
 TEST_CASE("sun colours the lit side first; little vigour leaves the far berries small") {
-  Request request = natural_request(table3[2].profile());
+  BunchRequest request = natural_request(table3[2].profile());
   set(request, Parameter::age, 75);
   set(request, Parameter::sun, 90);
   set(request, Parameter::sunlight, 1);
-  const Grown lit = grown(request);
+  const GrownBunch lit = grown(request);
   double right = 0, left = 0;
   int rights = 0, lefts = 0;
   for (std::size_t i = 0; i < lit.berries.size(); ++i) {
@@ -26,10 +26,10 @@ TEST_CASE("sun colours the lit side first; little vigour leaves the far berries 
   }
   CHECK(right / rights > left / lefts + 0.02);
 
-  Request weak = natural_request(table3[2].profile());
+  BunchRequest weak = natural_request(table3[2].profile());
   set(weak, Parameter::vigour, 0);
   set(weak, Parameter::spread, 2);
-  const Grown poor = grown(weak);
+  const GrownBunch poor = grown(weak);
   double near = 0, far = 0;
   int nears = 0, fars = 0;
   for (std::size_t i = 0; i < poor.berries.size(); ++i) {
@@ -42,10 +42,10 @@ TEST_CASE("sun colours the lit side first; little vigour leaves the far berries 
 
 TEST_CASE("pressed berries hold their volume within 3 %, however dense the bunch") {
   for (const float density : {5.0f, 7.0f, 9.0f}) {
-    Request request = natural_request(table3[0].profile());
+    BunchRequest request = natural_request(table3[0].profile());
     set(request, Parameter::density, density);
     request.meshes = true;
-    const Grown bunch = grown(request);
+    const GrownBunch bunch = grown(request);
     const BerrySurfaces& surfaces = *bunch.surfaces;
     const std::size_t vertices = surfaces.uvs.size() / 2;
     double worst = 0;
@@ -68,11 +68,11 @@ TEST_CASE("pressed berries hold their volume within 3 %, however dense the bunch
 
 TEST_CASE("berries are as fine as they look large, not as they are few") {
   const auto vertices_each = [](float age, float millimetres) {
-    Request request = natural_request(table3[0].profile());
+    BunchRequest request = natural_request(table3[0].profile());
     set(request, Parameter::age, age);
     set(request, Parameter::size, millimetres);
     request.meshes = true;
-    const Grown bunch = grown(request);
+    const GrownBunch bunch = grown(request);
     REQUIRE(!bunch.berries.empty());
     return bunch.surfaces->positions.size() / 3 / bunch.berries.size();
   };
@@ -83,11 +83,11 @@ TEST_CASE("berries are as fine as they look large, not as they are few") {
 }
 
 TEST_CASE("dried berries are furrowed in the mesh as far as their traits say") {
-  Request request = natural_request(table3[0].profile());
+  BunchRequest request = natural_request(table3[0].profile());
   set(request, Parameter::age, 125);
   request.meshes = true;
   request.berry_segments = 24;
-  const Grown bunch = grown(request);
+  const GrownBunch bunch = grown(request);
   std::vector<BerryBody> bodies;
   for (std::size_t i = 0; i < bunch.berries.size(); ++i) {
     const Traits& traits = bunch.traits[i];

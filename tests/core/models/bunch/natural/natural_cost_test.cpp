@@ -15,9 +15,9 @@ namespace {
 constexpr float counts[] = {250, 500, 1000, 2000, 3000};
 
 // The outline of the long conical bunch, filled alike by `count` berries, as `npm run bench -- core` has it.
-Grown bunch_of(float count) {
+GrownBunch bunch_of(float count) {
   const float share = std::cbrt(125 / count);
-  Request request = natural_request(table3[2].profile());
+  BunchRequest request = natural_request(table3[2].profile());
   set(request, Parameter::count, count);
   set(request, Parameter::size, 18 * share);
   set(request, Parameter::pedicel, 8 * share);
@@ -34,7 +34,7 @@ double exponent(std::uint64_t cost, std::uint64_t cost_then, double size, double
 TEST_CASE("the work of swelling rises with the contacts of berries and stems, from 250 berries to 3,000") {
   std::vector<SwellingWork> works;
   for (const float count : counts) {
-    const Grown bunch = bunch_of(count);
+    const GrownBunch bunch = bunch_of(count);
     works.push_back(bunch.swelling);
     const auto& [steps, looks, contacts, thinning] = bunch.swelling;
     MESSAGE(count << " berries wanted, " << bunch.counts.berries << " grown, " << bunch.counts.internodes
@@ -55,6 +55,6 @@ TEST_CASE("the work of swelling rises with the contacts of berries and stems, fr
 }
 
 TEST_CASE("a count whose usual plan would have more flowers than there may be gets a plan of fewer") {
-  const Grown bunch = bunch_of(3000);
+  const GrownBunch bunch = bunch_of(3000);
   CHECK(bunch.counts.berries > 1500);
 }

@@ -20,22 +20,22 @@ TEST_CASE("a count asked for is given within 3 %, or a note says why not") {
   int noted = 0;
   for (std::uint64_t seed = 0; seed < 16; ++seed) {
     CAPTURE(seed);
-    Request request = natural_request(drawn_profile(seed));
-    const float asked = static_cast<float>(random_integer(seed, 9, 0, 20, 320));
-    set(request, Parameter::count, asked);
-    const Grown bunch = grown(request);
-    const bool near = std::abs(static_cast<float>(bunch.counts.berries) - asked) <= 0.03f * asked + 0.5f;
+    BunchRequest request = natural_request(drawn_profile(seed));
+    const float requested = static_cast<float>(random_integer(seed, 9, 0, 20, 320));
+    set(request, Parameter::count, requested);
+    const GrownBunch bunch = grown(request);
+    const bool near = std::abs(static_cast<float>(bunch.counts.berries) - requested) <= 0.03f * requested + 0.5f;
     if (!near) {
       REQUIRE(bunch.notes.size() == 1);
       CHECK(bunch.notes[0].find("found room") != std::string::npos);
       // Only of a count that crowds the outline.
-      Request densest = natural_request(drawn_profile(seed));
+      BunchRequest densest = natural_request(drawn_profile(seed));
       set(densest, Parameter::density, 9);
       std::vector<std::string> notes;
       const Values values(densest.parameters, notes);
       const float most = make_natural_plan(values.profile(), values, 3000).berries;
-      MESSAGE(seed << ": " << bunch.counts.berries << " of " << asked << ", where the densest are " << most);
-      CHECK(asked > 0.8f * most);
+      MESSAGE(seed << ": " << bunch.counts.berries << " of " << requested << ", where the densest are " << most);
+      CHECK(requested > 0.8f * most);
       ++noted;
     }
   }
@@ -45,12 +45,12 @@ TEST_CASE("a count asked for is given within 3 %, or a note says why not") {
 
 TEST_CASE("a profile that would hold more berries than there may be grows the most, and says so") {
   for (const float count : {0.0f, 3000.0f}) {
-    Request request = natural_request(random_profile(3));
+    BunchRequest request = natural_request(random_profile(3));
     set(request, Parameter::size, 3);
     set(request, Parameter::unit, 2);
     set(request, Parameter::density, 9);
     set(request, Parameter::count, count);
-    const Grown bunch = grown(request);
+    const GrownBunch bunch = grown(request);
     CHECK(bunch.counts.berries <= 3000);
     CHECK(bunch.counts.berries > 1500);
     if (count == 0) {
@@ -62,10 +62,10 @@ TEST_CASE("a profile that would hold more berries than there may be grows the mo
 
 TEST_CASE("a count beyond what the outline holds leaves what has room, not an impossible heap") {
   for (const float count : {600.0f, 3000.0f}) {
-    Request request = natural_request(table3[2].profile());
+    BunchRequest request = natural_request(table3[2].profile());
     set(request, Parameter::count, count);
     request.measures = true;
-    const Grown bunch = grown(request);
+    const GrownBunch bunch = grown(request);
     CHECK(bunch.notes.size() == 1);
     CHECK(bunch.measures[static_cast<std::size_t>(Measure::fill_ratio)] < 0.8f);
   }
@@ -73,7 +73,7 @@ TEST_CASE("a count beyond what the outline holds leaves what has room, not an im
 
 TEST_CASE("density sets how full a bunch is, size how large its berries are, spread how unlike") {
   const auto bunch = [](Parameter key, float value) {
-    Request request = natural_request(table3[2].profile());
+    BunchRequest request = natural_request(table3[2].profile());
     set(request, key, value);
     return grown(request);
   };
@@ -83,7 +83,7 @@ TEST_CASE("density sets how full a bunch is, size how large its berries are, spr
     CHECK(berries > before);
     before = berries;
   }
-  const auto widths = [](const Grown& one) {
+  const auto widths = [](const GrownBunch& one) {
     double sum = 0, square = 0;
     for (const Traits& traits : one.traits) {
       sum += traits.width;
@@ -99,11 +99,11 @@ TEST_CASE("density sets how full a bunch is, size how large its berries are, spr
 }
 
 TEST_CASE("a berry taken off by hand is gone, says so, and leaves the others where they were") {
-  Request request = natural_request(table3[0].profile());
-  const Grown whole = grown(request);
+  BunchRequest request = natural_request(table3[0].profile());
+  const GrownBunch whole = grown(request);
   const std::uint32_t id = whole.berries[whole.berries.size() / 2].id;
   request.thinned = {id};
-  const Grown less = grown(request);
+  const GrownBunch less = grown(request);
   CHECK(less.counts.berries == whole.counts.berries - 1);
   CHECK(std::count_if(less.thinned.begin(), less.thinned.end(),
                       [&](const Thinned& one) { return one.id == id && one.why == RemovalReason::by_hand; }) == 1);
@@ -118,9 +118,9 @@ TEST_CASE("a berry taken off by hand is gone, says so, and leaves the others whe
 }
 
 TEST_CASE("what is not there says where it hung: on the skeleton, in metres") {
-  Request request = natural_request(table3[2].profile());
+  BunchRequest request = natural_request(table3[2].profile());
   set(request, Parameter::count, 600);  // more than there is room for
-  const Grown bunch = grown(request);
+  const GrownBunch bunch = grown(request);
   std::set<RemovalReason> reasons;
   for (const Thinned& one : bunch.thinned) {
     reasons.insert(one.why);

@@ -19,9 +19,9 @@ TEST_CASE("berries keep to the outline: coverage and spill over the grape shapes
   for (int k = 0; k < 29; ++k) {
     const Profile profile =
         k < 9 ? table3[static_cast<std::size_t>(k)].profile() : drawn_profile(static_cast<std::uint64_t>(k));
-    Request request = natural_request(profile);
+    BunchRequest request = natural_request(profile);
     request.measures = true;
-    const Grown bunch = grown(request);
+    const GrownBunch bunch = grown(request);
     const double covered = bunch.measures[static_cast<std::size_t>(Measure::coverage)];
     const double spilt = bunch.measures[static_cast<std::size_t>(Measure::spill)];
     coverage += covered;
@@ -53,14 +53,14 @@ TEST_CASE(
       side.width = std::max(0.0f, side.width + static_cast<float>(random_integer(seed, 4, i, -30, 30)));
       side.drop = std::max(0.0f, side.drop + static_cast<float>(random_integer(seed, 7, i, -30, 30)));
     }
-    const Grown before = grown(natural_request(profile));
+    const GrownBunch before = grown(natural_request(profile));
     const std::int32_t which = random_integer(seed, 5, 0, 0, 8);
     const float by = random_unit(seed, 6, 0) < 0.5f ? -1.0f : 1.0f;
     float& moved = which == 0   ? profile.length
                    : which <= 4 ? profile.sides[static_cast<std::size_t>(which - 1)].width
                                 : profile.sides[static_cast<std::size_t>(which - 5)].drop;
     moved = std::max(0.0f, moved + by);
-    const Grown after = grown(natural_request(profile));
+    const GrownBunch after = grown(natural_request(profile));
     std::map<std::uint32_t, glm::vec3> places;
     for (const Berry& berry : before.berries) places[berry.id] = berry.centre;
     double way = 0;

@@ -10,8 +10,8 @@ using namespace panicle::tests;
 
 namespace {
 
-Request with_meshes(Parameter key, float value) {
-  Request request = natural_request(table3[0].profile());
+BunchRequest with_meshes(Parameter key, float value) {
+  BunchRequest request = natural_request(table3[0].profile());
   set(request, key, value);
   request.meshes = true;
   request.leaf = flat_leaf();
@@ -26,9 +26,9 @@ TEST_CASE("stamens come with flowers, and go when the last has set") {
 }
 
 TEST_CASE("a bramble keeps its sepals, in the measure of its ovary") {
-  Request request = with_meshes(Parameter::fruit, static_cast<float>(Fruit::bramble));
+  BunchRequest request = with_meshes(Parameter::fruit, static_cast<float>(Fruit::bramble));
   set(request, Parameter::size, 16);
-  const Grown ripe = grown(request);
+  const GrownBunch ripe = grown(request);
   REQUIRE(ripe.flower.has_value());
   CHECK(ripe.flower->unit == doctest::Approx(0.016 * 0.075 / 2));
   CHECK(ripe.flower->pieces.back().kind == FlowerPiece::Kind::calyx);
@@ -36,7 +36,7 @@ TEST_CASE("a bramble keeps its sepals, in the measure of its ovary") {
 
 TEST_CASE("in flower a bunch has a quarter of a ripe one's triangles") {
   const auto triangles = [](float age) {
-    const Grown bunch = grown(with_meshes(Parameter::age, age));
+    const GrownBunch bunch = grown(with_meshes(Parameter::age, age));
     return bunch.surfaces->indices.size() / 3;
   };
   CHECK(triangles(0) < triangles(100) / 4);
@@ -58,8 +58,8 @@ TEST_CASE("a bunch has no more seeds in a berry than are asked for, and none of 
 
 TEST_CASE("a cane comes when asked for, and as many leaves as are") {
   CHECK(!grown(with_meshes(Parameter::leaves, 0)).foliage.has_value());
-  const auto parts = [](const Request& request) {
-    const Grown bunch = grown(request);
+  const auto parts = [](const BunchRequest& request) {
+    const GrownBunch bunch = grown(request);
     REQUIRE(bunch.foliage.has_value());
     std::size_t canes = 0, leaves = 0;
     for (const FoliagePart& part : bunch.foliage->parts) {
@@ -74,28 +74,28 @@ TEST_CASE("a cane comes when asked for, and as many leaves as are") {
 }
 
 TEST_CASE("leaves without a leaf to make them from: the cane stands bare, and a note says why") {
-  Request request = with_meshes(Parameter::leaves, 3);
+  BunchRequest request = with_meshes(Parameter::leaves, 3);
   CHECK(grown(request).notes.empty());
   request.leaf = {};
-  const Grown bare = grown(request);
+  const GrownBunch bare = grown(request);
   for (const FoliagePart& part : bare.foliage->parts) CHECK(part.kind != FoliagePart::Kind::leaf);
   REQUIRE(bare.notes.size() == 1);
   CHECK(bare.notes[0].find("no leaves") != std::string::npos);
   // Nobody misses them where there are no meshes, or none were asked for.
   request.meshes = false;
   CHECK(grown(request).notes.empty());
-  Request cane = with_meshes(Parameter::cane, 1);
+  BunchRequest cane = with_meshes(Parameter::cane, 1);
   cane.leaf = {};
   CHECK(grown(cane).notes.empty());
 }
 
 TEST_CASE("a bunch and its wing bear a count between them, in the room of both") {
-  Request request = natural_request(table3[2].profile());
+  BunchRequest request = natural_request(table3[2].profile());
   const std::uint32_t alone = grown(request).counts.berries;
   set(request, Parameter::wing, 0.5f);
-  const auto asked = static_cast<float>(alone);
-  set(request, Parameter::count, asked);
-  const Grown both = grown(request);
-  CHECK(static_cast<float>(both.counts.berries) > 0.95f * asked);
+  const auto requested = static_cast<float>(alone);
+  set(request, Parameter::count, requested);
+  const GrownBunch both = grown(request);
+  CHECK(static_cast<float>(both.counts.berries) > 0.95f * requested);
   CHECK(both.notes.empty());
 }

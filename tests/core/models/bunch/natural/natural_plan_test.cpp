@@ -16,7 +16,7 @@ using namespace panicle::tests;
 namespace {
 
 NaturalPlan plan_for(const Profile& profile, Parameter key = Parameter::unit, float value = 0.25f) {
-  Request request = natural_request(profile);
+  BunchRequest request = natural_request(profile);
   set(request, key, value);
   std::vector<std::string> notes;
   return make_natural_plan(profile, Values(request.parameters, notes), 3000);
@@ -92,7 +92,7 @@ TEST_CASE("axes go round the rachis by the text's turn, nearer to the handles an
 
 TEST_CASE("another start turns all axes of an even bunch, and no other length") {
   const Profile profile{500, {{{80, 60}, {80, 60}, {80, 60}, {80, 60}}}};
-  const Request request = natural_request(profile);
+  const BunchRequest request = natural_request(profile);
   std::vector<std::string> notes;
   const Values values(request.parameters, notes);
   const NaturalPlan plan = make_natural_plan(profile, values, 3000),
@@ -142,7 +142,7 @@ TEST_CASE("more berries are asked for where density is higher, berries smaller o
 
 TEST_CASE("the plan lays nodes as the text's constants say, and gives as many lengths as a text can ask for") {
   const Profile profile = table3[2].profile();
-  Request request = natural_request(profile);
+  BunchRequest request = natural_request(profile);
   std::vector<std::string> notes;
   const Values values(request.parameters, notes);
   const auto nodes = [&](const TextConstants& text) {

@@ -16,7 +16,7 @@ using namespace panicle::tests;
 
 namespace {
 
-void check_whole(const Grown& bunch) {
+void check_whole(const GrownBunch& bunch) {
   CHECK(bunch.natural);
   CHECK(bunch.traits.size() == bunch.berries.size());
   std::uint32_t lost = 0;
@@ -53,7 +53,7 @@ void check_whole(const Grown& bunch) {
 TEST_CASE("a natural bunch is whole: any drawn profile, age, form and density") {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);
-    Request request = natural_request(seed % 4 ? drawn_profile(seed) : random_profile(seed));
+    BunchRequest request = natural_request(seed % 4 ? drawn_profile(seed) : random_profile(seed));
     const auto pick = [&](Parameter key, std::int32_t low, std::int32_t high) {
       set(request, key, static_cast<float>(random_integer(seed, 77, static_cast<std::uint64_t>(key), low, high)));
     };
@@ -67,9 +67,9 @@ TEST_CASE("a natural bunch is whole: any drawn profile, age, form and density") 
 }
 
 TEST_CASE("the same request gives the same bunch, whatever grew between; another seed another") {
-  const Request request = natural_request(table3[1].profile());
+  const BunchRequest request = natural_request(table3[1].profile());
   const std::uint64_t first = grown(request).fingerprint;
-  Request other = request;
+  BunchRequest other = request;
   other.seed = 2;
   CHECK(grown(other).fingerprint != first);
   CHECK(grown(request).fingerprint == first);
@@ -77,14 +77,14 @@ TEST_CASE("the same request gives the same bunch, whatever grew between; another
 
 TEST_CASE("ages pass into one another: flowers, then berries that grow") {
   const auto at = [](float age) {
-    Request request = natural_request(table3[0].profile());
+    BunchRequest request = natural_request(table3[0].profile());
     set(request, Parameter::age, age);
     return grown(request);
   };
   CHECK(at(3).counts.berries > 1.2 * at(30).counts.berries);
   float before = 0;
   for (const float age : {12.0f, 25.0f, 45.0f, 70.0f, 100.0f}) {
-    const Grown bunch = at(age);
+    const GrownBunch bunch = at(age);
     float width = 0;
     for (const Traits& traits : bunch.traits) width = std::max(width, traits.width);
     CHECK(width > before);
@@ -106,20 +106,20 @@ TEST_CASE("ages pass into one another: flowers, then berries that grow") {
 }
 
 TEST_CASE("an age is a function of the request alone: what was grown between changes nothing of it") {
-  Request request = natural_request(table3[0].profile());
+  BunchRequest request = natural_request(table3[0].profile());
   set(request, Parameter::age, 42);
   request.meshes = request.mesh_fingerprint = true;
-  const Grown first = grown(request);
+  const GrownBunch first = grown(request);
   for (const float age : {0.0f, 125.0f}) {
-    Request other = request;
+    BunchRequest other = request;
     set(other, Parameter::age, age);
     CHECK(grown(other).fingerprint != first.fingerprint);
   }
-  const Grown again = grown(request);
+  const GrownBunch again = grown(request);
   CHECK(again.fingerprint == first.fingerprint);
   CHECK(again.mesh_fingerprint == first.mesh_fingerprint);
   // Widths at 42 lie on the double sigmoid, whatever was grown before.
-  const Grown ripe = grown(natural_request(table3[0].profile()));
+  const GrownBunch ripe = grown(natural_request(table3[0].profile()));
   std::map<std::uint32_t, float> widths;
   for (std::size_t i = 0; i < ripe.berries.size(); ++i) widths[ripe.berries[i].id] = ripe.traits[i].width;
   int common = 0;
@@ -132,9 +132,9 @@ TEST_CASE("an age is a function of the request alone: what was grown between cha
 }
 
 TEST_CASE("a person's own grammar grows naturally too") {
-  Request request = natural_request(table3[1].profile());
+  BunchRequest request = natural_request(table3[1].profile());
   request.grammar = builtin_grammar(3);
-  const Grown bunch = grown(request);
+  const GrownBunch bunch = grown(request);
   check_whole(bunch);
   CHECK(bunch.counts.berries > 30);
   request.grammar = "axiom: F(10)";
@@ -144,7 +144,7 @@ TEST_CASE("a person's own grammar grows naturally too") {
 }
 
 TEST_CASE("grammars that mean harm end in words or in a bunch, soon") {
-  Request request = natural_request(table3[1].profile());
+  BunchRequest request = natural_request(table3[1].profile());
   set(request, Parameter::count, 3000);
   const auto reason = [&](const char* text) {
     request.grammar = text;

@@ -28,9 +28,9 @@ std::vector<Internode> skeleton() {
           piece(0, {0, -0.01f, 0}, {0.01f, -0.01f, 0}), piece(-1, {0, 0, 0}, {-0.01f, -0.01f, 0})};
 }
 
-float measured(float asked, std::uint32_t seed) {
-  Request request = natural_request(table3[0].profile(), seed);
-  set(request, Parameter::peduncle, asked);
+float measured(float requested, std::uint32_t seed) {
+  BunchRequest request = natural_request(table3[0].profile(), seed);
+  set(request, Parameter::peduncle, requested);
   request.measures = true;
   return grown(request).measures[static_cast<std::size_t>(Measure::peduncle_length)];
 }
@@ -81,24 +81,24 @@ TEST_CASE("where a bunch goes on longer than asked before it branches, it hangs 
 }
 
 TEST_CASE("a natural bunch measures the peduncle it was asked for, and hangs as it hung") {
-  for (const float asked : {25.0f, 45.0f, 110.0f})
+  for (const float requested : {25.0f, 45.0f, 110.0f})
     for (std::uint32_t seed = 1; seed <= 5; ++seed)
-      CHECK(measured(asked, seed) == doctest::Approx(asked).epsilon(0.02));
-  Request request = natural_request(table3[0].profile());
+      CHECK(measured(requested, seed) == doctest::Approx(requested).epsilon(0.02));
+  BunchRequest request = natural_request(table3[0].profile());
   set(request, Parameter::peduncle, 0);
-  const Grown bare = grown(request);
+  const GrownBunch bare = grown(request);
   set(request, Parameter::peduncle, 60);
-  const Grown hung = grown(request);
+  const GrownBunch hung = grown(request);
   REQUIRE(bare.berries.size() == hung.berries.size());
   for (std::size_t i = 0; i < bare.berries.size(); ++i) CHECK(bare.berries[i].centre == hung.berries[i].centre);
 }
 
 TEST_CASE("two bunches share a peduncle, and the first is measured by itself") {
-  Request request = natural_request(table3[0].profile());
+  BunchRequest request = natural_request(table3[0].profile());
   request.measures = true;
-  const Grown one = grown(request);
+  const GrownBunch one = grown(request);
   set(request, Parameter::wing, 0.6f);
-  const Grown two = grown(request);
+  const GrownBunch two = grown(request);
   std::size_t roots = 0;
   for (const Internode& internode : two.internodes) roots += internode.parent < 0;
   CHECK(roots == 1);
@@ -110,15 +110,15 @@ TEST_CASE("two bunches share a peduncle, and the first is measured by itself") {
 }
 
 TEST_CASE("a cane stands at the peduncle's upper end, clear of the berries however short that was asked for") {
-  Request request = natural_request(table3[0].profile());
+  BunchRequest request = natural_request(table3[0].profile());
   request.meshes = true;
   set(request, Parameter::cane, 1);
-  for (const float asked : {0.0f, 70.0f}) {
-    set(request, Parameter::peduncle, asked);
-    const Grown bunch = grown(request);
+  for (const float requested : {0.0f, 70.0f}) {
+    set(request, Parameter::peduncle, requested);
+    const GrownBunch bunch = grown(request);
     const float top = bunch.internodes[0].start.y;
     CHECK(top > 0.015f);
-    CHECK((asked == 0 || top > 0.05f));
+    CHECK((requested == 0 || top > 0.05f));
     float near = 1;
     for (std::size_t i = 0; i < bunch.foliage->mesh.positions.size(); i += 3) {
       const float* p = &bunch.foliage->mesh.positions[i];

@@ -43,11 +43,11 @@ TEST_CASE("flowers open in the middle, then at the base, then at the tip") {
 }
 
 TEST_CASE("colour turns berry by berry between 55 and 100, in the sun first") {
-  for (const float luck : {0.0f, 0.3f, 0.7f, 1.0f})
+  for (const float random_value : {0.0f, 0.3f, 0.7f, 1.0f})
     for (const float exposure : {0.0f, 1.0f}) {
-      const RemovalOutcome fortune{0.5f, luck, exposure, 1, 1};
-      CHECK(stage_at(50, fortune).turned == 0);
-      CHECK(stage_at(100, fortune).turned == 1);
+      const BerryCircumstances berry{0.5f, random_value, exposure, 1, 1};
+      CHECK(stage_at(50, berry).turned == 0);
+      CHECK(stage_at(100, berry).turned == 1);
     }
   CHECK(stage_at(70, {0.5f, 0, 0.5f, 0, 1}).turned > stage_at(70, {0.5f, 1, 0.5f, 0, 1}).turned);
   CHECK(stage_at(75, {0.5f, 0.5f, 1, 1, 1}).turned > stage_at(75, {0.5f, 0.5f, 0, 1, 1}).turned);

@@ -31,8 +31,8 @@ float bend_of(const std::vector<Branch>& branches, const std::vector<Swelling>& 
               float size = 1) {
   Sagging sagging(branches, berries);
   const auto turned = sagging.turned(size);
-  const glm::vec3 own = turned[k] * glm::vec3(1, 0, 0), bearer = turned[k - 1] * glm::vec3(1, 0, 0);
-  return std::acos(std::min(1.0f, glm::dot(own, bearer)));
+  const glm::vec3 own = turned[k] * glm::vec3(1, 0, 0), parent = turned[k - 1] * glm::vec3(1, 0, 0);
+  return std::acos(std::min(1.0f, glm::dot(own, parent)));
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ using namespace panicle::tests;
 
 namespace {
 
-Grown in_flower(const Profile& profile, float lateral = 0, float wing = 0) {
-  Request request = natural_request(profile);
+GrownBunch in_flower(const Profile& profile, float lateral = 0, float wing = 0) {
+  BunchRequest request = natural_request(profile);
   set(request, Parameter::age, 0);
   set(request, Parameter::wing, wing);
   const std::string unbranched = edited(4, "#define lateral 0.6", "#define lateral 0");
@@ -24,16 +24,16 @@ Grown in_flower(const Profile& profile, float lateral = 0, float wing = 0) {
   return grown(request);
 }
 
-Grown branched(const Profile& profile, float wing = 0) { return in_flower(profile, 1, wing); }
+GrownBunch branched(const Profile& profile, float wing = 0) { return in_flower(profile, 1, wing); }
 
-bool goes_on(const Grown& bunch, std::size_t i) {
+bool goes_on(const GrownBunch& bunch, std::size_t i) {
   const Internode& one = bunch.internodes[i];
   return one.kind == Kind::axis && one.parent >= 0 &&
          bunch.internodes[static_cast<std::size_t>(one.parent)].kind == Kind::end;
 }
 
 // How many axes of second order there are on each first-order axis, by its number.
-std::vector<int> laterals(const Grown& bunch) {
+std::vector<int> laterals(const GrownBunch& bunch) {
   std::vector<int> counts;
   for (std::size_t i = 0; i < bunch.internodes.size(); ++i) {
     const auto axis = static_cast<std::size_t>(std::max(0, bunch.internodes[i].axis));
@@ -60,7 +60,7 @@ TEST_CASE("shoulders bear axes of second order with end structures of their own,
 }
 
 TEST_CASE("a wing is a bunch of its own, with shoulders that branch again") {
-  const Grown bunch = branched(table3[7].profile(), 0.8f);
+  const GrownBunch bunch = branched(table3[7].profile(), 0.8f);
   int on_wing = 0;
   for (std::size_t i = 0; i < bunch.internodes.size(); ++i)
     on_wing += goes_on(bunch, i) && static_cast<std::int32_t>(i) > bunch.second_root;
@@ -70,7 +70,7 @@ TEST_CASE("a wing is a bunch of its own, with shoulders that branch again") {
 
 TEST_CASE("every flower of a bunch whose axes are not branched is one of the branched bunch's, with the same id") {
   const Profile profile = table3[7].profile();
-  const Grown plain = in_flower(profile), more = branched(profile);
+  const GrownBunch plain = in_flower(profile), more = branched(profile);
   CHECK(sum(laterals(plain), 0, 100) == 0);
   CHECK(more.berries.size() > plain.berries.size() + 20);
   std::set<std::uint32_t> ids;
@@ -80,7 +80,7 @@ TEST_CASE("every flower of a bunch whose axes are not branched is one of the bra
 
 TEST_CASE("axes of second order are shorter along their bearer, and stay in the outline") {
   const Profile profile = table3[7].profile();
-  const Request request = natural_request(profile);
+  const BunchRequest request = natural_request(profile);
   std::vector<std::string> notes;
   const NaturalPlan plan = make_natural_plan(profile, Values(request.parameters, notes), 3000);
   REQUIRE(plan.node.size() == plan.arm.size());
@@ -99,7 +99,7 @@ TEST_CASE("axes of second order are shorter along their bearer, and stay in the 
 }
 
 TEST_CASE("a text whose axes are longer than the plan's finds no length missing") {
-  Request request = natural_request(table3[7].profile());
+  BunchRequest request = natural_request(table3[7].profile());
   const std::string longer = edited(4, "Af(node[k], arm[k],", "Af(node[k], 3*arm[k],");
   REQUIRE(!longer.empty());
   request.grammar = longer;

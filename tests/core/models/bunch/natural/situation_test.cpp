@@ -100,8 +100,8 @@ TEST_CASE("a raceme's flowers are in their place however far their pedicels reac
   const glm::vec3 foot(0, -100, 0), far(95, -100, 0);
   const std::vector<BunchEnvelope> bounds{{drum, 0}};
   const std::vector<Flower> flowers{flower_on(1, {1, 0, 0})};
-  const auto misplaced = [&](Kind bearing) {
-    const std::vector<Internode> internodes{stem(-1, bearing, {0, 0, 0}, foot), stem(0, Kind::pedicel, foot, far)};
+  const auto misplaced = [&](Kind parent_kind) {
+    const std::vector<Internode> internodes{stem(-1, parent_kind, {0, 0, 0}, foot), stem(0, Kind::pedicel, foot, far)};
     return situate(flowers, internodes, bounds, 10, towards_sun(0, 0))[0].misplaced;
   };
   CHECK(misplaced(Kind::rachis) == 0);

@@ -13,7 +13,7 @@ using namespace panicle::tests;
 
 namespace {
 
-Sprout sprouted(const Request& request) {
+Sprout sprouted(const BunchRequest& request) {
   std::vector<std::string> notes;
   auto result = sprout(request, Values(request.parameters, notes), {}, notes);
   REQUIRE_MESSAGE(result, (result ? "" : result.error().message));
@@ -33,7 +33,7 @@ std::vector<std::vector<float>> lengths(const Sprout& sprout) {
 }  // namespace
 
 TEST_CASE("a second bunch as large as the first is another bunch, not its twin") {
-  Request request = natural_request(table3[2].profile());
+  BunchRequest request = natural_request(table3[2].profile());
   set(request, Parameter::wing, 1);
   const auto bunches = lengths(sprouted(request));
   REQUIRE(bunches.size() == 2);
@@ -47,7 +47,7 @@ TEST_CASE("a second bunch as large as the first is another bunch, not its twin")
 
 TEST_CASE("stems are in millimetres at both their ends, whatever the scale") {
   for (const float unit : {0.1f, 0.25f, 1.0f}) {
-    Request request = natural_request(table3[2].profile());
+    BunchRequest request = natural_request(table3[2].profile());
     set(request, Parameter::unit, unit);
     for (const Internode& one : sprouted(request).internodes) {
       CHECK(one.radius_end == doctest::Approx(one.radius).epsilon(0.5));

@@ -14,9 +14,9 @@ inline bunch::Internode stem(std::int32_t parent, bunch::Kind kind, const glm::v
   return {parent, kind, bunch::State::grown, -1, start, end, 1, 1, joint};
 }
 
-inline bunch::Flower flower_on(std::int32_t bearer, const glm::vec3& heading, std::uint32_t id = 0) {
+inline bunch::Flower flower_on(std::int32_t parent, const glm::vec3& heading, std::uint32_t id = 0) {
   bunch::Flower flower;
-  flower.bearer = bearer;
+  flower.parent = parent;
   flower.heading = heading;
   flower.id = id;
   flower.address = id + 1;

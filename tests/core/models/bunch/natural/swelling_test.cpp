@@ -87,9 +87,9 @@ TEST_CASE("berries keep to the outline as far as they may") {
   const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
   std::vector<Swelling> berries{berry_at(0, {1, 0, 0}), berry_at(0, {-1, 0, 0})};
   for (Swelling& berry : berries) berry.stalk = 30;  // which would bear them 18 mm beyond it
-  const Swollen kept = swell(branches, berries, narrow, ripe), free = swell(branches, berries, roomy, ripe);
+  const Swollen held = swell(branches, berries, narrow, ripe), free = swell(branches, berries, roomy, ripe);
   for (const glm::vec3& centre : free.centres) CHECK(std::abs(centre.x) > 29);
-  for (const glm::vec3& centre : kept.centres) CHECK(std::abs(centre.x) < 20 + 0.5f * 8);
+  for (const glm::vec3& centre : held.centres) CHECK(std::abs(centre.x) < 20 + 0.5f * 8);
 }
 
 TEST_CASE("a stem much longer than a berry is an obstacle all along") {
@@ -191,11 +191,11 @@ TEST_CASE("late berries join where others found no room, in their order, and onl
   };
   const Swollen alone = swell(branches, berries, roomy, ripe);
   for (std::size_t k = 20; k < 24; ++k) CHECK(alone.lost[k] == RemovalReason::not_set);
-  const auto kept = static_cast<std::size_t>(there(alone));
-  REQUIRE(kept < 20);
-  const Swollen enough = swell(branches, berries, roomy, ripe, kept);
+  const auto held = static_cast<std::size_t>(there(alone));
+  REQUIRE(held < 20);
+  const Swollen enough = swell(branches, berries, roomy, ripe, held);
   for (std::size_t k = 20; k < 24; ++k) CHECK(enough.lost[k] == RemovalReason::not_set);
-  const Swollen more = swell(branches, berries, roomy, ripe, kept + 1);
+  const Swollen more = swell(branches, berries, roomy, ripe, held + 1);
   CHECK(more.lost[20] == RemovalReason{});
   CHECK(there(more) > there(alone));
   for (std::size_t k = 20; k < 24; ++k)
@@ -230,6 +230,6 @@ TEST_CASE("a pedicel does not turn round, though the outline would have its berr
       {Envelope(Profile{400, {{{40, 40}, {40, 40}, {40, 40}, {40, 40}}}}, 0.5f, 20), 0}};
   // It grows outwards, from well outside.
   const std::vector<Branch> branches{{{0, 0, 0}, {34, -100, 0}, -1, 1, 0}};
-  const Swollen kept = swell(branches, std::vector<Swelling>{berry_at(0, {1, 0, 0})}, narrow, ripe);
-  CHECK(kept.directions[0].x > -0.8f);
+  const Swollen held = swell(branches, std::vector<Swelling>{berry_at(0, {1, 0, 0})}, narrow, ripe);
+  CHECK(held.directions[0].x > -0.8f);
 }

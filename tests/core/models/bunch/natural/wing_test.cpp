@@ -19,8 +19,8 @@ namespace {
 const Profile profile = table3[0].profile();
 const Envelope large(profile, 0.43f, 20), small(scaled(profile, 0.4f), 0.43f, 20);
 
-Request winged(float wing, float side = 1, float age = 100) {
-  Request request = natural_request(profile);
+BunchRequest winged(float wing, float side = 1, float age = 100) {
+  BunchRequest request = natural_request(profile);
   set(request, Parameter::wing, wing);
   set(request, Parameter::wing_side, side);
   set(request, Parameter::age, age);
@@ -30,7 +30,7 @@ Request winged(float wing, float side = 1, float age = 100) {
 }
 
 // Of the second bunch: the middle of its berries, metres.
-glm::vec3 middle_of_wing(const Grown& grown) {
+glm::vec3 middle_of_wing(const GrownBunch& grown) {
   std::vector<std::uint8_t> second(grown.internodes.size(), 0);
   for (std::size_t i = 0; i < grown.internodes.size(); ++i) {
     const std::int32_t parent = grown.internodes[i].parent;
@@ -96,7 +96,7 @@ TEST_CASE("a wing hangs on the side it is put on, of any shape, and OIV 209 coun
   const float without = grown(winged(0)).measures[wings];
   for (int side = 0; side < 4; ++side) {
     CAPTURE(side);
-    const Grown one = grown(winged(0.4f, static_cast<float>(side)));
+    const GrownBunch one = grown(winged(0.4f, static_cast<float>(side)));
     const glm::vec3 middle = middle_of_wing(one);
     const float out[] = {middle.x, -middle.x, middle.z, -middle.z};
     CHECK(out[side] > 0.02f);
@@ -111,7 +111,7 @@ TEST_CASE("a wing hangs on the side it is put on, of any shape, and OIV 209 coun
 TEST_CASE(
     "a wing's stalk is its own: it leaves the peduncle above p1, thinner than the rachis, and comes down as it "
     "ripens") {
-  const Grown ripe = grown(winged(0.4f));
+  const GrownBunch ripe = grown(winged(0.4f));
   REQUIRE(ripe.second_root > 0);
   const Internode& stalk = ripe.internodes[static_cast<std::size_t>(ripe.second_root)];
   CHECK(stalk.start.y > 0.005f);
@@ -123,10 +123,10 @@ TEST_CASE(
 
 TEST_CASE("a wing's berries are the same at every age, but for those lost on the way and few that find room") {
   const auto ids_at = [](float age) {
-    Request request = winged(0.4f, 1, age);
+    BunchRequest request = winged(0.4f, 1, age);
     set(request, Parameter::variability, 1);
     std::set<std::uint32_t> all;
-    const Grown one = grown(request);
+    const GrownBunch one = grown(request);
     for (std::size_t i = 0; i < one.berries.size(); ++i)
       if (one.traits[i].set == 1) all.insert(one.berries[i].id);
     return all;
@@ -144,10 +144,10 @@ TEST_CASE("a wing's berries are the same at every age, but for those lost on the
 
 TEST_CASE("a stalk bends under as many berries as were asked for, whatever the density would take") {
   const auto stalk_end = [](float count, float density) {
-    Request request = winged(0.4f);
+    BunchRequest request = winged(0.4f);
     set(request, Parameter::count, count);
     set(request, Parameter::density, density);
-    const Grown one = grown(request);
+    const GrownBunch one = grown(request);
     return one.internodes[static_cast<std::size_t>(one.second_root) + 5].end;
   };
   const glm::vec3 few = stalk_end(30, 5), many = stalk_end(150, 5);
@@ -156,10 +156,10 @@ TEST_CASE("a stalk bends under as many berries as were asked for, whatever the d
 }
 
 TEST_CASE("a pixel moves a wing by little") {
-  Request request = winged(0.4f);
+  BunchRequest request = winged(0.4f);
   const glm::vec3 before = middle_of_wing(grown(request));
   for (const Parameter key : {Parameter::l, Parameter::p4w, Parameter::p4r}) {
-    Request moved = request;
+    BunchRequest moved = request;
     set(moved, key, request.parameters[static_cast<std::size_t>(key)] + 1);
     CHECK(glm::length(middle_of_wing(grown(moved)) - before) < 0.002f);
   }

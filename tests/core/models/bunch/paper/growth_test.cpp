@@ -10,8 +10,8 @@ using namespace panicle::bunch;
 
 namespace {
 
-Growth grown_from(std::string_view text, float sag = 0) {
-  Growth growth({15, 50, sag}, {}, 30);
+PaperGrowth grown_from(std::string_view text, float sag = 0) {
+  PaperGrowth growth({15, 50, sag}, {}, 30);
   auto program = lsystem::compile(text, {}, lsystem::Lineages::always);
   REQUIRE_MESSAGE(program, (program ? "" : program.error().message));
   const auto bound = lsystem::bind(program.value(), {}, {});
@@ -39,7 +39,7 @@ std::string with_answers(std::string_view text) {
 TEST_CASE("why a berry turns or withers is told, with what is in its way and by how much") {
   std::string text = "axiom: F(40) [ ?E(1,0,0,30,2,20) ] [ +(45) ?E(1,0,0,30,2,20) ]";
   for (int i = 0; i < 4; ++i) text += " [ ?E(1,0,0,5,2,20) ]";
-  Growth growth({15, 50, 0}, {}, 30);
+  PaperGrowth growth({15, 50, 0}, {}, 30);
   const auto program = lsystem::compile(with_answers(text + "\n"), {}, lsystem::Lineages::always);
   REQUIRE(program);
   const auto bound = lsystem::bind(program.value(), {}, {});
@@ -49,24 +49,24 @@ TEST_CASE("why a berry turns or withers is told, with what is in its way and by 
   REQUIRE(derived);
   REQUIRE(chronicle);
   chronicle->watch_drawing(derived->string);
-  growth.tell(&chronicle.value());
+  growth.set_trace(&chronicle.value());
   growth.begin(*bound.value(), {}, false, 1, 0);
   REQUIRE(lsystem::interpret(*bound.value(), *derived->string, {}, growth, 1, {}, nullptr, &chronicle.value()));
   growth.finish();
-  const auto& told = chronicle->modules();
-  CHECK(told[0].answer.empty());
+  const auto& entries = chronicle->modules();
+  CHECK(entries[0].answer.empty());
   // The second comes nearer and nearer to where the two would only touch; the others begin above the first one's
   // centre.
-  CHECK(told[2].answer == "asked 1 0 0 30 2 20 → 1 0 0 30 2 20; there is room at once");
-  CHECK(told[6].answer.find("→ 1 0 0 10 2 20; no room after ") != std::string::npos);
-  CHECK(told[6].answer.ends_with(" in 50 turns: it still touches the berry of module 2, and withers"));
-  CHECK(told[9].answer.ends_with(" in 50 turns: it still overlaps the berry of module 2 by 0.02, and withers"));
+  CHECK(entries[2].answer == "asked 1 0 0 30 2 20 → 1 0 0 30 2 20; there is room at once");
+  CHECK(entries[6].answer.find("→ 1 0 0 10 2 20; no room after ") != std::string::npos);
+  CHECK(entries[6].answer.ends_with(" in 50 turns: it still touches the berry of module 2, and withers"));
+  CHECK(entries[9].answer.ends_with(" in 50 turns: it still overlaps the berry of module 2 by 0.02, and withers"));
   std::size_t withered = 0, stood = 0;
   for (const Internode& one : growth.internodes) {
     stood += one.state == State::withered;
-    if (one.kind == Kind::pedicel) CHECK(told[one.module].text.starts_with("?E(1,0,0,"));
+    if (one.kind == Kind::pedicel) CHECK(entries[one.module].text.starts_with("?E(1,0,0,"));
   }
-  for (const auto& module : told) {
+  for (const auto& module : entries) {
     if (!module.answer.ends_with(", and withers")) continue;
     ++withered;
     CHECK(module.answer.find("; no room after ") != std::string::npos);
@@ -79,17 +79,17 @@ TEST_CASE("why a berry turns or withers is told, with what is in its way and by 
 
 TEST_CASE("the tip of its parent is no obstacle to what grows from it") {
   // Tips 20 across and steps of 12: each would collide with the one before, and only with that.
-  const Growth growth = grown_from(with_answers("axiom: ?E(0,0,0,30,20,0) [ ?E(0,0,0,12,20,0) ]\n"));
+  const PaperGrowth growth = grown_from(with_answers("axiom: ?E(0,0,0,30,20,0) [ ?E(0,0,0,12,20,0) ]\n"));
   CHECK(growth.cuts == 0);
   REQUIRE(growth.internodes.size() == 2);
   CHECK(growth.internodes[1].end == glm::vec3(0, -42, 0));
   // A grandparent's is one.
-  const Growth third = grown_from(with_answers("axiom: ?E(0,0,0,30,20,0) [ ?E(0,0,0,8,20,0) [ ?E(0,0,0,8,20,0) ] ]\n"));
+  const PaperGrowth third = grown_from(with_answers("axiom: ?E(0,0,0,30,20,0) [ ?E(0,0,0,8,20,0) [ ?E(0,0,0,8,20,0) ] ]\n"));
   CHECK(!(third.cuts == 0 && third.internodes[2].end == glm::vec3(0, -46, 0)));
 }
 
 TEST_CASE("a pedicel between berries withers, an internode is cut with what it would bear") {
-  const Growth pedicel = grown_from(with_answers(
+  const PaperGrowth pedicel = grown_from(with_answers(
       "axiom: F(40) [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ]"
       " [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ]\n"));
   std::size_t withered = 0;

@@ -18,7 +18,7 @@ struct Ring {
 };
 
 // Rings lie even but near the tip and the seat, where scar and collar want to be seen: the scar ends at 6.3° (v 0.965).
-std::vector<Ring> lay_rings(std::uint32_t meridians) {
+std::vector<Ring> build_rings(std::uint32_t meridians) {
   constexpr float tip_rings[] = {3.2f, 6.3f, 11};
   constexpr float seat_rings[] = {169, 174.5f};
   const float step = 360 * 0.87f / static_cast<float>(meridians);  // rows of equilateral triangles
@@ -102,7 +102,7 @@ void weigh(BerryPattern& pattern) {
 
 BerryPattern make_berry_pattern(std::uint32_t meridians) {
   BerryPattern pattern;
-  std::vector<Ring> rings = lay_rings(std::clamp(meridians, 8u, 320u));
+  std::vector<Ring> rings = build_rings(std::clamp(meridians, 8u, 320u));
   Layer layer(pattern);
   for (Ring& ring : rings) layer.ring(ring);
   const Ring& first = rings.front();

@@ -50,7 +50,7 @@ constexpr Tubing petal_blade{petal_path, 4, petal, 0.05f}, sepal{sepal_path, 4, 
 
 // Where one of several stands round the axis: `out` of it and `aside` span the ground.
 struct Stand {
-  glm::vec3 out{1, 0, 0}, aside{0, 0, 1};
+  glm::vec3 out{1, 0, 0}, sideways{0, 0, 1};
 };
 
 Stand stand_of(std::uint64_t i, float count, float uneven) {
@@ -79,12 +79,12 @@ class Pieces {
       Ring& ring = tube.rings.emplace_back();
       ring.centre = middles[i];
       ring.tangent = way / length;
-      const glm::vec3 forward = glm::cross(ring.tangent, stand.aside) * tubing.flat;
+      const glm::vec3 forward = glm::cross(ring.tangent, stand.sideways) * tubing.flat;
       ring.radius = path[i].radius * tubing.flat;
       ring.slope = gain * tubing.flat;
-      ring.right = stand.aside * path[i].radius;
+      ring.right = stand.sideways * path[i].radius;
       ring.forward = forward * path[i].radius;
-      ring.right_change = stand.aside * gain;
+      ring.right_change = stand.sideways * gain;
       ring.forward_change = forward * gain;
       ring.round = false;
       ring.v = tubing.v;

@@ -49,8 +49,8 @@ std::vector<glm::vec3> spiral(int count) {
 // A ball of a drupelet's size about its middle, seen from the centre; the receptacle where there is none.
 float drupelet(float cosine_from_middle) {
   constexpr float middle = 0.76f, radius = 0.27f;
-  const float aside = middle * middle * (1 - cosine_from_middle * cosine_from_middle);
-  return middle * cosine_from_middle + std::sqrt(std::max(0.0f, radius * radius - aside));
+  const float across_squared = middle * middle * (1 - cosine_from_middle * cosine_from_middle);
+  return middle * cosine_from_middle + std::sqrt(std::max(0.0f, radius * radius - across_squared));
 }
 
 // A plate with a small point in the middle, a groove between it and the next.

@@ -58,7 +58,7 @@ class Shoot {
         grown_(0.62f + 0.38f * smooth_step(0, 50, age_)) {}
 
   Foliage grow() {
-    lay_cane();
+    build_cane();
     for (std::uint32_t k = 0; k < leaves_; ++k) place_leaf(k);
     sweep();
     for (std::uint32_t k = 0; k < leaves_; ++k) append(leaf_meshes_[k], FoliagePart::Kind::leaf);
@@ -77,7 +77,7 @@ class Shoot {
   }
 
   // From one cut end to the other by three nodes, between which it goes a little to and fro, as shoots do.
-  void lay_cane() {
+  void build_cane() {
     const float rise = between("cane", 1, -0.06f, 0.12f);  // along x
     const float arch = between("cane", 2, 0.2f, 0.6f);     // down to both ends, per metre
     const float turn = between("cane", 3, -0.15f, 0.15f);
@@ -124,7 +124,7 @@ class Shoot {
     }
     base.y += lift(mesh, base);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) mesh.positions[i] += base[i % 3];
-    lay_petiole(k, at, base, upwards, midrib);
+    build_petiole(k, at, base, upwards, midrib);
     leaf_meshes_[k] = std::move(mesh);
   }
 
@@ -147,7 +147,7 @@ class Shoot {
   }
 
   // It rises from the node and comes to the blade from below.
-  void lay_petiole(std::uint32_t k, int at, const glm::vec3& base, const glm::vec3& upwards, float midrib) {
+  void build_petiole(std::uint32_t k, int at, const glm::vec3& base, const glm::vec3& upwards, float midrib) {
     const glm::vec3 from = places_[at];
     const float length = glm::length(base - from);
     const glm::vec3 middle = from + 0.55f * (base - from) + length * (glm::vec3(0, 0.10f, 0) - 0.14f * upwards);

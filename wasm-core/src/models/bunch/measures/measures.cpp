@@ -58,7 +58,7 @@ float stem_volume(const std::vector<Stem>& stems) {
   return sum;
 }
 
-void add_sizes(Table& table, const Subject& subject, const Grown& grown) {
+void add_sizes(Table& table, const Subject& subject, const GrownBunch& grown) {
   using enum Measure;
   const BunchForm form = bunch_form(subject);
   table[bunch_length] = form.length;
@@ -107,7 +107,7 @@ void add_closeness(Table& table, const Subject& subject) {
 
 }  // namespace
 
-std::vector<float> measure(const Grown& grown, std::span<const HungEnvelope> envelopes) {
+std::vector<float> measure(const GrownBunch& grown, std::span<const HungEnvelope> envelopes) {
   using enum Measure;
   Table table;
   const Subject subject(grown);

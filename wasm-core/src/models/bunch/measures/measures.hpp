@@ -18,6 +18,6 @@ struct HungEnvelope {
 
 // All measures in the order of measures.generated.hpp; NaN where one does not apply. Reads internodes, berries and
 // traits of `grown`, in metres.
-std::vector<float> measure(const Grown& grown, std::span<const HungEnvelope> envelopes);
+std::vector<float> measure(const GrownBunch& grown, std::span<const HungEnvelope> envelopes);
 
 }  // namespace panicle::bunch

@@ -124,7 +124,7 @@ BunchForm bunch_form(const Subject& subject) {
   return {high - low, greatest_width(subject), shape_of(reaches), wings};
 }
 
-float length_of_peduncle(const Grown& grown) {
+float length_of_peduncle(const GrownBunch& grown) {
   constexpr float millimetres = 1000;
   return millimetres * length_to_first_branch(grown.internodes);
 }

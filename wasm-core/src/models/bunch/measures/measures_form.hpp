@@ -17,7 +17,7 @@ struct BunchForm {
 BunchForm bunch_form(const Subject& subject);
 
 // From the root to where it first branches, mm; 0 without a stem.
-float length_of_peduncle(const Grown& grown);
+float length_of_peduncle(const GrownBunch& grown);
 
 // Means over all berries, mm; meaningless without any.
 struct BerryMeans {

@@ -11,7 +11,7 @@ constexpr float unit_ball = 4 * pi / 3;
 
 // Which internodes are of the first bunch: they hang from the first root, and not from the second bunch's. Parents come
 // before their children.
-std::vector<std::uint8_t> of_first_bunch(const Grown& grown) {
+std::vector<std::uint8_t> of_first_bunch(const GrownBunch& grown) {
   const std::vector<Internode>& internodes = grown.internodes;
   std::vector<std::uint8_t> first(internodes.size(), 0);
   for (std::size_t i = 0; i < internodes.size(); ++i) {
@@ -24,7 +24,7 @@ std::vector<std::uint8_t> of_first_bunch(const Grown& grown) {
 
 }  // namespace
 
-Subject::Subject(const Grown& grown) {
+Subject::Subject(const GrownBunch& grown) {
   for (const Internode& one : grown.internodes)
     stems.push_back(
         {millimetres * one.start, millimetres * one.end, millimetres * one.radius, millimetres * one.radius_end});
@@ -39,9 +39,9 @@ Subject::Subject(const Grown& grown) {
     volumes.push_back(form * width * width * length);
     balls.push_back(cube_root(volumes.back() / unit_ball));
     mean_radius += balls.back();
-    const bool borne = berry.parent >= 0 && static_cast<std::size_t>(berry.parent) < stems.size();
-    first.push_back(borne ? of_first[static_cast<std::size_t>(berry.parent)] : 1);
-    if (borne) pedicels.push_back(stems[static_cast<std::size_t>(berry.parent)]);
+    const bool is_attached = berry.parent >= 0 && static_cast<std::size_t>(berry.parent) < stems.size();
+    first.push_back(is_attached ? of_first[static_cast<std::size_t>(berry.parent)] : 1);
+    if (is_attached) pedicels.push_back(stems[static_cast<std::size_t>(berry.parent)]);
   }
   if (!berries.empty()) mean_radius /= static_cast<float>(berries.size());
 }

@@ -15,7 +15,7 @@ struct Stem {
 };
 
 struct Subject {
-  explicit Subject(const Grown& grown);
+  explicit Subject(const GrownBunch& grown);
 
   std::vector<BerryBody> berries;   // in the bunch's order
   std::vector<float> volumes;       // mm³, one a berry, of its free form

@@ -13,11 +13,11 @@ constexpr float sun_swing = 0.14f;     // between a berry in the shade and one i
 constexpr float hunger_swing = 0.25f;  // between base and tip, without vigour
 constexpr std::uint64_t draws = 12;    // uniform ones, whose sum less 6 is nearly normal with deviation 1
 
-float normal_luck(const Flower& flower, std::uint64_t seed) {
-  float luck = -0.5f * draws;
+float normal_noise(const Flower& flower, std::uint64_t seed) {
+  float noise = -0.5f * draws;
   for (std::uint64_t k = 0; k < draws; ++k)
-    luck += random_unit(seed, hash_text("size"), hash_combine(flower.address, k + draws * flower.bunch));
-  return luck;
+    noise += random_unit(seed, hash_text("size"), hash_combine(flower.address, k + draws * flower.bunch));
+  return noise;
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ float normal_luck(const Flower& flower, std::uint64_t seed) {
 float width_share(const Flower& flower, const Situation& situation, const Nurture& nurture, std::uint64_t seed) {
   const float sun = sun_swing * nurture.sunlight * (situation.lit - 0.5f);
   const float fed = hunger_swing * (1 - nurture.vigour) * (0.5f - situation.along);
-  return std::clamp((1 + nurture.spread * normal_luck(flower, seed)) * (1 + sun + fed), least_share, most_share);
+  return std::clamp((1 + nurture.spread * normal_noise(flower, seed)) * (1 + sun + fed), least_share, most_share);
 }
 
 std::vector<float> balanced_widths(std::span<const float> shares, std::span<const float> volumes, std::size_t regular) {

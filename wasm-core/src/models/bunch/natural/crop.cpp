@@ -21,18 +21,18 @@ std::vector<Value> picked(const std::vector<Value>& values, std::span<const std:
 
 // Leaves out the stand-ins who were not wanted, and brings the rest into the flowers' order.
 void settle(Crop& crop) {
-  std::vector<std::size_t> kept;
+  std::vector<std::size_t> remaining;
   std::vector<std::int32_t> flowers;
   for (std::size_t k = 0; k < crop.fruitlets.size(); ++k) {
     if (crop.swollen.lost[k] == RemovalReason::not_set) {
       crop.set.volumes[crop.fruitlets[k].flower] = 0;
     } else {
-      kept.push_back(k);
+      remaining.push_back(k);
       flowers.push_back(static_cast<std::int32_t>(crop.fruitlets[k].flower));
     }
   }
   std::vector<std::size_t> places;
-  for (const std::uint32_t place : order_of(flowers)) places.push_back(kept[place]);
+  for (const std::uint32_t place : order_of(flowers)) places.push_back(remaining[place]);
   crop.fruitlets = picked(crop.fruitlets, places);
   crop.berries = picked(crop.berries, places);
   crop.swollen.centres = picked(crop.swollen.centres, places);
@@ -42,21 +42,21 @@ void settle(Crop& crop) {
 
 }  // namespace
 
-FruitSet set_fruit(std::span<const float> ranks, float fill, const CropTarget& wish) {
+FruitSet set_fruit(std::span<const float> ranks, float fill, const CropTarget& target) {
   const std::vector<float> own(ranks.begin(), ranks.end());
-  if (wish.count > 0) return {choose_count(own, std::min(wish.count, wish.most)), false};
+  if (target.count > 0) return {choose_count(own, std::min(target.count, target.most)), false};
   std::vector<float> volumes = choose_set(own, fill);
   const auto setting = std::count_if(volumes.begin(), volumes.end(), [](float volume) { return volume > 0; });
-  if (setting <= static_cast<std::ptrdiff_t>(wish.limit)) return {std::move(volumes), false};
-  return {choose_count(own, wish.most), true};
+  if (setting <= static_cast<std::ptrdiff_t>(target.limit)) return {std::move(volumes), false};
+  return {choose_count(own, target.most), true};
 }
 
 std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes,
-                                     const CropTarget& wish) {
+                                     const CropTarget& target) {
   std::vector<std::uint32_t> in_turn;
-  if (!(wish.count > 0)) return in_turn;
+  if (!(target.count > 0)) return in_turn;
   const auto most = static_cast<std::size_t>(
-      std::max(0.0f, std::min(most_stand_ins * wish.count + 1, static_cast<float>(wish.limit) - wish.count)));
+      std::max(0.0f, std::min(most_stand_ins * target.count + 1, static_cast<float>(target.limit) - target.count)));
   for (const std::uint32_t i : setting_order(ranks))
     if (!(volumes[i] > 0) && in_turn.size() < most) in_turn.push_back(i);
   return in_turn;
@@ -64,43 +64,43 @@ std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<con
 
 std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::size_t regular,
                                    std::span<const float> volumes, std::span<const float> shares,
-                                   std::span<const Flower> flowers, const CropTarget& wish) {
+                                   std::span<const Flower> flowers, const CropTarget& target) {
   std::vector<Fruitlet> fruitlets;
   std::vector<float> own_shares, own_volumes;
   for (const std::uint32_t i : setting) {
     own_shares.push_back(shares[i]);
     own_volumes.push_back(volumes[i]);
-    fruitlets.push_back({i, 0, 0, std::binary_search(wish.taken.begin(), wish.taken.end(), flowers[i].id)});
+    fruitlets.push_back({i, 0, 0, std::binary_search(target.taken.begin(), target.taken.end(), flowers[i].id)});
   }
   const std::vector<float> widths = balanced_widths(own_shares, own_volumes, regular);
   for (std::size_t k = 0; k < fruitlets.size(); ++k) {
-    fruitlets[k].half_width = wish.make.size / 2 * widths[k];
-    fruitlets[k].half_length = fruitlets[k].half_width * wish.make.elongation;
+    fruitlets[k].half_width = target.berry.size / 2 * widths[k];
+    fruitlets[k].half_length = fruitlets[k].half_width * target.berry.elongation;
   }
   return fruitlets;
 }
 
 Crop grow_crop(const Sprout& sprout, const Hanging& hanging, std::span<const Bud> buds, std::span<const float> shares,
-               const CropTarget& wish, std::span<const float> sizes) {
+               const CropTarget& target, std::span<const float> sizes) {
   Crop crop;
-  crop.elongation = wish.make.elongation;
-  const std::vector<float> ranks = ranks_of(buds, wish.make.size);
-  const float fill = wish.count > 0 ? 0 : fill_for(buds, ranks, wish.density, wish.make);
-  crop.set = set_fruit(ranks, fill, wish);
+  crop.elongation = target.berry.elongation;
+  const std::vector<float> ranks = ranks_of(buds, target.berry.size);
+  const float fill = target.count > 0 ? 0 : fill_for(buds, ranks, target.density, target.berry);
+  crop.set = set_fruit(ranks, fill, target);
   std::vector<float>& volumes = crop.set.volumes;
   std::vector<std::uint32_t> setting;
   for (std::uint32_t i = 0; i < volumes.size(); ++i)
     if (volumes[i] > 0) setting.push_back(i);
   const std::size_t regular = setting.size();
-  for (const std::uint32_t i : stand_ins(ranks, volumes, wish)) {
+  for (const std::uint32_t i : stand_ins(ranks, volumes, target)) {
     setting.push_back(i);
     volumes[i] = 1;
   }
-  crop.fruitlets = fruitlets_of(setting, regular, volumes, shares, sprout.flowers, wish);
+  crop.fruitlets = fruitlets_of(setting, regular, volumes, shares, sprout.flowers, target);
   std::vector<Branch> branches = hanging.branches;
   crop.berries = hang_berries(crop.fruitlets, sprout.internodes, sprout.flowers, hanging, branches);
   for (std::size_t k = regular; k < crop.berries.size(); ++k) crop.berries[k].late = true;
-  const auto wanted = static_cast<std::size_t>(std::min(wish.count, wish.most));
+  const auto wanted = static_cast<std::size_t>(std::min(target.count, target.most));
   crop.swollen = swell(branches, crop.berries, sprout.bounds, sizes, regular < setting.size() ? wanted : 0);
   settle(crop);
   return crop;

@@ -18,7 +18,7 @@ struct CropTarget {
   float density = 0;        // the note asked for, 1 … 9
   float most = 0;           // more there cannot be
   std::uint32_t limit = 0;  // nor more than this, whatever the space
-  Make make;
+  BerrySize berry;
   std::vector<std::uint32_t> taken;  // ids of berries taken off by hand, in ascending order
 };
 
@@ -28,17 +28,17 @@ struct FruitSet {
 };
 
 // `fill` is the share of space that the density takes.
-FruitSet set_fruit(std::span<const float> ranks, float fill, const CropTarget& wish);
+FruitSet set_fruit(std::span<const float> ranks, float fill, const CropTarget& target);
 
 // Flowers that set where some of a count find no room, in their order: as many as could be wanted for that.
 std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes,
-                                     const CropTarget& wish);
+                                     const CropTarget& target);
 
 // The berries of `setting`, flowers whose `volumes` are above 0; the mean width of the first `regular` ones is that
 // wished for, whatever lot they have drawn. `shares` are the flowers' width_share.
 std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::size_t regular,
                                    std::span<const float> volumes, std::span<const float> shares,
-                                   std::span<const Flower> flowers, const CropTarget& wish);
+                                   std::span<const Flower> flowers, const CropTarget& target);
 
 struct Crop {
   FruitSet set;
@@ -55,6 +55,6 @@ struct Crop {
 
 // `sizes` are those through which berries swell (ripening.hpp).
 Crop grow_crop(const Sprout& sprout, const Hanging& hanging, std::span<const Bud> buds, std::span<const float> shares,
-               const CropTarget& wish, std::span<const float> sizes);
+               const CropTarget& target, std::span<const float> sizes);
 
 }  // namespace panicle::bunch

@@ -48,23 +48,23 @@ std::vector<Flower> flowers_of(std::span<const Internode> internodes, std::span<
   const std::vector<std::uint32_t> ids = berry_ids(addresses, second_from);
   const std::vector<std::int32_t> depths = depths_of(internodes);
   const std::vector<std::int32_t> onwards = onwards_of(internodes);
-  std::vector<std::int32_t> borne(internodes.size(), 0);
+  std::vector<std::int32_t> flowers_on(internodes.size(), 0);
   std::vector<Flower> flowers;
   flowers.reserve(balls.size());
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    const auto bearer = static_cast<std::size_t>(balls[i].segment);
-    const std::int32_t foot = internodes[beginning_of(internodes, bearer)].parent;
+    const auto parent = static_cast<std::size_t>(balls[i].segment);
+    const std::int32_t foot = internodes[beginning_of(internodes, parent)].parent;
     Flower flower;
-    flower.bearer = balls[i].segment;
+    flower.parent = balls[i].segment;
     flower.id = ids[i];
     flower.bunch = i < second_from ? 0 : 1;
     flower.address = addresses[i];
     flower.module = i < second_from ? balls[i].module : no_module;
     flower.heading = balls[i].heading;
-    flower.axis = internodes[bearer].axis;
-    flower.depth = depths[bearer];
-    flower.onward = onwards[bearer];
-    if (foot >= 0) flower.place = borne[static_cast<std::size_t>(foot)]++;
+    flower.axis = internodes[parent].axis;
+    flower.depth = depths[parent];
+    flower.onward = onwards[parent];
+    if (foot >= 0) flower.place = flowers_on[static_cast<std::size_t>(foot)]++;
     flower.strength = std::clamp(balls[i].radius, least_strength, 1.0f);
     flowers.push_back(flower);
   }
@@ -74,11 +74,11 @@ std::vector<Flower> flowers_of(std::span<const Internode> internodes, std::span<
 float flowers_per_end(std::span<const Internode> internodes, std::span<const Flower> flowers) {
   const auto ends = std::count_if(internodes.begin(), internodes.end(),
                                   [](const Internode& one) { return one.kind == Kind::end && !one.joint; });
-  const auto borne = std::count_if(flowers.begin(), flowers.end(), [&](const Flower& flower) {
-    const std::int32_t foot = internodes[beginning_of(internodes, static_cast<std::size_t>(flower.bearer))].parent;
+  const auto flowers_on = std::count_if(flowers.begin(), flowers.end(), [&](const Flower& flower) {
+    const std::int32_t foot = internodes[beginning_of(internodes, static_cast<std::size_t>(flower.parent))].parent;
     return foot >= 0 && internodes[static_cast<std::size_t>(foot)].kind == Kind::end;
   });
-  return ends == 0 ? 0 : static_cast<float>(borne) / static_cast<float>(ends);
+  return ends == 0 ? 0 : static_cast<float>(flowers_on) / static_cast<float>(ends);
 }
 
 }  // namespace panicle::bunch

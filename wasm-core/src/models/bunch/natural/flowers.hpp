@@ -12,7 +12,7 @@
 namespace panicle::bunch {
 
 struct Flower {
-  std::int32_t bearer = -1;  // the internode it sits on: its pedicel's last, or a stem
+  std::int32_t parent = -1;  // the internode it sits on: its pedicel's last, or a stem
   std::uint32_t id = 0;
   std::uint32_t bunch = 0;      // 0 the first, 1 the second
   std::uint64_t address = 0;    // its own, from that of the module that bears it

@@ -14,7 +14,7 @@ float give_of(Kind kind) {
 // Per internode: whether it is of a stalk.
 std::vector<std::uint8_t> stalks_of(std::span<const Internode> internodes, std::span<const Flower> flowers) {
   std::vector<std::uint8_t> leads(internodes.size(), 0), stalk(internodes.size(), 0);
-  for (const Flower& flower : flowers) leads[static_cast<std::size_t>(flower.bearer)] = 1;
+  for (const Flower& flower : flowers) leads[static_cast<std::size_t>(flower.parent)] = 1;
   for (std::size_t i = 0; i < internodes.size(); ++i) stalk[i] = internodes[i].kind == Kind::pedicel;
   for (std::size_t i = internodes.size(); i-- > 0;) {
     if (!leads[i]) {
@@ -60,14 +60,14 @@ std::vector<Swelling> hang_berries(std::span<const Fruitlet> fruitlets, std::spa
   berries.reserve(fruitlets.size());
   for (const Fruitlet& fruitlet : fruitlets) {
     const Flower& flower = flowers[fruitlet.flower];
-    const auto bearer = static_cast<std::size_t>(flower.bearer);
-    const std::int32_t from = hanging.stalk_from[bearer];
+    const auto parent = static_cast<std::size_t>(flower.parent);
+    const std::int32_t from = hanging.stalk_from[parent];
     Swelling berry;
     if (from < 0) {  // it sits on a stem
-      berry.branch = static_cast<std::uint32_t>(hanging.branch_of[bearer]);
+      berry.branch = static_cast<std::uint32_t>(hanging.branch_of[parent]);
     } else {
       const Internode& first = internodes[static_cast<std::size_t>(from)];
-      berry.stalk = glm::length(internodes[bearer].end - first.start);
+      berry.stalk = glm::length(internodes[parent].end - first.start);
       const std::int32_t stem = first.parent < 0 ? -1 : hanging.branch_of[static_cast<std::size_t>(first.parent)];
       berry.branch = static_cast<std::uint32_t>(stem < 0 ? static_cast<std::int32_t>(branches.size()) : stem);
       if (stem < 0) branches.push_back({first.start, first.start, -1, 0, 0, false});

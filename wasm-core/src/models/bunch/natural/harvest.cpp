@@ -2,7 +2,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "models/bunch/natural/berry_size.hpp"
-#include "models/bunch/natural/luck.hpp"
+#include "models/bunch/natural/random_value.hpp"
 #include "models/bunch/natural/ripening.hpp"
 #include "models/bunch/units.hpp"
 
@@ -21,26 +21,26 @@ void add(Harvest& harvest, std::uint32_t flower, const Flower& of, std::int32_t 
 
 }  // namespace
 
-std::vector<Outcome> outcomes_of(const Crop& crop, std::span<const Flower> flowers, std::uint64_t seed, float age,
+std::vector<FlowerOutcome> outcomes_of(const Crop& crop, std::span<const Flower> flowers, std::uint64_t seed, float age,
                                  float size) {
-  std::vector<Outcome> outcomes(flowers.size());
+  std::vector<FlowerOutcome> outcomes(flowers.size());
   for (std::size_t i = 0; i < flowers.size(); ++i)
-    if (!(crop.set.volumes[i] > 0) && age < falls_at(luck_of(flowers[i], seed, "fall")))
-      outcomes[i].fate = FlowerState::flower;
+    if (!(crop.set.volumes[i] > 0) && age < age_of_fall(random_value_of(flowers[i], seed, "fall")))
+      outcomes[i].state = FlowerState::flower;
   const Swollen& swollen = crop.swollen;
   for (std::size_t k = 0; k < crop.fruitlets.size(); ++k) {
-    Outcome& outcome = outcomes[crop.fruitlets[k].flower];
-    outcome.fate = crop.is_lost(k) ? FlowerState::stub : FlowerState::berry;
+    FlowerOutcome& outcome = outcomes[crop.fruitlets[k].flower];
+    outcome.state = crop.is_lost(k) ? FlowerState::stub : FlowerState::berry;
     outcome.seat = swollen.centres[k] - swollen.directions[k] * (seat_depth * crop.half_length(k, size));
   }
   return outcomes;
 }
 
-Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, std::span<const Outcome> outcomes,
+Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, std::span<const FlowerOutcome> outcomes,
                 const Bent& bent, float size, float ripe_width) {
   Harvest harvest;
   const Swollen& swollen = crop.swollen;
-  const auto place_of = [&](const Flower& flower) { return bent.place_of[static_cast<std::size_t>(flower.bearer)]; };
+  const auto place_of = [&](const Flower& flower) { return bent.place_of[static_cast<std::size_t>(flower.parent)]; };
   for (std::size_t k = 0; k < crop.fruitlets.size(); ++k) {
     const Fruitlet& fruitlet = crop.fruitlets[k];
     const Flower& flower = sprout.flowers[fruitlet.flower];
@@ -55,13 +55,13 @@ Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, 
   const float half = ovary_width(ripe_width) / 2;
   for (std::uint32_t i = 0; i < outcomes.size(); ++i) {
     const Flower& flower = sprout.flowers[i];
-    if (outcomes[i].fate == FlowerState::flower) {
+    if (outcomes[i].state == FlowerState::flower) {
       const std::int32_t place = place_of(flower);
       const glm::vec3 end = bent.internodes[static_cast<std::size_t>(place)].end / metres_per_millimetre;
       add(harvest, i, flower, place, {end + flower.heading * half, flower.heading, half, half, 0, flower.id});
-    } else if (outcomes[i].fate == FlowerState::fallen) {
-      const std::int32_t from = hanging.stalk_from[static_cast<std::size_t>(flower.bearer)];
-      const Internode& first = sprout.internodes[static_cast<std::size_t>(from < 0 ? flower.bearer : from)];
+    } else if (outcomes[i].state == FlowerState::fallen) {
+      const std::int32_t from = hanging.stalk_from[static_cast<std::size_t>(flower.parent)];
+      const Internode& first = sprout.internodes[static_cast<std::size_t>(from < 0 ? flower.parent : from)];
       harvest.thinned.push_back(
           {flower.id, RemovalReason::not_set, (from < 0 ? first.end : first.start) * metres_per_millimetre});
     }

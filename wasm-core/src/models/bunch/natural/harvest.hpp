@@ -13,7 +13,7 @@
 namespace panicle::bunch {
 
 // One a flower: `age` says which of those that did not set have fallen, `size` how wide berries are over ripe ones.
-std::vector<Outcome> outcomes_of(const Crop& crop, std::span<const Flower> flowers, std::uint64_t seed, float age,
+std::vector<FlowerOutcome> outcomes_of(const Crop& crop, std::span<const Flower> flowers, std::uint64_t seed, float age,
                                  float size);
 
 // Berries first, in the flowers' order, then the flowers that did not set.
@@ -25,7 +25,7 @@ struct Harvest {
 };
 
 // `ripe_width` is a mean ripe berry's, in millimetres.
-Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, std::span<const Outcome> outcomes,
+Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, std::span<const FlowerOutcome> outcomes,
                 const Bent& bent, float size, float ripe_width);
 
 }  // namespace panicle::bunch

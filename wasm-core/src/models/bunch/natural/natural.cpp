@@ -30,20 +30,20 @@ using enum Parameter;
 
 constexpr float count_met = 0.97f;  // of a count: fewer want a note
 
-CropTarget wish_for(const Request& request, const Values& values, const Limits& limits,
+CropTarget crop_target_for(const BunchRequest& request, const Values& values, const Limits& limits,
                     std::span<const NaturalPlan> plans) {
-  CropTarget wish;
-  wish.count = values[count];
-  wish.density = values[density];
-  wish.limit = limits.bodies;
+  CropTarget target;
+  target.count = values[count];
+  target.density = values[density];
+  target.limit = limits.bodies;
   for (const NaturalPlan& plan : plans) {
-    wish.most += plan.room;
+    target.most += plan.room;
   }
-  wish.most = std::min(wish.most, static_cast<float>(wish.limit));
-  wish.make = {values[size], values[elongation]};
-  wish.taken = request.thinned;
-  std::sort(wish.taken.begin(), wish.taken.end());
-  return wish;
+  target.most = std::min(target.most, static_cast<float>(target.limit));
+  target.berry = {values[size], values[elongation]};
+  target.taken = request.thinned;
+  std::sort(target.taken.begin(), target.taken.end());
+  return target;
 }
 
 std::vector<Bud> buds_of(std::span<const Flower> flowers, std::span<const Situation> situations, const Values& values,
@@ -132,21 +132,21 @@ std::int32_t hang_up(Bent& bent, const Sprout& bunch, const Values& values, std:
 }
 
 // A cane for a bunch to hang from, with leaves as wide as the bunch's upper part.
-std::optional<Foliage> foliage_for(const Request& request, const Values& values, const Envelope& envelope,
+std::optional<Foliage> foliage_for(const BunchRequest& request, const Values& values, const Envelope& envelope,
                                    std::span<const Internode> internodes, std::vector<std::string>& notes) {
-  const auto leaves_asked = static_cast<std::uint32_t>(values[leaves]);
+  const auto leaf_count = static_cast<std::uint32_t>(values[leaves]);
   if (!on_cane(values)) return std::nullopt;
-  if (leaves_asked > 0 && request.leaf.points.empty())
+  if (leaf_count > 0 && request.leaf.points.empty())
     notes.emplace_back("The cane has no leaves: the request brings none to make them from.");
   float width = 0;
   for (std::size_t side = 0; side < 4; ++side)
     width = std::max(width, 2 * envelope.half_width(side, envelope.length() / 3));
   const glm::vec3 foot = internodes.empty() ? glm::vec3(0) : internodes[0].start;
   return grow_foliage(
-      {request.seed, leaves_asked, true, values[age], foot, width * metres_per_millimetre, request.leaf});
+      {request.seed, leaf_count, true, values[age], foot, width * metres_per_millimetre, request.leaf});
 }
 
-void add_meshes(Grown& grown, const Request& request, const Values& values, const Envelope& envelope,
+void add_meshes(GrownBunch& grown, const BunchRequest& request, const Values& values, const Envelope& envelope,
                 std::span<const BerryBody> bodies) {
   grown.surfaces = surfaces_of(bodies, grown.form, request.berry_segments, size_at(values[age]) <= size_at(0));
   const bool flowers = std::any_of(grown.traits.begin(), grown.traits.end(), [](const Traits& t) { return t.set < 1; });
@@ -157,29 +157,29 @@ void add_meshes(Grown& grown, const Request& request, const Values& values, cons
   grown.foliage = foliage_for(request, values, envelope, grown.internodes, grown.notes);
 }
 
-std::vector<float> measures_of(const Grown& grown, std::span<const BunchEnvelope> bounds) {
+std::vector<float> measures_of(const GrownBunch& grown, std::span<const BunchEnvelope> bounds) {
   std::vector<HungEnvelope> envelopes;
   for (const BunchEnvelope& bound : bounds) envelopes.push_back({bound.envelope, bound.stance});
   return measure(grown, envelopes);
 }
 
 // Whether there are as many berries as were wished for.
-void remark_crop(const Crop& crop, const CropTarget& wish, std::size_t flowers, std::vector<std::string>& notes) {
+void remark_crop(const Crop& crop, const CropTarget& target, std::size_t flowers, std::vector<std::string>& notes) {
   if (crop.set.full)
-    notes.push_back("A bunch has " + std::to_string(wish.limit) +
+    notes.push_back("A bunch has " + std::to_string(target.limit) +
                     " berries at the most; larger berries or a smaller profile fill the outline.");
   const auto lost = std::count(crop.swollen.lost.begin(), crop.swollen.lost.end(), RemovalReason::no_room);
-  const std::size_t kept = crop.fruitlets.size() - static_cast<std::size_t>(lost);
-  if (wish.count == 0 || static_cast<float>(kept) >= count_met * wish.count || flowers == 0) return;
-  const std::string asked = std::to_string(static_cast<std::uint32_t>(wish.count)) + " berries asked for";
-  if (static_cast<float>(flowers) < wish.count)
-    notes.push_back("The grammar bears " + std::to_string(flowers) + " flowers, fewer than the " + asked + ".");
+  const std::size_t found_room = crop.fruitlets.size() - static_cast<std::size_t>(lost);
+  if (target.count == 0 || static_cast<float>(found_room) >= count_met * target.count || flowers == 0) return;
+  const std::string requested = std::to_string(static_cast<std::uint32_t>(target.count)) + " berries asked for";
+  if (static_cast<float>(flowers) < target.count)
+    notes.push_back("The grammar bears " + std::to_string(flowers) + " flowers, fewer than the " + requested + ".");
   else
-    notes.push_back("Of the " + asked + " " + std::to_string(kept) +
+    notes.push_back("Of the " + requested + " " + std::to_string(found_room) +
                     " found room; smaller berries or a larger profile leave room for more.");
 }
 
-std::string_view fate_of(RemovalReason why) {
+std::string_view outcome_text(RemovalReason why) {
   switch (why) {
     case RemovalReason::not_set:
       return "; its flower did not set, for more flowers than berries were wanted";
@@ -194,7 +194,7 @@ std::string_view fate_of(RemovalReason why) {
 }
 
 // What has become of the flowers, told of the modules that bore them.
-void tell_fates(lsystem::DerivationTrace& chronicle, std::span<const Flower> flowers, const Crop& crop,
+void trace_outcomes(lsystem::DerivationTrace& chronicle, std::span<const Flower> flowers, const Crop& crop,
                 const Harvest& hung) {
   for (std::size_t k = 0; k < hung.berries.size(); ++k)
     if (const std::uint32_t module = hung.berries[k].module; module != no_module)
@@ -203,13 +203,13 @@ void tell_fates(lsystem::DerivationTrace& chronicle, std::span<const Flower> flo
   for (const Thinned& one : hung.thinned) {
     const auto flower =
         std::find_if(flowers.begin(), flowers.end(), [&](const Flower& each) { return each.id == one.id; });
-    if (flower != flowers.end() && flower->module != no_module) chronicle.add_answer(flower->module, fate_of(one.why));
+    if (flower != flowers.end() && flower->module != no_module) chronicle.add_answer(flower->module, outcome_text(one.why));
   }
 }
 
 }  // namespace
 
-Diagnostic grow_natural(const Request& request, const Values& values, const Limits& limits, Grown& grown) {
+Diagnostic grow_natural(const BunchRequest& request, const Values& values, const Limits& limits, GrownBunch& grown) {
   auto sprouted = sprout(request, values, limits, grown.notes);
   if (!sprouted) return sprouted.error();
   Sprout& bunch = sprouted.value();
@@ -217,21 +217,21 @@ Diagnostic grow_natural(const Request& request, const Values& values, const Limi
 
   const glm::vec3 sunward = towards_sun(values[sun], values[sun_height]);
   const std::vector<Situation> situations = situate(flowers, bunch.internodes, bunch.bounds, values[size], sunward);
-  const CropTarget wish = wish_for(request, values, limits, bunch.plans);
+  const CropTarget target = crop_target_for(request, values, limits, bunch.plans);
   const Hanging hanging = hang(bunch.internodes, flowers, values[bend]);
   const Crop crop = grow_crop(bunch, hanging, buds_of(flowers, situations, values, request.seed),
-                              shares_of(flowers, situations, values, request.seed), wish, sizes_until(values[age]));
+                              shares_of(flowers, situations, values, request.seed), target, sizes_until(values[age]));
 
   const float size_now = size_at(values[age]);
-  const std::vector<Outcome> outcomes = outcomes_of(crop, flowers, request.seed, values[age], size_now);
+  const std::vector<FlowerOutcome> outcomes = outcomes_of(crop, flowers, request.seed, values[age], size_now);
   Bent bent = bend_skeleton(bunch.internodes, flowers, hanging, outcomes, crop.swollen.ends, size_now);
   grown.second_root = hang_up(bent, bunch, values, request.seed);
-  Harvest hung = harvest(crop, bunch, hanging, outcomes, bent, size_now, wish.make.size);
+  Harvest hung = harvest(crop, bunch, hanging, outcomes, bent, size_now, target.berry.size);
   const Season season{values[age], values[sunlight], values[vigour], values[seeds]};
   grown.traits = ripen(hung, crop, flowers, situations, season, sunward, request.seed);
 
   if (bunch.chronicle) {
-    tell_fates(*bunch.chronicle, flowers, crop, hung);
+    trace_outcomes(*bunch.chronicle, flowers, crop, hung);
     grown.chronicle = std::move(bunch.chronicle);
   }
   grown.swelling = crop.swollen.work;
@@ -245,7 +245,7 @@ Diagnostic grow_natural(const Request& request, const Values& values, const Limi
                 relief_at(values[age])};
   if (request.meshes) add_meshes(grown, request, values, bunch.bounds[0].envelope, hung.bodies);
   if (request.measures) grown.measures = measures_of(grown, bunch.bounds);
-  remark_crop(crop, wish, flowers.size(), grown.notes);
+  remark_crop(crop, target, flowers.size(), grown.notes);
   return {};
 }
 

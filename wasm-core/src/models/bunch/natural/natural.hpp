@@ -7,6 +7,6 @@
 namespace panicle::bunch {
 
 // Fills all of `grown` but counts, fingerprints and the stems' mesh. Reason none if all went well.
-Diagnostic grow_natural(const Request& request, const Values& values, const Limits& limits, Grown& grown);
+Diagnostic grow_natural(const BunchRequest& request, const Values& values, const Limits& limits, GrownBunch& grown);
 
 }  // namespace panicle::bunch

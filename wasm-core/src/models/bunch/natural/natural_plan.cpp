@@ -141,7 +141,7 @@ float room_at(const NaturalPlan& plan, const Axis& axis, std::size_t j, float mo
 
 // Finds how far second-order axes may go at an axis's nodes; returns how many end structures it bears with theirs. A
 // node beyond the last is there for the text's rounding.
-float lay_nodes(NaturalPlan& plan, const Axis& axis, float end, const TextConstants& text) {
+float place_nodes(NaturalPlan& plan, const Axis& axis, float end, const TextConstants& text) {
   float ends = std::max(1.0f, axis.length / plan.step);
   for (std::size_t j = 0;; ++j) {
     const float left = axis.length - plan.step * static_cast<float>(j + 1);
@@ -156,7 +156,7 @@ float lay_nodes(NaturalPlan& plan, const Axis& axis, float end, const TextConsta
 
 // Lays the axes for the spacings in `plan`; returns how many flowers they bear, an axis counting by how much of it
 // there is.
-float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end, const TextConstants& text,
+float place_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end, const TextConstants& text,
                float start) {
   plan.arm.clear();
   plan.aim.clear();
@@ -186,7 +186,7 @@ float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end
                                         reach(plan.envelope, round, depth, angle, hung_from(plan, angle, end)));
     plan.arm.push_back(arm);
     plan.node.push_back(static_cast<float>(plan.beyond.size() + 1));
-    const float ends = lay_nodes(plan, {round, way, depth, angle, arm}, end, text);
+    const float ends = place_nodes(plan, {round, way, depth, angle, arm}, end, text);
     flowers += share * (raceme ? 1 : text.flowers_per_end * ends);
     if (share <= 0 || !(apart > 0) || k + 1 == most_nodes) return flowers;
   }
@@ -245,13 +245,13 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   const bool raceme =
       std::any_of(plan.plan.sides.begin(), plan.plan.sides.end(), [](const SidePlan& side) { return side.n == 0; });
   plan.room = raceme ? most_berries : std::max(least_room, room_over_volume * envelope.volume() / berry);
-  const bool asked = values[Parameter::count] > 0;
+  const bool is_count_requested = values[Parameter::count] > 0;
   const float filling = std::max(1.0f, fill_of(values[density]) * envelope.volume() / berry);
-  plan.overfull = !asked && filling > most_berries;
-  plan.berries = std::min(asked ? values[Parameter::count] : filling, most_berries);
+  plan.overfull = !is_count_requested && filling > most_berries;
+  plan.berries = std::min(is_count_requested ? values[Parameter::count] : filling, most_berries);
   // Nodes as near as berries of that size and density want them in a bunch of middling width, whatever the profile, so
   // that dragging moves no node; nearer by steps where that bears too few flowers for a count.
-  const float fill = asked ? middling_fill : fill_of(values[density]);
+  const float fill = is_count_requested ? middling_fill : fill_of(values[density]);
   float closer =
       std::clamp(base_closer * std::sqrt(width / middling_size * middling_fill / fill), least_closer, most_closer);
   closer *= std::sqrt(std::max(1.0f, filling / most_berries)) * text.wider;
@@ -260,8 +260,8 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
     plan.step = closer * step_of_axis * width;
     plan.stride = stride_over_step * plan.step;
     plan.spacing = std::min(plan.step, plan.length / least_nodes);
-    const float flowers = lay_axes(plan, profile, pixel, end, text, start);
-    if (!(asked || plan.overfull) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers) break;
+    const float flowers = place_axes(plan, profile, pixel, end, text, start);
+    if (!(is_count_requested || plan.overfull) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers) break;
     closer *= closer_by;
   }
   return plan;

@@ -47,12 +47,12 @@ std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std:
   const bool forks = fork.root >= 0;
   const float above = forks ? std::max(length, shortest) + fork.height : length - length_to_first_branch(internodes);
   if (internodes.empty() || above < shortest) return 0;
-  const auto luck = [seed](std::uint64_t which) { return random_unit(seed, hash_text("peduncle"), which); };
-  const SinCos way = sincos_degrees(360 * luck(0));
-  const float bow = above * (least_bow + (most_bow - least_bow) * luck(1));
-  const float node = forks ? fork.height / above : least_node + (most_node - least_node) * luck(2);
+  const auto random_value = [seed](std::uint64_t which) { return random_unit(seed, hash_text("peduncle"), which); };
+  const SinCos way = sincos_degrees(360 * random_value(0));
+  const float bow = above * (least_bow + (most_bow - least_bow) * random_value(1));
+  const float node = forks ? fork.height / above : least_node + (most_node - least_node) * random_value(2);
   const float half = std::min({half_node / above, 0.5f * node, 0.5f * (1 - node)});
-  const SinCos off = sincos_degrees(360 * luck(3));
+  const SinCos off = sincos_degrees(360 * random_value(3));
   const Ring rings[] = {{1, 1.6f},    {1 - 0.3f * (1 - node), 1.35f}, {node + half, 1.28f},
                         {node, 1.6f}, {node - half, 1.25f},           {0.3f * node, 1.18f},
                         {0, 1}};
@@ -61,8 +61,8 @@ std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std:
   std::vector<Internode> stalk;
   for (const Ring& ring : rings) {
     // Upright at p1, and away from it in a bow.
-    const float aside = bow * ring.height * ring.height, knee = ring.height == node ? kink : 0;
-    const glm::vec3 at(aside * way.cosine + knee * off.cosine, above * ring.height, aside * way.sine + knee * off.sine);
+    const float offset = bow * ring.height * ring.height, knee = ring.height == node ? kink : 0;
+    const glm::vec3 at(offset * way.cosine + knee * off.cosine, above * ring.height, offset * way.sine + knee * off.sine);
     if (!stalk.empty()) {
       stalk.back().end = at;
       stalk.back().radius_end = radius_at(ring);

@@ -35,18 +35,18 @@ std::vector<float> sizes_until(float age) {
   return sizes;
 }
 
-Stage stage_at(float age, const RemovalOutcome& fortune) {
+Stage stage_at(float age, const BerryCircumstances& berry) {
   const float middle = 0.45f;
   const float order =
-      fortune.along < middle ? 0.6f * (middle - fortune.along) / middle : (fortune.along - middle) / (1 - middle);
-  const float opens = 4.5f * order + 1.5f * fortune.luck - 0.8f;
+      berry.along < middle ? 0.6f * (middle - berry.along) / middle : (berry.along - middle) / (1 - middle);
+  const float opens = 4.5f * order + 1.5f * berry.random_value - 0.8f;
   const float turns =
-      60 + 20 * fortune.luck + 8 * (fortune.sunlight * (0.5f - fortune.exposure)) + 4 * (1 - fortune.vigour);
+      60 + 20 * berry.random_value + 8 * (berry.sunlight * (0.5f - berry.exposure)) + 4 * (1 - berry.vigour);
   Stage stage;
   stage.opened = smooth_step(opens, opens + 1, age);
   stage.set = smooth_step(7.5f + 0.4f * opens, 10 + 0.4f * opens, age);
   stage.turned = smooth_step(turns, turns + 14, age);
-  stage.shrivel = std::min(1.0f, smooth_step(102, 125, age) * (0.6f + 0.7f * fortune.luck));
+  stage.shrivel = std::min(1.0f, smooth_step(102, 125, age) * (0.6f + 0.7f * berry.random_value));
   return stage;
 }
 
@@ -55,6 +55,6 @@ float seeds_of(float ripening, float own, float most) {
   return std::floor((most + short_of_one_more) * std::clamp(least + 0.5f * ripening + 0.3f * own, 0.0f, 1.0f));
 }
 
-float falls_at(float luck) { return 8.5f + 3 * luck; }
+float age_of_fall(float random_value) { return 8.5f + 3 * random_value; }
 
 }  // namespace panicle::bunch

@@ -17,9 +17,9 @@ float relief_at(float age);
 // Sizes through which berries swell, step by step, up to that of an age.
 std::vector<float> sizes_until(float age);
 
-struct RemovalOutcome {
+struct BerryCircumstances {
   float along = 0;     // 0 at the base … 1 at the tip of the bunch
-  float luck = 0.5f;   // 0 … 1, the berry's own
+  float random_value = 0.5f;   // 0 … 1, the berry's own
   float exposure = 0;  // 0 … 1
   float sunlight = 0;  // 0 … 1: how much exposure counts
   float vigour = 1;    // 0 … 1
@@ -31,10 +31,10 @@ struct Stage {
 
 // Flowers open in the middle, then at the base, then at the tip (Huang et al. 2013, section 3); berries colour one by
 // one, those in the sun first.
-Stage stage_at(float age, const RemovalOutcome& fortune);
+Stage stage_at(float age, const BerryCircumstances& berry);
 
 // The age at which a flower that does not set falls.
-float falls_at(float luck);
+float age_of_fall(float random_value);
 
 // Seeds of a berry, 0 … `most`: of `ripening`, its luck in when it colours, and a little of a luck of its own (0 … 1
 // each).

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "foundation/mathematics.hpp"
-#include "models/bunch/natural/luck.hpp"
+#include "models/bunch/natural/random_value.hpp"
 #include "models/bunch/natural/settling/sagging.hpp"
 
 namespace panicle::bunch {
@@ -15,7 +15,7 @@ constexpr float open_sky = 0.3f;                    // how much what lies outsid
 constexpr float golden = 0.618034f;                 // of a turn: neighbours along an axis fall as far apart as can be
 constexpr float golden_axis = 2 * golden * golden;  // twice the square: axis and depth together, in a raceme, as well
 constexpr float second_order = 0.414214f - golden;  // and those of two axes that part, if they go as far
-constexpr float own_luck = 0.15f;
+constexpr float own_noise = 0.15f;
 
 // `own` is a place in the frame of a bunch that hangs straight down.
 Situation situated(const glm::vec3& own, const Envelope& envelope, const Uprighting& upright, const glm::vec3& sun) {
@@ -39,9 +39,9 @@ std::vector<Situation> situate(std::span<const Flower> flowers, std::span<const 
   std::vector<Situation> situations;
   situations.reserve(flowers.size());
   for (const Flower& flower : flowers) {
-    const Internode& bearer = internodes[static_cast<std::size_t>(flower.bearer)];
-    const std::size_t first = beginning_of(internodes, static_cast<std::size_t>(flower.bearer));
-    const float stalk = glm::length(bearer.end - internodes[first].start);
+    const Internode& parent = internodes[static_cast<std::size_t>(flower.parent)];
+    const std::size_t first = beginning_of(internodes, static_cast<std::size_t>(flower.parent));
+    const float stalk = glm::length(parent.end - internodes[first].start);
     const BunchEnvelope& bound = bounds[flower.bunch];
     const Uprighting upright(bound.stance);
     const glm::vec3 way = drooping(upright.way(flower.heading), 1);
@@ -64,7 +64,7 @@ glm::vec3 towards_sun(float round, float height) {
 float turn_of(const Flower& flower, std::uint64_t seed) {
   const float sum = golden_axis * static_cast<float>(flower.axis + 1) + golden * static_cast<float>(flower.depth) +
                     second_order * static_cast<float>(flower.onward) + static_cast<float>(flower.place) / 3 +
-                    own_luck * luck_of(flower, seed, "set") + bunch_luck(seed, "set", 0, flower.bunch);
+                    own_noise * random_value_of(flower, seed, "set") + bunch_random_value(seed, "set", 0, flower.bunch);
   return sum - std::floor(sum);
 }
 

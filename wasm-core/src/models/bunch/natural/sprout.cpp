@@ -19,7 +19,7 @@ namespace {
 
 constexpr float wider_by = 1.15f, most_wider = 2;  // nodes' distances over the plan's, where it has too many flowers
 constexpr float farthest = 1e5f;                   // millimetres from p1 that anything may be
-constexpr Parameter heeded_by_plan[] = {Parameter::wi};
+constexpr Parameter used_by_plan[] = {Parameter::wi};
 
 // As many flowers as may be, and no more.
 class Inflorescence final : public SkeletonDrawing {
@@ -41,7 +41,7 @@ struct Seedling {
 
 class Sower {
  public:
-  Sower(const Request& request, const Values& values, const Limits& limits,
+  Sower(const BunchRequest& request, const Values& values, const Limits& limits,
         std::shared_ptr<const lsystem::Program> program)
       : request_(request), values_(values), limits_(limits), program_(std::move(program)) {}
 
@@ -64,7 +64,7 @@ class Sower {
     if (const Diagnostic trouble = draw_one(profile, request_.seed, 1, drawing, sprout, notes);
         trouble.reason != Reason::none)
       return trouble;
-    const std::size_t second_from = drawing.borne();
+    const std::size_t second_from = drawing.attached_balls();
     if (values_[Parameter::wing] > 0) {
       sprout.second_root = static_cast<std::int32_t>(drawing.segments.size());
       const float wing = values_[Parameter::wing] * wing_share(request_.seed, values_[Parameter::variability]);
@@ -157,23 +157,23 @@ class Sower {
                                 : wing_stance(stalk_of(seedling->plan, sprout.plans[0]), sprout.bounds[0].envelope,
                                               seedling->plan.envelope);
     stock->stance = {stance.lean, stance.side, stance.foot / values_[Parameter::unit]};
-    if (first) remark_text(*stock->bound, values_, "natural", heeded_by_plan, notes);
-    std::vector<std::string> said;
-    drawing.begin(*stock->bound, roles_of(*program_, first ? notes : said), !first, stock->first_axis);
+    if (first) remark_text(*stock->bound, values_, "natural", used_by_plan, notes);
+    std::vector<std::string> repeated_notes;
+    drawing.begin(*stock->bound, roles_of(*program_, first ? notes : repeated_notes), !first, stock->first_axis);
     sprout.bounds.push_back({seedling->plan.envelope, stance});
     sprout.plans.push_back(std::move(seedling->plan));
     if (first) {
-      auto told = tell(stock.value(), request_, limits_);
-      if (!told) return told.error();
-      sprout.chronicle = std::move(told.value());
+      auto trace = trace_derivation(stock.value(), request_, limits_);
+      if (!trace) return trace.error();
+      sprout.chronicle = std::move(trace.value());
     }
     lsystem::DerivationTrace* const chronicle = first && sprout.chronicle ? &*sprout.chronicle : nullptr;
-    drawing.tell(chronicle);
+    drawing.set_trace(chronicle);
     const Diagnostic trouble = interpret(stock.value(), limits_, drawing, chronicle);
     return trouble.reason == Reason::none ? drawing.trouble() : trouble;
   }
 
-  const Request& request_;
+  const BunchRequest& request_;
   const Values& values_;
   const Limits& limits_;
   std::shared_ptr<const lsystem::Program> program_;
@@ -197,20 +197,20 @@ Diagnostic to_millimetres(std::vector<Internode>& internodes, float unit) {
 
 }  // namespace
 
-Result<Sprout> sprout(const Request& request, const Values& values, const Limits& limits,
+Result<Sprout> sprout(const BunchRequest& request, const Values& values, const Limits& limits,
                       std::vector<std::string>& notes) {
   auto program = program_for(request, grammars::grape_bunch_4, limits);
   if (!program) return program.error();
   Sower sower(request, values, limits, std::move(program.value()));
   for (bool corrected = false;;) {
     Inflorescence drawing(limits);
-    std::vector<std::string> said;
-    auto drawn = sower.draw(drawing, said);
+    std::vector<std::string> drawing_notes;
+    auto drawn = sower.draw(drawing, drawing_notes);
     if (!drawn && drawing.balls.size() >= limits.organs && sower.spaces_out()) continue;
     if (!drawn) return drawn.error();
     if (!std::exchange(corrected, true) && sower.corrects(drawn.value())) continue;
-    remark_drawn({drawn->internodes.size(), drawn->flowers.size(), sower.loose_balls(), false}, said);
-    notes.insert(notes.end(), said.begin(), said.end());
+    remark_drawn({drawn->internodes.size(), drawn->flowers.size(), sower.loose_balls(), false}, drawing_notes);
+    notes.insert(notes.end(), drawing_notes.begin(), drawing_notes.end());
     const Diagnostic astray = to_millimetres(drawn->internodes, values[Parameter::unit]);
     if (astray.reason != Reason::none) return astray;
     return drawn;

@@ -27,7 +27,7 @@ struct Sprout {
 
 // Plans each bunch with the constants of the text, so that both lay the same nodes; where flowers are counted on, also
 // with as many to an end structure as the text turns out to bear. `notes` gets what there is to say about the text.
-Result<Sprout> sprout(const Request& request, const Values& values, const Limits& limits,
+Result<Sprout> sprout(const BunchRequest& request, const Values& values, const Limits& limits,
                       std::vector<std::string>& notes);
 
 }  // namespace panicle::bunch

@@ -1,13 +1,13 @@
 #include "models/bunch/natural/traits.hpp"
 
-#include "models/bunch/natural/luck.hpp"
+#include "models/bunch/natural/random_value.hpp"
 #include "models/bunch/units.hpp"
 
 namespace panicle::bunch {
 
 Traits traits_of(const Ripener& berry, const Flower& flower, const Season& season, std::uint64_t seed) {
-  const float luck = luck_of(flower, seed, "ripen");
-  const Stage stage = stage_at(season.age, {berry.along, luck, berry.exposure, season.sunlight, season.vigour});
+  const float random_value = random_value_of(flower, seed, "ripen");
+  const Stage stage = stage_at(season.age, {berry.along, random_value, berry.exposure, season.sunlight, season.vigour});
   Traits traits;
   traits.width = 2 * berry.body.half_width * metres_per_millimetre;
   traits.length = 2 * berry.body.half_length * metres_per_millimetre;
@@ -16,7 +16,7 @@ Traits traits_of(const Ripener& berry, const Flower& flower, const Season& seaso
   traits.opened = stage.opened;
   traits.set = berry.sets ? stage.set : 0;
   traits.shrivel = stage.shrivel;
-  traits.seeds = seeds_of(luck, luck_of(flower, seed, "seeds"), season.seeds);
+  traits.seeds = seeds_of(random_value, random_value_of(flower, seed, "seeds"), season.seeds);
   return traits;
 }
 

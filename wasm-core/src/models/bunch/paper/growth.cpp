@@ -9,10 +9,10 @@
 
 namespace panicle::bunch {
 
-Growth::Growth(const InteractionOptions& options, const Limits& limits, float largest)
+PaperGrowth::PaperGrowth(const InteractionOptions& options, const Limits& limits, float largest)
     : SkeletonDrawing(limits), options_(options), structure_(largest) {}
 
-void Growth::begin(const lsystem::BoundProgram& text, const Roles& roles, bool second, std::uint64_t seed,
+void PaperGrowth::begin(const lsystem::BoundProgram& text, const SymbolRoles& roles, bool second, std::uint64_t seed,
                    std::int32_t first_axis) {
   SkeletonDrawing::begin(text, roles, second, first_axis);
   constants_.narrowing = lsystem::constant(text, "r_w", 1);
@@ -21,7 +21,7 @@ void Growth::begin(const lsystem::BoundProgram& text, const Roles& roles, bool s
   seed_ = seed;
 }
 
-Newborn Growth::newborn(const Question& question, const lsystem::Turtle& turtle, std::span<const float> parameters,
+Newborn PaperGrowth::newborn(const Question& question, const lsystem::Turtle& turtle, std::span<const float> parameters,
                         std::uint64_t address) const {
   const Slots& slots = question.slots;
   Newborn newborn;
@@ -37,34 +37,34 @@ Newborn Growth::newborn(const Question& question, const lsystem::Turtle& turtle,
   return newborn;
 }
 
-SkeletonDrawing::Answer Growth::answer(const Question& question, const lsystem::Turtle& turtle,
+SkeletonDrawing::Answer PaperGrowth::answer(const Question& question, const lsystem::Turtle& turtle,
                                        std::span<float> parameters, const lsystem::Lineage& lineage) {
-  const Laid* const laid = find_laid(lineage.address);
+  const ReservedRoom* const reserved = find_reserved(lineage.address);
   const bool rachis = is_rachis(lineage.parent_symbol);
   Room room;
   std::string why;
-  if (laid) {
-    room = laid->room;
-  } else if ((!laying_ || rachis) && within(structure_.spheres().size(), limits().spheres, "spheres")) {
-    const Newborn asking = newborn(question, turtle, parameters, lineage.address);
-    room = find_room(structure_, turtle, asking, options_);
-    if (tells(lineage)) why = told(room, asking);
+  if (reserved) {
+    room = reserved->room;
+  } else if ((!in_rachis_pass_ || rachis) && within(structure_.spheres().size(), limits().spheres, "spheres")) {
+    const Newborn newcomer = newborn(question, turtle, parameters, lineage.address);
+    room = find_room(structure_, turtle, newcomer, options_);
+    if (is_traced(lineage)) why = description_of(room, newcomer);
   }
   parameters[question.slots.theta] = room.theta;
   if (question.slots.phi) parameters[question.slots.phi] = room.phi;
   tip_of_ = lineage.address;
   tip_ = SphereGrid::no_sphere;
-  if (!laying_ && !room.found) refused_ = true;
+  if (!in_rachis_pass_ && !room.found) refused_ = true;
   if (room.found) {
-    const std::uint32_t sphere = laid ? laid->tip : structure_.add(room.sphere);
-    if (!laid && sphere != SphereGrid::no_sphere) owners_.push_back({lineage.module, question.pedicel, second()});
+    const std::uint32_t sphere = reserved ? reserved->tip : structure_.add(room.sphere);
+    if (!reserved && sphere != SphereGrid::no_sphere) owners_.push_back({lineage.module, question.pedicel, second()});
     if (!question.pedicel) tip_ = sphere;
-    if (laying_) laid_.push_back({seed_, lineage.address, room, sphere});
+    if (in_rachis_pass_) reserved_.push_back({seed_, lineage.address, room, sphere});
   } else if (question.pedicel) {
     parameters[question.slots.length] = constants_.withered_length;
   } else {
     parameters[question.slots.length] = 0;
-    if (!laying_) ++cuts;
+    if (!in_rachis_pass_) ++cuts;
     rachis_cut |= rachis;
   }
   return {question.pedicel, question.pedicel && !room.found, question.width, std::move(why)};
@@ -81,7 +81,7 @@ std::string in_hundredths(float value) { return expression::number_text(std::flo
 }  // namespace
 
 // What is in a probe's way the most: `touches the berry of module 12`, `overlaps … by 3.2`; nothing where nothing is.
-std::string Growth::in_the_way(const Sphere& probe, std::uint32_t except) const {
+std::string PaperGrowth::in_the_way(const Sphere& probe, std::uint32_t except) const {
   const std::span<const Sphere> spheres = structure_.spheres();
   std::uint32_t nearest = SphereGrid::no_sphere;
   float depth = 0, most = 0;
@@ -100,29 +100,29 @@ std::string Growth::in_the_way(const Sphere& probe, std::uint32_t except) const 
   return depth < 0.005f ? "touches " + whose : "overlaps " + whose + " by " + in_hundredths(depth);
 }
 
-std::string Growth::told(const Room& room, const Newborn& newborn) const {
+std::string PaperGrowth::description_of(const Room& room, const Newborn& newborn) const {
   if (room.found && room.adjustments == 0) return "; there is room at once";
   const std::string turned = in_hundredths(room.turned) + "° in " + std::to_string(room.adjustments) +
                              (room.adjustments == 1 ? " turn" : " turns");
-  const std::string way = in_the_way(room.found ? room.asked : room.sphere, newborn.parent);
+  const std::string way = in_the_way(room.found ? room.unturned : room.sphere, newborn.parent);
   if (room.found) return "; there is room after " + turned + (way.empty() ? "" : "; straight on it " + way);
   return "; no room after " + turned + (way.empty() ? "" : ": it still " + way) +
          (newborn.pedicel ? ", and withers" : ", and is cut");
 }
 
-void Growth::end_laying() {
-  laying_ = false;
+void PaperGrowth::end_rachis_pass() {
+  in_rachis_pass_ = false;
   erase();
   tips_.resize(segments.size());
 }
 
-const Growth::Laid* Growth::find_laid(std::uint64_t address) const {
-  for (const Laid& laid : laid_)
-    if (laid.seed == seed_ && laid.address == address) return &laid;
+const PaperGrowth::ReservedRoom* PaperGrowth::find_reserved(std::uint64_t address) const {
+  for (const ReservedRoom& reserved : reserved_)
+    if (reserved.seed == seed_ && reserved.address == address) return &reserved;
   return nullptr;
 }
 
-void Growth::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
+void PaperGrowth::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
                   const lsystem::Lineage& lineage) {
   SkeletonDrawing::line(id, before, after, lineage);
   if (tips_.size() < segments.size()) tips_.push_back(lineage.address == tip_of_ ? tip_ : SphereGrid::no_sphere);

@@ -13,20 +13,20 @@
 namespace panicle::bunch {
 
 // Several interpretations may follow one another in the same environment (a double bunch); begin() starts each.
-class Growth final : public SkeletonDrawing {
+class PaperGrowth final : public SkeletonDrawing {
  public:
   // `largest` bounds the radius of all spheres.
-  Growth(const InteractionOptions& options, const Limits& limits, float largest);
+  PaperGrowth(const InteractionOptions& options, const Limits& limits, float largest);
 
   // The next interpretation's text and seed, of the first bunch or the second; its first-order axes count on from
   // `first_axis`.
-  void begin(const lsystem::BoundProgram& text, const Roles& roles, bool second, std::uint64_t seed,
+  void begin(const lsystem::BoundProgram& text, const SymbolRoles& roles, bool second, std::uint64_t seed,
              std::int32_t first_axis);
 
   // Between the two, an interpretation lays its rachis and nothing else: it takes its room, and the same text
   // interpreted later finds it again. What grows in between has to make way.
-  void begin_laying() { laying_ = true; }
-  void end_laying();
+  void begin_rachis_pass() { in_rachis_pass_ = true; }
+  void end_rachis_pass();
 
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;
@@ -46,7 +46,7 @@ class Growth final : public SkeletonDrawing {
   };
 
   // A rachis internode laid before its time: the interpretation's seed and the address of its module tell which.
-  struct Laid {
+  struct ReservedRoom {
     std::uint64_t seed = 0;
     std::uint64_t address = 0;
     Room room;
@@ -57,16 +57,16 @@ class Growth final : public SkeletonDrawing {
                 const lsystem::Lineage& lineage) override;
   Newborn newborn(const Question& question, const lsystem::Turtle& turtle, std::span<const float> parameters,
                   std::uint64_t address) const;
-  const Laid* find_laid(std::uint64_t address) const;
-  std::string told(const Room& room, const Newborn& newborn) const;
+  const ReservedRoom* find_reserved(std::uint64_t address) const;
+  std::string description_of(const Room& room, const Newborn& newborn) const;
   std::string in_the_way(const Sphere& probe, std::uint32_t except) const;
 
   InteractionOptions options_;
   SphereGrid structure_;
   Constants constants_;
   std::uint64_t seed_ = 0;
-  bool laying_ = false, refused_ = false;
-  std::vector<Laid> laid_;
+  bool in_rachis_pass_ = false, refused_ = false;
+  std::vector<ReservedRoom> reserved_;
   // Of each sphere of the structure: which module asked for it, and whether for a berry.
   struct Owner {
     std::uint32_t module = 0;

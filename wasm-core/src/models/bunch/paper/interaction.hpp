@@ -31,7 +31,7 @@ struct Room {
   float theta = 0;  // 0 where there is none
   float phi = 0;
   Sphere sphere;
-  Sphere asked;                   // where it would have stood without turning
+  Sphere unturned;                   // where it would have stood without turning
   std::uint32_t adjustments = 0;  // that it took, or had tried
   float turned = 0;               // degrees in all
 };

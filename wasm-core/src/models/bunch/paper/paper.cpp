@@ -31,7 +31,7 @@ Result<Stock> stock_for(const Shape& shape, const Values& values, std::shared_pt
   return derive_stock(std::move(bound.value()), seed, steps, limits);
 }
 
-Result<Planned> plan_stocks(const Request& request, const Values& values, const Limits& limits, Grown& grown) {
+Result<Planned> plan_stocks(const BunchRequest& request, const Values& values, const Limits& limits, GrownBunch& grown) {
   using enum Parameter;
   const Profile profile = values.profile();
   auto shape = shape_for(request, profile, values[fit]);
@@ -55,7 +55,7 @@ Result<Planned> plan_stocks(const Request& request, const Values& values, const 
 }
 
 // Interprets a bunch into the growth, among what stands there already.
-Diagnostic grow_stock(const Stock& stock, const Roles& roles, const Limits& limits, Growth& growth, bool second,
+Diagnostic grow_stock(const Stock& stock, const SymbolRoles& roles, const Limits& limits, PaperGrowth& growth, bool second,
                       lsystem::DerivationTrace* chronicle = nullptr) {
   growth.begin(*stock.bound, roles, second, stock.seed, stock.first_axis);
   const Diagnostic trouble = interpret(stock, limits, growth, chronicle);
@@ -64,17 +64,17 @@ Diagnostic grow_stock(const Stock& stock, const Roles& roles, const Limits& limi
 
 // The second bunch's rachis is laid first, for it would find no way through the first's berries; the berries of both
 // come later, as in nature. `second_from` becomes the number of the second's first berry.
-Diagnostic grow_stocks(const Planned& planned, const Roles& roles, const Limits& limits, Growth& growth,
+Diagnostic grow_stocks(const Planned& planned, const SymbolRoles& roles, const Limits& limits, PaperGrowth& growth,
                        lsystem::DerivationTrace* chronicle, std::size_t& second_from) {
   Diagnostic trouble;
   if (planned.second) {
-    growth.begin_laying();
+    growth.begin_rachis_pass();
     trouble = grow_stock(*planned.second, roles, limits, growth, true);
-    growth.end_laying();
+    growth.end_rachis_pass();
   }
-  growth.tell(chronicle);
+  growth.set_trace(chronicle);
   if (trouble.reason == Reason::none) trouble = grow_stock(planned.first, roles, limits, growth, false, chronicle);
-  second_from = growth.borne();
+  second_from = growth.attached_balls();
   if (trouble.reason == Reason::none && planned.second)
     trouble = grow_stock(*planned.second, roles, limits, growth, true);
   return trouble;
@@ -126,18 +126,18 @@ std::vector<HungEnvelope> envelopes_of(const Planned& planned, const Values& val
 
 }  // namespace
 
-Diagnostic grow_paper(const Request& request, const Values& values, const Limits& limits, Grown& grown) {
+Diagnostic grow_paper(const BunchRequest& request, const Values& values, const Limits& limits, GrownBunch& grown) {
   using enum Parameter;
   const auto planned = plan_stocks(request, values, limits, grown);
   if (!planned) return planned.error();
   const lsystem::BoundProgram& text = *planned->first.bound;
-  const Roles roles = roles_of(lsystem::program_of(text), grown.notes);
+  const SymbolRoles roles = roles_of(lsystem::program_of(text), grown.notes);
 
   const InteractionOptions interaction{values[delta], static_cast<std::uint32_t>(values[t]), values[sag]};
-  Growth growth(interaction, limits, std::max(values[rmin], values[rmax]));
-  auto told = tell(planned->first, request, limits);
-  if (!told) return told.error();
-  grown.chronicle = std::move(told.value());
+  PaperGrowth growth(interaction, limits, std::max(values[rmin], values[rmax]));
+  auto trace = trace_derivation(planned->first, request, limits);
+  if (!trace) return trace.error();
+  grown.chronicle = std::move(trace.value());
   lsystem::DerivationTrace* const chronicle = grown.chronicle ? &*grown.chronicle : nullptr;
   std::size_t second_from = 0;
   Diagnostic trouble = grow_stocks(planned.value(), roles, limits, growth, chronicle, second_from);

@@ -8,6 +8,6 @@
 namespace panicle::bunch {
 
 // Fills plans, skeleton, berries, cuts and notes of `grown`. Reason none if all went well.
-Diagnostic grow_paper(const Request& request, const Values& values, const Limits& limits, Grown& grown);
+Diagnostic grow_paper(const BunchRequest& request, const Values& values, const Limits& limits, GrownBunch& grown);
 
 }  // namespace panicle::bunch

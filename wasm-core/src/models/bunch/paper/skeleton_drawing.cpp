@@ -4,7 +4,7 @@
 
 namespace panicle::bunch {
 
-void SkeletonDrawing::begin(const lsystem::BoundProgram& text, const Roles& roles, bool second,
+void SkeletonDrawing::begin(const lsystem::BoundProgram& text, const SymbolRoles& roles, bool second,
                             std::int32_t first_axis) {
   Drawing::begin();
   roles_ = roles;
@@ -28,12 +28,12 @@ void SkeletonDrawing::ask(const lsystem::Turtle& turtle, std::span<float> parame
   if (!slots_for(parameters.size(), question.slots)) return fail(wrong_arity());
   question.pedicel = parameters[0] == pedicel_type;
   question.width = question.slots.width ? parameters[question.slots.width] : width_;
-  const bool told = tells(lineage);
-  if (told) chronicle_->add_answer(lineage.module, "asked" + lsystem::numbers_text(parameters));
+  const bool is_traced_here = is_traced(lineage);
+  if (is_traced_here) chronicle_->add_answer(lineage.module, "asked" + lsystem::numbers_text(parameters));
   answer_ = answer(question, turtle, parameters, lineage);
-  if (told) chronicle_->add_answer(lineage.module, " →" + lsystem::numbers_text(parameters) + answer_.why);
+  if (is_traced_here) chronicle_->add_answer(lineage.module, " →" + lsystem::numbers_text(parameters) + answer_.why);
   answering_ = true;
-  asked_address_ = lineage.address;
+  query_address_ = lineage.address;
   ++questions_;
 }
 
@@ -48,7 +48,7 @@ void SkeletonDrawing::line(std::int32_t id, const lsystem::Turtle& before, const
   if (segments.size() == parts_.size()) return;  // no room
   Segment& segment = segments.back();
   const Part* const parent = segment.parent < 0 ? nullptr : &parts_[static_cast<std::size_t>(segment.parent)];
-  const bool answered = answering_ && lineage.address == asked_address_;
+  const bool answered = answering_ && lineage.address == query_address_;
   Part part;
   if (!second_) part.module = lineage.module;
   part.kind = answered && answer_.pedicel ? Kind::pedicel : roles_.of(lineage.parent_symbol);
@@ -77,10 +77,10 @@ std::int32_t SkeletonDrawing::axis_of(const Segment& segment, Kind kind, const l
 // draw. One whose answer bears nothing is a pedicel too, withered or as the text has it; a thorn beside it is none,
 // and nor is a stem that bears a ball in passing.
 void SkeletonDrawing::settle_pedicels() {
-  std::vector<std::uint8_t> bears(segments.size(), 0), leads_on(segments.size(), 0), fruitful(questions_ + 1, 0);
-  for (const Ball& ball : balls) bears[static_cast<std::size_t>(ball.segment)] = 1;
+  std::vector<std::uint8_t> has_ball(segments.size(), 0), leads_on(segments.size(), 0), fruitful(questions_ + 1, 0);
+  for (const Ball& ball : balls) has_ball[static_cast<std::size_t>(ball.segment)] = 1;
   for (std::size_t i = segments.size(); i-- > 0;) {
-    if (!bears[i] && !leads_on[i]) continue;
+    if (!has_ball[i] && !leads_on[i]) continue;
     if (parts_[i].question != none) fruitful[parts_[i].question] = 1;
     if (segments[i].parent >= 0) leads_on[static_cast<std::size_t>(segments[i].parent)] = 1;
   }
@@ -88,8 +88,8 @@ void SkeletonDrawing::settle_pedicels() {
     Part& part = parts_[i];
     const bool answered = part.question != none;
     if (part.kind != Kind::pedicel) {
-      if (bears[i] && !leads_on[i]) part.kind = Kind::pedicel;
-    } else if (!bears[i] && !leads_on[i] && (answered ? fruitful[part.question] != 0 : !balls.empty())) {
+      if (has_ball[i] && !leads_on[i]) part.kind = Kind::pedicel;
+    } else if (!has_ball[i] && !leads_on[i] && (answered ? fruitful[part.question] != 0 : !balls.empty())) {
       part.kind = Kind::axis;
       part.joint = false;
     }
@@ -99,7 +99,7 @@ void SkeletonDrawing::settle_pedicels() {
   }
 }
 
-std::size_t SkeletonDrawing::borne() const {
+std::size_t SkeletonDrawing::attached_balls() const {
   return static_cast<std::size_t>(
       std::count_if(balls.begin(), balls.end(), [](const Ball& ball) { return ball.segment >= 0; }));
 }

@@ -22,10 +22,10 @@ class SkeletonDrawing : public Drawing {
   using Drawing::Drawing;
 
   // The next interpretation's text, of the first bunch or the second; its first-order axes count on from `first_axis`.
-  void begin(const lsystem::BoundProgram& text, const Roles& roles, bool second, std::int32_t first_axis);
+  void begin(const lsystem::BoundProgram& text, const SymbolRoles& roles, bool second, std::int32_t first_axis);
 
   // From now on what modules of the first bunch ask and are answered is told here, if anywhere.
-  void tell(lsystem::DerivationTrace* chronicle) { chronicle_ = chronicle; }
+  void set_trace(lsystem::DerivationTrace* chronicle) { chronicle_ = chronicle; }
 
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;
@@ -36,7 +36,7 @@ class SkeletonDrawing : public Drawing {
   std::uint32_t finish();
 
   // How many balls hang on a line by now.
-  std::size_t borne() const;
+  std::size_t attached_balls() const;
 
   std::vector<Internode> internodes;  // parents first; empty until it is finished
 
@@ -63,7 +63,7 @@ class SkeletonDrawing : public Drawing {
   void erase();
 
   // Whether what this module asks is told.
-  bool tells(const lsystem::Lineage& lineage) const {
+  bool is_traced(const lsystem::Lineage& lineage) const {
     return chronicle_ != nullptr && !second_ && chronicle_->has(lineage.module);
   }
   bool second() const { return second_; }
@@ -87,7 +87,7 @@ class SkeletonDrawing : public Drawing {
   std::int32_t axis_of(const Segment& segment, Kind kind, const lsystem::Lineage& lineage) const;
   void settle_pedicels();
 
-  Roles roles_;
+  SymbolRoles roles_;
   float width_ = 1;                                 // `w`, for modules that do not carry one
   std::size_t first_segment_ = 0, first_ball_ = 0;  // of this interpretation
   std::int32_t first_axis_ = 0;
@@ -96,7 +96,7 @@ class SkeletonDrawing : public Drawing {
 
   Answer answer_;  // the last
   bool answering_ = false;
-  std::uint64_t asked_address_ = 0;
+  std::uint64_t query_address_ = 0;
   std::uint32_t questions_ = 0;
 
   std::vector<Part> parts_;  // one a segment

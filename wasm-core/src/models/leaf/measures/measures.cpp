@@ -15,7 +15,7 @@ namespace {
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 // Leaf lengths along a vein between which its heading is taken, clear of the round where it leaves; and how far to both
 // sides of that its bearer's is.
-constexpr float heading_from = 0.02f, heading_to = 0.08f, bearer_reach = 0.05f;
+constexpr float heading_from = 0.02f, heading_to = 0.08f, parent_reach = 0.05f;
 // The same of a primary, clear of where they run together at the petiole.
 constexpr float primary_from = 0.05f, primary_to = 0.25f;
 
@@ -47,7 +47,7 @@ glm::vec3 ahead(const Measured& leaf, const Vein& vein, std::size_t k, float rea
 float primary_angle_of(const Measured& leaf) {
   std::vector<float> headings;
   for (const Vein& vein : leaf.veins) {
-    if (vein.order != 1 || vein.bearer >= 0) continue;
+    if (vein.order != 1 || vein.parent >= 0) continue;
     const glm::vec3 way = ahead(leaf, vein, 0, primary_to, false) - ahead(leaf, vein, 0, primary_from, false);
     if (glm::length(way) > 0) headings.push_back(arc_tangent(-way.x, way.y) * 180 / pi);  // from upwards, left
   }
@@ -63,10 +63,10 @@ struct Leaving {
 
 // Where a vein leaves its bearer. False where that has no heading.
 bool leaving(const Measured& leaf, const Vein& vein, Leaving& found) {
-  const Vein& bearer = leaf.veins[static_cast<std::size_t>(vein.bearer)];
-  const auto at = std::find(bearer.places.begin(), bearer.places.end(), vein.places[0]);
-  const auto k = static_cast<std::size_t>(at - bearer.places.begin());
-  const glm::vec3 heading = ahead(leaf, bearer, k, bearer_reach, false) - ahead(leaf, bearer, k, bearer_reach, true);
+  const Vein& parent = leaf.veins[static_cast<std::size_t>(vein.parent)];
+  const auto at = std::find(parent.places.begin(), parent.places.end(), vein.places[0]);
+  const auto k = static_cast<std::size_t>(at - parent.places.begin());
+  const glm::vec3 heading = ahead(leaf, parent, k, parent_reach, false) - ahead(leaf, parent, k, parent_reach, true);
   const glm::vec3 way = ahead(leaf, vein, 0, heading_to, false) - ahead(leaf, vein, 0, heading_from, false);
   const float lengths = glm::length(heading) * glm::length(way);
   if (!(lengths > 0)) return false;
@@ -74,7 +74,7 @@ bool leaving(const Measured& leaf, const Vein& vein, Leaving& found) {
   found.left = heading.x * way.y - heading.y * way.x > 0;
   found.along = 0;
   for (std::size_t i = 1; i <= k; ++i)
-    found.along += glm::distance(place_of(leaf, bearer, i - 1), place_of(leaf, bearer, i));
+    found.along += glm::distance(place_of(leaf, parent, i - 1), place_of(leaf, parent, i));
   return true;
 }
 
@@ -84,26 +84,26 @@ struct Secondaries {
 
 Secondaries secondaries_of(const Measured& leaf) {
   struct Place {
-    std::int32_t bearer;
+    std::int32_t parent;
     bool left;
     float along;
   };
   std::vector<Place> places;
   float angles = 0;
   for (const Vein& vein : leaf.veins) {
-    if (vein.order != 2 || vein.bearer < 0 || leaf.veins[static_cast<std::size_t>(vein.bearer)].order != 1) continue;
+    if (vein.order != 2 || vein.parent < 0 || leaf.veins[static_cast<std::size_t>(vein.parent)].order != 1) continue;
     Leaving one{};
     if (!leaving(leaf, vein, one)) continue;
     angles += one.angle;
-    places.push_back({vein.bearer, one.left, one.along});
+    places.push_back({vein.parent, one.left, one.along});
   }
   std::sort(places.begin(), places.end(), [](const Place& one, const Place& other) {
-    if (one.bearer != other.bearer) return one.bearer < other.bearer;
+    if (one.parent != other.parent) return one.parent < other.parent;
     return one.left != other.left ? one.left < other.left : one.along < other.along;
   });
   float gaps = 0, count = 0;
   for (std::size_t i = 1; i < places.size(); ++i) {
-    if (places[i].bearer != places[i - 1].bearer || places[i].left != places[i - 1].left) continue;
+    if (places[i].parent != places[i - 1].parent || places[i].left != places[i - 1].left) continue;
     gaps += places[i].along - places[i - 1].along;
     ++count;
   }

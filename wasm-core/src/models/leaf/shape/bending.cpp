@@ -21,8 +21,8 @@ glm::vec3 Bending::sheet(const glm::vec2& p, const SinCos& folded) const {
   const float x = p.x * reach;
   float z = out * rise;
   // Waves grow with the square of the distance from the midrib.
-  const float aside = p.x / half_width, wave = waves * p.y + (p.x < 0 ? second_side : 0.0f);
-  z += undulation * half_width * std::min(aside * aside, 2.0f) * sincos_degrees(360 * (wave - std::floor(wave))).sine;
+  const float across = p.x / half_width, wave = waves * p.y + (p.x < 0 ? second_side : 0.0f);
+  z += undulation * half_width * std::min(across * across, 2.0f) * sincos_degrees(360 * (wave - std::floor(wave))).sine;
   if (std::fabs(curl) < straight) return scale * glm::vec3(x, p.y, z);
   // Along: a circular arc, which turns the tip down.
   const float radius_of_arc = 180 / (curl * pi);

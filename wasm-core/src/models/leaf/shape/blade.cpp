@@ -52,13 +52,13 @@ ChartSquare chart_square(const Outline& outline) {
 
 std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins,
                                   const Bending& bending, const BladeForm& form) {
-  const BladePoints laid = lay_points(margin, outline, veins, form.detail);
-  const std::vector<std::uint32_t> triangles = triangulate(laid.points, laid.ring);
+  const BladePoints placed = place_points(margin, outline, veins, form.detail);
+  const std::vector<std::uint32_t> triangles = triangulate(placed.points, placed.ring);
   if (triangles.empty()) return {};
   // Points that no triangle uses are left out; the ring is all used, so that it stays first.
-  std::vector<std::int32_t> number(laid.points.size(), -1);
+  std::vector<std::int32_t> number(placed.points.size(), -1);
   std::vector<std::uint32_t> used;
-  for (std::uint32_t i = 0; i < laid.ring; ++i) {
+  for (std::uint32_t i = 0; i < placed.ring; ++i) {
     number[i] = static_cast<std::int32_t>(i);
     used.push_back(i);
   }
@@ -72,16 +72,16 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
   std::vector<float> edge;
   for (std::size_t k = 0; k < used.size(); ++k) {
     const std::uint32_t i = used[k];
-    const glm::vec2 p = laid.points[i];
+    const glm::vec2 p = placed.points[i];
     const glm::vec3 middle = bending(p), normal = bending.normal(p);
-    const float half = 0.5f * form.thickness * (k < laid.ring ? thin_margin : 1.0f);
-    const float ridge = k < laid.ring ? 0 : form.relief * bending.scale * laid.rise[i];
+    const float half = 0.5f * form.thickness * (k < placed.ring ? thin_margin : 1.0f);
+    const float ridge = k < placed.ring ? 0 : form.relief * bending.scale * placed.rise[i];
     put(upper.positions, middle + (half - std::min(groove * ridge, half)) * normal);
     put(lower.positions, middle - (half + ridge) * normal);
     put(upper.normals, normal);
     put(lower.normals, -normal);
     put(upper.uvs, (p - square.low) / square.size);
-    edge.push_back(k < laid.ring ? 0 : outline.about_distance({p.x, p.y, 0}));
+    edge.push_back(k < placed.ring ? 0 : outline.about_distance({p.x, p.y, 0}));
   }
   lower.uvs = upper.uvs;
   for (std::size_t k = 0; k < triangles.size(); k += 3) {
@@ -89,7 +89,7 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
     put(upper.indices, corner(0), corner(1), corner(2));
     put(lower.indices, corner(0), corner(2), corner(1));
   }
-  add_rim(lower, upper, laid.ring);
+  add_rim(lower, upper, placed.ring);
   std::vector<float> edge_below = edge;
   edge_below.resize(lower.positions.size() / 3, 0);
   std::vector<PlantMesh> faces;

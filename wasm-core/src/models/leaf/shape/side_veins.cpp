@@ -112,7 +112,7 @@ std::vector<SideVeins::Start> SideVeins::starts(const Midrib& midrib, std::uint3
   return all;
 }
 
-void SideVeins::lay(Ribs& ribs, const Midrib& midrib, std::uint32_t count, const Part& part) const {
+void SideVeins::add_veins(Ribs& ribs, const Midrib& midrib, std::uint32_t count, const Part& part) const {
   const float apart = midrib.length() / static_cast<float>(std::max(count, 1u));
   const float clear = std::clamp(arch_clear * apart, least_clear, most_clear);
   for (const float side : {-1.0f, 1.0f}) {

@@ -31,7 +31,7 @@ class SideVeins {
 
   // So many on each side of a main vein, spread and angled as the plan says, ending as its course says; where that is
   // not open, before the margin.
-  void lay(Ribs& ribs, const Midrib& midrib, std::uint32_t count, const Part& part) const;
+  void add_veins(Ribs& ribs, const Midrib& midrib, std::uint32_t count, const Part& part) const;
 
   // One to a lobe's tip, from where the main vein sees it at about the angle planned and well clear of the bays beside
   // it. False where no place sees it.

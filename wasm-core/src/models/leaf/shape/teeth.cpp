@@ -152,20 +152,20 @@ class Cutter {
  public:
   Cutter(const Margin& margin, const Teeth& teeth)
       : margin_(margin),
-        asked_(teeth),
+        options_(teeth),
         rail_(margin.points),
         widths_(widths_of(margin.points)),
         stretches_(stretches_of(margin)) {
-    const float side = 0.5f * rail_.length(), entire = asked_.entire * side;
+    const float side = 0.5f * rail_.length(), entire = options_.entire * side;
     for (const Stretch& one : stretches_) {
       const float first = std::max(rail_.at(one.first), entire),
                   last = std::min(rail_.at(one.last), rail_.length() - entire);
-      const float count = std::floor(static_cast<float>(asked_.count) * (last - first) / (side - entire) + 0.5f);
+      const float count = std::floor(static_cast<float>(options_.count) * (last - first) / (side - entire) + 0.5f);
       const auto at = [&](float k) { return k < count ? first + k / count * (last - first) : last; };
       for (float k = 0; k < count; ++k) teeth_.push_back({at(k), at(k + 1), one.to_end, first, last});
     }
     for (Tooth& tooth : teeth_)
-      if (deepest(tooth) < least_left * asked_.depth * (tooth.to - tooth.from)) tooth.share = 0;
+      if (deepest(tooth) < least_left * options_.depth * (tooth.to - tooth.from)) tooth.share = 0;
   }
 
   Cut cut() const {
@@ -179,11 +179,11 @@ class Cutter {
         cut.margin.tips.push_back(cut.margin.points.size() - 1);
       if (one.first == margin_.tip) cut.margin.tip = cut.margin.points.size() - 1;
       for (; tooth < teeth_.size() && teeth_[tooth].from < end; ++tooth) {
-        lay_plain(cut, at, teeth_[tooth].from, -1);
-        lay(cut, tooth);
+        add_plain(cut, at, teeth_[tooth].from, -1);
+        add_tooth(cut, tooth);
         at = teeth_[tooth].to;
       }
-      lay_plain(cut, at, end, -1);
+      add_plain(cut, at, end, -1);
     }
     while (cut.margin.points.back() == cut.margin.points.front()) cut.margin.points.pop_back();
     return cut;
@@ -218,7 +218,7 @@ class Cutter {
   float deep(const Tooth& tooth, float length) const {
     const float near_end = std::min(length - tooth.first, tooth.last - length);
     return std::max(
-        std::min({asked_.depth * (tooth.to - tooth.from), slope_at_tips * near_end, share_of_width * width(length)}),
+        std::min({options_.depth * (tooth.to - tooth.from), slope_at_tips * near_end, share_of_width * width(length)}),
         0.0f);
   }
 
@@ -231,18 +231,18 @@ class Cutter {
   }
 
   // The margin's own points between.
-  void lay_plain(Cut& cut, float from, float to, std::int32_t owner) const {
+  void add_plain(Cut& cut, float from, float to, std::int32_t owner) const {
     for (std::size_t i = rail_.edge(from) + 1; i < margin_.points.size() && rail_.at(i) < to; ++i)
       if (rail_.at(i) > from) cut.add(margin_.points[i], owner);
   }
 
   // With the notch towards the tip that it leans away from, where it has a neighbour there.
-  void lay(Cut& cut, std::size_t number) const {
+  void add_tooth(Cut& cut, std::size_t number) const {
     const Tooth& tooth = teeth_[number];
     const auto owner = static_cast<std::int32_t>(number);
-    if (tooth.share == 0) return lay_plain(cut, tooth.from, tooth.to, owner);
+    if (tooth.share == 0) return add_plain(cut, tooth.from, tooth.to, owner);
     const float whole = tooth.to - tooth.from;
-    const Profile profile = profile_of(asked_.shape);
+    const Profile profile = profile_of(options_.shape);
     std::vector<glm::vec2> places;  // along the margin, how far out
     for (std::size_t i = 0; i < profile.size(); ++i) {
       const glm::vec2 here = profile[i], next = i + 1 < profile.size() ? profile[i + 1] : glm::vec2(1, 0);
@@ -270,7 +270,7 @@ class Cutter {
   float beyond(std::size_t number) const { return teeth_[teeth_[number].to_end ? number - 1 : number + 1].share; }
 
   const Margin& margin_;
-  const Teeth& asked_;
+  const Teeth& options_;
   Rail rail_;
   std::vector<float> widths_;
   std::vector<Stretch> stretches_;

@@ -86,24 +86,24 @@ std::vector<std::vector<glm::vec3>> shared_out(const std::vector<glm::vec3>& sta
 
 }  // namespace
 
-Result<Veins> grow_veins(const Asked& asked, const Limits& limits, std::vector<std::string>& notes) {
+Result<Veins> grow_veins(const LeafRequest& leaf_request, const Limits& limits, std::vector<std::string>& notes) {
   using enum Parameter;
-  const Values& values = asked.values;
-  auto spanned = spline(asked.outline);
+  const Values& values = leaf_request.values;
+  auto spanned = spline(leaf_request.outline);
   if (!spanned) return spanned.error();
   Margin margin = toothed(spanned.value(), teeth_of(values), notes);
   Outline outline(margin.points);
   Veins veins{
       .margin = std::move(margin), .outline = std::move(outline), .crowds = {}, .all = {}, .tally = {}, .timeline = {}};
   std::uint32_t count = values.whole(particles);
-  if (asked.draft) count = std::min(count, draft_particles);
+  if (leaf_request.draft) count = std::min(count, draft_particles);
   veins.spacing = std::sqrt(veins.outline.area() / static_cast<float>(count));
   const Rules rules = rules_of(values, veins.spacing);
   veins.stride = rules.step;
   note_on(rules_of(values, 1), notes);
   const glm::vec3 base = base_of(veins.outline, notes);
-  const std::vector<Ribs> trees = lay_ribs(plan_of(values), veins.margin, veins.outline, base, notes);
-  const auto starts = scatter_all(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, asked.seed).points;
+  const std::vector<Ribs> trees = build_ribs(plan_of(values), veins.margin, veins.outline, base, notes);
+  const auto starts = scatter_all(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, leaf_request.seed).points;
   if (starts.empty()) notes.push_back("No particle found room in the outline: give more, or another seed.");
 
   std::vector<std::unique_ptr<const Venation>> guides;

@@ -26,6 +26,6 @@ struct Veins {
 };
 
 // Errors: those of `spline`; limit, where particles move more often than they may.
-Result<Veins> grow_veins(const Asked& asked, const Limits& limits, std::vector<std::string>& notes);
+Result<Veins> grow_veins(const LeafRequest& leaf_request, const Limits& limits, std::vector<std::string>& notes);
 
 }  // namespace panicle::particles::leaf

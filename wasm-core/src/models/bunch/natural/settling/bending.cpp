@@ -29,7 +29,7 @@ glm::vec3 turned_onto(const glm::vec3& v, const glm::vec3& from, const glm::vec3
 class Bending {
  public:
   Bending(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
-          std::span<const Outcome> outcomes, std::span<const glm::vec3> ends, float size)
+          std::span<const FlowerOutcome> outcomes, std::span<const glm::vec3> ends, float size)
       : internodes_(internodes), flowers_(flowers), hanging_(hanging), outcomes_(outcomes), ends_(ends), size_(size) {}
 
   Bent run() {
@@ -66,18 +66,18 @@ class Bending {
   bool rides(std::size_t i) const { return hanging_.branch_of[i] < 0 && hanging_.stalk_from[i] < 0; }
 
   void find_what_stays() {
-    std::vector<std::uint8_t> bore(internodes_.size(), 0);
+    std::vector<std::uint8_t> had_flower(internodes_.size(), 0);
     stays_.assign(internodes_.size(), 0);
     for (std::size_t f = 0; f < flowers_.size(); ++f) {
-      const auto bearer = static_cast<std::size_t>(flowers_[f].bearer);
-      bore[bearer] = 1;
-      if (outcomes_[f].fate != FlowerState::fallen) stays_[bearer] = 1;
+      const auto parent = static_cast<std::size_t>(flowers_[f].parent);
+      had_flower[parent] = 1;
+      if (outcomes_[f].state != FlowerState::fallen) stays_[parent] = 1;
     }
     for (std::size_t i = internodes_.size(); i-- > 0;) {
-      if (internodes_[i].kind == Kind::rachis || (is_branch(i) && !bore[i])) stays_[i] = 1;
+      if (internodes_[i].kind == Kind::rachis || (is_branch(i) && !had_flower[i])) stays_[i] = 1;
       if (internodes_[i].parent < 0) continue;
       const auto parent = static_cast<std::size_t>(internodes_[i].parent);
-      if (bore[i]) bore[parent] = 1;
+      if (had_flower[i]) had_flower[parent] = 1;
       if (stays_[i]) stays_[parent] = 1;
     }
     for (std::size_t i = 0; i < internodes_.size(); ++i)
@@ -91,14 +91,14 @@ class Bending {
     sums_.assign(internodes_.size(), glm::vec3(0));
     counts_.assign(internodes_.size(), 0);
     for (std::size_t f = 0; f < flowers_.size(); ++f) {
-      const auto bearer = static_cast<std::size_t>(flowers_[f].bearer);
-      if (hanging_.stalk_from[bearer] < 0) continue;
-      const auto first = static_cast<std::size_t>(hanging_.stalk_from[bearer]);
+      const auto parent = static_cast<std::size_t>(flowers_[f].parent);
+      if (hanging_.stalk_from[parent] < 0) continue;
+      const auto first = static_cast<std::size_t>(hanging_.stalk_from[parent]);
       const glm::vec3 foot = internodes_[first].start, moved = moved_foot(first);
-      const glm::vec3 grown = internodes_[bearer].end - foot;
-      if (outcomes_[f].fate == FlowerState::berry) seats_[bearer] = 1;
-      for (std::size_t i = bearer;; i = static_cast<std::size_t>(internodes_[i].parent)) {
-        add(i, outcomes_[f].fate, place(outcomes_[f], moved, internodes_[i].end - foot, grown, i == bearer));
+      const glm::vec3 grown = internodes_[parent].end - foot;
+      if (outcomes_[f].state == FlowerState::berry) seats_[parent] = 1;
+      for (std::size_t i = parent;; i = static_cast<std::size_t>(internodes_[i].parent)) {
+        add(i, outcomes_[f].state, place(outcomes_[f], moved, internodes_[i].end - foot, grown, i == parent));
         if (i == first) break;
       }
     }
@@ -112,17 +112,17 @@ class Bending {
   }
 
   // Of a point of a stalk, `along` from its foot where it grew; the stalk is `grown` long, and its foot now at `foot`.
-  glm::vec3 place(const Outcome& outcome, const glm::vec3& foot, const glm::vec3& along, const glm::vec3& grown,
+  glm::vec3 place(const FlowerOutcome& outcome, const glm::vec3& foot, const glm::vec3& along, const glm::vec3& grown,
                   bool tip) const {
-    if (outcome.fate == FlowerState::stub) return foot + along * stub_length;
-    if (outcome.fate == FlowerState::flower) return foot + along * stalk_at(size_);
+    if (outcome.state == FlowerState::stub) return foot + along * stub_length;
+    if (outcome.state == FlowerState::flower) return foot + along * stalk_at(size_);
     return tip ? outcome.seat : foot + turned_onto(along, grown, outcome.seat - foot);
   }
 
-  void add(std::size_t i, FlowerState fate, const glm::vec3& end) {
-    if (fate < states_[i]) return;
-    if (fate > states_[i]) {
-      states_[i] = fate;
+  void add(std::size_t i, FlowerState state, const glm::vec3& end) {
+    if (state < states_[i]) return;
+    if (state > states_[i]) {
+      states_[i] = state;
       counts_[i] = 0;
     }
     sums_[i] = counts_[i] == 0 ? end : sums_[i] + end;
@@ -138,7 +138,7 @@ class Bending {
   std::span<const Internode> internodes_;
   std::span<const Flower> flowers_;
   const Hanging& hanging_;
-  std::span<const Outcome> outcomes_;
+  std::span<const FlowerOutcome> outcomes_;
   std::span<const glm::vec3> ends_;
   float size_;
   std::vector<std::uint8_t> stays_;
@@ -152,7 +152,7 @@ class Bending {
 }  // namespace
 
 Bent bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
-                   std::span<const Outcome> outcomes, std::span<const glm::vec3> ends, float size) {
+                   std::span<const FlowerOutcome> outcomes, std::span<const glm::vec3> ends, float size) {
   return Bending(internodes, flowers, hanging, outcomes, ends, size).run();
 }
 

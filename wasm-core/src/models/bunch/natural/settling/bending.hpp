@@ -19,8 +19,8 @@ enum class FlowerState : std::uint8_t {
   berry,
 };
 
-struct Outcome {
-  FlowerState fate = FlowerState::fallen;
+struct FlowerOutcome {
+  FlowerState state = FlowerState::fallen;
   glm::vec3 seat{0};  // of a berry: where its stalk ends, millimetres
 };
 
@@ -33,6 +33,6 @@ struct Bent {
 // berries' width now over the ripe one. Stems that bear nothing any more fall, but for the rachis and what never bore a
 // flower: that is as the text has it.
 Bent bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
-                   std::span<const Outcome> outcomes, std::span<const glm::vec3> ends, float size);
+                   std::span<const FlowerOutcome> outcomes, std::span<const glm::vec3> ends, float size);
 
 }  // namespace panicle::bunch

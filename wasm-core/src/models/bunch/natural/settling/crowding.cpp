@@ -39,16 +39,16 @@ struct Berry {
 
 }  // namespace
 
-float crowding(std::span<const Bud> buds, std::span<const float> volumes, const Make& make) {
+float crowding(std::span<const Bud> buds, std::span<const float> volumes, const BerrySize& berry) {
   std::vector<Berry> berries;
   std::vector<glm::vec3> places;
   for (std::size_t i = 0; i < buds.size(); ++i) {
     if (!(volumes[i] > 0)) continue;
     const glm::vec3& place = buds[i].place;
-    places.emplace_back(place.x, place.y / make.elongation, place.z);
+    places.emplace_back(place.x, place.y / berry.elongation, place.z);
     berries.push_back({volumes[i], buds[i].bunch, 1 + pushed_in * buds[i].misplaced, 0});
   }
-  const float reach = near * make.size, square = reach * reach;
+  const float reach = near * berry.size, square = reach * reach;
   const PointGrid grid(places, reach / 2);
   const std::span<const std::uint32_t> ids = grid.ids();
   for (std::uint32_t i = 0; i < places.size(); ++i) {
@@ -66,9 +66,9 @@ float crowding(std::span<const Bud> buds, std::span<const float> volumes, const 
     });
   }
   float all = 0, open = 0;
-  for (const Berry& berry : berries) {
-    all += berry.volume;
-    open += berry.volume / (1 + berry.pushed * berry.crowd * filled_by_one / middling);
+  for (const Berry& each : berries) {
+    all += each.volume;
+    open += each.volume / (1 + each.pushed * each.crowd * filled_by_one / middling);
   }
   return open > 0 ? middling * (all / open - 1) : 0;
 }
@@ -81,21 +81,21 @@ float crowding_at(float density, float elongation) {
   return round * power(elongation, longer_by);
 }
 
-float fill_for(std::span<const Bud> buds, std::span<const float> ranks, float density, const Make& make) {
+float fill_for(std::span<const Bud> buds, std::span<const float> ranks, float density, const BerrySize& berry) {
   const auto attempt = [&](float fill) {
     const std::vector<float> volumes = choose_set({ranks.begin(), ranks.end()}, exponential(fill));
-    return Try{fill, logarithm(std::max(crowding(buds, volumes, make), 1e-6f))};
+    return Try{fill, logarithm(std::max(crowding(buds, volumes, berry), 1e-6f))};
   };
-  const float wanted = logarithm(crowding_at(density, make.elongation));
+  const float wanted = logarithm(crowding_at(density, berry.elongation));
   Try last = attempt(logarithm(fill_of(density)));
   float steepness = usual_steepness;
   for (int k = 0; k < tries; ++k) {
     const float step = std::clamp((wanted - last.crowding) / steepness, -most_step, most_step);
     const Try next = attempt(last.fill + step);
     // Of the chord, where the two are far enough apart to tell.
-    const float told = step * step / (step * step + 1e-4f);
+    const float reliability = step * step / (step * step + 1e-4f);
     const float chord = std::abs(step) > 0 ? (next.crowding - last.crowding) / step : 0;
-    steepness = std::clamp(usual_steepness + told * (chord - usual_steepness), least_steepness, most_steepness);
+    steepness = std::clamp(usual_steepness + reliability * (chord - usual_steepness), least_steepness, most_steepness);
     last = next;
   }
   return exponential(last.fill + std::clamp((wanted - last.crowding) / steepness, -most_step, most_step));

@@ -10,7 +10,7 @@
 namespace panicle::bunch {
 
 // Of what make berries are.
-struct Make {
+struct BerrySize {
   float size = 0;        // mean width of a ripe one, millimetres
   float elongation = 1;  // length over width
 };
@@ -18,13 +18,13 @@ struct Make {
 // The share of space that others fill within two widths of a berry, near ones counting for more: over all berries by
 // volume, the harmonic mean of that share and a middling one together, less the middling one. `volumes` are
 // choose_set's; 0 where none sets.
-float crowding(std::span<const Bud> buds, std::span<const float> volumes, const Make& make);
+float crowding(std::span<const Bud> buds, std::span<const float> volumes, const BerrySize& berry);
 
 // The crowding of bunches of a density, 1 … 9.
 float crowding_at(float density, float elongation);
 
 // The fill for choose_set with which flowers of these ranks are as crowded as the density says; as many as there are
 // where they are too few. Smooth in the buds' places.
-float fill_for(std::span<const Bud> buds, std::span<const float> ranks, float density, const Make& make);
+float fill_for(std::span<const Bud> buds, std::span<const float> ranks, float density, const BerrySize& berry);
 
 }  // namespace panicle::bunch

@@ -94,9 +94,9 @@ void Sagging::brace(std::span<const Swelling> berries) {
     const bool first = branch.parent < 0 || axis_of[parent] < 0;
     axis_of[k] = first ? static_cast<std::int32_t>(k) : axis_of[parent];
     const auto axis = static_cast<std::size_t>(axis_of[k]);
-    const std::int32_t bearer = branches_[axis].parent;
+    const std::int32_t axis_parent = branches_[axis].parent;
     before[axis] += heads[k] * (branch.end - branches_[axis].start);
-    after[axis] += heads[k] * (ends[k] - (bearer < 0 ? branches_[axis].start : ends[static_cast<std::size_t>(bearer)]));
+    after[axis] += heads[k] * (ends[k] - (axis_parent < 0 ? branches_[axis].start : ends[static_cast<std::size_t>(axis_parent)]));
   }
   for (std::size_t k = 0; k < branches_.size(); ++k)
     if (axis_of[k] == static_cast<std::int32_t>(k)) braced_[k] = least_turn(after[k], before[k]);
@@ -109,8 +109,8 @@ std::span<const glm::quat> Sagging::turned(float size) {
   turned_by_ = weight;
   for (std::size_t k = 0; k < branches_.size(); ++k) {
     const Branch& branch = branches_[k];
-    const glm::quat bearer = branch.parent < 0 ? straight : turned_[static_cast<std::size_t>(branch.parent)];
-    turned_[k] = bends_[k] > 0 ? slight_turn(axes_[k], weight * bends_[k]) * braced_[k] * bearer : bearer;
+    const glm::quat parent_turn = branch.parent < 0 ? straight : turned_[static_cast<std::size_t>(branch.parent)];
+    turned_[k] = bends_[k] > 0 ? slight_turn(axes_[k], weight * bends_[k]) * braced_[k] * parent_turn : parent_turn;
   }
   return turned_;
 }

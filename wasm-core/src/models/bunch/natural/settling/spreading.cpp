@@ -76,8 +76,8 @@ glm::vec3 push_between(const Hung& a, const Hung& b) {
 }
 
 // Level, so that nobody is pushed up by who hangs below, and a little down; its pedicel keeps its length.
-void lean(Hung& berry, const glm::vec3& aside) {
-  const glm::vec3 way = berry.centre + glm::vec3(aside.x, -weight * berry.size.ball, aside.z) - berry.foot;
+void lean(Hung& berry, const glm::vec3& sideways) {
+  const glm::vec3 way = berry.centre + glm::vec3(sideways.x, -weight * berry.size.ball, sideways.z) - berry.foot;
   const float far = glm::length(way);
   if (!(far > least_length)) return;
   berry.heading = way / far;

@@ -104,9 +104,9 @@ class Solver {
   void join(std::size_t wanted, float scale, int& index) {
     std::uint32_t next = 0;
     for (int lot = 0; lot < most_joinings; ++lot) {
-      const std::size_t kept = there();
-      if (static_cast<float>(kept) >= near_enough * static_cast<float>(wanted)) return;
-      auto places = static_cast<std::size_t>(over_missing * static_cast<float>(wanted - kept)) + 1;
+      const std::size_t remaining = there();
+      if (static_cast<float>(remaining) >= near_enough * static_cast<float>(wanted)) return;
+      auto places = static_cast<std::size_t>(over_missing * static_cast<float>(wanted - remaining)) + 1;
       for (; next < berries_.size() && places > 0; ++next) {
         if (lost_[next] != RemovalReason::not_set) continue;
         begin(next);
