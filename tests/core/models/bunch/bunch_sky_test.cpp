@@ -158,7 +158,7 @@ TEST_CASE("leaves and cane are seen from, and hide") {
   CHECK(*std::min_element(leafy.sky->foliage.begin(), leafy.sky->foliage.end()) < 100);
   REQUIRE(leafy.sky->berries.size() == bare.sky->berries.size());
   CHECK(mean(leafy.sky->berries) < mean(bare.sky->berries) - 0.3);
-  int brighter = 0;  // by the little that two bands are wrong about what lies behind a point
+  int brighter = 0;  // by the small error of two bands in the space behind a point
   for (std::size_t v = 0; v < bare.sky->berries.size(); ++v)
     brighter = std::max(brighter, leafy.sky->berries[v] - bare.sky->berries[v]);
   CHECK(brighter < 12);

@@ -140,7 +140,7 @@ TEST_CASE("the larger radius that print suggests leaves the 20 to 30 berries the
 TEST_CASE("the same request gives the same fingerprint; another seed another") {
   const std::uint64_t first = grown(request_for(shouldered(), 7)).fingerprint;
   CHECK(grown(request_for(shouldered(), 8)).fingerprint != first);
-  CHECK(grown(request_for(shouldered(), 7)).fingerprint == first);  // whatever grew between
+  CHECK(grown(request_for(shouldered(), 7)).fingerprint == first);  // independent of growth in between
 }
 
 TEST_CASE("parents come first, axes are those of the plan, withered pedicels bear nothing") {

@@ -11,7 +11,7 @@
 
 namespace panicle::tests {
 
-// What `text` draws, from the origin straight down, interpreted once and finished.
+// The drawing of `text`, from the origin straight down, interpreted once and finished.
 inline bunch::SkeletonDrawing drawn_text(std::string_view text) {
   bunch::SkeletonDrawing drawing{Limits{}};
   auto program = lsystem::compile(text, {}, lsystem::Lineages::always);

@@ -14,7 +14,7 @@ using namespace panicle;
 
 namespace {
 
-// A text without what stands between /* and */, and without spaces.
+// A text without comments between /* and */, and without spaces.
 std::string bare(const std::string& text) {
   std::string left;
   for (std::size_t at = 0; at < text.size(); ++at) {

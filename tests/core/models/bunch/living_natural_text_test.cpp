@@ -1,5 +1,5 @@
-// The natural bunch too is the interpretation of its text: edit it, and the bunch follows, or a note says what was
-// passed over (docs/natural.md).
+// The natural bunch too is the interpretation of its text: edit it, and the bunch follows, or a note lists the ignored
+// part (docs/natural.md).
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ float closing(const GrownBunch& bunch) {
 }
 
 const std::string pedicel_line = "Ap(w,s) --> ?E(1,0,0,stalk*(1+vary*(ran(0.4)-0.2)),w,s)";
-const std::string pedicel_line = "type=1        --> +(theta) &(phi) !(w) F(l) S(b)";
+const std::string answered_pedicel_line = "type=1        --> +(theta) &(phi) !(w) F(l) S(b)";
 
 }  // namespace
 
@@ -119,7 +119,7 @@ TEST_CASE("a thorn in Ap is drawn beside the pedicel, and is none") {
         0.1f * static_cast<float>(plain.counts.berries));
   check_no_gaps(thorny);
   // One on the pedicel itself goes with it.
-  const GrownBunch spiny = grown(edited(4, pedicel_line, "type=1        --> +(theta) &(phi) !(w) F(l) [ +(90) F(9) ] S(b)"));
+  const GrownBunch spiny = grown(edited(4, answered_pedicel_line, "type=1        --> +(theta) &(phi) !(w) F(l) [ +(90) F(9) ] S(b)"));
   CHECK(spiny.counts.pedicels == plain.counts.pedicels);
   CHECK(spiny.internodes.size() == plain.internodes.size() + plain.counts.pedicels);
   check_no_gaps(spiny);
@@ -183,7 +183,7 @@ TEST_CASE("a parameter that the text does not know is told by both procedures") 
     REQUIRE(result);
     CHECK(has_note(result.value(), "no #define vary"));
   }
-  // The natural plan heeds w_i, which its text does not have.
+  // The natural plan uses w_i, which its text does not have.
   BunchRequest stout = natural_request(table3[1].profile());
   set(stout, Parameter::wi, 20);
   const auto result = grow(stout);

@@ -1,4 +1,4 @@
-// The bunch as a model: what its request's blocks mean, and what its plant's columns say.
+// The bunch as a model: its request's blocks, and its plant's columns.
 #include "models/bunch/model.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// A symbol is what its role says, whatever it is called.
+// A symbol's kind follows from its role, not from its name.
 #include "models/bunch/roles.hpp"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ using namespace panicle::tests;
 
 namespace {
 
-// What a text has `symbol` draw; what it says besides in `notes`.
+// The kind that a text gives `symbol`; adds its notes to `notes`.
 Kind kind_in(const std::string& text, std::string_view symbol, std::vector<std::string>& notes) {
   const auto program = lsystem::compile(text, {});
   REQUIRE_MESSAGE(program, (program ? "" : program.error().message));
@@ -57,7 +57,7 @@ std::string undeclared(int number) {
   return text;
 }
 
-// Where the paper's text has all the room it wants and nothing is left to luck.
+// A request whose text finds room for everything and has no random values.
 BunchRequest settled() {
   BunchRequest request = as_printed(table3[1].profile());
   set_radius(request, 2, 2);

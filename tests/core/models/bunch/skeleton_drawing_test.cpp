@@ -37,7 +37,7 @@ TEST_CASE("lines in a row are internodes of one organ, each where the last one e
   REQUIRE(drawing.internodes.size() == 3);
   CHECK(kinds_of(drawing) == std::vector<Kind>(3, Kind::pedicel));
   CHECK(!drawing.internodes[0].joint);
-  CHECK(drawing.internodes[0].radius == 1.0f);  // as the module asked
+  CHECK(drawing.internodes[0].radius == 1.0f);  // as the module requested
   for (std::size_t i = 1; i < 3; ++i) {
     CHECK(drawing.internodes[i].joint);
     CHECK(drawing.internodes[i].radius == 0.5f);  // as the turtle is
@@ -63,7 +63,7 @@ TEST_CASE("axes are numbered by the rachis internode they leave; what ends the r
   const SkeletonDrawing drawing = finished_text(
       "axiom: Ar(2)\nAr(n) : n>0 --> F(5) [ Ar(n-1) ] [ +(90) Af ]\nAr(n) : n=0 --> Ae\nAf --> F(3)\nAe --> F(2) "
       "S(1)\n");
-  // Ar(2), Ar(1), Ae, then the axes from the tip upwards; the end structure bears, and so is a pedicel.
+  // Ar(2), Ar(1), Ae, then the axes from the tip upwards; the end structure has a ball, and so is a pedicel.
   REQUIRE(drawing.internodes.size() == 5);
   std::vector<std::int32_t> axes;
   for (const Internode& one : drawing.internodes) axes.push_back(one.axis);

@@ -1,4 +1,4 @@
-// Table 3 of Huang et al. 2013 as data: what was drawn (l, w, r) and what the paper derived (m, n, rd).
+// Table 3 of Huang et al. 2013 as data: the drawn profile (l, w, r) and the paper's counts (m, n, rd).
 #pragma once
 
 #include <array>

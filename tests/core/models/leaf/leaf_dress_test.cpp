@@ -25,7 +25,7 @@ const PlantMesh* mesh_at(const Plant& plant, std::string_view name) {
 TEST_CASE("the thickest vein has the requested width, and at forks widths, cross-sections or cubes add up by the law") {
   struct Case {
     float law, exponent;
-    // What adds up where veins meet: the sum of radii to this power.
+    // Where veins meet, the sums of radii to this power are equal.
     double power;
   };
   // Linear; Leonardo's rule; Murray's.

@@ -25,7 +25,7 @@ Outline outline_of(const Plant& plant) {
   return Outline(points);
 }
 
-// A star with bays, of luck's own: what a hand may drag.
+// A random star with bays, as a user may drag it.
 std::vector<float> random_outline(std::uint64_t seed) {
   Half half{{0, 0, 1}};
   const std::int32_t points = random_integer(seed, 1, 0, 3, 9);
@@ -38,7 +38,7 @@ std::vector<float> random_outline(std::uint64_t seed) {
   return mirrored(half);
 }
 
-// What holds of every leaf: energy, one tree a target, parents first, trails in the outline within a step.
+// Checks the properties of every leaf: energy, one tree a target, parents first, trails in the outline within a step.
 void check_leaf(const Plant& plant, double energy, float step) {
   const auto energies = column_at<float>(plant, "segments.energy"), arrived = column_at<float>(plant, "targets.energy");
   const auto chart = column_at<float>(plant, "segments.chart");

@@ -25,7 +25,7 @@ std::vector<ControlPoint> points_of(const std::vector<float>& rows) {
   return points.value();
 }
 
-// What is wrong with an outline, in words.
+// The error message of an outline.
 std::string trouble_with(const std::vector<float>& rows) {
   std::vector<std::string> notes;
   const auto points = read_outline(rows, notes);

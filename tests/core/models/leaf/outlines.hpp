@@ -9,7 +9,7 @@ namespace panicle::particles::leaf {
 
 using Half = std::vector<std::array<float, 3>>;
 
-// A leaf alike on both sides, from its right half: base and tip, which are on the axis, and what is between.
+// A leaf alike on both sides, from its right half: base and tip, which are on the axis, and the points between.
 inline std::vector<float> mirrored(const Half& half) {
   std::vector<float> rows;
   for (const auto& [x, y, kind] : half) rows.insert(rows.end(), {x, y, kind});

@@ -24,7 +24,7 @@ TEST_CASE("an axis begins at its foot, strays as far as it is told, and each see
     CHECK(farthest > 0.15f);
     CHECK(farthest < 1.2f);
     CHECK(axis.distance(axis.at(3)) == 0);
-    // Who follows the axis stays on it.
+    // A place that follows the axis stays on it.
     CHECK(axis.distance(axis.along(axis.at(4), axis.at(2), 0.5f)) < 1e-4f);
     CHECK(glm::distance(Axis(foot, 10, 0.5f, seed + 1).at(8), axis.at(8)) > 0.05f);
   }

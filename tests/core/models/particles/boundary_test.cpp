@@ -44,7 +44,7 @@ TEST_CASE("the inner boundary is the outer one made smaller, or a mesh of its ow
     CHECK(inner.low().y == doctest::Approx(2.5).epsilon(0.01));
     CHECK(inner_boundary(outer, own, low, high, about, 0).triangles.empty());
   }
-  // What the corner leaves out is no part of it.
+  // The corner that is cut off is no part of it.
   const glm::vec3 cut(0.7f, 3.6f, 0);
   const bool round = Solid(inner_boundary(outer, {}, low, high, {0, 2.5f, 0}, 0.9f)).contains(cut);
   const bool cornered = Solid(inner_boundary(outer, corner(), low, high, {0, 2.5f, 0}, 0.9f)).contains(cut);

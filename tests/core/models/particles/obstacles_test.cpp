@@ -1,4 +1,4 @@
-// What stands in the way of trees and roots.
+// Obstacles in the way of trees and roots.
 #include "models/particles/obstacles.hpp"
 
 #include <doctest/doctest.h>
@@ -81,7 +81,7 @@ TEST_CASE("a tap root goes round the stone below it, and is one again beyond") {
   const std::vector<float> stone{-0.1f, -0.6f, -0.1f, 0.1f, -0.4f, 0.1f};
   const Plant plant = grow_root({.parameters = {{"particles", 1500}}, .obstacles = stone});
   check_round(plant, stone);
-  // What crosses a level below it near the axis.
+  // Branches that cross a level below it near the axis.
   int strands = 0;
   for (const Segment& segment : plant.segments)
     strands += segment.start.y >= -0.75f && segment.end.y < -0.75f && std::hypot(segment.end.x, segment.end.z) < 0.01f;

@@ -17,7 +17,7 @@ namespace {
 
 Rules rules_for(float spacing) { return {.step = 0.35f * spacing, .merge = 0.7f * spacing}; }
 
-// What holds of the trails of any crowd that has run.
+// Checks the properties of the trails of any crowd that has run.
 void check_tree(const ParticleSystem& crowd, const Trails& trails, std::size_t started, double energy) {
   REQUIRE(trails.size() >= 1);
   CHECK(trails.next[0] == -1);

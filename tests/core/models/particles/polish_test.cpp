@@ -61,7 +61,7 @@ std::vector<double> forks(const Trails& trails) {
   return found;
 }
 
-// Where those started that nobody else came by.
+// Starts of particles whose place no other particle passed.
 std::map<std::int32_t, glm::vec3> ends_of(const Trails& trails) {
   std::map<std::int32_t, glm::vec3> ends;
   for (std::size_t i = 0; i < trails.size(); ++i)

@@ -63,7 +63,7 @@ TEST_CASE(
           const Round region(flat, 1, hole);
           const auto points = scatter(region, pattern, count, spacing_of(region, count), 7);
           CHECK(std::all_of(points.begin(), points.end(), [&](const glm::vec3& p) { return region.contains(p); }));
-          // Points of small regions may stand a little outside of what they fill, so more of them fit.
+          // Points of small regions may lie a little outside of the filled part, so more of them fit.
           const float off = count == 50 ? 0.75f : count == 500 ? 0.35f : 0.15f;
           CHECK(static_cast<float>(points.size()) == doctest::Approx(static_cast<float>(count)).epsilon(off));
           if (pattern == Pattern::uniform) CHECK(points.size() == count);
@@ -161,7 +161,7 @@ TEST_CASE("a region that grows keeps the points that it has, and another seed gi
 
 namespace {
 
-// Two balls far apart, which count how often they are asked of a place.
+// Two balls far apart, which count the queries of places.
 class FarApart final : public Region {
  public:
   glm::vec3 low() const override { return {-1, -1, -1}; }

@@ -38,7 +38,7 @@ struct SpaceOptions {
   bool leaf = true;  // whether a tree's request brings one
 };
 
-// What trees bear in tests: a lozenge with a petiole.
+// The leaf of trees in tests: a lozenge with a petiole.
 inline constexpr std::array<float, 8> leaf_points{0, 0, 0.3f, 0.5f, 0, 1, -0.3f, 0.5f};
 inline constexpr std::array<float, 4> leaf_between{0, 1, 0, 1};
 inline constexpr std::array<float, 8> leaf_uvs{0.5f, 1, 0.8f, 0.5f, 0.5f, 0, 0.2f, 0.5f};
@@ -125,7 +125,7 @@ std::vector<Value> column_in(const Plant& plant, std::string_view name) {
   return column_in<Value>(plant.columns, name);
 }
 
-// Where particles started: ends that bear nothing. (All of a grown plant's particles are such ends.)
+// Where particles started: ends without children. (All of a grown plant's particles are such ends.)
 inline std::vector<std::size_t> tips_of(const Plant& plant) {
   std::vector<std::uint8_t> has_child(plant.segments.size(), 0);
   for (const Segment& segment : plant.segments)
@@ -136,7 +136,7 @@ inline std::vector<std::size_t> tips_of(const Plant& plant) {
   return tips;
 }
 
-// Every tree has these, whatever was asked.
+// Checks the properties of every tree, independent of its options.
 inline void check_sound(const Plant& plant, double energy) {
   const auto energies = column_in<float>(plant, "segments.energy");
   const auto arrived = column_in<float>(plant, "targets.energy");

@@ -46,7 +46,7 @@ TEST_CASE("ways bend the more the farther from the axis, and end at the target a
   CHECK(rise(1) > rise(0.2f));
   CHECK(rise(0.2f) > -0.72f);
   CHECK(rise(4) == doctest::Approx(rise(2)));
-  // As strong a bend as can be asked, to every side.
+  // The strongest bends allowed, to every side.
   for (const glm::vec3& way : {glm::vec3(0, 2, 0), glm::vec3(0, -2, 0), glm::vec3(2, 0, 0), glm::vec3(-1, 1, 1)}) {
     habit.bend = way;
     const Trunk guide({0, 0, 0}, habit);

@@ -60,7 +60,7 @@ TEST_CASE("a twig hangs the more the farther from the branch that bears it, as l
   Trails half = before;
   hang(half, guide, crown, crown, {.weep = 0.5f, .weep_tips = 3}, 1);
   CHECK(half.places.back().y > trails.places.back().y + 0.2f);
-  // What stands upright has no side to fall to, and what bears more tips stands.
+  // A vertical twig has no side to fall to, and twigs with more tips stay.
   for (std::size_t i = 3; i < 7; ++i) CHECK(trails.places[i].x == before.places[i].x);
   Trails heavy = before;
   hang(heavy, guide, crown, crown, {.weep = 1, .weep_tips = 1}, 1);

@@ -32,8 +32,7 @@ TEST_CASE("a vein goes on as what carries most; what leaves it begins a vein of 
   CHECK(veins[3].places == std::vector<std::uint32_t>{3, 7});
   CHECK(veins[0].order == 1);
   CHECK(veins[1].order == 2);
-  // A twig on the midrib waits for the round after what is ever so much wider; of the next round it is too thin as
-  // well.
+  // A twig on the midrib waits for the round after that of much wider veins; of the next round it is too thin as well.
   CHECK(veins[3].order == 3);
   CHECK(veins[2].order == 4);
 }

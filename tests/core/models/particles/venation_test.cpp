@@ -107,7 +107,7 @@ TEST_CASE("what was drawn aside on its way along a rib is laid back into it, whe
   Trails trails = bumped();
   bed(trails, grid, Straight({0, 0, 0}), 0.04f);
   CHECK(std::fabs(trails.places[2].x) < 0.015f);
-  CHECK(trails.places[5].x == 0.05f);  // what comes in from beside is as far off, and stays
+  CHECK(trails.places[5].x == 0.05f);  // a place that comes in from the side is as far off, and stays
   class Blind final : public Guide {
    public:
     Blind() : Guide({0, 0, 0}) {}

@@ -79,7 +79,7 @@ TEST_CASE("ways are the same in whatever order they are asked for") {
     CHECK(near_first.next(p) == far_first.next(p));
   }
   CHECK(near_first.way({0.85f, 0.95f, 0}) == farthest);
-  // Whoever is the first to ask.
+  // The result does not depend on the order of queries.
   for (std::uint64_t k = 0; k < 40; ++k) {
     const glm::vec3 p(random_unit(k, 1, 2), random_unit(k, 2, 2), 0);
     CHECK(Waypoints(horseshoe(), {goal}, 0.02f).way(p) == far_first.way(p));

@@ -1,4 +1,4 @@
-// All targets' particles: whose each is, and who is told of.
+// Particles of several targets: the target of each, and the notes about those without one.
 #include "models/particles/wood.hpp"
 
 #include <doctest/doctest.h>
@@ -60,7 +60,7 @@ TEST_CASE("particles that no target can be come to from are left out, and told o
 }
 
 TEST_CASE("those that had to be led to their target are counted") {
-  // Nobody comes anywhere by steps of no length.
+  // Particles never arrive with steps of length 0.
   const std::vector<glm::vec3> starts{{1, 2, 0}, {-1, 2, 0}, {0, 2, 1}}, targets{{0.5f, 0, 0}, {-0.5f, 0, 0}};
   for (const float step : {0.0f, 0.35f}) {
     const Solid crown(box({-2, 1, -2}, {2, 3, 2}));

@@ -1,4 +1,4 @@
-// The root, asked as the page asks it; what it shares with the tree is tested there.
+// The root, requested as the page requests it; the part shared with the tree is tested there.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What is seen of a tree: tubes, leaves, the light on them.
+// The visible parts of a tree: tubes, leaves, the light on them.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -112,7 +112,7 @@ TEST_CASE("no normal of branches and twigs that is seen opposes its triangle, bu
       const glm::vec3 mean = vector(mesh.normals, a) + vector(mesh.normals, b) + vector(mesh.normals, c);
       ++triangles;
       if (glm::dot(face, mean) >= 0) continue;
-      // Where a branch begins it lies within what bears it, and is not seen.
+      // The beginning of a branch lies within its parent, and is hidden.
       const Segment& own = plant.segments[around[a]];
       const glm::vec3 middle =
           (vector(mesh.positions, a) + vector(mesh.positions, b) + vector(mesh.positions, c)) / 3.0f;

@@ -1,4 +1,4 @@
-// What a tree's leaves look like, and where they stand.
+// The shape of a tree's leaves, and their places.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -106,7 +106,7 @@ TEST_CASE("a request without a leaf grows the same tree, says that its leaves ha
   for (const Organ& leaf : plant.organs) CHECK(leaf.mesh == -1);
   CHECK(std::isnan(measure(plant, Measure::leaf_area)));
   CHECK(std::isnan(measure(plant, Measure::leaf_index)));
-  // Needles need none, and a bare tree has nothing to say.
+  // Needles need no shape, and a bare tree has no note.
   without.parameters.push_back({"leaf_kind", 0.0f});
   CHECK(grow_tree(without).meshes.size() == 2);
   CHECK(

@@ -1,4 +1,4 @@
-// What makes a tree grow as it does: light, bending, day length, hormone, age.
+// The influences on a tree's growth: light, bending, day length, hormone, age.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -134,7 +134,7 @@ TEST_CASE("age: what has grown stays, thickens, runs on evenly, and ends as the 
       const auto found = now.find(end);
       REQUIRE(found != now.end());
       CHECK(found->second.radius >= segment.radius);
-      // Only whoever was on the way there has come farther.
+      // Only particles on their way there have come farther.
       if (!fronts.contains(place(segment.start))) CHECK(found->second.start == segment.start);
     }
     // Half a percent moves all, not those alone that come to a place just then.

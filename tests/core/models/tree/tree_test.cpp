@@ -1,4 +1,4 @@
-// The tree, asked as the page asks it.
+// The tree, requested as the page requests it.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -114,7 +114,7 @@ TEST_CASE("no particle starts inside an inner boundary that is a mesh, and some 
   broken.triangles.back() = 99;
   CHECK(request_tree({.parameters = parameters, .hollow = broken}).error().message.find("inner boundary") !=
         std::string::npos);
-  // An open one is told.
+  // An open mesh gets a note.
   Surface open = half;
   open.triangles.resize(open.triangles.size() - 3);
   CHECK(grow_tree({.parameters = parameters, .hollow = open}).notes.back().find("The inner boundary is open") == 0);
@@ -146,7 +146,7 @@ TEST_CASE("the light of a crown is listed cell by cell: darker within and below,
   // The shadow on the floor is darker in the centre than at the edge (section 4.2).
   CHECK(at(x, 1, z) < at(1, 1, z) - 10);
   for (std::uint32_t y = 2; y < top; ++y) CHECK(at(x, y, z) <= at(x, y + 1, z) + 1);
-  // Only where it is asked for.
+  // Only if requested.
   const Plant without = grow_tree({.parameters = {{"particles", 100}}});
   for (std::size_t i = 0; i < without.columns.size(); ++i) CHECK(without.columns[i].name.find("light") != 0);
   CHECK(without.fingerprint == grow_tree({.parameters = {{"particles", 100}}, .outputs = "light"}).fingerprint);
@@ -168,7 +168,7 @@ TEST_CASE("nothing starts outside the outer or inside the inner boundary, and tr
         CHECK(crowns.outer.contains(plant.segments[tip].end));
         CHECK_FALSE(crowns.inner.contains(plant.segments[tip].end));
       }
-      // Whoever left it has some of it above.
+      // Branches that left it are partly above.
       const float height = crowns.outer.high().y;
       std::size_t above = 0;
       for (const Segment& segment : plant.segments) {

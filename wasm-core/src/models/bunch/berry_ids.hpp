@@ -8,8 +8,8 @@
 
 namespace panicle::bunch {
 
-// An address for every berry, from those of the modules that bear them, in the order of the text: what is borne by one
-// module has the same address, so that the second and later ones are told apart here.
+// Makes a unique address for every berry from the addresses of the modules that draw them, in the order of the text:
+// berries of one module share its address, and the second and later ones get addresses of their own.
 std::vector<std::uint64_t> own_addresses(std::span<const std::uint64_t> module_addresses);
 
 // Below 2^30, so that links hold one in six letters; those from `second_from` on are of the second bunch, whose

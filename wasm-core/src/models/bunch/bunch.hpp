@@ -25,12 +25,12 @@ struct BunchRequest {
   std::shared_ptr<const lsystem::Program> program;  // that text compiled, with lineages; null: compiled here
   std::optional<std::uint32_t> steps;               // of the derivation, in place of the text's own
   std::vector<std::uint32_t> thinned;               // berries taken off by hand, by id
-  std::optional<lsystem::TraceRequest> chronicle;   // which step of the first bunch's derivation is told
-  FlatLeaf leaf;                                    // what leaves on the cane are made from
+  std::optional<lsystem::TraceRequest> chronicle;   // the step of the first bunch's derivation to trace
+  FlatLeaf leaf;                                    // shape of the leaves on the cane
   bool meshes = true;
   bool measures = true;
-  bool sky = false;                  // of the meshes' vertices, where they are asked for
-  bool mesh_fingerprint = false;     // of the meshes, where they are asked for
+  bool sky = false;                  // of the meshes' vertices, where meshes are requested
+  bool mesh_fingerprint = false;     // of the meshes, where they are requested
   std::uint32_t stem_sides = 0;      // 0: default
   std::uint32_t berry_segments = 0;  // 0: default
 };

@@ -5,11 +5,10 @@
 
 namespace panicle::bunch {
 
-// Fills in `grown.sky`, of the meshes that are there. A berry hides from itself nothing, its pedicel nothing from it; a
-// long one stands as a row of balls. Stems, but for the many
-// thin pedicels, and leaves hide a little of what is near. Leaves are lit from both sides: of
-// the two the better is told. Open flowers hide what the berries hide that they will be, and have no bytes of their
-// own.
+// Fills in `grown.sky` for the meshes of `grown`. A berry does not occlude itself or its pedicel, nor its pedicel the
+// berry; a long berry counts as a row of balls. Stems, except the many thin pedicels, and leaves occlude a little of
+// the sky of their surroundings. Leaves are lit from both sides, and the brighter side counts. Open flowers occlude as
+// much as the berries that they become, and have no bytes of their own.
 void add_sky(GrownBunch& grown);
 
 }  // namespace panicle::bunch

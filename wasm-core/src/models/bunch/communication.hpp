@@ -1,4 +1,4 @@
-// What the grammars of bunches and the model have agreed upon: the parameters of ?E.
+// The parameters of ?E, the communication module: the interface between the grammars of bunches and the model.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace panicle::bunch {
 
-// Where a communication module keeps what it says and hears; its type is the first. Three parameters are L-system 2's
-// (type, θ, l), five are L-system 3's as printed (type, θ, φ, l, w), six carry the berry's radius b as well.
+// Places of the parameters in a communication module; the first parameter is its type. Three parameters are L-system
+// 2's (type, θ, l), five are L-system 3's as printed (type, θ, φ, l, w), six carry the berry's radius b as well.
 struct Slots {
   std::size_t theta = 1, phi = 0, length = 0, width = 0, berry = 0;  // 0: not carried
 };

@@ -1,5 +1,5 @@
-// The bunch's grammars, compiled in without their comments: wasm-core/grammars/bunch. The paper's first two are for
-// those who ask for them; a module that nobody asks holds none of what it does not use.
+// The bunch's grammars, compiled in without their comments: wasm-core/grammars/bunch. L-systems 1 and 2 are used only
+// by requests that name them; a WebAssembly module that does not reference them does not contain them.
 #pragma once
 
 #include <string_view>

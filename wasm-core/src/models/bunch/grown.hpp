@@ -1,4 +1,4 @@
-// What a growth gives back: the one thing that scene, exporters and panels read, in metres.
+// The result of growing a bunch, in metres: the only data that scene, exporters and panels read.
 #pragma once
 
 #include <cstdint>
@@ -23,27 +23,28 @@ struct Counts {
   std::uint32_t pedicels = 0;
   std::uint32_t berries = 0;
   std::uint32_t withered = 0;
-  std::uint32_t cut = 0;  // internodes that found no room; they and what they would have borne are in no other count
+  // internodes that found no room; neither they nor the parts beyond them are in any other count
+  std::uint32_t cut = 0;
 };
 
-// What a berry is besides its place. All floats: they cross the border as they stand, in this order.
+// Properties of a berry besides its place. All are floats, and cross the WebAssembly boundary unchanged, in this order.
 struct Traits {
   float width = 0;     // across its direction, metres
   float length = 0;    // along it, metres
   float exposure = 0;  // 0 … 1: share of the sun's light that reaches it
   float turned = 1;    // 0 … 1: from the unripe colour to the ripe one
-  float opened = 1;    // 0 … 1: the flower, from closed bud to open; 1 for ever after
+  float opened = 1;    // 0 … 1: the flower, from closed bud to open; stays 1 afterwards
   float set = 1;       // 0 … 1: from open flower (stamens) to berry
   float shrivel = 0;   // 0 … 1
   float seeds = 0;     // 0 … 4
 };
 
-// Why a pedicel bears no berry.
+// The reason for a pedicel without a berry.
 enum class RemovalReason : std::uint32_t {
   not_set = 1,  // its flower did not set: more flowers than berries are wanted
   no_room = 2,  // pressed harder than berries can be
-  outside = 3,  // could not be kept within the outline
-  by_hand = 4,  // the request says so
+  outside = 3,  // did not stay within the outline
+  by_hand = 4,  // listed in the request
 };
 
 struct Thinned {
@@ -82,7 +83,8 @@ struct SwellingWork {
 struct GrownBunch {
   bool natural = false;  // by which procedure
   BerryForm form;
-  Profile profile;  // of the natural procedure: what its seed makes of the handles', and what it fills
+  // of the natural procedure: the handles' profile, varied by the seed; the outline that the bunch fills
+  Profile profile;
   Plan plan;        // of the handles
   std::optional<Plan> second;
   Counts counts;
@@ -92,14 +94,14 @@ struct GrownBunch {
   std::vector<Berry> berries;
   std::vector<Traits> traits;    // one a berry
   std::vector<Thinned> thinned;  // the natural procedure's
-  std::vector<float> measures;   // in the order of measures.generated.hpp; NaN: does not apply; empty: not asked for
+  std::vector<float> measures;   // in the order of measures.generated.hpp; NaN: does not apply; empty: not requested
   std::optional<StemMesh> stem;
   std::optional<Mesh> berry;              // the shared berry, unit radius
   std::optional<BerrySurfaces> surfaces;  // the natural procedure's berries, each with its own surface
   std::optional<FlowerMesh> flower;       // the shared flower, where a berry has not yet set or keeps its sepals
-  std::optional<Foliage> foliage;         // leaves and cane, where they were asked for
-  std::optional<SkyBytes> sky;            // where it was asked for
-  std::optional<lsystem::DerivationTrace> chronicle;  // where it was asked for: how the first bunch's text was derived
+  std::optional<Foliage> foliage;         // leaves and cane, if requested
+  std::optional<SkyBytes> sky;            // if requested
+  std::optional<lsystem::DerivationTrace> chronicle;  // if requested: how the first bunch's text was derived
   std::vector<std::string> notes;
   std::uint64_t fingerprint = 0;       // skeleton and organs (docs/fingerprint.md)
   std::uint64_t mesh_fingerprint = 0;  // 0 without meshes

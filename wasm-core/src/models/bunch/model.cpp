@@ -135,7 +135,7 @@ void add_sky(Plant& plant, SkyBytes sky) {
   plant.columns.add("berries.sky", std::move(sky.berries));
 }
 
-// What was derived, and what of it drew what is there.
+// Adds the derivation's trace, and the modules that drew each internode and berry.
 void add_trace(Plant& plant, const GrownBunch& grown) {
   const lsystem::DerivationTrace& chronicle = *grown.chronicle;
   // A limit leaves another last string than was drawn.

@@ -1,4 +1,4 @@
-// From the octahedral profile to what the grammar counts (Huang et al. 2013, section 4.2, Table 3).
+// From the octahedral profile to the counts of the grammar (Huang et al. 2013, section 4.2, Table 3).
 #pragma once
 
 #include <array>

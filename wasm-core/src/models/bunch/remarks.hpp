@@ -1,4 +1,4 @@
-// What there is to say about a request and its text, one sentence each: nothing is passed over in silence.
+// Notes about a request and its text, one sentence each: every ignored part gets a note.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@
 
 namespace panicle::bunch {
 
-// A note for each thing that the text says and nothing heeds, and for each parameter that was given, is heeded by
-// `procedure` and replaces a #define that the text does not have, so that it changes nothing; `besides` are those that
-// the procedure itself heeds.
+// Adds a note for each statement of the text without effect, and for each given parameter that `procedure` uses to
+// replace a #define that the text does not have, so that it changes nothing; `besides` are those that the procedure
+// itself uses.
 void remark_text(const lsystem::BoundProgram& text, const Values& values, std::string_view procedure,
                  std::span<const Parameter> besides, std::vector<std::string>& notes);
 
-// What came of a text.
+// The result of drawing a text.
 struct Drawn {
   std::size_t internodes = 0;
   std::size_t balls = 0;
@@ -27,7 +27,7 @@ struct Drawn {
   bool refused = false;           // whether anything found no room
 };
 
-// What a text drew that a bunch cannot grow, or did not draw.
+// Adds notes about drawn parts that a bunch cannot grow, and about missing parts.
 void remark_drawn(const Drawn& drawn, std::vector<std::string>& notes);
 
 }  // namespace panicle::bunch

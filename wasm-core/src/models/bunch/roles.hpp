@@ -1,4 +1,4 @@
-// What a symbol of the text draws: the roles that a bunch knows, declared and never read out of a name by chance.
+// The kind that a symbol of the text draws: declared by roles, never guessed from its name.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class SymbolRoles {
   explicit SymbolRoles(std::vector<Kind> kinds) : kinds_(std::move(kinds)) {}
   SymbolRoles() = default;
 
-  // Of what a production of `symbol` draws, or asks about; axis where no role claims it, as of the axiom
+  // The kind of the lines that a production of `symbol` draws, or queries; axis where no role names it, as of the axiom
   // (lsystem::no_symbol).
   Kind of(std::uint32_t symbol) const { return symbol < kinds_.size() ? kinds_[symbol] : Kind::axis; }
 
@@ -25,8 +25,8 @@ class SymbolRoles {
   std::vector<Kind> kinds_;
 };
 
-// What a text declares, if it declares anything; else those of texts from before there was a way to
-// (parameters/bunch.json). A role that a bunch does not have is told in `notes`.
+// The roles that a text declares, if any; else those of texts older than such declarations (parameters/bunch.json). A
+// role that a bunch does not have gets a note in `notes`.
 SymbolRoles roles_of(const lsystem::Program& text, std::vector<std::string>& notes);
 
 }  // namespace panicle::bunch

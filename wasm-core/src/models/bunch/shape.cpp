@@ -6,7 +6,7 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr std::int32_t most_segments = 10000;  // of one axis, asked for in place of the profile's
+constexpr std::int32_t most_segments = 10000;  // of one axis, requested in place of the profile's
 
 Result<Shape> requested_shape(const BunchRequest& request, const Profile& profile) {
   if (request.m < 0 || request.m > most_segments)

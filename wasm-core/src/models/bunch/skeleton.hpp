@@ -1,4 +1,4 @@
-// The skeleton of a bunch: what it is before it has a surface. Lengths are in whatever unit the procedure grows in.
+// The skeleton of a bunch, before it has a surface. Lengths are in the unit of the procedure that grows it.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@ namespace panicle::bunch {
 enum class Kind : std::uint8_t { rachis = 0, axis = 1, end = 2, pedicel = 3 };
 enum class State : std::uint8_t { grown = 0, withered = 1 };
 
-// Of the first bunch's string, that drew something, by its place; of what it did not draw there is none.
+// In place of the index of a module in the first bunch's string, for parts that no module of it drew.
 inline constexpr std::uint32_t no_module = 0xffffffff;
 
 struct Internode {
   std::int32_t parent = -1;  // index of an earlier internode; −1 at the root
   Kind kind = Kind::rachis;
   State state = State::grown;
-  std::int32_t axis = -1;  // first-order axis, 0 at the top; −1 for the rachis and what ends it
+  std::int32_t axis = -1;  // first-order axis, 0 at the top; −1 for the rachis and its end
   glm::vec3 start{0};
   glm::vec3 end{0};
   float radius = 0;      // at the start

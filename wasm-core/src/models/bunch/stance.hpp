@@ -8,7 +8,7 @@
 
 namespace panicle::bunch {
 
-// Lengths in whatever unit its owner has.
+// Lengths are in the unit of the owner.
 struct Stance {
   float lean = 0;        // degrees from straight down
   std::size_t side = 1;  // towards which: right (p3), left, front, back

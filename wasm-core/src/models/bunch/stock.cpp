@@ -23,7 +23,8 @@ Result<Stock> derive_stock(std::shared_ptr<const lsystem::BoundProgram> bound, s
 
 std::uint64_t second_seed(std::uint64_t seed) { return hash_combine(seed, hash_text("second bunch")); }
 
-Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const Stock& stock, const BunchRequest& request, const Limits& limits) {
+Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const Stock& stock, const BunchRequest& request,
+                                                                 const Limits& limits) {
   if (!request.chronicle) return std::optional<lsystem::DerivationTrace>();
   auto trace = lsystem::chronicle(*stock.bound, stock.seed, request.steps, limits, {}, *request.chronicle);
   if (!trace) return trace.error();

@@ -33,11 +33,12 @@ Result<Stock> derive_stock(std::shared_ptr<const lsystem::BoundProgram> bound, s
 // The seed of the second bunch of a specimen.
 std::uint64_t second_seed(std::uint64_t seed);
 
-// Its derivation told, where the request asks. Errors: those of lsystem::chronicle.
-Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const Stock& stock, const BunchRequest& request, const Limits& limits);
+// Traces the derivation, if the request has a `chronicle`. Errors: those of lsystem::chronicle.
+Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const Stock& stock, const BunchRequest& request,
+                                                                 const Limits& limits);
 
-// Walks the derived string from p1 on, and tells the chronicle, if any, what answers. Returns what the interpretation
-// itself ran into.
+// Walks the derived string from p1 on, and adds answers to `chronicle`, if not null. Returns the error of the
+// interpretation itself.
 Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener,
                      lsystem::DerivationTrace* chronicle = nullptr);
 

@@ -1,5 +1,5 @@
-// Lengths: the grammars count in units of the paper, profiles in pixels of its 600 × 600 view, growth in millimetres,
-// and what leaves the core is in metres.
+// Units of length: the grammars count in units of the paper, profiles in pixels of its 600 × 600 view, growth in
+// millimetres, and results are in metres.
 #pragma once
 
 namespace panicle::bunch {

@@ -13,7 +13,7 @@ namespace panicle::bunch {
 
 class Values {
  public:
-  // What is missing or NaN has its default; what is out of range is brought into it, with a note.
+  // Missing and NaN values have their default; values out of range are clamped, with a note.
   Values(const std::vector<float>& requested, std::vector<std::string>& notes);
 
   float operator[](Parameter key) const { return values_[static_cast<std::uint32_t>(key)]; }

@@ -46,7 +46,7 @@ std::vector<glm::vec2> simplified(std::span<const glm::vec2> ring, float within)
   return retained;
 }
 
-// Points by cells of a grid, to ask whether there is room for another.
+// Points by cells of a grid, for checking whether there is room for another point.
 class Crowding {
  public:
   Crowding(const glm::vec2& low, const glm::vec2& high, float cell)
@@ -106,7 +106,7 @@ BladePoints place_points(const Margin& margin, const Outline& outline, std::span
   blade.ring = blade.points.size();
   Crowding crowding(low, high, spacing);
   for (std::size_t i = 0; i < blade.ring; ++i) {
-    // And what is between them, so that points keep off long edges too.
+    // Also points along the ring's edges, so that other points keep off long edges too.
     const glm::vec2 a = blade.points[i], b = blade.points[(i + 1) % blade.ring];
     const float count = std::max(1.0f, std::ceil(2 * glm::distance(a, b) / spacing));
     for (float k = 0; k < count; ++k) crowding.add(a + (k / count) * (b - a));

@@ -11,9 +11,9 @@
 
 namespace panicle::particles::leaf {
 
-// Adds the meshes `upper`, `lower` (blade.hpp), `petiole` (material `stem`; where it has a length) and, where there are
-// organs, `particle` (material `skin`), whose index is theirs; and `sky` to the first three where it is asked for.
-// `flat`: the trails as they stand, in the chart.
+// Adds the meshes `upper`, `lower` (blade.hpp), `petiole` (material `stem`; unless its length is 0) and, where there
+// are organs, `particle` (material `skin`), the mesh of all organs; and the column `sky` of the first three, if
+// requested. `flat`: the trails as they are at that age, in the chart.
 void dress(Plant& plant, const LeafRequest& leaf_request, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
            const Girth& girth);
 

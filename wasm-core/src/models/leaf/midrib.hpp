@@ -1,4 +1,4 @@
-// A main vein of a leaf as it is laid.
+// A main vein of a leaf during its construction.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct Midrib {
 
 // Adds a place that leads to the place `next`; gives its number.
 std::int32_t add(Ribs& ribs, std::int32_t next, const glm::vec3& place);
-// Lays a main vein from place 0 of the ribs, which is the first of `places`.
+// Builds a main vein from place 0 of the ribs, which is the first of `places`.
 Midrib build_midrib(Ribs& ribs, std::vector<glm::vec3> places);
 
 // Draws each place but the ends towards the middle of its neighbours, so many times, where there is room.

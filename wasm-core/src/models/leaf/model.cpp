@@ -1,5 +1,6 @@
-// The model `leaf`: blocks of the request are in request.hpp. What the plant has besides what trail_plant.hpp and
-// dress.hpp say: tag `vein`; organs `particle`, those on their way while age is below 100, on the bent blade; columns
+// The model `leaf`: blocks of the request are in request.hpp. The plant has, besides the contents described in
+// trail_plant.hpp and dress.hpp: tag `vein`; organs `particle`, those on their way while age is below 100, on the bent
+// blade; columns
 //   segments.chart  float32 × 4: x, y of start and end in the flat chart, leaf lengths
 //   segments.order  uint32: 1 primary, 2 secondary … (vein_orders.hpp)
 //   margin          float32 × 2: the outline's polygon, teeth and all, counter-clockwise from the base

@@ -1,4 +1,4 @@
-// The stalk that a leaf is borne by.
+// The petiole: the stalk of a leaf.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What a leaf is asked for.
+// The request of a leaf.
 #pragma once
 
 #include <cstdint>

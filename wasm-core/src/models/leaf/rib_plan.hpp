@@ -1,4 +1,4 @@
-// Where a leaf's ribs are laid.
+// Builds a leaf's ribs by a plan.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +28,8 @@ struct RibPlan {
 };
 
 // One tree of ribs for each target: none and pinnate have one, palmate one for each lobe tip, parallel one for each
-// arc. All end where the petiole joins, `base`. In a lobed pinnate leaf one secondary runs to each lobe tip. Says in
-// `notes` what cannot be laid.
+// arc. All end where the petiole joins, `base`. In a lobed pinnate leaf one secondary runs to each lobe tip. Ribs that
+// cannot be placed get a note in `notes`.
 std::vector<Ribs> build_ribs(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base,
                            std::vector<std::string>& notes);
 

@@ -11,7 +11,7 @@ class Axis {
  public:
   // Upright.
   explicit Axis(const glm::vec3& foot) : foot_(foot) {}
-  // Leans and bends by about `stray` on the way to `height` above or below the foot; which way, the seed says.
+  // Leans and bends by about `stray` on the way to `height` above or below the foot; the direction depends on the seed.
   Axis(const glm::vec3& foot, float height, float stray, std::uint64_t seed);
 
   const glm::vec3& foot() const { return foot_; }

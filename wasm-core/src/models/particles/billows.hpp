@@ -1,4 +1,4 @@
-// Soft random unevenness in a box: what a crown's surface is made of, and how branches wander.
+// Soft random unevenness in a box: for the surface of a crown, and for wandering branches.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace panicle::particles {
 
-// Random values at the places of a lattice about the origin, and between them what lies between. The values belong to
-// the places: another box has the same.
+// Value noise: random values at the points of a lattice about the origin, interpolated between them. Values depend on
+// the point alone: overlapping boxes agree.
 class Billows {
  public:
   Billows() = default;
-  // `edge`: of the lattice. What is asked of places outside of the box is that of the nearest cell.
+  // `edge`: of the lattice. Places outside of the box have the value of the nearest cell.
   Billows(const glm::vec3& low, const glm::vec3& high, float edge, std::uint64_t seed);
 
   // 0 … 1.

@@ -1,4 +1,4 @@
-// What a tree or a root grows within (Rodkaew et al. 2003, section 4.1): a form stretched to a box.
+// The boundary of a tree or a root (Rodkaew et al. 2003, section 4.1): a form stretched to a box.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ namespace panicle::particles {
 
 enum class Form : std::uint32_t { ellipsoid, box, cone, cone_down, bowl, spline, mesh };
 
-// The form with `low` and `high` as its box; of a bowl the widest is on top. `profile`: of a spline, what
-// `spline_through` gives. `mesh`: of a mesh, in any unit.
+// The form with `low` and `high` as its box; a bowl is widest at the top. `profile`: of a spline, the result of
+// `spline_through`. `mesh`: of a mesh, in any unit.
 Surface form_between(Form form, std::span<const glm::vec2> profile, const Surface& mesh, const glm::vec3& low,
                      const glm::vec3& high);
 
@@ -35,8 +35,8 @@ Surface inner_boundary(const Surface& outer, const Surface& own, const glm::vec3
 // notes: "mesh", "inner boundary".
 void note_seams(const Surface& mesh, const std::string& name, std::vector<std::string>& notes);
 
-// Notes what there is to say of a dropped mesh, one sentence each: gaps, sides turned against each other. Where there
-// is none, the form becomes an ellipsoid.
+// Adds notes about a dropped mesh, one sentence each: gaps, sides turned against each other. Without a mesh, the form
+// becomes an ellipsoid.
 void note_on(const Surface& mesh, Form& form, std::vector<std::string>& notes);
 
 }  // namespace panicle::particles

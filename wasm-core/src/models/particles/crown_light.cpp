@@ -12,7 +12,7 @@ namespace panicle::particles {
 namespace {
 
 constexpr std::uint32_t directions = 24;
-// Of a cell with a wall in it: of what falls on it e to the power of minus this passes.
+// Optical depth of a cell with a wall in it: it transmits e to the power of minus this.
 constexpr float opaque = 6;
 // A dozen crowns side by side, each as finely as one alone, and nearly as much again.
 constexpr std::uint64_t most_cells = 400'000;
@@ -36,7 +36,7 @@ glm::vec3 towards_sun(float azimuth, float height) {
 
 VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit& habit, float edge) {
   glm::vec3 first = crown.low(), last = crown.high();
-  // Of what reaches far away, what stands about the crown counts.
+  // Obstacles about the crown count only for light that reaches this far.
   const glm::vec3 from = 2.0f * first - last, to = 2.0f * last - first;
   for (const std::span<const Box> some : {shades.crowns, shades.walls})
     for (const Box& box : some) {

@@ -20,17 +20,19 @@ struct LightHabit {
 
 // The sun and 24 directions of an overcast sky, which sum up to 1.
 std::vector<LightDirection> lamps_of(const LightHabit& habit);
-// A bearing as in the tables (0 in front, +z; 90 at the right, +x) and a height above the horizon, in degrees.
+// The direction of the sun: the azimuth as in the tables (0 in front, +z; 90 at the right, +x) and the height above the
+// horizon, in degrees.
 glm::vec3 towards_sun(float azimuth, float height);
 
-// What stands about a crown and takes its light.
+// The objects about a crown that take its light.
 struct Shades {
   std::span<const Box> crowns;  // ellipsoids that fill these boxes: other trees, as dense as this one
   std::span<const Box> walls;   // nothing passes
 };
 
 // The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. The box
-// holds what shades as far as the crown is wide, in cells of `edge`, or as much wider ones as keep them few enough.
+// includes the shading objects as far away as the crown is wide, in cells of `edge`, or wider ones as needed to limit
+// their number.
 VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit& habit, float edge);
 
 }  // namespace panicle::particles

@@ -34,7 +34,7 @@ std::vector<std::int32_t> axes_of(const GrownWood& grown, std::size_t segments) 
   return axes;
 }
 
-// What hides sky beside the wood: a leaf, half of its area.
+// The occluders besides the wood: a leaf counts with half of its area.
 std::vector<Occluder> leaves_of(const Plant& plant, std::uint32_t leaf_tag, float leaf_area) {
   std::vector<Occluder> leaves;
   for (const Organ& organ : plant.organs)

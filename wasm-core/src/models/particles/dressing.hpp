@@ -1,4 +1,4 @@
-// What is seen of a tree or a root: tubes along its trails, and how open the sky is in it.
+// The visible surface of a tree or a root: tubes along its trails, and how open the sky is in it.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ struct DressHabit {
 };
 
 // Appends the mesh `stems` of a material: tubes along the axes, at each fork on into the heaviest, thin ones with fewer
-// sides, on feet as told. Columns: `segment`, and with `sky` a byte a vertex, `sky`, and one an organ, the plant's
-// `organs.sky`: docs/sky.md, but from cells, for what a leaf sees is hidden by ever so many others.
+// sides, with the root flare of `habit`. Columns: `segment`, and with `sky` a byte a vertex, `sky`, and one an organ,
+// the plant's `organs.sky`: docs/sky.md, but from cells, because a leaf's sky is hidden by very many others.
 void dress(Plant& plant, const GrownWood& grown, const DressHabit& habit);
 
 }  // namespace panicle::particles

@@ -10,8 +10,8 @@ struct Extent {
   float filled = 0;  // that where each place counts by its density
 };
 
-// By probes that lie evenly in the region's box however long and thin that is, so that all are told whose box is
-// another's stretched.
+// Measured by probes that lie evenly in the region's box, of any proportions, so that regions whose boxes are
+// stretched copies give stretched results.
 Extent extent_of(const Region& region);
 
 }  // namespace panicle::particles

@@ -29,7 +29,7 @@ void narrow_forks(Trails& trails, const Guide& guide, float nearest, float farth
   std::vector<glm::vec3> force(count), before;
   for (std::size_t i = 0; i < count; ++i)
     pull[i] = power(static_cast<float>(trails.energy[i] / trails.energy[0]), cost);
-  // Who comes to the target does so where he did.
+  // Places that lead to the target are not moved.
   for (std::size_t i = 1; i < count; ++i) moves[next_of(i)] = trails.next[next_of(i)] > 0;
   for (int pass = 0; pass < passes; ++pass) {
     force.assign(count, glm::vec3(0));

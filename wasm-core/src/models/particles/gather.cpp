@@ -10,12 +10,12 @@
 namespace panicle::particles {
 namespace {
 
-// The trails with other links, in the order of the tree, without what carries nothing.
+// The trails with other links, in the order of the tree, without places that carry no energy.
 Trails linked(const Trails& trails, std::vector<std::int32_t> next, float stride) {
   const std::size_t count = trails.size();
   const std::vector<std::uint32_t> order = tree_order(next);
 
-  // What each has of its own, and then what comes by; from the ends on.
+  // The energy of each place itself, then the energy that flows in; from the ends on.
   std::vector<double> energy = trails.energy;
   std::vector<float> left(trails.born.begin(), trails.born.end());
   for (std::size_t i = 1; i < count; ++i) energy[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
@@ -38,7 +38,7 @@ Trails linked(const Trails& trails, std::vector<std::int32_t> next, float stride
     const std::int32_t to = i == 0 ? -1 : number[static_cast<std::size_t>(next[i])];
     number[i] = made.add(trails.places[i], to, energy[i], static_cast<std::uint32_t>(left[i]), trails.particle[i]);
   }
-  // Whoever comes to the axis last is the last that is seen to run.
+  // The target is as old as the last arrival at the axis.
   made.born[0] = 0;
   if (made.size() > 1) made.born[0] = 1 + *std::max_element(made.born.begin() + 1, made.born.end());
   return made;

@@ -8,11 +8,11 @@
 
 namespace panicle::particles {
 
-// Whatever of the trails is closer than `reach` to the axis through the target leads on along one line of
-// places, from that which is farthest up or down to the target. Starts stay ends, energies arrive as before, and a
-// place is as old as the first that comes by, at `stride` a step; the target is as old as who comes to the line last.
-// Places that nothing comes by any more are left out. Where something stands on the axis, what is beyond it is a line
-// of its own, which goes round as its particles went.
+// Gathers the parts of trails that are closer than `reach` to the axis through the target into one line of places, from
+// the place farthest up or down to the target. Starts stay ends, energies arrive as before, and a place is as old as
+// the first particle that comes by, at `stride` a step; the target is as old as the last arrival at the line. Places
+// that no particle passes any more are left out. Where an obstacle is on the axis, the part beyond it is a line of its
+// own, which goes round as its particles went.
 Trails gathered(const Trails& trails, const Axis& axis, const Guide& guide, float reach, float stride);
 
 }  // namespace panicle::particles

@@ -18,7 +18,8 @@ constexpr float least_ball = 0.06f;     // radius of a particle, in spacings
 constexpr float ball_widens = 1.6f;     // times its trail's radius
 constexpr std::uint32_t unfolding = 5;  // steps of the run to each in which leaves unfold
 
-// Appends an organ, no mesh yet, for each particle on its way: what has a trail behind it or none, and no next.
+// Appends an organ, no mesh yet, for each particle on its way: a place with or without a trail behind it, and without a
+// next.
 void add_travellers(Plant& plant, const Trails& trails, double all, const Girth& girth, float least_radius,
                     std::uint32_t tag) {
   for (std::size_t i = 1; i < trails.size(); ++i) {
@@ -70,7 +71,7 @@ const char* why_none(const Extent& room, const Region& outer, bool young) {
 Result<GrownWood> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
                         const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
                         std::uint32_t traveller, const Limits& limits) {
-  // What is young has the grown one's spacing, and so fewer particles.
+  // A young volume has the grown one's spacing, and so fewer particles.
   auto [starts, spacing, room] = scatter_all(region, habit.pattern, habit.count, request.seed, habit.growth);
   if (region.is_exhausted()) return QueryBudget::error();
   const float step = habit.motion.rules.step * spacing;
@@ -94,7 +95,7 @@ Result<GrownWood> grow_wood(Plant& plant, const Region& region, const Region& ou
   if (wood.unreachable > 0)
     plant.notes.push_back(std::to_string(wood.unreachable) +
                           " particles have no way past the obstacles and were left out.");
-  // First particles run, then what is borne unfolds, in steps as long.
+  // First particles run, then the leaves unfold, in steps as long.
   const std::uint32_t steps = wood.timeline.steps(), further = habit.leafy ? steps / unfolding + 1 : 0;
   grown.wood.tally.steps = steps + further;
   const float at =

@@ -1,4 +1,4 @@
-// From a volume to a plant: what tree and root have in common.
+// From a volume to a plant: the shared part of tree and root.
 #pragma once
 
 #include <algorithm>
@@ -26,19 +26,20 @@ struct SpaceHabit {
   TrunkHabit trunk;
   TwigHabit twigs;
   float age = 1;        // 0 … 1
-  bool running = true;  // what age does: whether particles run, or the volume grows
+  bool running = true;  // effect of age: whether particles run, or the volume grows
   bool leafy = false;   // whether there is something to unfold once particles have arrived
-  float growth = 1;     // size of the volume over what it will be
+  float growth = 1;     // size of the volume over the full-grown one
 
-  // How many particles there are in what has grown: as dense as they will be.
+  // The number of particles in the volume at this growth, at the density of the full-grown one.
   std::uint32_t young() const {
     return static_cast<std::uint32_t>(static_cast<float>(count) * growth * growth * growth + 0.5f);
   }
 };
 
-inline constexpr float youngest = 0.02f;  // size of what has hardly grown
+inline constexpr float youngest = 0.02f;  // size of the volume at age 0
 
-// What tables of both models have under the same keys. `Keys`: the model's enumeration of parameters.
+// Reads the parameters that tables of both models have under the same keys. `Keys`: the model's enumeration of
+// parameters.
 template <class Keys, class Values>
 SpaceHabit space_habit(const Values& values) {
   SpaceHabit habit;
@@ -62,7 +63,7 @@ SpaceHabit space_habit(const Values& values) {
   habit.trunk.slant = values[Keys::slant];
   habit.trunk.sway = values[Keys::sway];
   habit.twigs.crook = values[Keys::crook];
-  // What bends the way of particles is the other way round than what bends the tips that they come from.
+  // Particles run from the tips to the target, so the bend of their way is opposite to the bend of branches.
   habit.trunk.bend = {0, values[Keys::gravitropism], 0};
   return habit;
 }
@@ -72,12 +73,12 @@ struct GrownWood {
   Wood wood;
   std::vector<Trails> trails;                      // of each target, as they are now
   std::vector<std::vector<std::int32_t>> numbers;  // of each place the segment, −1 for none
-  float unfolded = 1;                              // how far what is borne has unfolded
+  float unfolded = 1;                              // how far the leaves have unfolded, 0 … 1
 };
 
-// Scatters, runs, and adds to the plant its segments, columns and counts, and what there is to note; particles on their
-// way as organs of tag `traveller`. Nothing starts in an obstacle, nothing goes below `floor` or above `ceiling` to
-// pass one. Errors: those of `run`.
+// Scatters, runs, and adds to the plant its segments, columns, counts and notes; particles on their way as organs of
+// tag `traveller`. No particle starts in an obstacle; ways round obstacles stay between `floor` and `ceiling`. Errors:
+// those of `run`.
 Result<GrownWood> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
                         const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
                         std::uint32_t traveller, const Limits& limits);

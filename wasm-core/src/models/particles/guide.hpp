@@ -1,4 +1,4 @@
-// Where particles are bound for, and what stands in their way.
+// The targets of particles, and the obstacles in their way.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -15,13 +15,13 @@ class Guide {
 
   // Where trails end.
   const glm::vec3& target() const { return target_; }
-  // What a particle at `p` makes for, on its way to the target or the target itself.
+  // The point that a particle at `p` aims at, on its way to the target or the target itself.
   virtual glm::vec3 aim(const glm::vec3& p) const = 0;
   // How long the way from `p` to the target is, about; never less than the straight line.
   virtual float way(const glm::vec3& p) const { return glm::distance(p, target_); }
   // Whether a particle may be there.
   virtual bool open(const glm::vec3&) const { return true; }
-  // Whether a step may be taken. What is outside already may stay there.
+  // Whether a step may be taken. A particle that is outside already may stay there.
   virtual bool passes(const glm::vec3& from, const glm::vec3& to) const { return open(to) || !open(from); }
   // How far from there, at least, there is nothing that stands in the way; 0 where that is not known.
   virtual float room(const glm::vec3&) const { return 0; }

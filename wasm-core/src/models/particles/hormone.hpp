@@ -15,7 +15,7 @@ struct Hormone {
   float strength = 0;               // 0 … 1
   float tip = 0;                    // height of the tip that it comes from
   float reach = 1;                  // distance along the axis over which it falls to 1/e
-  float leader = 1;                 // how far from the axis what it holds back begins
+  float leader = 1;                 // distance from the axis at which the inhibited zone begins
   std::span<const glm::vec3> feet;  // of the axes
 
   // The share that is left at a place: all on the axis, for the leader goes on.

@@ -6,7 +6,8 @@
 namespace panicle::particles {
 namespace {
 
-// So much of a step someone must move to be seen in it: who stands a quarter into each step sees it then.
+// The part of a step that some particle must move for the step to be visible; sampling a quarter into each step then
+// shows it.
 constexpr float seen = 0.5f;
 
 }  // namespace
@@ -17,7 +18,7 @@ Trails at_moment(const Trails& trails, float moment, float stride) {
   std::vector<double> own = trails.energy;
   for (std::size_t i = 1; i < count; ++i) own[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
   own[0] = 0;
-  // Where some have met at this very moment, there is nobody before one of them has come.
+  // Where several particles have met at this very moment, the place is empty before one of them has come.
   std::vector<std::uint8_t> come(count, 0);
   for (std::size_t i = count; i-- > 1;)
     if ((trails.particle[i] >= 0 || come[i]) && static_cast<float>(trails.born[i]) < moment &&
@@ -47,13 +48,13 @@ Trails at_moment(const Trails& trails, float moment, float stride) {
 }
 
 Timeline::Timeline(std::span<const Trails> crowds, float stride) {
-  // By step, how many begin to be seen less those who cease to be.
+  // By step, the number of particles that begin to be visible less those that cease to be.
   std::vector<std::int32_t> change;
   for (const Trails& trails : crowds)
     for (std::size_t i = 1; i < trails.size(); ++i) {
       if (trails.places[i] == trails.places[static_cast<std::size_t>(trails.next[i])]) continue;
       const std::size_t first = trails.born[i];
-      // At its last step a crowd is seen whole, though smooth trails may be longer than what its particles ran.
+      // At its last step a crowd is complete, though smooth trails may be longer than the ways that its particles ran.
       const float until = std::min(arrival(trails, i, stride), static_cast<float>(trails.born[0])) - seen;
       if (!(until > static_cast<float>(first))) continue;
       const auto last = static_cast<std::size_t>(until);

@@ -9,14 +9,14 @@
 
 namespace panicle::particles {
 
-// The trails as they stood at a moment, counted in steps, with the energy that had passed by then. Who was on the way
-// from a place to the next is between them; `stride` is how far a particle comes in a step at most, which tells when it
-// came to where others had been before it. Places that nothing leads on from have `next` −1: particles on their way or
-// not yet gone; place 0 is the target. At the last step and later, all trails.
+// The trails as they were at a moment, counted in steps, with the energy that had passed by then. Particles on the way
+// from a place to the next are between them; `stride` is how far a particle comes in a step at most, from which follows
+// when it came to places where others had been before it. Places without a next have `next` −1: particles on their way
+// or not yet started; place 0 is the target. At the last step and later, all trails.
 Trails at_moment(const Trails& trails, float moment, float stride);
 
-// The steps of a run in which someone is seen to move. In others whoever is left waits, or goes where others have been
-// before: who watches step by step would see nothing happen.
+// The steps of a run in which a particle visibly moves. In other steps the remaining particles wait, or go where others
+// have been before: a viewer going step by step would see no change.
 class Timeline {
  public:
   Timeline() = default;

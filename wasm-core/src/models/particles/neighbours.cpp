@@ -57,7 +57,7 @@ std::uint32_t Neighbours::nearest(std::uint32_t i, float reach, const Guide& gui
   const float farthest = std::min(reach, across_);
   std::uint32_t found = none;
   float best = 0;
-  // A box twice as wide each time: what lies in the ball that it holds is certain.
+  // A box twice as wide each time: the nearest point in the ball inside it is certain.
   for (float half = 0.75f * edge_;; half *= 2) {
     half = std::min(half, farthest);
     best = half * half;

@@ -1,4 +1,4 @@
-// Who is nearest to whom among points that are looked at anew at each step.
+// Nearest neighbours and close pairs among points that change at every step.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class Neighbours {
  public:
   static constexpr std::uint32_t none = ~0u;
 
-  // Forgets what was there; memory is kept. The points must outlive all questions.
+  // Replaces the points; memory is reused. The points must outlive all queries.
   void build(std::span<const glm::vec3> points);
 
   // The other point nearest to point `i` among those that it sees: of equally near ones the one with the lowest index;
@@ -33,7 +33,7 @@ class Neighbours {
  private:
   std::span<const glm::vec3> points_;
   float edge_ = 0;
-  float across_ = 0;  // at least what the points' box measures from corner to corner
+  float across_ = 0;  // at least the diagonal of the points' box
   PointGrid grid_;
   std::vector<float> x_, y_, z_;  // by slot, and three more
 };

@@ -34,7 +34,7 @@ bool meets(const Box& box, const glm::vec3& a, const glm::vec3& b) {
   return first < last;
 }
 
-// Where a place is, in half-axes from the ellipsoid's middle; what has no extent holds nothing.
+// The place relative to the ellipsoid's middle, in half-axes; an ellipsoid without extent contains nothing.
 glm::vec3 in_round(const Box& box, const glm::vec3& p) {
   const glm::vec3 half = glm::max(0.5f * (box.high - box.low), glm::vec3(1e-6f));
   return (p - 0.5f * (box.low + box.high)) / half;

@@ -1,5 +1,5 @@
-// What stands in the way of branches and roots: boxes, as a wall or a stone, and ellipsoids, as another tree's crown.
-// Nothing starts in them and no way passes them; what they hide is come to round their edges.
+// Obstacles for branches and roots: boxes, as a wall or a stone, and ellipsoids, as another tree's crown. No particle
+// starts in them and no way passes them; places hidden behind them are reached round their edges.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +22,8 @@ class Obstacles {
   static constexpr std::uint32_t most = 16;
 
   Obstacles() = default;
-  // `margin`: how much wider than they are they count, so that what is drawn of a way keeps clear of them. `floor`,
-  // `ceiling`: heights between which ways lead.
-  // `rounds`: the boxes that ellipsoids fill.
+  // `margin`: added to their sizes, so that the drawn branches keep clear of them. `floor`, `ceiling`: heights between
+  // which ways lead. `rounds`: the boxes that ellipsoids fill.
   Obstacles(std::span<const Box> boxes, std::span<const Box> rounds, float margin, float floor, float ceiling);
   Obstacles(std::span<const Box> boxes, float margin, float floor, float ceiling)
       : Obstacles(boxes, {}, margin, floor, ceiling) {}

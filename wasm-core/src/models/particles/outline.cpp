@@ -11,8 +11,8 @@ namespace panicle::particles {
 namespace {
 
 constexpr float cells_along = 64;
-// In cells: from a cell's middle to its corner; what the nearest edge found may be too far; and how near an edge is to
-// be for all others that are as near to be looked at.
+// In cells: distance from a cell's middle to its corner; the error of the nearest edge found by the sweeps; and the
+// distance of an edge below which all others as near are tested.
 constexpr float to_corner = 0.75f, too_far = 1;
 constexpr std::int32_t near = 3;
 constexpr float cells_beside = 4;  // so far at once a way is followed beside the edge
@@ -83,8 +83,8 @@ int Outline::winding(float x, float y) const {
 
 bool Outline::contains(const glm::vec3& p) const {
   if (!(p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y)) return false;
-  // Where no edge comes near, all of a cell is on one side.
-  // (Which of two cells it is in, where it lies between them, is all the same: what is certain reaches that far.)
+  // Where no edge comes near, all of a cell is on one side. (For a place on the border of two cells either cell will
+  // do: the certain distance reaches that far.)
   const auto along = [this](float from_low, std::int32_t cells) {
     return std::min(static_cast<std::int32_t>(from_low * per_cell_), cells - 1);
   };
@@ -99,7 +99,7 @@ void Outline::cells_between(const glm::vec2& a, const glm::vec2& b, const See& s
   const float slack = rounding * cell_, rise = to.y - from.y;
   const std::int32_t top = line_of(to.y + slack);
   for (std::int32_t y = line_of(from.y - slack); y <= top; ++y) {
-    // What of it is in the line.
+    // The part of the edge in this row.
     const float begin = low_.y + static_cast<float>(y) * cell_ - slack, end = begin + cell_ + 2 * slack;
     const float enters = rise > 0 ? glm::clamp((begin - from.y) / rise, 0.0f, 1.0f) : 0,
                 leaves = rise > 0 ? glm::clamp((end - from.y) / rise, 0.0f, 1.0f) : 1;
@@ -189,8 +189,8 @@ bool Outline::keeps_off(const glm::vec3& p, float reach) const {
   return true;
 }
 
-// Cells on the edge know an edge; the others take over what their neighbours know, in two sweeps. What they find is
-// less than a cell farther than the nearest.
+// Cells on the edge know an edge; the others take over their neighbours' edges, in two sweeps. The edge found is less
+// than a cell farther than the nearest.
 void Outline::measure() {
   const glm::vec3 size = high_ - low_;
   cell_ = std::max({size.x, size.y, std::numeric_limits<float>::min()}) / cells_along;
@@ -238,8 +238,8 @@ void Outline::measure() {
   }
 }
 
-// What is certain of a cell. Beside the edge it matters how far that is: there all edges that may be nearer are looked
-// at.
+// Computes the certain distance of each cell. Near the edge its accuracy matters: there all edges that may be nearer
+// are tested.
 void Outline::make_certain() {
   for (std::int32_t y = 0; y < up_; ++y)
     for (std::int32_t x = 0; x < across_; ++x) {

@@ -1,4 +1,4 @@
-// An outline in the plane z = 0: what is inside of it, and how far its edge is.
+// An outline in the plane z = 0: tests for inside, and the distance of its edge.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace panicle::particles {
 
-// A closed polygon, in either sense. One that crosses itself holds what it winds about.
+// A closed polygon, in either sense. One that crosses itself contains the points with a winding number other than 0.
 class Outline final : public Region {
  public:
   explicit Outline(std::vector<glm::vec2> points);
@@ -25,12 +25,12 @@ class Outline final : public Region {
   // How far the edge is from a place, inside or outside.
   float distance(const glm::vec3& p) const;
   float area() const;  // of a polygon that does not cross itself
-  // Nearly that, at a glance: from the edge nearest to the middle of a cell. What lies outside is of the cell nearest
-  // to it.
+  // An estimate of the distance in constant time: from the edge nearest to the middle of a cell. Places outside the box
+  // use the cell nearest to them.
   float about_distance(const glm::vec3& p) const;
   // Whether no edge is nearer than that.
   bool keeps_off(const glm::vec3& p, float reach) const;
-  // How far it is at least: what is certain of a cell. 0 outside the outline's box.
+  // A lower bound of the distance: the certain distance of a cell. 0 outside the outline's box.
   float clearance(const glm::vec3& p) const;
 
  private:

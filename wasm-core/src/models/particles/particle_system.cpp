@@ -100,7 +100,7 @@ void ParticleSystem::look() {
         continue;
       }
     }
-    // What is made for is in sight; what lies a step beyond it need not be.
+    // The aim is in sight; a point a step beyond it need not be.
     if (glm::distance(place, aim) < rules_.step && !guide_->passes(place, place + stride)) stride = aim - place;
   }
   aims_.clear();
@@ -142,8 +142,8 @@ void ParticleSystem::meet() {
   }
 }
 
-// Whoever is near an older trail ahead ends in it. Those that are left will look from where they are now: what they aim
-// at is kept until then.
+// Ends particles that are near an older trail ahead in that trail. The others aim from where they are now in the next
+// step: their aims are stored until then.
 void ParticleSystem::join() {
   aims_.resize(places_.size());
   for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {

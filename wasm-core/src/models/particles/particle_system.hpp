@@ -1,6 +1,6 @@
 // The particles of one target on their way there (Rodkaew et al. 2003, section 2): each is drawn to its nearest
-// neighbour and to the target, those that meet become one, and their trails are kept. Crowds of several targets do not
-// see each other, else twigs would bridge the crowns of a twin tree.
+// neighbour and to the target, those that meet become one, and their trails are recorded. Crowds of several targets do
+// not interact, else twigs would bridge the crowns of a twin tree.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,17 @@
 
 namespace panicle::particles {
 
-// What print leaves open is decided so:
-// - All directions come from the places before the step. Coincident particles do not draw each other. Where both pulls
-//   cancel, a particle waits: the one in front for the one behind.
-// - A step that would leave the shape is taken towards the aim alone, and no farther than there where it still would.
+// Details that the paper leaves open:
+// - All directions are computed from the places before the step. Coincident particles do not draw each other. Where
+//   both pulls cancel, a particle waits: the one in front for the one behind.
+// - A step that would leave the shape is taken towards the aim alone, and no farther than the aim where it still would.
 // - A particle within a step of the target arrives; its last segment ends exactly there.
 // - Pairs closer than `merge` meet, the nearest first, each particle once a step. The heavier goes on (of equal ones
 //   the one with the lower index) from the mean of both places by energy, or from its own where that mean is outside.
 // - With `join`, a particle ends in an older trail that lies ahead and is not its own; its energy runs on there.
-// - After four times the steps that the longest of a hundred ways takes, none heeds its neighbours any more: bends can
-//   hold two in a circle for ever. Whoever has not arrived after as many again is led there from aim to aim.
+// - After four times the steps that the longest of a hundred ways takes, particles ignore their neighbours: bends can
+//   hold two in an endless circle. Particles that have not arrived after as many steps again are moved to the target,
+//   from aim to aim.
 class ParticleSystem {
  public:
   // `guide` must outlive the crowd. `rules.merge` below the least that ends is taken as that.
@@ -46,7 +47,7 @@ class ParticleSystem {
   std::uint32_t joins() const { return joins_; }
   std::uint32_t stragglers() const { return stragglers_; }  // that had to be taken to the target
   double arrived() const { return arrived_; }               // energy, at the target
-  // Where those are that are on their way, and what each carries.
+  // The places and energies of the particles on their way.
   std::span<const glm::vec3> places() const { return places_; }
   std::span<const double> energies() const { return energies_; }
 
@@ -76,7 +77,7 @@ class ParticleSystem {
   Rules rules_;
   double energy_;  // of each at the start
   std::uint32_t started_;
-  std::uint32_t step_budget_;  // steps until none heeds its neighbours
+  std::uint32_t step_budget_;  // steps until particles ignore their neighbours
   std::uint32_t steps_ = 0, merges_ = 0, joins_ = 0, stragglers_ = 0;
   std::uint64_t moves_ = 0;
   double arrived_ = 0;

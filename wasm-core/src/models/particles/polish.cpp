@@ -11,9 +11,9 @@ namespace panicle::particles {
 namespace {
 
 constexpr float least_passes = 2.5f, more_passes = 15;
-// The share of all energy with which half of a trail is laid into its rib.
+// The share of all energy with which a trail is moved halfway onto its rib.
 constexpr double bedded_energy = 0.004;
-// So many times as far a trail is laid back into the line that it goes on along: where others drew it aside.
+// This multiple of the reach applies where a trail goes on along a rib and other trails have drawn it away.
 constexpr float back_from = 2;
 
 // A place that is drawn, the run of those that lead to it, and how often it still is.
@@ -75,7 +75,7 @@ void smooth(Trails& trails, const Guide& guide, float share) {
     for (std::uint32_t k = first; k < first + count; ++k) weights[k] = static_cast<float>(trails.energy[k] / sum);
   }
   std::vector<glm::vec3>& places = trails.places;
-  // Each in its turn, so that what a place sees is still there when the next is drawn.
+  // One after the other, so that a place still sees its neighbours when the next is moved.
   for (bool outwards = true; !moving.empty(); outwards = !outwards) {
     for (std::size_t m = 0; m < moving.size(); ++m) {
       Drawn& at = moving[outwards ? m : moving.size() - 1 - m];
@@ -93,7 +93,7 @@ void smooth(Trails& trails, const Guide& guide, float share) {
 void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach) {
   constexpr std::uint32_t none = ~0u;
   const auto runs = leading_to(trails);
-  // Whatever carries most stays on its line where another leaves it, else veins would step aside there.
+  // The heaviest trail stays on its line where another leaves it, else veins would step sideways there.
   std::vector<std::uint32_t> lines(trails.size(), 0), heaviest(trails.size(), 0);
   for (std::uint32_t i = 1; i < trails.size(); ++i) {
     std::uint32_t& child = heaviest[next_of(trails, i)];
@@ -159,7 +159,7 @@ Trails simplified(const Trails& trails, float tolerance, bool arrivals) {
   std::vector<std::int32_t> now(trails.size(), -1);
   for (std::size_t i = 0; i < trails.size(); ++i) {
     if (i > 0 && !retained[i]) {
-      now[i] = now[next_of(trails, i)];  // what leads here leads there
+      now[i] = now[next_of(trails, i)];  // places that led to the removed place lead to its next
       continue;
     }
     const std::int32_t to = i == 0 ? -1 : now[next_of(trails, i)];

@@ -10,22 +10,24 @@
 
 namespace panicle::particles {
 
-// Draws every place halfway between the next and the mean of those that lead to it, by their energy, by turns outwards
-// and inwards along the trails: twigs 2.5 times, what carries all the energy 17.5 times, or a share of that; half a
-// time is half of the way. The target and the ends of twigs stay, and no place goes where it is not open or out of its
-// neighbours' sight.
+// Moves every place halfway between the next and the mean of those that lead to it, by their energy, by turns outwards
+// and inwards along the trails: twigs 2.5 times, places that carry all the energy 17.5 times, or a share of that; half
+// a time is half of the way. The target and the ends of twigs stay, and no place goes where it is not open or out of
+// its neighbours' sight.
 void smooth(Trails& trails, const Guide& guide, float share = 1);
 
-// Lays what runs along a rib into it: wholly on it, less and less up to `reach` from it, and the more energy passes the
-// more; ends of twigs stay. What goes on along a rib is laid back from twice as far, where nothing is between.
+// Moves trails that run along a rib onto it: wholly those on it, less and less up to `reach` from it, and the more
+// energy passes the more; ends of twigs stay. Trails that go on along a rib are moved from twice as far, where the way
+// is free.
 void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach);
 
-// Leaves out places between forks, starts and ends as long as none of them is farther than `tolerance` from what is
-// left. Forks, starts and energies stay; with `arrivals` those next to the target too, and so when each came there.
+// Removes places between forks, starts and ends as long as none of them is farther than `tolerance` from the remaining
+// line. Forks, starts and energies stay; with `arrivals` those next to the target too, and so when each came there.
 Trails simplified(const Trails& trails, float tolerance, bool arrivals = false);
 
-// With places between, so that no piece that energies from `least` to less than `most` pass is longer than `longest`;
-// but what leads straight to the target stays whole. Who runs along a piece leaves each of them when he comes by.
+// Adds places in between, so that no piece that carries an energy from `least` to less than `most` is longer than
+// `longest`; pieces that lead straight to the target stay whole. A particle that runs along a piece leaves each added
+// place when it comes by.
 Trails divided(const Trails& trails, float longest, double least, double most, float stride);
 
 // Puts places back to where they were `before`, where all saw each other, until they do again.

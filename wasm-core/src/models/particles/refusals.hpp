@@ -1,4 +1,4 @@
-// What is too much work, in words: how much of what, and what to ask for instead.
+// Messages of requests with too much work: the amount, and a smaller alternative.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The nearest place on ribs, for many who ask.
+// The nearest place on ribs, for many queries.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace panicle::particles {
 
-// A grid over a box: each cell, once something in it has been asked for, knows the pieces of which one must be the
-// nearest to whatever is in it, found among those of the wider cell about it.
+// A grid over a box: each cell, at its first query, finds the pieces of which one must be the nearest to any place in
+// it, among those of the wider cell about it.
 class RibGrid {
  public:
   // `ribs` must outlive it. The box lies in the plane z = 0.
@@ -33,7 +33,7 @@ class RibGrid {
   const Ribs* ribs_;
   glm::vec3 low_, cell_;
   Pieces every_;
-  // Grid by grid, each twice as fine as the one before: of each cell, in ascending order; empty: not asked for yet.
+  // Grid by grid, each twice as fine as the one before: of each cell, in ascending order; empty: no query yet.
   mutable std::vector<std::vector<Pieces>> grids_;
   std::vector<std::uint32_t> line_;  // by place
   std::vector<std::vector<std::uint32_t>> lines_;

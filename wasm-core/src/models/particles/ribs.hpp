@@ -1,5 +1,5 @@
-// The ribs that a leaf's veins run to: laid down before, for a midrib and its side veins do not come of particles
-// alone.
+// The ribs that a leaf's veins run to: built before the particles run, because particles alone make no midrib with side
+// veins.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Ribs {
     std::size_t at;
     float along;
     glm::vec3 place;
-    float distance;  // from who asked
+    float distance;  // from the queried place
   };
   // The place nearest to `p` on the piece from place `at`, not 0, to the next; and place 0.
   Foot foot_on(std::size_t at, const glm::vec3& p) const {
@@ -30,7 +30,7 @@ struct Ribs {
     const glm::vec3 place = from + along * way;
     return {at, along, place, glm::distance(p, place)};
   }
-  // The square of its distance: enough to tell which is nearest.
+  // The square of its distance, for finding the nearest.
   float square_to(std::size_t at, const glm::vec3& p) const {
     const glm::vec3 from = places[at], way = places[static_cast<std::size_t>(next[at])] - from;
     const glm::vec3 off = p - from - share_along(way, p - from) * way;

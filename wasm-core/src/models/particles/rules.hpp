@@ -12,7 +12,7 @@ struct Rules {
   float step = 0;           // s: how far a particle moves at most
   float merge = 0;          // r: closer than this, two become one
   float neighbourhood = 0;  // farther neighbours are not seen; 0: none is too far
-  float pull = 0.75f;       // w: how much a particle heeds its neighbour; 1 as much as its target
+  float pull = 0.75f;       // w: weight of a particle's neighbour; 1 as much as its target
   bool printed = false;  // every move is as long as the step (section 2.1), not the less the more the two pulls differ
   float join = 0;        // closer than this to an older trail ahead, a particle ends in it; 0: trails may cross
 };
@@ -22,10 +22,10 @@ inline float approach(const Rules& rules) {
   return rules.printed ? rules.step : rules.step * rules.pull / (1 + rules.pull);
 }
 
-// The least merge radius with which two that make for each other cannot jump past each other for ever.
+// The least merge radius with which two that move towards each other cannot jump past each other endlessly.
 inline float least_merge(const Rules& rules) { return 2 * approach(rules); }
 
-// Notes where rules, in spacings, ask for a merge radius that is less than that.
+// Adds a note if rules, in spacings, have a merge radius that is less than that.
 inline void note_on(const Rules& rules, std::vector<std::string>& notes) {
   const float least = least_merge(rules);
   if (rules.merge < least)

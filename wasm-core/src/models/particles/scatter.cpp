@@ -17,20 +17,20 @@ namespace {
 constexpr std::uint64_t stream_x = 0x70617274, stream_y = stream_x + 1, stream_z = stream_x + 2,
                         stream_keep = stream_x + 3, stream_place = stream_x + 4;
 constexpr float jitter = 0.8f;
-// Least distance of blue noise in spacings, so that about as many points fit as were asked for (measured).
+// Least distance of blue noise in spacings, so that about the requested number of points fit (measured).
 constexpr float apart_flat = 0.79f, apart_deep = 0.86f;
 constexpr std::uint64_t blue_rounds = 6, edge_rounds = 2;
-// More than a hundred for each of the most points that are asked for: where a region fills hardly any of its box, there
-// are fewer points instead.
+// More than a hundred for each of the largest number of points: where a region fills hardly any of its box, there are
+// fewer points instead.
 constexpr std::uint64_t most_cells = 12'000'000;
-// Of a jittered lattice, whose cells hold one point each and are not kept.
+// Of a jittered lattice, whose cells hold one point each and are not stored.
 constexpr std::uint64_t most_jittered = 100'000'000;
 // A uniform point is looked for so many times for each wanted.
 constexpr std::uint64_t most_darts = 1000;
-// So often a spacing is tried by which as many points fit in as are asked for, or few more.
+// The number of spacings tried until the requested number of points fits in, or few more.
 constexpr int tries = 8;
 constexpr float few_more = 0.04f;
-// As many tell how much more fit in than the spacing says.
+// Number of points of a sample, from which follows how many more fit in than the spacing predicts.
 constexpr std::uint32_t sample = 400;
 
 // The whole cells of a lattice about the origin that a region's box meets, and two more on every side.
@@ -74,7 +74,7 @@ class Lattice {
     return found;
   }
   glm::ivec3 cell_of(const glm::vec3& p) const { return {whole(p.x), whole(p.y), flat_ ? 0 : whole(p.z)}; }
-  // A point of a cell: `share` of its width about its middle, by the cell's own luck.
+  // A random point of a cell: within `share` of its width about its middle.
   glm::vec3 point(const glm::ivec3& cell, float share, std::uint64_t seed, std::uint64_t round) const {
     const std::uint64_t bits = random_bits(seed, stream_place, address_of(cell, round));
     const auto along = [&](int k) {
@@ -83,7 +83,7 @@ class Lattice {
     };
     return {along(0), along(1), flat_ ? 0 : along(2)};
   }
-  // What is certain of a cell; points of it may be off by rounding.
+  // How a cell lies in the region; points of it may be off by rounding.
   Share share_of(const glm::ivec3& cell, const Region& region) const { return share_of(cell, 1, region); }
   // Of so many in a row.
   Share share_of(const glm::ivec3& cell, std::int32_t count, const Region& region) const {
@@ -130,14 +130,14 @@ std::vector<glm::vec3> uniform(const Region& region, std::uint32_t count, std::u
   return points;
 }
 
-// Points, and each one's luck over its density: below 1, and the lower the sooner it stays where there are too many.
+// Points, and the random value of each over its density: below 1; the lowest values stay where there are too many.
 struct Lot {
   std::vector<glm::vec3> points;
   std::vector<float> ranks;
   bool coarse = false;  // the lattice would have had too many cells
 
-  // `known`: to be inside. What is cheap to tell is asked first: luck and density turn most places of a dark crown
-  // down.
+  // `known`: known to be inside. The cheap test goes first: random value and density reject most places of a dark
+  // crown.
   void draw(const Region& region, const glm::vec3& p, bool known, const glm::ivec3& cell, std::uint64_t seed) {
     if (!known && !region.has_room(p)) return;
     const float noise = random_unit(seed, stream_keep, Lattice::address_of(cell, 0)), density = region.density(p);
@@ -246,7 +246,7 @@ float limit_of(const Lot& lot, std::uint32_t count) {
   return ranks[count];
 }
 
-// Of so many points in what is filled.
+// The spacing of `count` points in the filled area or volume.
 float spacing_in(float filled, std::uint32_t count, bool flat) {
   return count > 0 ? root(filled / static_cast<float>(count), flat) : 0;
 }
@@ -276,8 +276,8 @@ Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count
   }
   const auto wanted = static_cast<float>(count);
   float spacing = nominal;
-  // Points near the edge have less room of their own, and more than the spacing says fit in: the more, the fewer they
-  // are.
+  // Points near the edge have less room of their own, and more than the spacing predicts fit in: the more, the fewer
+  // they are.
   if (count > sample) {
     const float wider = root(wanted / sample, flat);
     const auto found = static_cast<float>(scatter_at(region, pattern, wider * nominal, seed).points.size());

@@ -11,7 +11,7 @@ constexpr float farthest = 1e4f;
 
 Diagnostic refused(std::string why) { return {Reason::bad_input, std::move(why), 0, 0}; }
 
-// Whether a block holds whole rows of finite numbers of a sound size; if not, says so.
+// Whether a block holds whole rows of finite numbers of a sound size; if not, sets `trouble`.
 bool sound(std::span<const float> values, std::size_t width, const char* name, Diagnostic& trouble) {
   if (values.size() % width != 0) {
     trouble = refused(std::string(name) + " must have " + std::to_string(width) + " numbers each.");
@@ -26,13 +26,13 @@ bool sound(std::span<const float> values, std::size_t width, const char* name, D
   return true;
 }
 
-// Whether all corners are some of the points; if not, says so. `what`: whose they are, "the mesh".
-bool sound_corners(std::span<const std::uint32_t> triangles, std::size_t points, const std::string& what,
+// Whether all corners are some of the points; if not, sets `trouble`. `owner`: the owner of the points, "the mesh".
+bool sound_corners(std::span<const std::uint32_t> triangles, std::size_t points, const std::string& owner,
                    Diagnostic& trouble) {
-  if (triangles.size() % 3 != 0) trouble = refused("Triangles of " + what + " must have 3 corners each.");
+  if (triangles.size() % 3 != 0) trouble = refused("Triangles of " + owner + " must have 3 corners each.");
   for (const std::uint32_t corner : triangles)
     if (trouble.reason == Reason::none && corner >= points)
-      trouble = refused("A triangle of " + what + " has the corner " + std::to_string(corner) +
+      trouble = refused("A triangle of " + owner + " has the corner " + std::to_string(corner) +
                         ", but there are only " + std::to_string(points) + " points.");
   return trouble.reason == Reason::none;
 }

@@ -1,4 +1,4 @@
-// What requests of a tree and of a root have in common: outputs, and what is given besides the numbers.
+// The shared part of requests of a tree and of a root: outputs, and inputs besides the parameters.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace panicle::particles {
 // `volume.points` (float32, triples) and `volume.triangles` (uint32, triples) of a dropped mesh, `targets` (float32,
 // triples in metres), `hollow.points` and `hollow.triangles` likewise of a mesh that is the inner boundary, `obstacles`
 // and `obstacles.round` (float32, six each in metres: the low and the high corner of a box, and of one that an
-// ellipsoid fills: another tree's crown, which shades as one); and what every request has.
+// ellipsoid fills: another tree's crown, which shades as one); and the blocks of every request.
 struct SpaceRequest {
   static constexpr std::size_t most_targets = 256;
 
@@ -30,8 +30,8 @@ struct SpaceRequest {
   std::vector<Box> obstacles, rounds;
 };
 
-// Errors: bad_request, for what is of another form; bad_input, for numbers that are not finite or beyond 10 km, corners
-// that are none of the mesh's points, more targets or obstacles than there may be; limit, for too many triangles.
+// Errors: bad_request, for blocks of another form; bad_input, for numbers that are not finite or beyond 10 km, corners
+// that are none of the mesh's points, more targets or obstacles than allowed; limit, for too many triangles.
 Result<SpaceRequest> read_space(Request& request, const Limits& limits);
 
 }  // namespace panicle::particles

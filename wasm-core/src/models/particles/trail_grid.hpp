@@ -1,4 +1,4 @@
-// Places that trails have passed, for particles that would end in a trail: laid one by one, looked up at every step.
+// Places that trails have passed, for particles that end in a trail: added one by one, looked up at every step.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace panicle::particles {
 
-// A dense grid over a box; what lies outside is in the cell nearest to it.
+// A dense grid over a box; places outside are in the cell nearest to them.
 class TrailGrid {
  public:
   TrailGrid() = default;
@@ -40,8 +40,8 @@ class TrailGrid {
   glm::vec3 low_{0};
   float reach_ = 0, edge_ = 1;
   Cell count_{0, 0, 0};
-  std::vector<std::int32_t> last_;    // of each cell: the place laid last; −1 where there is none
-  std::vector<std::int32_t> before_;  // of each place: the one laid before it in its cell
+  std::vector<std::int32_t> last_;    // of each cell: the place added last; −1 where there is none
+  std::vector<std::int32_t> before_;  // of each place: the one added before it in its cell
 };
 
 }  // namespace panicle::particles

@@ -10,7 +10,7 @@
 namespace panicle::particles {
 namespace {
 
-// Of what leads to each place, the greatest energy.
+// The greatest energy that flows into each place.
 std::vector<double> heaviest_inflow(const Trails& trails) {
   std::vector<double> heaviest(trails.size(), 0);
   for (std::size_t i = 0; i < trails.size(); ++i)

@@ -1,4 +1,4 @@
-// Trails as a plant: a segment for each piece of way, its thickness by the energy that passes, and what is known of it
+// Trails as a plant: a segment for each piece of way, its thickness by the energy that passes, and its other properties
 // in columns. Shared by leaf, tree and root.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace panicle::particles {
 
-// How thickness follows energy (section 3 of the paper leaves it open). Where the sum of squares is kept at a fork it
-// is Leonardo's rule, where that of cubes is kept Murray's: a power of 1/2 and of 1/3.
+// How thickness follows energy (section 3 of the paper leaves it open). A power of 1/2 preserves the sum of squares at
+// a fork (Leonardo's rule), a power of 1/3 that of cubes (Murray's).
 enum class WidthLaw : std::uint32_t { linear, square_root, power };
 
 struct Girth {
@@ -26,14 +26,14 @@ struct Girth {
 // The radius where so much of `all` passes.
 float radius_of(const Girth& girth, double energy, double all);
 
-// What of a place in the plane or in space is a place of the plant: metres.
+// The transform of a place in the plane or in space into a place of the plant: metres.
 struct Frame {
   glm::vec3 origin{0};
   float scale = 1;
   glm::vec3 operator()(const glm::vec3& p) const { return origin + p * scale; }
 };
 
-// What the growing came to, for counts and notes.
+// The totals of a run, for counts and notes.
 struct Tally {
   std::uint32_t particles = 0, merges = 0;
   std::uint32_t steps = 0;       // in which someone is seen to move (moment.hpp)
@@ -44,9 +44,9 @@ struct Tally {
 // Appends the trails of all targets, one tree after the other: segments (parents first; `parent` −1 at a target or
 // where a particle is on its way; `start` is the end nearer the target; tag `tag`), and columns: `segments.energy`
 // (float32), `segments.born` (uint32: the step that left it), `targets.places` (float32 × 3, metres), `targets.energy`
-// (float32: what has arrived). Counts: particles, energy, merges, steps, segments, targets. `all`: for each target what
-// arrives there in the end, which thickness counts by. Stragglers are noted. Gives for each place of each crowd the
-// segment that begins to lead on from it, −1 for none.
+// (float32: the arrived energy). Counts: particles, energy, merges, steps, segments, targets. `all`: the energy that
+// arrives at each target in the end, by which thickness is scaled. Stragglers get a note. Returns for each place of
+// each crowd the segment that begins to lead on from it, −1 for none.
 std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const Trails> crowds,
                                                   std::span<const double> all, const Girth& girth, const Frame& frame,
                                                   const Tally& tally, std::uint32_t tag);

@@ -32,7 +32,7 @@ float arrival(const Trails& trails, std::size_t i, float stride) {
 
 std::vector<std::uint32_t> tree_order(std::span<const std::int32_t> next) {
   const std::size_t count = next.size();
-  // Who leads to each place: counted, then listed by place.
+  // Places that lead to each place: counted, then listed by place.
   std::vector<std::uint32_t> first(count + 1, 0), members(count), order{0};
   for (std::size_t i = 1; i < count; ++i) ++first[static_cast<std::size_t>(next[i]) + 1];
   for (std::size_t i = 0; i < count; ++i) first[i + 1] += first[i];

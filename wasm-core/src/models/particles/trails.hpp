@@ -1,4 +1,4 @@
-// What particles leave behind: a tree of places, joined by segments, that ends at its target.
+// The trails of particles: a tree of places, joined by segments, that ends at its target.
 #pragma once
 
 #include <cstdint>
@@ -24,12 +24,13 @@ struct Trails {
                    std::int32_t started);
 };
 
-// When what left a place came to the next, in steps of `stride`: that was there, and the particle could be, for others
-// may have been there before it. Not of the target.
+// When the particle that left a place came to the next, in steps of `stride`: no earlier than the next place was
+// reached first, for others may have been there before it. Not of the target.
 float arrival(const Trails& trails, std::size_t i, float stride);
 
-// All places in the order of the tree, whatever the order that they stand in: 0 first, each after the one it leads to,
-// those that lead to the same place next to each other and ascending. `next`: for each place but 0 the one it leads to.
+// The order of all places in the tree, independent of their order in the array: 0 first, each after the one it leads
+// to, those that lead to the same place next to each other and ascending. `next`: for each place but 0 the one it leads
+// to.
 std::vector<std::uint32_t> tree_order(std::span<const std::int32_t> next);
 
 }  // namespace panicle::particles

@@ -8,7 +8,7 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::max();
 constexpr float on_axis = 0.1f;  // nearer than this share of how far it looks, a particle is on the axis
-// Whoever looked far ahead would cut the bends of an axis that sways, and run beside it.
+// A particle that looked far ahead would cut the bends of an axis that sways, and run beside it.
 constexpr float nearer = 0.25f;
 // A longer one could turn a way round.
 constexpr float longest_bend = 0.9f;

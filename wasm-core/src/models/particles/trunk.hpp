@@ -18,15 +18,15 @@ struct TrunkHabit {
   float bole = 0;   // how far from the target nothing comes to the axis any more
   float way = -1;   // −1 where particles come down from above, 1 where they come up
   glm::vec3 bend{
-      0};  // added to the direction of what is `reach` away from the axis or farther, less and less towards it
+      0};  // added to the direction of places `reach` away from the axis or farther, less and less towards it
   float reach = 1;
   float height = 0;  // of all that stands on the axis
   float sway = 0;    // how far the axis strays from upright, of that height
 };
 
-// Each makes for the axis above the target, as much lower than itself as is told: a single point would fork low and
-// leave no leader. Limbs cross what is in between, the inner boundary too; the outer one they leave on the way down
-// alone, and nothing goes beyond the height of the target: the ground.
+// Each particle aims at the axis above the target, lower than itself by a given amount: a single point would fork low
+// and leave no leader. Limbs cross the space between the boundaries and the inner boundary; they leave the outer one
+// only on the way down, and never go beyond the height of the target: the ground.
 class Trunk final : public Guide {
  public:
   // `outer` and `obstacles` must outlive it; either may be null.

@@ -16,7 +16,7 @@ namespace {
 // Twigs turn less where their ends have no room, each time anew.
 constexpr int passes = 3;
 
-// A direction turned so much of the way to straight down; what stands upright has no side to fall to.
+// Rotates a direction by a share of the way to straight down; a vertical direction has no side to fall to.
 glm::vec3 turned_down(const glm::vec3& way, float share) {
   if (!(way.x * way.x + way.z * way.z > 1e-6f)) return way;
   const glm::vec3 turned = (1 - share) * way - glm::vec3(0, share, 0);

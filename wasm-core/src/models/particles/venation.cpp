@@ -28,7 +28,8 @@ Waypoints& Venation::waypoints() const {
   return *waypoints_;
 }
 
-// What of the rib is seen: far below the foot, else less far; round corners by waypoints, which lead to the ribs.
+// The visible point of the rib: far below the nearest place, else less far; round corners by waypoints, which lead to
+// the ribs.
 glm::vec3 Venation::aim(const glm::vec3& p) const {
   const Ribs::Foot foot = grid_.nearest(p);
   for (float below = std::max(slant_ * foot.distance, ahead_); below > least_ahead * ahead_; below *= 0.5f) {

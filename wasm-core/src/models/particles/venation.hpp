@@ -12,9 +12,9 @@
 
 namespace panicle::particles {
 
-// Printed, particles make for the petiole, and no midrib comes of it. Here each makes for the nearest rib, and the
-// nearer the petiole the farther off it is, so that side veins slant; on a rib it follows it. What the edge hides is
-// come to by waypoints. Ribs that are the petiole alone are the printed way, round corners.
+// In the printed method particles aim at the petiole, and no midrib forms. Here each aims at the nearest rib, and the
+// nearer the petiole the farther off that is, so that side veins slant; on a rib a particle follows it. Places hidden
+// by the edge are reached by waypoints. Ribs that are the petiole alone give the printed method, round corners.
 class Venation final : public Guide {
  public:
   // `slant`: by how much of its distance from the rib a particle aims below its foot there. `spacing`: of the
@@ -27,7 +27,7 @@ class Venation final : public Guide {
   float room(const glm::vec3& p) const override { return outline_->clearance(p); }
   bool sees(const glm::vec3& a, const glm::vec3& b) const override;
 
-  // The ribs, for whoever would lay trails into them.
+  // The ribs, for moving trails onto them.
   const RibGrid& ribs() const { return grid_; }
 
  private:
@@ -37,7 +37,7 @@ class Venation final : public Guide {
   Waypoints& waypoints() const;
 
   float slant_, ahead_, cell_;
-  mutable std::unique_ptr<Waypoints> waypoints_;  // made when the first particle is hidden from what it aims at
+  mutable std::unique_ptr<Waypoints> waypoints_;  // made when the first particle is hidden from its aim
 };
 
 }  // namespace panicle::particles

@@ -14,14 +14,14 @@
 namespace panicle::particles {
 
 // A field of waypoints on a grid: Theta* (Daniel et al. 2010, "Theta*: any-angle path planning on grids"), run from the
-// goals through the cells that lie inside, as far as someone has asked.
+// goals through the cells that lie inside, only as far as queries need.
 class Waypoints {
  public:
   // `outline` must outlive it. `cell`: the grid's width; wider where more than 96 would lie along an edge of the box.
   Waypoints(const Outline& outline, std::vector<glm::vec3> goals, float cell);
 
-  // What is seen from `p` on the shortest way known to a goal: the goal, or a corner to turn at. Outside, the nearest
-  // cell inside.
+  // The point visible from `p` on the shortest way known to a goal: the goal, or a corner to turn at. Outside, the
+  // nearest cell inside.
   glm::vec3 next(const glm::vec3& p);
   // The length of that way.
   float way(const glm::vec3& p);
@@ -57,7 +57,7 @@ class Waypoints {
   using Entry = std::pair<float, std::int32_t>;  // a way's length and its cell
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
   std::vector<std::int32_t>
-      nearest_;  // of each cell: itself, or the nearest that has a way; made once one is asked for
+      nearest_;  // of each cell: itself, or the nearest that has a way; made at the first query
 };
 
 }  // namespace panicle::particles

@@ -16,7 +16,7 @@
 namespace panicle::particles {
 namespace {
 
-// How far a trail may be off where places are left out, in spacings, and of what it keeps clear of obstacles.
+// The tolerance of simplification, in spacings, and its share of the margin around obstacles.
 constexpr float tolerance = 0.08f, within_margin = 0.8f;
 // Branches have no neighbours that keep them from being drawn straight.
 constexpr float smoothing = 1.5f;
@@ -27,8 +27,8 @@ constexpr float apart = 0.05f, shift = 0.45f;
 // How far particles look along the axis, in spacings.
 constexpr float ahead = 2;
 
-// What hangs is made of pieces no longer than this and turns down over so long a way; what wanders of such pieces, and
-// does so to the one side and the other within this; in spacings.
+// In spacings: the length of pieces of hanging twigs, and of the arc in which they turn down; the length of pieces of
+// wandering branches, and of the noise that they wander by.
 constexpr float hanging_piece = 0.4f, arc = 1.5f, wandering_piece = 0.65f, billow = 1.3f;
 
 double tips_of(const Trails& trails) {
@@ -56,7 +56,7 @@ struct Scale {
   std::uint64_t seed;
 };
 
-// What hangs and wanders. Straight pieces are divided for it, twigs alone where the rest stays.
+// Applies hanging and wandering. Straight pieces are divided first, twigs alone where the rest stays.
 Trails shaped(const Trails& trails, const Guide& guide, const Region& outer, const Region& room, const TwigHabit& habit,
               const Scale& scale) {
   const double all = trails.energy[0], tip = all / tips_of(trails);

@@ -1,5 +1,5 @@
-// Trails of a whole stand: particles that go to the nearest of several targets that they can come to, and what becomes
-// of their trails.
+// Trails of all targets: particles that go to the nearest of several targets that they can reach, and the processing of
+// their trails.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct Motion {
 struct Wood {
   std::vector<Trails> crowds;  // one a target: smooth, and with no more places than they need
   std::vector<Axis> axes;      // one a target
-  std::vector<double> all;     // what arrives at each in the end
+  std::vector<double> all;     // energy that arrives at each in the end
   Tally tally;
   Timeline timeline;
   std::uint32_t unreachable = 0;  // particles that no target can be come to from, and that were left out

@@ -36,7 +36,7 @@ constexpr float deepest = -1e6f;  // that a way past an obstacle may lead
 constexpr float hormone_reach = 0.5f, leader = 0.06f;
 constexpr std::array<glm::vec2, 5> carrot{{{0.04f, 0}, {0.16f, 0.3f}, {0.34f, 0.6f}, {0.7f, 0.85f}, {1, 1}}};
 
-// What is between the boundaries, as dense as soil and hormone let it be.
+// The region between the boundaries, with the density of soil and hormone.
 class Soil final : public Region {
  public:
   // All must outlive it. `topsoil`: the depth at which density has fallen to 1/e; 0: it does not.
@@ -88,7 +88,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const Surface whole = form_between(form, profile_of(read->profile, carrot), read->volume, low, high);
   const auto budget = std::make_shared<QueryBudget>(limits.looks);
   const Solid outer(whole, budget);
-  // Bare is what lies about the collar.
+  // The bare region is around the collar.
   if (!read->hollow.triangles.empty()) note_seams(read->hollow, "inner boundary", plant.notes);
   const Solid inner(inner_boundary(whole, read->hollow, low, high, {0, ground, 0}, values[Parameter::inner]), budget);
   std::vector<glm::vec3> targets = read->targets;

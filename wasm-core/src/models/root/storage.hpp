@@ -1,4 +1,4 @@
-// Storage roots: a main root that swells, as a carrot's or a beet's, whatever leaves it.
+// Storage roots: a main root that swells, as a carrot's or a beet's, without its side roots.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ struct StorageHabit {
 // The radius so far below the collar: full at first, then less and less to a point.
 float storage_radius(const StorageHabit& habit, float below);
 
-// Thickens the main root of a target: from the collar on along the heaviest, as far as it is stored in. It is drawn to
-// its axis as well, the more the thicker; what leaves it begins where it is then.
+// Thickens the main root of a target: from the collar on along the heaviest, over the storage length. The root is
+// straightened to its axis as well, the more the thicker; side roots begin at its moved places.
 void swell(std::vector<Segment>& segments, const GrownWood& grown, std::size_t target, const StorageHabit& habit);
 
 }  // namespace panicle::particles::root

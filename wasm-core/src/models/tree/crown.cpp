@@ -61,7 +61,7 @@ Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float light_expo
         brightest_ = std::max(brightest_, light_->at(low() + size * (glm::vec3(x, y, z) / static_cast<float>(probes))));
 }
 
-// Draws the outer boundary in, here more and there less: what a place would be farther out must still be within it.
+// Draws the outer boundary in, here more and there less: the scaled-out place must still be within it.
 bool Foliage::leafy(const glm::vec3& p) const {
   const Crowns& crowns = *crowns_;
   if (!(crowns.ragged > 0)) return true;

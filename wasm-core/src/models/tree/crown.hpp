@@ -1,4 +1,4 @@
-// The crowns of a tree: what they are bounded by, where their trunks stand, and how dense particles are in them.
+// The crowns of a tree: their boundaries, their trunks, and the density of particles in them.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -22,10 +22,10 @@ struct CrownHabit {
   std::uint32_t crowns = 1;
   float distance = 6;  // from crown to crown
   std::uint32_t stems = 1;
-  float growth = 1;        // size of each, trunk and all, over what it will be
+  float growth = 1;        // size of each, trunk and all, over the full-grown one
   float ragged = 0;        // how unevenly the outer boundary is filled, of its size
   std::uint64_t seed = 1;  // by which it is
-  float shoots = 1;        // how much of what lies between the boundaries is grown: shoots that ended early
+  float shoots = 1;        // share of the space between the boundaries that has grown: shoots that ended early
 };
 
 struct Crowns {
@@ -34,7 +34,7 @@ struct Crowns {
   float height = 0;             // of a crown
   float top = 0;                // its highest point
   float across = 0;             // cube root of its box
-  float longest = 0;            // edge of the box of what of it is grown
+  float longest = 0;            // edge of the box of the grown part
   std::vector<glm::vec3> middles;
   float ragged = 0;
   Billows lumps, tufts;  // where it is ragged
@@ -49,10 +49,10 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
                    const Surface& hollow = {},
                    const std::shared_ptr<QueryBudget>& budget = std::make_shared<QueryBudget>());
 
-// What is between the boundaries, as dense as light and the top's hormone let it be.
+// The region between the boundaries, with the density of light and the top's hormone.
 class Foliage final : public Region {
  public:
-  // All must outlive it; `light` may be null. `heed`: the power of the light that density follows.
+  // All must outlive it; `light` may be null. `light_exponent`: the power of the light that density follows.
   Foliage(const Crowns& crowns, const VoxelLight* light, float light_exponent, const Hormone& hormone);
 
   glm::vec3 low() const override { return crowns_->outer.low(); }

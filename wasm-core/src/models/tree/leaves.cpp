@@ -18,13 +18,13 @@ constexpr std::uint64_t stream_tilt = 0x6c656166, stream_turn = stream_tilt + 1,
                         stream_fall = stream_tilt + 3;
 constexpr float golden_angle = 137.50776f;
 constexpr float outwards = 0.45f;   // how much they look where their twig points, too: light comes from there
-constexpr float tilt = 0.5f;        // how far leaves look elsewhere, as luck has it
+constexpr float tilt = 0.5f;        // greatest random tilt of leaves
 constexpr float droop = 0.25f;      // of their tips
 constexpr float least_size = 0.7f;  // of the largest
 constexpr float internode = 0.4f;   // from leaf to leaf along the shoot, in leaf lengths
 constexpr float rising = 0.6f;  // how long it takes until the highest leaves begin to unfold, of the time that all take
 
-// A place keeps its luck wherever it stands among the others.
+// A random address of a place: independent of its order among the others.
 std::uint64_t address_of(const glm::vec3& p) {
   const auto word = [](float value) { return std::uint64_t{bit_cast<std::uint32_t>(value)}; };
   return hash_combine(word(p.x) << 32 | word(p.y), word(p.z));

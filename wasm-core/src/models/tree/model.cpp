@@ -1,9 +1,9 @@
 // The tree (Rodkaew et al. 2003, section 4; docs/models/tree/tree.md): particles in a crown, dense where it is light,
-// whose trails to the ground are its branches. Blocks: those of space_request.hpp, and of foliage/flat_leaf.hpp the
-// leaf that it bears, but needles. Columns: those of trail_plant.hpp, `organs.sky`, and where `outputs` names `light`
-// the array of figure 8: `light.cells` (uint8 a cell, x fastest: 255 is all light), `light.counts` (uint32: along x, y
-// and z) and `light.box` (float32: the lowest corner and the edge of a cell, metres). Organs: `leaf`, `particle`.
-// Meshes: `stems`, `leaves`, `balls`.
+// whose trails to the ground are its branches. Blocks: those of space_request.hpp, and of foliage/flat_leaf.hpp its
+// leaf, except for needles. Columns: those of trail_plant.hpp, `organs.sky`, and where `outputs` names `light` the
+// array of figure 8: `light.cells` (uint8 a cell, x fastest: 255 is all light), `light.counts` (uint32: along x, y and
+// z) and `light.box` (float32: the lowest corner and the edge of a cell, metres). Organs: `leaf`, `particle`. Meshes:
+// `stems`, `leaves`, `balls`.
 #include "protocol/model.hpp"
 
 #include <algorithm>
@@ -41,12 +41,12 @@ constexpr std::uint32_t leaf_tag = 0, particle_tag = 1;
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t needle = 0;  // of the kinds of leaves: all others come with the request
 constexpr float light_cells = 28;    // along the longest edge of a crown
-constexpr float coarse = 2.5f;       // so much wider cells than these no longer tell the sides of a crown
+constexpr float coarse = 2.5f;       // cells wider than this do not resolve the sides of a crown
 constexpr std::uint32_t ball_segments = 12;
 constexpr float highest = 1e6f;  // that a way past an obstacle may lead
-// How much of the bole bears no branch, of what is below the crown.
+// The share of the bole without branches, of the height below the crown.
 constexpr float bole = 0.6f;
-// What bears fewer tips is a twig of a pixel or two, and need not be crooked.
+// Twigs with fewer tips are a pixel or two wide, and need not be crooked.
 constexpr float straight_tips = 2;
 // Of the hormone, in heights of the crown; of the leader, in widths.
 constexpr float hormone_reach = 0.5f, leader = 0.06f;
@@ -119,7 +119,7 @@ std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
   return measures.values();
 }
 
-// Only of what is borne: a mesh that no organ is drawn with would stand by itself. Before the leaves stand particles.
+// Adds only the meshes that organs use: others would be drawn by themselves. Organs before `first_leaf` are particles.
 void add_meshes(Plant& plant, const GrownWood& grown, const Blade& blade, std::size_t first_leaf, bool sky,
                 const FootHabit& foot) {
   dress(plant, grown, {.material = "bark", .leaf = leaf_tag, .leaf_area = blade.area, .sky = sky, .foot = foot});

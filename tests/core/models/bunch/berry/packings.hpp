@@ -1,5 +1,4 @@
-// Bunches of berries without a bunch: dense heaps, and what their surfaces must
-// be.
+// Bunches of berries for tests without growing a bunch: dense heaps, and checks of their surfaces.
 #pragma once
 
 #include <algorithm>
@@ -43,8 +42,7 @@ inline glm::vec3 between_cores(const BerryBody& a, const BerryBody& b) {
   return best;
 }
 
-// Moves two bodies so far apart that they overlap by no more than allowed;
-// tells by how much they were too near.
+// Moves two bodies apart until they overlap by no more than allowed; returns by how much they were too near.
 inline float part(BerryBody& a, BerryBody& b, float overlap) {
   const float most = a.half_width + b.half_width + std::max(0.0f, a.half_length - a.half_width) +
                      std::max(0.0f, b.half_length - b.half_width);
@@ -99,8 +97,7 @@ inline Mesh mesh_of(const BerrySurfaces& surfaces, std::size_t berry) {
   return mesh;
 }
 
-// A mesh that is star-shaped about a centre, for asking how deep a point lies
-// in it.
+// A mesh that is star-shaped about a centre, for measuring how deep a point lies in it.
 class Star {
  public:
   Star(const Mesh& mesh, const glm::vec3& centre) : mesh_(mesh), centre_(centre) {

@@ -211,7 +211,7 @@ TEST_CASE("seeds differ, leaves of one shoot differ, the same seed gives the sam
   other.seed = 2;
   const Foliage foliage = grow_foliage(ripe);
   CHECK(grow_foliage(other).mesh.positions != foliage.mesh.positions);
-  CHECK(grow_foliage(ripe).mesh.positions == foliage.mesh.positions);  // whatever grew between
+  CHECK(grow_foliage(ripe).mesh.positions == foliage.mesh.positions);  // independent of growth in between
   const std::vector<FoliagePart> leaves = parts_of(foliage, PartKind::leaf);
   for (std::size_t k = 1; k < leaves.size(); ++k)
     CHECK(extent_of(points_of(foliage, leaves[k])) != doctest::Approx(extent_of(points_of(foliage, leaves[0]))));

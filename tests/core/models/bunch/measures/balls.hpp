@@ -1,4 +1,4 @@
-// Bunches of balls and outlines of plain shape, of which geometry says what they measure.
+// Bunches of balls and outlines of plain shape, whose measures follow from geometry.
 #pragma once
 
 #include <doctest/doctest.h>

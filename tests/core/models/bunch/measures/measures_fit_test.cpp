@@ -1,4 +1,4 @@
-// How a bunch fills its outline, and what spills out of it.
+// How a bunch fills its outline, and how much lies outside.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -34,7 +34,7 @@ TEST_CASE("pedicels are seen where no berry is before them") {
 }
 
 TEST_CASE("the side is looked at from the left, as the side view is") {
-  // A large ball at the left hides what is behind it from there, and from nowhere else.
+  // A large ball at the left hides the balls behind it from there, and from no other side.
   GrownBunch grown = balls({{-60, -50, 0}, {0, -45, 0}, {0, -55, 4}, {2, -50, -4}}, 5);
   grown.berries[0].radius = 0.03f;
   grown.traits[0].width = grown.traits[0].length = 0.06f;

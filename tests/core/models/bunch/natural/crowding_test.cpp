@@ -40,7 +40,7 @@ TEST_CASE("berries that fill a share of space crowd each other by that share") {
     CAPTURE(share);
     const auto count = static_cast<std::size_t>(share * std::pow(edge / size, 3.0f) * 6 / 3.14159f);
     const float found = crowding_of(cloud(count, glm::vec3(edge), 3), {size, 1});
-    // Those at the faces of the box have nobody beyond.
+    // Buds at the faces of the box have no neighbours beyond.
     CHECK(found > 0.75f * share);
     CHECK(found < share);
   }

@@ -10,7 +10,7 @@ using namespace panicle::tests;
 
 namespace {
 
-// The first flower's berry swelled to where `lost` says what became of it; the second flower did not set.
+// The first flower's berry has the outcome `lost`; the second flower did not set.
 struct Late {
   Sprout sprout;
   Hanging hanging;

@@ -1,4 +1,4 @@
-// What a natural bunch costs as its berries get more and smaller, counted as work: no test here measures a time.
+// The cost of a natural bunch as its berries get more and smaller, counted as work: no test here measures a time.
 #include <doctest/doctest.h>
 
 #include <cmath>

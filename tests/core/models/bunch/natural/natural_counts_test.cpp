@@ -1,4 +1,4 @@
-// How many berries a natural bunch has, and what becomes of the others.
+// The number of berries of a natural bunch, and the outcome of the others.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a natural bunch has besides its berries: flowers, cane and leaves, a second bunch.
+// The parts of a natural bunch besides its berries: flowers, cane and leaves, a second bunch.
 #include <doctest/doctest.h>
 
 #include "models/bunch/foliage/flat_leaf.hpp"
@@ -81,7 +81,7 @@ TEST_CASE("leaves without a leaf to make them from: the cane stands bare, and a 
   for (const FoliagePart& part : bare.foliage->parts) CHECK(part.kind != FoliagePart::Kind::leaf);
   REQUIRE(bare.notes.size() == 1);
   CHECK(bare.notes[0].find("no leaves") != std::string::npos);
-  // Nobody misses them where there are no meshes, or none were asked for.
+  // The columns are absent without meshes, and where they were not requested.
   request.meshes = false;
   CHECK(grown(request).notes.empty());
   BunchRequest cane = with_meshes(Parameter::cane, 1);

@@ -1,4 +1,4 @@
-// The natural procedure as a whole: what it promises for any profile.
+// The natural procedure as a whole: its properties for any profile.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -118,7 +118,7 @@ TEST_CASE("an age is a function of the request alone: what was grown between cha
   const GrownBunch again = grown(request);
   CHECK(again.fingerprint == first.fingerprint);
   CHECK(again.mesh_fingerprint == first.mesh_fingerprint);
-  // Widths at 42 lie on the double sigmoid, whatever was grown before.
+  // Widths at 42 lie on the double sigmoid, independent of earlier growth.
   const GrownBunch ripe = grown(natural_request(table3[0].profile()));
   std::map<std::uint32_t, float> widths;
   for (std::size_t i = 0; i < ripe.berries.size(); ++i) widths[ripe.berries[i].id] = ripe.traits[i].width;

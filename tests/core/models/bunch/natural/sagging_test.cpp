@@ -26,7 +26,7 @@ std::vector<Branch> level_axis(float radius, float length = 20) {
           {{length, -50, 0}, {2 * length, -50, 0}, 1, radius, 0.4f, true}};
 }
 
-// By how much a branch is bent against the one that bears it, radians.
+// The angle of a branch to its parent after bending, radians.
 float bend_of(const std::vector<Branch>& branches, const std::vector<Swelling>& berries, std::size_t k,
               float size = 1) {
   Sagging sagging(branches, berries);

@@ -20,7 +20,7 @@ Sprout sprouted(const BunchRequest& request) {
   return std::move(result.value());
 }
 
-// Lengths of what hangs from each root, in the order of the list.
+// Lengths of the stems that hang from each root, in the order of the list.
 std::vector<std::vector<float>> lengths(const Sprout& sprout) {
   std::vector<std::vector<float>> bunches;
   for (const Internode& one : sprout.internodes) {

@@ -86,7 +86,7 @@ TEST_CASE("berries keep to the outline as far as they may") {
       {Envelope(Profile{400, {{{40, 40}, {40, 40}, {40, 40}, {40, 40}}}}, 0.5f, 20), 0}};
   const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
   std::vector<Swelling> berries{berry_at(0, {1, 0, 0}), berry_at(0, {-1, 0, 0})};
-  for (Swelling& berry : berries) berry.stalk = 30;  // which would bear them 18 mm beyond it
+  for (Swelling& berry : berries) berry.stalk = 30;  // which would place them 18 mm beyond it
   const Swollen held = swell(branches, berries, narrow, ripe), free = swell(branches, berries, roomy, ripe);
   for (const glm::vec3& centre : free.centres) CHECK(std::abs(centre.x) > 29);
   for (const glm::vec3& centre : held.centres) CHECK(std::abs(centre.x) < 20 + 0.5f * 8);

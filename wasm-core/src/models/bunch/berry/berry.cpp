@@ -20,7 +20,7 @@ Meridian meridian(float from_tip) {
   };
   constexpr Feature features[] = {
       {-0.040f, 0.34f, 0},   // the dimple round the scar
-      {0.026f, 0.11f, 0},    // what is left of the style within it
+      {0.026f, 0.11f, 0},    // the rest of the style inside it
       {-0.022f, 0.70f, pi},  // the seat
   };
   Meridian result{1, 0};

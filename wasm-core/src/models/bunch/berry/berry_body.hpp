@@ -1,4 +1,4 @@
-// A berry as a solid: what swells, is pressed and is measured. A solid of revolution about its direction.
+// A berry as a solid of revolution about its direction, for swelling, pressing and measuring.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace panicle::bunch {
 // Whose surface a berry has; by the numbers of the parameter `fruit`.
 enum class Fruit : std::uint8_t { grape = 0, currant = 1, bramble = 2, lychee = 3, longan = 4, duku = 5 };
 
-// What all berries of a bunch share: how their meridian differs from an ellipse (OIV 223).
+// The form that all berries of a bunch share: how their meridian differs from an ellipse (OIV 223).
 struct BerryForm {
   float taper = 0;  // −1 … 1: below 0 the pedicel's end is the wider (ovoid), above 0 the tip's (obovoid)
   float blunt = 0;  // 0 … 1: from an ellipse to a cylinder with round ends
@@ -24,7 +24,7 @@ struct BerryBody {
   float half_width = 0;           // across the direction
   float half_length = 0;          // along it
   float shrivel = 0;              // 0 … 1: how far it has dried; furrows, not size
-  std::uint32_t id = 0;           // seeds what differs from berry to berry
+  std::uint32_t id = 0;           // seeds the differences between berries
 };
 
 }  // namespace panicle::bunch

@@ -104,7 +104,7 @@ void Furrows::carve(const GaugeTable& free, std::uint32_t id, float shrivel, Gau
     const Four size = square_root(w * w + sharpness * sharpness);
     const Four below = 1 - size * (1 / crest);
     const Four hollow = below > 0.0f ? below : zero;
-    // Folds are as deep as one mix of the broad fields says, and the skin caves in where the other is above 0.
+    // Folds are as deep as one mix of the broad fields; the skin caves in where the other mix is above 0.
     const Four p = load(&broad_.value[i]) * turn.cosine + load(&other_broad_.value[i]) * turn.sine;
     const Four q = load(&other_broad_.value[i]) * turn.cosine - load(&broad_.value[i]) * turn.sine;
     const Four per_size = 1 / square_root(p * p + 1.0f);
@@ -112,7 +112,7 @@ void Furrows::carve(const GaugeTable& free, std::uint32_t id, float shrivel, Gau
     const Four dent = q > 0.0f ? q : zero;
     const Four per_dent = 1 / (dent * dent + half_caved);
     const Four per_height = 1 / (1 - depth * hollow * hollow - dent * dent * per_dent * (caved * shrivel));
-    // What the height gains by each of the fields.
+    // Derivative of the height by each of the fields.
     const Four by_fold = 2 / crest * depth * hollow * w / size;
     const Four by_depth = hollow * hollow * per_size * per_size * per_size * (-0.45f * deepest * shrivel);
     const Four by_dent = dent * per_dent * per_dent * (-2 * half_caved * caved * shrivel);

@@ -18,7 +18,7 @@ struct GaugeTable {
   explicit GaugeTable(std::size_t padded = 0) : value(padded), x(padded), y(padded), z(padded) {}
 };
 
-// A meridian's solid bent like a horn: what lies at height y is shifted sideways, along +X of unit space, its ends a
+// A meridian's solid bent like a horn: points at height y are shifted sideways, along +X of unit space, the ends a
 // little the other way.
 struct BentForm {
   const BerryMeridian& meridian;
@@ -35,8 +35,8 @@ GaugeTable free_gauge(const BerryPattern& pattern, const BentForm& form, const F
 inline constexpr float furrowed_volume = 0.25f;
 
 // Furrows and dents of a drying berry. Each berry mixes two fields of fine waves by an angle of its own and is creased
-// where the mix is 0, deeply in some places and hardly in others; two fields of broad waves say where, and where it
-// caves in.
+// where the mix is 0, deeply in some places and hardly in others; two fields of broad waves set these places, and those
+// where the skin caves in.
 class Furrows {
  public:
   explicit Furrows(const BerryPattern& pattern);

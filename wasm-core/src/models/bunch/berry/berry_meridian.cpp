@@ -15,7 +15,7 @@ constexpr float flattest = 8;  // radii of curvature beyond this count as this: 
 // A normal's place among the supports, 0 at the tip to 1 at the seat: quick, and even enough.
 float place_of(const glm::vec2& normal) { return 0.5f - 0.5f * normal.y / (normal.x + std::fabs(normal.y)); }
 
-// A bramble's fruit is a blunt cone, whatever else is asked for.
+// A bramble's fruit is always a blunt cone: the form's other settings do not apply.
 BerryForm shaped(const BerryForm& form) {
   BerryForm result = form;
   if (form.fruit == Fruit::bramble) {

@@ -80,7 +80,7 @@ class Layer {
   BerryPattern& pattern_;
 };
 
-// What triangles and vertices count for in the volume of a surface about the centre.
+// Weights of triangles and vertices in the volume of a surface about the centre.
 void weigh(BerryPattern& pattern) {
   pattern.shares.assign(pattern.vertices, 0);
   const auto direction = [&](std::uint32_t i) {

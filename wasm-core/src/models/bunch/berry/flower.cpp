@@ -15,7 +15,7 @@ namespace {
 
 using Kind = FlowerPiece::Kind;
 
-// v of what has a colour of its own.
+// v of the parts that have a colour of their own.
 constexpr float green = 0.1f, filament = 0.4f, anther = 0.6f, petal = 0.9f;
 
 // A station of a tube: how far out from the axis and how high its middle is, and how thick it is there. The first and
@@ -48,7 +48,7 @@ constexpr Tubing stalk{stalk_path, 3, filament}, head{head_path, 3, anther}, sty
 constexpr Tubing cap{cap_path, 6, green}, pedicel{pedicel_path, 3, green}, ovary{ovary_path, 5, green};
 constexpr Tubing petal_blade{petal_path, 4, petal, 0.05f}, sepal{sepal_path, 4, green, 0.12f};
 
-// Where one of several stands round the axis: `out` of it and `aside` span the ground.
+// Frame of one of several parts round the axis: `out` (away from the axis) and `sideways` span the ground.
 struct Stand {
   glm::vec3 out{1, 0, 0}, sideways{0, 0, 1};
 };
@@ -63,7 +63,7 @@ Stand stand_of(std::uint64_t i, float count, float uneven) {
 // Closed tubes, a piece after the other: few sides and few rings, since flowers come by the hundred.
 class Pieces {
  public:
-  // What is added from now on is of that kind.
+  // Starts a piece: everything added from now on is of that kind.
   void begin(Kind kind) { flower_.pieces.push_back({kind, vertices(), 0, indices(), 0}); }
 
   // A tube where it stands, its path scaled and then moved by `from`.

@@ -23,8 +23,8 @@ struct FlowerPiece {
   std::uint32_t first_index = 0, index_count = 0;
 };
 
-// About an ovary of unit radius at the origin, facing +Y; the ovary itself is the berry. u runs round; v is below
-// 0.25 on what is green, to 0.5 on filaments and style, to 0.75 on anthers, above on petals.
+// A flower about an ovary of unit radius at the origin, facing +Y; the ovary itself is the berry. u runs round; v is
+// below 0.25 on green parts, to 0.5 on filaments and style, to 0.75 on anthers, above on petals.
 struct FlowerMesh {
   Mesh mesh;
   std::vector<FlowerPiece> pieces;

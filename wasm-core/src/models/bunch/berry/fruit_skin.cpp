@@ -27,7 +27,7 @@ float seat(float from_seat) {
   return flat + collar;
 }
 
-// What is left of a currant's flower: a ragged hollow tuft, widest at its end.
+// Remains of a currant's flower: a ragged hollow tuft, widest at its end.
 float tuft(float from_tip, float round) {
   const float ragged = 0.8f + 0.2f * sine(3 * round) * sine(5 * round + 1);
   return 0.34f * ragged * (1 - smooth_step(0.06f, 0.11f, from_tip)) * (0.6f + 0.4f * smooth_step(0, 0.05f, from_tip));

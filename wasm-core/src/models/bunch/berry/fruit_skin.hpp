@@ -1,4 +1,4 @@
-// What a fruit's surface has beyond its form: scar, seat and relief, as seen from the centre.
+// The surface details of a fruit, beyond its form: scar, seat and relief, as seen from the centre.
 #pragma once
 
 #include <cstdint>

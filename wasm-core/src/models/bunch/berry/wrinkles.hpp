@@ -11,7 +11,7 @@ namespace panicle::bunch {
 // folds that dries.
 class Wrinkles {
  public:
-  // `which` tells fields apart; a crest is about 2π / pitch radians from the next.
+  // `which` numbers the field: fields of different numbers are independent. Crests are about 2π / pitch radians apart.
   Wrinkles(std::uint64_t which, float pitch);
 
   struct Value {

@@ -1,4 +1,4 @@
-// What hangs around the bunch: the piece of cane it grows from and the leaves on it.
+// The surroundings of the bunch: the piece of cane it grows from and the leaves on it.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct FoliageOptions {
   float age = 100;              // the bunch's: leaves open, grow, and turn late
   glm::vec3 foot{0, 0.04f, 0};  // metres: where the peduncle leaves the cane
   float bunch_width = 0;        // metres; leaves are of a size that suits it
-  FlatLeaf leaf = {};           // what each is made from; there are none without it
+  FlatLeaf leaf = {};           // shape of each leaf; no leaves without it
 };
 
 // In metres, the bunch hanging down from the origin.

@@ -1,4 +1,4 @@
-// What is measured on a grown bunch: the numbers a viticulturist reads, and how well it follows its outline.
+// Measures of a grown bunch: the numbers that a viticulturist reads, and how well the bunch follows its outline.
 #pragma once
 
 #include <span>

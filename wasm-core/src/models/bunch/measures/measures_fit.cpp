@@ -170,7 +170,7 @@ float lowest_of(std::span<const HungEnvelope> envelopes) {
   return lowest;
 }
 
-// The peduncle above p1 and what hangs below the tip are no berries' room.
+// The peduncle above p1 and stems below the tip are not space for berries.
 bool within_height(const Stem& stem, float lowest) {
   return std::max(stem.start.y, stem.end.y) <= 1e-3f && std::min(stem.start.y, stem.end.y) >= lowest;
 }

@@ -1,4 +1,4 @@
-// A grown bunch as the measures see it: millimetres, berries as bodies, what belongs to the first bunch.
+// A grown bunch as the measures see it: in millimetres, berries as bodies, with the parts of the first bunch marked.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ struct Subject {
   float mean_radius = 0;            // of these; 0 without berries
   std::vector<std::uint8_t> first;  // whether a berry is of the first bunch, and not of the one that leans beside it
   std::vector<Stem> stems;          // one an internode
-  std::vector<Stem> pedicels;       // those that bear a berry; as many as there are berries with a parent
+  std::vector<Stem> pedicels;       // those with a berry; as many as there are berries with a parent
 };
 
 }  // namespace panicle::bunch

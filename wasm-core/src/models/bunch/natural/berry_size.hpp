@@ -17,11 +17,11 @@ struct Nurture {
   float vigour = 1;    // 0 … 1: how far the sap comes
 };
 
-// A berry's width over the mean one: its luck, its light and how far the sap has come.
+// A berry's width over the mean one: of its random value, its light and the distance that the sap has come.
 float width_share(const Flower& flower, const Situation& situation, const Nurture& nurture, std::uint64_t seed);
 
-// Widths of the berries of those flowers that set, so that the mean of the first `regular` ones is 1 whatever lot they
-// have drawn; the others are those that may stand in. `volumes`, above 0, are those of the berries over full ones.
+// Widths of the berries of those flowers that set, scaled so that the mean of the first `regular` ones is 1; the others
+// are stand-ins. `volumes`, above 0, are those of the berries over full ones.
 std::vector<float> balanced_widths(std::span<const float> shares, std::span<const float> volumes, std::size_t regular);
 
 // Width of a flower's ovary beside a mean ripe berry's, in its unit.

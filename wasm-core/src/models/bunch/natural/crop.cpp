@@ -19,7 +19,7 @@ std::vector<Value> picked(const std::vector<Value>& values, std::span<const std:
   return some;
 }
 
-// Leaves out the stand-ins who were not wanted, and brings the rest into the flowers' order.
+// Removes the stand-ins that were not needed, and brings the rest into the flowers' order.
 void settle(Crop& crop) {
   std::vector<std::size_t> remaining;
   std::vector<std::int32_t> flowers;

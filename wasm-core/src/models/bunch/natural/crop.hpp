@@ -12,19 +12,19 @@
 
 namespace panicle::bunch {
 
-// How many berries there are to be, and of what make.
+// The number and the size of the berries to grow.
 struct CropTarget {
-  float count = 0;          // asked for; 0 leaves it to the density
-  float density = 0;        // the note asked for, 1 … 9
+  float count = 0;          // requested number; 0 leaves it to the density
+  float density = 0;        // requested density, OIV note 1 … 9
   float most = 0;           // more there cannot be
-  std::uint32_t limit = 0;  // nor more than this, whatever the space
+  std::uint32_t limit = 0;  // upper bound, independent of the space
   BerrySize berry;
   std::vector<std::uint32_t> taken;  // ids of berries taken off by hand, in ascending order
 };
 
 struct FruitSet {
   std::vector<float> volumes;  // per flower: of its berry over a full one; 0 where it does not set
-  bool full = false;           // whether it is as many as there may be, and not what was wished
+  bool full = false;           // whether the number reached the upper bound instead of the density
 };
 
 // `fill` is the share of space that the density takes.
@@ -34,8 +34,8 @@ FruitSet set_fruit(std::span<const float> ranks, float fill, const CropTarget& t
 std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes,
                                      const CropTarget& target);
 
-// The berries of `setting`, flowers whose `volumes` are above 0; the mean width of the first `regular` ones is that
-// wished for, whatever lot they have drawn. `shares` are the flowers' width_share.
+// Makes the berries of `setting`, flowers whose `volumes` are above 0; the mean width of the first `regular` ones is
+// the target's. `shares` are the flowers' width_share.
 std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::size_t regular,
                                    std::span<const float> volumes, std::span<const float> shares,
                                    std::span<const Flower> flowers, const CropTarget& target);

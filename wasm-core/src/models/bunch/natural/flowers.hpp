@@ -15,14 +15,14 @@ struct Flower {
   std::int32_t parent = -1;  // the internode it sits on: its pedicel's last, or a stem
   std::uint32_t id = 0;
   std::uint32_t bunch = 0;      // 0 the first, 1 the second
-  std::uint64_t address = 0;    // its own, from that of the module that bears it
+  std::uint64_t address = 0;    // unique, made from that of its module
   glm::vec3 heading{0, -1, 0};  // unit
   std::int32_t axis = -1;       // first-order axis it is of, as of its internode
   std::int32_t depth = 0;       // internodes from the root to it
   std::int32_t onward = 0;      // those of them that an end structure went on in: along an axis of second order
   std::int32_t place = 0;       // among the flowers of its end structure
   std::uint32_t module = no_module;
-  float strength = 1;  // 0 … 1: how far what bears it has grown; the radius that the text gives to S
+  float strength = 1;  // 0 … 1: how far its stem has grown; the radius that the text gives to S
 };
 
 // The internode at which an organ begins that is drawn in several.
@@ -32,7 +32,7 @@ std::size_t beginning_of(std::span<const Internode> internodes, std::size_t inte
 std::vector<Flower> flowers_of(std::span<const Internode> internodes, std::span<const Ball> balls,
                                std::size_t second_from);
 
-// How many an end structure bears, in the mean; 0 where there is none.
+// Mean number of flowers on an end structure; 0 where there is no end structure.
 float flowers_per_end(std::span<const Internode> internodes, std::span<const Flower> flowers);
 
 }  // namespace panicle::bunch

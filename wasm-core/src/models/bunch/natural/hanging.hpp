@@ -1,4 +1,4 @@
-// How berries hang: what of a skeleton bends as a branch, and which stalks lead from branches to flowers.
+// How berries hang: the branches of a skeleton, which bend, and the stalks that lead from branches to flowers.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace panicle::bunch {
 
-// A stalk is what a pedicel's answer draws, one internode or several in a chain, as long as nothing but the flowers at
-// its end hangs on it. What grows on a stalk besides, a thorn for instance, rides along.
+// A stalk is one internode or several in a chain, drawn by a pedicel's answer, with only flowers at its end. Other
+// parts that grow on a stalk, a thorn for instance, move along with it.
 struct Hanging {
   std::vector<Branch> branches;          // parents first; millimetres
-  std::vector<std::int32_t> branch_of;   // per internode; −1 for stalks and for what rides on them
-  std::vector<std::int32_t> stalk_from;  // per internode: where the stalk begins that it is of; −1 for what is of none
+  std::vector<std::int32_t> branch_of;   // per internode; −1 for stalks and for parts on them
+  std::vector<std::int32_t> stalk_from;  // per internode: where its stalk begins; −1 for internodes of no stalk
 };
 
 // `bending`, 0 … 1: how readily side branches give way.
 Hanging hang(std::span<const Internode> internodes, std::span<const Flower> flowers, float bending);
 
-// What one flower's berry is to be.
+// The target size of one flower's berry.
 struct Fruitlet {
   std::uint32_t flower = 0;
   float half_width = 0, half_length = 0;  // ripe, millimetres

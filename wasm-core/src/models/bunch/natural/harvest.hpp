@@ -1,4 +1,4 @@
-// What hangs on a bunch when all has swollen: berries, and flowers that have not fallen yet.
+// The berries and the flowers on a bunch after swelling.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 
 namespace panicle::bunch {
 
-// One a flower: `age` says which of those that did not set have fallen, `size` how wide berries are over ripe ones.
+// The state of each flower: those that did not set fall at an `age` of their own; `size` is the width of berries over
+// ripe ones.
 std::vector<FlowerOutcome> outcomes_of(const Crop& crop, std::span<const Flower> flowers, std::uint64_t seed, float age,
                                  float size);
 
@@ -21,7 +22,7 @@ struct Harvest {
   std::vector<Berry> berries;          // metres
   std::vector<BerryBody> bodies;       // the same in millimetres
   std::vector<std::uint32_t> flowers;  // whose they are
-  std::vector<Thinned> thinned;        // who is not there: lost berries, then fallen flowers; metres
+  std::vector<Thinned> thinned;        // lost berries, then fallen flowers; metres
 };
 
 // `ripe_width` is a mean ripe berry's, in millimetres.

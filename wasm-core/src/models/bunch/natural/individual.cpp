@@ -22,8 +22,8 @@ constexpr float least = 0.5f;                                // of any factor
 constexpr float raceme_below = pixels_per_axis_segment / 2;  // half-widths with a single pedicel at a node
 
 // Fractional parts of the golden ratio and of square roots of 3, 2, 31, 7 …, times 2^64: multiples of each are spread
-// evenly, and those of the first two have nothing to do with each other already over a few seeds. No two of them and 1
-// are rationally dependent, or one luck would settle another; √5 is left out, for it is in the golden ratio.
+// evenly, and those of the first two are uncorrelated already over a few seeds. No two of them and 1 are rationally
+// dependent, or one random value would determine another; √5 is left out, for it is in the golden ratio.
 constexpr std::uint64_t strides[] = {0x9e3779b97f4a7c15u, 0xbb67ae8584caa73bu, 0x6a09e667f3bcc908u, 0x9159015a3070dd17u,
                                      0xa54ff53a5f1d36f1u, 0x510e527fade682d1u, 0x9b05688c2b3e6c1fu, 0x5be0cd19137e2179u,
                                      0xcbbb9d5dc1059ed8u, 0xae5f9156e7b6d99bu, 0x47b5481dbefa4fa4u};

@@ -1,8 +1,8 @@
-// One seed's bunch unlike the next: what a seed makes of the profile that the handles draw, and of the fill.
+// Variation between seeds: changes the profile that the handles draw, and the fill.
 //
-// Every factor is the seed's alone, whatever the handles say, so that dragging moves a bunch and never redraws it; over
+// Every factor depends on the seed alone, not on the handles, so that dragging moves a bunch and never redraws it; over
 // seeds each has the mean 1. Seeds counted up cover the spread evenly, and seed 1 is in the middle of it: its outline
-// is the handles'. What is spread how far is in docs/natural.md.
+// is the handles'. The spread of each factor is in docs/natural.md.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace panicle::bunch {
 // bunch is a narrower one, so that they have the same room.
 Profile individual(const Profile& drawn, std::uint64_t seed, float variability, bool counted);
 
-// How large the seed's wing is over what was asked for; in weight its mean is 1.
+// The size of the seed's wing over the requested one; in weight its mean is 1.
 float wing_share(std::uint64_t seed, float variability);
 
 // Where a bunch is closer filled than in the mean and where it is looser: long waves through space.

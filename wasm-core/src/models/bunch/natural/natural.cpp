@@ -119,7 +119,7 @@ BerrySurfaces surfaces_of(std::span<const BerryBody> bodies, const BerryForm& fo
 
 bool on_cane(const Values& values) { return values[leaves] > 0 || values[cane] != 0; }
 
-// Puts the peduncle above what has been bent. Returns where the second bunch begins; -1 without one.
+// Adds the peduncle above the bent skeleton. Returns the internode at which the second bunch begins; -1 without one.
 std::int32_t hang_up(Bent& bent, const Sprout& bunch, const Values& values, std::uint64_t seed) {
   constexpr float least_under_cane = 30;  // millimetres: berries and cane have room
   const float length = std::max(values[peduncle], on_cane(values) ? least_under_cane : 0.0f);
@@ -193,7 +193,7 @@ std::string_view outcome_text(RemovalReason why) {
   return {};
 }
 
-// What has become of the flowers, told of the modules that bore them.
+// Adds the outcome of each flower to the trace of its module.
 void trace_outcomes(lsystem::DerivationTrace& chronicle, std::span<const Flower> flowers, const Crop& crop,
                 const Harvest& hung) {
   for (std::size_t k = 0; k < hung.berries.size(); ++k)

@@ -43,18 +43,18 @@ constexpr float towards_handles = 7;     // degrees that axes midway between are
 constexpr float hanging = 0.35f;         // of its angle left to an axis at the tip
 constexpr float hanging_nodes = 3;       // from the tip on which axes hang
 
-constexpr float drawn_in = 1.5f;          // a second-order axis, by how far what hangs from its end would be outside
+constexpr float drawn_in = 1.5f;          // a second-order axis, by how far the berry at its end would be outside
 constexpr float least_length = 0.3f;      // of the rachis, over the outline's
 constexpr float room_over_volume = 1.2f;  // berries there can be, over those that the outline's volume holds
 constexpr float least_room = 12;
 
-// From the end of an axis to what hangs from it.
+// The extent of the twig and berry that hang from the end of an axis.
 struct Hung {
   float out = 0, down = 0;
 };
 
-// How far along `angle` from a node at `depth` the outline lies, that way round; or, of an axis, how far it may go for
-// what hangs from its end to be inside.
+// Distance along `angle` from a node at `depth` to the outline, that way round; or, of an axis, how far it may go for
+// the parts that hang from its end to be inside.
 float reach(const Envelope& envelope, const Azimuth& round, float depth, float angle, const Hung& hung = {}) {
   const SinCos way = sincos_degrees(angle);
   const auto inside = [&](float t) {
@@ -78,8 +78,8 @@ float reach(const Envelope& envelope, const Azimuth& round, float depth, float a
   return 0;
 }
 
-// The first axes aim at the shoulders, however high these are, and higher by half of what hangs from them; those below
-// lean as the yaw says.
+// The first axes aim at the height of the shoulders, and higher by half of the length that hangs from them; those below
+// lean by the yaw.
 float aim_at(const Envelope& envelope, float shoulder_depth, float yaw, const Azimuth& round, std::size_t turn,
              float depth, float left, float spacing, float hung) {
   const float far = reach(envelope, round, depth, yaw);
@@ -104,8 +104,8 @@ float way_round(const Profile& profile, float degrees) {
   return round - towards_handles * sincos_degrees(4 * round).sine;
 }
 
-// What is beyond the end of an axis, `end` millimetres of it straight on: a twig, and a pedicel with most of its berry,
-// which hang.
+// The parts beyond the end of an axis, `end` millimetres of it straight on: a twig, and a pedicel with most of its
+// berry, which hang.
 Hung hung_from(const NaturalPlan& plan, float angle, float end) {
   const SinCos way = sincos_degrees(angle);
   const glm::vec3 hangs = drooping({way.sine, -way.cosine, 0}, 1);
@@ -119,9 +119,9 @@ struct Axis {
   float way = 0, depth = 0, angle = 0, length = 0;
 };
 
-// How far beyond its twig, `most` at most, the j-th end structure of an axis may go on for what hangs from its end to
-// be inside the outline: less by a multiple of what would be outside, for the very place where one leaves it moves far
-// with a pixel. Each is rolled a quarter further than the one before, as the text has them.
+// How far beyond its twig, `most` at most, the j-th end structure of an axis may go on for the parts that hang from its
+// end to be inside the outline: less by a multiple of the excess, because the place where a line leaves the outline
+// moves far with a pixel. Each end structure is rolled a quarter further than the one before, as in the text.
 float room_at(const NaturalPlan& plan, const Axis& axis, std::size_t j, float most, float end, float yaw) {
   const float along = plan.step * static_cast<float>(j + 1);
   const SinCos aim = sincos_degrees(axis.angle), way = sincos_degrees(axis.way), off = sincos_degrees(yaw);
@@ -139,8 +139,8 @@ float room_at(const NaturalPlan& plan, const Axis& axis, std::size_t j, float mo
   return std::clamp(most + drawn_in * (plan.envelope.radius(towards, -at.y) - far), 0.0f, most);
 }
 
-// Finds how far second-order axes may go at an axis's nodes; returns how many end structures it bears with theirs. A
-// node beyond the last is there for the text's rounding.
+// Finds how far second-order axes may go at an axis's nodes; returns the number of end structures on the axis, with
+// theirs. A node beyond the last allows for the text's rounding.
 float place_nodes(NaturalPlan& plan, const Axis& axis, float end, const TextConstants& text) {
   float ends = std::max(1.0f, axis.length / plan.step);
   for (std::size_t j = 0;; ++j) {
@@ -154,8 +154,8 @@ float place_nodes(NaturalPlan& plan, const Axis& axis, float end, const TextCons
   }
 }
 
-// Lays the axes for the spacings in `plan`; returns how many flowers they bear, an axis counting by how much of it
-// there is.
+// Places the axes for the spacings in `plan`; returns their number of flowers, an axis counting by the share of it that
+// exists.
 float place_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end, const TextConstants& text,
                float start) {
   plan.arm.clear();
@@ -241,7 +241,7 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   const float spread_share = values[spread] / 100;
   const float berry = pi / 6 * width * width * width * values[elongation] * (1 + 3 * spread_share * spread_share);
   plan.berry = berry;
-  // A raceme's berries hang outside what is drawn.
+  // A raceme's berries hang outside the lines of the profile.
   const bool raceme =
       std::any_of(plan.plan.sides.begin(), plan.plan.sides.end(), [](const SidePlan& side) { return side.n == 0; });
   plan.room = raceme ? most_berries : std::max(least_room, room_over_volume * envelope.volume() / berry);
@@ -249,8 +249,8 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   const float filling = std::max(1.0f, fill_of(values[density]) * envelope.volume() / berry);
   plan.overfull = !is_count_requested && filling > most_berries;
   plan.berries = std::min(is_count_requested ? values[Parameter::count] : filling, most_berries);
-  // Nodes as near as berries of that size and density want them in a bunch of middling width, whatever the profile, so
-  // that dragging moves no node; nearer by steps where that bears too few flowers for a count.
+  // Nodes are spaced for berries of that size and density in a bunch of middling width, independent of the profile, so
+  // that dragging moves no node; spacing shrinks in steps where it gives too few flowers for a count.
   const float fill = is_count_requested ? middling_fill : fill_of(values[density]);
   float closer =
       std::clamp(base_closer * std::sqrt(width / middling_size * middling_fill / fill), least_closer, most_closer);

@@ -1,4 +1,4 @@
-// What a natural bunch is to be before it grows: lengths fitted to the outline, and how many berries fill it.
+// The plan of a natural bunch before it grows: lengths fitted to the outline, and the number of berries that fill it.
 #pragma once
 
 #include <vector>
@@ -10,26 +10,26 @@
 
 namespace panicle::bunch {
 
-// What the text settles and the plan must know to lay the same rachis. The standard is L-system 4's, and stands where a
-// text has no such constant.
+// Constants of the text that the plan needs to place the same rachis as the text. Defaults are L-system 4's, and apply
+// where a text has no such constant.
 struct TextConstants {
   float tip_spacing = 0.6f;   // `near`: spacing of the rachis's nodes at its tip, over that above
   float tip_share = 0.4f;     // `tip`: share of the rachis over which they draw together
   float turn = 137.5f;        // `turn`: from one axis to the next, round the rachis; degrees
   float yaw = 60;             // `alpha_y`: of axes, twigs and pedicels; degrees, whichever way
-  float lateral = 0.6f;       // `lateral`: an axis of second order and a stride, over what is left of its bearer
-  float flowers_per_end = 3;  // that an end structure bears; counted where it is drawn
+  float lateral = 0.6f;       // `lateral`: an axis of second order and a stride, over the rest of its parent
+  float flowers_per_end = 3;  // on an end structure; counted when it is drawn
   float wider = 1;            // nodes' distances over the usual ones; above 1 where those draw too many flowers
   bool operator==(const TextConstants&) const = default;
 };
 
-// What `text` has; `flowers_per_end` and `wider` as in `before`.
+// The constants of `text`; `flowers_per_end` and `wider` as in `before`.
 TextConstants constants_of(const lsystem::BoundProgram& text, const TextConstants& before);
 
 // Millimetres and degrees. Everything but the number of axes changes smoothly with the profile; an axis more begins
 // with no length.
 struct NaturalPlan {
-  Plan plan;  // the paper's counts, for those who read them
+  Plan plan;  // the paper's counts, for display
   Envelope envelope;
   float length = 0;   // of the rachis
   float spacing = 0;  // between its nodes
@@ -42,7 +42,7 @@ struct NaturalPlan {
   std::vector<float> aim;     // its angle to the rachis
   std::vector<float> node;    // which its first is of the nodes of all axes, from 1
   std::vector<float> beyond;  // of each node: how far beyond its twig an axis of second order may go
-  float berries = 0;          // how many there are to be: asked for, or that fill the outline to the density asked for
+  float berries = 0;  // how many there are to be: as requested, or enough to fill the outline to the requested density
   float berry = 0;            // volume of one
   float room = 0;             // more than so many can never be: somewhat more than the outline's volume
   bool overfull = false;      // whether the density would take more than there may be
@@ -55,9 +55,9 @@ NaturalPlan make_natural_plan(const Profile& profile, const Values& values, floa
 // The share of the outline's volume that berries of a density (OIV 204, 1 … 9) usually take; where fill_for begins.
 float fill_of(float density);
 
-// Inputs of L-system 4, in the paper's unit; the paper's own texts find theirs too, from `plan`. `arm`, `way`,
-// `aim` and `node` go on beyond the plan's axes as they end, and `beyond` with 0, for texts that lay more nodes than it
-// does.
+// The inputs of L-system 4, in the paper's unit; the paper's own texts find theirs too, from `plan`. `arm`, `way`,
+// `aim` and `node` repeat their last value beyond the plan's axes, and `beyond` continues with 0, for texts with more
+// nodes than the plan.
 lsystem::Inputs inputs_for(const NaturalPlan& plan, const Profile& profile, const Values& values);
 
 }  // namespace panicle::bunch

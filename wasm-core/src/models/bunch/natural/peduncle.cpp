@@ -11,7 +11,7 @@ namespace panicle::bunch {
 namespace {
 
 constexpr float shortest = 0.001f;                    // metres above p1 that are worth drawing
-constexpr float least_bow = 0.04f, most_bow = 0.14f;  // how far aside its upper end is, over its length
+constexpr float least_bow = 0.04f, most_bow = 0.14f;  // sideways offset of its upper end, over its length
 constexpr float least_node = 0.4f, most_node = 0.6f;  // where its node is, over its length from p1
 constexpr float half_node = 0.0022f;                  // metres
 

@@ -11,7 +11,7 @@ namespace panicle::bunch {
 // From the root to where it first branches, in the internodes' unit; 0 without any.
 float length_to_first_branch(const std::vector<Internode>& internodes);
 
-// What branches from a peduncle at its node.
+// The branch that leaves a peduncle at its node.
 struct Fork {
   std::int32_t root = -1;  // the internode that grows there; -1: none does
   float height = 0;        // metres above p1

@@ -1,4 +1,4 @@
-// A flower's luck: its own for ever, whatever else grows.
+// The random values of flowers: each depends on the flower's address and the seed alone.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace panicle::bunch {
 
-// 0 … 1, in what `stream` names. The second bunch has a luck of its own.
+// A random value of a bunch, 0 … 1, from the stream of that name. The second bunch has values of its own.
 inline float bunch_random_value(std::uint64_t seed, std::string_view stream, std::uint64_t address, std::uint32_t bunch) {
   return random_unit(bunch ? second_seed(seed) : seed, hash_text(stream), address);
 }

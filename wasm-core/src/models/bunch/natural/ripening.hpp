@@ -1,4 +1,5 @@
-// What age does to a berry: a function of age and of what the berry is, so that scrubbing back gives the same picture.
+// The changes of a berry with age, as functions of age and of the berry's properties: scrubbing back gives the same
+// picture.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +37,8 @@ Stage stage_at(float age, const BerryCircumstances& berry);
 // The age at which a flower that does not set falls.
 float age_of_fall(float random_value);
 
-// Seeds of a berry, 0 … `most`: of `ripening`, its luck in when it colours, and a little of a luck of its own (0 … 1
-// each).
+// The number of seeds of a berry, 0 … `most`: from `ripening`, its random value for colouring, and to a small part from
+// `own`, another random value (0 … 1 each).
 float seeds_of(float ripening, float own, float most);
 
 }  // namespace panicle::bunch

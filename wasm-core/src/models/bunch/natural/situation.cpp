@@ -11,7 +11,7 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float open_sky = 0.3f;                    // how much what lies outside faces upwards as well
+constexpr float open_sky = 0.3f;                    // weight of the outside for flowers that face upwards as well
 constexpr float golden = 0.618034f;                 // of a turn: neighbours along an axis fall as far apart as can be
 constexpr float golden_axis = 2 * golden * golden;  // twice the square: axis and depth together, in a raceme, as well
 constexpr float second_order = 0.414214f - golden;  // and those of two axes that part, if they go as far
@@ -47,7 +47,7 @@ std::vector<Situation> situate(std::span<const Flower> flowers, std::span<const 
     const glm::vec3 way = drooping(upright.way(flower.heading), 1);
     const glm::vec3 own = upright.place(internodes[first].start) + way * (stalk + 0.5f * size);
     Situation one = situated(own, bound.envelope, upright, sun);
-    // A raceme is as wide as its pedicels are long, whatever was drawn.
+    // A raceme is as wide as its pedicels are long, not as the profile draws it.
     const std::int32_t foot = internodes[first].parent;
     const bool raceme = foot >= 0 && internodes[static_cast<std::size_t>(foot)].kind == Kind::rachis;
     one.misplaced = raceme ? 0 : one.misplaced / size;

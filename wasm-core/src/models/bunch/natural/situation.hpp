@@ -28,8 +28,8 @@ std::vector<Situation> situate(std::span<const Flower> flowers, std::span<const 
 // A unit vector towards a sun that stands `round` degrees from the front to the right and `height` above the horizon.
 glm::vec3 towards_sun(float round, float height);
 
-// A flower's turn to set, 0 … 1: spread evenly over an axis and over each end structure, so that what sets is. `seed`
-// is the request's.
+// A flower's turn to set, 0 … 1: spread evenly over an axis and over each end structure, so that the flowers that set
+// are spread evenly. `seed` is the request's.
 float turn_of(const Flower& flower, std::uint64_t seed);
 
 }  // namespace panicle::bunch

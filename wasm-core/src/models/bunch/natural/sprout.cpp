@@ -45,7 +45,7 @@ class Sower {
         std::shared_ptr<const lsystem::Program> program)
       : request_(request), values_(values), limits_(limits), program_(std::move(program)) {}
 
-  // `slender`: how wide its rachis is over what the berries ask for.
+  // `slender`: the width of its rachis over the width that the berries require.
   Result<Seedling> plant(const Profile& profile, std::uint64_t seed, float slender) {
     auto seedling = plant_once(profile, seed, slender);
     if (!seedling) return seedling;
@@ -91,15 +91,15 @@ class Sower {
     return true;
   }
 
-  // Puts nodes farther apart, for plans that drew more flowers than there may be; returns whether it has, which it does
-  // a few times only: a text need not heed the plan.
+  // Puts nodes farther apart, for plans that drew more flowers than allowed. Returns false after a few times: a text
+  // need not use the plan.
   bool spaces_out() {
     if (constants_.wider >= most_wider) return false;
     constants_.wider *= wider_by;
     return true;
   }
 
-  // Of what was drawn last: balls that hang on nothing.
+  // The number of balls of the last drawing that hang on nothing.
   std::uint32_t loose_balls() const { return loose_balls_; }
 
  private:
@@ -112,8 +112,8 @@ class Sower {
     return Seedling{std::move(plan), std::move(text.value())};
   }
 
-  // The most that has hung from a wing's stalk so far: it does not rise as berries dry. Berries that are counted are
-  // those of both bunches, who have them as they have room.
+  // The stalk of a wing under the greatest load that has hung from it so far: the load does not rise as berries dry. A
+  // requested count is shared by both bunches, in proportion to their room.
   WingStalk stalk_of(const NaturalPlan& wing, const NaturalPlan& bunch) const {
     constexpr float grams = 1.05e-3f;  // a cubic millimetre of berries
     const float now = size_at(std::min(values_[Parameter::age], 100.0f));
@@ -124,7 +124,7 @@ class Sower {
             static_cast<std::size_t>(values_[Parameter::wing_side]), load};
   }
 
-  // Puts the stalk between the peduncle and what was drawn of the second bunch.
+  // Inserts the stalk between the peduncle and the second bunch.
   void hang_wing(Sprout& sprout, std::vector<Ball>& balls) const {
     const NaturalPlan &bunch = sprout.plans[0], &wing = sprout.plans[1];
     std::vector<Internode> stalk = wing_stalk(stalk_of(wing, bunch), sprout.bounds[1].stance, bunch.girth, wing.girth);

@@ -1,4 +1,4 @@
-// Grammar → a bunch in flower: the skeleton as the text has it, nobody in anybody's way yet.
+// Grammar → a bunch in flower: the skeleton as the text draws it, before berries collide.
 #pragma once
 
 #include <optional>
@@ -25,8 +25,9 @@ struct Sprout {
   std::optional<lsystem::DerivationTrace> chronicle;
 };
 
-// Plans each bunch with the constants of the text, so that both lay the same nodes; where flowers are counted on, also
-// with as many to an end structure as the text turns out to bear. `notes` gets what there is to say about the text.
+// Plans each bunch with the constants of the text, so that both place the same nodes; where the plan depends on the
+// number of flowers, also with the number on an end structure that the text draws. Adds notes about the text to
+// `notes`.
 Result<Sprout> sprout(const BunchRequest& request, const Values& values, const Limits& limits,
                       std::vector<std::string>& notes);
 

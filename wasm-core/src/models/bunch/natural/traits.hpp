@@ -1,4 +1,4 @@
-// What a berry is besides its place, at an age.
+// The properties of a berry besides its place, at an age.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // A second bunch beside the first: how it hangs, and the stalk that bends under it.
 //
-// The stalk leaves the peduncle's node at the angle asked for and bends down under what hangs from it, the more the
-// heavier that is: a small wing stands out, a large one hangs. It is as long as it takes for the second bunch to hang
-// beside the first and not in it.
+// The stalk leaves the peduncle's node at the requested angle and bends down under its load, the more the heavier that
+// is: a small wing stands out, a large one hangs. It is long enough for the second bunch to hang beside the first and
+// not in it.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ struct WingStalk {
   float fork = 0;        // height of the peduncle's node above p1
   float angle = 0;       // at which it leaves
   std::size_t side = 1;  // as of a stance
-  float load = 0;        // what hangs from it, by now
+  float load = 0;        // mass that hangs from it, by now
 };
 
 // How far above p1 a wing leaves the peduncle, for berries of a width.

@@ -1,5 +1,6 @@
-// The outline the handles mean: what a fitted bunch fills. Per side from p1 by a quarter ellipse to (w, r), straight to
-// what one end structure reaches sideways at the height of axis rd, constant from there to the tip, rounded there.
+// The outline that the handles define, for a fitted bunch to fill. Per side from p1 by a quarter ellipse to (w, r),
+// straight to the sideways reach of one end structure at the height of axis rd, constant from there to the tip, rounded
+// there.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@ struct Azimuth {
   float cosine = 1, sine = 0;         // towards each, none below 0
 
   std::size_t nearest() const { return cosine >= sine ? across : along; }
-  // What the two sides have, in proportion to the squares of cosine and sine.
+  // The mean of a value of the two sides, weighted by the squares of cosine and sine.
   template <class Of>
   float between(Of of) const {
     return of(across) * cosine * cosine + of(along) * sine * sine;

@@ -80,7 +80,8 @@ std::string in_hundredths(float value) { return expression::number_text(std::flo
 
 }  // namespace
 
-// What is in a probe's way the most: `touches the berry of module 12`, `overlaps … by 3.2`; nothing where nothing is.
+// Describes the sphere that overlaps a probe most: `touches the berry of module 12`, `overlaps … by 3.2`; empty without
+// an overlap.
 std::string PaperGrowth::in_the_way(const Sphere& probe, std::uint32_t except) const {
   const std::span<const Sphere> spheres = structure_.spheres();
   std::uint32_t nearest = SphereGrid::no_sphere;

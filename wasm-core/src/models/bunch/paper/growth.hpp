@@ -1,4 +1,5 @@
-// The listener of the paper's procedure: it answers ?E from the space around the turtle, and draws what found room.
+// The listener of the paper's procedure: it answers ?E from the space around the turtle, and draws the internodes that
+// found room.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +24,8 @@ class PaperGrowth final : public SkeletonDrawing {
   void begin(const lsystem::BoundProgram& text, const SymbolRoles& roles, bool second, std::uint64_t seed,
              std::int32_t first_axis);
 
-  // Between the two, an interpretation lays its rachis and nothing else: it takes its room, and the same text
-  // interpreted later finds it again. What grows in between has to make way.
+  // Between begin_rachis_pass and end_rachis_pass, an interpretation reserves room for its rachis and for nothing else;
+  // the same text interpreted later finds that room again. Internodes grown in between have to avoid it.
   void begin_rachis_pass() { in_rachis_pass_ = true; }
   void end_rachis_pass();
 
@@ -45,7 +46,7 @@ class PaperGrowth final : public SkeletonDrawing {
     float berry_radius = 0;     // `b_r`, for modules that do not carry one
   };
 
-  // A rachis internode laid before its time: the interpretation's seed and the address of its module tell which.
+  // Room reserved for a rachis internode, known by the interpretation's seed and the address of its module.
   struct ReservedRoom {
     std::uint64_t seed = 0;
     std::uint64_t address = 0;
@@ -67,13 +68,14 @@ class PaperGrowth final : public SkeletonDrawing {
   std::uint64_t seed_ = 0;
   bool in_rachis_pass_ = false, refused_ = false;
   std::vector<ReservedRoom> reserved_;
-  // Of each sphere of the structure: which module asked for it, and whether for a berry.
+  // The owner of each sphere of the structure: the module that added it, and whether it is a berry.
   struct Owner {
     std::uint32_t module = 0;
     bool berry = false, second = false;
   };
   std::vector<Owner> owners_;
-  std::uint32_t tip_ = SphereGrid::no_sphere;  // that the last answer put at the end of what it draws, and whose it is
+  // that the last answer put at the end of its line, and the address of its module
+  std::uint32_t tip_ = SphereGrid::no_sphere;
   std::uint64_t tip_of_ = 0;
   std::vector<std::uint32_t> tips_;  // per internode: the sphere at its tip, or none
 };

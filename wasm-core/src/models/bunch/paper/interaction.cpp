@@ -11,7 +11,7 @@ namespace {
 constexpr glm::vec3 down{0, -1, 0};
 constexpr float degrees_per_radian = 180.0f / pi;
 
-// Where the newborn would stand, placed by the turtle's own turns: what is probed and what is drawn agree bit for bit.
+// The pose of a newborn, made by the turtle's own turns: the probed and the drawn places agree bit for bit.
 struct Pose {
   float theta = 0;
   float phi = 0;

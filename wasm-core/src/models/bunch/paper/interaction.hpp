@@ -1,4 +1,4 @@
-// How a newborn internode finds room among what has grown already (Huang et al. 2013, section 4.3.2).
+// How a newborn internode finds room in the grown structure (Huang et al. 2013, section 4.3.2).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,8 @@ struct InteractionOptions {
   float sag = 2;             // degrees bent towards gravity where nothing is in the way
 };
 
-// What asks for room: an internode probes with a small sphere at its tip, a pedicel with its berry beyond the tip.
+// An organ that looks for room: an internode probes with a small sphere at its tip, a pedicel with its berry beyond the
+// tip.
 struct Newborn {
   bool pedicel = false;
   bool flat = false;  // turns in the turtle's heading–left plane alone (the 2-D communication module)

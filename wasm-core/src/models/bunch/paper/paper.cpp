@@ -18,7 +18,7 @@
 namespace panicle::bunch {
 namespace {
 
-// What is grown: one bunch, or two on one peduncle.
+// The plan: one bunch, or two on one peduncle.
 struct Planned {
   Stock first;
   std::optional<Stock> second;
@@ -54,7 +54,7 @@ Result<Planned> plan_stocks(const BunchRequest& request, const Values& values, c
   return planned;
 }
 
-// Interprets a bunch into the growth, among what stands there already.
+// Interprets a bunch into the growth, among the structure that is there already.
 Diagnostic grow_stock(const Stock& stock, const SymbolRoles& roles, const Limits& limits, PaperGrowth& growth, bool second,
                       lsystem::DerivationTrace* chronicle = nullptr) {
   growth.begin(*stock.bound, roles, second, stock.seed, stock.first_axis);
@@ -62,8 +62,8 @@ Diagnostic grow_stock(const Stock& stock, const SymbolRoles& roles, const Limits
   return trouble.reason == Reason::none ? growth.trouble() : trouble;
 }
 
-// The second bunch's rachis is laid first, for it would find no way through the first's berries; the berries of both
-// come later, as in nature. `second_from` becomes the number of the second's first berry.
+// Grows both bunches. The second bunch's rachis is placed first, for it would find no way through the first's berries;
+// the berries of both come later, as in nature. `second_from` becomes the number of the second's first berry.
 Diagnostic grow_stocks(const Planned& planned, const SymbolRoles& roles, const Limits& limits, PaperGrowth& growth,
                        lsystem::DerivationTrace* chronicle, std::size_t& second_from) {
   Diagnostic trouble;

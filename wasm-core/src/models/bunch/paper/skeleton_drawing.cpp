@@ -63,8 +63,8 @@ void SkeletonDrawing::line(std::int32_t id, const lsystem::Turtle& before, const
   parts_.push_back(part);
 }
 
-// A first-order axis is what leaves the rachis, but for the end structure in which the rachis itself ends. It has the
-// number of the rachis internode whose tip it leaves; −1 for what is of no axis.
+// A first-order axis is a line that leaves the rachis, except the end structure in which the rachis itself ends. It has
+// the number of the rachis internode whose tip it leaves; −1 for lines of no axis.
 std::int32_t SkeletonDrawing::axis_of(const Segment& segment, Kind kind, const lsystem::Lineage& lineage) const {
   if (segment.parent < 0 || kind == Kind::rachis) return -1;
   const Part& parent = parts_[static_cast<std::size_t>(segment.parent)];
@@ -73,9 +73,8 @@ std::int32_t SkeletonDrawing::axis_of(const Segment& segment, Kind kind, const l
   return first_axis_ + parent.rachis_depth - 1;
 }
 
-// What leads to a ball is a pedicel: what an answer draws for one, and what the text's own pedicels and other bearers
-// draw. One whose answer bears nothing is a pedicel too, withered or as the text has it; a thorn beside it is none,
-// and nor is a stem that bears a ball in passing.
+// Marks the pedicels: lines that lead to a ball, drawn by an answer or by the text. A line whose answer has no ball is
+// a pedicel too, withered or as the text has it; a thorn beside it is not, nor is a stem that leads on beyond its ball.
 void SkeletonDrawing::settle_pedicels() {
   std::vector<std::uint8_t> has_ball(segments.size(), 0), leads_on(segments.size(), 0), fruitful(questions_ + 1, 0);
   for (const Ball& ball : balls) has_ball[static_cast<std::size_t>(ball.segment)] = 1;

@@ -1,4 +1,4 @@
-// The listener that both procedures build on: the plain one, which also knows what of a bunch each line is.
+// The listener that both procedures derive from: draws, and finds the kind (rachis, axis, pedicel …) of each line.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace panicle::bunch {
 
-// Several interpretations may follow one another; begin() starts each. Nobody is in anybody's way: what modules ask for
-// they get, unless a class that derives from this one answers otherwise.
+// Several interpretations may follow one another; begin() starts each. There are no collisions: modules get the answer
+// that they request, unless a derived class overrides `answer`.
 class SkeletonDrawing : public Drawing {
  public:
   using Drawing::Drawing;
@@ -24,15 +24,15 @@ class SkeletonDrawing : public Drawing {
   // The next interpretation's text, of the first bunch or the second; its first-order axes count on from `first_axis`.
   void begin(const lsystem::BoundProgram& text, const SymbolRoles& roles, bool second, std::int32_t first_axis);
 
-  // From now on what modules of the first bunch ask and are answered is told here, if anywhere.
+  // From now on the queries and answers of the first bunch's modules are traced in `chronicle`, unless it is null.
   void set_trace(lsystem::DerivationTrace* chronicle) { chronicle_ = chronicle; }
 
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;
   void ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage& lineage) final;
 
-  // What has been drawn, in the grammar's unit: settles which internodes are pedicels, which only balls and answers can
-  // tell. Of `balls` it leaves out those that hang on no line, and returns how many these were.
+  // Finishes the drawing, in the grammar's unit: settles which internodes are pedicels, which depends on balls and
+  // answers. Removes from `balls` those that hang on no line, and returns their number.
   std::uint32_t finish();
 
   // How many balls hang on a line by now.
@@ -41,28 +41,28 @@ class SkeletonDrawing : public Drawing {
   std::vector<Internode> internodes;  // parents first; empty until it is finished
 
  protected:
-  // What a communication module asks for.
+  // The query of a communication module.
   struct Question {
     bool pedicel = false;
     float width = 0;
     Slots slots;
   };
-  // What its answer is to draw: every line of it, known by the address of its ?E.
+  // The answer to a query: properties of every line that the module draws, known by the address of its ?E.
   struct Answer {
     bool pedicel = false;
     bool withered = false;
     float width = 0;  // at the start of its first line; 0: the turtle's own
-    std::string why;  // where it is told
+    std::string why;  // for the trace
   };
 
   // Changes `parameters` into the answer.
   virtual Answer answer(const Question& question, const lsystem::Turtle& turtle, std::span<float> parameters,
                         const lsystem::Lineage& lineage);
 
-  // Forgets what has been drawn since begin().
+  // Erases everything drawn since begin().
   void erase();
 
-  // Whether what this module asks is told.
+  // Whether queries of this module are traced.
   bool is_traced(const lsystem::Lineage& lineage) const {
     return chronicle_ != nullptr && !second_ && chronicle_->has(lineage.module);
   }
@@ -73,7 +73,7 @@ class SkeletonDrawing : public Drawing {
  private:
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  // What is known of a segment besides its place.
+  // Properties of a segment besides its place.
   struct Part {
     Kind kind = Kind::axis;
     State state = State::grown;

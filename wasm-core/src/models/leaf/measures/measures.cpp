@@ -13,8 +13,8 @@ namespace panicle::particles::leaf {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-// Leaf lengths along a vein between which its heading is taken, clear of the round where it leaves; and how far to both
-// sides of that its bearer's is.
+// Leaf lengths along a vein between which its heading is measured, clear of the curve where it leaves; and how far to
+// both sides of that place its parent's heading is measured.
 constexpr float heading_from = 0.02f, heading_to = 0.08f, parent_reach = 0.05f;
 // The same of a primary, clear of where they run together at the petiole.
 constexpr float primary_from = 0.05f, primary_to = 0.25f;
@@ -57,11 +57,11 @@ float primary_angle_of(const Measured& leaf) {
 }
 
 struct Leaving {
-  float along, angle;  // from the bearer's beginning, leaf lengths; degrees
+  float along, angle;  // from the parent's beginning, leaf lengths; degrees
   bool left;
 };
 
-// Where a vein leaves its bearer. False where that has no heading.
+// Finds where a vein leaves its parent. Returns false if the vein or the parent has no heading.
 bool leaving(const Measured& leaf, const Vein& vein, Leaving& found) {
   const Vein& parent = leaf.veins[static_cast<std::size_t>(vein.parent)];
   const auto at = std::find(parent.places.begin(), parent.places.end(), vein.places[0]);

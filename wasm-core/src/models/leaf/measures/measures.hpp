@@ -1,4 +1,4 @@
-// What is measured on a leaf, in its flat chart.
+// Measures of a leaf, in its flat chart.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace panicle::particles::leaf {
 
-// What is measured: trails in leaf lengths, and of each crowd the energy that thickness counts by.
+// The measured leaf: trails in leaf lengths, and the energy of each crowd by which thickness is scaled.
 struct Measured {
   const Margin& margin;
   const Outline& outline;

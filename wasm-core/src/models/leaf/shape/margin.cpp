@@ -79,7 +79,7 @@ Span span_after(std::span<const ControlPoint> points, std::size_t i) {
   return span;
 }
 
-// Calls `see` with every pair of edges that cross or touch until it says true.
+// Calls `see` with every pair of edges that cross or touch until it returns true.
 template <class See>
 void each_crossing(std::span<const glm::vec2> points, const See& see) {
   const std::size_t count = points.size();

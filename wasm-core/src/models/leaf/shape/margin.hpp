@@ -24,9 +24,9 @@ struct ControlPoint {
 // An ovate leaf.
 std::vector<ControlPoint> default_outline();
 
-// The block `outline`: rows of x, y, kind. Empty: the default. Errors: bad_input, which says which row and what to do,
-// where it is not rows of three, or too few or too many, or not numbers, or too far off, or without any area. A kind
-// that is none is a smooth point, with a note.
+// Reads the block `outline`: rows of x, y, kind. Empty: the default. Errors: bad_input, with the row and the fix, for
+// rows that are not threes, too few or too many rows, values that are not finite or too large, and outlines without
+// area. An unknown kind is a smooth point, with a note.
 Result<std::vector<ControlPoint>> read_outline(std::span<const float> rows, std::vector<std::string>& notes);
 
 // A closed polygon, counter-clockwise from the base. Its corners lie on a lattice of 2⁻²⁰, so that sums of their
@@ -54,10 +54,10 @@ struct Teeth {
   float entire = 0;  // share of the margin, from the base on both sides, that has none; below 1
 };
 
-// Cuts teeth out of a margin: their points stay on it, between them it is cut in. They are shared out by length over
+// Cuts teeth out of a margin: their points stay on it, between them it is cut in. They are distributed by length over
 // the stretches between lobe tips and the sinuses between those, lean towards the tip of their stretch, and are lower
-// towards tips and base, and where the blade is narrow. Those that would make it cross itself are cut less deep; what
-// does not fit is left out, with a note.
+// towards tips and base, and where the blade is narrow. Teeth that would make the margin cross itself are cut less
+// deep; teeth that do not fit are left out, with a note.
 Margin toothed(const Margin& margin, const Teeth& teeth, std::vector<std::string>& notes);
 
 // Pairs of edges that cross or touch, other than neighbours that meet in a corner.

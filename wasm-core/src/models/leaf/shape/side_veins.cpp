@@ -132,13 +132,14 @@ void SideVeins::add_veins(Ribs& ribs, const Midrib& midrib, std::uint32_t count,
   }
 }
 
-// The angle that it has kept after going so far. Half of the arch is behind when it is as long as the way ahead.
+// The angle of a vein to its main vein after a length of `gone`. Half of the arch is behind when it is as long as the
+// way ahead.
 float SideVeins::bent(const Midrib& midrib, const Start& start, float gone) const {
   const float ahead = std::max(midrib.length() - midrib.lengths[start.root], least_ahead);
   return start.angle * std::max(1 - turns_by * (plan_.arch * gone / (gone + ahead)), 0.0f);
 }
 
-// Into the blade until the margin, or what is another's, is near.
+// Walks from a start into the blade until it is near the margin, or near another main vein's part.
 SideVeins::Vein SideVeins::walk(const Midrib& midrib, const Start& start, float side, const Part& part) const {
   const glm::vec2 heading = midrib.heading(start.root);
   Vein vein{start.root, {}};
@@ -156,7 +157,8 @@ SideVeins::Vein SideVeins::walk(const Midrib& midrib, const Start& start, float 
   return vein;
 }
 
-// As far from the margin as it is told, along it towards the tip, until just below the next.
+// Walks to the requested distance from the margin, then along the margin towards the tip, until just below the next
+// vein.
 SideVeins::Vein SideVeins::arched(const Midrib& midrib, const Start& start, float side, const Part& part,
                                   const Vein* above, float clear) const {
   const glm::vec2 heading = midrib.heading(start.root);

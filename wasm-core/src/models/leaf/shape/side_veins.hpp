@@ -16,7 +16,8 @@ namespace panicle::particles::leaf {
 
 // The part of the blade into which a main vein sends its own.
 struct Part {
-  std::span<const Ribs> mains = {};          // all main veins of the leaf: what is nearer to another is that one's
+  // all main veins of the leaf: each owns the part of the blade that is nearest to it
+  std::span<const Ribs> mains = {};
   std::size_t own = 0;                       // among those
   std::size_t first = 0, tip = 0, last = 0;  // of the margin's points: its right side is before its tip, its left after
   bool fan = false;                          // whether it reaches below the base too
@@ -29,7 +30,7 @@ class SideVeins {
   // Margin and outline are of the same leaf. All must outlive it.
   SideVeins(const RibPlan& plan, const Margin& margin, const Outline& outline);
 
-  // So many on each side of a main vein, spread and angled as the plan says, ending as its course says; where that is
+  // Adds `count` veins on each side of a main vein, spread and angled by the plan, ending by its course; where that is
   // not open, before the margin.
   void add_veins(Ribs& ribs, const Midrib& midrib, std::uint32_t count, const Part& part) const;
 
@@ -45,7 +46,7 @@ class SideVeins {
   struct Vein {
     std::size_t root;
     std::vector<glm::vec3> places;
-    bool at_margin = false;  // what ended it
+    bool at_margin = false;  // whether it ended at the margin
   };
   std::vector<Start> starts(const Midrib& midrib, std::uint32_t count, float side, bool fan) const;
   float bent(const Midrib& midrib, const Start& start, float gone) const;

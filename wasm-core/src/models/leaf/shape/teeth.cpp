@@ -12,9 +12,9 @@ namespace {
 constexpr float lattice = 1048576;
 // At a tip teeth are no deeper than this share of their distance from it along the margin.
 constexpr float slope_at_tips = 0.25f;
-// And anywhere, than this share of the blade's width there: what faces them across it may have teeth too.
+// Nor deeper than this share of the blade's width there: the opposite margin may have teeth too.
 constexpr float share_of_width = 0.22f;
-// Teeth that can be no deeper than this share of what was asked are left out.
+// Teeth that can be no deeper than this share of the requested depth are left out.
 constexpr float least_left = 0.1f;
 constexpr float shallowest = 0.2f;      // those that met are halved until this
 constexpr float longest_edge = 0.015f;  // leaf lengths
@@ -56,7 +56,7 @@ class Rail {
     return points_[i] +
            (whole > 0 ? (length - lengths_[i]) / whole : 0) * (points_[(i + 1) % points_.size()] - points_[i]);
   }
-  // Into the blade, unit; across what is near, so that it does not jump at the polygon's corners.
+  // The direction into the blade, unit; averaged over `reach`, so that it does not jump at the polygon's corners.
   glm::vec2 inwards(float length, float reach) const {
     const glm::vec2 way = place(std::min(length + reach, lengths_.back())) - place(std::max(length - reach, 0.0f));
     const float size = glm::length(way);
@@ -189,8 +189,8 @@ class Cutter {
     return cut;
   }
 
-  // Cuts those teeth less deep, and leaves out what would get too shallow. False where all of them are left out
-  // already.
+  // Cuts those teeth less deep, and leaves out those that would get too shallow. Returns false if all of them are left
+  // out already.
   bool lower(std::span<const std::int32_t> owners) {
     bool any = false;
     for (const std::int32_t owner : owners) {

@@ -18,7 +18,7 @@ namespace panicle::particles::leaf {
 namespace {
 
 constexpr std::uint32_t draft_particles = 700;
-// In spacings: how near a rib trails are laid into it, and how far places may be from what is left of them.
+// In spacings: the distance from a rib within which trails are moved onto it, and the tolerance of simplification.
 constexpr float bedded = 1.5f, bedded_again = 1.2f, simplified_within = 0.05f;
 constexpr float smoothed_again = 0.25f;  // so much of smoothing takes off the corners where side veins come in
 constexpr float on_margin = 1e-3f;

@@ -80,7 +80,7 @@ class Pair {
         closest_points(between_, {core_a, 1, glm::dot(core_a, core_a)}, {core_b, 1, glm::dot(core_b, core_b)}, 1e-4f);
     const glm::vec3 way = between_ + core_b * t - core_a * s;
     const float length = glm::length(way);
-    // Cores that cross say nothing; centres that coincide neither: see find_contacts.
+    // No direction follows from crossing cores, nor from coinciding centres: see find_contacts.
     if (length > 0.05f * glm::length(a_.axes[0]) && glm::dot(way, between_) > 0) return way / length;
     return glm::normalize(between_);
   }

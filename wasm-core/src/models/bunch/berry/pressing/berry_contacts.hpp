@@ -43,10 +43,11 @@ struct BerryContacts {
   void move(std::size_t plane, float distance);
 };
 
-// A plane for every pair whose free forms, `reach` times as large, could meet: at right angles to the direction in
-// which they overlap least (or are furthest apart), between their furthest points in that direction. These are nearer
-// to the plane's berry of the larger radius of curvature in such a way that two spheres meet the plane in one circle,
-// to first order. Centres stay on their own side, whatever the overlap; berries that share a centre share no plane.
+// Finds a plane for every pair whose free forms, `reach` times as large, could meet: at right angles to the direction
+// in which they overlap least (or are furthest apart), between their furthest points in that direction. These are
+// nearer to the plane's berry of the larger radius of curvature in such a way that two spheres meet the plane in one
+// circle, to first order. Centres stay on their own side, however much the berries overlap; berries that share a centre
+// share no plane.
 BerryContacts find_contacts(std::span<const BerryFrame> frames, const BerryMeridian& meridian, float reach);
 
 }  // namespace panicle::bunch

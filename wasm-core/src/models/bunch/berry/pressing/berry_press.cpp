@@ -152,7 +152,7 @@ void BerryPress::write_four(const BerryFrame& frame, std::size_t i, float* posit
   put(positions, frame.centre.x + m[0].x * x + m[1].x * y + m[2].x * z,
       frame.centre.y + m[0].y * x + m[1].y * y + m[2].y * z, frame.centre.z + m[0].z * x + m[1].z * y + m[2].z * z);
 
-  // What the rounding adds to the gradient lies along the direction: just enough for Euler's identity.
+  // The rounding adds a part to the gradient along the direction: just enough for Euler's identity.
   const Four mine = blend.share * shrink, rest = 1 - blend.share;
   Four gx = load(&free_->x[i]) * mine + load(&planes_.x[i]) * rest;
   Four gy = load(&free_->y[i]) * mine + load(&planes_.y[i]) * rest;

@@ -20,8 +20,8 @@ class BerryPress {
 
   explicit BerryPress(const BerryPattern& pattern);
 
-  // Fits a berry between its planes so that its triangles hold `volume`, or as near to that as they allow. `free` is
-  // kept by reference until `write`. Returns the share of `volume` that it lacks.
+  // Fits a berry between its planes so that its triangles hold `volume`, or as near to that as they allow. Holds a
+  // reference to `free` until `write`. Returns the share of `volume` that is missing.
   float fit(const GaugeTable& free, std::span<const BerryPlane> planes, float volume);
 
   // The berry last fitted, in world space: as many vertices as the pattern has.

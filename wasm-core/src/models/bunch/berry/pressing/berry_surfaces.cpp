@@ -75,7 +75,7 @@ class Pressing {
         const BerryPlane& plane = contacts_.planes[at];
         const float more = lacking_[i] - lacking_[plane.neighbour];
         if (more <= 0 || plane.depth < -0.1f) continue;
-        // All planes moved by a third of what is lacking would about make up for it, but others give way too.
+        // Moving all planes by a third of the missing length would about make up for it, but other planes give way too.
         const float room = contacts_.planes[plane.twin].from;
         contacts_.move(at, std::min(0.5f * more * plane.from, 0.08f * room));
         touched[i] = touched[plane.neighbour] = any = true;

@@ -15,7 +15,8 @@ struct View {
   glm::vec3 towards{0, 0, 1};
 };
 
-// Of one who stands where `towards` points (any length but 0), +Y up in the picture unless looked at along it.
+// The view of an observer in the direction `towards` (any length but 0), +Y up in the picture unless it is the
+// direction of view.
 View view_from(glm::vec3 towards);
 
 // The berry { c + x : xᵀ S⁻¹ x ≤ 1 } in a view, where S = w² I + (l² − w²) d dᵀ. Its outline is the ellipse of the same

@@ -1,4 +1,4 @@
-// Black-and-white pictures, one bit a pixel: what silhouettes are compared with, closed and counted on.
+// Black-and-white images, one bit a pixel, for comparing, closing and counting silhouettes.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ class BitImage {
   BitImage() = default;
   BitImage(std::int32_t columns, std::int32_t rows) { reset(columns, rows); }
 
-  // All clear, of this size; memory is kept.
+  // Clears the image and sets its size; the memory is reused.
   void reset(std::int32_t columns, std::int32_t rows);
 
   std::int32_t columns() const { return columns_; }
@@ -32,8 +32,8 @@ class BitImage {
   // to a row.
   BitImage dilated(float radius) const;
 
-  // Closing by that disc: what no disc of the size can reach from outside is filled. The picture needs a clear margin
-  // of `radius` + 1 pixels.
+  // Morphological closing by that disc: pixels that no disc of the size can reach from outside are filled. The image
+  // needs a clear margin of `radius` + 1 pixels.
   BitImage closed(float radius) const;
 
  private:

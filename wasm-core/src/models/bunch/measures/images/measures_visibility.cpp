@@ -22,7 +22,7 @@ struct Entry {
   std::uint32_t index = 0;
   bool berry = true;
 
-  // Nearest first; where that says nothing, by place, so that the order of berries never matters.
+  // Nearest first; at equal depth by place, so that the order of berries never matters.
   bool operator<(const Entry& other) const {
     return std::tie(other.depth, place.y, place.x, berry) < std::tie(depth, other.place.y, other.place.x, other.berry);
   }
@@ -35,9 +35,9 @@ float length_of(const Stem& stem) {
 
 float dot(const glm::vec3& a, const glm::vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-// Paints front to back: what is drawn on a clear pixel is seen. For balls that do not overlap the order of their
-// centres is the order in which any line of sight meets them, since a plane between them is at right angles to the line
-// of centres; for other forms nearly so. Holds its buffers from view to view.
+// Paints berries front to back and counts pixels: a clear pixel that is painted is visible. For balls that do not
+// overlap the order of their centres is the order in which any line of sight meets them, since a plane between them is
+// at right angles to the line of centres; for other forms nearly so. Reuses its buffers from view to view.
 class Onlooker {
  public:
   explicit Onlooker(const Subject& subject) : subject_(subject) {
@@ -91,7 +91,7 @@ class Onlooker {
   }
 
   const Subject& subject_;
-  // By depth, and where that says nothing by the rest, which hardly ever moves anything.
+  // Sorts by depth, and at equal depth by the other members, which hardly ever moves anything.
   void bring_in_order() {
     depths_.clear();
     for (const Entry& entry : entries_) depths_.push_back(-entry.depth);

@@ -84,7 +84,7 @@ class Bending {
       if (rides(i)) stays_[i] = stays_[static_cast<std::size_t>(internodes_[i].parent)];
   }
 
-  // Where the internodes of stalks end: as the flowers that they bear have it, in the middle where these are several.
+  // Places the ends of stalk internodes: by the positions of their flowers, in the middle of several.
   void place_stalks() {
     states_.assign(internodes_.size(), FlowerState::fallen);
     seats_.assign(internodes_.size(), 0);

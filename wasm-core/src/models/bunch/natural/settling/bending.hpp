@@ -1,4 +1,4 @@
-// The skeleton as the berries leave it: bent, as stout as its age, less what has fallen.
+// The skeleton bent by its berries, as thick as its age, without the fallen parts.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace panicle::bunch {
 
-// What has become of a flower. Where several share a stalk, it goes by the last of these that one of them has.
+// The state of a flower. Flowers that share a stalk share the last of these states that one of them has.
 enum class FlowerState : std::uint8_t {
   fallen,  // and its stalk with it
   stub,    // its berry was lost, its stalk is withered
@@ -25,13 +25,13 @@ struct FlowerOutcome {
 };
 
 struct Bent {
-  std::vector<Internode> internodes;   // what is left, parents first; metres
+  std::vector<Internode> internodes;   // those left, parents first; metres
   std::vector<std::int32_t> place_of;  // per internode of the sprout: where it is in `internodes`; −1 where it fell
 };
 
 // `outcomes` are the flowers', `ends` those of the hanging's branches once all has swollen (millimetres), `size` the
-// berries' width now over the ripe one. Stems that bear nothing any more fall, but for the rachis and what never bore a
-// flower: that is as the text has it.
+// berries' width now over the ripe one. Stems that have lost all their flowers fall, except the rachis; stems that
+// never had a flower stay, as the text draws them.
 Bent bend_skeleton(std::span<const Internode> internodes, std::span<const Flower> flowers, const Hanging& hanging,
                    std::span<const FlowerOutcome> outcomes, std::span<const glm::vec3> ends, float size);
 

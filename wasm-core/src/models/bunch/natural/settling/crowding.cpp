@@ -92,7 +92,7 @@ float fill_for(std::span<const Bud> buds, std::span<const float> ranks, float de
   for (int k = 0; k < tries; ++k) {
     const float step = std::clamp((wanted - last.crowding) / steepness, -most_step, most_step);
     const Try next = attempt(last.fill + step);
-    // Of the chord, where the two are far enough apart to tell.
+    // Weight of the chord: near 1 where the two points are far enough apart for a slope.
     const float reliability = step * step / (step * step + 1e-4f);
     const float chord = std::abs(step) > 0 ? (next.crowding - last.crowding) / step : 0;
     steepness = std::clamp(usual_steepness + reliability * (chord - usual_steepness), least_steepness, most_steepness);

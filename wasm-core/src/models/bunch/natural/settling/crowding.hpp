@@ -1,6 +1,6 @@
-// How much of the outline's space is to be filled for a bunch to be as dense as was asked for (OIV 204). The same share
-// packs otherwise with every size of berry and form of outline; the space that others take about each berry, where all
-// would hang before any has swollen, tells the note.
+// The share of the outline's space to fill for a requested density (OIV 204). The same share packs differently with
+// every size of berry and form of outline; the density note follows from the space that others take about each berry,
+// if all were to hang before any has swollen.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace panicle::bunch {
 
-// Of what make berries are.
+// The size and the proportions of ripe berries.
 struct BerrySize {
   float size = 0;        // mean width of a ripe one, millimetres
   float elongation = 1;  // length over width
@@ -23,8 +23,8 @@ float crowding(std::span<const Bud> buds, std::span<const float> volumes, const 
 // The crowding of bunches of a density, 1 … 9.
 float crowding_at(float density, float elongation);
 
-// The fill for choose_set with which flowers of these ranks are as crowded as the density says; as many as there are
-// where they are too few. Smooth in the buds' places.
+// The fill for choose_set with which flowers of these ranks are as crowded as the density requires; the greatest fill
+// where there are too few. Smooth in the buds' places.
 float fill_for(std::span<const Bud> buds, std::span<const float> ranks, float density, const BerrySize& berry);
 
 }  // namespace panicle::bunch

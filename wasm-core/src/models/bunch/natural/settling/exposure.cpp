@@ -14,7 +14,7 @@ namespace panicle::bunch {
 namespace {
 
 constexpr std::size_t samples = 37;  // of each disc
-constexpr float penumbra = 0.25f;    // width of a shadow's edge, in radii of what casts it
+constexpr float penumbra = 0.25f;    // width of a shadow's edge, in radii of the berry that casts it
 constexpr float behind_at = 0.5f;    // by how many of its outer radii one berry lies before another to shade it in full
 constexpr float golden_angle = 137.50776f;  // degrees
 
@@ -58,7 +58,7 @@ PointGrid cells_of(std::span<const ProjectedBerry> berries) {
   return {places, 2 * (1 + penumbra / 2) * widest};
 }
 
-// Darkens the samples of `lit` by what `shading` casts on it.
+// Darkens the samples of `lit` by the shadow of `shading`.
 void shade(const ProjectedBerry& lit, const ProjectedBerry& shading, const Disc& disc,
            std::array<float, padded>& light) {
   const float before = std::min(1.0f, (shading.depth - lit.depth) / (behind_at * lit.outer));

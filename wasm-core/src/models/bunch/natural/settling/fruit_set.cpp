@@ -16,7 +16,7 @@ constexpr float ramp = 0.09f;         // of the ranks that set: those whose berr
 constexpr float least_share = 0.01f;  // of a berry's volume; less does not count as one
 constexpr float near = 1.3f;          // reach of a bud's crowd, in berry widths
 
-// What a crowd of 1 fills: the kernel (1 − r²/h²)² holds 32 π h³ / 105, a berry π / 6.
+// The share of space that a crowd of 1 fills: the kernel (1 − r²/h²)² holds 32 π h³ / 105, a berry π / 6.
 constexpr float fill_of_crowd = (1.0f / 6) / (32.0f / 105 * near * near * near);
 
 // Buds in the order of a grid's slots, each of their numbers side by side, so that four are looked at at once.

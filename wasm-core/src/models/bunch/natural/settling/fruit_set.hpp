@@ -10,14 +10,14 @@ namespace panicle::bunch {
 
 struct Bud {
   glm::vec3 place{0};   // where its berry would hang, millimetres; of its own bunch's
-  float chance = 0;     // 0 … 1, its own; the same whatever else grows
+  float chance = 0;     // random, 0 … 1; independent of the rest of the bunch
   float misplaced = 0;  // how far outside the outline, in berry widths; 0 inside
-  float strength = 1;   // 0 … 1: how far what bears it has grown
+  float strength = 1;   // 0 … 1: how far its stem has grown
   std::uint32_t bunch = 0;
 };
 
-// Per bud how soon it sets, the lowest first: its chance times the share of space that all its bunch's buds within
-// reach of it would fill if they set as berries of width `size`. What a bud does hangs on its neighbours alone: growing
+// The rank of each bud, the lowest setting first: its chance times the share of space that all its bunch's buds within
+// reach of it would fill if they set as berries of width `size`. A rank depends on a bud's neighbours alone: growing
 // one end of a bunch changes nothing at the other.
 std::vector<float> ranks_of(std::span<const Bud> buds, float size);
 

@@ -10,7 +10,7 @@ namespace panicle::bunch {
 namespace {
 
 constexpr float grams_per_volume = 1.06e-3f;  // of a berry, a cubic millimetre
-constexpr float softness = 1e-4f;  // radians a gram, mm of lever and of length, at a radius of 1 mm, of what gives all
+constexpr float softness = 1e-4f;  // radians a gram, mm of lever and of length, at a radius of 1 mm, of the total
 constexpr float most_bent = 0.5f;  // radians, which no branch reaches
 constexpr float turned_round = -0.9f;  // cosine: an axis that would have to grow so far up stays as it is
 constexpr float limp = 0.75f;          // how far down a level pedicel is drawn, over its own length

@@ -1,10 +1,10 @@
 // How branches bend under their berries, and how pedicels hang.
 //
-// A branch is a beam that is held where it grows: what hangs beyond its foot turns it by moment × length / (E I), I
-// going as the fourth power of its radius (Euler and Bernoulli). Moments are those of the text's own pose and of ripe
-// berries, not of where berries have come to lie: that would feed back, and a pixel of the profile would move a bunch
-// by millimetres. All hangs by the time berries are as large as peas (stage 31 of Coombe 1995), while there is still
-// room: berries that swung down when full would swing past each other, on this side or that.
+// A branch is a beam that is held at its base: the weight beyond its base turns it by moment × length / (E I), I going
+// as the fourth power of its radius (Euler and Bernoulli). Moments are those of the text's own pose and of ripe
+// berries, not of the berries' final places: that would feed back, and a pixel of the profile would move a bunch by
+// millimetres. All hangs by the time berries are as large as peas (stage 31 of Coombe 1995), while there is still room:
+// berries that swung down when full would swing past each other, on this side or that.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -21,7 +21,7 @@ class Sagging {
   // Axes grow up against their load: ripe, their berries hang in the mean where the text has them.
   Sagging(std::span<const Branch> branches, std::span<const Swelling> berries);
 
-  // How each branch, and what grows on it, is turned while berries are `size` times as wide as when ripe.
+  // The rotation of each branch, and of the parts that grow on it, while berries are `size` times as wide as when ripe.
   std::span<const glm::quat> turned(float size);
 
  private:

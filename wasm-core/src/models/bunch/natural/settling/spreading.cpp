@@ -75,7 +75,8 @@ glm::vec3 push_between(const Hung& a, const Hung& b) {
   return between * ((a.axis == b.axis ? on_one_axis : on_two_axes) * near * near);
 }
 
-// Level, so that nobody is pushed up by who hangs below, and a little down; its pedicel keeps its length.
+// Leans a berry's pedicel sideways and a little down, never up, so that no berry lifts another; the pedicel's length is
+// preserved.
 void lean(Hung& berry, const glm::vec3& sideways) {
   const glm::vec3 way = berry.centre + glm::vec3(sideways.x, -weight * berry.size.ball, sideways.z) - berry.foot;
   const float far = glm::length(way);
@@ -97,7 +98,7 @@ std::vector<glm::vec3> spread(std::span<const Branch> branches, std::span<const 
     for (const auto [i, j] : pairs) {
       const glm::vec3 push = push_between(all[i], all[j]);
       if (push == glm::vec3(0)) continue;
-      const float heavier = 2 * all[i].mass / (all[i].mass + all[j].mass);  // a shot berry moves nobody
+      const float heavier = 2 * all[i].mass / (all[i].mass + all[j].mass);  // a shot berry displaces no other
       asides[i] -= push * (2 - heavier);
       asides[j] += push * heavier;
     }

@@ -1,9 +1,9 @@
-// How pedicels lean aside, so that their berries slide apart while they swell and seldom have to press deeply.
+// How pedicels lean sideways, so that their berries slide apart while they swell and seldom have to press deeply.
 //
 // Contacts alone cannot do this: stiff ones, or weak pedicels, let berries snap past each other on this side or that,
 // and a pixel of the profile then moves a bunch by millimetres. So room is sought before anything swells, where ripe
-// berries would hang were each alone: a few rounds of a soft push, smooth in all it is made from, as the
-// gradient of the density's kernel in smoothed-particle hydrodynamics (Müller, Charypar and Gross 2003, equation 20).
+// berries would hang were each alone: a few rounds of a soft push, smooth in all its inputs, as the gradient of the
+// density's kernel in smoothed-particle hydrodynamics (Müller, Charypar and Gross 2003, equation 20).
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -15,8 +15,8 @@
 
 namespace panicle::bunch {
 
-// What is added to the unit vector along which each ripe berry's pedicel would droop. `turned`: the branches under
-// ripe berries. Berries that join late lean nowhere, and nobody makes room for them.
+// The vectors to add to the unit vector along which each ripe berry's pedicel would droop. `turned`: the branches under
+// ripe berries. Berries that join late do not lean, and others do not lean away from them.
 std::vector<glm::vec3> spread(std::span<const Branch> branches, std::span<const Swelling> berries,
                               std::span<const glm::quat> turned);
 

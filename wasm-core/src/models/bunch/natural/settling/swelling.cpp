@@ -15,7 +15,7 @@
 namespace panicle::bunch {
 namespace {
 
-// Tuned on the fifteen presets of the paper and 50 random profiles (docs/natural.md has what each does).
+// Tuned on the fifteen presets of the paper and 50 random profiles (docs/natural.md has the effect of each).
 constexpr float margin = 0.35f;       // of the widest berry: how far apart neighbours may be when they are looked for
 constexpr int projections = 2;        // of all constraints in a step
 constexpr int settling = 6;           // steps at the largest size before the last thinning, and after; then some dry
@@ -43,7 +43,7 @@ struct Leaning {
   std::uint32_t berry, stem;
 };
 
-// The way that is left of a unit vector and what is added to it; unit.
+// The sum of a unit vector and the lean; unit.
 glm::vec3 leaning(const glm::vec3& heading, const glm::vec3& lean) {
   const glm::vec3 way = heading + lean;
   const float far = glm::length(way);
@@ -97,7 +97,7 @@ class Solver {
     if (scale >= thinning_from && young_.empty() && !settled_ && index % refresh == refresh - 1) thin(1);
   }
 
-  // Until nobody is pressed harder than berries can be.
+  // Removes berries until none is pressed harder than berries can be.
   void thin_out() { thin(most_rounds); }
 
   // Where fewer than `wanted` have found room, others grow up among them, in their order.
@@ -126,7 +126,8 @@ class Solver {
     }
   }
 
-  // Nobody is lost any more, so that the others are the same ones whoever is taken.
+  // Removes the berries listed in the request. No other berry is lost after this, so that the others do not depend on
+  // the list.
   void take_by_hand() {
     settled_ = true;
     for (std::size_t i = 0; i < berries_.size(); ++i)
@@ -168,8 +169,8 @@ class Solver {
     return between_segments(centres_[j] - centres_[i], {headings_[i], sizes_[i].core}, {headings_[j], sizes_[j].core});
   }
 
-  // What may meet before the next search: half a margin round every berry and stem. A stem is looked for along all of
-  // its length, which beside young berries is many of theirs.
+  // Finds the pairs that may meet before the next search: half a margin round every berry and stem. A stem is searched
+  // for along all of its length, which beside young berries is many of theirs.
   void find_neighbours() {
     aim();
     float widest = 0;
@@ -270,8 +271,8 @@ class Solver {
     }
   }
 
-  // `leaning_` lists the berries of one stem after another: what is known of a stem serves all its berries, until one
-  // of them pushes its end.
+  // `leaning_` lists the berries of one stem after another: the values computed for a stem serve all its berries, until
+  // one of them pushes its end.
   void part_stems() {
     work_.looks += leaning_.size();
     for (std::size_t at = 0; at < leaning_.size();) {

@@ -45,7 +45,7 @@ struct Swollen {
   std::vector<glm::vec3> ends;        // of the branches
   std::vector<glm::vec3> centres;     // of the berries
   std::vector<glm::vec3> directions;  // unit, from the pedicel's foot to the berry's tip
-  std::vector<RemovalReason> lost;    // of the berries; 0 for those that are there, not_set for who never joined
+  std::vector<RemovalReason> lost;    // of the berries; 0 for those present, not_set for those that never joined
   SwellingWork work;
 };
 

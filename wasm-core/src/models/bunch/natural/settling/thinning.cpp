@@ -7,7 +7,7 @@ namespace {
 
 constexpr float most_pressed = 0.3f;  // of a berry's volume, by caps beyond its contacts
 
-// What a cap takes of a berry, as a share of its volume; the ball's cap is the measure.
+// The volume of a cap of a berry, as a share of the berry's; the ball's cap is the measure.
 float cap_share(const SwollenSize& size, float deep) {
   const float r = size.ball, h = std::min(deep, r);
   return h * h * (3 * r - h) / (4 * r * r * r + 6 * r * r * size.core);

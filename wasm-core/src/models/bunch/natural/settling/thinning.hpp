@@ -15,8 +15,8 @@ struct Press {
   float deep;  // how far either would have to give way, millimetres; not above 0 where they are apart
 };
 
-// Those who would have to give up more of their volume to their neighbours than berries can, ascending: the most
-// pressed of each neighbourhood only, for the others then have room.
+// The berries that would have to give up more of their volume to their neighbours than berries can, ascending: only the
+// most pressed of each neighbourhood, for the others then have room.
 std::vector<std::uint32_t> crowded_out(std::span<const Press> presses, std::span<const SwollenSize> sizes);
 
 }  // namespace panicle::bunch
