@@ -38,18 +38,18 @@ inline Diagnostic place_in(std::string& text) {
 
 // `trouble(text)`: what is wrong with it, as a Diagnostic.
 template <class Mistakes, class Trouble>
-void check_told(const Mistakes& mistakes, Trouble trouble) {
+void check_mistakes(const Mistakes& mistakes, Trouble trouble) {
   for (const Mistake& mistake : mistakes) {
     std::string text = mistake.text;
     CAPTURE(text);
     const Diagnostic place = place_in(text);
-    const Diagnostic told = trouble(text);
-    CAPTURE(told.message);
-    CHECK(told.reason != Reason::none);
-    CHECK(told.line == place.line);
-    CHECK(told.column == place.column);
+    const Diagnostic error = trouble(text);
+    CAPTURE(error.message);
+    CHECK(error.reason != Reason::none);
+    CHECK(error.line == place.line);
+    CHECK(error.column == place.column);
     std::istringstream all(mistake.advice);
-    for (std::string part; std::getline(all, part, '|');) CHECK(told.message.find(part) != std::string::npos);
+    for (std::string part; std::getline(all, part, '|');) CHECK(error.message.find(part) != std::string::npos);
   }
 }
 

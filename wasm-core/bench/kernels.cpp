@@ -163,8 +163,8 @@ double run(Kernel kernel, std::uint32_t size, std::uint32_t rounds) {
       case Kernel::map_check:
         work = check_map(size);
         break;
-      case Kernel::map_lay:
-        work = lay_map(size);
+      case Kernel::map_embed:
+        work = embed_map(size);
         break;
       case Kernel::map_place:
         work = place_map(size);

@@ -23,7 +23,7 @@ enum class Kernel : std::uint32_t {
   // Generalized maps of `size` darts (maps.hpp).
   map_build = 12,
   map_check = 13,
-  map_lay = 14,
+  map_embed = 14,
   map_place = 15,
   // Trees by divisor functions of `size` steps, each round another, to a stage (growth.hpp).
   growth_text = 16,

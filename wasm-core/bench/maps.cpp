@@ -31,22 +31,22 @@ Map vein(std::uint32_t darts) {
   return map;
 }
 
-struct Laid {
+struct BuiltMap {
   Map map;
   Embedding embedding;
   std::vector<Shape> shapes;
 };
 
-Laid& laid(std::uint32_t darts) {
-  static Laid kept;
+BuiltMap& built(std::uint32_t darts) {
+  static BuiltMap cached;
   static std::uint32_t of = 0;
   if (of != darts) {
-    kept.map = vein(darts);
-    kept.embedding.lay(kept.map);
-    kept.shapes.assign(kept.map.volumes(), Shape{1, 0, 0, 1, 1, 1});
+    cached.map = vein(darts);
+    cached.embedding.build(cached.map);
+    cached.shapes.assign(cached.map.volumes(), Shape{1, 0, 0, 1, 1, 1});
     of = darts;
   }
-  return kept;
+  return cached;
 }
 
 }  // namespace
@@ -54,20 +54,20 @@ Laid& laid(std::uint32_t darts) {
 double build_map(std::uint32_t darts) { return vein(darts).darts(); }
 
 double check_map(std::uint32_t darts) {
-  const Map& map = laid(darts).map;
+  const Map& map = built(darts).map;
   return check(map).fault == Fault::nothing ? map.darts() : -1;
 }
 
-double lay_map(std::uint32_t darts) {
-  Laid& kept = laid(darts);
-  kept.embedding.lay(kept.map);
-  return kept.map.darts();
+double embed_map(std::uint32_t darts) {
+  BuiltMap& cached = built(darts);
+  cached.embedding.build(cached.map);
+  return cached.map.darts();
 }
 
 double place_map(std::uint32_t darts) {
-  Laid& kept = laid(darts);
-  kept.embedding.place(kept.shapes);
-  return kept.map.darts();
+  BuiltMap& cached = built(darts);
+  cached.embedding.place(cached.shapes);
+  return cached.map.darts();
 }
 
 }  // namespace panicle::bench

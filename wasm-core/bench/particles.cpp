@@ -70,8 +70,8 @@ double run_brute_crowd(std::uint32_t particles, bool flat) {
         near = places[j];
       }
       const glm::vec3 ahead = glm::normalize(target - places[i]);
-      const glm::vec3 aside = near == places[i] ? glm::vec3(0) : glm::normalize(near - places[i]);
-      next[i] += places.size() < 2 ? s * ahead : s * (pull * aside + ahead) / (1 + pull);
+      const glm::vec3 towards_target = near == places[i] ? glm::vec3(0) : glm::normalize(near - places[i]);
+      next[i] += places.size() < 2 ? s * ahead : s * (pull * towards_target + ahead) / (1 + pull);
     }
     std::vector<std::uint8_t> gone(places.size(), 0);
     for (std::size_t i = 0; i < places.size(); ++i) gone[i] = glm::distance(places[i], target) <= s;
@@ -83,14 +83,14 @@ double run_brute_crowd(std::uint32_t particles, bool flat) {
         gone[j] = 1;
         ++merges;
       }
-    std::size_t kept = 0;
+    std::size_t left = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (gone[i]) continue;
-      places[kept] = next[i];
-      energies[kept++] = energies[i];
+      places[left] = next[i];
+      energies[left++] = energies[i];
     }
-    places.resize(kept);
-    energies.resize(kept);
+    places.resize(left);
+    energies.resize(left);
   }
   return merges;
 }

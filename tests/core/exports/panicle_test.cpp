@@ -21,8 +21,8 @@ using namespace panicle;
 namespace {
 
 // A request as a page writes it; blocks may be added before it is sent.
-struct Asked {
-  explicit Asked(std::string_view outputs = "", std::string_view model = "bunch") {
+struct TestRequest {
+  explicit TestRequest(std::string_view outputs = "", std::string_view model = "bunch") {
     writer.add("model", model);
     writer.add("outputs", outputs);
   }
@@ -30,10 +30,10 @@ struct Asked {
 };
 
 struct Answer {
-  explicit Answer(const Asked& asked) {
-    std::uint8_t* const request = asked.writer.write();
-    send({request, container_bytes(request)});
-    std::free(request);
+  explicit Answer(const TestRequest& request) {
+    std::uint8_t* const block_of_request = request.writer.write();
+    send({block_of_request, container_bytes(block_of_request)});
+    std::free(block_of_request);
   }
   explicit Answer(std::span<const std::uint8_t> bytes) { send(bytes); }
   explicit Answer(std::uint8_t* answer) { take(answer); }
@@ -75,7 +75,7 @@ struct Answer {
 }  // namespace
 
 TEST_CASE("the smallest request grows the default bunch, column by column") {
-  const Answer answer(Asked("meshes"));
+  const Answer answer(TestRequest("meshes"));
   REQUIRE(answer.reason() == Reason::none);
   const std::uint32_t internodes = answer.word("counts", 1), berries = answer.word("counts", 3);
   CHECK(answer.column("counts.names").text().substr(0, 25) == "endStructures\ninternodes\n");
@@ -103,21 +103,21 @@ TEST_CASE("the smallest request grows the default bunch, column by column") {
     CHECK(answer.rows(name) == berries * pattern);
   CHECK(answer.column("meshes").text() == "stems");
   CHECK(answer.find("measures") == nullptr);
-  CHECK(Answer(Asked("measures")).rows("measures") > 0);
+  CHECK(Answer(TestRequest("measures")).rows("measures") > 0);
 }
 
 TEST_CASE("a berry thinned by hand is told by its id") {
-  const Answer whole{Asked()};
-  Asked asked;
+  const Answer whole{TestRequest()};
+  TestRequest request;
   const std::uint32_t id = whole.word("berries.id", 5);
-  asked.writer.add("thinned", std::span<const std::uint32_t>(&id, 1));
-  const Answer less(asked);
+  request.writer.add("thinned", std::span<const std::uint32_t>(&id, 1));
+  const Answer less(request);
   REQUIRE(less.reason() == Reason::none);
   CHECK(less.word("counts", 3) == whole.word("counts", 3) - 1);
 }
 
 TEST_CASE("meshes and their fingerprint come only when asked for and change no skeleton") {
-  const Answer bare{Asked()}, whole(Asked("meshes")), printed(Asked("measures meshes mesh_fingerprint"));
+  const Answer bare{TestRequest()}, whole(TestRequest("meshes")), printed(TestRequest("measures meshes mesh_fingerprint"));
   CHECK(bare.find("mesh.stems.positions") == nullptr);
   CHECK(bare.word("fingerprint", 0) == whole.word("fingerprint", 0));
   CHECK(bare.word("fingerprint", 1) == whole.word("fingerprint", 1));
@@ -133,18 +133,18 @@ TEST_CASE("a request that is not in the agreed form is refused in words") {
   refused(Answer(std::span<const std::uint8_t>()), "shorter");
   const std::vector<std::uint32_t> zeros(10, 0);
   refused(Answer({reinterpret_cast<const std::uint8_t*>(zeros.data()), 40}), "magic");
-  refused(Answer(Asked("", "grapes")), "model");
-  Asked unknown;
+  refused(Answer(TestRequest("", "grapes")), "model");
+  TestRequest unknown;
   unknown.writer.add("thined", std::span<const std::uint32_t>());
   refused(Answer(unknown), "“thined”");
-  Asked other;
+  TestRequest other;
   other.writer.add("seed", "1");
   refused(Answer(other), "“seed”");
-  Asked many;
+  TestRequest many;
   const std::vector<float> numbers(200'000, 0.0f);
   many.writer.add("parameters", numbers);
   refused(Answer(many), "more values");
-  Asked wide;
+  TestRequest wide;
   const std::vector<float> rows(150'000, 0.0f);
   wide.writer.add("parameters", rows, 3);
   refused(Answer(wide), "more values");
@@ -152,12 +152,12 @@ TEST_CASE("a request that is not in the agreed form is refused in words") {
 
 TEST_CASE("a grammar that was compiled before grows what its text grows") {
   const std::string_view text = "axiom: F(40)[+(60)F(30)S(9)]S(12)";
-  Asked spelled;
+  TestRequest spelled;
   spelled.writer.add("grammar", text);
   const Answer compiled(panicle_compile(text.data(), static_cast<std::uint32_t>(text.size())));
   REQUIRE(compiled.reason() == Reason::none);
   const std::uint32_t handle = compiled.word("program", 0);
-  Asked named;
+  TestRequest named;
   named.writer.add("program", std::span<const std::uint32_t>(&handle, 1));
   const Answer one(spelled), other(named);
   REQUIRE(other.reason() == Reason::none);
@@ -174,7 +174,7 @@ TEST_CASE("a grammar that was compiled before grows what its text grows") {
 }
 
 TEST_CASE("segments begin where their parents end, and have a length and two radii") {
-  const Answer answer{Asked()};
+  const Answer answer{TestRequest()};
   const auto parents = answer.column("segments.parent").as<std::int32_t>();
   const auto ends = answer.column("segments.ends").as<float>(), radii = answer.column("segments.radii").as<float>();
   REQUIRE(ends.size() == 6 * parents.size());
@@ -213,9 +213,9 @@ TEST_CASE("every segment and organ has its own tag, however many there are") {
 TEST_CASE("a plant whose geometry is not finite is an error that names what it is of") {
   // Every model's own way: nothing before the boundary refuses a stem so thick.
   const auto grown = [](std::string_view model, std::string_view text) {
-    Asked asked("meshes", model);
-    asked.writer.add("grammar", text);
-    return Answer(asked);
+    TestRequest request("meshes", model);
+    request.writer.add("grammar", text);
+    return Answer(request);
   };
   for (const std::string_view text :
        {"axiom: F(1e37)F(1e37)F(1e37)", "axiom: @Di(1e38)@Di(1e38)@O(1)", "axiom: @Di(1e38)@Di(1e38)~leaf",
@@ -245,12 +245,12 @@ TEST_CASE("a request may say how many steps a text is derived; else the text doe
   for (const bunch::ParameterInfo& each : bunch::parameter_table) parameters.push_back(each.standard);
   parameters[static_cast<std::size_t>(bunch::Parameter::peduncle)] = 0;
   const auto internodes = [&parameters](std::string_view text, int steps) {
-    Asked asked;
-    asked.writer.add("parameters", std::span<const float>(parameters));
-    asked.writer.add("grammar", text);
+    TestRequest request;
+    request.writer.add("parameters", std::span<const float>(parameters));
+    request.writer.add("grammar", text);
     const auto number = static_cast<std::uint32_t>(steps);
-    if (steps >= 0) asked.writer.add("steps", std::span<const std::uint32_t>(&number, 1));
-    const Answer answer(asked);
+    if (steps >= 0) request.writer.add("steps", std::span<const std::uint32_t>(&number, 1));
+    const Answer answer(request);
     REQUIRE_MESSAGE(answer.reason() == Reason::none, answer.message());
     return answer.word("counts", 1);
   };
@@ -279,10 +279,10 @@ TEST_CASE("no bytes of a request can do harm") {
   for (std::uint64_t round = 0; round < 300; ++round) {
     for (std::size_t i = 0; i < parameters.size(); ++i)
       parameters[i] = static_cast<std::uint32_t>(random_bits(round, 1, i));
-    Asked asked;
-    asked.writer.add("parameters", std::span(reinterpret_cast<const float*>(parameters.data()), parameters.size()));
-    if (round % 2) asked.writer.add("grammar", "axiom: F(1)S(2)\nF(x) --> F(x)[+F(x/2)]");
-    std::uint8_t* const block = asked.writer.write();
+    TestRequest request;
+    request.writer.add("parameters", std::span(reinterpret_cast<const float*>(parameters.data()), parameters.size()));
+    if (round % 2) request.writer.add("grammar", "axiom: F(1)S(2)\nF(x) --> F(x)[+F(x/2)]");
+    std::uint8_t* const block = request.writer.write();
     const std::uint32_t bytes = container_bytes(block);
     // One byte of header, directory, names or data is another one.
     const auto at = static_cast<std::uint32_t>(random_bits(round, 2, 0) % bytes);
@@ -294,11 +294,11 @@ TEST_CASE("no bytes of a request can do harm") {
 }
 
 TEST_CASE("an answer has each note once, though a derivation and the drawing reach the same limit") {
-  Asked asked("", "grammar");
-  asked.writer.add("grammar", std::string_view("#turtle cpfg\nderivation length: 4096\naxiom: A(13)\n"
+  TestRequest request("", "grammar");
+  request.writer.add("grammar", std::string_view("#turtle cpfg\nderivation length: 4096\naxiom: A(13)\n"
                                                "A(n) : n>0 --> A(n-1) A(n-1)\nA(n) : n==0 --> A(0)\n"
                                                "homomorphism\nmaximum depth: 256\nA(n) --> f A(n) f A(n)\n"));
-  const Answer answer(asked);
+  const Answer answer(request);
   REQUIRE(answer.reason() == Reason::none);
   const std::string notes(answer.column("notes").text());
   const std::string limit = "What grew so far is shown. The grammar takes more than ";

@@ -92,7 +92,7 @@ TEST_CASE("syntax errors have line and column") {
 
 namespace {
 
-void says(std::string_view text, const std::string& where, const std::string& part) {
+void expect_error(std::string_view text, const std::string& where, const std::string& part) {
   std::string message;
   CAPTURE(text);
   CHECK(trouble(text, {}, {}, &message) == where);
@@ -104,66 +104,66 @@ void says(std::string_view text, const std::string& where, const std::string& pa
 }  // namespace
 
 TEST_CASE("statements of cpfg are told what they mean and what to do") {
-  says("axiom: A\nLsystem: 2\nA --> B", "syntax 2:1", "needs a name, Lsystem: leaf");
-  says("axiom: A\nA --> ?leaf(2) B", "syntax 2:7", "There is no ?leaf");
-  says("axiom: A\nA --> ?leaf(2) B\nLsystem: leaf\nB --> C", "syntax 2:7", "put brackets about it");
-  says("axiom: A\nderivation: 5", "syntax 2:1", "derivation length: 10");
-  says("axiom: A\n#consider A", "syntax 2:2", "is written consider: A B here");
-  says("axiom: A\nA --> B\nhomomorphism\nA < B --> F", "syntax 4:5", "see no neighbours");
-  says("axiom: A\nA --> B\nmaximum depth: 5", "syntax 3:1", "put it behind that line");
-  says("axiom: A\nhomomorphism\nmaximum depth: 0", "evaluation 3:16", "a whole number from 1 to 256");
-  says("axiom: A\nangle increment: 1/0", "evaluation 2:18", "must be a finite number");
-  says("axiom: A\ntropism: 0, -1, 0", "syntax 2:18", "x, y, z and the elasticity");
-  says("axiom: A\n#turtle logo", "syntax 2:9", "here is 'logo'");
-  says("axiom: A\n#turtle cpfg\n#turtle cpfg", "syntax 3:9", "a second #turtle");
-  says("axiom: A\n#curve c (0, 0)", "syntax 2:8", "at least two points");
-  says("axiom: A\n#curve c (0, 0) (0, 1)", "syntax 2:17", "from left to right");
-  says("axiom: A\n#curve sin (0, 0) (1, 1)", "syntax 2:8", "a function sin already");
-  says("axiom: A(1)\nA(x) : {y = 2; 3} --> F(y)", "syntax 2:16", "A block holds assignments");
-  says("axiom: A(1)\nA(x) : {y = 2 --> F(y)", "syntax 2:8", "This { is never closed");
-  says("axiom: A(1)\nA(x) : {y = 2} y>1 {z = y} --> F(z) : z", "undefined 2:39", "Nothing defines 'z'");
-  says("axiom: A\nseed: 5", "syntax 2:1", "given with the request");
-  says("ω: A\nA --> B", "syntax 1:1", "written axiom: here");
-  says("axiom: A\nA --> B\nω: A", "syntax 3:1", "written axiom: here");
+  expect_error("axiom: A\nLsystem: 2\nA --> B", "syntax 2:1", "needs a name, Lsystem: leaf");
+  expect_error("axiom: A\nA --> ?leaf(2) B", "syntax 2:7", "There is no ?leaf");
+  expect_error("axiom: A\nA --> ?leaf(2) B\nLsystem: leaf\nB --> C", "syntax 2:7", "put brackets about it");
+  expect_error("axiom: A\nderivation: 5", "syntax 2:1", "derivation length: 10");
+  expect_error("axiom: A\n#consider A", "syntax 2:2", "is written consider: A B here");
+  expect_error("axiom: A\nA --> B\nhomomorphism\nA < B --> F", "syntax 4:5", "see no neighbours");
+  expect_error("axiom: A\nA --> B\nmaximum depth: 5", "syntax 3:1", "put it behind that line");
+  expect_error("axiom: A\nhomomorphism\nmaximum depth: 0", "evaluation 3:16", "a whole number from 1 to 256");
+  expect_error("axiom: A\nangle increment: 1/0", "evaluation 2:18", "must be a finite number");
+  expect_error("axiom: A\ntropism: 0, -1, 0", "syntax 2:18", "x, y, z and the elasticity");
+  expect_error("axiom: A\n#turtle logo", "syntax 2:9", "here is 'logo'");
+  expect_error("axiom: A\n#turtle cpfg\n#turtle cpfg", "syntax 3:9", "a second #turtle");
+  expect_error("axiom: A\n#curve c (0, 0)", "syntax 2:8", "at least two points");
+  expect_error("axiom: A\n#curve c (0, 0) (0, 1)", "syntax 2:17", "from left to right");
+  expect_error("axiom: A\n#curve sin (0, 0) (1, 1)", "syntax 2:8", "a function sin already");
+  expect_error("axiom: A(1)\nA(x) : {y = 2; 3} --> F(y)", "syntax 2:16", "A block holds assignments");
+  expect_error("axiom: A(1)\nA(x) : {y = 2 --> F(y)", "syntax 2:8", "This { is never closed");
+  expect_error("axiom: A(1)\nA(x) : {y = 2} y>1 {z = y} --> F(z) : z", "undefined 2:39", "Nothing defines 'z'");
+  expect_error("axiom: A\nseed: 5", "syntax 2:1", "given with the request");
+  expect_error("ω: A\nA --> B", "syntax 1:1", "written axiom: here");
+  expect_error("axiom: A\nA --> B\nω: A", "syntax 3:1", "written axiom: here");
   CHECK(after("axiom: ω seed\nω --> F ignore", 1) == "F ignore seed");
 }
 
 TEST_CASE("labels, printed arrows and comments are told what they are taken for") {
-  says("axiom: A\np1: A --> B", "syntax 2:1", "'p1:' labels a production");
-  says("axiom: A(1)\np1: A(i) : i>0 --> B", "syntax 2:1", "labels a production");
-  says("axiom: A\np1 : A < B --> C", "syntax 2:1", "labels a production");
-  says("axiom: A\np1 : [ --> C", "syntax 2:1", "labels a production");
+  expect_error("axiom: A\np1: A --> B", "syntax 2:1", "'p1:' labels a production");
+  expect_error("axiom: A(1)\np1: A(i) : i>0 --> B", "syntax 2:1", "labels a production");
+  expect_error("axiom: A\np1 : A < B --> C", "syntax 2:1", "labels a production");
+  expect_error("axiom: A\np1 : [ --> C", "syntax 2:1", "labels a production");
   CHECK(trouble("#define k 1\naxiom: B\nA : k>0 --> B") == "none");
   CHECK(trouble("axiom: B\nA : k>0 --> B\n#define k 1") == "none");
   CHECK(trouble("axiom: B\nA : sin(30)>0 --> B sin") == "none");
-  says("axiom: A\nA : k --> B", "undefined 2:5", "Nothing defines 'k'");
-  says("axiom: A B\nA : B --> C", "undefined 2:5", "Nothing defines 'B'");
-  says("axiom: A\nA -.33-> B", "syntax 2:4", "A --> B : .33.");
-  says("axiom: A\nA -> B", "syntax 2:3", "An arrow is written -->.");
-  says("// a tree\naxiom: A", "syntax 1:1", "A comment is written /*");
-  says("axiom: A\n// the tree's stem", "syntax 2:12", "A comment is written /*");
-  says("axiom: A\n// end of it.", "syntax 2:13", "A comment is written /*");
+  expect_error("axiom: A\nA : k --> B", "undefined 2:5", "Nothing defines 'k'");
+  expect_error("axiom: A B\nA : B --> C", "undefined 2:5", "Nothing defines 'B'");
+  expect_error("axiom: A\nA -.33-> B", "syntax 2:4", "A --> B : .33.");
+  expect_error("axiom: A\nA -> B", "syntax 2:3", "An arrow is written -->.");
+  expect_error("// a tree\naxiom: A", "syntax 1:1", "A comment is written /*");
+  expect_error("axiom: A\n// the tree's stem", "syntax 2:12", "A comment is written /*");
+  expect_error("axiom: A\n// end of it.", "syntax 2:13", "A comment is written /*");
 }
 
 TEST_CASE("signs of cpfg are told what they do there") {
-  says("axiom: F @X(2)", "syntax 1:10", "There is no @X; there are @O");
-  says("axiom: F @ O", "syntax 1:10", "in one word, such as @O(1)");
-  says("axiom: ~", "syntax 1:8", "such as ~leaf");
-  says("axiom: ?Q(1)", "syntax 1:8", "There is no ?Q");
-  says("axiom: F * F", "syntax 1:10", "an empty successor");
-  says("axiom: F 1", "syntax 1:10", "A symbol begins with a letter");
-  says("axiom: _(2) F", "syntax 1:8", "write !(w)");
-  says("axiom: F `", "syntax 1:10", "not part of the notation");
+  expect_error("axiom: F @X(2)", "syntax 1:10", "There is no @X; there are @O");
+  expect_error("axiom: F @ O", "syntax 1:10", "in one word, such as @O(1)");
+  expect_error("axiom: ~", "syntax 1:8", "such as ~leaf");
+  expect_error("axiom: ?Q(1)", "syntax 1:8", "There is no ?Q");
+  expect_error("axiom: F * F", "syntax 1:10", "an empty successor");
+  expect_error("axiom: F 1", "syntax 1:10", "A symbol begins with a letter");
+  expect_error("axiom: _(2) F", "syntax 1:8", "write !(w)");
+  expect_error("axiom: F `", "syntax 1:10", "not part of the notation");
 }
 
 TEST_CASE("what cannot stand in an expression is told what to do instead") {
-  says("axiom: A(1 2)", "syntax 1:12", "'2' follows a value; put an operator such as * between them");
-  says("axiom: A(2(3))", "syntax 1:11", "Two values stand side by side");
-  says("axiom: A(1)\nA(x) --> B(x>1 ? 2 : 3)", "syntax 2:16", "There is no choice by ?:");
-  says("axiom: A(1)\nA(x) : x>1 & x<2 --> B", "syntax 2:12", "And is written &&");
-  says("axiom: A(1)\nA(x) : x>1 | x<2 --> B", "syntax 2:12", "Or is written ||");
-  says("axiom: A(1 : 2", "syntax 1:12", "a ) is missing");
-  says("#define n[3] 1\naxiom: A", "syntax 1:11", "nothing between the brackets");
+  expect_error("axiom: A(1 2)", "syntax 1:12", "'2' follows a value; put an operator such as * between them");
+  expect_error("axiom: A(2(3))", "syntax 1:11", "Two values stand side by side");
+  expect_error("axiom: A(1)\nA(x) --> B(x>1 ? 2 : 3)", "syntax 2:16", "There is no choice by ?:");
+  expect_error("axiom: A(1)\nA(x) : x>1 & x<2 --> B", "syntax 2:12", "And is written &&");
+  expect_error("axiom: A(1)\nA(x) : x>1 | x<2 --> B", "syntax 2:12", "Or is written ||");
+  expect_error("axiom: A(1 : 2", "syntax 1:12", "a ) is missing");
+  expect_error("#define n[3] 1\naxiom: A", "syntax 1:11", "nothing between the brackets");
 }
 
 TEST_CASE("names that nothing defines") {

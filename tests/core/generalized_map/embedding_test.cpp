@@ -16,7 +16,7 @@ namespace {
 struct Placed {
   Embedding embedding;
   Placed(const Map& map, const std::vector<Shape>& shapes) {
-    embedding.lay(map);
+    embedding.build(map);
     embedding.place(shapes);
   }
   glm::vec3 at(std::uint32_t dart) const { return embedding.positions()[embedding.vertex_of()[dart]]; }
@@ -124,13 +124,13 @@ TEST_CASE("on each face stands what has grown there, outwards, with the face for
     const std::uint32_t v = face + 1u;
     check_near(placed.embedding.frames()[v].z, ways[face]);
     CHECK(glm::dot(area_of(map, placed, 0, face), ways[face]) * (face == base_face ? -1 : 1) > 0);
-    const glm::vec3 foot = centre_of(map, placed, v, base_face);
-    check_near(foot, middle + ways[face] * (face < 2 ? 1.0f : 0.5f));
-    check_near(centre_of(map, placed, v, end_face), foot + 2.0f * ways[face]);
+    const glm::vec3 base_centre = centre_of(map, placed, v, base_face);
+    check_near(base_centre, middle + ways[face] * (face < 2 ? 1.0f : 0.5f));
+    check_near(centre_of(map, placed, v, end_face), base_centre + 2.0f * ways[face]);
     CHECK(volume_of(map, placed, v) > 0);
     // Untwisted: each corner of the end above its own of the base, as far as the face allows.
     for (std::uint32_t i = 0; i < 4; ++i)
-      CHECK(glm::dot(placed.at(map.base_corner(v, i)) - foot, placed.at(map.end_corner(v, i)) - foot) > 0);
+      CHECK(glm::dot(placed.at(map.base_corner(v, i)) - base_centre, placed.at(map.end_corner(v, i)) - base_centre) > 0);
   }
 }
 

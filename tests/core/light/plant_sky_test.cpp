@@ -51,7 +51,7 @@ TEST_CASE("a stem hides as much as it shows, taken over all sides, in pieces alo
   CHECK(specks.front().centre.y == doctest::Approx(10.0 / 8));
   CHECK(specks.back().centre.y == doctest::Approx(10 - 10.0 / 8));
   CHECK(specks[0].owner == 3);
-  CHECK(specks[0].bearer == 4);
+  CHECK(specks[0].parent == 4);
   specks.clear();
   add_specks(thick, 0, specks);
   CHECK(specks.size() == 1);
@@ -86,14 +86,14 @@ TEST_CASE("a leaf above takes sky from what lies below it, and tells the better 
   Sky sky({}, specks);
   const std::size_t vertices = lower.positions.size() / 3, middle = vertices / 2;
   std::vector<std::uint8_t> one_side(vertices), both(vertices);
-  see_part(sky, lower, whole(lower), 1, false, one_side);
-  see_part(sky, lower, whole(lower), 1, true, both);
+  sample_part(sky, lower, whole(lower), 1, false, one_side);
+  sample_part(sky, lower, whole(lower), 1, true, both);
   CHECK(one_side[middle] < 150);
   CHECK(one_side[0] > one_side[middle]);
   for (std::size_t v = 0; v < vertices; ++v) CHECK(both[v] >= one_side[v]);
   CHECK(both[middle] > one_side[middle] + 50);  // from below it is open
   std::vector<std::uint8_t> top(vertices);
-  see_part(sky, upper, whole(upper), 0, false, top);
+  sample_part(sky, upper, whole(upper), 0, false, top);
   CHECK(top[middle] > 200);
 }
 

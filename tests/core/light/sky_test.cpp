@@ -20,9 +20,9 @@ SkyBody ball(const glm::vec3& centre, float radius, std::int32_t owner = -1) {
 }
 
 int seen(Sky& sky, const glm::vec3& place, const glm::vec3& normal, const SkyReceiver& receiver) {
-  sky.face(receiver);
+  sky.set_receiver(receiver);
   std::uint8_t byte = 0;
-  sky.see(std::span(&place.x, 3), std::span(&normal.x, 3), std::span(&byte, 1));
+  sky.sample(std::span(&place.x, 3), std::span(&normal.x, 3), std::span(&byte, 1));
   return byte;
 }
 
@@ -177,19 +177,19 @@ TEST_CASE("a point in a frame sees what the same point sees outside of it") {
     Sky sky(balls, specks);
     const SkyReceiver receiver{frame.centre, 0.2f};
     const int outside = seen(sky, frame.centre + 0.2f * turned(place), turned(normal), receiver);
-    sky.face(receiver);
-    sky.enter(frame);
+    sky.set_receiver(receiver);
+    sky.set_frame(frame);
     std::uint8_t byte = 0;
-    sky.see(std::span(&place.x, 3), std::span(&normal.x, 3), std::span(&byte, 1));
+    sky.sample(std::span(&place.x, 3), std::span(&normal.x, 3), std::span(&byte, 1));
     CHECK(std::abs(byte - outside) <= 1);
   }
 }
 
 TEST_CASE("nobody's sky is hidden by itself, by its bearer, by what it bears or by what its bearer bears besides") {
   SkyBody speck{{0, 1, 0}, 0.5f, glm::vec3(0), 5, 3};
-  const auto hides_from = [&](std::int32_t owner, std::int32_t bearer) {
+  const auto hides_from = [&](std::int32_t owner, std::int32_t parent) {
     Sky sky({}, std::span(&speck, 1));
-    return seen(sky, glm::vec3(0), up, {glm::vec3(0), 0.1f, owner, bearer}) < 250;
+    return seen(sky, glm::vec3(0), up, {glm::vec3(0), 0.1f, owner, parent}) < 250;
   };
   CHECK(hides_from(-1, -1));
   CHECK(hides_from(9, 8));
@@ -197,7 +197,7 @@ TEST_CASE("nobody's sky is hidden by itself, by its bearer, by what it bears or 
   CHECK(!hides_from(9, 5));  // borne by it
   CHECK(!hides_from(3, 1));  // its bearer
   CHECK(!hides_from(6, 3));  // of the same bearer
-  speck.owner = speck.bearer = -1;
+  speck.owner = speck.parent = -1;
   CHECK(hides_from(-1, -1));
   const SkyBody own = ball({0, 2, 0}, 1, 4);
   Sky sky(std::span(&own, 1), {});
@@ -239,9 +239,9 @@ TEST_CASE("any number of points at once, each as it would be alone") {
       normals.insert(normals.end(), {n.x, n.y, n.z});
     }
     const SkyReceiver receiver{glm::vec3(0), 0.1f};
-    sky.face(receiver);
+    sky.set_receiver(receiver);
     std::vector<std::uint8_t> bytes(count);
-    sky.see(places, normals, bytes);
+    sky.sample(places, normals, bytes);
     for (std::size_t i = 0; i < count; ++i)
       CHECK(bytes[i] == seen(sky, {places[3 * i], places[3 * i + 1], places[3 * i + 2]},
                              {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]}, receiver));

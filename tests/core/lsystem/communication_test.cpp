@@ -29,12 +29,12 @@ Recorder answered(std::string_view text, std::vector<std::vector<float>> answers
 
 TEST_CASE("communication modules ask with their parameters, in the order of the string") {
   const Recorder recorder = answered(second_grape, {});
-  REQUIRE(recorder.asked.size() == 4);
-  CHECK(recorder.asked[0] == std::vector<float>{0, 0, 120});
-  CHECK(recorder.asked[1] == std::vector<float>{0, 0, 60});
-  CHECK(recorder.asked[2] == std::vector<float>{1, 0, 30});
-  CHECK(recorder.asked[3] == std::vector<float>{1, 0, 30});
-  CHECK(recorder.asked_by == std::vector<std::string>{"A", "A", "B", "B"});
+  REQUIRE(recorder.queried.size() == 4);
+  CHECK(recorder.queried[0] == std::vector<float>{0, 0, 120});
+  CHECK(recorder.queried[1] == std::vector<float>{0, 0, 60});
+  CHECK(recorder.queried[2] == std::vector<float>{1, 0, 30});
+  CHECK(recorder.queried[3] == std::vector<float>{1, 0, 30});
+  CHECK(recorder.queried_by == std::vector<std::string>{"A", "A", "B", "B"});
   CHECK(recorder.lines.size() == 4);
   CHECK(recorder.spheres.size() == 2);
 }
@@ -51,10 +51,10 @@ TEST_CASE("the production that matches the answer is drawn in place") {
 TEST_CASE("an answer may cut the branch it stands in, and no more") {
   const Recorder all = answered(second_grape, {{0, 0, 0}});
   CHECK(all.lines.empty());
-  CHECK(all.asked.size() == 1);
+  CHECK(all.queried.size() == 1);
   CHECK(all.cuts == 1);
   const Recorder inner = answered(second_grape, {{0, 0, 9}, {0, 0, 0}, {1, 0, 30}});
-  CHECK(inner.asked.size() == 3);
+  CHECK(inner.queried.size() == 3);
   CHECK(inner.lines.size() == 2);
   const Recorder bracketed = answered("axiom: ?E(1) F F\n?E(x) --> [ F % F F ] F", {});
   CHECK(bracketed.lines.size() == 4);
@@ -75,7 +75,7 @@ TEST_CASE("what an answer draws has the lineage of its communication module") {
   REQUIRE(recorder.lines.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) {
     CHECK(recorder.lines[i].address == recorder.addresses[i]);
-    CHECK(recorder.lines[i].parent == recorder.asked_by[i]);
+    CHECK(recorder.lines[i].parent == recorder.queried_by[i]);
   }
   CHECK(recorder.lines[1].grandparent == "A");
   CHECK(recorder.lines[0].grandparent.empty());

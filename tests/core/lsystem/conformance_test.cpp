@@ -177,8 +177,8 @@ TEST_CASE("published grammars: none has anything that is passed over, and all ar
     for (const lsystem::Remark& remark : lsystem::remarks(lsystem::program_of(*bound))) FAIL(lsystem::to_text(remark));
     CHECK(text.size() < 2048);
     bytes += text.size();
-    const lsystem::Surroundings around{.start = upright};
-    const Derived grown = sound(lsystem::develop(*bound, 1, {}, Limits{}, around));
+    const lsystem::DerivationOptions options{.start = upright};
+    const Derived grown = sound(lsystem::develop(*bound, 1, {}, Limits{}, options));
     Recorder recorder;
     sound(lsystem::interpret(*bound, *grown.string, upright, recorder, 1, Limits{}));
     CHECK(recorder.lines.size() + recorder.spheres.size() > 2);
@@ -324,8 +324,8 @@ TEST_CASE("synthetic topiary: what leaves the box dies, and buds below it wake")
   for (const auto& [name, side, low, high] : {Box{"pruned-branch", 5.5F, 0, 12}, Box{"pruned-tree", 6, 0, 12}}) {
     INFO(name);
     const BoundPointer bound = compiled_published(published(name));
-    const lsystem::Surroundings around{.start = upright};
-    const Derived grown = sound(lsystem::develop(*bound, 3, {}, Limits{}, around));
+    const lsystem::DerivationOptions options{.start = upright};
+    const Derived grown = sound(lsystem::develop(*bound, 3, {}, Limits{}, options));
     Recorder recorder;
     sound(lsystem::interpret(*bound, *grown.string, upright, recorder, 3, Limits{}));
     CHECK(recorder.lines.size() > 30);

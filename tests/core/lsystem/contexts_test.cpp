@@ -16,13 +16,13 @@ std::string in_context(const std::string& axiom, const std::string& production) 
   return after("axiom: " + axiom + "\n" + production, 1);
 }
 
-std::string told(std::string_view text) {
+std::string error_of(std::string_view text) {
   std::string message;
   const std::string where = trouble(text, {}, {}, &message);
   return where + " " + message;
 }
 
-bool says(const std::string& told, const char* part) { return told.find(part) != std::string::npos; }
+bool contains(const std::string& error, const char* part) { return error.find(part) != std::string::npos; }
 
 // An axis as a tree: letters, and branches between them.
 struct Axis {
@@ -241,8 +241,8 @@ TEST_CASE("a production that nothing fits is tried again in each step, and a tex
   const Derived rest = sound(lsystem::develop(*bound, 1, {}, Limits{}));
   CHECK(text_of(*bound, rest) == "b b b b b");
   CHECK(rest.steps == 4);
-  const std::string endless = told("axiom: b a\nb < a --> c\nc > * : * --> a\nb > a --> b\n");
-  CHECK(says(endless, "limit 0:0 The string is still rewritten after 4096 steps"));
+  const std::string endless = error_of("axiom: b a\nb < a --> c\nc > * : * --> a\nb > a --> b\n");
+  CHECK(contains(endless, "limit 0:0 The string is still rewritten after 4096 steps"));
 }
 
 TEST_CASE("chance and contexts go together: a random condition waits for its neighbour") {
@@ -271,41 +271,41 @@ TEST_CASE("a neighbour may be what the environment has answered") {
   const BoundPointer bound = compiled("axiom: A ?E(0)\nA > ?E(x) : x>0 --> B(x)\n?E(x) : x>0 --> %");
   lsystem::Derivation derivation(*bound, 1, Limits{});
   CHECK_FALSE(derivation.step());
-  REQUIRE(derivation.ask({}, environment));
+  REQUIRE(derivation.query_environment({}, environment));
   CHECK(derivation.step());
   CHECK(lsystem::to_text(lsystem::program_of(*bound), derivation.string()) == "B(7)%");
 }
 
 TEST_CASE("what is wrong with a context is told with its place") {
-  CHECK(says(told("axiom: A\n< A --> B"), "syntax 2:1 A context is expected beside <"));
-  CHECK(says(told("axiom: A\nA > : 1 --> B"), "syntax 2:5 A context is expected beside >"));
-  CHECK(says(told("axiom: A\nA < B < C --> B"), "There is a second <"));
-  CHECK(says(told("axiom: A\nA > C < B --> D"), "syntax 2:3 The left context stands first"));
-  CHECK(says(told("axiom: A\n* A < B --> C"), "syntax 2:3 The left context stands first"));
-  CHECK(says(told("axiom: A\nFF < A --> B"), "syntax 2:1 'FF' is read as one symbol"));
-  CHECK(says(told("axiom: A\np1: * < A > B --> C"), "syntax 2:1 In cpfg 'p1:' labels a production"));
+  CHECK(contains(error_of("axiom: A\n< A --> B"), "syntax 2:1 A context is expected beside <"));
+  CHECK(contains(error_of("axiom: A\nA > : 1 --> B"), "syntax 2:5 A context is expected beside >"));
+  CHECK(contains(error_of("axiom: A\nA < B < C --> B"), "There is a second <"));
+  CHECK(contains(error_of("axiom: A\nA > C < B --> D"), "syntax 2:3 The left context stands first"));
+  CHECK(contains(error_of("axiom: A\n* A < B --> C"), "syntax 2:3 The left context stands first"));
+  CHECK(contains(error_of("axiom: A\nFF < A --> B"), "syntax 2:1 'FF' is read as one symbol"));
+  CHECK(contains(error_of("axiom: A\np1: * < A > B --> C"), "syntax 2:1 In cpfg 'p1:' labels a production"));
   CHECK(after("axiom: A\nA : * --> B", 1) == "B");
-  CHECK(says(told("axiom: A\nA [B] < C --> B"), "syntax 2:3 A left context is the way from the root"));
-  CHECK(says(told("axiom: A\nA > [B --> C"), "syntax 2:5 This [ is never closed"));
-  CHECK(says(told("axiom: A\nA > B] --> C"), "syntax 2:6 This ] closes nothing"));
-  CHECK(says(told("axiom: A\nA(x) < B(x) --> C"), "syntax 2:3 The parameter 'x' stands here twice"));
-  CHECK(says(told("axiom: A\nA < B > F(x,y) --> C"), "syntax 2:9"));
-  CHECK(says(told("axiom: A\nignore: A\nA < B --> C"), "syntax 3:1 Contexts do not see 'A'"));
-  CHECK(says(told("axiom: A\nconsider: A\nA < B > C --> C"), "syntax 3:9 Contexts do not see 'C'"));
-  CHECK(says(told("axiom: A\nignore: +\nconsider: A"), "syntax 3:1 What contexts see is said twice"));
-  CHECK(says(told("axiom: A\nignore: AB"), "undefined 2:9 Nothing in this text has the symbol 'AB'"));
-  CHECK(says(told("axiom: A\nignore: ["), "syntax 2:9 Brackets are always seen"));
-  CHECK(says(told("axiom: A\nignore:"), "Which symbols?"));
-  CHECK(says(told("axiom: A\nA < ?E(x) --> B"), "?E is answered by the environment"));
-  CHECK(says(told("axiom: A\n#ignore A"), "is written ignore: + - F here"));
+  CHECK(contains(error_of("axiom: A\nA [B] < C --> B"), "syntax 2:3 A left context is the way from the root"));
+  CHECK(contains(error_of("axiom: A\nA > [B --> C"), "syntax 2:5 This [ is never closed"));
+  CHECK(contains(error_of("axiom: A\nA > B] --> C"), "syntax 2:6 This ] closes nothing"));
+  CHECK(contains(error_of("axiom: A\nA(x) < B(x) --> C"), "syntax 2:3 The parameter 'x' stands here twice"));
+  CHECK(contains(error_of("axiom: A\nA < B > F(x,y) --> C"), "syntax 2:9"));
+  CHECK(contains(error_of("axiom: A\nignore: A\nA < B --> C"), "syntax 3:1 Contexts do not see 'A'"));
+  CHECK(contains(error_of("axiom: A\nconsider: A\nA < B > C --> C"), "syntax 3:9 Contexts do not see 'C'"));
+  CHECK(contains(error_of("axiom: A\nignore: +\nconsider: A"), "syntax 3:1 What contexts see is said twice"));
+  CHECK(contains(error_of("axiom: A\nignore: AB"), "undefined 2:9 Nothing in this text has the symbol 'AB'"));
+  CHECK(contains(error_of("axiom: A\nignore: ["), "syntax 2:9 Brackets are always seen"));
+  CHECK(contains(error_of("axiom: A\nignore:"), "Which symbols?"));
+  CHECK(contains(error_of("axiom: A\nA < ?E(x) --> B"), "?E is answered by the environment"));
+  CHECK(contains(error_of("axiom: A\n#ignore A"), "is written ignore: + - F here"));
   std::string many = "axiom: A\nA > ";
   for (int i = 0; i < 65; ++i) many += "B ";
-  CHECK(says(told(many + "--> C"), "limit 2:133 A context has at most 64 modules"));
+  CHECK(contains(error_of(many + "--> C"), "limit 2:133 A context has at most 64 modules"));
   std::string names;
   for (int i = 0; i < 20; ++i) names += (i ? "," : "") + std::string("a") + std::to_string(i);
   std::string others = names;
   std::replace(others.begin(), others.end(), 'a', 'b');
-  CHECK(says(told("axiom: A\nA(" + names + ") < B(" + others + ") --> C"), "limit 2:"));
+  CHECK(contains(error_of("axiom: A\nA(" + names + ") < B(" + others + ") --> C"), "limit 2:"));
 }
 
 TEST_CASE("looking about counts as work: a text cannot hide any in it") {

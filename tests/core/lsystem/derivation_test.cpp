@@ -126,9 +126,9 @@ TEST_CASE("definitions and predecessors are listed in the order of the text") {
 TEST_CASE("long strings are what short ones are, with lineages and without") {
   const char* text = "axiom: A(1)\nA(s) --> F(s)[+A(s/2)][-A(s/2)]";
   const BoundPointer plain = compiled(text);
-  const BoundPointer kept = compiled(text, {}, lsystem::Lineages::always);
-  const Derived a = derived(*plain, 12), b = derived(*kept, 12);
+  const BoundPointer with_lineages = compiled(text, {}, lsystem::Lineages::always);
+  const Derived a = derived(*plain, 12), b = derived(*with_lineages, 12);
   CHECK(length(*a.string) == 8 * 4095 + 1);
   CHECK(a.modules_written == b.modules_written);
-  CHECK(text_of(*plain, a) == text_of(*kept, b));
+  CHECK(text_of(*plain, a) == text_of(*with_lineages, b));
 }

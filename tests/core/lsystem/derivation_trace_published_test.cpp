@@ -18,7 +18,7 @@ namespace {
 // Answers the same question always the same.
 class Steady : public Drawn {
  public:
-  void ask(const Turtle&, std::span<float> parameters, const Lineage&) override {
+  void query(const Turtle&, std::span<float> parameters, const Lineage&) override {
     for (std::size_t i = 1; i < parameters.size(); ++i) parameters[i] = parameters[0] < 2 ? 1.0f : 0.25f;
   }
 };
@@ -27,14 +27,14 @@ class Steady : public Drawn {
 struct Grown {
   std::string text;
   BoundPointer bound;
-  lsystem::Surroundings around;
+  lsystem::DerivationOptions options;
   Limits limits;
   std::optional<std::uint32_t> steps;
 
-  DerivationTrace tell(const TraceRequest& asked) const {
-    return sound(lsystem::chronicle(*bound, 1, steps, limits, around, asked));
+  DerivationTrace trace(const TraceRequest& request) const {
+    return sound(lsystem::trace_derivation(*bound, 1, steps, limits, options, request));
   }
-  Derived derive() const { return sound(lsystem::develop_so_far(*bound, 1, steps, limits, around)); }
+  Derived derive() const { return sound(lsystem::develop_so_far(*bound, 1, steps, limits, options)); }
 };
 
 // What stands at a place of a text; columns count code points.
@@ -64,14 +64,14 @@ void check_module(const Grown& grown, const DerivationTrace& before, const Deriv
   std::uint32_t descendants = 0;
   for (std::uint32_t child = children.first; child < children.first + children.count; ++child) {
     if (child - after.first() >= after.modules().size()) return;
-    const TraceEntry& told = after.modules()[child - after.first()];
-    CHECK(told.parent == before.first() + i);
-    CHECK(told.last.first == module.last.first + descendants);
-    descendants += told.last.count;
-    CHECK((told.production.line > 0) == (module.fires.line > 0));
+    const TraceEntry& entry = after.modules()[child - after.first()];
+    CHECK(entry.parent == before.first() + i);
+    CHECK(entry.last.first == module.last.first + descendants);
+    descendants += entry.last.count;
+    CHECK((entry.production.line > 0) == (module.fires.line > 0));
     if (!lsystem::program_of(*grown.bound).has(lsystem::Purpose::decomposition))
-      CHECK(same(told.production, module.fires));
-    if (module.fires.line == 0 && module.answer.empty()) CHECK(told.text == module.text);
+      CHECK(same(entry.production, module.fires));
+    if (module.fires.line == 0 && module.response.empty()) CHECK(entry.text == module.text);
   }
   CHECK(module.last.count == descendants);
   if (module.fires.line > 0) CHECK(stands(grown, module.fires, module.text));
@@ -81,10 +81,10 @@ void check_module(const Grown& grown, const DerivationTrace& before, const Deriv
 
 // A step and the one after it, from a module on.
 void check_steps(const Grown& grown, std::uint32_t step, std::uint32_t first) {
-  const DerivationTrace before = grown.tell({.step = step, .first = first, .count = 60});
+  const DerivationTrace before = grown.trace({.step = step, .first = first, .count = 60});
   if (before.modules().empty()) return;
   const DerivationTrace after =
-      grown.tell({.step = step + 1, .first = before.modules()[0].children.first, .count = TraceRequest::most});
+      grown.trace({.step = step + 1, .first = before.modules()[0].children.first, .count = TraceRequest::most});
   CHECK(before.counts() == after.counts());
   CHECK(after.step() == step + 1);
   std::uint32_t next = before.modules()[0].children.first, last = before.modules()[0].last.first;
@@ -113,17 +113,17 @@ void check_last(const Grown& grown) {
     texts.push_back(lsystem::module_text(*grown.bound->program, at));
   for (const std::uint32_t first : {0u, modules / 2, modules - std::min(modules, 30u)}) {
     const std::uint32_t module = std::min(modules, first + 7) - 1;
-    const DerivationTrace last = grown.tell({.step = 0xffffffff, .first = first, .count = 30, .module = module});
+    const DerivationTrace last = grown.trace({.step = 0xffffffff, .first = first, .count = 30, .module = module});
     CHECK(last.counts().back() == modules);
     CHECK(last.modules().size() == std::min(30u, modules - first));
     // Where a limit ends a step, what was answered before it stands in the string.
     for (std::size_t i = 0; i < last.modules().size(); ++i)
-      if (last.modules()[i].answer.empty()) CHECK(last.modules()[i].text == texts[first + i]);
+      if (last.modules()[i].response.empty()) CHECK(last.modules()[i].text == texts[first + i]);
     if (modules == 0) return;
     REQUIRE(last.trail().size() == last.counts().size());
     CHECK(last.trail().back() == module);
     const std::uint32_t step = last.step() / 2;
-    const DerivationTrace on_the_way = grown.tell({.step = step, .first = last.trail()[step], .count = 1});
+    const DerivationTrace on_the_way = grown.trace({.step = step, .first = last.trail()[step], .count = 1});
     REQUIRE(on_the_way.modules().size() == 1);
     CHECK(on_the_way.modules()[0].last.first <= module);
     CHECK(module - on_the_way.modules()[0].last.first < on_the_way.modules()[0].last.count);
@@ -131,7 +131,7 @@ void check_last(const Grown& grown) {
 }
 
 void check(const Grown& grown) {
-  const DerivationTrace axiom = grown.tell({.count = 1});
+  const DerivationTrace axiom = grown.trace({.count = 1});
   for (const std::uint32_t step : {0u, axiom.steps() / 2, axiom.steps() - std::min(1u, axiom.steps())}) {
     if (step >= axiom.steps()) continue;
     const std::uint32_t count = axiom.counts()[step];
@@ -153,7 +153,7 @@ Grown published_grown(const std::string& name) {
       {{"areas", 1}, {"places", 2}, {"forks", 0}},
       {{"path", {0, 1, 0, 0, 2, 0}}, {"size", {1, 1, 1}}, {"next", {2, 3}}, {"fork", {0, 0}}, {"own", {1, 1}}}};
   grown.bound = compiled_published(grown.text, inputs);
-  if (lsystem::asks(lsystem::program_of(*grown.bound))) grown.around.answers = &steady;
+  if (lsystem::has_queries(lsystem::program_of(*grown.bound))) grown.options.environment = &steady;
   return grown;
 }
 
@@ -184,11 +184,11 @@ TEST_CASE("a production that is told, applied anew, writes the children that are
     const Grown grown = published_grown(name);
     const lsystem::Program& program = lsystem::program_of(*grown.bound);
     if (program.in_context || program.locates || program.lineages || name == "topiary") continue;
-    const DerivationTrace axiom = grown.tell({.count = 1});
+    const DerivationTrace axiom = grown.trace({.count = 1});
     const std::uint32_t step = axiom.steps() / 2;
     if (step >= axiom.steps()) continue;
-    const DerivationTrace before = grown.tell({.step = step, .first = axiom.counts()[step] / 2, .count = 200});
-    const DerivationTrace after = grown.tell({.step = step + 1, .first = before.modules()[0].children.first});
+    const DerivationTrace before = grown.trace({.step = step, .first = axiom.counts()[step] / 2, .count = 200});
+    const DerivationTrace after = grown.trace({.step = step + 1, .first = before.modules()[0].children.first});
     std::size_t here = 0;
     for (const TraceEntry& module : before.modules()) {
       const std::uint32_t from = module.children.first - after.first();
@@ -244,18 +244,18 @@ TEST_CASE("texts by chance are told without contradiction, or end in a diagnosti
     const auto program = lsystem::compile(text, limits, lsystem::Lineages::where_needed, lsystem::Notation::cpfg);
     if (!program) continue;
     Grown grown{text, sound(lsystem::bind(program.value(), {}, limits)), {{}, nullptr, nullptr}, limits, {}};
-    if (dice.below(2) == 0 && lsystem::asks(*program.value())) grown.around.answers = &steady;
-    const auto derived = lsystem::develop_so_far(*grown.bound, 1, {}, limits, grown.around);
-    const auto chronicle = lsystem::chronicle(*grown.bound, 1, {}, limits, grown.around, {});
-    if (!derived || !chronicle) {
-      CHECK_FALSE(chronicle);
+    if (dice.below(2) == 0 && lsystem::has_queries(*program.value())) grown.options.environment = &steady;
+    const auto derived = lsystem::develop_so_far(*grown.bound, 1, {}, limits, grown.options);
+    const auto trace = lsystem::trace_derivation(*grown.bound, 1, {}, limits, grown.options, {});
+    if (!derived || !trace) {
+      CHECK_FALSE(trace);
       continue;
     }
     // Steps may come to a limit where a derivation at one go does not.
-    if (chronicle->stopped().reason != derived->stopped.reason) continue;
+    if (trace->stopped().reason != derived->stopped.reason) continue;
     check(grown);
     ++grown_texts;
-    steps += chronicle->steps();
+    steps += trace->steps();
   }
   CHECK(grown_texts > runs / 4);
   CHECK(steps > runs);

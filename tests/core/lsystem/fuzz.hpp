@@ -14,7 +14,7 @@ class Contrary : public Listener {
  public:
   void line(std::int32_t, const Turtle&, const Turtle&, const Lineage&) override { ++heard; }
   void sphere(const Turtle&, float, const Lineage&) override { ++heard; }
-  void ask(const Turtle&, std::span<float> parameters, const Lineage&) override {
+  void query(const Turtle&, std::span<float> parameters, const Lineage&) override {
     static const float replies[] = {0, 1, 0, -1, 0, 1 / 0.0f, 0, 0 / 0.0f, 3e38f};
     for (float& parameter : parameters) parameter = replies[heard++ % std::size(replies)];
   }
@@ -45,9 +45,9 @@ inline Limits small_limits() {
 }
 
 // Steps and answers in turn. Whatever is answered, the string stays whole.
-inline Diagnostic asked_and_answered(const BoundProgram& bound, Contrary& listener, const Limits& limits) {
+inline Diagnostic derive_open(const BoundProgram& bound, Contrary& listener, const Limits& limits) {
   lsystem::Derivation derivation(bound, 1, limits);
-  while (derivation.steps() < 12 && derivation.ask({}, listener)) {
+  while (derivation.steps() < 12 && derivation.query_environment({}, listener)) {
     derivation.step();
     std::uint64_t modules = 0;
     std::int64_t open = 0;
@@ -61,8 +61,8 @@ inline Diagnostic asked_and_answered(const BoundProgram& bound, Contrary& listen
     CHECK(open == 0);
     CHECK(modules == lsystem::length(string));
   }
-  Contrary unasked;
-  if (derivation.trouble().reason == Reason::none) lsystem::trace(bound, derivation.string(), {}, unasked, 1, limits);
+  Contrary unqueried;
+  if (derivation.trouble().reason == Reason::none) lsystem::interpret_without_queries(bound, derivation.string(), {}, unqueried, 1, limits);
   return derivation.trouble();
 }
 
@@ -91,8 +91,8 @@ inline int tried(const std::string& text, std::uint32_t mood) {
   const auto bound = lsystem::bind(program.value(), inputs, limits);
   if (!bound) return blamed(bound.error()), 1;
   const Slabs space;
-  const lsystem::Surroundings around{.start = {}, .space = &space};
-  const auto so_far = lsystem::develop_so_far(*bound.value(), 1, 30, limits, around);
+  const lsystem::DerivationOptions options{.start = {}, .space = &space};
+  const auto so_far = lsystem::develop_so_far(*bound.value(), 1, 30, limits, options);
   const auto string = lsystem::develop(*bound.value(), 1, 30, limits);
   if (so_far && so_far->stopped.reason != Reason::none) CHECK(so_far->stopped.reason == Reason::limit);
   if (!string) {
@@ -107,8 +107,8 @@ inline int tried(const std::string& text, std::uint32_t mood) {
     CHECK(text_of(*bound.value(), unfolded.value()) == text_of(*bound.value(), string.value()));
   Contrary listener;
   listener.heard = mood;
-  const Diagnostic asked = asked_and_answered(*bound.value(), listener, limits);
-  if (asked.reason != Reason::none) blamed(asked);
+  const Diagnostic opened = derive_open(*bound.value(), listener, limits);
+  if (opened.reason != Reason::none) blamed(opened);
   const auto result = lsystem::interpret(*bound.value(), *string->string, {}, listener, 1, limits, &space);
   if (!result) return blamed(result.error()), 3;
   return 0;

@@ -81,19 +81,19 @@ class Recorder : public Listener {
     lines.push_back({before, after, std::string(lineage.parent), std::string(lineage.grandparent), lineage.address});
   }
   void sphere(const Turtle& turtle, float radius, const Lineage&) override { spheres.push_back({turtle, radius}); }
-  void ask(const Turtle&, std::span<float> parameters, const Lineage& lineage) override {
-    asked.emplace_back(parameters.begin(), parameters.end());
-    asked_by.emplace_back(lineage.parent);
+  void query(const Turtle&, std::span<float> parameters, const Lineage& lineage) override {
+    queried.emplace_back(parameters.begin(), parameters.end());
+    queried_by.emplace_back(lineage.parent);
     addresses.push_back(lineage.address);
     if (answers.empty()) return;
-    const std::vector<float>& answer = answers[(asked.size() - 1) % answers.size()];
+    const std::vector<float>& answer = answers[(queried.size() - 1) % answers.size()];
     for (std::size_t i = 0; i < answer.size() && i < parameters.size(); ++i) parameters[i] = answer[i];
   }
   void cut(const Turtle&) override { ++cuts; }
 
   std::vector<std::vector<float>> answers;  // in turn, over and over; none: leave the parameters as they are
-  std::vector<std::vector<float>> asked;
-  std::vector<std::string> asked_by;
+  std::vector<std::vector<float>> queried;
+  std::vector<std::string> queried_by;
   std::vector<std::uint64_t> addresses;
   std::vector<Line> lines;
   std::vector<Ball> spheres;

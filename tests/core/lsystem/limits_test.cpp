@@ -6,12 +6,12 @@ using namespace panicle::tests;
 
 namespace {
 
-void stops(const std::string& text, const Limits& limits, const char* says, const Inputs& inputs = {}) {
+void stops(const std::string& text, const Limits& limits, const char* part, const Inputs& inputs = {}) {
   std::string message;
   const std::string found = trouble(text, inputs, limits, &message);
   CAPTURE(message);
   CHECK(found.substr(0, 5) == "limit");
-  CHECK(message.find(says) != std::string::npos);
+  CHECK(message.find(part) != std::string::npos);
 }
 
 }  // namespace

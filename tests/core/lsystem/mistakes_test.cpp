@@ -101,7 +101,7 @@ const Mistake mistakes[] = {
 };
 
 // The error, or else the remarks: "line:column message", with the place of the first.
-std::string told(const std::string& text) {
+std::string error_of(const std::string& text) {
   using namespace lsystem;
   const Limits limits;
   const auto program = compile(text, limits, Lineages::where_needed, Notation::cpfg);
@@ -124,13 +124,13 @@ TEST_CASE("words of statements are known in either case, as in cpfg") {
       "Angle Increment: 25\nIgnore: F\nDerivation Length: 2\nAxiom: A\nA --> F A\nHomomorphism\nMaximum Depth: 2\nA "
       "--> "
       "f\nEndLsystem";
-  CHECK(told(text) == "");
+  CHECK(error_of(text) == "");
 }
 
 TEST_CASE("a successor goes on in the next line, its weight with it") {
   for (const char* text : {"axiom: A\nA -->\nB A : 0.3", "axiom: A\nA --> F\nB: 0.3\nB --> A",
                            "axiom: A B\nA --> F\n  B: 0.3", "axiom: A\nA --> F\nF: 2", "axiom:\nA\nA --> Bud\nBud"})
-    CHECK(told(text) == "");
+    CHECK(error_of(text) == "");
 }
 
 TEST_CASE("mistakes that people make are told at their place, with what to write instead") {
@@ -143,7 +143,7 @@ TEST_CASE("mistakes that people make are told at their place, with what to write
       column = text[i] == '\n' ? 1 : column + ((text[i] & 0xc0) != 0x80);
       line += text[i] == '\n';
     }
-    const std::string message = told(text);
+    const std::string message = error_of(text);
     INFO(text, "\n", message);
     CHECK(message.substr(0, message.find(' ')) == std::to_string(line) + ":" + std::to_string(column));
     std::istringstream all(mistake.advice);

@@ -16,8 +16,8 @@ std::string text_of(const BoundProgram& bound, const Derivation& derivation) {
 class Floor : public Recorder {
  public:
   explicit Floor(float y) : y_(y) {}
-  void ask(const Turtle& turtle, std::span<float> parameters, const Lineage& lineage) override {
-    Recorder::ask(turtle, parameters, lineage);
+  void query(const Turtle& turtle, std::span<float> parameters, const Lineage& lineage) override {
+    Recorder::query(turtle, parameters, lineage);
     parameters[0] = turtle.position.y - y_;
   }
 
@@ -55,15 +55,15 @@ TEST_CASE("a shoot grows until the environment tells it that it has come to the 
   std::vector<std::size_t> seen;  // the environment is told of all that stands already
   for (const char* string : strings) {
     floor.lines.clear();
-    REQUIRE(derivation.ask({}, floor));
+    REQUIRE(derivation.query_environment({}, floor));
     seen.push_back(floor.lines.size());
     CHECK(derivation.step());
     CHECK(text_of(*bound, derivation) == string);
   }
-  CHECK(floor.asked.size() == 3);
+  CHECK(floor.queried.size() == 3);
   CHECK(seen == std::vector<std::size_t>{0, 1, 2, 2});
   floor.lines.clear();
-  REQUIRE(derivation.ask({}, floor));
+  REQUIRE(derivation.query_environment({}, floor));
   CHECK_FALSE(derivation.step());
 }
 
@@ -74,9 +74,9 @@ TEST_CASE("an answer stands in the string, and only who was asked since the last
   CHECK(text_of(*bound, derivation) == "A(1)?E(9,1)[?E(0,5)]F");
   Recorder recorder;
   recorder.answers = {{7}, {6, 4}};
-  CHECK(derivation.ask({}, recorder));
-  CHECK(recorder.asked == std::vector<std::vector<float>>{{9, 1}, {0, 5}});
-  CHECK(recorder.asked_by == std::vector<std::string>{"A", ""});
+  CHECK(derivation.query_environment({}, recorder));
+  CHECK(recorder.queried == std::vector<std::vector<float>>{{9, 1}, {0, 5}});
+  CHECK(recorder.queried_by == std::vector<std::string>{"A", ""});
   CHECK(text_of(*bound, derivation) == "A(1)?E(7,1)[?E(6,4)]F");
   CHECK(derivation.step());
   CHECK(text_of(*bound, derivation) == "A(0)?E(9,1)F[?E(6,4)]F");
@@ -84,7 +84,7 @@ TEST_CASE("an answer stands in the string, and only who was asked since the last
   CHECK(derivation.at_rest());
   recorder.answers = {{8}};
   recorder.lines.clear();
-  CHECK(derivation.ask({}, recorder));
+  CHECK(derivation.query_environment({}, recorder));
   CHECK_FALSE(derivation.at_rest());
   CHECK(derivation.step());
   CHECK(text_of(*bound, derivation) == "A(0)F F[F]F");
@@ -97,10 +97,10 @@ TEST_CASE("what an answer writes has lineages, and draws random values of its ow
   Recorder drawing;
   for (int i = 0; i < 4; ++i) {
     Recorder silent;
-    CHECK(derivation.ask({}, silent));
+    CHECK(derivation.query_environment({}, silent));
     CHECK(derivation.step());
   }
-  const auto drawn = lsystem::trace(*bound, derivation.string(), {}, drawing, 1, Limits{});
+  const auto drawn = lsystem::interpret_without_queries(*bound, derivation.string(), {}, drawing, 1, Limits{});
   REQUIRE(drawn);
   REQUIRE(drawn.value() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -111,7 +111,7 @@ TEST_CASE("what an answer writes has lineages, and draws random values of its ow
       CHECK(drawing.lines[i].after.position != drawing.lines[j].after.position);
     }
   }
-  CHECK(drawing.asked.empty());
+  CHECK(drawing.queried.empty());
 }
 
 TEST_CASE("a cut in an answer acts in the step after it was written") {
@@ -119,7 +119,7 @@ TEST_CASE("a cut in an answer acts in the step after it was written") {
   Derivation derivation(*bound, 1, Limits{});
   Recorder recorder;
   recorder.answers = {{0}};
-  CHECK(derivation.ask({}, recorder));
+  CHECK(derivation.query_environment({}, recorder));
   CHECK(derivation.step());
   CHECK(text_of(*bound, derivation) == "[F%F A]F A");
   CHECK(derivation.step());
@@ -147,7 +147,7 @@ TEST_CASE("what goes wrong in a step or an answer ends the derivation") {
   CHECK(derivation.trouble().reason == Reason::evaluation);
   CHECK(derivation.at_rest());
   Recorder recorder;
-  CHECK_FALSE(derivation.ask({}, recorder));
+  CHECK_FALSE(derivation.query_environment({}, recorder));
   const BoundPointer wrong = compiled("#input n[]\naxiom: A(RND(n[1],0.5))", {{}, {{"n", {0.2f}}}});
   CHECK(Derivation(*wrong, 1, Limits{}).trouble().line == 2);
 
@@ -155,6 +155,6 @@ TEST_CASE("what goes wrong in a step or an answer ends the derivation") {
   shallow.depth = 1;
   const BoundPointer nested = compiled("axiom: [[F]]");
   Derivation deep(*nested, 1, shallow);
-  CHECK_FALSE(deep.ask({}, recorder));
+  CHECK_FALSE(deep.query_environment({}, recorder));
   CHECK(deep.trouble().reason == Reason::limit);
 }

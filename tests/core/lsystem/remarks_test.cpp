@@ -8,10 +8,10 @@ using lsystem::Remark;
 namespace {
 
 // "line:column message" of each, with | between them.
-std::string remarked(std::string_view text, std::span<const Inputs::Scalar> asked = {},
+std::string remarked(std::string_view text, std::span<const Inputs::Scalar> requested = {},
                      std::optional<std::uint32_t> steps = {}) {
   std::string all;
-  for (const Remark& remark : lsystem::remarks(*sound(lsystem::compile(text, Limits{})), asked, steps)) {
+  for (const Remark& remark : lsystem::remarks(*sound(lsystem::compile(text, Limits{})), requested, steps)) {
     CHECK(remark.message.back() == '.');
     all += (all.empty() ? "" : "|") + std::to_string(remark.line) + ":" + std::to_string(remark.column) + " " +
            remark.message;
@@ -105,8 +105,8 @@ TEST_CASE("a random condition that is tried once is told, unless there are steps
 }
 
 TEST_CASE("constants that are asked for and that the text does not know") {
-  const Inputs::Scalar asked[] = {{"a", 1}, {"b", 2}, {"c", 3}};
-  CHECK(remarked("#define a 1\n#input c\naxiom: A", asked) ==
+  const Inputs::Scalar requested[] = {{"a", 1}, {"b", 2}, {"c", 3}};
+  CHECK(remarked("#define a 1\n#input c\naxiom: A", requested) ==
         "0:0 The grammar has no #define b, so its parameter changes nothing.");
 }
 

@@ -93,7 +93,7 @@ TEST_CASE("a slot is a point's; the same points stand in the same order; a grid 
   PointGrid grid(points, 2);
   std::vector<std::uint32_t> ids(grid.ids().begin(), grid.ids().end());
   PointGrid again(others, 1);
-  again.lay(points, 2);
+  again.build(points, 2);
   CHECK(std::equal(ids.begin(), ids.end(), again.ids().begin(), again.ids().end()));
   std::sort(ids.begin(), ids.end());
   REQUIRE(ids.size() == points.size());

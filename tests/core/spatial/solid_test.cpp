@@ -163,13 +163,13 @@ TEST_CASE("looks at triangles are counted, and a solid whose budget is used up c
   CHECK(refused.is_exhausted());
   CHECK(looked < 10'000);
   for (std::uint64_t i = 0; i < 1000; ++i) CHECK_FALSE(refused.contains(0.5f + dart(i, 0.5f)));
-  CHECK(refused.leaving({0.5f, 0.5f, 0.5f}, {1, 0, 0}, 1) == 0);
+  CHECK(refused.exit_distance({0.5f, 0.5f, 0.5f}, {1, 0, 0}, 1) == 0);
   // Another solid of the same plant has the same budget.
   CHECK(Solid(box({0, 0, 0}, {1, 1, 1}), small).is_exhausted());
   CHECK(QueryBudget::error().reason == Reason::limit);
   // A ray that meets triangles is counted, too.
   const std::uint64_t then = budget->left();
-  for (std::uint64_t i = 0; i < 100; ++i) solid.leaving(0.5f + dart(i, 0.5f), {1, 0, 0}, 1);
+  for (std::uint64_t i = 0; i < 100; ++i) solid.exit_distance(0.5f + dart(i, 0.5f), {1, 0, 0}, 1);
   CHECK(then - budget->left() > 100 * 400);
 }
 

@@ -100,6 +100,6 @@ TEST_CASE("spheres that are not finite or have no radius touch nothing; laid ane
   CHECK(touching.along({0, 5, 0}, {0, -5, 0}, 0.1f).size() == 2);
   for (const glm::vec3& nowhere : {glm::vec3(nan), glm::vec3(0, nan, 0), glm::vec3(infinite)})
     CHECK(touching.along({0, 0, 0}, nowhere, 1).empty());
-  touching.lay(std::vector<Sphere>{{{9, 9, 9}, 1}});
+  touching.build(std::vector<Sphere>{{{9, 9, 9}, 1}});
   CHECK(touching.along({0, 5, 0}, {0, -5, 0}, 0.1f).empty());
 }

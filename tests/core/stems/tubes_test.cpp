@@ -237,7 +237,7 @@ TEST_CASE("a branch begins within its bearer and spreads where it leaves it") {
     const glm::dvec3 p = position_of(stem.mesh, i);
     const float height = static_cast<float>(std::fabs(p.y + 50));
     hidden = std::min(hidden, static_cast<float>(p.x));
-    // Where it comes out, it is shaded as its bearer is: no edge shows between them.
+    // Where it comes out, it is shaded as its parent is: no edge shows between them.
     const glm::dvec3 out = glm::normalize(glm::dvec3(p.x, 0, p.z));
     if (std::hypot(p.x, p.z) > 5 && std::hypot(p.x, p.z) < 9) {
       agreement = std::min(agreement, glm::dot(out, normal_of(stem.mesh, i)));

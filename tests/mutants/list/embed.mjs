@@ -118,7 +118,7 @@ export default [
 				id: "element-says-no-kind",
 				find: "title.toLowerCase().includes(model.noun) ?",
 				replace: "title ?",
-				breaks: "a screen reader does not observation_begins whether an oak is a leaf or a tree",
+				breaks: "a screen reader does not hear whether an oak is a leaf or a tree",
 			},
 		],
 	},

@@ -138,7 +138,7 @@ export default [
 			},
 			{
 				id: "embedding-forgotten-corners",
-				find: "for (const Stand& stand : stands_) propose_rest(stand, shapes[stand.volume]);",
+				find: "for (const Placement& placement : placements_) propose_rest(placement, shapes[placement.volume]);",
 				replace: "",
 				breaks: "corners that are in nobody's end lie at the origin",
 			},

@@ -208,7 +208,7 @@ export default [
 			},
 			{
 				id: "chronicle-broken-step-told",
-				find: "told.fires = {};",
+				find: "entry.fires = {};",
 				replace: "",
 				breaks: "productions of a step that a limit ended seem to have fired",
 			},
@@ -226,7 +226,7 @@ export default [
 			},
 			{
 				id: "chronicle-answers-before-they-are-given",
-				find: '"asked" + questions_[i] +',
+				find: '"asked" + queries_[i] +',
 				replace: '"asked" + parameters_text(module) +',
 				breaks: "a question seems to have been asked with its answer",
 			},
@@ -238,8 +238,8 @@ export default [
 			},
 			{
 				id: "chronicle-idle-steps",
-				find: "around.answers == nullptr ? derived->steps : told.steps()",
-				replace: "told.steps()",
+				find: "options.environment == nullptr ? derived->steps : trace.steps()",
+				replace: "trace.steps()",
 				breaks: "steps at the end in which nothing happens are counted",
 			},
 		],
@@ -308,7 +308,7 @@ export default [
 			},
 			{
 				id: "neighbourhood-branch-hides",
-				find: "untold = there[2];",
+				find: "pending = there[2];",
 				replace: "untold = none;",
 				breaks: "what is behind a branch is not seen from before it",
 			},

@@ -23,7 +23,7 @@ export default [
 			},
 			{
 				id: "volume-turned-the-other-way",
-				find: "back_(glm::conjugate(sound(rotation)))",
+				find: "to_local_rotation_(glm::conjugate(sound(rotation)))",
 				replace: "back_(sound(rotation))",
 				breaks: "a turned area clips what it does not show",
 			},

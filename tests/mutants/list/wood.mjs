@@ -119,7 +119,7 @@ export default [
 		faults: [
 			{
 				id: "collars-black",
-				find: "  mend_normals(stems.mesh);",
+				find: "  repair_normals(stems.mesh);",
 				replace: "",
 				breaks: "facets where branches begin are black",
 			},
@@ -179,7 +179,7 @@ export default [
 		faults: [
 			{
 				id: "foot-cut-aslant",
-				find: "std::max(positions[3 * v + 1], foot.start.y)",
+				find: "std::max(positions[3 * v + 1], base.start.y)",
 				replace: "positions[3 * v + 1]",
 				breaks: "a swaying trunk is cut aslant below the ground",
 			},

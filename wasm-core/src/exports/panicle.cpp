@@ -33,12 +33,12 @@ CompiledTexts& compiled_texts() {
 }
 
 // What a model keeps from its last growth. Natively several are linked, and it is that of the one asked for last.
-CacheSlot& kept_of(const Model& model) {
+CacheSlot& cache_of(const Model& model) {
   static const Model* whose = nullptr;
-  static CacheSlot kept;
-  if (whose != &model) kept.reset();
+  static CacheSlot cache;
+  if (whose != &model) cache.reset();
   whose = &model;
-  return kept;
+  return cache;
 }
 
 // The last plant, whose large arrays its answer only refers to: until the answer is released, or another asked for.
@@ -74,7 +74,7 @@ Result<Plant> grow(std::span<const std::uint8_t> bytes) {
   if (!blocks) return blocks.error();
   const Model* const model = find_model(Request(blocks.value(), nullptr).text("model"));
   if (model == nullptr) return Diagnostic{Reason::bad_request, "The request asks for a model that is not here.", 0, 0};
-  Request request(blocks.value(), &compiled_texts(), &kept_of(*model));
+  Request request(blocks.value(), &compiled_texts(), &cache_of(*model));
   Limits limits;
   WorkBudget budget(limits.work, limits.bytes, panicle_time_passed);
   limits.budget = &budget;

@@ -62,7 +62,7 @@ float draw_normal(float mean, float deviation, const Sources& sources, std::uint
 
 // Without a space everything is outside. Productions that compete ask the same, one after the other: the last answer of
 // reach() is kept.
-float ask(const Sources& sources, Op op) {
+float query_space(const Sources& sources, Op op) {
   const std::array<float, most_handed_over>& of = sources.handed_over;
   if (sources.space == nullptr) return 0;
   const glm::vec3 place(of[0], of[1], of[2]);
@@ -162,7 +162,7 @@ bool execute_rare(const Code& code, std::uint32_t at, Number* registers, const S
       return true;
     case Op::bound:
     case Op::reach:
-      out = ask(sources, step.op);
+      out = query_space(sources, step.op);
       return true;
     case Op::random_real:
       out = a * random_unit(sources.seed, code.streams[step.c], sources.address);

@@ -137,7 +137,7 @@ bool Lowering::operation(const Node& node) {
     calculate(Op::minimum, 2, node.place);
     return true;
   }
-  if (is_asked(node.op)) return question(node);
+  if (is_space_query(node.op)) return space_query(node);
   if (!is_random(node.op)) {
     calculate(node.op, node.arguments, node.place, node.curve);
     return true;
@@ -154,7 +154,7 @@ bool Lowering::operation(const Node& node) {
 }
 
 // What the space answers is asked anew each time.
-bool Lowering::question(const Node& node) {
+bool Lowering::space_query(const Node& node) {
   if (!in_production_)
     return fail(Reason::syntax, node.place, "% belongs to a place of the plant; ask in a production, not in a #define.",
                 {node.name});

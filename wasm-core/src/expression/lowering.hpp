@@ -65,7 +65,7 @@ class Lowering {
   bool name(const Node& node);
   bool element(const Node& node);
   bool operation(const Node& node);
-  bool question(const Node& node);
+  bool space_query(const Node& node);
   void calculate(Op op, std::uint32_t operands, const Place& place, std::uint32_t extra = 0);
   void begin_branch(const Node& node);
   void end_branch(const Node& node);

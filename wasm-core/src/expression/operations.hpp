@@ -60,7 +60,7 @@ enum class Op : std::uint8_t {
 // Draws depend on the module they are made for: they are never shared or worked out beforehand.
 constexpr bool is_random(Op op) { return op >= Op::random_whole; }
 // So are questions to the space.
-constexpr bool is_asked(Op op) { return op >= Op::hand_over && op < Op::random_whole; }
+constexpr bool is_space_query(Op op) { return op >= Op::hand_over && op < Op::random_whole; }
 inline constexpr std::uint32_t most_handed_over = 8;
 
 // What an operation takes, in 32nds of a unit of work.

@@ -264,7 +264,7 @@ class Tokenizer {
 
 }  // namespace
 
-bool Token::says(std::string_view word) const {
+bool Token::is_keyword(std::string_view word) const {
   return kind == TokenKind::name &&
          std::equal(text.begin(), text.end(), word.begin(), word.end(), [](char here, char small) {
            return here == small || (here >= 'A' && here <= 'Z' && here - 'A' + 'a' == small);

@@ -25,7 +25,7 @@ struct Token {
   bool is(char sign) const { return kind == TokenKind::sign && text[0] == sign; }
   bool is(std::string_view name) const { return kind == TokenKind::name && text == name; }
   // The same for a word of a statement, given in small letters, which cpfg takes in either case: Axiom, EndLsystem.
-  bool says(std::string_view word) const;
+  bool is_keyword(std::string_view word) const;
 };
 
 // Whether nothing stands between two tokens.

@@ -101,9 +101,9 @@ Blade make_twig(const Blade& leaf, std::uint32_t leaves) {
     const auto place = static_cast<float>(i);
     const float side = i % 2 == 0 ? 1.0f : -1.0f, share = place / static_cast<float>(leaves - 1);
     // Golden sections of a turn stand in for luck: one mesh is all the tree's.
-    const float luck = 0.618034f * place - std::floor(0.618034f * place), other = std::fmod(3.7f * luck, 1.0f);
+    const float scatter = 0.618034f * place - std::floor(0.618034f * place), other = std::fmod(3.7f * scatter, 1.0f);
     const SinCos off = sincos_degrees(tip ? 0 : side * glm::mix(off_foot, off_tip, share));
-    const SinCos roll = sincos_degrees(rolled * (2 * luck - 1)), lift = sincos_degrees(lifted * (2 * other - 1));
+    const SinCos roll = sincos_degrees(rolled * (2 * scatter - 1)), lift = sincos_degrees(lifted * (2 * other - 1));
     const glm::vec3 way(off.sine * lift.cosine, off.cosine * lift.cosine, lift.sine);
     const glm::vec3 level = glm::normalize(glm::cross(way, {0, 0, 1})), face = glm::cross(level, way);
     const glm::mat3 turn(roll.cosine * level + roll.sine * face, way, roll.cosine * face - roll.sine * level);

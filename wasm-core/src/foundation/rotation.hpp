@@ -9,7 +9,7 @@
 namespace panicle {
 
 // A vector at right angles to a unit vector.
-inline glm::vec3 beside(const glm::vec3& way) {
+inline glm::vec3 any_perpendicular(const glm::vec3& way) {
   return glm::normalize(glm::cross(way, std::fabs(way.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
 }
 

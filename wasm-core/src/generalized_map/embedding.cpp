@@ -6,25 +6,25 @@
 
 namespace panicle::generalized_map {
 
-void Embedding::lay(const Map& map) {
+void Embedding::build(const Map& map) {
   Orbits vertices = orbits_of(map, of_cell(0));
   vertex_of_ = std::move(vertices.of_dart);
   places_.assign(vertices.count, glm::vec3(0));
   proposals_.assign(vertices.count, 0);
   frames_.assign(map.volumes(), {});
-  feet_.assign(map.volumes(), glm::vec3(0));
-  stands_.clear();
+  base_centres_.assign(map.volumes(), glm::vec3(0));
+  placements_.clear();
   corners_.clear();
   supports_.clear();
 
-  std::vector<std::uint8_t> stood(map.volumes(), 0);
+  std::vector<std::uint8_t> is_placed(map.volumes(), 0);
   for (std::uint32_t v = 0; v < map.volumes(); ++v) {
     waiting_.clear();
-    for (std::uint32_t at = v; at != none && !stood[at]; at = map.volume(at).parent) {
+    for (std::uint32_t at = v; at != none && !is_placed[at]; at = map.volume(at).parent) {
       waiting_.push_back(at);
-      stood[at] = 1;
+      is_placed[at] = 1;
     }
-    for (std::size_t i = waiting_.size(); i-- > 0;) stand(map, waiting_[i]);
+    for (std::size_t i = waiting_.size(); i-- > 0;) add_placement(map, waiting_[i]);
   }
 
   cuts_.clear();
@@ -40,19 +40,19 @@ void Embedding::lay(const Map& map) {
   settled_.assign(cuts_.size(), glm::vec3(0));
 }
 
-void Embedding::stand(const Map& map, std::uint32_t v) {
+void Embedding::add_placement(const Map& map, std::uint32_t v) {
   const Volume& volume = map.volume(v);
-  Stand stand;
-  stand.volume = v;
-  stand.parent = volume.parent;
-  stand.order = volume.order;
-  stand.parent_order = volume.parent == none ? 0 : map.volume(volume.parent).order;
-  stand.parent_face = volume.parent_face;
-  stand.proposes_base = volume.attached || volume.parent == none;
-  stand.corners = static_cast<std::uint32_t>(corners_.size());
+  Placement placement;
+  placement.volume = v;
+  placement.parent = volume.parent;
+  placement.order = volume.order;
+  placement.parent_order = volume.parent == none ? 0 : map.volume(volume.parent).order;
+  placement.parent_face = volume.parent_face;
+  placement.proposes_base = volume.attached || volume.parent == none;
+  placement.corners = static_cast<std::uint32_t>(corners_.size());
   for (std::uint32_t i = 0; i < volume.order; ++i) corners_.push_back(vertex_of_[map.base_corner(v, i)]);
   for (std::uint32_t i = 0; i < volume.order; ++i) corners_.push_back(vertex_of_[map.end_corner(v, i)]);
-  stand.support = static_cast<std::uint32_t>(supports_.size());
+  placement.support = static_cast<std::uint32_t>(supports_.size());
   if (volume.attached) {
     const std::uint32_t start = map.dart_of(volume.parent, volume.parent_face);
     std::uint32_t d = start;
@@ -61,8 +61,8 @@ void Embedding::stand(const Map& map, std::uint32_t v) {
       d = map.alpha(1, map.alpha(0, d));
     } while (d != start);
   }
-  stand.support_count = static_cast<std::uint32_t>(supports_.size()) - stand.support;
-  stands_.push_back(stand);
+  placement.support_count = static_cast<std::uint32_t>(supports_.size()) - placement.support;
+  placements_.push_back(placement);
   if (polygons_.size() <= volume.order) polygons_.resize(volume.order + 1);
   if (polygons_[volume.order].empty()) polygons_[volume.order] = polygon(volume.order);
 }
@@ -71,11 +71,11 @@ void Embedding::place(std::span<const Shape> shapes) {
   std::fill(places_.begin(), places_.end(), glm::vec3(0));
   std::fill(proposals_.begin(), proposals_.end(), 0);
   is_settled_.assign(cuts_.size(), 0);
-  for (const Stand& stand : stands_) place(stand, shapes[stand.volume]);
+  for (const Placement& placement : placements_) place(placement, shapes[placement.volume]);
   // Where what grew on a volume's base was split, and then the volume, its base may have corners that are in nobody's
   // end.
   if (!cuts_.empty())
-    for (const Stand& stand : stands_) propose_rest(stand, shapes[stand.volume]);
+    for (const Placement& placement : placements_) propose_rest(placement, shapes[placement.volume]);
   for (std::size_t vertex = 0; vertex < places_.size(); ++vertex) {
     if (proposals_[vertex] == 0) continue;
     places_[vertex] /= static_cast<float>(proposals_[vertex]);
@@ -88,23 +88,23 @@ void Embedding::place(std::span<const Shape> shapes) {
     if (!is_proposed(cuts_[cut].vertex)) places_[cuts_[cut].vertex] = settled_[cut];
 }
 
-void Embedding::place(const Stand& stand, const Shape& shape) {
-  const std::span<const std::uint32_t> corners(&corners_[stand.corners], 2 * std::size_t{stand.order});
-  const auto base = corners.first(stand.order);
+void Embedding::place(const Placement& placement, const Shape& shape) {
+  const std::span<const std::uint32_t> corners(&corners_[placement.corners], 2 * std::size_t{placement.order});
+  const auto base = corners.first(placement.order);
   Frame frame;
-  glm::vec3 foot(0);
-  if (stand.parent != none) {
-    frame = on_face(frames_[stand.parent], stand.parent_order, stand.parent_face);
-    foot = centre(stand.proposes_base
-                      ? std::span<const std::uint32_t>(supports_).subspan(stand.support, stand.support_count)
+  glm::vec3 base_centre(0);
+  if (placement.parent != none) {
+    frame = on_face(frames_[placement.parent], placement.parent_order, placement.parent_face);
+    base_centre = centre(placement.proposes_base
+                      ? std::span<const std::uint32_t>(supports_).subspan(placement.support, placement.support_count)
                       : base,
-                  feet_[stand.parent]);
+                  base_centres_[placement.parent]);
   }
-  feet_[stand.volume] = foot;
+  base_centres_[placement.volume] = base_centre;
   frame = turned(frame, shape);
-  frames_[stand.volume] = frame;
-  if (stand.proposes_base) propose(base, frame, shape, foot);
-  propose(corners.last(stand.order), frame, shape, foot + frame.z * (shape.translation * shape.height));
+  frames_[placement.volume] = frame;
+  if (placement.proposes_base) propose(base, frame, shape, base_centre);
+  propose(corners.last(placement.order), frame, shape, base_centre + frame.z * (shape.translation * shape.height));
 }
 
 void Embedding::propose(std::span<const std::uint32_t> vertices, const Frame& frame, const Shape& shape,
@@ -117,13 +117,13 @@ void Embedding::propose(std::span<const std::uint32_t> vertices, const Frame& fr
   }
 }
 
-void Embedding::propose_rest(const Stand& stand, const Shape& shape) {
-  for (std::uint32_t i = 0; i < stand.order; ++i) {
-    const std::uint32_t vertex = corners_[stand.corners + i];
+void Embedding::propose_rest(const Placement& placement, const Shape& shape) {
+  for (std::uint32_t i = 0; i < placement.order; ++i) {
+    const std::uint32_t vertex = corners_[placement.corners + i];
     if (is_proposed(vertex) || cut_of_[vertex] != none) continue;
-    const Frame& frame = frames_[stand.volume];
-    const glm::vec2 corner = polygons_[stand.order][i];
-    places_[vertex] = feet_[stand.volume] + corner.x * shape.length * frame.x + corner.y * shape.width * frame.y;
+    const Frame& frame = frames_[placement.volume];
+    const glm::vec2 corner = polygons_[placement.order][i];
+    places_[vertex] = base_centres_[placement.volume] + corner.x * shape.length * frame.x + corner.y * shape.width * frame.y;
     proposals_[vertex] = 1;
   }
 }
@@ -179,8 +179,8 @@ std::uint64_t Embedding::bytes() const {
   std::uint64_t corners = 0;
   for (const auto& polygon : polygons_) corners += polygon.capacity();
   return 4 * words + sizeof(glm::vec2) * corners + sizeof(polygons_[0]) * polygons_.capacity() +
-         sizeof(glm::vec3) * (places_.capacity() + settled_.capacity() + feet_.capacity()) +
-         sizeof(Stand) * stands_.capacity() + sizeof(Ends) * cuts_.capacity() + sizeof(Frame) * frames_.capacity() +
+         sizeof(glm::vec3) * (places_.capacity() + settled_.capacity() + base_centres_.capacity()) +
+         sizeof(Placement) * placements_.capacity() + sizeof(Ends) * cuts_.capacity() + sizeof(Frame) * frames_.capacity() +
          is_settled_.capacity();
 }
 

@@ -1,5 +1,5 @@
 // Where a map's vertices are. Topology and shape are apart (Petrenko 2014, section 2.2.1: a map has no geometry of its
-// own, and any number of embeddings): `lay` follows the map and is needed again only when that has changed, `place`
+// own, and any number of embeddings): `build` follows the map and is needed again only when that has changed, `place`
 // follows the shapes.
 //
 // A volume that has grown on a face has that face for its base, whatever its own length and width: it *proposes* places
@@ -23,7 +23,7 @@ class Embedding {
  public:
   // Numbers the vertices, and finds what each volume stands on and in which order they are placed: each after its
   // parent, else as they were made.
-  void lay(const Map& map);
+  void build(const Map& map);
 
   // Places all vertices, by a shape for each volume of the map that was laid. What is planted stands at the origin.
   void place(std::span<const Shape> shapes);
@@ -36,7 +36,7 @@ class Embedding {
 
  private:
   // What a volume is to be placed by.
-  struct Stand {
+  struct Placement {
     std::uint32_t volume, parent, order, parent_order;
     Face parent_face;
     bool proposes_base;
@@ -47,18 +47,18 @@ class Embedding {
     std::uint32_t vertex, from, to;
   };
 
-  void stand(const Map& map, std::uint32_t v);
-  void place(const Stand& stand, const Shape& shape);
+  void add_placement(const Map& map, std::uint32_t v);
+  void place(const Placement& placement, const Shape& shape);
   void propose(std::span<const std::uint32_t> vertices, const Frame& frame, const Shape& shape,
                const glm::vec3& centre);
-  void propose_rest(const Stand& stand, const Shape& shape);
+  void propose_rest(const Placement& placement, const Shape& shape);
   glm::vec3 centre(std::span<const std::uint32_t> vertices, const glm::vec3& otherwise);
   bool is_proposed(std::uint32_t vertex) const { return proposals_[vertex] > 0; }
   void settle(std::uint32_t vertex);
   void settle_cut(std::uint32_t cut);
 
   std::vector<std::uint32_t> vertex_of_;
-  std::vector<Stand> stands_;  // in the order of placing
+  std::vector<Placement> placements_;  // in the order of placing
   std::vector<std::uint32_t> corners_, supports_;
   std::vector<std::vector<glm::vec2>> polygons_;  // by order, those that are used
   std::vector<Ends> cuts_;                        // of each vertex the first
@@ -68,7 +68,7 @@ class Embedding {
   std::vector<glm::vec3> settled_;                // by cut
   std::vector<std::uint8_t> is_settled_;
   std::vector<Frame> frames_;
-  std::vector<glm::vec3> feet_;  // by volume, the middles of bases
+  std::vector<glm::vec3> base_centres_;  // by volume, the middles of bases
   std::vector<std::uint32_t> waiting_, needed_;
 };
 

@@ -249,7 +249,7 @@ class Splitting {
   void inherit(std::uint32_t part) {
     std::vector<Volume>& list = map_.list_;
     Volume &rest = list[v_], &own = list[part];
-    const Face kept = face_ == base_face ? base_face : end_face;
+    const Face rest_face = face_ == base_face ? base_face : end_face;
     // Unsewn ones on F move with it.
     std::uint32_t waiting = rest.last_attached;
     rest.last_attached = none;
@@ -257,14 +257,14 @@ class Splitting {
       const std::uint32_t child = waiting;
       waiting = list[child].attached_before;
       const bool moves = list[child].parent_face == face_;
-      map_.attach(child, moves ? part : v_, moves ? kept : list[child].parent_face);
+      map_.attach(child, moves ? part : v_, moves ? rest_face : list[child].parent_face);
     }
     const std::uint32_t beyond = a(3, rim_[0]);
     if (beyond != rim_[0]) {
       Volume& child = list[map_.volume_[beyond]];
       if (child.parent == v_ && child.parent_face == face_ && !child.attached) {
         child.parent = part;
-        child.parent_face = kept;
+        child.parent_face = rest_face;
       }
     }
     if (face_ != base_face) {

@@ -73,15 +73,15 @@ std::vector<std::uint8_t> sky_of_stems(Sky& sky, const StemMesh& stems, std::spa
     const std::uint32_t segment = stems.segment[first];
     for (end = first + 1; end < bytes.size() && stems.segment[end] == segment;) ++end;
     const Segment& one = segments[segment];
-    sky.face({0.5f * (one.start + one.end), 0.5f * glm::length(one.end - one.start), static_cast<std::int32_t>(segment),
+    sky.set_receiver({0.5f * (one.start + one.end), 0.5f * glm::length(one.end - one.start), static_cast<std::int32_t>(segment),
               one.parent});
-    sky.see(positions.subspan(3 * first, 3 * (end - first)), normals.subspan(3 * first, 3 * (end - first)),
+    sky.sample(positions.subspan(3 * first, 3 * (end - first)), normals.subspan(3 * first, 3 * (end - first)),
             std::span(bytes).subspan(first, end - first));
   }
   return bytes;
 }
 
-void see_part(Sky& sky, const Mesh& mesh, const MeshPart& part, std::int32_t owner, bool sheet,
+void sample_part(Sky& sky, const Mesh& mesh, const MeshPart& part, std::int32_t owner, bool sheet,
               std::span<std::uint8_t> bytes) {
   const std::size_t last = part.first_vertex + part.vertex_count;
   for (std::size_t first = part.first_vertex; first < last; first += vertices_a_receiver) {
@@ -91,15 +91,15 @@ void see_part(Sky& sky, const Mesh& mesh, const MeshPart& part, std::int32_t own
       receiver.centre += vector_at(mesh.positions, v) / static_cast<float>(count);
     for (std::size_t v = first; v < first + count; ++v)
       receiver.extent = std::max(receiver.extent, glm::distance(receiver.centre, vector_at(mesh.positions, v)));
-    sky.face(receiver);
+    sky.set_receiver(receiver);
     const auto own = [&](const std::vector<float>& all) { return std::span(all).subspan(3 * first, 3 * count); };
     const auto into = bytes.subspan(first, count);
-    sky.see(own(mesh.positions), own(mesh.normals), into);
+    sky.sample(own(mesh.positions), own(mesh.normals), into);
     if (!sheet) continue;
     float turned[3 * vertices_a_receiver];
     std::uint8_t below[vertices_a_receiver];
     std::transform(own(mesh.normals).begin(), own(mesh.normals).end(), turned, std::negate<>());
-    sky.see(own(mesh.positions), std::span(turned, 3 * count), std::span(below, count));
+    sky.sample(own(mesh.positions), std::span(turned, 3 * count), std::span(below, count));
     for (std::size_t k = 0; k < count; ++k) into[k] = std::max(into[k], below[k]);
   }
 }

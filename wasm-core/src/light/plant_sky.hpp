@@ -34,7 +34,7 @@ std::vector<std::uint8_t> sky_of_stems(Sky& sky, const StemMesh& stems, std::spa
 
 // The bytes of a part's vertices (of a sheet, which is lit from both sides, the better of the two), written where they
 // stand in `bytes`, which has one a vertex of the mesh.
-void see_part(Sky& sky, const Mesh& mesh, const MeshPart& part, std::int32_t owner, bool sheet,
+void sample_part(Sky& sky, const Mesh& mesh, const MeshPart& part, std::int32_t owner, bool sheet,
               std::span<std::uint8_t> bytes);
 
 }  // namespace panicle

@@ -13,7 +13,7 @@ constexpr float ball_horizon = 6, speck_horizon = 5;  // in radii of the largest
 constexpr float touching = 0.1f;                      // of a receiver's extent: nearer than that counts as touching it
 constexpr float worth_a_look = 0.4f;                  // radius over distance, from the surface to the ball's
 // Of a body without an owner, without a bearer, and of a receiver without either: no two are the same.
-constexpr std::uint32_t nobody = 0xffffffffu, no_bearer = 0xfffffffeu, no_receiver = 0xfffffffdu;
+constexpr std::uint32_t no_owner = 0xffffffffu, no_parent = 0xfffffffeu, no_receiver = 0xfffffffdu;
 
 std::uint32_t number(std::int32_t owner, std::uint32_t none) {
   return owner < 0 ? none : static_cast<std::uint32_t>(owner);
@@ -51,7 +51,7 @@ bool counts(const SkyBody& body) {
 
 }  // namespace
 
-Sky::Laid::Laid(std::span<const SkyBody> bodies, float horizon) {
+Sky::BodyTable::BodyTable(std::span<const SkyBody> bodies, float horizon) {
   constexpr float nowhere = std::numeric_limits<float>::infinity();  // in no cell
   std::vector<glm::vec3> centres;
   centres.reserve(bodies.size());
@@ -60,13 +60,13 @@ Sky::Laid::Laid(std::span<const SkyBody> bodies, float horizon) {
     if (counts(body)) largest = std::max(largest, std::sqrt(body.square));
   }
   reach = horizon * largest;
-  grid.lay(centres, 0.5f * reach);
+  grid.build(centres, 0.5f * reach);
   stride = grid.ids().size() + 3;
   values.assign(columns * stride, 1);
   float* at = values.data();
   for (const std::uint32_t id : grid.ids()) {
     const SkyBody& body = bodies[id];
-    const std::uint32_t owners[] = {number(body.owner, nobody), number(body.bearer, no_bearer)};
+    const std::uint32_t owners[] = {number(body.owner, no_owner), number(body.parent, no_parent)};
     const float row[] = {body.centre.x, body.centre.y,          body.centre.z,
                          body.square,   std::sqrt(body.square), body.facing.x,
                          body.facing.y, body.facing.z,          body.facing == glm::vec3(0) ? 1.0f : 0.0f};
@@ -79,15 +79,15 @@ Sky::Laid::Laid(std::span<const SkyBody> bodies, float horizon) {
 Sky::Sky(std::span<const SkyBody> balls, std::span<const SkyBody> specks)
     : balls_(balls, ball_horizon), specks_(specks, speck_horizon) {}
 
-void Sky::face(const SkyReceiver& receiver) {
+void Sky::set_receiver(const SkyReceiver& receiver) {
   count_ = 0;
   far_balls_ = sum(balls_, receiver, true);
-  look_at_near(receiver.centre);
+  load_nearest(receiver.centre);
   far_specks_ = sum(specks_, receiver, false);
 }
 
 // Insertion into the short list, greatest weight first.
-void Sky::keep(std::uint32_t slot, float weight) {
+void Sky::insert_nearest(std::uint32_t slot, float weight) {
   if (count_ == nearest && !(weight > weights_[nearest - 1])) return;
   if (count_ < nearest) ++count_;
   std::size_t k = count_ - 1;
@@ -100,30 +100,30 @@ void Sky::keep(std::uint32_t slot, float weight) {
 }
 
 // Sums bodies up; those that hide most, where they are looked at, to the short list as well.
-Sky::Bands Sky::sum(const Laid& bodies, const SkyReceiver& receiver, bool look) {
+Sky::Bands Sky::sum(const BodyTable& bodies, const SkyReceiver& receiver, bool look) {
   const glm::vec3 c = receiver.centre;
   const float reach = bodies.reach;
-  const std::uint32_t self = number(receiver.owner, no_receiver), bearer = number(receiver.bearer, no_receiver);
+  const std::uint32_t self = number(receiver.owner, no_receiver), parent = number(receiver.parent, no_receiver);
   Four constant{}, x{}, y{}, z{};
   const auto row = [&](std::uint32_t first, std::uint32_t end) {
     for (std::uint32_t slot = first; slot < end; slot += 4) {
-      const auto four = [&](Laid::Column column) { return load(bodies.of(column) + slot); };
-      const Four dx = four(Laid::x) - c.x, dy = four(Laid::y) - c.y, dz = four(Laid::z) - c.z;
-      const Four square = dx * dx + dy * dy + dz * dz, size = four(Laid::square);
-      const auto bits = [&](Laid::Column column) { return mask(four(column)); };
-      const FourWords owner = bits(Laid::owner), lane{slot, slot + 1, slot + 2, slot + 3};
+      const auto four = [&](BodyTable::Column column) { return load(bodies.of(column) + slot); };
+      const Four dx = four(BodyTable::x) - c.x, dy = four(BodyTable::y) - c.y, dz = four(BodyTable::z) - c.z;
+      const Four square = dx * dx + dy * dy + dz * dz, size = four(BodyTable::square);
+      const auto bits = [&](BodyTable::Column column) { return mask(four(column)); };
+      const FourWords owner = bits(BodyTable::owner), lane{slot, slot + 1, slot + 2, slot + 3};
       FourWords seen = mask(square < reach * reach) & mask(lane < FourWords{} + end) & mask(owner != self);
       if (!look) {
-        const FourWords borne_by = bits(Laid::bearer);
-        seen &= mask(owner != bearer) & mask(borne_by != self) & mask(borne_by != bearer);
+        const FourWords its_parent = bits(BodyTable::parent);
+        seen &= mask(owner != parent) & mask(its_parent != self) & mask(its_parent != parent);
       }
       if (!any(seen)) continue;
       const Four away = square_root(greater(square, size)), nearness = 1.0f / away;
       Four hidden = where(seen, size * nearness * nearness);
       if (!look) {
         const Four turned =
-            (four(Laid::facing_x) * dx + four(Laid::facing_y) * dy + four(Laid::facing_z) * dz) * nearness;
-        hidden *= greater(turned, -turned) + four(Laid::round);
+            (four(BodyTable::facing_x) * dx + four(BodyTable::facing_y) * dy + four(BodyTable::facing_z) * dz) * nearness;
+        hidden *= greater(turned, -turned) + four(BodyTable::round);
       }
       const Four unit = 0.5f * hidden * nearness;
       constant += 0.25f * hidden;
@@ -133,11 +133,11 @@ Sky::Bands Sky::sum(const Laid& bodies, const SkyReceiver& receiver, bool look) 
       if (!look) continue;
       // What a ball hides of a body goes with its apparent size seen from the body's surface.
       const Four gap = greater(away - receiver.extent, Four{}) + touching * receiver.extent;
-      const Four radius = four(Laid::radius), weight = where(seen, radius / gap);
+      const Four radius = four(BodyTable::radius), weight = where(seen, radius / gap);
       const float least = count_ < nearest ? worth_a_look : weights_[nearest - 1];
       if (!any(mask(weight > least))) continue;
       for (std::uint32_t k = 0; k < 4; ++k)
-        if (weight[k] > least) keep(slot + k, weight[k]);
+        if (weight[k] > least) insert_nearest(slot + k, weight[k]);
     }
   };
   bodies.grid.within(c - reach, c + reach, row);
@@ -145,19 +145,19 @@ Sky::Bands Sky::sum(const Laid& bodies, const SkyReceiver& receiver, bool look) 
 }
 
 // Those looked at one by one are not in the sums.
-void Sky::look_at_near(const glm::vec3& centre) {
+void Sky::load_nearest(const glm::vec3& centre) {
   for (std::size_t k = 0; k < count_; ++k) {
-    const auto of = [&](Laid::Column column) { return balls_.of(column)[slots_[k]]; };
-    near_[k] = {{of(Laid::x), of(Laid::y), of(Laid::z)}, of(Laid::radius)};
+    const auto of = [&](BodyTable::Column column) { return balls_.of(column)[slots_[k]]; };
+    near_[k] = {{of(BodyTable::x), of(BodyTable::y), of(BodyTable::z)}, of(BodyTable::radius)};
     const glm::vec3 d = near_[k].centre - centre;
-    const float square = of(Laid::square), clear = std::max(glm::dot(d, d), square);
+    const float square = of(BodyTable::square), clear = std::max(glm::dot(d, d), square);
     const float hidden = square / clear;
     far_balls_.constant -= 0.25f * hidden;
     far_balls_.cosine -= d * (0.5f * hidden / std::sqrt(clear));
   }
 }
 
-void Sky::enter(const SkyFrame& frame) {
+void Sky::set_frame(const SkyFrame& frame) {
   const auto within = [&](const glm::vec3& v) {
     return glm::vec3(glm::dot(frame.side, v), glm::dot(frame.up, v), glm::dot(frame.front, v));
   };
@@ -170,7 +170,7 @@ void Sky::enter(const SkyFrame& frame) {
 }
 
 // What is left of the sky at four points.
-Four Sky::left_at(const Fours& place, const Fours& normal) const {
+Four Sky::unoccluded(const Vec3x4& place, const Vec3x4& normal) const {
   const auto hidden_by = [&](const Bands& far) {
     const Four sum = far.cosine.x * normal.x + far.cosine.y * normal.y + far.cosine.z * normal.z + far.constant;
     return greater(sum, Four{});  // what lies behind a point adds no light
@@ -192,12 +192,12 @@ Four Sky::left_at(const Fours& place, const Fours& normal) const {
   return left;
 }
 
-void Sky::see(std::span<const float> positions, std::span<const float> normals, std::span<std::uint8_t> sky) const {
-  const auto see_four = [&](std::size_t v0, std::size_t v1, std::size_t v2, std::size_t v3) {
+void Sky::sample(std::span<const float> positions, std::span<const float> normals, std::span<std::uint8_t> sky) const {
+  const auto sample_four = [&](std::size_t v0, std::size_t v1, std::size_t v2, std::size_t v3) {
     const auto four = [&](std::span<const float> values, std::size_t axis) {
       return Four{values[3 * v0 + axis], values[3 * v1 + axis], values[3 * v2 + axis], values[3 * v3 + axis]};
     };
-    const Four left = left_at({four(positions, 0), four(positions, 1), four(positions, 2)},
+    const Four left = unoccluded({four(positions, 0), four(positions, 1), four(positions, 2)},
                               {four(normals, 0), four(normals, 1), four(normals, 2)});
     const Four bytes = 255.0f * greater(left, Four{}) + 0.5f;
     sky[v0] = static_cast<std::uint8_t>(bytes[0]);
@@ -207,7 +207,7 @@ void Sky::see(std::span<const float> positions, std::span<const float> normals, 
   };
   for (std::size_t v = 0; v < sky.size(); v += 4) {
     const std::size_t last = sky.size() - 1;
-    see_four(v, std::min(v + 1, last), std::min(v + 2, last), std::min(v + 3, last));
+    sample_four(v, std::min(v + 1, last), std::min(v + 2, last), std::min(v + 3, last));
   }
 }
 

@@ -25,7 +25,7 @@ struct SkyBody {
   float square = 0;          // of the radius
   glm::vec3 facing{0};       // unit, of a disc: seen edge-on it hides nothing; 0: a ball
   std::int32_t owner = -1;   // hides nothing from its owner, nor
-  std::int32_t bearer = -1;  // from its owner's bearer, or from others that this one bears; −1: none
+  std::int32_t parent = -1;  // from its owner's bearer, or from others that this one bears; −1: none
 };
 
 // A body, or a piece of one, that is small beside what is around it.
@@ -33,7 +33,7 @@ struct SkyReceiver {
   glm::vec3 centre{0};
   float extent = 0;         // from the centre to its farthest point
   std::int32_t owner = -1;  // its number, and its bearer's; −1: none
-  std::int32_t bearer = -1;
+  std::int32_t parent = -1;
 };
 
 // Where a mesh that is shared stands: v → centre + scale · (side · x + up · y + front · z); unit vectors at right
@@ -55,19 +55,19 @@ class Sky {
   Sky(std::span<const SkyBody> balls, std::span<const SkyBody> specks);
 
   // Surveys what is around a receiver, whose points `see` is asked for next.
-  void face(const SkyReceiver& receiver);
+  void set_receiver(const SkyReceiver& receiver);
 
   // Points of that receiver are given in this frame, until it faces another.
-  void enter(const SkyFrame& frame);
+  void set_frame(const SkyFrame& frame);
   // The sky of points of that receiver: 3 floats each of position and unit normal, as many bytes as there are points.
-  void see(std::span<const float> positions, std::span<const float> normals, std::span<std::uint8_t> sky) const;
+  void sample(std::span<const float> positions, std::span<const float> normals, std::span<std::uint8_t> sky) const;
 
  private:
   // Bodies side by side, by slot of the grid; and three more, that reading four at once stays inside.
-  struct Laid {
-    enum Column : std::size_t { x, y, z, square, radius, facing_x, facing_y, facing_z, round, owner, bearer, columns };
+  struct BodyTable {
+    enum Column : std::size_t { x, y, z, square, radius, facing_x, facing_y, facing_z, round, owner, parent, columns };
 
-    Laid(std::span<const SkyBody> bodies, float horizon);
+    BodyTable(std::span<const SkyBody> bodies, float horizon);
     const float* of(Column column) const { return &values[column * stride]; }
 
     PointGrid grid;
@@ -79,7 +79,7 @@ class Sky {
     glm::vec3 centre{0};
     float radius = 0;
   };
-  struct Fours {
+  struct Vec3x4 {
     Four x, y, z;
   };
 
@@ -89,12 +89,12 @@ class Sky {
     glm::vec3 cosine{0};
   };
 
-  Bands sum(const Laid& bodies, const SkyReceiver& receiver, bool look);
-  void keep(std::uint32_t slot, float weight);
-  void look_at_near(const glm::vec3& centre);
-  Four left_at(const Fours& place, const Fours& normal) const;
+  Bands sum(const BodyTable& bodies, const SkyReceiver& receiver, bool look);
+  void insert_nearest(std::uint32_t slot, float weight);
+  void load_nearest(const glm::vec3& centre);
+  Four unoccluded(const Vec3x4& place, const Vec3x4& normal) const;
 
-  Laid balls_, specks_;
+  BodyTable balls_, specks_;
   std::array<std::uint32_t, nearest> slots_{};  // of the balls looked at, and how large each looks: the largest first
   std::array<float, nearest> weights_{};
   std::array<Near, nearest> near_{};

@@ -82,9 +82,9 @@ void VoxelLight::shine(const LightDirection& lamp, std::span<const float> matter
   before.assign(pitch * (height + 2), 0.0f);
   here.assign(before.size(), 0.0f);
   const float step = 1 / std::fabs(lamp.towards[main]);  // from layer to layer, in cells
-  const float aside = lamp.towards[across] * step, up = lamp.towards[along] * step, way = 0.5f * step * edge_;
-  const std::size_t nearest = (up < 0 ? 0 : pitch) + (aside < 0 ? 0 : 1);
-  const float u = aside < 0 ? aside + 1 : aside, v = up < 0 ? up + 1 : up;
+  const float sideways = lamp.towards[across] * step, up = lamp.towards[along] * step, way = 0.5f * step * edge_;
+  const std::size_t nearest = (up < 0 ? 0 : pitch) + (sideways < 0 ? 0 : 1);
+  const float u = sideways < 0 ? sideways + 1 : sideways, v = up < 0 ? up + 1 : up;
   for (std::size_t k = 0; k < layers; ++k) {
     const std::size_t layer = (lamp.towards[main] > 0 ? layers - 1 - k : k) * strides[main];
     for (std::size_t row = 0; row < height; ++row) {

@@ -90,7 +90,7 @@ struct Roles {
 };
 const Roles& roles(const Program& program);
 // Whether the axiom or a production writes ?E.
-bool asks(const Program& program);
+bool has_queries(const Program& program);
 // What symbols are called, by number: the turtle's and those of the text.
 std::span<const std::string> symbols(const Program& program);
 
@@ -101,19 +101,19 @@ struct Remark {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 };
-// `asked` are constants that someone has set: those that the text does not know change nothing. `steps` as for
+// `requested` are constants that someone has set: those that the text does not know change nothing. `steps` as for
 // `develop`.
-std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scalar> asked = {},
+std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scalar> requested = {},
                             std::optional<std::uint32_t> steps = {});
 // With the place before it, for a list of notes.
 std::string to_text(const Remark& remark);
 
 // What surrounds a plant while it is derived: where its turtle begins, for ?P and the like; what bound() and reach()
 // are asked; who answers ?E between steps, if anyone does; who watches (watcher.hpp).
-struct Surroundings {
+struct DerivationOptions {
   Turtle start;
   const Space* space = nullptr;
-  Listener* answers = nullptr;
+  Listener* environment = nullptr;
   Watcher* watcher = nullptr;
 };
 
@@ -136,12 +136,12 @@ std::optional<std::uint32_t> derivation_length(const BoundProgram& bound);
 // weights are of the step as well (docs/language.md). Errors: evaluation, with line and column; limit, also where more
 // than `limits.steps` steps are asked for. For a string between steps, or answers to ?E: derivation.hpp.
 Result<Derived> develop(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
-                        const Limits& limits, const Surroundings& around = {});
+                        const Limits& limits, const DerivationOptions& options = {});
 
 // The same, but where a limit ends it, it is the string after the last whole step, and `stopped` says why. Such a text
 // is derived by steps, also where it gives none.
 Result<Derived> develop_so_far(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
-                               const Limits& limits, const Surroundings& around = {});
+                               const Limits& limits, const DerivationOptions& options = {});
 
 // The string that steps without end would lead to, without the strings between: each module is rewritten to its end
 // before the next is looked at, so that the cost grows with what comes out and not with the steps as well. Productions
@@ -150,7 +150,7 @@ Result<Derived> develop_so_far(const BoundProgram& bound, std::uint64_t seed, st
 // deepest module's generation, `modules_written` the length. Errors: evaluation, with line and column; limit, also
 // where there is no end.
 Result<Derived> unfold(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
-                       const Surroundings& around = {});
+                       const DerivationOptions& options = {});
 
 // How many modules a string has.
 std::uint64_t length(const String& string);
@@ -167,7 +167,7 @@ Result<std::uint32_t> interpret(const BoundProgram& bound, const String& string,
                                 const Space* space = nullptr, Watcher* watcher = nullptr);
 
 // The same, but ?E neither asks nor draws: for strings whose questions are answered between steps (derivation.hpp).
-Result<std::uint32_t> trace(const BoundProgram& bound, const String& string, const Turtle& start, Listener& listener,
+Result<std::uint32_t> interpret_without_queries(const BoundProgram& bound, const String& string, const Turtle& start, Listener& listener,
                             std::uint64_t seed, const Limits& limits, const Space* space = nullptr);
 
 }  // namespace panicle::lsystem

@@ -12,9 +12,9 @@ using Words = std::vector<std::uint32_t>;
 
 std::string lines_of(const std::vector<TraceEntry>& modules, std::string TraceEntry::* text) {
   std::string all;
-  for (const TraceEntry& told : modules) {
-    if (&told != modules.data()) all += '\n';
-    all += told.*text;
+  for (const TraceEntry& entry : modules) {
+    if (&entry != modules.data()) all += '\n';
+    all += entry.*text;
   }
   return all;
 }
@@ -22,10 +22,10 @@ std::string lines_of(const std::vector<TraceEntry>& modules, std::string TraceEn
 // One line for each module: its refusals as `3:1 its condition is false`, separated by tabs.
 std::string refusals_of(const std::vector<TraceEntry>& modules) {
   std::string all;
-  for (const TraceEntry& told : modules) {
-    if (&told != modules.data()) all += '\n';
-    for (const lsystem::Refusal& refusal : told.refusals) {
-      if (&refusal != told.refusals.data()) all += '\t';
+  for (const TraceEntry& entry : modules) {
+    if (&entry != modules.data()) all += '\n';
+    for (const lsystem::Refusal& refusal : entry.refusals) {
+      if (&refusal != entry.refusals.data()) all += '\t';
       all += std::to_string(refusal.production.line) + ':' + std::to_string(refusal.production.column) + ' ';
       all += refusal.reason;
     }
@@ -34,50 +34,50 @@ std::string refusals_of(const std::vector<TraceEntry>& modules) {
 }
 
 Words pairs_of(const std::vector<TraceEntry>& modules, expression::Place TraceEntry::* place) {
-  return column_of<std::uint32_t>(modules, 2, [place](const TraceEntry& told, std::uint32_t* at) {
-    at[0] = (told.*place).line;
-    at[1] = (told.*place).column;
+  return column_of<std::uint32_t>(modules, 2, [place](const TraceEntry& entry, std::uint32_t* at) {
+    at[0] = (entry.*place).line;
+    at[1] = (entry.*place).column;
   });
 }
 
 Words pairs_of(const std::vector<TraceEntry>& modules, lsystem::ModuleSpan TraceEntry::* span) {
-  return column_of<std::uint32_t>(modules, 2, [span](const TraceEntry& told, std::uint32_t* at) {
-    at[0] = (told.*span).first;
-    at[1] = (told.*span).count;
+  return column_of<std::uint32_t>(modules, 2, [span](const TraceEntry& entry, std::uint32_t* at) {
+    at[0] = (entry.*span).first;
+    at[1] = (entry.*span).count;
   });
 }
 
 }  // namespace
 
-Result<std::optional<lsystem::TraceRequest>> read_chronicle(Request& request) {
+Result<std::optional<lsystem::TraceRequest>> read_trace_request(Request& request) {
   using lsystem::TraceRequest;
-  TraceRequest asked;
-  asked.step = request.word("chronicle_step");
-  asked.first = request.word("chronicle_first");
-  asked.count = request.word("chronicle_count", TraceRequest::most);
-  if (request.has("chronicle_module")) asked.module = request.word("chronicle_module");
+  TraceRequest trace;
+  trace.step = request.word("chronicle_step");
+  trace.first = request.word("chronicle_first");
+  trace.count = request.word("chronicle_count", TraceRequest::most);
+  if (request.has("chronicle_module")) trace.module = request.word("chronicle_module");
   if (!request.wants("chronicle")) return std::optional<TraceRequest>();
-  if (asked.count > TraceRequest::most)
+  if (trace.count > TraceRequest::most)
     return Diagnostic{
         Reason::bad_request,
-        "At most " + std::to_string(TraceRequest::most) + " modules of a derivation are told at once; ask for fewer.",
+        "At most " + std::to_string(TraceRequest::most) + " modules of a derivation are entry at once; ask for fewer.",
         0, 0};
-  return std::optional(asked);
+  return std::optional(trace);
 }
 
-std::string cut_short(const lsystem::DerivationTrace& chronicle) {
-  return "The derivation is told as far as it goes in steps. " + chronicle.stopped().message;
+std::string cut_short(const lsystem::DerivationTrace& trace) {
+  return "The derivation is entry as far as it goes in steps. " + trace.stopped().message;
 }
 
-void add_chronicle(Plant& plant, const lsystem::DerivationTrace& chronicle) {
-  const std::vector<TraceEntry>& modules = chronicle.modules();
+void add_trace_columns(Plant& plant, const lsystem::DerivationTrace& trace) {
+  const std::vector<TraceEntry>& modules = trace.modules();
   Columns& columns = plant.columns;
   columns.add("chronicle.window",
-              Words{chronicle.step(), chronicle.first(), static_cast<std::uint32_t>(modules.size())});
-  columns.add("chronicle.counts", chronicle.counts());
+              Words{trace.step(), trace.first(), static_cast<std::uint32_t>(modules.size())});
+  columns.add("chronicle.counts", trace.counts());
   columns.add("chronicle.modules", lines_of(modules, &TraceEntry::text));
-  columns.add("chronicle.parent", column_of<std::uint32_t>(modules, 1, [](const TraceEntry& told, std::uint32_t* at) {
-                *at = told.parent;
+  columns.add("chronicle.parent", column_of<std::uint32_t>(modules, 1, [](const TraceEntry& entry, std::uint32_t* at) {
+                *at = entry.parent;
               }));
   columns.add("chronicle.production", pairs_of(modules, &TraceEntry::production), 2);
   columns.add("chronicle.fires", pairs_of(modules, &TraceEntry::fires), 2);
@@ -86,12 +86,12 @@ void add_chronicle(Plant& plant, const lsystem::DerivationTrace& chronicle) {
   columns.add(
       "chronicle.chance",
       column_of<float>(
-          modules, 3, [](const TraceEntry& told, float* at) { std::copy(told.chance.begin(), told.chance.end(), at); }),
+          modules, 3, [](const TraceEntry& entry, float* at) { std::copy(entry.chance.begin(), entry.chance.end(), at); }),
       3);
   columns.add("chronicle.children", pairs_of(modules, &TraceEntry::children), 2);
   columns.add("chronicle.last", pairs_of(modules, &TraceEntry::last), 2);
-  columns.add("chronicle.answers", lines_of(modules, &TraceEntry::answer));
-  if (!chronicle.trail().empty()) columns.add("chronicle.trail", chronicle.trail());
+  columns.add("chronicle.answers", lines_of(modules, &TraceEntry::response));
+  if (!trace.trail().empty()) columns.add("chronicle.trail", trace.trail());
 }
 
 }  // namespace panicle

@@ -33,12 +33,12 @@
 namespace panicle {
 
 // Nothing where the request does not ask. Errors: bad_request, for a window that is too long.
-Result<std::optional<lsystem::TraceRequest>> read_chronicle(Request& request);
+Result<std::optional<lsystem::TraceRequest>> read_trace_request(Request& request);
 
 // What cut a telling short that the plant itself was not cut short by: texts without a derivation length are derived at
 // one go, and told in steps, which cost more.
-std::string cut_short(const lsystem::DerivationTrace& chronicle);
+std::string cut_short(const lsystem::DerivationTrace& trace);
 
-void add_chronicle(Plant& plant, const lsystem::DerivationTrace& chronicle);
+void add_trace_columns(Plant& plant, const lsystem::DerivationTrace& trace);
 
 }  // namespace panicle

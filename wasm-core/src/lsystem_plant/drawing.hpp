@@ -37,7 +37,7 @@ class Drawing : public lsystem::Listener {
             const lsystem::Lineage& lineage) override;
   void sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) override;
   // Nobody answers: what a module asks stays as the text has it.
-  void ask(const lsystem::Turtle&, std::span<float>, const lsystem::Lineage&) override {}
+  void query(const lsystem::Turtle&, std::span<float>, const lsystem::Lineage&) override {}
   void cut(const lsystem::Turtle&) override {}
 
   // What went wrong on the way (a limit); reason none if nothing did.

@@ -20,7 +20,7 @@ glm::vec4 turn_from_up(const glm::vec3& way) {
 }
 
 // Owners are segments, then organs.
-Sky surroundings_of(const Plant& plant) {
+Sky build_sky(const Plant& plant) {
   std::vector<SkyBody> balls;
   for (const Organ& organ : plant.organs)
     balls.push_back(
@@ -36,10 +36,10 @@ std::vector<std::uint8_t> sky_of_organs(Sky& sky, const Plant& plant) {
   const Mesh ball = make_uv_sphere(8);
   std::vector<std::uint8_t> points(ball.positions.size() / 3), means;
   for (const Organ& organ : plant.organs) {
-    sky.face(
+    sky.set_receiver(
         {organ.position, organ.scale, static_cast<std::int32_t>(plant.segments.size() + means.size()), organ.segment});
-    sky.enter({.centre = organ.position, .scale = organ.scale});
-    sky.see(ball.positions, ball.normals, points);
+    sky.set_frame({.centre = organ.position, .scale = organ.scale});
+    sky.sample(ball.positions, ball.normals, points);
     std::size_t sum = points.size() / 2;
     for (const std::uint8_t point : points) sum += point;
     means.push_back(static_cast<std::uint8_t>(sum / points.size()));
@@ -52,7 +52,7 @@ void add_meshes(Plant& plant, const PlainOptions& options) {
   StemMesh stems = sweep_stems({plant.segments}, tubes, 1.0f);
   Columns columns;
   if (options.sky) {
-    Sky sky = surroundings_of(plant);
+    Sky sky = build_sky(plant);
     columns.add("sky", sky_of_stems(sky, stems, plant.segments));
     if (!plant.organs.empty()) plant.columns.add("organs.sky", sky_of_organs(sky, plant));
   }

@@ -33,7 +33,7 @@ class Clipper {
   }
 
   std::vector<std::uint32_t> fill() {
-    if (places_.size() < 3 || !lay_flat()) return {};
+    if (places_.size() < 3 || !project()) return {};
     clip();
     return std::move(triangles_);
   }
@@ -73,7 +73,7 @@ class Clipper {
 
   // The normal of the area that the polygon goes round (Newell); where a figure of eight has none, of the largest
   // triangle at its first corner. False: all lie on a line.
-  bool lay_flat() {
+  bool project() {
     glm::vec3 normal(0), largest(0);
     const glm::vec3& first = places_[0];
     for (std::size_t i = 1; i + 1 < places_.size(); ++i) {
@@ -85,8 +85,8 @@ class Clipper {
     const float length = glm::length(normal);
     if (!(length > flat * flat)) return false;
     normal /= length;
-    const glm::vec3 aside = std::fabs(normal.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-    const glm::vec3 right = glm::normalize(glm::cross(aside, normal)), up = glm::cross(normal, right);
+    const glm::vec3 reference = std::fabs(normal.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 right = glm::normalize(glm::cross(reference, normal)), up = glm::cross(normal, right);
     for (const glm::vec3& p : places_) flat_.emplace_back(glm::dot(p, right), glm::dot(p, up));
     return true;
   }

@@ -28,11 +28,11 @@ class Columns {
   }
   // Values that others hold, too.
   template <class Value>
-  void share(std::string_view name, std::shared_ptr<const std::vector<Value>> kept, std::uint32_t width = 1) {
-    const std::span<const Value> all(*kept);
+  void share(std::string_view name, std::shared_ptr<const std::vector<Value>> values, std::uint32_t width = 1) {
+    const std::span<const Value> all(*values);
     keep({name, element_of<Value>(), width, static_cast<std::uint32_t>(all.size() / width),
           reinterpret_cast<const std::uint8_t*>(all.data())},
-         std::move(kept));
+         std::move(values));
   }
   // A text.
   void add(std::string_view name, std::string_view text);

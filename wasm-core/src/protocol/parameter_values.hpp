@@ -17,14 +17,14 @@ template <class Parameter, const auto& table>
 class Values {
  public:
   // What is not asked, or NaN, has its default.
-  Values(std::span<const float> asked, std::vector<std::string>& notes) {
+  Values(std::span<const float> requested, std::vector<std::string>& notes) {
     for (std::size_t i = 0; i < table.size(); ++i) {
       const auto& info = table[i];
       values_[i] = info.standard;
-      if (i >= asked.size() || asked[i] != asked[i]) continue;
-      float fitting = std::clamp(asked[i], info.min, info.max);
+      if (i >= requested.size() || requested[i] != requested[i]) continue;
+      float fitting = std::clamp(requested[i], info.min, info.max);
       if (info.whole) fitting = std::floor(fitting + 0.5f);
-      if (fitting != asked[i]) notes.push_back("Parameter " + std::string(info.key) + " was brought into its range.");
+      if (fitting != requested[i]) notes.push_back("Parameter " + std::string(info.key) + " was brought into its range.");
       values_[i] = fitting;
     }
   }

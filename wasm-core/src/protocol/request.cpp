@@ -14,8 +14,8 @@ Value first(std::span<const Value> values, Value otherwise) {
 
 }  // namespace
 
-Request::Request(std::span<const ColumnView> blocks, const CompiledTexts* texts, CacheSlot* kept)
-    : blocks_(blocks), texts_(texts), kept_(kept), read_(blocks.size()) {}
+Request::Request(std::span<const ColumnView> blocks, const CompiledTexts* texts, CacheSlot* cache)
+    : blocks_(blocks), texts_(texts), cache_(cache), read_(blocks.size()) {}
 
 const ColumnView* Request::find(std::string_view name, Element element, std::uint32_t most) {
   const ColumnView* found = nullptr;

@@ -25,8 +25,8 @@ class Request {
  public:
   static constexpr std::uint32_t most_numbers = 100'000;  // of one block
 
-  // All must outlive the request. `texts` may be null where no handles are known, `kept` where nothing is kept.
-  Request(std::span<const ColumnView> blocks, const CompiledTexts* texts, CacheSlot* kept = nullptr);
+  // All must outlive the request. `texts` may be null where no handles are known, `cache` where nothing is cache.
+  Request(std::span<const ColumnView> blocks, const CompiledTexts* texts, CacheSlot* cache = nullptr);
 
   // What a block holds, rows of whatever width one after the other; nothing, zero or `otherwise` where it is absent.
   std::string_view text(std::string_view name);
@@ -45,7 +45,7 @@ class Request {
   // The compiled text whose handle the block `program` holds; null where the request has no such block.
   CompiledText compiled_text();
   // Where its model keeps what it likes between growths; null where it cannot.
-  CacheSlot* kept() { return kept_; }
+  CacheSlot* cache() { return cache_; }
   // The first error in the blocks read so far; reason none where there is none.
   const Diagnostic& first_trouble() const { return trouble_; }
   // Once everything has been read: that error, or a block that the model has not read.
@@ -56,7 +56,7 @@ class Request {
 
   std::span<const ColumnView> blocks_;
   const CompiledTexts* texts_;
-  CacheSlot* kept_;
+  CacheSlot* cache_;
   std::vector<bool> read_;
   Diagnostic trouble_;
 };

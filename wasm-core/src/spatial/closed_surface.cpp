@@ -19,7 +19,7 @@ Surface box(const glm::vec3& low, const glm::vec3& high) {
   return made;
 }
 
-Surface revolved(std::span<const glm::vec2> profile, const glm::vec3& foot, std::uint32_t sides) {
+Surface surface_of_revolution(std::span<const glm::vec2> profile, const glm::vec3& foot, std::uint32_t sides) {
   Surface made;
   if (profile.empty()) return made;
   const auto middle = [&](float y) { made.points.push_back(foot + glm::vec3(0, y, 0)); };
@@ -55,7 +55,7 @@ Surface ellipsoid(const glm::vec3& centre, const glm::vec3& radii, std::uint32_t
     const auto [sine, cosine] = sincos_degrees(180.0f * static_cast<float>(ring) / static_cast<float>(rings));
     profile.push_back({sine, -cosine});
   }
-  Surface made = revolved(profile, glm::vec3(0), sides);
+  Surface made = surface_of_revolution(profile, glm::vec3(0), sides);
   made.points.front() = {0, -1, 0};
   made.points.back() = {0, 1, 0};
   for (glm::vec3& p : made.points) p = centre + p * radii;

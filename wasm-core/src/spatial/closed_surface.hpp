@@ -18,7 +18,7 @@ struct Surface {
 Surface box(const glm::vec3& low, const glm::vec3& high);
 // A profile of radii and heights, x ≥ 0, y ascending, turned about the upright axis through `foot`; its ends are
 // closed.
-Surface revolved(std::span<const glm::vec2> profile, const glm::vec3& foot, std::uint32_t sides);
+Surface surface_of_revolution(std::span<const glm::vec2> profile, const glm::vec3& foot, std::uint32_t sides);
 Surface ellipsoid(const glm::vec3& centre, const glm::vec3& radii, std::uint32_t sides);
 // The surface about a point, smaller or larger.
 Surface scaled(const Surface& surface, const glm::vec3& about, float factor);

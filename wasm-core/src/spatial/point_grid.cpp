@@ -29,7 +29,7 @@ PointGrid::Cell PointGrid::cell_of(const glm::vec3& p) const {
   return {along(p.x - low_.x, count_.x), along(p.y - low_.y, count_.y), along(p.z - low_.z, count_.z)};
 }
 
-void PointGrid::lay(std::span<const glm::vec3> points, float edge) {
+void PointGrid::build(std::span<const glm::vec3> points, float edge) {
   glm::vec3 high(-farthest);
   low_ = glm::vec3(farthest);
   std::uint32_t placed = 0;

@@ -18,10 +18,10 @@ class PointGrid {
  public:
   PointGrid() = default;
   // `edge`: the cells' width, above 0; wider where more than about eight cells a point would come of it.
-  PointGrid(std::span<const glm::vec3> points, float edge) { lay(points, edge); }
+  PointGrid(std::span<const glm::vec3> points, float edge) { build(points, edge); }
 
   // Forgets what was there; memory is kept.
-  void lay(std::span<const glm::vec3> points, float edge);
+  void build(std::span<const glm::vec3> points, float edge);
 
   // The index of the point in each slot.
   std::span<const std::uint32_t> ids() const { return ids_; }

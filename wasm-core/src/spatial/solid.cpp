@@ -67,7 +67,7 @@ void Solid::choose_cells() {
 }
 
 Solid::CellBox Solid::cells_around(const std::uint32_t* corners) const {
-  const auto corner = [&](std::size_t k) { return place_of(surface_.points[corners[k]]); };
+  const auto corner = [&](std::size_t k) { return cell_of(surface_.points[corners[k]]); };
   const glm::ivec3 a = corner(0), b = corner(1), c = corner(2);
   return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
@@ -141,8 +141,8 @@ void Solid::mark(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, std
   const glm::vec3 across = glm::cross(b - a, c - a);
   const float length = glm::length(across);
   const glm::vec3 normal = length > 0 ? across / length : glm::vec3(0);
-  const glm::ivec3 from = place_of(glm::max(glm::min(a, glm::min(b, c)) - little, low_)),
-                   to = place_of(glm::max(a, glm::max(b, c)) + little);
+  const glm::ivec3 from = cell_of(glm::max(glm::min(a, glm::min(b, c)) - little, low_)),
+                   to = cell_of(glm::max(a, glm::max(b, c)) + little);
   const glm::vec3 extent = glm::max(glm::abs(low_), glm::abs(high_));
   const float lost = rounding * (extent.x + extent.y + extent.z), along = edge_ * normal.x;
   for (int z = from.z; z <= to.z; ++z)
@@ -202,7 +202,7 @@ bool Solid::contains(const glm::vec3& p) const {
   for (int k = 0; k < 3; ++k)
     if (!(p[k] >= low_[k] && p[k] <= high_[k])) return false;
   if (cells_.empty() || is_exhausted()) return false;
-  const Cell cell = cells_[cell_at(place_of(p))];
+  const Cell cell = cells_[cell_at(cell_of(p))];
   return cell == Cell::mixed ? slice_contains(p) : cell == Cell::inside;
 }
 
@@ -213,7 +213,7 @@ Share Solid::share_of(const glm::vec3& low, const glm::vec3& high) const {
     beyond = beyond || low[k] < low_[k] || high[k] > high_[k];
   }
   if (beyond) return Share::some;
-  const glm::ivec3 from = place_of(low), to = place_of(high);
+  const glm::ivec3 from = cell_of(low), to = cell_of(high);
   const Cell first = cells_[cell_at(from)];
   if (first == Cell::mixed) return Share::some;
   for (int z = from.z; z <= to.z; ++z)
@@ -227,7 +227,7 @@ Share Solid::share_of(const glm::vec3& low, const glm::vec3& high) const {
 // below.
 bool Solid::slice_contains(const glm::vec3& p) const {
   int turns = 0;
-  const glm::ivec3 place = place_of(p);
+  const glm::ivec3 place = cell_of(p);
   const auto row = static_cast<std::size_t>(place.z * count_.y + place.y);
   const std::uint32_t begin = first_[row], end = first_[row + 1];
   std::uint64_t turned = 0;
@@ -236,7 +236,7 @@ bool Solid::slice_contains(const glm::vec3& p) const {
     if (all(~met)) continue;
     for (std::uint32_t lane = 0; lane < std::min(end - m, lanes); ++lane)
       if (met[lane]) {
-        turns += turns_about(p, &surface_.triangles[3 * members_[m + lane]]);
+        turns += winding_number(p, &surface_.triangles[3 * members_[m + lane]]);
         ++turned;
       }
   }
@@ -244,7 +244,7 @@ bool Solid::slice_contains(const glm::vec3& p) const {
   return turns != 0;
 }
 
-int Solid::turns_about(const glm::vec3& p, const std::uint32_t* corners) const {
+int Solid::winding_number(const glm::vec3& p, const std::uint32_t* corners) const {
   // Where the plane enters and leaves the triangle, in its own sense: corners at the plane's height count as below.
   glm::vec2 in(0), out(0);
   int crossed = 0;
@@ -267,13 +267,13 @@ int Solid::turns_about(const glm::vec3& p, const std::uint32_t* corners) const {
 }
 
 // Möller & Trumbore 1997, "Fast, minimum storage ray/triangle intersection".
-void Solid::meetings(const glm::vec3& from, const glm::vec3& way, float begin, float end,
+void Solid::intersections(const glm::vec3& from, const glm::vec3& way, float begin, float end,
                      std::vector<float>& at) const {
   const glm::vec3 a = from + begin * way, b = from + end * way;
   const glm::vec3 low = glm::min(a, b) - slack * edge_, high = glm::max(a, b) + slack * edge_;
   for (int k = 0; k < 3; ++k)
     if (!(high[k] >= low_[k] && low[k] <= high_[k])) return;
-  const glm::ivec3 first = place_of(glm::max(low, low_)), last = place_of(glm::min(high, high_));
+  const glm::ivec3 first = cell_of(glm::max(low, low_)), last = cell_of(glm::min(high, high_));
   for (int z = first.z; z <= last.z; ++z)
     for (int y = first.y; y <= last.y; ++y) {
       const auto row = static_cast<std::size_t>(z * count_.y + y);
@@ -297,14 +297,14 @@ void Solid::meetings(const glm::vec3& from, const glm::vec3& way, float begin, f
 
 // What lies between two meetings is all inside or all outside, so its middle is asked: edges met twice, surfaces within
 // and triangles seen edgewise then need no rules of their own.
-float Solid::leaving(const glm::vec3& from, const glm::vec3& way, float most) const {
+float Solid::exit_distance(const glm::vec3& from, const glm::vec3& way, float most) const {
   if (!contains(from)) return 0;
   const auto inside = [&](float t) { return contains(from + t * way); };
   std::vector<float> at;
   for (float begin = 0; begin < most;) {
     const float end = std::min(begin + piece * edge_, most);
     at.clear();
-    meetings(from, way, begin, end, at);
+    intersections(from, way, begin, end, at);
     std::sort(at.begin(), at.end());
     at.push_back(end);
     float last = begin;

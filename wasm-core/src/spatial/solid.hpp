@@ -37,13 +37,13 @@ class Solid final : public Region {
   std::size_t members() const { return members_.size(); }
   // How far one comes from a place inside, on a way of unit length, before leaving: 0 from outside, at most `most`.
   // Surfaces within the solid, such as where parts overlap, are passed through.
-  float leaving(const glm::vec3& from, const glm::vec3& way, float most) const;
+  float exit_distance(const glm::vec3& from, const glm::vec3& way, float most) const;
 
  private:
   enum class Cell : std::uint8_t { unknown, outside, inside, mixed };
 
   // The cell of a place in the box.
-  glm::ivec3 place_of(const glm::vec3& p) const {
+  glm::ivec3 cell_of(const glm::vec3& p) const {
     const glm::vec3 at = (p - low_) * per_edge_;
     return {std::min(static_cast<std::int32_t>(at.x), count_.x - 1),
             std::min(static_cast<std::int32_t>(at.y), count_.y - 1),
@@ -51,9 +51,9 @@ class Solid final : public Region {
   }
   bool slice_contains(const glm::vec3& p) const;
   // What a triangle adds to the turns of the slice about a place.
-  int turns_about(const glm::vec3& p, const std::uint32_t* corners) const;
+  int winding_number(const glm::vec3& p, const std::uint32_t* corners) const;
   // Appends how far along the way the surface is met between `begin` and `end`; where two triangles meet, twice.
-  void meetings(const glm::vec3& from, const glm::vec3& way, float begin, float end, std::vector<float>& at) const;
+  void intersections(const glm::vec3& from, const glm::vec3& way, float begin, float end, std::vector<float>& at) const;
   // A side of a triangle as it is seen along x: for a point p, y · p.y + z · p.z − at is 0 on the side, positive
   // inside, and at least −near in every row that may meet the triangle.
   struct Side {

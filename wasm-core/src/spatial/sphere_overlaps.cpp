@@ -25,7 +25,7 @@ Four within_unit(const Four& v) {
 
 }  // namespace
 
-void SphereOverlapQuery::lay(std::span<const Sphere> spheres) {
+void SphereOverlapQuery::build(std::span<const Sphere> spheres) {
   constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
   largest_ = 0;
   centres_.clear();
@@ -36,7 +36,7 @@ void SphereOverlapQuery::lay(std::span<const Sphere> spheres) {
     radii_.push_back(sphere.radius);
     if (there) largest_ = std::max(largest_, sphere.radius);
   }
-  grid_.lay(centres_, 2 * margin * largest_);
+  grid_.build(centres_, 2 * margin * largest_);
   const std::span<const std::uint32_t> ids = grid_.ids();
   for (auto* values : {&x_, &y_, &z_, &radius_}) values->resize(ids.size() + lanes - 1);
   for (std::size_t slot = 0; slot < ids.size(); ++slot) {

@@ -23,10 +23,10 @@ struct SpherePair {
 class SphereOverlapQuery {
  public:
   SphereOverlapQuery() = default;
-  explicit SphereOverlapQuery(std::span<const Sphere> spheres) { lay(spheres); }
+  explicit SphereOverlapQuery(std::span<const Sphere> spheres) { build(spheres); }
 
   // Forgets what was there; memory is kept.
-  void lay(std::span<const Sphere> spheres);
+  void build(std::span<const Sphere> spheres);
 
   // Appends all pairs a < b of spheres that touch or overlap, by a, then by b; stops once there are `most`.
   void pairs(std::vector<SpherePair>& found, std::size_t most = std::numeric_limits<std::size_t>::max());

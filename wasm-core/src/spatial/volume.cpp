@@ -40,14 +40,14 @@ Volume::Volume(Kind kind, const glm::vec3& centre, const glm::vec3& size, const 
     : kind_(kind),
       centre_(centre),
       half_(glm::max(0.5f * (kind == Kind::sphere ? glm::vec3(size.x) : size), least)),
-      back_(glm::conjugate(sound(rotation))),
+      to_local_rotation_(glm::conjugate(sound(rotation))),
       margin_(rounding * (std::max({half_.x, half_.y, half_.z}) + glm::length(centre))) {
   if (kind == Kind::mesh) solid_ = std::make_shared<const Solid>(stretched(mesh, -half_, half_), std::move(budget));
 }
 
-bool Volume::contains(const glm::vec3& p) const { return holds(own(p - centre_)); }
+bool Volume::contains(const glm::vec3& p) const { return contains_local(to_local(p - centre_)); }
 
-bool Volume::holds(const glm::vec3& p) const {
+bool Volume::contains_local(const glm::vec3& p) const {
   const glm::vec3 u = p / half_;
   switch (kind_) {
     case Kind::box:
@@ -67,8 +67,8 @@ bool Volume::holds(const glm::vec3& p) const {
   return solid_->contains(p);
 }
 
-float Volume::leaving(const glm::vec3& p, const glm::vec3& way, float most) const {
-  if (kind_ == Kind::mesh) return solid_->leaving(p, way, most);
+float Volume::exit_distance(const glm::vec3& p, const glm::vec3& way, float most) const {
+  if (kind_ == Kind::mesh) return solid_->exit_distance(p, way, most);
   const glm::dvec3 u = glm::dvec3(p) / glm::dvec3(half_), w = glm::dvec3(way) / glm::dvec3(half_);
   double end = most;
   switch (kind_) {
@@ -97,10 +97,10 @@ float Volume::leaving(const glm::vec3& p, const glm::vec3& way, float most) cons
 }
 
 float Volume::reach(const glm::vec3& from, const glm::vec3& way, float most) const {
-  const glm::vec3 p = own(from - centre_), w = own(way);
-  if (!holds(p) || !(most > 0)) return 0;
+  const glm::vec3 p = to_local(from - centre_), w = to_local(way);
+  if (!contains_local(p) || !(most > 0)) return 0;
   const float margin = margin_ + rounding * glm::length(p);
-  const float end = leaving(p, w, most + margin);
+  const float end = exit_distance(p, w, most + margin);
   float far = end < most + margin ? std::min(end - margin, most) : most;
   // Along a wall, or in a cleft of a mesh, less may be needed.
   for (float back = margin; far > 0 && !contains(from + far * way); back *= 2) far -= back;

@@ -31,13 +31,13 @@ class Volume {
 
  private:
   // Into its own frame: centred and not turned.
-  glm::vec3 own(const glm::vec3& v) const { return back_ * v; }
-  bool holds(const glm::vec3& p) const;
-  float leaving(const glm::vec3& p, const glm::vec3& way, float most) const;
+  glm::vec3 to_local(const glm::vec3& v) const { return to_local_rotation_ * v; }
+  bool contains_local(const glm::vec3& p) const;
+  float exit_distance(const glm::vec3& p, const glm::vec3& way, float most) const;
 
   Kind kind_;
   glm::vec3 centre_, half_;
-  glm::quat back_;
+  glm::quat to_local_rotation_;
   float margin_;
   std::shared_ptr<const Solid> solid_;  // of a mesh
 };

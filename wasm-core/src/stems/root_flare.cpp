@@ -50,7 +50,7 @@ class Ridges {
   std::array<float, ridges> turn_{}, size_{};
 };
 
-struct Skirt {
+struct FlareShape {
   const TrunkLine& trunk;
   float radius, flare;
   Ridges ridges;
@@ -86,8 +86,8 @@ class Writer {
   std::uint32_t number_;
 };
 
-void add_skirt(StemMesh& stems, const Skirt& skirt) {
-  Writer writer(stems, static_cast<std::uint32_t>(skirt.trunk.foot));
+void add_flare_surface(StemMesh& stems, const FlareShape& shape) {
+  Writer writer(stems, static_cast<std::uint32_t>(shape.trunk.base));
   constexpr float step = 0.5f / around;
   std::uint32_t first = 0;
   for (std::uint32_t ring = 0; ring <= rings; ++ring) {
@@ -95,9 +95,9 @@ void add_skirt(StemMesh& stems, const Skirt& skirt) {
     const float share = static_cast<float>(ring) / rings, up = share * share;
     for (std::uint32_t k = 0; k <= around; ++k) {
       const float turn = static_cast<float>(k % around) / around;
-      const glm::vec3 along = skirt.at(turn, std::min(up + 0.02f, 1.0f)) - skirt.at(turn, std::max(up - 0.02f, 0.0f));
-      const glm::vec3 round = skirt.at(turn + step, up) - skirt.at(turn - step, up);
-      const std::uint32_t made = writer.vertex(skirt.at(turn, up), glm::normalize(glm::cross(along, round)),
+      const glm::vec3 along = shape.at(turn, std::min(up + 0.02f, 1.0f)) - shape.at(turn, std::max(up - 0.02f, 0.0f));
+      const glm::vec3 round = shape.at(turn + step, up) - shape.at(turn - step, up);
+      const std::uint32_t made = writer.vertex(shape.at(turn, up), glm::normalize(glm::cross(along, round)),
                                                static_cast<float>(k) / around, up * widens / (2 * pi));
       if (ring == 0 && k == 0) first = made;
     }
@@ -111,57 +111,57 @@ void add_skirt(StemMesh& stems, const Skirt& skirt) {
     }
   // What it stands on.
   const glm::vec3 down(0, -1, 0);
-  const std::uint32_t middle = writer.vertex(skirt.trunk.at(0), down, 0.5f, 0);
+  const std::uint32_t middle = writer.vertex(shape.trunk.at(0), down, 0.5f, 0);
   for (std::uint32_t k = 0; k <= around; ++k)
-    writer.vertex(skirt.at(static_cast<float>(k % around) / around, 0), down, static_cast<float>(k) / around, 0);
+    writer.vertex(shape.at(static_cast<float>(k % around) / around, 0), down, static_cast<float>(k) / around, 0);
   for (std::uint32_t k = 0; k < around; ++k) writer.triangle(middle, middle + 1 + k, middle + 2 + k);
 }
 
 // How far a trunk rises straight from the ground.
-float rise_of(const Segment& foot) { return std::min(upright * foot.radius, 0.4f * (foot.end.y - foot.start.y)); }
+float rise_of(const Segment& base) { return std::min(upright * base.radius, 0.4f * (base.end.y - base.start.y)); }
 
 }  // namespace
 
-std::vector<std::int32_t> feet_of(std::span<const Segment> segments, std::span<const glm::vec3> targets) {
-  std::vector<std::int32_t> feet(targets.size(), -1);
+std::vector<std::int32_t> trunk_bases(std::span<const Segment> segments, std::span<const glm::vec3> targets) {
+  std::vector<std::int32_t> bases(targets.size(), -1);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (segments[i].parent >= 0) continue;
     for (std::size_t k = 0; k < targets.size(); ++k) {
       if (segments[i].start != targets[k]) continue;
-      std::int32_t& foot = feet[k];
-      if (foot < 0 || segments[i].radius > segments[static_cast<std::size_t>(foot)].radius)
-        foot = static_cast<std::int32_t>(i);
+      std::int32_t& base = bases[k];
+      if (base < 0 || segments[i].radius > segments[static_cast<std::size_t>(base)].radius)
+        base = static_cast<std::int32_t>(i);
     }
   }
-  return feet;
+  return bases;
 }
 
-std::vector<Segment> pieces_of(const Segment& foot, const FootHabit& habit) {
-  Segment rest = foot, first = foot;
-  if (habit.standing) {
-    const float rise = rise_of(foot);
-    if (!(rise > 0)) return {foot};
-    first.end = rest.start = foot.start + glm::vec3(0, rise, 0);
-    first.radius_end = foot.radius;
+std::vector<Segment> base_pieces(const Segment& base, const RootFlareOptions& options) {
+  Segment rest = base, first = base;
+  if (options.standing) {
+    const float rise = rise_of(base);
+    if (!(rise > 0)) return {base};
+    first.end = rest.start = base.start + glm::vec3(0, rise, 0);
+    first.radius_end = base.radius;
     return {first, rest};
   }
-  if (!(habit.stump > 0)) return {foot};
-  first.start.y += habit.stump;
-  first.end = foot.start;
-  first.radius = stem_width * foot.radius;
-  first.radius_end = foot.radius;
+  if (!(options.stump > 0)) return {base};
+  first.start.y += options.stump;
+  first.end = base.start;
+  first.radius = stem_width * base.radius;
+  first.radius_end = base.radius;
   return {first, rest};
 }
 
 glm::vec3 TrunkLine::at(float height) const {
-  const glm::vec3 ground = segments[foot].start;
+  const glm::vec3 ground = segments[base].start;
   const float y = ground.y + height;
-  glm::vec3 from = ground + glm::vec3(0, rise_of(segments[foot]), 0), to = from;
+  glm::vec3 from = ground + glm::vec3(0, rise_of(segments[base]), 0), to = from;
   if (y <= from.y) return {ground.x, y, ground.z};
   // Parents stand first.
-  std::size_t last = foot;
-  for (std::size_t i = foot; i < segments.size(); ++i) {
-    if (i != foot && (axes[i] != axes[foot] || segments[i].parent != static_cast<std::int32_t>(last))) continue;
+  std::size_t last = base;
+  for (std::size_t i = base; i < segments.size(); ++i) {
+    if (i != base && (axes[i] != axes[base] || segments[i].parent != static_cast<std::int32_t>(last))) continue;
     last = i;
     to = segments[i].end;
     if (to.y >= y) break;
@@ -172,13 +172,13 @@ glm::vec3 TrunkLine::at(float height) const {
   return {place.x, y, place.z};
 }
 
-void set_down(StemMesh& stems, const StemPart& tube, const TrunkLine& trunk, const FootHabit& habit) {
-  if (!habit.standing) return;
-  const Segment& foot = trunk.segments[trunk.foot];
+void add_root_flare(StemMesh& stems, const StemPart& tube, const TrunkLine& trunk, const RootFlareOptions& options) {
+  if (!options.standing) return;
+  const Segment& base = trunk.segments[trunk.base];
   std::vector<float>& positions = stems.mesh.positions;
   for (std::size_t v = tube.first_vertex; v < tube.first_vertex + tube.vertex_count; ++v)
-    positions[3 * v + 1] = std::max(positions[3 * v + 1], foot.start.y);
-  if (habit.flare > 0) add_skirt(stems, {trunk, foot.radius, habit.flare, Ridges(habit.seed)});
+    positions[3 * v + 1] = std::max(positions[3 * v + 1], base.start.y);
+  if (options.flare > 0) add_flare_surface(stems, {trunk, base.radius, options.flare, Ridges(options.seed)});
 }
 
 }  // namespace panicle

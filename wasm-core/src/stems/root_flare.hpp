@@ -12,7 +12,7 @@
 
 namespace panicle {
 
-struct FootHabit {
+struct RootFlareOptions {
   float flare = 0;         // of a trunk: how much wider it stands on the ground than it is
   float stump = 0;         // of a root: how much of its stem is above ground, metres
   bool standing = true;    // a trunk; a root hangs from its stem
@@ -20,23 +20,23 @@ struct FootHabit {
 };
 
 // By target the thickest segment that begins there; −1 for none.
-std::vector<std::int32_t> feet_of(std::span<const Segment> segments, std::span<const glm::vec3> targets);
+std::vector<std::int32_t> trunk_bases(std::span<const Segment> segments, std::span<const glm::vec3> targets);
 
 // Puts in place of a foot the pieces that it begins with, from the first that nothing bears: a trunk's upright, a
 // root's stem.
-std::vector<Segment> pieces_of(const Segment& foot, const FootHabit& habit);
+std::vector<Segment> base_pieces(const Segment& base, const RootFlareOptions& options);
 
 // A trunk: of a plant's segments, each of an axis, from its foot on.
 struct TrunkLine {
   std::span<const Segment> segments;
   std::span<const std::int32_t> axes;
-  std::size_t foot = 0;
+  std::size_t base = 0;
 
   // The middle of it so high above its foot, on a straight line from place to place.
   glm::vec3 at(float height) const;
 };
 
 // Cuts the trunk's tube off level on the ground, and puts a skirt about it that widens towards the ground in ridges.
-void set_down(StemMesh& stems, const StemPart& tube, const TrunkLine& trunk, const FootHabit& habit);
+void add_root_flare(StemMesh& stems, const StemPart& tube, const TrunkLine& trunk, const RootFlareOptions& options);
 
 }  // namespace panicle

@@ -151,7 +151,7 @@ class Finder {
   bool is_corner(std::int32_t segment) const { return !corners_.empty() && corners_[segment] != 0; }
 
   // Tangents: at a node between two segments the shorter one counts more (as in a Catmull–Rom curve over lengths);
-  // a branch sets out leaning towards its bearer's direction, and the last segment ends straight.
+  // a branch sets out leaning towards its parent's direction, and the last segment ends straight.
   void bend(const StemAxis& axis) {
     Node* node = &result_.nodes[axis.first];
     glm::vec3 before = (node[1].position - node[0].position) / node[1].step;

@@ -22,10 +22,10 @@ struct Node {
 // What an axis comes out of.
 struct Origin {
   bool attached = false;   // otherwise it begins in the open
-  bool passing = false;    // the bearer goes on beyond
+  bool passing = false;    // the parent goes on beyond
   bool corner = false;     // it meets another there, end to end (Stems::corner)
-  glm::vec3 direction{0};  // of the bearer, unit
-  float radius = 0;        // of the bearer
+  glm::vec3 direction{0};  // of the parent, unit
+  float radius = 0;        // of the parent
 };
 
 // A run of segments that one tube covers, as a range of StemAxes::nodes. At least two nodes.

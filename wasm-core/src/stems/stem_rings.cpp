@@ -29,13 +29,13 @@ struct Curve {
 };
 
 // Any vector well off `v`.
-glm::vec3 aside(const glm::vec3& v) { return std::fabs(v.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0); }
+glm::vec3 world_axis_across(const glm::vec3& v) { return std::fabs(v.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0); }
 
 // The part of `v` at right angles to the unit vector `tangent`, as a unit vector; any such if `v` has none.
-glm::vec3 across(const glm::vec3& v, const glm::vec3& tangent) {
+glm::vec3 reject(const glm::vec3& v, const glm::vec3& tangent) {
   const glm::vec3 part = v - tangent * glm::dot(tangent, v);
   const float square = glm::dot(part, part);
-  return square > 1e-6f ? part * (1 / std::sqrt(square)) : glm::normalize(glm::cross(aside(tangent), tangent));
+  return square > 1e-6f ? part * (1 / std::sqrt(square)) : glm::normalize(glm::cross(world_axis_across(tangent), tangent));
 }
 
 void place(Ring& ring, const glm::vec3& centre, const glm::vec3& tangent, const glm::vec3& right,
@@ -49,9 +49,9 @@ void place(Ring& ring, const glm::vec3& centre, const glm::vec3& tangent, const 
   ring.blend = 0;
 }
 
-void lean_towards(Ring& ring, const glm::vec3& bearer, const Section& section) {
+void lean_towards(Ring& ring, const glm::vec3& parent, const Section& section) {
   const glm::vec3 right = ring.right / section.wide;
-  const glm::vec3 leaning = right + (bearer - right) * section.lean;
+  const glm::vec3 leaning = right + (parent - right) * section.lean;
   ring.right = leaning * (section.wide / glm::length(leaning));
   ring.blend = section.blend;
   ring.round = false;
@@ -141,17 +141,17 @@ std::uint32_t TubeMaker::count_rings(const StemAxis& axis) const {
   return rings;
 }
 
-// The rings between the two ends. A branch begins with its right in the plane of branch and bearer.
+// The rings between the two ends. A branch begins with its right in the plane of branch and parent.
 void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
   const std::span<const Node> nodes(&axes_.nodes[axis.first], axis.count);
   Thickness thickness(nodes, axis.origin, end_of(axis), stems_.jointed, stems_.tapering);
   glm::vec3 centre = nodes[0].position;
-  glm::vec3 right = axis.origin.attached ? axis.origin.direction : aside(nodes[0].tangent);
+  glm::vec3 right = axis.origin.attached ? axis.origin.direction : world_axis_across(nodes[0].tangent);
   const auto add = [&](const glm::vec3& next, const glm::vec3& tangent, float t, std::int32_t segment) {
     Section section = thickness.at(t);
     section.wide = std::max(section.wide, axes_.finest);
     section.narrow = std::max(section.narrow, axes_.finest);
-    right = across(right, tangent);
+    right = reject(right, tangent);
     Ring& ring = *rings++;
     place(ring, next, tangent, right, section);
     if (section.lean > 0) lean_towards(ring, axis.origin.direction, section);
@@ -182,16 +182,16 @@ void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
 void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
   std::vector<Ring>& rings = tube.rings;
   rings.resize(count_rings(axis));
-  tube.bearer_point = axes_.nodes[axis.first].position;
-  tube.bearer_direction = axis.origin.direction;
-  tube.bearer_radius = std::max(axis.origin.radius, axes_.finest);
+  tube.parent_point = axes_.nodes[axis.first].position;
+  tube.parent_direction = axis.origin.direction;
+  tube.parent_radius = std::max(axis.origin.radius, axes_.finest);
   const std::span<const float> cap = cap_of(axis);
   const std::size_t front = axis.origin.attached ? 0 : cap.size();
   const std::size_t back = rings.size() - cap.size();
   sweep(axis, &rings[front]);
   find_changes({&rings[front], back - front});
 
-  // A branch begins within its bearer, where a flat end is enough; in the open a cut end is nearly flat too.
+  // A branch begins within its parent, where a flat end is enough; in the open a cut end is nearly flat too.
   const Ring& first = rings[front];
   const Ring& last = rings[back - 1];
   const float first_height = (axis.origin.corner ? 1 : 0.3f) * first.radius;

@@ -19,7 +19,7 @@ struct Ring {
   float radius = 0;                              // length of `forward`
   float slope = 0;                               // change of `radius`
   glm::vec3 right_change{0}, forward_change{0};  // of the half-axes; only where not round
-  float blend = 0;                               // share of the bearer's normals; only where not round
+  float blend = 0;                               // share of the parent's normals; only where not round
   bool round = true;  // both half-axes of that radius and slope, at right angles to the tangent
   float run = 0;      // distance from the ring before
   float v = 0;        // texture coordinate along the axis
@@ -29,8 +29,8 @@ struct Ring {
 // A closed tube: the rings, and a point at either end. The surface there looks straight back, and straight ahead.
 struct Tube {
   std::vector<Ring> rings;
-  glm::vec3 bearer_point{0}, bearer_direction{0};  // the line that blended normals point away from
-  float bearer_radius = 1;
+  glm::vec3 parent_point{0}, parent_direction{0};  // the line that blended normals point away from
+  float parent_radius = 1;
   glm::vec3 first_pole{0}, last_pole{0};
 };
 
@@ -38,7 +38,7 @@ struct Tube {
 //
 // The centre line is a cubic Hermite curve through the nodes; rings stand closer near nodes and where it bends, and
 // turn as little as possible from one to the next. Thickness says how wide they are; where a branch comes out of its
-// bearer, rings lean towards the bearer's axis and take on its normals, so that the two look grown together.
+// parent, rings lean towards the parent's axis and take on its normals, so that the two look grown together.
 class TubeMaker {
  public:
   // Axes that begin thinner than `thin` get about half the rings; where that is to be `plain`, one a node and more in

@@ -13,10 +13,10 @@ namespace {
 constexpr float between_nodes = 0.86f;
 constexpr float node_swelling = 0.16f;
 constexpr float foot_spread = 0.2f;
-constexpr float widest_in_bearer = 0.88f;
+constexpr float widest_in_parent = 0.88f;
 constexpr float collar_width = 0.2f;
 constexpr float most_blend = 0.9f;
-constexpr float foot_length = 1.1f;    // along the bearer where it goes on,
+constexpr float foot_length = 1.1f;    // along the parent where it goes on,
 constexpr float collar_length = 0.5f;  // and where it ends
 
 // A hill of height 1 about 0 that ends at 1.5.
@@ -86,9 +86,9 @@ float Thickness::end_factor(float from_end) const {
   return factor;
 }
 
-// Where the bearer goes on, a branch stands on an ellipse along the bearer's axis and rises from it like a fillet.
-// Where the bearer ends, that would stick out; the branch is widest at the bearer's surface then. Across the plane of
-// both there is no room beyond the bearer's own width.
+// Where the parent goes on, a branch stands on an ellipse along the parent's axis and rises from it like a fillet.
+// Where the parent ends, that would stick out; the branch is widest at the parent's surface then. Across the plane of
+// both there is no room beyond the parent's own width.
 Section Thickness::collar(float radius, float from_start, float from_end) const {
   const float x = from_start * per_emergence_;
   if (!origin_.attached && !origin_.corner) radius *= 1 + foot_spread * wide_hill(x);
@@ -96,7 +96,7 @@ Section Thickness::collar(float radius, float from_start, float from_end) const 
   const float fade = smooth(std::min(1.0f, from_end * per_end_radius_ * (1 / 1.5f)));
   const float lean = origin_.passing ? fade * smooth(std::max(0.0f, 1 - x / collar_end)) : 0;
   const float length = origin_.passing ? foot_length * lean * lean : fade * collar_length * ridge(x);
-  const float room = widest_in_bearer * origin_.radius + std::max(0.0f, from_start - emergence_);
+  const float room = widest_in_parent * origin_.radius + std::max(0.0f, from_start - emergence_);
   const float narrow = std::min(radius * (1 + fade * collar_width * ridge(x)), std::max(room, 0.1f * radius));
   const float blend = origin_.passing ? most_blend * fade * smooth(std::clamp(2 - x, 0.0f, 1.0f)) : 0;
   return {std::max(narrow, radius * (1 + length)), narrow, lean, blend};

@@ -8,17 +8,17 @@
 
 namespace panicle {
 
-// A cross-section: an ellipse, drawn out in the plane of branch and bearer where a branch comes out, else a circle.
+// A cross-section: an ellipse, drawn out in the plane of branch and parent where a branch comes out, else a circle.
 struct Section {
   float wide = 0;    // half-width in that plane
   float narrow = 0;  // half-width across it
-  float lean = 0;    // 0: at right angles to the branch … 1: its width lies along the bearer
-  float blend = 0;   // share of the bearer's normals in those of the branch, so that no edge shows between them
+  float lean = 0;    // 0: at right angles to the branch … 1: its width lies along the parent
+  float blend = 0;   // share of the parent's normals in those of the branch, so that no edge shows between them
 };
 
 // The radius passes smoothly from node to node, of tapering stems without a halt there (Fritsch & Carlson 1980: never
 // beyond what both nodes have), and is, of jointed ones, a little less between them. A branch spreads
-// into its bearer, within whose surface it begins; its end widens or narrows as StemEnd says.
+// into its parent, within whose surface it begins; its end widens or narrows as StemEnd says.
 class Thickness {
  public:
   Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end, bool jointed, bool tapering = false);
@@ -38,7 +38,7 @@ class Thickness {
   StemEnd end_;
   bool jointed_, tapering_;
   float length_ = 0;                         // of the whole axis
-  float per_emergence_ = 0, emergence_ = 0;  // how far from its start a branch leaves its bearer's surface
+  float per_emergence_ = 0, emergence_ = 0;  // how far from its start a branch leaves its parent's surface
   float per_end_radius_ = 0;
   float from_start_ = 0, step_ = 0;                 // of the segment
   float radius_ = 0, gain_ = 0;                     // at its start, and how much more at its end

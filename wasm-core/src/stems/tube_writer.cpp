@@ -32,7 +32,7 @@ FourVectors unit(const FourVectors& v) {
 }
 
 // The part at right angles to a unit vector.
-FourVectors across(const FourVectors& v, const glm::vec3& direction) {
+FourVectors reject(const FourVectors& v, const glm::vec3& direction) {
   const Four part = v.x * direction.x + v.y * direction.y + v.z * direction.z;
   return {v.x - part * direction.x, v.y - part * direction.y, v.z - part * direction.z};
 }
@@ -150,10 +150,10 @@ void TubeWriter::write_normals(const Tube& tube, const Ring& ring, float* out) c
     const FourVectors along = sum(ring.tangent, ring.right_change, c, ring.forward_change, s);
     FourVectors normal = cross(around, along);
     if (ring.blend > 0) {
-      // The bearer's normal, shorter within it: nothing on its axis, where it has none.
-      const FourVectors from_point = sum(ring.centre - tube.bearer_point, ring.right, c, ring.forward, s);
-      const FourVectors away = across(from_point, tube.bearer_direction);
-      normal = mix(normal, (1 - ring.blend) / ring.radius, away, ring.blend / tube.bearer_radius);
+      // The parent's normal, shorter within it: nothing on its axis, where it has none.
+      const FourVectors from_point = sum(ring.centre - tube.parent_point, ring.right, c, ring.forward, s);
+      const FourVectors away = reject(from_point, tube.parent_direction);
+      normal = mix(normal, (1 - ring.blend) / ring.radius, away, ring.blend / tube.parent_radius);
     }
     normal = unit(normal);
     const auto& [x, y, z] = normal;

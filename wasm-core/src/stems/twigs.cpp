@@ -23,7 +23,7 @@ glm::vec3 way_of(const Segment& segment) {
 }
 
 // The part of `v` at right angles to a unit vector, or anything that is.
-glm::vec3 across(const glm::vec3& v, const glm::vec3& tangent) {
+glm::vec3 reject(const glm::vec3& v, const glm::vec3& tangent) {
   const glm::vec3 part = v - glm::dot(v, tangent) * tangent;
   if (glm::dot(part, part) > 1e-4f) return glm::normalize(part);
   return glm::normalize(glm::cross(tangent, std::fabs(tangent.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
@@ -84,7 +84,7 @@ void add_twigs(StemMesh& stem, std::span<const Segment> segments, std::span<cons
     if (carries_on && segments[parent].radius < fine) {
       from = ends[parent];
     } else {
-      from.right = across(carries_on ? way_of(segments[parent]) : glm::vec3(0, 1, 0), way);
+      from.right = reject(carries_on ? way_of(segments[parent]) : glm::vec3(0, 1, 0), way);
       from.ring = writer.ring(segment.start, way, from.right, segment.radius, 0, i);
     }
     const float v = from.v + glm::distance(segment.start, segment.end) / (2 * pi * segment.radius);
@@ -96,7 +96,7 @@ void add_twigs(StemMesh& stem, std::span<const Segment> segments, std::span<cons
     const glm::vec3 both = way + way_of(segments[static_cast<std::size_t>(onward[i])]);
     const glm::vec3 tangent = glm::length(both) > 0.1f ? glm::normalize(both) : way;
     End& end = ends[i];
-    end.right = across(from.right, tangent);
+    end.right = reject(from.right, tangent);
     end.v = v;
     end.ring = writer.ring(segment.end, tangent, end.right, segment.radius_end, v, i);
     for (std::uint32_t k = 0; k < sides; ++k) {

@@ -17,7 +17,7 @@ constexpr float thin = 0.3f, fine_of_all = 0.002f;
 
 // Where a branch leaves at a narrow angle, its first rings fold over each other and over what bears it, and normals
 // told by the shape of the tube look into the wood: black facets. Such a place has those of its triangles.
-void mend_normals(Mesh& mesh) {
+void repair_normals(Mesh& mesh) {
   const auto at = [](const std::vector<float>& values, std::uint32_t i) {
     return glm::vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
   };
@@ -57,7 +57,7 @@ struct Branches {
 };
 
 Branches branches_of(std::span<const Segment> segments, std::span<const std::int32_t> axes,
-                     std::span<const std::int32_t> feet, const FootHabit& habit, float fine) {
+                     std::span<const std::int32_t> bases, const RootFlareOptions& options, float fine) {
   Branches found;
   std::vector<std::int32_t> numbers(segments.size(), -1);
   const auto add = [&](const Segment& segment, std::int32_t parent, std::size_t whole) {
@@ -71,11 +71,11 @@ Branches branches_of(std::span<const Segment> segments, std::span<const std::int
     if (segments[i].radius < fine) continue;
     const std::int32_t parent = segments[i].parent;
     std::int32_t last = parent >= 0 ? numbers[static_cast<std::size_t>(parent)] : -1;
-    if (std::find(feet.begin(), feet.end(), static_cast<std::int32_t>(i)) == feet.end()) {
+    if (std::find(bases.begin(), bases.end(), static_cast<std::int32_t>(i)) == bases.end()) {
       numbers[i] = add(segments[i], last, i);
       continue;
     }
-    for (const Segment& piece : pieces_of(segments[i], habit)) last = add(piece, last, i);
+    for (const Segment& piece : base_pieces(segments[i], options)) last = add(piece, last, i);
     numbers[i] = last;
   }
   return found;
@@ -84,7 +84,7 @@ Branches branches_of(std::span<const Segment> segments, std::span<const std::int
 }  // namespace
 
 StemMesh sweep_wood(std::span<const Segment> segments, std::span<const std::int32_t> axes,
-                    std::span<const glm::vec3> targets, const FootHabit& habit) {
+                    std::span<const glm::vec3> targets, const RootFlareOptions& flare) {
   float thickest = 0;
   glm::vec3 low(0), high(0);
   for (const Segment& segment : segments) {
@@ -94,20 +94,20 @@ StemMesh sweep_wood(std::span<const Segment> segments, std::span<const std::int3
   }
   const glm::vec3 size = high - low;
   const float fine = fine_of_all * std::max({size.x, size.y, size.z});
-  const std::vector<std::int32_t> feet = feet_of(segments, targets);
-  const Branches branches = branches_of(segments, axes, feet, habit, fine);
+  const std::vector<std::int32_t> bases = trunk_bases(segments, targets);
+  const Branches branches = branches_of(segments, axes, bases, flare, fine);
   // Thinner from fork to fork: whatever bears a branch is one. Wood does not swell where its pieces meet.
   const TubeOptions options{.sides = sides, .thin = thin * thickest, .thin_sides = thin_sides, .thin_plain = true};
   StemMesh stems = sweep_stems(
       {.segments = branches.segments, .groups = branches.groups, .jointed = false, .tapering = true}, options, 1.0f);
   for (std::uint32_t& segment : stems.segment) segment = branches.whole[segment];
-  mend_normals(stems.mesh);
+  repair_normals(stems.mesh);
   const std::vector<StemPart> parts = stems.parts;
-  for (std::size_t k = 0; k < feet.size(); ++k) {
-    if (feet[k] < 0) continue;
-    const auto foot = static_cast<std::size_t>(feet[k]);
+  for (std::size_t k = 0; k < bases.size(); ++k) {
+    if (bases[k] < 0) continue;
+    const auto base = static_cast<std::size_t>(bases[k]);
     for (const StemPart& part : parts)
-      if (part.group == axes[foot]) set_down(stems, part, {segments, axes, foot}, habit);
+      if (part.group == axes[base]) add_root_flare(stems, part, {segments, axes, base}, flare);
   }
   add_twigs(stems, segments, axes, fine);
   return stems;

@@ -88,7 +88,7 @@ Mesh tube(std::uint32_t sides, float diameter, std::uint32_t rounds) {
   const Flower flower =
       grown("#define A(" + n + ",0,0,0,4," + d + "," + d + ",1)\n#axiom: A\nA -> A[A]_{E}\n", steps(9));
   generalized_map::Embedding embedding;
-  embedding.lay(flower.derived.map);
+  embedding.build(flower.derived.map);
   Skin skin(flower.derived, embedding, rounds);
   embedding.place(skin.shapes(flower.derived));
   Plant plant;

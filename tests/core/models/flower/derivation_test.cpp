@@ -217,7 +217,7 @@ TEST_CASE("a split halves a volume, and both go on growing") {
   CHECK(flower.value(1, Field::height) == 0.5f);
   CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
   gm::Embedding embedding;
-  embedding.lay(flower.derived.map);
+  embedding.build(flower.derived.map);
   embedding.place(flower.derived.shapes());
   float top = 0;
   for (const glm::vec3& at : embedding.positions()) top = std::max(top, at.z);

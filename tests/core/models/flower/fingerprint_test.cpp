@@ -27,7 +27,7 @@ struct Planted {
 
 Planted planted(const std::string& text) {
   Planted made{grown(text, steps(4)), {}};
-  made.embedding.lay(made.flower.derived.map);
+  made.embedding.build(made.flower.derived.map);
   made.embedding.place(made.flower.derived.shapes());
   return made;
 }

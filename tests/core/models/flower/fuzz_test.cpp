@@ -87,7 +87,7 @@ void try_out(const std::string& text) {
   }
   CHECK(generalized_map::check(derived.value().map).fault == generalized_map::Fault::nothing);
   generalized_map::Embedding embedding;
-  embedding.lay(derived.value().map);
+  embedding.build(derived.value().map);
   embedding.place(derived.value().shapes());
   // Placing anew is no more work than growing was, where that did not end early.
   const auto again = reworked(program.value(), steps(6), derived.value(), derived->whole ? limits : Limits{});

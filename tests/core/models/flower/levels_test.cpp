@@ -43,7 +43,7 @@ Levelled levelled(const std::string& text, const Given& given = {}) {
   const Program program = program_of(text);
   Derived derived = sound(derive(program, given));
   generalized_map::Embedding embedding;
-  embedding.lay(derived.map);
+  embedding.build(derived.map);
   const std::vector<VolumeValues> values = derived.values;
   FlowerLevels levels(program, given, {}, derived, embedding);
   CHECK(derived.values == values);
@@ -208,7 +208,7 @@ TEST_CASE("an organ of more triangles than are compared is simplified on grids, 
   REQUIRE(grown);
   Derived derived = std::move(grown.value());
   generalized_map::Embedding embedding;
-  embedding.lay(derived.map);
+  embedding.build(derived.map);
   const std::uint64_t before = budget.spent();
   Levels levels(program, {}, limits, derived, embedding);
   CHECK(budget.spent() == before);

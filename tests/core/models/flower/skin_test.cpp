@@ -18,7 +18,7 @@ namespace {
 std::vector<PlantMesh> painted(const std::string& text, std::uint32_t rounds) {
   const Flower flower = grown(text);
   generalized_map::Embedding embedding;
-  embedding.lay(flower.derived.map);
+  embedding.build(flower.derived.map);
   Skin skin(flower.derived, embedding, rounds);
   embedding.place(skin.shapes(flower.derived));
   Plant plant;
@@ -74,7 +74,7 @@ TEST_CASE("each triangle names the volume and the face that it is of, and every 
   const Flower flower = grown(leaf);
   const generalized_map::Map& map = flower.derived.map;
   generalized_map::Embedding embedding;
-  embedding.lay(map);
+  embedding.build(map);
   Skin skin(flower.derived, embedding, 0);
   embedding.place(skin.shapes(flower.derived));
   Plant plant;

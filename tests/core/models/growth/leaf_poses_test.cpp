@@ -19,7 +19,7 @@ glm::vec4 plainly(const Twig& twig, float about, float height, float around, boo
   const glm::vec3 side = way.cosine * twig.one + way.sine * twig.other;
   if (needle) {
     const glm::vec3 out = glm::normalize(twig.along + 0.5f * side);
-    return turn_to(out, beside(out));
+    return turn_to(out, any_perpendicular(out));
   }
   const glm::vec3 out = glm::normalize(0.6f * twig.along + side - glm::vec3(0, 0.25f, 0));
   const float level = std::sqrt(1 - height * height);
@@ -35,7 +35,7 @@ float apart(const glm::vec4& a, const glm::vec4& b) { return std::min(glm::dista
 
 TEST_CASE("four leaves at once stand as each of them alone") {
   for (std::uint64_t k = 0; k < 300; ++k) {
-    const glm::vec3 along = random_direction(1, 1, k), one = beside(along);
+    const glm::vec3 along = random_direction(1, 1, k), one = any_perpendicular(along);
     const Twig twig{along, one, glm::cross(along, one)};
     LeafNoise noise{};
     for (int i = 0; i < 4; ++i) {
@@ -60,7 +60,7 @@ TEST_CASE("where nothing says which way a leaf looks, it still stands") {
   // Out and face fall together, or there is no face: along is straight down and luck the other way.
   for (const float height : {-1.0f, 0.0f, 1.0f})
     for (const glm::vec3& along : {glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(1, 0, 0)}) {
-      const glm::vec3 one = beside(along);
+      const glm::vec3 one = any_perpendicular(along);
       LeafNoise noise{};
       noise.about = Four{0, 0.25f, 0.5f, 0.75f};
       noise.height = all_of(height);

@@ -107,7 +107,7 @@ const Mistake mistakes[] = {
 }  // namespace
 
 TEST_CASE("mistakes in a growth grammar are told at their place, with advice") {
-  panicle::tests::check_told(mistakes, [](const std::string& text) {
+  panicle::tests::check_mistakes(mistakes, [](const std::string& text) {
     const Diagnostic diagnostic = trouble(text);
     CHECK(diagnostic.message.find('%') == std::string::npos);
     return diagnostic;

@@ -96,7 +96,7 @@ TEST_CASE("feet are the thickest that begin at each target") {
                                       {-1, 0, {5, 3, 0}, {5, 4, 0}, 0.3f, 0.1f},
                                       {1, 0, {1, 1, 0}, {2, 2, 0}, 0.4f, 0.1f}};
   const std::vector<glm::vec3> targets{{0, 0, 0}, {9, 0, 0}};
-  CHECK(feet_of(segments, targets) == std::vector<std::int32_t>{1, -1});
+  CHECK(trunk_bases(segments, targets) == std::vector<std::int32_t>{1, -1});
   // A trunk's line: upright first, then from place to place.
   const std::vector<std::int32_t> axes{0, 1, 2, 1};
   const TrunkLine line{segments, axes, 1};

@@ -57,7 +57,7 @@ const Mistake mistakes[] = {
 }  // namespace
 
 TEST_CASE("stand: mistakes are told where they are, with what to write") {
-  panicle::tests::check_told(mistakes, [](const std::string& text) {
+  panicle::tests::check_mistakes(mistakes, [](const std::string& text) {
     const auto plan = read_plan(text);
     return plan ? Diagnostic{} : plan.error();
   });

@@ -16,20 +16,20 @@
 namespace panicle::lsystem {
 
 Derivation::Derivation(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, Chance chance,
-                       const Surroundings& around)
+                       const DerivationOptions& options)
     : bound_(bound),
       program_(*bound.program),
       limits_(limits),
       chance_(chance),
       seed_(seed),
-      around_(around),
-      machine_(bound, seed, limits_, around.space),
+      options_(options),
+      machine_(bound, seed, limits_, options.space),
       neighbourhood_(program_) {
   machine_.look_around(neighbourhood_);
   if (program_.has(Purpose::decomposition)) parts_ = program_.rules_of(Purpose::decomposition).data();
   if (!begin() || !locate()) now_ = {};
   at_rest_ = now_.active_count == 0;
-  if (around_.watcher != nullptr) around_.watcher->begins(now_.string);
+  if (options_.watcher != nullptr) options_.watcher->begins(now_.string);
 }
 
 // Room in `next_` for a run and a successor. Inline, as all that the innermost loop consists of: else it takes a tenth
@@ -66,7 +66,7 @@ inline bool Derivation::append(const Template& successor, const Origin& origin, 
 // The same of the module at a word, with who watches told of it.
 [[gnu::noinline]] bool Derivation::append_watched(std::uint64_t at, const Production& by, const Origin& origin,
                                                   std::uint32_t symbol) {
-  Watcher& watcher = *around_.watcher;
+  Watcher& watcher = *options_.watcher;
   const std::uint64_t before = next_.string.modules;
   watcher.rewrites(at);
   if (!append(by.successor, origin, symbol, &by)) return false;
@@ -83,7 +83,7 @@ bool Derivation::append_parts(const Template& successor, const Origin& origin, s
   if (!machine_.make_room(part_words_[depth], successor.words) ||
       !machine_.write(successor, part_words_[depth].data(), origin, symbol))
     return false;
-  Watcher* const watcher = around_.watcher;
+  Watcher* const watcher = options_.watcher;
   if (watcher != nullptr && by != nullptr && depth == 0) watcher->applied(*by, machine_);
   const std::uint32_t* at = part_words_[depth].data();
   const std::uint32_t* const end = at + successor.words;
@@ -119,7 +119,7 @@ bool Derivation::append_module(const std::uint32_t* module) {
 // What ?P and the like are told, so that the next step can see it.
 bool Derivation::locate() {
   if (!program_.locates || machine_.failed()) return !machine_.failed();
-  const Diagnostic trouble = lsystem::locate(bound_, now_.string, around_.start, seed_, limits_, around_.space);
+  const Diagnostic trouble = lsystem::locate(bound_, now_.string, options_.start, seed_, limits_, options_.space);
   if (trouble.reason != Reason::none) return machine_.fail(trouble);
   return machine_.spend(now_.string.used / 32);
 }
@@ -148,22 +148,22 @@ bool Derivation::step() {
   at_rest_ = now_.active_count == 0 || !(rewrote_ || waiting_);
   answered_ = false;
   ++steps_;
-  if (around_.watcher != nullptr) around_.watcher->ends(now_.string);
+  if (options_.watcher != nullptr) options_.watcher->ends(now_.string);
   return rewrote_;
 }
 
-bool Derivation::ask(const Turtle& start, Listener& listener) {
+bool Derivation::query_environment(const Turtle& start, Listener& listener) {
   if (machine_.failed()) return false;
   if (listener.observes_first()) {
     listener.observation_begins();
-    const auto heard = trace(bound_, now_.string, start, listener, seed_, limits_, around_.space);
+    const auto heard = interpret_without_queries(bound_, now_.string, start, listener, seed_, limits_, options_.space);
     if (!heard) return machine_.fail(heard.error());
-    listener.answers_begin();
+    listener.responses_begin();
   }
-  if (around_.watcher != nullptr) around_.watcher->asks();
-  const Diagnostic trouble = answer(bound_, now_.string, start, listener, seed_, limits_, around_.space);
+  if (options_.watcher != nullptr) options_.watcher->queries();
+  const Diagnostic trouble = write_responses(bound_, now_.string, start, listener, seed_, limits_, options_.space);
   if (trouble.reason != Reason::none) return machine_.fail(trouble);
-  if (around_.watcher != nullptr) around_.watcher->answered();
+  if (options_.watcher != nullptr) options_.watcher->responded();
   answered_ = true;
   at_rest_ = false;
   return true;
@@ -173,7 +173,7 @@ inline bool Derivation::rewrite_module(std::uint64_t at) {
   const std::uint32_t* const module = now_.string.words.data() + at;
   const std::uint32_t header = *module;
   if (symbol_of(header) == cut_symbol) return cut(at);
-  const bool unanswered = symbol_of(header) == ask_symbol && !answered_;
+  const bool unanswered = symbol_of(header) == query_symbol && !answered_;
   if (program_.rules[symbol_of(header)].in_context && !look_around(at)) return false;
   const Production* const production = unanswered ? nullptr : machine_.choose(module);
   if (production == nullptr) return !machine_.failed() && (!stays_active(header) || keep_active(at));
@@ -182,7 +182,7 @@ inline bool Derivation::rewrite_module(std::uint64_t at) {
   --next_.string.modules;
   rewrote_ = true;
   const Origin origin = has_lineage(header) ? origin_of(module) : Origin{};
-  if (around_.watcher != nullptr) return append_watched(at, *production, origin, symbol_of(header));
+  if (options_.watcher != nullptr) return append_watched(at, *production, origin, symbol_of(header));
   return append(production->successor, origin, symbol_of(header), production);
 }
 
@@ -212,15 +212,15 @@ bool Derivation::rewrite() {
 
 bool Derivation::keep_active(std::uint64_t at) {
   const std::uint32_t header = now_.string.words.data()[at];
-  waiting_ |= symbol_of(header) != ask_symbol && machine_.tries_again(header);
+  waiting_ |= symbol_of(header) != query_symbol && machine_.tries_again(header);
   if (!machine_.make_room(next_.active, next_.active_count + 1)) return false;
   next_.active.data()[next_.active_count++] = static_cast<std::uint32_t>(next_.string.used + at - copied_);
   return true;
 }
 
 bool Derivation::stays_active(std::uint32_t header) const {
-  return symbol_of(header) == ask_symbol || program_.rules[symbol_of(header)].in_context ||
-         program_.asks_turtle(symbol_of(header)) || machine_.tries_again(header);
+  return symbol_of(header) == query_symbol || program_.rules[symbol_of(header)].in_context ||
+         program_.is_turtle_query(symbol_of(header)) || machine_.tries_again(header);
 }
 
 // A step that rewrites nothing has its way through the string counted, too: chance may let many of them follow.
@@ -245,7 +245,7 @@ bool Derivation::cut(std::uint64_t at) {
   copied_ = static_cast<std::uint64_t>(rest.end - string);
   next_.string.modules -= rest.modules;
   rewrote_ = true;
-  if (around_.watcher != nullptr) around_.watcher->removes(at, rest.modules);
+  if (options_.watcher != nullptr) options_.watcher->removes(at, rest.modules);
   return true;
 }
 
@@ -259,13 +259,13 @@ void Derivation::make_ready() {
 namespace {
 
 // Takes steps until there are so many or it is at rest.
-void derive(Derivation& derivation, std::uint32_t steps, const Surroundings& around, Derived& derived) {
-  while (derivation.steps() < steps && (!derivation.at_rest() || around.answers != nullptr)) {
-    if (around.answers != nullptr && !derivation.ask(around.start, *around.answers)) break;
+void derive(Derivation& derivation, std::uint32_t steps, const DerivationOptions& options, Derived& derived) {
+  while (derivation.steps() < steps && (!derivation.at_rest() || options.environment != nullptr)) {
+    if (options.environment != nullptr && !derivation.query_environment(options.start, *options.environment)) break;
     if (derivation.step()) {
       derived.steps = derivation.steps();
       derived.modules_written += length(derivation.string());
-    } else if (derivation.at_rest() && around.answers != nullptr) {
+    } else if (derivation.at_rest() && options.environment != nullptr) {
       break;
     }
   }
@@ -278,14 +278,14 @@ Derived with_string(Derived derived, Derivation&& derivation) {
 }
 
 Result<Derived> derive(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
-                       const Limits& limits, const Surroundings& around) {
+                       const Limits& limits, const DerivationOptions& options) {
   const bool to_rest = !steps;
   WorkBudget own(limits.work, limits.bytes);
   const Limits counted = limits.counted_by(own);
   Derivation derivation(bound, seed, counted, to_rest ? Derivation::Chance::once : Derivation::Chance::each_step,
-                        around);
+                        options);
   Derived derived;
-  derive(derivation, steps.value_or(limits.steps), around, derived);
+  derive(derivation, steps.value_or(limits.steps), options, derived);
   if (derived.stopped.reason == Reason::none && to_rest && !derivation.at_rest())
     derived.stopped = Machine::too_many_steps(limits);
   return with_string(std::move(derived), std::move(derivation));
@@ -299,24 +299,24 @@ Result<Derived> whole(Result<Derived> derived) {
 // What unfolding gives or, where a limit ends that, what steps lead to. Each has half of the work that is left: so
 // steps lead to the same string whether someone watches them or not.
 Result<Derived> unfold_or_derive(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
-                                 const Surroundings& around) {
+                                 const DerivationOptions& options) {
   WorkBudget own(limits.work, limits.bytes);
   const Limits shared = limits.counted_by(own);
   const std::uint64_t half = shared.budget->left() / 2;
-  if (around.watcher == nullptr) {
+  if (options.watcher == nullptr) {
     const WorkBudget::Share share(*shared.budget, half);
-    Result<Derived> unfolded = unfold(bound, seed, shared, around);
+    Result<Derived> unfolded = unfold(bound, seed, shared, options);
     if (unfolded || unfolded.error().reason != Reason::limit) return unfolded;
   }
   const WorkBudget::Share share(*shared.budget, half);
-  return derive(bound, seed, {}, shared, around);
+  return derive(bound, seed, {}, shared, options);
 }
 
-std::optional<std::uint32_t> steps_of(const BoundProgram& bound, std::optional<std::uint32_t> asked) {
-  return asked ? asked : derivation_length(bound);
+std::optional<std::uint32_t> steps_of(const BoundProgram& bound, std::optional<std::uint32_t> requested) {
+  return requested ? requested : derivation_length(bound);
 }
 
-Diagnostic too_many_asked(std::uint32_t steps, const Limits& limits) {
+Diagnostic too_many_steps(std::uint32_t steps, const Limits& limits) {
   return error_at(Reason::limit, {}, "The grammar is asked for % steps; the limit is %.",
                   {std::to_string(steps), std::to_string(limits.steps)});
 }
@@ -324,24 +324,24 @@ Diagnostic too_many_asked(std::uint32_t steps, const Limits& limits) {
 }  // namespace
 
 Result<Derived> develop_to_rest(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
-                                const Surroundings& around) {
-  return whole(derive(bound, seed, {}, limits, around));
+                                const DerivationOptions& options) {
+  return whole(derive(bound, seed, {}, limits, options));
 }
 
-Result<Derived> develop(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> asked,
-                        const Limits& limits, const Surroundings& around) {
-  const std::optional<std::uint32_t> steps = steps_of(bound, asked);
-  if (!steps) return unfold(bound, seed, limits, around);
-  if (*steps > limits.steps) return too_many_asked(*steps, limits);
-  return whole(derive(bound, seed, steps, limits, around));
+Result<Derived> develop(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> requested,
+                        const Limits& limits, const DerivationOptions& options) {
+  const std::optional<std::uint32_t> steps = steps_of(bound, requested);
+  if (!steps) return unfold(bound, seed, limits, options);
+  if (*steps > limits.steps) return too_many_steps(*steps, limits);
+  return whole(derive(bound, seed, steps, limits, options));
 }
 
-Result<Derived> develop_so_far(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> asked,
-                               const Limits& limits, const Surroundings& around) {
-  const std::optional<std::uint32_t> steps = steps_of(bound, asked);
-  if (steps && *steps > limits.steps) return too_many_asked(*steps, limits);
+Result<Derived> develop_so_far(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> requested,
+                               const Limits& limits, const DerivationOptions& options) {
+  const std::optional<std::uint32_t> steps = steps_of(bound, requested);
+  if (steps && *steps > limits.steps) return too_many_steps(*steps, limits);
   Result<Derived> derived =
-      steps ? derive(bound, seed, steps, limits, around) : unfold_or_derive(bound, seed, limits, around);
+      steps ? derive(bound, seed, steps, limits, options) : unfold_or_derive(bound, seed, limits, options);
   if (derived && derived->stopped.reason != Reason::none && derived->stopped.reason != Reason::limit)
     return derived->stopped;
   return derived;

@@ -4,9 +4,9 @@
 // communication modules in it, and the next step rewrites these by what they were answered:
 //
 //   Derivation derivation(bound, seed, limits);
-//   while (derivation.steps() < n && derivation.ask(start, environment)) derivation.step();
+//   while (derivation.steps() < n && derivation.query_environment(start, environment)) derivation.step();
 //   if (derivation.trouble().reason != Reason::none) …
-//   trace(bound, derivation.string(), start, drawing, limits);
+//   interpret_without_queries(bound, derivation.string(), start, drawing, limits);
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ class Derivation {
 
   // Begins with the axiom. `bound` and what surrounds the plant must outlive the derivation.
   Derivation(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, Chance chance = Chance::each_step,
-             const Surroundings& around = {});
+             const DerivationOptions& options = {});
 
   // Rewrites all modules once, those of ?E only where they have been answered since the last step. Whether anything was
   // rewritten; false also when something went wrong. A step in which nothing was rewritten is a step all the same: a
@@ -36,7 +36,7 @@ class Derivation {
 
   // Walks the string as `interpret` does, but writes each answer into the parameters of its ?E and draws nothing in its
   // place. False when something went wrong.
-  bool ask(const Turtle& start, Listener& listener);
+  bool query_environment(const Turtle& start, Listener& listener);
 
   // The string after so many steps; another one after the next step.
   const String& string() const { return now_.string; }
@@ -78,7 +78,7 @@ class Derivation {
   Limits limits_;
   Chance chance_;
   std::uint64_t seed_;
-  Surroundings around_;
+  DerivationOptions options_;
   Machine machine_;
   Neighbourhood neighbourhood_;
   const Rules* parts_ = nullptr;   // what decomposes modules, by symbol
@@ -97,6 +97,6 @@ class Derivation {
 // The string that steps lead to until nothing is rewritten any more, for productions that see each other's work: what
 // `unfold` gives for those. A random condition draws the same in every step. Errors as there.
 Result<Derived> develop_to_rest(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
-                                const Surroundings& around = {});
+                                const DerivationOptions& options = {});
 
 }  // namespace panicle::lsystem

@@ -4,16 +4,16 @@
 
 namespace panicle::lsystem {
 
-Neighbourhood::Neighbourhood(const Program& program) : program_(program), sorts_(program.symbols.size(), passed_over) {
-  for (std::size_t symbol = 0; symbol < sorts_.size(); ++symbol) {
+Neighbourhood::Neighbourhood(const Program& program) : program_(program), classes_(program.symbols.size(), passed_over) {
+  for (std::size_t symbol = 0; symbol < classes_.size(); ++symbol) {
     const bool is_seen = program.passed_over[symbol] == 0, in_context = program.rules[symbol].in_context;
-    if (is_seen) sorts_[symbol] |= seen;
-    if (in_context) sorts_[symbol] |= asking;
-    unseen_ask_ |= in_context && !is_seen;
+    if (is_seen) classes_[symbol] |= seen;
+    if (in_context) classes_[symbol] |= context_sensitive;
+    has_hidden_context_ |= in_context && !is_seen;
   }
-  sorts_[push_symbol] = opens;
-  sorts_[pop_symbol] = closes;
-  wants_ends_ = program.looks_right && unseen_ask_;
+  classes_[push_symbol] = opens;
+  classes_[pop_symbol] = closes;
+  wants_ends_ = program.looks_right && has_hidden_context_;
   for (const Production& production : program.productions) wants_ends_ |= production.right.size() > 1;
 }
 
@@ -29,42 +29,42 @@ bool Neighbourhood::begin(const String& string) {
 bool Neighbourhood::walk() {
   const std::uint32_t* const words = string_->begin();
   const auto used = static_cast<std::uint32_t>(string_->used);
-  const std::uint8_t* const sorts = sorts_.data();
+  const std::uint8_t* const classes = classes_.data();
   std::uint32_t last = none;    // seen on the way from the root
-  std::uint32_t untold = none;  // the word of a place that has not been told what is behind it
+  std::uint32_t pending = none;  // the word of a place that has not been told what is behind it
   std::uint32_t places = 0, open = 0;
   for (std::uint32_t at = 0; at < used; at += words_of(words[at])) {
-    const std::uint32_t sort = sorts[symbol_of(words[at])];
-    if (sort == passed_over) continue;
-    if (sort == opens) {
+    const std::uint32_t symbol_class = classes[symbol_of(words[at])];
+    if (symbol_class == passed_over) continue;
+    if (symbol_class == opens) {
       if (!open_.reserve(open + walk_words, 3 * string_->modules)) return false;
-      const std::uint32_t here[walk_words] = {at, last, untold};
+      const std::uint32_t here[walk_words] = {at, last, pending};
       std::memcpy(open_.data() + open, here, sizeof here);
       open += walk_words;
-      untold = none;
+      pending = none;
       continue;
     }
-    if (sort == closes) {
+    if (symbol_class == closes) {
       std::uint32_t there[walk_words];
       open -= walk_words;
       std::memcpy(there, open_.data() + open, sizeof there);
       if (wants_ends_) ends_.data()[there[0]] = at;
       last = there[1];
-      untold = there[2];
+      pending = there[2];
       continue;
     }
-    if ((sort & seen) != 0 && untold != none) places_.data()[untold + 2] = at;
-    if ((sort & asking) != 0) {
+    if ((symbol_class & seen) != 0 && pending != none) places_.data()[pending + 2] = at;
+    if ((symbol_class & context_sensitive) != 0) {
       if (!places_.reserve(places + place_words, 3 * string_->modules)) return false;
       const std::uint32_t here[place_words] = {at, last, none};
       std::memcpy(places_.data() + places, here, sizeof here);
     }
-    if ((sort & seen) != 0) {
+    if ((symbol_class & seen) != 0) {
       if (program_.looks_far_left) before_.data()[at] = last;
       last = at;
-      untold = (sort & asking) != 0 ? places : none;
+      pending = (symbol_class & context_sensitive) != 0 ? places : none;
     }
-    if ((sort & asking) != 0) places += place_words;
+    if ((symbol_class & context_sensitive) != 0) places += place_words;
   }
   return true;
 }
@@ -80,7 +80,7 @@ void Neighbourhood::go_to(std::uint64_t at, std::uint64_t& looked) {
   } while (there[0] != at);
   before_it_ = there[1];
   behind_it_ = there[2];
-  if (unseen_ask_ && program_.looks_right) {
+  if (has_hidden_context_ && program_.looks_right) {
     const std::uint32_t* const behind = next_seen(words + at + words_of(words[at]), false, looked);
     behind_it_ = behind == nullptr ? none : static_cast<std::uint32_t>(behind - words);
   }
@@ -145,7 +145,7 @@ const std::uint32_t* Neighbourhood::next_seen(const std::uint32_t* at, bool into
     if (symbol == push_symbol) {
       if (into_branches) return at;
       at = end_of_branch(at);
-    } else if ((sorts_[symbol] & seen) != 0) {
+    } else if ((classes_[symbol] & seen) != 0) {
       return at;
     }
   }

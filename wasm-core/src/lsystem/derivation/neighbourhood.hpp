@@ -48,7 +48,7 @@ class Neighbourhood {
  private:
   static constexpr std::uint32_t none = 0xffffffff;
   // What a walk does at a symbol.
-  enum Sort : std::uint32_t { passed_over = 0, seen = 1, asking = 2, opens = 4, closes = 8 };
+  enum SymbolClass : std::uint32_t { passed_over = 0, seen = 1, context_sensitive = 2, opens = 4, closes = 8 };
   // Of each module that asks: its word, and those of what is seen right before and behind it, or `none`.
   static constexpr std::uint32_t place_words = 3;
   // Of each bracket that is open: its word, what was seen last, and who had not been told what is behind it.
@@ -68,8 +68,8 @@ class Neighbourhood {
   bool is(const Neighbour& wanted, const std::uint32_t* module, Registers registers) const;
 
   const Program& program_;
-  std::vector<std::uint8_t> sorts_;  // by symbol
-  bool unseen_ask_ = false;          // whether contexts do not see all that ask
+  std::vector<std::uint8_t> classes_;  // by symbol
+  bool has_hidden_context_ = false;          // whether contexts do not see all that ask
   bool wants_ends_ = false;          // whether branches are passed over or looked into
   const String* string_ = nullptr;
   Words places_, open_;

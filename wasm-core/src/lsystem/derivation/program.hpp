@@ -28,7 +28,7 @@ constexpr std::uint32_t symbol_for(Action action) {
 inline constexpr std::uint32_t push_symbol = symbol_for(Action::push);
 inline constexpr std::uint32_t pop_symbol = symbol_for(Action::pop);
 inline constexpr std::uint32_t cut_symbol = symbol_for(Action::cut);
-inline constexpr std::uint32_t ask_symbol = symbol_for(Action::ask);
+inline constexpr std::uint32_t query_symbol = symbol_for(Action::query);
 
 // What a parameter must be to be written: the turtle takes finite numbers only.
 enum class Demand : std::uint8_t { none, finite, not_negative };
@@ -117,8 +117,8 @@ class Program {
     return meanings[symbol] == no_meaning ? nullptr : &turtle_symbols[meanings[symbol]];
   }
   // Whether it is ?P, ?H, ?L or ?U, whose parameters change from step to step.
-  bool asks_turtle(std::uint32_t symbol) const {
-    return meanings[symbol] != no_meaning && turtle_symbols[meanings[symbol]].action >= Action::ask_position;
+  bool is_turtle_query(std::uint32_t symbol) const {
+    return meanings[symbol] != no_meaning && turtle_symbols[meanings[symbol]].action >= Action::query_position;
   }
   bool has(Purpose purpose) const { return !rules_for[static_cast<std::size_t>(purpose)].empty(); }
   const std::vector<Rules>& rules_of(Purpose purpose) const { return rules_for[static_cast<std::size_t>(purpose)]; }
@@ -133,7 +133,7 @@ class Program {
   std::array<std::vector<Rules>, purposes> rules_for;  // of the others, by symbol; empty where there are none
   std::array<Value, 2> depths;                         // of decomposition and homomorphism
   std::array<Value, settings_count> settings;          // by GlobalSetting
-  bool asks = false;                                   // whether a module asks the environment
+  bool has_queries = false;                                   // whether a module asks the environment
   bool locates = false;                                // whether a module asks for the turtle's place or axes
   std::vector<std::uint32_t> predecessors;             // in the order of the text
   std::vector<std::uint32_t> words;

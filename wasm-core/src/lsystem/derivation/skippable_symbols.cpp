@@ -75,7 +75,7 @@ void SkippableSymbols::find_branches(const String& string) {
       Branch& closed = branches_[open.back()];
       if (closed.end != closed.begin) closed.end = offset + words_of(*at);
       open.pop_back();
-    } else if (program_.asks_turtle(symbol)) {
+    } else if (program_.is_turtle_query(symbol)) {
       for (std::size_t i = open.size(); i-- > 0 && branches_[open[i]].end != branches_[open[i]].begin;)
         branches_[open[i]].end = branches_[open[i]].begin;
     }

@@ -67,7 +67,7 @@ class Unfolding {
 
   // Communication modules wait for their answer, in interpretation.
   bool rewritable(std::uint32_t header) const {
-    return symbol_of(header) != ask_symbol && program_.rules[symbol_of(header)].productions.size() > 0;
+    return symbol_of(header) != query_symbol && program_.rules[symbol_of(header)].productions.size() > 0;
   }
 
   // Puts a successor on the stack.
@@ -103,11 +103,11 @@ class Unfolding {
 }  // namespace
 
 Result<Derived> unfold(const BoundProgram& bound, std::uint64_t seed, const Limits& limits,
-                       const Surroundings& around) {
-  const bool asked = around.answers != nullptr && bound.program->asks;
-  if (asked || around.watcher != nullptr || bound.program->by_steps())
-    return develop_to_rest(bound, seed, limits, around);
-  return Unfolding(bound, seed, limits, around.space).run();
+                       const DerivationOptions& options) {
+  const bool queries = options.environment != nullptr && bound.program->has_queries;
+  if (queries || options.watcher != nullptr || bound.program->by_steps())
+    return develop_to_rest(bound, seed, limits, options);
+  return Unfolding(bound, seed, limits, options.space).run();
 }
 
 }  // namespace panicle::lsystem

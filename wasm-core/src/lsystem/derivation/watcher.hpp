@@ -33,8 +33,8 @@ class Watcher {
   virtual void removes(std::uint64_t at, std::uint64_t modules) = 0;
 
   // The environment is asked what stands in the string, and has answered.
-  virtual void asks() = 0;
-  virtual void answered() = 0;
+  virtual void queries() = 0;
+  virtual void responded() = 0;
 };
 
 }  // namespace panicle::lsystem

@@ -34,15 +34,15 @@ bool draws(const std::vector<ModuleTree>& modules) {
   return false;
 }
 
-bool asks(const std::vector<ModuleTree>& modules) {
+bool has_query(const std::vector<ModuleTree>& modules) {
   return std::any_of(modules.begin(), modules.end(), [](const ModuleTree& module) { return module.name == "?E"; });
 }
 
 // Whether a program cannot do without lineages.
 bool needs_lineages(const Grammar& grammar) {
-  if (draws(grammar.axiom) || asks(grammar.axiom)) return true;
+  if (draws(grammar.axiom) || has_query(grammar.axiom)) return true;
   for (const ProductionTree& production : grammar.productions) {
-    if (production.weight.given() || asks(production.successor) || draws(production.successor)) return true;
+    if (production.weight.given() || has_query(production.successor) || draws(production.successor)) return true;
     if (draws(production.condition) || draws(production.before) || draws(production.after)) return true;
   }
   return false;
@@ -394,8 +394,8 @@ class Compiler {
     const std::uint32_t symbol = symbols_.find(tree.name, tree.system);
     const std::size_t count = tree.arguments.size();
     if (symbols_.is_turtles(symbol) && !takes(symbol, count, tree.place)) return false;
-    program.locates |= program.asks_turtle(symbol);
-    program.asks |= symbol == ask_symbol;
+    program.locates |= program.is_turtle_query(symbol);
+    program.has_queries |= symbol == query_symbol;
     if (answer && !drawable(tree, symbol)) return false;
     if (!symbols_.stands_for_itself(tree.name, symbol)) return read_as_one(tree.name, tree.place);
 
@@ -428,7 +428,7 @@ class Compiler {
 
   // An answer is drawn in place unless it is rewritten in the next of a given number of steps.
   bool drawable(const ModuleTree& tree, std::uint32_t symbol) {
-    if (symbols_.is_turtles(symbol) && symbol != ask_symbol) return true;
+    if (symbols_.is_turtles(symbol) && symbol != query_symbol) return true;
     Diagnostic& trouble = program_->not_drawable;
     if (trouble.reason == Reason::none)
       trouble = error_at(Reason::syntax, tree.place,
@@ -505,7 +505,7 @@ Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limi
 
 const Roles& roles(const Program& program) { return program.roles; }
 
-bool asks(const Program& program) { return program.asks; }
+bool has_queries(const Program& program) { return program.has_queries; }
 
 std::span<const std::string> symbols(const Program& program) { return program.symbols; }
 

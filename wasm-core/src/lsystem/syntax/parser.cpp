@@ -47,13 +47,13 @@ class GrammarParser : public ProductionReader {
   bool follows(std::size_t at, char sign) const { return at + 1 < tokens_.size() && tokens_[at + 1].is(sign); }
   bool is_alone(std::size_t at) const { return end_of_line(at) == at + 1; }
 
-  bool is_axiom(std::size_t at) const { return tokens_[at].says("axiom") && follows(at, ':'); }
+  bool is_axiom(std::size_t at) const { return tokens_[at].is_keyword("axiom") && follows(at, ':'); }
 
   // Whether the words stand at `at`, and a colon behind them.
   bool is_line(std::size_t at, std::span<const std::string_view> words) const {
     for (const std::string_view word : words) {
       if (word.empty()) break;
-      if (at >= tokens_.size() || !tokens_[at].says(word)) return false;
+      if (at >= tokens_.size() || !tokens_[at].is_keyword(word)) return false;
       ++at;
     }
     return at < tokens_.size() && tokens_[at].is(':');
@@ -69,7 +69,7 @@ class GrammarParser : public ProductionReader {
   }
 
   bool is_sight(std::size_t at) const {
-    return (tokens_[at].says("ignore") || tokens_[at].says("consider")) && follows(at, ':') &&
+    return (tokens_[at].is_keyword("ignore") || tokens_[at].is_keyword("consider")) && follows(at, ':') &&
            arrow_of_line(at) == end_of_line(at);
   }
 
@@ -82,13 +82,13 @@ class GrammarParser : public ProductionReader {
   // `decomposition`, `homomorphism` or `derivation`, alone or with a colon.
   bool is_section(std::size_t at) const {
     const bool named =
-        tokens_[at].says("decomposition") || tokens_[at].says("homomorphism") || tokens_[at].says("derivation");
-    const bool says_more = !tokens_[at].says("derivation") && arrow_of_line(at) == end_of_line(at);
-    return named && (is_alone(at) || (follows(at, ':') && (is_alone(at + 1) || says_more)));
+        tokens_[at].is_keyword("decomposition") || tokens_[at].is_keyword("homomorphism") || tokens_[at].is_keyword("derivation");
+    const bool has_statement = !tokens_[at].is_keyword("derivation") && arrow_of_line(at) == end_of_line(at);
+    return named && (is_alone(at) || (follows(at, ':') && (is_alone(at + 1) || has_statement)));
   }
 
   bool is_system(std::size_t at) const {
-    return (tokens_[at].says("lsystem") && follows(at, ':')) || (tokens_[at].says("endlsystem") && is_alone(at));
+    return (tokens_[at].is_keyword("lsystem") && follows(at, ':')) || (tokens_[at].is_keyword("endlsystem") && is_alone(at));
   }
 
   // A line begins a statement when it begins with `#` and a directive, with the words of another statement, or
@@ -114,10 +114,10 @@ class GrammarParser : public ProductionReader {
   bool is_foreign_line(std::size_t at) const {
     const std::size_t end = end_of_line(at);
     if (tokens_[at].kind != TokenKind::name || foreign_statement(tokens_[at].text).empty()) return false;
-    const bool followed = at + 1 < end && (tokens_[at].says("derivation") || tokens_[at].says("maximum") ||
+    const bool followed = at + 1 < end && (tokens_[at].is_keyword("derivation") || tokens_[at].is_keyword("maximum") ||
                                            (at + 2 == end && tokens_[at + 1].kind == TokenKind::number));
-    const bool said = at + 1 < end && (tokens_[at + 1].is(':') || (tokens_[at + 1].is('=') && at + 3 == end));
-    return arrow_of_line(at) == end && (at + 1 == end || said || followed);
+    const bool has_value = at + 1 < end && (tokens_[at + 1].is(':') || (tokens_[at + 1].is('=') && at + 3 == end));
+    return arrow_of_line(at) == end && (at + 1 == end || has_value || followed);
   }
 
   // Words and a colon that touches them, none of which is a symbol: `iterations: 3` would otherwise go on with the
@@ -140,7 +140,7 @@ class GrammarParser : public ProductionReader {
   // Whether a name is the turtle's or stands among modules somewhere in the text, such lines apart.
   bool is_symbol(std::string_view name) {
     if (!strung_known_) find_symbols();
-    return is_turtles(name) || strung_.find(name) != Names::none;
+    return is_turtles(name) || string_symbols_.find(name) != Names::none;
   }
 
   void find_symbols() {
@@ -158,7 +158,7 @@ class GrammarParser : public ProductionReader {
       if (tokens_[at].is(')') && open > 0) --open;
       if (tokens_[at].is(':')) among_modules = is_axiom(begin) && at == begin + 1;
       if (tokens_[at].kind == TokenKind::arrow) among_modules = true;
-      if (open == 0 && among_modules && tokens_[at].kind == TokenKind::name) strung_.add(tokens_[at].text);
+      if (open == 0 && among_modules && tokens_[at].kind == TokenKind::name) string_symbols_.add(tokens_[at].text);
     }
   }
 
@@ -213,7 +213,7 @@ class GrammarParser : public ProductionReader {
     joined_ = std::move(joined);
     tokens_ = joined_;
     strung_known_ = false;
-    strung_ = {};
+    string_symbols_ = {};
   }
 
   bool ends_line_in_backslash(std::size_t at) const {
@@ -234,7 +234,7 @@ class GrammarParser : public ProductionReader {
     bool grows = false;
     for (std::size_t at = 0; at < tokens_.size(); at = end_of_line(at)) {
       grows |= is_axiom(at) || arrow_of_line(at) < end_of_line(at);
-      if (!is_system(at) || tokens_[at].says("endlsystem")) continue;
+      if (!is_system(at) || tokens_[at].is_keyword("endlsystem")) continue;
       end_ = end_of_line(at);
       if (!std::exchange(grows, true)) {
         first_system_ = at;
@@ -324,7 +324,7 @@ class GrammarParser : public ProductionReader {
     const bool huang = at_ < end_ && tokens_[at_].is("huang");
     if (!huang && !(at_ < end_ && tokens_[at_].is("cpfg")))
       return wrong(here(), "Which turtle? #turtle cpfg turns left by +, #turtle huang right; here is '%'.", {found()});
-    if (std::exchange(notation_said_, true)) return wrong(here(), "There is a second #turtle; keep one of them.");
+    if (std::exchange(has_notation_, true)) return wrong(here(), "There is a second #turtle; keep one of them.");
     grammar_.notation = huang ? Notation::huang : Notation::cpfg;
     ++at_;
     return at_ == end_ || wrong(here(), "'%' cannot stand here; take it out.", {found()});
@@ -497,8 +497,8 @@ class GrammarParser : public ProductionReader {
   }
 
   bool section() {
-    purpose_ = tokens_[at_].says("decomposition")  ? Purpose::decomposition
-               : tokens_[at_].says("homomorphism") ? Purpose::homomorphism
+    purpose_ = tokens_[at_].is_keyword("decomposition")  ? Purpose::decomposition
+               : tokens_[at_].is_keyword("homomorphism") ? Purpose::homomorphism
                                                    : Purpose::derivation;
     at_ += is_alone(at_) ? 1 : 2;
     return at_ == end_ ||
@@ -507,7 +507,7 @@ class GrammarParser : public ProductionReader {
 
   bool system() {
     const std::uint32_t found =
-        tokens_[at_].says("endlsystem") || at_ == first_system_ ? Names::none : systems_.find(tokens_[at_ + 2].text);
+        tokens_[at_].is_keyword("endlsystem") || at_ == first_system_ ? Names::none : systems_.find(tokens_[at_ + 2].text);
     system_ = found == Names::none ? 0 : found + 1;
     purpose_ = Purpose::derivation;
     at_ = end_;
@@ -519,7 +519,7 @@ class GrammarParser : public ProductionReader {
     ContextFilterTree& sight = grammar_.sight;
     if (sight.kind != ContextFilterTree::Kind::all)
       return wrong(keyword.place, "What contexts see is said twice; keep one line with ignore: or consider:.");
-    sight.kind = keyword.says("ignore") ? ContextFilterTree::Kind::ignore : ContextFilterTree::Kind::consider;
+    sight.kind = keyword.is_keyword("ignore") ? ContextFilterTree::Kind::ignore : ContextFilterTree::Kind::consider;
     at_ += 2;
     while (at_ < end_) {
       Named symbol{{}, here()};
@@ -556,11 +556,11 @@ class GrammarParser : public ProductionReader {
   std::vector<Token> joined_;  // where lines are joined
   Names defined_;              // in the order of the text
   std::vector<Place> places_;
-  Names strung_;  // of modules, once asked for
+  Names string_symbols_;  // of modules, once asked for
   bool strung_known_ = false;
   Purpose purpose_ = Purpose::derivation;
   std::size_t first_system_ = static_cast<std::size_t>(-1);
-  bool notation_said_ = false;
+  bool has_notation_ = false;
   bool has_precision_ = false;
 };
 

@@ -128,7 +128,7 @@ class ProductionChecker {
   std::string condition_key(const ProductionTree& production) const {
     std::string bytes;
     for (const Node& node : production.condition.nodes) {
-      if (node.kind == Node::Kind::operation && (is_random(node.op) || is_asked(node.op))) return {};
+      if (node.kind == Node::Kind::operation && (is_random(node.op) || is_space_query(node.op))) return {};
       // Two numbers are the same if they are so in the precision of the text.
       const double value = grammar_.doubles ? node.precise : node.number;
       char number[sizeof value];

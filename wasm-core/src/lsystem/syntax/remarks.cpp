@@ -44,8 +44,8 @@ class Reader {
 
  private:
   void once(std::string_view what, const Place& place, const char* pattern, Pieces pieces = {}) {
-    const std::uint32_t said = said_.size();
-    if (said_.add(what) == said) remarks_.push_back({sentence(pattern, pieces), place.line, place.column});
+    const std::uint32_t number = reported_.size();
+    if (reported_.add(what) == number) remarks_.push_back({sentence(pattern, pieces), place.line, place.column});
   }
 
   // What is said of the axiom stands where the axiom does, though it is looked at first.
@@ -105,20 +105,20 @@ class Reader {
     if (!known(module.name)) unknown(module);
   }
 
-  bool said(GlobalSetting which) const { return grammar_.settings[static_cast<std::size_t>(which)].given(); }
+  bool is_set(GlobalSetting which) const { return grammar_.settings[static_cast<std::size_t>(which)].given(); }
 
   // What stands in for an argument is said once, unless the text says it.
   void bare(const ModuleTree& module) {
     const bool cpfg = grammar_.notation == Notation::cpfg;
     if (module.name == "!" && !cpfg)
       once("!", module.place, "! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).");
-    if ((module.name == "!" || module.name == "#") && cpfg && !said(GlobalSetting::line_width_increment))
+    if ((module.name == "!" || module.name == "#") && cpfg && !is_set(GlobalSetting::line_width_increment))
       once("!", module.place,
            "% without an argument changes the width by the line width increment, which is 0 until a line such as line "
            "width increment: 0.1 says another.",
            {module.name});
     if (module.name.size() != 1 || turns.find(module.name[0]) == std::string_view::npos ||
-        said(GlobalSetting::angle_increment))
+        is_set(GlobalSetting::angle_increment))
       return;
     if (!angle_.empty())
       once("angle", module.place,
@@ -173,7 +173,7 @@ class Reader {
 
   const Grammar& grammar_;
   Names known_;  // by the turtle or a production
-  Names said_;
+  Names reported_;
   std::string_view angle_;
   std::vector<Remark> remarks_;
   std::vector<Remark> on_axiom_;
@@ -196,7 +196,7 @@ std::vector<Remark> remarks_on(const Grammar& grammar) {
   return all;
 }
 
-std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scalar> asked,
+std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scalar> requested,
                             std::optional<std::uint32_t> steps) {
   std::vector<Remark> all = program.remarks;
   for (const Production& production : program.productions)
@@ -204,8 +204,8 @@ std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scal
       all.push_back({sentence("% draws for its random condition once; with a derivation length it draws in each step.",
                               {program.symbols[production.predecessor]}),
                      production.place.line, production.place.column});
-  const Names declared = asked.empty() ? Names() : declared_by(program);
-  for (const Inputs::Scalar& given : asked)
+  const Names declared = requested.empty() ? Names() : declared_by(program);
+  for (const Inputs::Scalar& given : requested)
     if (declared.find(given.name) == Names::none)
       all.push_back({sentence("The grammar has no #define %, so its parameter changes nothing.", {given.name}), 0, 0});
   return all;

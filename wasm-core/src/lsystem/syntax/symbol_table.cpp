@@ -100,7 +100,7 @@ bool SymbolTable::remembers(std::uint32_t symbol) const {
     case Action::disc:
     case Action::end_polygon:
     case Action::surface:
-    case Action::ask:
+    case Action::query:
       return true;
     default:
       return false;

@@ -31,8 +31,8 @@ std::string numbers_text(std::span<const float> numbers) {
 
 void DerivationTrace::begins(const String& string) {
   counts_ = {static_cast<std::uint32_t>(string.modules)};
-  if (tells_this()) {
-    for (std::uint32_t i = asked_.first; i < parts_.size() && written_.size() < asked_.count; ++i)
+  if (is_traced_step()) {
+    for (std::uint32_t i = request_.first; i < parts_.size() && written_.size() < request_.count; ++i)
       write(TraceEntry::none, parts_[i]);
     take_window(string);
   }
@@ -47,7 +47,7 @@ void DerivationTrace::ends(const String& string) {
   counts_.push_back(static_cast<std::uint32_t>(string.modules));
   changes_end_.push_back(changes_.size());
   whole_borders_ = borders_;
-  if (tells_this()) take_window(string);
+  if (is_traced_step()) take_window(string);
   begin_step(string);
 }
 
@@ -60,9 +60,9 @@ void DerivationTrace::begin_step(const String& string) {
 
 // Why productions do not rewrite the window's modules, before anything has.
 void DerivationTrace::find_refusals() {
-  if (!tells_this() || std::exchange(refused_, true)) return;
+  if (!is_traced_step() || std::exchange(refused_, true)) return;
   std::optional<std::uint32_t> step;
-  if (by_steps_) step = asked_.step;
+  if (by_steps_) step = request_.step;
   // With a budget of their own: neither the derivation nor what follows the trace has less because of them.
   WorkBudget budget(limits_.work, limits_.bytes, limits_.budget == nullptr ? nullptr : limits_.budget->clock());
   Limits own = limits_;
@@ -76,10 +76,10 @@ std::uint32_t DerivationTrace::index_of(std::uint64_t word) {
   return index_;
 }
 
-TraceEntry* DerivationTrace::find_told(std::uint32_t index) {
+TraceEntry* DerivationTrace::find_entry(std::uint32_t index) {
   const bool there =
-      string_ != nullptr && tells_this() && index >= asked_.first && index - asked_.first < modules_.size();
-  return there ? &modules_[index - asked_.first] : nullptr;
+      string_ != nullptr && is_traced_step() && index >= request_.first && index - request_.first < modules_.size();
+  return there ? &modules_[index - request_.first] : nullptr;
 }
 
 void DerivationTrace::rewrites(std::uint64_t at) {
@@ -92,18 +92,18 @@ void DerivationTrace::rewrites(std::uint64_t at) {
 
 void DerivationTrace::applied(const Production& production, const Machine& machine) {
   production_ = &production;
-  TraceEntry* const told = find_told(rewriting_);
-  if (told == nullptr) return;
-  told->fires = production.place;
-  told->values = values_of(production, machine);
-  if (production.weight.given) told->chance = machine.chance();
+  TraceEntry* const entry = find_entry(rewriting_);
+  if (entry == nullptr) return;
+  entry->fires = production.place;
+  entry->values = values_of(production, machine);
+  if (production.weight.given) entry->chance = machine.chance();
 }
 
 // Where nothing is decomposed, all is written by the production that was applied.
 void DerivationTrace::rewritten(std::uint64_t modules) {
   const auto count = static_cast<std::uint32_t>(modules);
-  for (std::uint32_t i = 0; tells_next() && i < count; ++i)
-    if (new_ + i >= asked_.first) write(rewriting_, i < parts_.size() ? parts_[i] : production_);
+  for (std::uint32_t i = 0; is_before_traced_step() && i < count; ++i)
+    if (new_ + i >= request_.first) write(rewriting_, i < parts_.size() ? parts_[i] : production_);
   change(1, count);
 }
 
@@ -115,7 +115,7 @@ void DerivationTrace::removes(std::uint64_t at, std::uint64_t modules) {
 
 // The window's next module.
 void DerivationTrace::write(std::uint32_t parent, const Production* production) {
-  if (written_.size() >= asked_.count) return;
+  if (written_.size() >= request_.count) return;
   written_.emplace_back().parent = parent;
   if (production != nullptr) written_.back().production = production->place;
 }
@@ -126,10 +126,10 @@ void DerivationTrace::copied_until(std::uint32_t index) {
     const std::int64_t end = std::min<std::int64_t>(index, first + static_cast<std::int64_t>(count));
     for (std::int64_t i = std::max<std::int64_t>(old_, first); i < end; ++i) each(static_cast<std::uint32_t>(i));
   };
-  if (tells_next()) overlap(asked_.first - moved, asked_.count, [&](std::uint32_t i) { write(i, nullptr); });
-  if (tells_this())
-    overlap(asked_.first, modules_.size(),
-            [&](std::uint32_t i) { find_told(i)->children = {static_cast<std::uint32_t>(i + moved), 1}; });
+  if (is_before_traced_step()) overlap(request_.first - moved, request_.count, [&](std::uint32_t i) { write(i, nullptr); });
+  if (is_traced_step())
+    overlap(request_.first, modules_.size(),
+            [&](std::uint32_t i) { find_entry(i)->children = {static_cast<std::uint32_t>(i + moved), 1}; });
   for (; border_ < borders_.size() && borders_[border_] < index; ++border_)
     borders_[border_] = static_cast<std::uint32_t>(borders_[border_] + moved);
   new_ += index - old_;
@@ -139,26 +139,26 @@ void DerivationTrace::copied_until(std::uint32_t index) {
 // What stands next in the string before, `removed` modules, has become `written` in the one after.
 void DerivationTrace::change(std::uint32_t removed, std::uint32_t written) {
   for (std::uint32_t i = 0; i < removed; ++i)
-    if (TraceEntry* const told = find_told(old_ + i)) told->children = {new_, written};
+    if (TraceEntry* const entry = find_entry(old_ + i)) entry->children = {new_, written};
   for (; border_ < borders_.size() && borders_[border_] < old_ + removed; ++border_) borders_[border_] = new_;
   old_ += removed;
   new_ += written;
-  if (asked_.module && changes_.size() < most_rewritten) changes_.push_back({old_ - removed, old_, new_});
+  if (request_.module && changes_.size() < most_rewritten) changes_.push_back({old_ - removed, old_, new_});
 }
 
 void DerivationTrace::take_window(const String& string) {
-  const std::uint32_t count = counts_.back(), first = std::min(asked_.first, count);
-  written_.resize(std::min(asked_.count, count - first));
+  const std::uint32_t count = counts_.back(), first = std::min(request_.first, count);
+  written_.resize(std::min(request_.count, count - first));
   modules_ = std::move(written_);
   borders_.clear();
   for (std::uint32_t i = 0; i <= modules_.size(); ++i) borders_.push_back(first + i);
   whole_borders_ = borders_;
   const std::uint32_t* at = string.begin();
   for (std::uint32_t i = 0; i < first; ++i) at += words_of(*at);
-  for (TraceEntry& told : modules_) {
+  for (TraceEntry& entry : modules_) {
     words_.push_back(static_cast<std::uint64_t>(at - string.begin()));
-    told.text = module_text(*program_, at);
-    if (program_->asks_turtle(symbol_of(*at))) told.answer = "written" + parameters_text(at);
+    entry.text = module_text(*program_, at);
+    if (program_->is_turtle_query(symbol_of(*at))) entry.response = "written" + parameters_text(at);
     at += words_of(*at);
   }
 }
@@ -176,18 +176,18 @@ std::string DerivationTrace::values_of(const Production& production, const Machi
   return text;
 }
 
-void DerivationTrace::asks() {
-  questions_.clear();
-  for (std::size_t i = 0; tells_this() && i < words_.size(); ++i)
-    questions_.push_back(parameters_text(string_->begin() + words_[i]));
+void DerivationTrace::queries() {
+  queries_.clear();
+  for (std::size_t i = 0; is_traced_step() && i < words_.size(); ++i)
+    queries_.push_back(parameters_text(string_->begin() + words_[i]));
 }
 
-void DerivationTrace::answered() {
+void DerivationTrace::responded() {
   answered_ = true;
-  for (std::size_t i = 0; i < questions_.size(); ++i) {
+  for (std::size_t i = 0; i < queries_.size(); ++i) {
     const std::uint32_t* const module = string_->begin() + words_[i];
-    if (symbol_of(*module) != ask_symbol) continue;
-    modules_[i].answer = "asked" + questions_[i] + " →" + parameters_text(module);
+    if (symbol_of(*module) != query_symbol) continue;
+    modules_[i].response = "asked" + queries_[i] + " →" + parameters_text(module);
   }
 }
 
@@ -199,18 +199,18 @@ void DerivationTrace::finish(std::uint32_t steps, const Diagnostic& stopped, con
   string_ = nullptr;
   bound_ = nullptr;
   space_ = nullptr;
-  // What of a step that never ended has been told.
-  for (std::uint32_t i = 0; tells_this() && i < modules_.size(); ++i) {
-    TraceEntry& told = modules_[i];
-    told.fires = {};
-    told.values.clear();
-    told.chance = {};
-    told.children = {};
+  // What of a step that never ended has been entry.
+  for (std::uint32_t i = 0; is_traced_step() && i < modules_.size(); ++i) {
+    TraceEntry& entry = modules_[i];
+    entry.fires = {};
+    entry.values.clear();
+    entry.chance = {};
+    entry.children = {};
   }
   for (std::size_t i = 0; i < modules_.size(); ++i)
     modules_[i].last = {whole_borders_[i], whole_borders_[i + 1] - whole_borders_[i]};
-  if (!asked_.module || *asked_.module >= counts_.back() || changes_.size() >= most_rewritten) return;
-  trail_.assign(counts_.size(), *asked_.module);
+  if (!request_.module || *request_.module >= counts_.back() || changes_.size() >= most_rewritten) return;
+  trail_.assign(counts_.size(), *request_.module);
   for (std::uint32_t step = this->steps(); step-- > 0;) trail_[step] = ancestor_of(trail_[step + 1], step);
 }
 
@@ -230,18 +230,18 @@ void DerivationTrace::watch_drawing(std::shared_ptr<const String> last) {
   begin_step(*drawing_);
 }
 
-void DerivationTrace::add_answer(std::uint32_t module, std::string_view answer) {
-  if (TraceEntry* const told = find_told(module)) told->answer += answer;
+void DerivationTrace::add_response(std::uint32_t module, std::string_view response) {
+  if (TraceEntry* const entry = find_entry(module)) entry->response += response;
 }
 
-Result<DerivationTrace> chronicle(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
-                                  const Limits& limits, const Surroundings& around, TraceRequest asked) {
+Result<DerivationTrace> trace_derivation(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
+                                  const Limits& limits, const DerivationOptions& options, TraceRequest request) {
   const WorkBudget::TimePassed clock = limits.budget == nullptr ? nullptr : limits.budget->clock();
   for (;;) {
     const bool by_steps = steps || derivation_length(bound);
-    DerivationTrace told(bound, seed, limits, around.space, by_steps, asked);
-    Surroundings watched = around;
-    watched.watcher = &told;
+    DerivationTrace trace(bound, seed, limits, options.space, by_steps, request);
+    DerivationOptions watched = options;
+    watched.watcher = &trace;
     // With a budget of its own, so that it comes as far as the derivation that is traced.
     WorkBudget budget(limits.work, limits.bytes, clock);
     Limits own = limits;
@@ -249,9 +249,9 @@ Result<DerivationTrace> chronicle(const BoundProgram& bound, std::uint64_t seed,
     const auto derived = develop_so_far(bound, seed, steps, own, watched);
     if (!derived) return derived.error();
     // Steps that rewrote nothing change nothing but what is answered.
-    told.finish(around.answers == nullptr ? derived->steps : told.steps(), derived->stopped, *derived->string);
-    if (asked.step <= told.steps()) return told;
-    asked.step = told.steps();
+    trace.finish(options.environment == nullptr ? derived->steps : trace.steps(), derived->stopped, *derived->string);
+    if (request.step <= trace.steps()) return trace;
+    request.step = trace.steps();
   }
 }
 

@@ -45,7 +45,7 @@ struct TraceEntry {
   std::array<float, 3> chance = {};  // where it was drawn: the sum of all weights, its own, where in the sum it fell
   ModuleSpan children;               // in the next step
   ModuleSpan last;                   // in the last string
-  std::string answer;                // `asked 1 0 → 1 3; why`, or `written 0 1 0`
+  std::string response;                // `asked 1 0 → 1 3; why`, or `written 0 1 0`
 };
 
 class DerivationTrace final : public Watcher {
@@ -55,18 +55,18 @@ class DerivationTrace final : public Watcher {
   // Of a derivation that has these; `bound` and the space must last until `finish`. `by_steps`: whether each step draws
   // anew (Derivation::Chance).
   DerivationTrace(const BoundProgram& bound, std::uint64_t seed, const Limits& limits, const Space* space,
-                  bool by_steps, const TraceRequest& asked)
+                  bool by_steps, const TraceRequest& request)
       : program_(bound.program),
         bound_(&bound),
         seed_(seed),
         limits_(limits),
         space_(space),
         by_steps_(by_steps),
-        asked_(asked) {}
+        request_(request) {}
 
   // The step that is told, and the first module of the window.
-  std::uint32_t step() const { return asked_.step; }
-  std::uint32_t first() const { return asked_.first; }
+  std::uint32_t step() const { return request_.step; }
+  std::uint32_t first() const { return request_.first; }
   std::uint32_t steps() const { return static_cast<std::uint32_t>(counts_.size()) - 1; }
   // Of each step's string, the axiom's first.
   const std::vector<std::uint32_t>& counts() const { return counts_; }
@@ -83,9 +83,9 @@ class DerivationTrace final : public Watcher {
   // From now on it watches how the last string is drawn, and tells which production answers a ?E in place.
   void watch_drawing(std::shared_ptr<const String> last);
   // Whether the window has this module of the last string, which is being drawn.
-  bool has(std::uint32_t module) { return find_told(module) != nullptr; }
+  bool has(std::uint32_t module) { return find_entry(module) != nullptr; }
   // What that one was asked and answered while it was drawn; or more of it, behind what is there.
-  void add_answer(std::uint32_t module, std::string_view answer);
+  void add_response(std::uint32_t module, std::string_view response);
 
   void begins(const String& string) override;
   void ends(const String& string) override;
@@ -94,8 +94,8 @@ class DerivationTrace final : public Watcher {
   void part(const Production* production) override { parts_.push_back(production); }
   void rewritten(std::uint64_t modules) override;
   void removes(std::uint64_t at, std::uint64_t modules) override;
-  void asks() override;
-  void answered() override;
+  void queries() override;
+  void responded() override;
 
  private:
   // What of the string before gives way to what of the string after begins behind the change before it and what was
@@ -104,9 +104,9 @@ class DerivationTrace final : public Watcher {
     std::uint32_t old_begin = 0, old_end = 0, new_end = 0;
   };
 
-  bool tells_this() const { return steps() == asked_.step; }
-  bool tells_next() const { return steps() + 1 == asked_.step; }
-  TraceEntry* find_told(std::uint32_t index);
+  bool is_traced_step() const { return steps() == request_.step; }
+  bool is_before_traced_step() const { return steps() + 1 == request_.step; }
+  TraceEntry* find_entry(std::uint32_t index);
   void begin_step(const String& string);
   void find_refusals();
   std::uint32_t index_of(std::uint64_t word);
@@ -123,7 +123,7 @@ class DerivationTrace final : public Watcher {
   Limits limits_;
   const Space* space_;
   bool by_steps_;
-  TraceRequest asked_;
+  TraceRequest request_;
   std::vector<std::uint32_t> counts_;
   std::vector<TraceEntry> modules_;
   std::vector<std::uint32_t> trail_;
@@ -141,7 +141,7 @@ class DerivationTrace final : public Watcher {
   std::vector<const Production*> parts_;
   std::vector<TraceEntry> written_;           // of the window, what is known before its string is there
   std::vector<std::uint64_t> words_;          // where the window's modules stand
-  std::vector<std::string> questions_;        // that they ask
+  std::vector<std::string> queries_;        // that they ask
   std::vector<std::uint32_t> borders_;        // where each one's descendants begin, and where those of the last end
   std::vector<std::uint32_t> whole_borders_;  // the same after the last whole step
   std::size_t border_ = 0;                    // the next that this step has to move
@@ -153,7 +153,7 @@ class DerivationTrace final : public Watcher {
 std::string numbers_text(std::span<const float> numbers);
 
 // Derives once more as `develop_so_far` does, under watch. Errors as there.
-Result<DerivationTrace> chronicle(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
-                                  const Limits& limits, const Surroundings& around, TraceRequest asked);
+Result<DerivationTrace> trace_derivation(const BoundProgram& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
+                                  const Limits& limits, const DerivationOptions& options, TraceRequest request);
 
 }  // namespace panicle::lsystem

@@ -25,7 +25,7 @@ std::vector<Refusal> Refusals::of(std::uint64_t at) {
   if (machine_.failed() || rules.productions.size() == 0 || (rules.in_context && !has_neighbours_)) return all;
   std::uint64_t visited = 0;
   if (rules.in_context) neighbourhood_.go_to(at, visited);
-  if (symbol_of(*module) == ask_symbol && !answered_) return all;
+  if (symbol_of(*module) == query_symbol && !answered_) return all;
   const Production* const chosen = machine_.choose(module);
   for (std::uint32_t i = rules.productions.begin; i < rules.productions.end && all.size() < most; ++i) {
     const Production& production = program_.productions[i];

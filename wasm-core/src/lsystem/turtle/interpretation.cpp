@@ -25,12 +25,12 @@ bool is_near(float value) { return std::fabs(value) <= farthest; }
 bool is_near(const glm::vec3& p) { return is_near(p.x) && is_near(p.y) && is_near(p.z); }
 bool is_unit(const glm::vec3& v) { return std::fabs(glm::dot(v, v) - 1) < 0.01f; }
 
-// What becomes of ?E, ?P and the like.
-enum class Questions : std::uint8_t {
-  drawn,    // ?E is answered, and what answers is drawn in place
-  written,  // ?E is answered, and the answer written into the string
-  located,  // the turtle's place and axes are written into the string, and nobody hears of what is drawn
-  unasked,
+// How query modules (?E, ?P, ?H, ?L, ?U) are handled.
+enum class QueryMode : std::uint8_t {
+  draw_response,   // the listener responds to ?E, and the matching production is drawn in place
+  write_response,  // the listener responds to ?E, and the response is written into the string
+  write_turtle,    // the turtle's position and axes are written into ?P, ?H, ?L and ?U; the listener gets no events
+  skip,            // queries are neither sent nor drawn
 };
 
 class Interpreter {
@@ -47,21 +47,21 @@ class Interpreter {
         turns_(program_.notation == Notation::cpfg ? -1.0f : 1.0f) {
     if (program_.has(Purpose::homomorphism)) images_ = program_.rules_of(Purpose::homomorphism).data();
     if (const auto& width = bound.settings[static_cast<std::size_t>(GlobalSetting::line_width)]) turtle_.width = *width;
-    const auto said = [&](GlobalSetting which) { return bound.settings[static_cast<std::size_t>(which)]; };
-    if (said(GlobalSetting::tropism_x))
-      turtle_.tropism = {*said(GlobalSetting::tropism_x), *said(GlobalSetting::tropism_y),
-                         *said(GlobalSetting::tropism_z)};
-    turtle_.elasticity = said(GlobalSetting::elasticity).value_or(turtle_.elasticity);
+    const auto setting = [&](GlobalSetting which) { return bound.settings[static_cast<std::size_t>(which)]; };
+    if (setting(GlobalSetting::tropism_x))
+      turtle_.tropism = {*setting(GlobalSetting::tropism_x), *setting(GlobalSetting::tropism_y),
+                         *setting(GlobalSetting::tropism_z)};
+    turtle_.elasticity = setting(GlobalSetting::elasticity).value_or(turtle_.elasticity);
   }
 
   // `answered` is the string itself where answers are written into it.
-  Result<std::uint32_t> run(const String& string, Questions questions, String* answered = nullptr) {
-    questions_ = questions;
-    answered_ = answered;
-    if (questions == Questions::drawn && program_.not_drawable.reason != Reason::none) return program_.not_drawable;
-    const bool unheard = questions == Questions::located;
-    SkippableSymbols silence(program_, images_, !unheard);
-    if (unheard) silence.find_branches(string);
+  Result<std::uint32_t> run(const String& string, QueryMode query_mode, String* responded = nullptr) {
+    query_mode_ = query_mode;
+    responded_ = responded;
+    if (query_mode == QueryMode::draw_response && program_.not_drawable.reason != Reason::none) return program_.not_drawable;
+    const bool is_silent = query_mode == QueryMode::write_turtle;
+    SkippableSymbols skippable(program_, images_, !is_silent);
+    if (is_silent) skippable.find_branches(string);
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
     string_ = at;
@@ -69,13 +69,13 @@ class Interpreter {
     if (!machine_.spend(program_.symbols.size() / 16)) return machine_.trouble();
     for (; at < end; ++module_) {
       if (module_ % 64 == 0 && !machine_.spend(16)) return machine_.trouble();
-      if (unheard) at = silence.behind_branches(string, at);
+      if (is_silent) at = skippable.behind_branches(string, at);
       const std::uint32_t* const module = at;
       if (at == end) break;
       const std::uint32_t symbol = symbol_of(*module);
       at += words_of(*module);
-      if (silence.covers(symbol)) continue;
-      const bool cut = has_image(symbol) ? draw(module, module, 0) : act(module, module);
+      if (skippable.covers(symbol)) continue;
+      const bool cut = has_image(symbol) ? draw(module, module, 0) : execute(module, module);
       if (machine_.failed()) return machine_.trouble();
       if (!cut) continue;
       const RestOfBranch rest = rest_of_branch(at, end);
@@ -97,16 +97,16 @@ class Interpreter {
 
   // What a homomorphism makes of a module is drawn in its place, each part of it again so, as deep as the text says.
   // True: the rest of the branch is cut.
-  bool draw(const std::uint32_t* module, const std::uint32_t* bearer, std::uint32_t depth) {
+  bool draw(const std::uint32_t* module, const std::uint32_t* source, std::uint32_t depth) {
     if (depth < bound_.depths[1]) {
       const Production* const production = machine_.choose(module, images_);
       if (machine_.failed()) return false;
-      if (production != nullptr) return draw_image(production->successor, module, bearer, depth);
+      if (production != nullptr) return draw_image(production->successor, module, source, depth);
     }
-    return program_.meanings[symbol_of(*module)] != no_meaning && act(module, bearer);
+    return program_.meanings[symbol_of(*module)] != no_meaning && execute(module, source);
   }
 
-  bool draw_image(const Template& successor, const std::uint32_t* module, const std::uint32_t* bearer,
+  bool draw_image(const Template& successor, const std::uint32_t* module, const std::uint32_t* source,
                   std::uint32_t depth) {
     if (!machine_.spend(1 + successor.modules / 2)) return false;
     if (image_words_.size() <= depth) image_words_.resize(depth + 1);
@@ -118,7 +118,7 @@ class Interpreter {
     while (at < end) {
       const std::uint32_t* const part = at;
       at += words_of(*part);
-      const bool cut = draw(part, bearer, depth + 1);
+      const bool cut = draw(part, source, depth + 1);
       if (machine_.failed()) return false;
       if (!cut) continue;
       at = rest_of_branch(at, end).end;
@@ -134,11 +134,11 @@ class Interpreter {
 
   // What stands in for an argument that was left out.
   float standard(const TurtleSymbol& symbol) const {
-    if (symbol.setting == Setting::angle_increment) return said(GlobalSetting::angle_increment, symbol.standard);
-    if (symbol.setting == Setting::line_length) return said(GlobalSetting::line_length, symbol.standard);
+    if (symbol.setting == Setting::angle_increment) return setting(GlobalSetting::angle_increment, symbol.standard);
+    if (symbol.setting == Setting::line_length) return setting(GlobalSetting::line_length, symbol.standard);
     return symbol.standard;
   }
-  float said(GlobalSetting which, float otherwise) const {
+  float setting(GlobalSetting which, float otherwise) const {
     return bound_.settings[static_cast<std::size_t>(which)].value_or(otherwise);
   }
 
@@ -150,7 +150,7 @@ class Interpreter {
   }
 
   // Does what one module of the turtle says, with the lineage of `bearer`. True: the rest of the branch is cut.
-  bool act(const std::uint32_t* module, const std::uint32_t* bearer) {
+  bool execute(const std::uint32_t* module, const std::uint32_t* source) {
     const std::uint32_t number = symbol_of(*module);
     const TurtleSymbol& symbol = turtle_symbols[program_.meanings[number]];
     const bool given = parameters_of(*module) > 0;
@@ -163,7 +163,7 @@ class Interpreter {
     switch (symbol.action) {
       case Action::line:
         if (polygons_.empty()) {
-          line(value, module, bearer);
+          line(value, module, source);
         } else {
           move(value, module);
           corner();
@@ -174,13 +174,13 @@ class Interpreter {
         if (!polygons_.empty()) corner();
         break;
       case Action::line_apart:
-        line(value, module, bearer);
+        line(value, module, source);
         break;
       case Action::move_apart:
         move(value, module);
         break;
       case Action::sphere:
-        sphere(value, module, bearer);
+        sphere(value, module, source);
         break;
       case Action::turn:
         turn(turtle_,
@@ -206,17 +206,17 @@ class Interpreter {
         stack_.pop_back();
         break;
       case Action::cut:
-        if (questions_ != Questions::located) listener_.cut(turtle_);
+        if (query_mode_ != QueryMode::write_turtle) listener_.cut(turtle_);
         return true;
-      case Action::ask:
-        return ask(module);
+      case Action::query:
+        return query(module);
       default:
-        act_rarely(symbol.action, module, bearer, value, given);
+        execute_rare(symbol.action, module, source, value, given);
     }
     return false;
   }
 
-  void act_rarely(Action action, const std::uint32_t* module, const std::uint32_t* bearer, float value, bool given) {
+  void execute_rare(Action action, const std::uint32_t* module, const std::uint32_t* source, float value, bool given) {
     switch (action) {
       case Action::level:
         level(turtle_);
@@ -256,43 +256,43 @@ class Interpreter {
           note("A . outside of { } is no corner of anything.", 2);
         break;
       case Action::end_polygon:
-        end_polygon(bearer);
+        end_polygon(source);
         break;
       case Action::surface:
       case Action::ball:
       case Action::disc:
       case Action::circle:
-        if (questions_ != Questions::located && value != 0 && turtle_.size != 0 &&
+        if (query_mode_ != QueryMode::write_turtle && value != 0 && turtle_.size != 0 &&
             can_draw(value * turtle_.size, module))
-          draw_whole(action, module, bearer, value * turtle_.size);
+          draw_whole(action, module, source, value * turtle_.size);
         break;
-      case Action::ask_position:
-      case Action::ask_heading:
-      case Action::ask_left:
-      case Action::ask_up:
-        if (questions_ == Questions::located) locate(action, module);
+      case Action::query_position:
+      case Action::query_heading:
+      case Action::query_left:
+      case Action::query_up:
+        if (query_mode_ == QueryMode::write_turtle) locate(action, module);
         break;
       default:
         break;
     }
   }
 
-  void draw_whole(Action action, const std::uint32_t* module, const std::uint32_t* bearer, float size) {
+  void draw_whole(Action action, const std::uint32_t* module, const std::uint32_t* source, float size) {
     if (action == Action::surface)
       listener_.surface(turtle_, std::string_view(program_.symbols[symbol_of(*module)]).substr(1), size,
-                        lineage_of(bearer));
-    if (action == Action::ball) listener_.ball(turtle_, size / 2, lineage_of(bearer));
-    if (action == Action::disc) listener_.disc(turtle_, size / 2, lineage_of(bearer));
+                        lineage_of(source));
+    if (action == Action::ball) listener_.ball(turtle_, size / 2, lineage_of(source));
+    if (action == Action::disc) listener_.disc(turtle_, size / 2, lineage_of(source));
     if (action != Action::circle) return;
     Turtle upright = turtle_;
     pitch(upright, 90);
-    listener_.disc(upright, size / 2, lineage_of(bearer));
+    listener_.disc(upright, size / 2, lineage_of(source));
   }
 
   // `!` narrows and `#` widens where they are not told how wide; in the paper's notation ! alone is 1.
   void set_width(float value, bool given, float sign) {
     if (!given && program_.notation == Notation::cpfg) {
-      const float by = said(GlobalSetting::line_width_increment, 0);
+      const float by = setting(GlobalSetting::line_width_increment, 0);
       turtle_.width = std::max(0.0f, turtle_.width + sign * by);
     } else if (given || sign < 0) {
       turtle_.width = value;
@@ -315,32 +315,32 @@ class Interpreter {
     if (machine_.spend(1)) polygons_.back().corners.push_back(turtle_.position);
   }
 
-  void end_polygon(const std::uint32_t* bearer) {
+  void end_polygon(const std::uint32_t* source) {
     if (polygons_.empty()) return note("A } closes no polygon; it is passed over.", 4);
-    if (questions_ != Questions::located) {
+    if (query_mode_ != QueryMode::write_turtle) {
       const Polygon& closed = polygons_.back();
       if (closed.thickness > 0)
-        listener_.plate(closed.start, closed.corners, closed.thickness, lineage_of(bearer));
+        listener_.plate(closed.start, closed.corners, closed.thickness, lineage_of(source));
       else
-        listener_.polygon(closed.start, closed.corners, lineage_of(bearer));
+        listener_.polygon(closed.start, closed.corners, lineage_of(source));
     }
     polygons_.pop_back();
   }
 
   // Each kind once.
   void note(std::string_view sentence, std::uint32_t kind) {
-    if ((noted_ & kind) == 0 && questions_ != Questions::located) listener_.note(sentence);
+    if ((noted_ & kind) == 0 && query_mode_ != QueryMode::write_turtle) listener_.note(sentence);
     noted_ |= kind;
   }
 
   void locate(Action action, const std::uint32_t* module) {
-    if (answered_ == nullptr || module < answered_->begin() || module >= answered_->end()) return;
-    const glm::vec3& at = action == Action::ask_position  ? turtle_.position
-                          : action == Action::ask_heading ? turtle_.heading
-                          : action == Action::ask_left    ? turtle_.left
+    if (responded_ == nullptr || module < responded_->begin() || module >= responded_->end()) return;
+    const glm::vec3& at = action == Action::query_position  ? turtle_.position
+                          : action == Action::query_heading ? turtle_.heading
+                          : action == Action::query_left    ? turtle_.left
                                                           : turtle_.up;
     const std::uint32_t count = std::min<std::uint32_t>(3, parameters_of(*module));
-    std::uint32_t* const written = answered_->words.data() + (module - answered_->begin());
+    std::uint32_t* const written = responded_->words.data() + (module - responded_->begin());
     for (std::uint32_t i = 0; i < count; ++i) set_parameter(written, i, at[static_cast<int>(i)]);
   }
 
@@ -390,22 +390,22 @@ class Interpreter {
     return !machine_.failed();
   }
 
-  void line(float distance, const std::uint32_t* module, const std::uint32_t* bearer) {
+  void line(float distance, const std::uint32_t* module, const std::uint32_t* source) {
     if (distance == 0 || turtle_.size == 0) return;
     if (!can_draw(distance * turtle_.size, module)) return;
     const Turtle before = turtle_;
     move(distance, module);
     if (machine_.failed()) return;
     turtle_.line = lines_++;
-    if (questions_ != Questions::located) listener_.line(turtle_.line, before, turtle_, lineage_of(bearer));
+    if (query_mode_ != QueryMode::write_turtle) listener_.line(turtle_.line, before, turtle_, lineage_of(source));
     if (turtle_.elasticity != 0) bend(turtle_);
   }
 
-  void sphere(float radius, const std::uint32_t* module, const std::uint32_t* bearer) {
+  void sphere(float radius, const std::uint32_t* module, const std::uint32_t* source) {
     if (radius == 0 || turtle_.size == 0 || !can_draw(radius * turtle_.size, module)) return;
     move(radius, module);
-    if (!machine_.failed() && questions_ != Questions::located)
-      listener_.sphere(turtle_, radius * turtle_.size, lineage_of(bearer));
+    if (!machine_.failed() && query_mode_ != QueryMode::write_turtle)
+      listener_.sphere(turtle_, radius * turtle_.size, lineage_of(source));
   }
 
   void push() {
@@ -419,52 +419,52 @@ class Interpreter {
   }
 
   // True: the answer cut the branch.
-  bool ask(const std::uint32_t* module) {
-    if (questions_ == Questions::unasked || questions_ == Questions::located) return false;
+  bool query(const std::uint32_t* module) {
+    if (query_mode_ == QueryMode::skip || query_mode_ == QueryMode::write_turtle) return false;
     const std::uint32_t count = parameters_of(*module);
     float parameters[most_parameters];
     std::memcpy(parameters, module + 1, count * sizeof(float));
     float before[most_parameters];
     std::copy_n(parameters, count, before);
-    listener_.ask(turtle_, {parameters, count}, lineage_of(module));
+    listener_.query(turtle_, {parameters, count}, lineage_of(module));
     if (!machine_.spend(1)) return false;        // also where the answer has taken what was left
     const auto write = [&](std::uint32_t* to) {  // changed parameters only: the others keep their double precision
       for (std::uint32_t i = 0; i < count; ++i)
         if (std::memcmp(&parameters[i], &before[i], sizeof(float)) != 0) set_parameter(to, i, parameters[i]);
     };
-    if (questions_ == Questions::drawn) {
-      std::uint32_t answered[1 + most_parameters + lineage_words + 2 * most_parameters + block] = {};
-      std::memcpy(answered, module, words_of(*module) * sizeof *module);
-      write(answered);
-      return draw_answer(module, answered);
+    if (query_mode_ == QueryMode::draw_response) {
+      std::uint32_t responded[1 + most_parameters + lineage_words + 2 * most_parameters + block] = {};
+      std::memcpy(responded, module, words_of(*module) * sizeof *module);
+      write(responded);
+      return draw_response(module, responded);
     }
-    if (module >= answered_->begin() && module < answered_->end())
-      write(answered_->words.data() + (module - answered_->begin()));
+    if (module >= responded_->begin() && module < responded_->end())
+      write(responded_->words.data() + (module - responded_->begin()));
     return false;
   }
 
   // Applies the production that matches the answer and draws its successor in place. `answered`: a copy of the module
   // with the answer in its parameters, followed by a block of unused words.
-  bool draw_answer(const std::uint32_t* module, const std::uint32_t* answered) {
-    const Production* const production = machine_.choose(answered);
+  bool draw_response(const std::uint32_t* module, const std::uint32_t* responded) {
+    const Production* const production = machine_.choose(responded);
     if (production == nullptr) return false;
     const Template& successor = production->successor;
-    if (!answer_.reserve(successor.words, successor.words))
+    if (!response_.reserve(successor.words, successor.words))
       return !machine_.fail(
           error_at(Reason::limit, {}, "There is no memory for the answer of ?E; make its production shorter."));
-    if (!machine_.write(successor, answer_.data(), {}, ask_symbol)) return false;
+    if (!machine_.write(successor, response_.data(), {}, query_symbol)) return false;
     if (watcher_ != nullptr) {
       watcher_->rewrites(static_cast<std::uint64_t>(module - string_));
       watcher_->applied(*production, machine_);
     }
-    return draw_all(answer_.data(), answer_.data() + successor.words, module);
+    return draw_all(response_.data(), response_.data() + successor.words, module);
   }
 
-  bool draw_all(const std::uint32_t* at, const std::uint32_t* end, const std::uint32_t* bearer) {
+  bool draw_all(const std::uint32_t* at, const std::uint32_t* end, const std::uint32_t* source) {
     while (at < end) {
       const std::uint32_t* const module = at;
       at += words_of(*module);
-      const bool cut = symbol_of(*module) != ask_symbol && act(module, bearer);
+      const bool cut = symbol_of(*module) != query_symbol && execute(module, source);
       if (machine_.failed()) return false;
       if (!cut) continue;
       at = rest_of_branch(at, end).end;
@@ -486,25 +486,25 @@ class Interpreter {
   std::vector<Words> image_words_;  // by depth
   std::vector<Turtle> stack_;
   std::vector<Polygon> polygons_;  // that are open
-  Words answer_;
-  Questions questions_ = Questions::drawn;
-  String* answered_ = nullptr;
+  Words response_;
+  QueryMode query_mode_ = QueryMode::draw_response;
+  String* responded_ = nullptr;
   std::int32_t lines_ = 0;
   std::uint32_t module_ = 0;
   std::uint32_t noted_ = 0;
 };
 
-// Hears nothing.
+// Ignores all events.
 class NullListener : public Listener {
   void line(std::int32_t, const Turtle&, const Turtle&, const Lineage&) override {}
   void sphere(const Turtle&, float, const Lineage&) override {}
-  void ask(const Turtle&, std::span<float>, const Lineage&) override {}
+  void query(const Turtle&, std::span<float>, const Lineage&) override {}
   void cut(const Turtle&) override {}
 };
 
 Diagnostic write_into(const BoundProgram& bound, String& string, const Turtle& start, Listener& listener,
-                      std::uint64_t seed, const Limits& limits, const Space* space, Questions questions) {
-  const auto walked = Interpreter(bound, start, listener, seed, limits, space).run(string, questions, &string);
+                      std::uint64_t seed, const Limits& limits, const Space* space, QueryMode query_mode) {
+  const auto walked = Interpreter(bound, start, listener, seed, limits, space).run(string, query_mode, &string);
   return walked ? Diagnostic{} : walked.error();
 }
 
@@ -513,23 +513,23 @@ Diagnostic write_into(const BoundProgram& bound, String& string, const Turtle& s
 Result<std::uint32_t> interpret(const BoundProgram& bound, const String& string, const Turtle& start,
                                 Listener& listener, std::uint64_t seed, const Limits& limits, const Space* space,
                                 Watcher* watcher) {
-  return Interpreter(bound, start, listener, seed, limits, space, watcher).run(string, Questions::drawn);
+  return Interpreter(bound, start, listener, seed, limits, space, watcher).run(string, QueryMode::draw_response);
 }
 
-Result<std::uint32_t> trace(const BoundProgram& bound, const String& string, const Turtle& start, Listener& listener,
+Result<std::uint32_t> interpret_without_queries(const BoundProgram& bound, const String& string, const Turtle& start, Listener& listener,
                             std::uint64_t seed, const Limits& limits, const Space* space) {
-  return Interpreter(bound, start, listener, seed, limits, space).run(string, Questions::unasked);
+  return Interpreter(bound, start, listener, seed, limits, space).run(string, QueryMode::skip);
 }
 
-Diagnostic answer(const BoundProgram& bound, String& string, const Turtle& start, Listener& listener,
+Diagnostic write_responses(const BoundProgram& bound, String& string, const Turtle& start, Listener& listener,
                   std::uint64_t seed, const Limits& limits, const Space* space) {
-  return write_into(bound, string, start, listener, seed, limits, space, Questions::written);
+  return write_into(bound, string, start, listener, seed, limits, space, QueryMode::write_response);
 }
 
 Diagnostic locate(const BoundProgram& bound, String& string, const Turtle& start, std::uint64_t seed,
                   const Limits& limits, const Space* space) {
-  NullListener unheard;
-  return write_into(bound, string, start, unheard, seed, limits, space, Questions::located);
+  NullListener is_silent;
+  return write_into(bound, string, start, is_silent, seed, limits, space, QueryMode::write_turtle);
 }
 
 }  // namespace panicle::lsystem

@@ -7,7 +7,7 @@ namespace panicle::lsystem {
 
 // Walks the string as `interpret` does, but writes each answer into the parameters of its ?E and draws nothing in its
 // place. Errors as for `interpret`; Reason::none when nothing went wrong.
-Diagnostic answer(const BoundProgram& bound, String& string, const Turtle& start, Listener& listener,
+Diagnostic write_responses(const BoundProgram& bound, String& string, const Turtle& start, Listener& listener,
                   std::uint64_t seed, const Limits& limits, const Space* space);
 
 // Walks the string and writes into ?P, ?H, ?L and ?U where the turtle is; nobody hears of what is drawn. Errors as

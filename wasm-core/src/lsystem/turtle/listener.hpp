@@ -31,12 +31,12 @@ class Listener {
   // S drew a sphere about `turtle.position` (already moved ahead by the radius, never 0); its bearer is `turtle.line`.
   virtual void sphere(const Turtle& turtle, float radius, const Lineage& lineage) = 0;
   // ?E asks: change `parameters` into the answer. The production that matches the answer is applied at once, in place.
-  virtual void ask(const Turtle& turtle, std::span<float> parameters, const Lineage& lineage) = 0;
-  // Whether it wants to observe the whole string before it answers any of it: then Derivation::ask walks it twice, and
+  virtual void query(const Turtle& turtle, std::span<float> parameters, const Lineage& lineage) = 0;
+  // Whether it wants to observe the whole string before it answers any of it: then Derivation::query_environment walks it twice, and
   // tells when it is to be heard and when answers begin.
   virtual bool observes_first() const { return false; }
   virtual void observation_begins() {}
-  virtual void answers_begin() {}
+  virtual void responses_begin() {}
   // % cut the rest of a branch here.
   virtual void cut(const Turtle& turtle) = 0;
   // { … } closed a polygon: its corners in their order, and the turtle as it was at {. Fewer than three, or all on a

@@ -82,14 +82,14 @@ std::vector<std::uint8_t> sky_of_berries(Sky& sky, const GrownBunch& grown) {
   std::vector<std::uint8_t> bytes(each * grown.berries.size());
   for (std::size_t i = 0; i < grown.berries.size(); ++i) {
     const Berry& berry = grown.berries[i];
-    sky.face({berry.centre, berry.radius, owners.berries + static_cast<std::int32_t>(i), berry.parent});
+    sky.set_receiver({berry.centre, berry.radius, owners.berries + static_cast<std::int32_t>(i), berry.parent});
     const auto into = std::span(bytes).subspan(each * i, each);
     if (own) {
       const auto of = [&](const std::vector<float>& all) { return std::span(all).subspan(3 * each * i, 3 * each); };
-      sky.see(of(grown.surfaces->positions), of(grown.surfaces->normals), into);
+      sky.sample(of(grown.surfaces->positions), of(grown.surfaces->normals), into);
     } else {
-      sky.enter(frame_for(berry));
-      sky.see(grown.berry->positions, grown.berry->normals, into);
+      sky.set_frame(frame_for(berry));
+      sky.sample(grown.berry->positions, grown.berry->normals, into);
     }
   }
   return bytes;
@@ -100,7 +100,7 @@ std::vector<std::uint8_t> sky_of_foliage(Sky& sky, const GrownBunch& grown) {
   std::vector<std::uint8_t> bytes(mesh.positions.size() / 3);
   std::int32_t owner = Owners(grown).foliage;
   for (const FoliagePart& part : grown.foliage->parts)
-    see_part(sky, mesh, place_of(part), owner++, part.kind == FoliagePart::Kind::leaf, bytes);
+    sample_part(sky, mesh, place_of(part), owner++, part.kind == FoliagePart::Kind::leaf, bytes);
   return bytes;
 }
 

@@ -141,7 +141,7 @@ void add_trace(Plant& plant, const GrownBunch& grown) {
   // A limit leaves another last string than was drawn.
   const bool whole = chronicle.stopped().reason == Reason::none;
   if (!whole) plant.notes.push_back(cut_short(chronicle));
-  add_chronicle(plant, chronicle);
+  add_trace_columns(plant, chronicle);
   const auto modules = [whole](const auto& all) {
     return column_of<std::uint32_t>(
         all, 1, [whole](const auto& one, std::uint32_t* at) { *at = whole ? one.module : no_module; });
@@ -181,7 +181,7 @@ Result<BunchRequest> read_request(panicle::Request& blocks) {
   request.n.assign(n.begin(), n.end());
   const auto thinned = blocks.words("thinned");
   request.thinned.assign(thinned.begin(), thinned.end());
-  auto chronicle = read_chronicle(blocks);
+  auto chronicle = read_trace_request(blocks);
   if (!chronicle) return chronicle.error();
   request.chronicle = chronicle.value();
   request.leaf = blocks.flat_leaf();

@@ -26,7 +26,7 @@ std::uint64_t second_seed(std::uint64_t seed) { return hash_combine(seed, hash_t
 Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const Stock& stock, const BunchRequest& request,
                                                                  const Limits& limits) {
   if (!request.chronicle) return std::optional<lsystem::DerivationTrace>();
-  auto trace = lsystem::chronicle(*stock.bound, stock.seed, request.steps, limits, {}, *request.chronicle);
+  auto trace = lsystem::trace_derivation(*stock.bound, stock.seed, request.steps, limits, {}, *request.chronicle);
   if (!trace) return trace.error();
   // One that came to a limit has another last string than is drawn.
   if (trace->stopped().reason == Reason::none) trace->watch_drawing(stock.string);

@@ -241,7 +241,7 @@ bool read_values(Request& request, Given& given) {
 
 // A flower that has grown, as far as another can be made of it that differs only in where its volumes are.
 struct CachedFlower {
-  explicit CachedFlower(Derived grown) : derived(std::move(grown)) { embedding.lay(derived.map); }
+  explicit CachedFlower(Derived grown) : derived(std::move(grown)) { embedding.build(derived.map); }
 
   std::string text;
   std::shared_ptr<const Program> program;
@@ -340,7 +340,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const FlowerValues values(parameters, plant.notes);
   given.steps = values.whole(steps);
   given.age = values[age];
-  CacheSlot* const cache_slot = request.kept();
+  CacheSlot* const cache_slot = request.cache();
   std::unique_ptr<FlowerCache> last(cache_slot ? static_cast<FlowerCache*>(cache_slot->release()) : nullptr);
   if (!last) last = std::make_unique<FlowerCache>();
   const auto flower = find_or_grow(text, given, limits, !meshes, *last);

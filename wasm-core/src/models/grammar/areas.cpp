@@ -68,9 +68,9 @@ Surface surface_in_box(Volume::Kind kind, const Surface& mesh) {
     case Volume::Kind::box:
       return box(glm::vec3(-1), glm::vec3(1));
     case Volume::Kind::cylinder:
-      return revolved(cylinder, glm::vec3(0), sides);
+      return surface_of_revolution(cylinder, glm::vec3(0), sides);
     case Volume::Kind::cone:
-      return revolved(cone, glm::vec3(0), sides);
+      return surface_of_revolution(cone, glm::vec3(0), sides);
     case Volume::Kind::mesh:
       return stretched(mesh, glm::vec3(-1), glm::vec3(1));
     default:

@@ -65,7 +65,7 @@ Result<GrowOptions> read(Request& request) {
   if (request.has("steps")) options.steps = request.word("steps");
   options.parameters = request.floats("parameters");
   if (Diagnostic trouble = read_constants(request, options.inputs); trouble.reason != Reason::none) return trouble;
-  auto chronicle = read_chronicle(request);
+  auto chronicle = read_trace_request(request);
   if (!chronicle) return chronicle.error();
   options.chronicle = chronicle.value();
   return options;
@@ -119,11 +119,11 @@ void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belong
 
 // The derivation told, where that is asked for.
 Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const lsystem::BoundProgram& bound, const GrowOptions& options,
-                                                     const Limits& limits, const lsystem::Surroundings& around) {
+                                                     const Limits& limits, const lsystem::DerivationOptions& around) {
   if (!options.chronicle) return std::optional<lsystem::DerivationTrace>();
   Limits of_derivation = limits;
   of_derivation.work = limits.work_of_derivation();
-  auto traced = lsystem::chronicle(bound, options.seed, options.steps, of_derivation, around, *options.chronicle);
+  auto traced = lsystem::trace_derivation(bound, options.seed, options.steps, of_derivation, around, *options.chronicle);
   if (!traced) return traced.error();
   return std::optional(std::move(traced.value()));
 }
@@ -150,8 +150,8 @@ Result<Plant> grow(Request& request, const Limits& given) {
   const auto bound = lsystem::bind(program.value(), inputs, limits);
   if (!bound) return bound.error();
   Neighbours neighbours(*limits.budget);
-  const bool has_queries = lsystem::asks(*program.value());
-  const lsystem::Surroundings around{standing(), &areas.value(), has_queries ? &neighbours : nullptr};
+  const bool has_queries = lsystem::has_queries(*program.value());
+  const lsystem::DerivationOptions around{standing(), &areas.value(), has_queries ? &neighbours : nullptr};
   const auto derived = [&] {
     const WorkBudget::Share share(*limits.budget, limits.work_of_derivation());
     return lsystem::develop_so_far(*bound.value(), options->seed, options->steps, limits, around);
@@ -160,7 +160,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
   const lsystem::String& string = *derived->string;
   Sketch sketch(limits);
   sketch.begin();
-  const auto drawn = lsystem::trace(*bound.value(), string, standing(), sketch, options->seed, limits, around.space);
+  const auto drawn = lsystem::interpret_without_queries(*bound.value(), string, standing(), sketch, options->seed, limits, around.space);
   if (areas->is_exhausted()) return QueryBudget::error();
   const Diagnostic undrawn = drawn ? Diagnostic{} : drawn.error();
   if (undrawn.reason != Reason::none && undrawn.reason != Reason::limit) return undrawn;
@@ -193,7 +193,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
   if (options->measures) measure(plant, {sketch, string, areas.value(), metres, limits.budget});
   add_belongings(plant, sketch, belongings(*program.value(), string), areas.value());
   if (!whole) plant.notes.push_back(cut_short(*chronicle));
-  if (chronicle) add_chronicle(plant, *chronicle);
+  if (chronicle) add_trace_columns(plant, *chronicle);
   if (options->string) {
     const bool too_long = string.used > most_words_as_text;
     plant.columns.add("string", too_long ? std::string() : lsystem::to_text(*program.value(), string));

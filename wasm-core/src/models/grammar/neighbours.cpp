@@ -18,7 +18,7 @@ constexpr float matter_of_an_end = 0.5f;  // of a side of a cell
 
 }  // namespace
 
-void Neighbours::answers_begin() {
+void Neighbours::responses_begin() {
   answering_ = true;
   cells_.clear();
 }
@@ -32,7 +32,7 @@ void Neighbours::line(std::int32_t, const lsystem::Turtle&, const lsystem::Turtl
   if (!answering_) ends_.push_back(after.position);
 }
 
-void Neighbours::ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage&) {
+void Neighbours::query(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage&) {
   if (!answering_ || parameters.size() < 2 || !(parameters[0] > 0) || !std::isfinite(parameters[0])) return;
   if (!budget_.spend(1)) return;
   const float radius = parameters[0];

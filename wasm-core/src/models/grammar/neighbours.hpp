@@ -24,10 +24,10 @@ class Neighbours : public lsystem::Listener {
 
   bool observes_first() const override { return true; }
   void observation_begins() override;
-  void answers_begin() override;
+  void responses_begin() override;
   void line(std::int32_t, const lsystem::Turtle&, const lsystem::Turtle& after, const lsystem::Lineage&) override;
   void sphere(const lsystem::Turtle&, float, const lsystem::Lineage&) override {}
-  void ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage&) override;
+  void query(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage&) override;
   void cut(const lsystem::Turtle&) override {}
 
  private:

@@ -39,7 +39,7 @@ constexpr float flowering = 0.1f, flower_spread = 0.06f, opening = 0.06f, wither
 // The rotation of a leaf whose tip points to `out` as nearly as its upper face may look to `face`.
 glm::vec4 turned(const glm::vec3& out, const glm::vec3& face) {
   const glm::vec3 across = out - glm::dot(out, face) * face;
-  const glm::vec3 up = glm::length(across) > 1e-3f ? glm::normalize(across) : beside(face);
+  const glm::vec3 up = glm::length(across) > 1e-3f ? glm::normalize(across) : any_perpendicular(face);
   return turn_to(up, face);
 }
 
@@ -138,7 +138,7 @@ class Crown {
         bunch.tag = bunch_tag;
         bunch.segment = segment;
         bunch.position = glm::mix(wood.start, wood.end, length > 0 ? std::max(along / length, 0.0f) : 0.0f);
-        bunch.rotation = turn_to(down, beside(down));
+        bunch.rotation = turn_to(down, any_perpendicular(down));
         plant_.organs.push_back(bunch);
       }
       begins += length;
@@ -184,7 +184,7 @@ class Crown {
     if (counted.gone != Leaf::never && length < least_internode * habit_.size) return false;
     place.length = std::min(length, glm::distance(twig.start, twig.end));
     place.along = length > 0 ? whole / length : glm::vec3(0, 1, 0);
-    place.one = beside(place.along);
+    place.one = any_perpendicular(place.along);
     place.other = glm::cross(place.along, place.one);
     return true;
   }
@@ -238,7 +238,7 @@ class Crown {
     const glm::vec3 out = glm::length(way) > 1e-3f ? glm::normalize(way) : place.one;
     Organ blossom = on(place, blooms_.unit(hash_combine(address, 2)));
     blossom.tag = blossom_tag;
-    blossom.rotation = turn_to(out, beside(out));
+    blossom.rotation = turn_to(out, any_perpendicular(out));
     blossom.scale = share * habit_.blossom_size;
     plant_.organs.push_back(blossom);
   }

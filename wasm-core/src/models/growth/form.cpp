@@ -152,7 +152,7 @@ class FormBuilder {
     const Way& parent = form_.ways[static_cast<std::size_t>(shoot.parent)];
     const glm::vec3 from = form_.nodes[parent.first + way.internode],
                     to = form_.nodes[parent.first + way.internode + 1];
-    const glm::vec3 along = unit(to - from, glm::vec3(0, 1, 0)), one = beside(along), other = glm::cross(along, one);
+    const glm::vec3 along = unit(to - from, glm::vec3(0, 1, 0)), one = any_perpendicular(along), other = glm::cross(along, one);
     const float angle =
         (population_.shoots[static_cast<std::size_t>(shoot.parent)].trunk ? habit_.trunk_angle : habit_.branch_angle) *
         (1 + spread * (2 * angles_.unit(q) - 1));

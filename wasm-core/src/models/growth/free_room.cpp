@@ -65,7 +65,7 @@ const std::array<Group, groups>& directions() {
 }  // namespace
 
 void FreeRoom::set_nodes(std::span<const glm::vec3> nodes, float edge) {
-  grid_.lay(nodes, edge);
+  grid_.build(nodes, edge);
   const std::size_t count = grid_.ids().size(), room = count + lanes;
   x_.assign(room, far_away);
   y_.assign(room, far_away);

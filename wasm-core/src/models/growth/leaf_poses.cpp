@@ -14,7 +14,7 @@ FourVectors all_of(const glm::vec3& v) { return {panicle::all_of(v.x), panicle::
 FourVectors unit(const FourVectors& v) { return 1.0f / square_root(dot(v, v)) * v; }
 
 // At right angles to unit vectors, as of foundation/rotation.hpp.
-FourVectors beside(const FourVectors& way) {
+FourVectors any_perpendicular(const FourVectors& way) {
   const Four none = panicle::all_of(0);
   const auto level = (way.y < steep) & (way.y > -steep);
   return unit(chosen(level, {-way.z, none, way.x}, {none, way.z, -way.y}));
@@ -59,14 +59,14 @@ std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafNoise& noise, fl
   const Four level = stray * square_root((1.0f - noise.height) * (1.0f + noise.height));
   const FourVectors sky = {panicle::all_of(0), panicle::all_of(1), panicle::all_of(0)};
   const FourVectors strewn = {level * around.cosine, level * around.sine, stray * noise.height};
-  const FourVectors face = unit(sky + panicle::all_of(outwards) * along + strewn, beside(along));
+  const FourVectors face = unit(sky + panicle::all_of(outwards) * along + strewn, any_perpendicular(along));
   // The tip points out as nearly as its face may look to where it does.
-  return turns_to(unit(out - dot(out, face) * face, beside(face)), face);
+  return turns_to(unit(out - dot(out, face) * face, any_perpendicular(face)), face);
 }
 
 std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafNoise& noise) {
   const FourVectors out = unit(all_of(twig.along) + panicle::all_of(0.5f) * side_of(twig, noise));
-  return turns_to(out, beside(out));
+  return turns_to(out, any_perpendicular(out));
 }
 
 }  // namespace panicle::growth

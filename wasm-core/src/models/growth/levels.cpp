@@ -302,7 +302,7 @@ class LevelBuilder {
         return;
       }
       const glm::vec3 flat = right - glm::dot(right, way) * way;
-      right = glm::dot(flat, flat) > 1e-4f ? glm::normalize(flat) : beside(way);
+      right = glm::dot(flat, flat) > 1e-4f ? glm::normalize(flat) : any_perpendicular(way);
       const glm::vec3 forward = glm::cross(way, right);
       for (std::uint32_t k = 0; k < n; ++k) {
         const SinCos turn = turns_[n][k];

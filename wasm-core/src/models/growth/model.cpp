@@ -166,7 +166,7 @@ void add_organ_mesh(Plant& plant, std::string name, std::string material, const 
   if (any) plant.meshes.push_back({std::move(name), std::move(material), mesh, {}, {}});
 }
 
-void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky, const FootHabit& foot) {
+void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky, const RootFlareOptions& foot) {
   const Blade blossom = make_blossom();
   StemMesh stems = sweep_wood(plant.segments, moment.axes, moment.feet, foot);
   Columns columns;

@@ -44,7 +44,7 @@ std::string list_of(std::uint32_t may_use) {
 std::string known_functions() {
   std::string known = "D, E";
   for (const expression::Function& function : expression::functions)
-    if (!expression::is_asked(function.op)) known.append(", ").append(function.name);
+    if (!expression::is_space_query(function.op)) known.append(", ").append(function.name);
   return known;
 }
 
@@ -353,7 +353,7 @@ bool GrowthReader::rewritten(expression::Expression& tree, std::uint32_t may_use
           {Node::Kind::element, expression::Op::element, 1, 0, leaves ? leaf_function : branch_function, node.place});
       continue;
     }
-    if (node.kind == Node::Kind::operation && expression::is_asked(node.op))
+    if (node.kind == Node::Kind::operation && expression::is_space_query(node.op))
       return wrong(node.place, "% asks about a place of the plant, which a growth grammar does not know; take it out.",
                    {node.name});
     number.draws |= node.kind == Node::Kind::operation && expression::is_random(node.op);

@@ -59,7 +59,7 @@ void dress(Plant& plant, const LeafRequest& leaf_request, const Veins& veins, st
     Sky sky({}, specks);
     for (PlantMesh& face : blade) {
       std::vector<std::uint8_t> bytes(face.mesh.positions.size() / 3);
-      see_part(sky, face.mesh, whole(face.mesh), owner, true, bytes);
+      sample_part(sky, face.mesh, whole(face.mesh), owner, true, bytes);
       face.columns.add("sky", std::move(bytes));
     }
     std::vector<std::uint8_t> bytes;

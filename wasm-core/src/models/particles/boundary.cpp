@@ -12,7 +12,7 @@ constexpr int pieces = 6;  // of a spline between two points
 
 // A profile keeps its own heights and radii: 1 is the box's half width and height, 0 its middle and lowest point.
 Surface turned(std::span<const glm::vec2> profile, const glm::vec3& low, const glm::vec3& high) {
-  Surface surface = revolved(profile, glm::vec3(0), sides);
+  Surface surface = surface_of_revolution(profile, glm::vec3(0), sides);
   const glm::vec3 foot(0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z));
   const glm::vec3 size(0.5f * (high.x - low.x), high.y - low.y, 0.5f * (high.z - low.z));
   for (glm::vec3& p : surface.points) p = foot + p * size;

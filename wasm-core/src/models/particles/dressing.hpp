@@ -19,7 +19,7 @@ struct DressHabit {
   std::uint32_t leaf = 0;  // tag of organs that are leaves
   float leaf_area = 0;     // of one at scale 1
   bool sky = false;
-  FootHabit foot;
+  RootFlareOptions foot;
 };
 
 // Appends the mesh `stems` of a material: tubes along the axes, at each fork on into the heaviest, thin ones with fewer

@@ -40,7 +40,7 @@ void Neighbours::build(std::span<const glm::vec3> points) {
   // A little more, lest its square be rounded below that of two at opposite corners.
   across_ = points.empty() ? 0 : 1.001f * glm::distance(low, high);
   edge_ = spacing(high - low, points.size());
-  grid_.lay(points, edge_);
+  grid_.build(points, edge_);
   const std::span<const std::uint32_t> ids = grid_.ids();
   for (auto* values : {&x_, &y_, &z_}) values->resize(ids.size() + lanes - 1);
   for (std::size_t slot = 0; slot < ids.size(); ++slot) {

@@ -128,7 +128,7 @@ bool PlanReader::number(float least, float most, const char* what, float& value)
   std::vector<float> registers = code_.registers;
   for (const expression::Node& node : tree.nodes)
     if (node.kind == expression::Node::Kind::operation &&
-        (expression::is_random(node.op) || expression::is_asked(node.op) || node.op == expression::Op::curve))
+        (expression::is_random(node.op) || expression::is_space_query(node.op) || node.op == expression::Op::curve))
       return wrong(node.place, "Nothing is drawn here; write the least and the most, as in scale 0.7 to 1.2.");
   if (!expression::execute(code_, begin, lowering_.here(), registers.data(), {}, trouble_)) return false;
   value = registers[source.value()];

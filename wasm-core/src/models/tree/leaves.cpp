@@ -49,7 +49,7 @@ void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t
     const Segment& twig = plant.segments[static_cast<std::size_t>(numbers[i])];
     const glm::vec3 along = twig.end - twig.start;
     const float length = glm::length(along);
-    const glm::vec3 way = length > 0 ? along / length : glm::vec3(0, 1, 0), side = beside(way),
+    const glm::vec3 way = length > 0 ? along / length : glm::vec3(0, 1, 0), side = any_perpendicular(way),
                     across = glm::cross(way, side);
     const std::uint64_t place = address_of(trails.places[i]);
     const float turn = 360 * random_unit(habit.seed, stream_turn, place);
@@ -67,13 +67,13 @@ void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t
       else
         out.y -= droop;
       glm::vec3 up = habit.needles ? out : out - glm::dot(out, face) * face;
-      up = glm::length(up) > 1e-3f ? glm::normalize(up) : beside(face);
+      up = glm::length(up) > 1e-3f ? glm::normalize(up) : any_perpendicular(face);
       const glm::vec3 front = face - glm::dot(face, up) * up;
       Organ leaf;
       leaf.tag = tag;
       leaf.segment = numbers[i];
       leaf.position = twig.end - std::min(length, internode * habit.size * static_cast<float>(node)) * way;
-      leaf.rotation = turn_to(up, glm::length(front) > 1e-3f ? glm::normalize(front) : beside(up));
+      leaf.rotation = turn_to(up, glm::length(front) > 1e-3f ? glm::normalize(front) : any_perpendicular(up));
       leaf.scale = share * habit.size * (least_size + (1 - least_size) * random_unit(habit.seed, stream_size, address));
       plant.organs.push_back(leaf);
     }

@@ -121,7 +121,7 @@ std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
 
 // Adds only the meshes that organs use: others would be drawn by themselves. Organs before `first_leaf` are particles.
 void add_meshes(Plant& plant, const GrownWood& grown, const Blade& blade, std::size_t first_leaf, bool sky,
-                const FootHabit& foot) {
+                const RootFlareOptions& foot) {
   dress(plant, grown, {.material = "bark", .leaf = leaf_tag, .leaf_area = blade.area, .sky = sky, .foot = foot});
   const bool leafy = plant.organs.size() > first_leaf && !blade.mesh.indices.empty();
   const std::int32_t leaf_mesh = leafy ? 1 : -1, ball_mesh = leafy ? 2 : 1;

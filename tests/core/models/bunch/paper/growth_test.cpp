@@ -45,7 +45,7 @@ TEST_CASE("why a berry turns or withers is told, with what is in its way and by 
   const auto bound = lsystem::bind(program.value(), {}, {});
   REQUIRE(bound);
   const auto derived = lsystem::develop(*bound.value(), 1, {}, {});
-  auto chronicle = lsystem::chronicle(*bound.value(), 1, {}, {}, {}, {});
+  auto chronicle = lsystem::trace_derivation(*bound.value(), 1, {}, {}, {}, {});
   REQUIRE(derived);
   REQUIRE(chronicle);
   chronicle->watch_drawing(derived->string);
@@ -54,23 +54,23 @@ TEST_CASE("why a berry turns or withers is told, with what is in its way and by 
   REQUIRE(lsystem::interpret(*bound.value(), *derived->string, {}, growth, 1, {}, nullptr, &chronicle.value()));
   growth.finish();
   const auto& entries = chronicle->modules();
-  CHECK(entries[0].answer.empty());
+  CHECK(entries[0].response.empty());
   // The second comes nearer and nearer to where the two would only touch; the others begin above the first one's
   // centre.
-  CHECK(entries[2].answer == "asked 1 0 0 30 2 20 → 1 0 0 30 2 20; there is room at once");
-  CHECK(entries[6].answer.find("→ 1 0 0 10 2 20; no room after ") != std::string::npos);
-  CHECK(entries[6].answer.ends_with(" in 50 turns: it still touches the berry of module 2, and withers"));
-  CHECK(entries[9].answer.ends_with(" in 50 turns: it still overlaps the berry of module 2 by 0.02, and withers"));
+  CHECK(entries[2].response == "asked 1 0 0 30 2 20 → 1 0 0 30 2 20; there is room at once");
+  CHECK(entries[6].response.find("→ 1 0 0 10 2 20; no room after ") != std::string::npos);
+  CHECK(entries[6].response.ends_with(" in 50 turns: it still touches the berry of module 2, and withers"));
+  CHECK(entries[9].response.ends_with(" in 50 turns: it still overlaps the berry of module 2 by 0.02, and withers"));
   std::size_t withered = 0, stood = 0;
   for (const Internode& one : growth.internodes) {
     stood += one.state == State::withered;
     if (one.kind == Kind::pedicel) CHECK(entries[one.module].text.starts_with("?E(1,0,0,"));
   }
   for (const auto& module : entries) {
-    if (!module.answer.ends_with(", and withers")) continue;
+    if (!module.response.ends_with(", and withers")) continue;
     ++withered;
-    CHECK(module.answer.find("; no room after ") != std::string::npos);
-    CHECK(module.answer.find(" of module ") != std::string::npos);
+    CHECK(module.response.find("; no room after ") != std::string::npos);
+    CHECK(module.response.find(" of module ") != std::string::npos);
     CHECK(module.fires.line == 5);
   }
   CHECK(withered == stood);

@@ -198,12 +198,12 @@ void trace_outcomes(lsystem::DerivationTrace& chronicle, std::span<const Flower>
                 const Harvest& hung) {
   for (std::size_t k = 0; k < hung.berries.size(); ++k)
     if (const std::uint32_t module = hung.berries[k].module; module != no_module)
-      chronicle.add_answer(module, crop.set.volumes[hung.flowers[k]] > 0 ? "; its flower set, and it bears the berry"
+      chronicle.add_response(module, crop.set.volumes[hung.flowers[k]] > 0 ? "; its flower set, and it bears the berry"
                                                                          : "; its flower does not set");
   for (const Thinned& one : hung.thinned) {
     const auto flower =
         std::find_if(flowers.begin(), flowers.end(), [&](const Flower& each) { return each.id == one.id; });
-    if (flower != flowers.end() && flower->module != no_module) chronicle.add_answer(flower->module, outcome_text(one.why));
+    if (flower != flowers.end() && flower->module != no_module) chronicle.add_response(flower->module, outcome_text(one.why));
   }
 }
 

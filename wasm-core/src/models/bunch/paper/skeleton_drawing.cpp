@@ -22,16 +22,16 @@ void SkeletonDrawing::erase() {
   balls.resize(first_ball_);
 }
 
-void SkeletonDrawing::ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage& lineage) {
+void SkeletonDrawing::query(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage& lineage) {
   answering_ = false;
   Question question;
   if (!slots_for(parameters.size(), question.slots)) return fail(wrong_arity());
   question.pedicel = parameters[0] == pedicel_type;
   question.width = question.slots.width ? parameters[question.slots.width] : width_;
   const bool is_traced_here = is_traced(lineage);
-  if (is_traced_here) chronicle_->add_answer(lineage.module, "asked" + lsystem::numbers_text(parameters));
+  if (is_traced_here) chronicle_->add_response(lineage.module, "asked" + lsystem::numbers_text(parameters));
   answer_ = answer(question, turtle, parameters, lineage);
-  if (is_traced_here) chronicle_->add_answer(lineage.module, " →" + lsystem::numbers_text(parameters) + answer_.why);
+  if (is_traced_here) chronicle_->add_response(lineage.module, " →" + lsystem::numbers_text(parameters) + answer_.why);
   answering_ = true;
   query_address_ = lineage.address;
   ++questions_;

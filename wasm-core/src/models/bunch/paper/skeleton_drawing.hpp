@@ -29,7 +29,7 @@ class SkeletonDrawing : public Drawing {
 
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;
-  void ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage& lineage) final;
+  void query(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage& lineage) final;
 
   // Finishes the drawing, in the grammar's unit: settles which internodes are pedicels, which depends on balls and
   // answers. Removes from `balls` those that hang on no line, and returns their number.

@@ -348,7 +348,7 @@ bool FlowerReader::knows_functions(std::size_t end) {
     if (!expression::foreign_function(name).empty()) continue;
     std::string known = "math.random";
     for (const expression::Function& function : expression::functions)
-      if (!expression::is_asked(function.op)) known.append(", ").append(function.name);
+      if (!expression::is_space_query(function.op)) known.append(", ").append(function.name);
     return fail(Reason::undefined, tokens_[at].place, "There is no function '%'; there are %.", {name, known});
   }
   return true;
@@ -359,7 +359,7 @@ bool FlowerReader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& dr
   for (Node& node : tree.nodes) {
     if (node.kind == Node::Kind::element)
       return wrong(node.place, "There are no lists in a flower's grammar; numbers stand in round brackets.");
-    if (node.kind == Node::Kind::operation && expression::is_asked(node.op))
+    if (node.kind == Node::Kind::operation && expression::is_space_query(node.op))
       return wrong(node.place,
                    "% asks about a place of the plant, which a flower's grammar does not know; take it out.",
                    {node.name});

@@ -25,7 +25,7 @@ Clothing::Clothing(std::vector<Leaf> leaves) : leaves_(std::move(leaves)) {
     bases.push_back(leaf.base);
     longest = std::max(longest, leaf.length);
   }
-  if (longest > 0) grid_.lay(bases, longest);
+  if (longest > 0) grid_.build(bases, longest);
 }
 
 bool Clothing::reaches(const glm::vec3& place) const {

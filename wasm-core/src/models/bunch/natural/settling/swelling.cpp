@@ -182,7 +182,7 @@ class Solver {
       spheres.push_back({centres_[i], gone(i) ? -1 : sizes_[i].ball + sizes_[i].core + half_margin});
       there += !gone(i);
     }
-    nearby_.lay(spheres);
+    nearby_.build(spheres);
     pairs_.clear();
     nearby_.pairs(pairs_, most_pairs * there);
     pushes_.resize(pairs_.size());
