@@ -1,4 +1,4 @@
-/** Files of a leaf besides those of every plant. */
+/** File formats of leaves in addition to the common ones. */
 import type { Format } from "../model";
 import type { Leaf } from "./grown";
 import type { LeafSpecimen } from "./specimen";

@@ -1,4 +1,4 @@
-/** Specimen → the blocks of a request, as wasm-core/src/models/leaf/request.hpp lists them. */
+/** Encodes a specimen as the blocks of a request (wasm-core/src/models/leaf/request.hpp). */
 import type { Block } from "../../core/container";
 import type { GrowthOptions } from "../model";
 import { KINDS } from "./outline/points";
@@ -6,22 +6,22 @@ import type { LeafSpecimen } from "./specimen";
 import { LEAF_TABLE } from "./table";
 
 export interface LeafOptions extends GrowthOptions {
-	/** Whether it is wanted how much of the sky the meshes see; the default is wherever there are meshes, but not in passing. */
+	/** Whether the visibility of the sky is requested; the default is yes with meshes, except for previews. */
 	sky?: boolean;
-	/** Whether the fingerprint of the meshes is wanted; the default is no. */
+	/** Whether the fingerprint of the meshes is requested; the default is no. */
 	meshFingerprint?: boolean;
-	/** Triangles of the blade, against the core's own choice. */
+	/** Triangles of the blade relative to the core's default. */
 	detail?: number;
 }
 
-/** Triangles of the blade while particles run, against the core's own choice. */
+/** Triangles of the blade while particles move, relative to the core's default. */
 const WATCHED_DETAIL = 0.25;
 
 export function encodeLeaf(specimen: LeafSpecimen, options: LeafOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, detail } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;
 	const { seed, parameters, outline } = specimen;
-	// Who watches particles run sees all of them, only the blade is coarser meanwhile.
+	// While particles move, all of them are shown; only the blade is coarser.
 	const watched = parameters.age < 100;
 	const triangles = detail ?? (preview && watched ? WATCHED_DETAIL : undefined);
 	const outputs = [

@@ -1,4 +1,4 @@
-/** The leaf's side of the document: its table, its presets, and the outline that a specimen holds besides. */
+/** The schema of leaf documents: table, presets and the outline. */
 import { fromPreset } from "../../specimen/from_preset";
 import type { ModelSchema } from "../../specimen/model_schema";
 import { Presets } from "../../specimen/presets";
@@ -14,7 +14,7 @@ export const LEAF: ModelSchema<LeafSpecimen> = {
 	details: [outlinePoints],
 };
 
-/** A fresh leaf (specimen/from_preset.ts). */
+/** A new leaf from a preset (specimen/from_preset.ts). */
 export function leafFromPreset(name?: string): LeafSpecimen {
 	return fromPreset(LEAF, name);
 }

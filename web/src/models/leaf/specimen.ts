@@ -3,6 +3,6 @@ import type { OutlinePoint } from "./outline/points";
 
 /** The document of a leaf. */
 export interface LeafSpecimen extends Specimen {
-	/** The outline's points, as outline/points.ts has them. */
+	/** Points of the outline (outline/points.ts). */
 	outline: OutlinePoint[];
 }

@@ -1,4 +1,7 @@
-/** A leaf as SVG: flat, in millimetres, tip up: the margin as one closed path, veins as one path a class of widths. */
+/**
+ * Writes a leaf as SVG: flat, in millimetres, tip up; the margin as one closed path, veins as one path per class of
+ * widths.
+ */
 import { GENERATOR } from "../../formats/generator";
 import { escaped, short } from "../particles/svg_text";
 import { flatVeins, type Leaf } from "./grown";
@@ -6,12 +9,12 @@ import { bundled } from "./outline/bundles";
 import type { LeafSpecimen } from "./specimen";
 import { leafInWords } from "./words";
 
-/** Classes of widths, from the finest vein to the widest: fewer show as steps along a main vein. */
+/** Number of width classes; with fewer, steps along a main vein become visible. */
 const CLASSES = 24;
-/** Left free round the leaf. */
+/** Margin around the leaf, millimetres. */
 const MARGIN = 2;
 
-/** @param link the address that brings the leaf back */
+/** @param link the address that restores the leaf */
 export function leafSvg(leaf: Leaf, specimen: LeafSpecimen, link: string): string {
 	const { length: size } = specimen.parameters;
 	const { ends, widths, margin } = flatVeins(leaf, size);
@@ -39,7 +42,9 @@ ${veins.join("\n")}
 `;
 }
 
-/** The segments of a class in runs, each of which goes on where the last one ended; parents come first. */
+/**
+ * Joins the segments of a class to chains, each of which continues at the end of the last segment. Parents come first.
+ */
 function chained(members: readonly number[], parent: Int32Array): number[][] {
 	const ending = new Map<number, number[]>();
 	const chains: number[][] = [];

@@ -1,4 +1,4 @@
-/** The leaf in a few plain words: for the caption, the picture's description and the screen reader. */
+/** Describes a leaf in a few words, for captions, descriptions of pictures and screen readers. */
 
 import type { Leaf } from "./grown";
 import { packOutline } from "./outline/packed";
@@ -6,8 +6,8 @@ import { LEAF, leafFromPreset } from "./schema";
 import type { LeafSpecimen } from "./specimen";
 
 /**
- * "Oak leaf, 42 cm², 11 cm long, 2.3 m of veins"; while particles run, how many do. With another outline than its preset's it is
- * a "Leaf of an outline of its own": traced from a picture it may be of any kind.
+ * "Oak leaf, 42 cm², 11 cm long, 2.3 m of veins"; while particles move, with their number. A leaf whose outline
+ * differs from its preset's is a "Leaf of an outline of its own": a traced leaf may be of any species.
  */
 export function leafInWords({ chart, margin, counts }: Leaf, specimen: LeafSpecimen): string {
 	const { length, age } = specimen.parameters;
@@ -24,12 +24,12 @@ function nameOf({ preset, outline }: LeafSpecimen): string {
 	return title.toLowerCase().includes("leaf") ? title : `${title} leaf`;
 }
 
-/** Two figures, or all before the point. */
+/** Two significant figures, or all digits before the decimal point. */
 function rounded(value: number): string {
 	return value >= 10 ? String(Math.round(value)) : String(Number(value.toPrecision(2)));
 }
 
-/** Of a closed polygon, 2 × points. */
+/** Signed area of a closed polygon, 2 × points. */
 export function polygonArea(points: Float32Array): number {
 	let double = 0;
 	for (let at = 0; at < points.length; at += 2) {
@@ -39,7 +39,7 @@ export function polygonArea(points: Float32Array): number {
 	return double / 2;
 }
 
-/** Of all pieces together, 4 × pieces. */
+/** Total length, 4 × pieces. */
 function lengthOf(ends: Float32Array): number {
 	let sum = 0;
 	for (let at = 0; at < ends.length; at += 4) sum += Math.hypot(ends[at + 2] - ends[at], ends[at + 3] - ends[at + 1]);

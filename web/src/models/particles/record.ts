@@ -1,36 +1,36 @@
-/** What the JSON document says of trails, in place of what it says of any segments. */
+/** The trails in the JSON document, in place of the common record of segments. */
 import { shortFloat } from "../../formats/numbers";
 import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
 import type { TrailPlant } from "./trails";
 
 type Vector = [x: number, y: number, z: number];
 
-/** A piece of trail. */
+/** A segment of a trail. */
 export interface TrailRecord {
-	/** Index of the piece nearer the target, which comes earlier; −1 at a target. */
+	/** Index of the segment nearer to the target, which is less than this one's; −1 at a target. */
 	parent: number;
-	/** By the model's own names. */
+	/** The kind, named as in the model. */
 	kind: string;
-	/** The end nearer the target; metres. */
+	/** The end nearer to the target, metres. */
 	start: Vector;
 	end: Vector;
-	/** That passes. */
+	/** Energy that flows through. */
 	energy: number;
-	/** At the start, metres. */
+	/** Radius at the start, metres. */
 	radius: number;
 	radiusEnd: number;
 }
 
-/** Where trails end. */
+/** A target, where trails end. */
 export interface TargetRecord {
 	x: number;
 	y: number;
 	z: number;
-	/** That has arrived. */
+	/** Energy that has arrived. */
 	energy: number;
 }
 
-/** `counts.energy` is what arrived at all targets, exact where energies are whole. */
+/** `counts.energy` is the energy that arrived at all targets; the sum is exact where energies are integers. */
 export function trailRecord(plant: TrailPlant): {
 	counts: Record<string, number>;
 	segments: Rows<TrailRecord>;

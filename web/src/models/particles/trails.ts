@@ -1,17 +1,20 @@
-/** What leaf, tree and root have in common: the trails of particles (wasm-core/src/models/particles/trail_plant.hpp). */
+/** The trails of particles, common to leaf, tree and root (wasm-core/src/models/particles/trail_plant.hpp). */
 import type { Answer } from "../../core/core";
 import type { Plant } from "../../plant/plant";
 import { readPlant } from "../../plant/read_plant";
 
-/** A plant whose segments are trails: `parent` −1 at a target, or where a particle is on its way; `start` nearer the target. */
+/**
+ * A plant whose segments are trails. `parent` is −1 at a target and at a moving particle; `start` is nearer to the
+ * target.
+ */
 export interface TrailPlant extends Plant {
-	/** By segment: the energy that passes. */
+	/** Energy that flows through each segment. */
 	energy: Float32Array;
-	/** By segment: the step that left it. */
+	/** Step at which a particle left each segment. */
 	born: Uint32Array;
-	/** 3 × targets, metres. */
+	/** Positions of the targets, 3 × targets, metres. */
 	targets: Float32Array;
-	/** By target: the energy that has arrived. */
+	/** Energy that has arrived at each target. */
 	arrived: Float32Array;
 }
 

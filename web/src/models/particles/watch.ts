@@ -6,21 +6,24 @@ import type { PlayState } from "../../ui/life_player";
 import { lifeTool } from "../../ui/life_tool";
 import type { Tool } from "../../ui/tool";
 
-/** Watching particles run: the bar below the view. */
+/** A tool that plays the movement of the particles, with a bar below the view. */
 export function watching<S extends Specimen, G extends Plant>(
 	applies?: (specimen: S) => boolean,
 ): Tool<S, G, PlayState> {
 	return lifeTool<S, G>(LIFE, applies);
 }
 
-/** Watching a plant run or, where its boundary grows with its age, grow up: the bar below the view has that life's stages. */
+/**
+ * Tools that play the movement of the particles or, where the boundary grows with age, the growth; the bar below the
+ * view has the stages of either.
+ */
 export function watchingEither<S extends Specimen, G extends Plant>(table: Table): Tool<S, G>[] {
 	const grows = (specimen: S) => table.option(specimen, "life") === "grow";
 	const run = watching<S, G>((specimen) => !grows(specimen));
 	return [run, lifeTool<S, G>(GROWTH, grows)] as Tool<S, G>[];
 }
 
-/** How far the particles have run: the share of the steps in which all arrive. */
+/** Stages of the movement: the age is the percentage of the steps until all particles have arrived. */
 export const LIFE: Life = {
 	parameter: "age",
 	label: "Age",
@@ -38,7 +41,7 @@ export const LIFE: Life = {
 	help: "0 particles scattered, 100 all trails stand.",
 };
 
-/** How far the boundary has grown: a young plant is a small one. */
+/** Stages of growth: the age is the percentage of the boundary's final size. */
 export const GROWTH: Life = {
 	name: "growth",
 	parameter: "age",

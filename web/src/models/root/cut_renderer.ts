@@ -1,4 +1,4 @@
-/** A root in the ground: its parts as any plant's, and the pit around them. */
+/** Renders a root in the ground: its parts, and the pit around them. */
 import { Mesh, type PerspectiveCamera } from "three";
 import { linear } from "../../plant/colour";
 import type { Bodies } from "../../render/camera_fit";
@@ -21,7 +21,7 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 	readonly #roots: PartRenderer<RootSpecimen, WoodenPlant>;
 	readonly #materials: MaterialCache;
 	#soil: PartMeshes | undefined;
-	/** The bounds that the pit was dug for, its points and its colour. */
+	/** The bounds that the pit was built for, its points and its colour. */
 	#pitBounds: PitBounds | undefined;
 	#wallPoints: Float32Array = new Float32Array(0);
 	#pitColour = "";
@@ -36,7 +36,7 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 	show(grown: WoodenPlant, specimen: RootSpecimen): void {
 		this.#roots.show(grown, specimen);
 		const { spheres, points } = this.#roots.bounds();
-		// A pit for the grown root, where it is still to grow.
+		// Where the root is still growing, the pit is for the fully grown root.
 		const bodies = { spheres, points: joined([points, grownExtent(rootLayout, ROOT_TABLE, specimen)]) };
 		const box = boxOf(bodies);
 		if (box.isEmpty()) {
@@ -45,7 +45,7 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 			return;
 		}
 		const roots = reachOf(grown.segments.ends, { low: box.min.toArray(), high: box.max.toArray() });
-		// A frame in passing has no time to dig anew for every particle that moves; nor is its sky worked out.
+		// Previews do not rebuild the pit for every particle that moves; they have no visibility of the sky.
 		const preview = !grown.meshes.some(({ sky }) => sky);
 		const { soil } = specimen.look;
 		const fits = this.#pitBounds && (preview ? pitHolds(this.#pitBounds, roots) : sameBounds(this.#pitBounds, roots));
@@ -59,7 +59,8 @@ class CutRenderer implements ModelRenderer<RootSpecimen, WoodenPlant> {
 		const mesh = buildPit(roots, soil);
 		const shape = { mesh, material: { name: "Soil", colour: linear(soil), roughness: 1 } };
 		this.#soil = new PartMeshes([{ name: "Soil", shape }], this.#materials);
-		// The near wall is not drawn, and so must not throw a shadow; roots' shadows on the far one would pass for roots.
+		// The near wall is not drawn, so it must not cast a shadow; shadows of roots on the far wall would look like
+		// roots.
 		for (const object of this.#soil.objects) object.castShadow = object.receiveShadow = false;
 		this.#stage.root.add(...this.#soil.objects);
 		this.#pitBounds = roots;
@@ -107,10 +108,7 @@ function sameBounds(one: PitBounds, other: PitBounds): boolean {
 	return [0, 1, 2].every((k) => one.low[k] === other.low[k] && one.high[k] === other.high[k]);
 }
 
-/**
- * What a pit must hold: roots themselves and not some of their points only, from the ground on, however deep they begin
- * and whatever of the stem stands above it.
- */
+/** Bounds for the pit: all roots from the ground downwards, however deep they begin, without the stem above. */
 function reachOf(ends: Float32Array, { low, high }: PitBounds): PitBounds {
 	const least = [...low] as [number, number, number];
 	const most: [number, number, number] = [high[0], 0, high[2]];

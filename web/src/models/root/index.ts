@@ -1,4 +1,4 @@
-/** The root of particles' trails (Rodkaew et al. 2003, section 4): docs/models/root/root.md. */
+/** The model of roots from the trails of particles (Rodkaew et al. 2003, section 4): docs/models/root/root.md. */
 import type { PageModel } from "../page_model";
 import { boundedBy } from "../particles/boundary/mesh_boundary";
 import { encodeBounded } from "../particles/boundary/request";

@@ -16,10 +16,10 @@ const FORMS: Readonly<Record<string, Form>> = {
 
 const TOP = ROOT_TABLE.entry("top") as NumberEntry;
 
-/** How a root's volume lies: below ground. */
+/** The boundary of a root: below ground. */
 export const rootLayout: BoundaryLayout<RootSpecimen> = {
 	form: (specimen) => FORMS[ROOT_TABLE.option(specimen, "shape") ?? "bowl"],
-	// As wasm-core/src/models/root/model.cpp has it.
+	// As in wasm-core/src/models/root/model.cpp.
 	profile: [
 		[0.04, 0],
 		[0.16, 0.3],

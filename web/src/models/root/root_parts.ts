@@ -1,4 +1,4 @@
-/** A root in parts: the roots themselves, and particles on their way. */
+/** The parts of a root: the roots, and moving particles. */
 import { linear, mixed } from "../../plant/colour";
 import type { Part } from "../../plant/part";
 import { barkPicture } from "../../plant/wood/bark_picture";
@@ -8,7 +8,7 @@ import { particleMaterial } from "../particles/boundary/particle_material";
 import type { WoodenPlant } from "../particles/boundary/wooden_plant";
 import type { RootSpecimen } from "./specimen";
 
-/** What fine roots of any plant come near to. */
+/** Colour that fine roots of all species approach. */
 const FINE = linear("d9c7a0");
 
 export function* rootParts(plant: WoodenPlant, specimen: RootSpecimen): Generator<Part> {

@@ -1,4 +1,4 @@
-/** The root's side of the document: its table, its presets, and what a specimen of it holds besides. */
+/** The schema of root documents: table, presets and further fields. */
 
 import type { ModelSchema } from "../../specimen/model_schema";
 import { Presets } from "../../specimen/presets";

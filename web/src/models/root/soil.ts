@@ -1,13 +1,13 @@
 /**
- * The soil about a root, as a pit that has been dug around it: only its far wall is drawn, so that from every side the root
- * is seen in a cut. Not of the plant, and in no file.
+ * The soil around a root as a pit: only its far wall is drawn, so that the root is visible from every side. It is not
+ * part of the plant and of no file.
  */
 import type { Colour } from "../../plant/colour";
 import { clamp, linear, mixed, smoothstep } from "../../plant/colour";
 import { noise } from "../../plant/noise";
 import type { PartMesh } from "../../plant/part";
 
-/** What the pit must hold, metres; the ground is at height 0. */
+/** Bounds of the pit's contents, metres; the ground is at height 0. */
 export interface PitBounds {
 	low: readonly [x: number, y: number, z: number];
 	high: readonly [x: number, y: number, z: number];
@@ -16,14 +16,14 @@ export interface PitBounds {
 const AROUND = 160;
 const DOWN = 64;
 const FLOOR = 12;
-/** Room left about the roots, as a share of their reach. */
+/** Margin around the roots, as a share of their extent. */
 const ROOM = 0.1;
-/** How square the pit is: 2 an ellipse, more a box with round corners. */
+/** Exponent of the superellipse: 2 is an ellipse, larger values approach a box with round corners. */
 const SQUARENESS = 3.2;
-/** Metres of dark topsoil. */
+/** Thickness of the dark topsoil, metres. */
 const HUMUS = 0.28;
 
-/** Points of a pit, its wall first, ring by ring, then its floor. */
+/** Builds a pit: the wall ring by ring, then the floor. */
 export function buildPit({ low, high }: PitBounds, soil: string): PartMesh {
 	const middle = [(low[0] + high[0]) / 2, (low[2] + high[2]) / 2];
 	const reach = [0, 2].map((k) => Math.max((high[k] - low[k]) / 2, 0.05) * (1 + ROOM));
@@ -38,7 +38,7 @@ export function buildPit({ low, high }: PitBounds, soil: string): PartMesh {
 		const [x, z] = around((2 * Math.PI * k) / AROUND, reach);
 		const normal = inwards(x, z, reach);
 		const waver = waverAt(x, z, grain);
-		// The floor is one colour from the wall to its middle, where its triangles meet.
+		// Each sector of the floor has one colour from the wall to the centre, where the triangles meet.
 		const floor = earth(tones, [x, -depth, z], 0.6, waverAt(x, z, 0.6));
 		for (let ring = 0; ring < rings; ring++) {
 			const at = 3 * (ring * AROUND + k);
@@ -70,17 +70,17 @@ function inwards(x: number, z: number, [rx, rz]: readonly number[]): [number, nu
 	return [-nx / size, 0, -nz / size];
 }
 
-/** Whether a pit dug for one still holds another. */
+/** Whether a pit for some bounds still holds others. */
 export function pitHolds(bounds: PitBounds, { low, high }: PitBounds): boolean {
 	return [0, 1, 2].every((k) => {
 		const size = bounds.high[k] - bounds.low[k];
-		// A little less than the room there is.
+		// Slightly less than the margin.
 		const slack = 0.45 * ROOM * size;
 		return low[k] >= bounds.low[k] - slack && high[k] <= bounds.high[k] + slack;
 	});
 }
 
-/** Facing inwards: seen from outside the near wall is not there. */
+/** Triangles that face inwards: seen from outside the near wall is invisible. */
 function quads(rings: number): Uint32Array {
 	const indices: number[] = [];
 	for (let ring = 0; ring + 1 < rings; ring++) {
@@ -92,7 +92,7 @@ function quads(rings: number): Uint32Array {
 	return Uint32Array.from(indices);
 }
 
-/** Of humus, and of what lies below it. */
+/** Colours of the humus and of the soil below. */
 interface Tones {
 	readonly dark: Colour;
 	readonly pale: Colour;
@@ -103,12 +103,12 @@ function tonesOf(soil: string): Tones {
 	return { dark: mixed(base, [0.008, 0.006, 0.004], 0.72), pale: mixed(base, [0.02, 0.014, 0.009], 0.25) };
 }
 
-/** How much deeper or less deep the humus is there, metres. */
+/** Variation of the humus's depth at a position, metres. */
 function waverAt(x: number, z: number, grain: number): number {
 	return HUMUS * (noise(0.3 * grain * x + 7, 0, 0.3 * grain * z) - 0.5);
 }
 
-/** Dark humus on top, paler below, in bands that waver, crumbs of both. */
+/** Colour of the soil: dark humus on top, paler below, with a wavy transition and crumbs of both. */
 function earth({ dark, pale }: Tones, [x, y, z]: readonly number[], grain: number, waver: number): Colour {
 	const below = smoothstep(0.4 * HUMUS, 1.7 * HUMUS, -y + waver);
 	const [red, green, blue] = mixed(dark, pale, below);

@@ -1,4 +1,4 @@
-/** The tree of particles' trails (Rodkaew et al. 2003, section 4): docs/models/tree/tree.md. */
+/** The model of trees from the trails of particles (Rodkaew et al. 2003, section 4): docs/models/tree/tree.md. */
 
 import { leafBlocks } from "../../plant/leaf";
 import type { PageModel } from "../page_model";

@@ -16,10 +16,10 @@ const FORMS: Readonly<Record<string, Form>> = {
 
 const [TRUNK, HEIGHT] = ["trunk", "height"].map((key) => TREE_TABLE.entry(key) as NumberEntry);
 
-/** How a tree's crowns lie: side by side, above their trunks. */
+/** The boundaries of a tree: crowns side by side, above their trunks. */
 export const treeLayout: BoundaryLayout<TreeSpecimen> = {
 	form: (specimen) => FORMS[TREE_TABLE.option(specimen, "shape") ?? "ellipsoid"],
-	// As wasm-core/src/models/tree/model.cpp has it.
+	// As in wasm-core/src/models/tree/model.cpp.
 	profile: [
 		[0.1, 0],
 		[0.8, 0.2],
@@ -33,11 +33,11 @@ export const treeLayout: BoundaryLayout<TreeSpecimen> = {
 	},
 	axes: ({ parameters: { crowns, distance } }) => evenlySpaced(crowns, crowns * distance),
 	fit: (specimen, { halfWidth, low, high }) => {
-		// No crown reaches below ground: what is left of the height is what counts, or the top would rise.
+		// A crown cannot reach below ground: there its height is reduced, so that its top stays.
 		const foot = nearestWithin(TRUNK, Math.min(low, high - HEIGHT.min));
 		if (!isBall(specimen)) return { ...roundly(specimen, halfWidth), trunk: foot, height: high - foot };
 		const { width, trunk } = specimen.parameters;
-		// Of a ball the side that was moved counts.
+		// A sphere takes its size from the side that was moved.
 		const moved =
 			Math.abs(2 * halfWidth - width) > 1e-6 ? 2 * halfWidth : Math.abs(foot - trunk) > 1e-6 ? width : high - foot;
 		return { width: moved, depth: moved, height: moved, trunk: foot };

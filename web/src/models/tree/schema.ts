@@ -1,4 +1,4 @@
-/** The tree's side of the document: its table, its presets, and what a specimen of it holds besides. */
+/** The schema of tree documents: table, presets and further fields. */
 
 import type { ModelSchema } from "../../specimen/model_schema";
 import { Presets } from "../../specimen/presets";

@@ -1,4 +1,4 @@
-/** A tree in parts: bark, leaves in their tints, particles on their way. */
+/** The parts of a tree: bark, tinted leaves, moving particles. */
 import { linear, mixed, toLch } from "../../plant/colour";
 import { leafTints } from "../../plant/leaf_colours";
 import type { Part } from "../../plant/part";
@@ -9,9 +9,9 @@ import { particleMaterial } from "../particles/boundary/particle_material";
 import type { TreeSpecimen } from "./specimen";
 import type { TreePlant } from "./tree_plant";
 
-/** What twigs of any tree come near to. */
+/** Colour that twigs of all species approach. */
 const TWIG = linear("4d3f33");
-/** Bark as light as a birch's is paper that turns dark and rough at the foot; all other bark is furrowed. */
+/** Lightness from which bark is papery, as a birch's, and dark and rough at the base; darker bark is furrowed. */
 const PALE = 0.8;
 const FOOT = linear("2a2623");
 

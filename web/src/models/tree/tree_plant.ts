@@ -1,4 +1,4 @@
-/** A tree as it came back, with the veins of the leaf that it bears. */
+/** A grown tree, with the veins of the leaf that is attached to it. */
 import type { Answer } from "../../core/core";
 import type { AttachedLeaf, Veins } from "../../plant/leaf";
 import { fetchBakedLeaf, fetchedLeaf } from "../../plant/leaves";
@@ -8,20 +8,20 @@ import type { TreeSpecimen } from "./specimen";
 import { TREE_TABLE } from "./table";
 
 export interface TreePlant extends WoodenPlant {
-	/** Of every leaf, over its texture coordinates; absent where it has none. */
+	/** Veins of all leaves, over their texture coordinates; absent where there are none. */
 	veins?: Veins;
-	/** The light in its crown; absent where it was not asked for. */
+	/** The light in the crown; absent where not requested. */
 	light?: LightGrid;
 }
 
 const kindOf = (specimen: TreeSpecimen): string => TREE_TABLE.option(specimen, "leaf_kind") ?? "";
 
-/** Fetches the leaf that a tree bears; needles are not baked. */
+/** Fetches the leaf of a tree; needles are not baked. */
 export function fetchLeafOf(specimen: TreeSpecimen): Promise<void> | undefined {
 	return specimen.parameters.leaves > 0 ? fetchBakedLeaf(kindOf(specimen)) : undefined;
 }
 
-/** Undefined before it is there, and of needles. */
+/** The leaf of a tree; undefined before it is fetched, and for needles. */
 export const leafOf = (specimen: TreeSpecimen): AttachedLeaf | undefined => fetchedLeaf(kindOf(specimen));
 
 export function readTree(answer: Answer, specimen: TreeSpecimen): TreePlant {

@@ -1,4 +1,4 @@
-/** A tree on the stage: its parts, in a view that is as large as it grows. */
+/** Renders a tree, framed for its final size. */
 import { swayOf } from "../../plant/sway";
 import { partRenderer } from "../../render/part_renderer";
 import { grownExtent } from "../particles/boundary/grown_extent";

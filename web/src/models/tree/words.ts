@@ -1,4 +1,4 @@
-/** A tree in a few plain words: for the caption, the picture's description and the screen reader. */
+/** Describes a tree in a few words, for captions, descriptions of pictures and screen readers. */
 import { countInWords, heightsOf, lengthInWords } from "../../plant/in_words";
 import type { TrailPlant } from "../particles/trails";
 

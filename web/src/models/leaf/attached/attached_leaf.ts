@@ -1,4 +1,7 @@
-/** A grown leaf as other plants bear it: flat, light, its veins in one small picture (plant/leaf.ts). */
+/**
+ * Encodes a grown leaf for attachment to other plants: flat, simplified, its veins in one small picture
+ * (plant/leaf.ts).
+ */
 import { deflateSync } from "fflate";
 import { writeContainer } from "../../../core/container";
 import { type LeafFile, STEEPS, STEPS } from "../../../plant/leaf";
@@ -9,23 +12,28 @@ import type { LeafSpecimen } from "../specimen";
 import { sparseBlade } from "./sparse_blade";
 
 export interface AttachedLeafOptions {
-	/** How fine its mesh is: cells to a side of the blade's square, each with a vertex at most … */
+	/** Resolution of the mesh: cells along a side of the blade's square, each with at most one vertex. */
 	cells?: number;
-	/** … or, where thousands are borne, corners of each half's margin; these bring their petiole. */
+	/**
+	 * In place of `cells`, for thousands of leaves: corners of each half's margin. Such leaves include their petiole.
+	 */
 	corners?: number;
-	/** Pixels to a side of the picture of its veins; none where absent. */
+	/** Width and height of the picture of the veins, pixels; no picture where absent. */
 	pixels?: number;
 }
 
-/** Shades of the picture of the veins. */
+/** Shades of grey in the picture of the veins. */
 const SHADES = 16;
-/** Veins at least this wide, against the widest, pucker the blade, which stands highest so far from them, in lengths. */
+/**
+ * Least relative width of veins that pucker the blade, and the distance from them at which the blade is highest, in
+ * leaf lengths.
+ */
 const [PUCKERING, MIDST] = [0.16, 0.1];
-/** The picture shows veins at least this wide, against the widest. */
+/** Least relative width of veins in the picture. */
 const SEEN = 0.06;
 
 /**
- * @param from the preset that it grew from
+ * @param from the preset that the leaf grew from
  * @throws Error where the leaf was grown without meshes
  */
 export function encodeAttachedLeaf(
@@ -51,7 +59,7 @@ export function encodeAttachedLeaf(
 	return { from, data: btoa(Array.from(packed, (byte) => String.fromCharCode(byte)).join("")) };
 }
 
-/** A flat mesh over the leaf's chart: 2 × vertices, 0 … 1; the first is the petiole's. */
+/** A flat mesh over the leaf's chart: 2 × vertices in 0 … 1; the first vertex is the petiole's. */
 interface Flat {
 	uvs: Float32Array;
 	indices: Uint32Array;
@@ -71,7 +79,7 @@ function sparse({ margin, square: { left, bottom, size } }: Leaf, corners: numbe
 
 const inSteps = (value: number) => Math.round(value * STEPS);
 
-/** The mesh with the vertex nearest to the petiole as its first, and moved there. */
+/** Moves the vertex nearest to the petiole there, and makes it the first. */
 function fromPetiole({ uvs, indices }: Flat, petiole: readonly number[]): Flat {
 	const away = (vertex: number) => Math.hypot(uvs[2 * vertex] - petiole[0], uvs[2 * vertex + 1] - petiole[1]);
 	let nearest = 0;
@@ -85,7 +93,7 @@ function fromPetiole({ uvs, indices }: Flat, petiole: readonly number[]): Flat {
 
 const widestOf = ({ segments: { radii } }: Leaf) => radii.reduce((most, radius) => Math.max(most, radius), 0);
 
-/** Numbers of the veins at least so wide, against the widest. */
+/** Indices of the vein segments of at least a relative width. */
 function veinsFrom(leaf: Leaf, share: number): number[] {
 	const least = share * widestOf(leaf);
 	const { count, radii } = leaf.segments;
@@ -101,7 +109,7 @@ function betweenVeins(leaf: Leaf, points: Float32Array): Uint8Array {
 	});
 }
 
-/** How far a point of the chart is from one piece of a vein. */
+/** Distance of a point of the chart from one segment of a vein. */
 function distance(chart: Float32Array, piece: number, x: number, y: number): number {
 	const [x1, y1, x2, y2] = chart.subarray(4 * piece, 4 * piece + 4);
 	const [dx, dy] = [x2 - x1, y2 - y1];
@@ -110,7 +118,7 @@ function distance(chart: Float32Array, piece: number, x: number, y: number): num
 	return Math.hypot(x - x1 - t * dx, y - y1 - t * dy);
 }
 
-/** The leaf without those of its veins that a small picture would show as noise. */
+/** The leaf without veins that would be noise in a small picture. */
 function seenVeins(leaf: Leaf): Leaf {
 	const visible = veinsFrom(leaf, SEEN);
 	const gathered = (values: Float32Array, width: number) =>
@@ -119,12 +127,12 @@ function seenVeins(leaf: Leaf): Leaf {
 	return { ...leaf, chart: gathered(leaf.chart, 4), energy: gathered(leaf.energy, 1), segments };
 }
 
-/** Its rows go down, the raster's up. */
+/** The picture of the veins; its rows go down, the raster's go up. */
 function picture(leaf: Leaf, millimetres: number, side: number): Uint8Array {
 	const { cover } = veinRaster(leaf, millimetres, side);
 	const pixels = new Uint8Array(side * side);
 	for (let at = 0; at < pixels.length; at++) {
-		// Finer veins cover little of a pixel, and are to be seen all the same.
+		// The square root makes thin veins, which cover little of a pixel, visible.
 		const shade = Math.round((SHADES - 1) * Math.sqrt(cover[at]));
 		pixels[(side - 1 - Math.floor(at / side)) * side + (at % side)] = (shade * 255) / (SHADES - 1);
 	}

@@ -1,4 +1,7 @@
-/** The leaves that other plants bear, baked from this model's presets: what `npm run generate -- leaves` writes and a test compares. */
+/**
+ * Bakes the leaves that are attached to other plants from this model's presets. `npm run generate -- leaves` writes
+ * the files; a test compares them.
+ */
 import type { Core } from "../../../core/core";
 import type { LeafFile } from "../../../plant/leaf";
 import { outlineOf } from "../presets/presets";
@@ -9,23 +12,26 @@ import type { LeafSpecimen } from "../specimen";
 import { type AttachedLeafOptions, encodeAttachedLeaf } from "./attached_leaf";
 
 interface Baked extends AttachedLeafOptions {
-	/** Triangles of the blade before it is made light, against the core's own choice. */
+	/** Triangles of the blade before simplification, relative to the core's default. */
 	detail: number;
-	/** Its preset; absent where that is its name. */
+	/** The preset; absent where it has the leaf's name. */
 	preset?: string;
-	/** An outline in place of the preset's own, as preset files have it: of leaves that differ from it in little else. */
+	/**
+	 * An outline in place of the preset's, in the format of preset files: for leaves that differ from the preset
+	 * mainly in outline.
+	 */
 	half?: string;
-	/** In place of the preset's own. */
+	/** Parameters in place of the preset's. */
 	parameters?: LeafSpecimen["parameters"];
 }
 
-/** As trees bear it: teeth are finer than its few triangles. */
+/** A leaf of a tree, without teeth: they are smaller than its few triangles. */
 const onTree = (corners: number): Baked => ({ detail: 0.25, corners, pixels: 64, parameters: { teeth: 0 } });
 
-/** By name. */
+/** Options of the baked leaves, by name. */
 const BAKED: Readonly<Record<string, Baked>> = {
 	grapevine: { detail: 0.25, cells: 20, pixels: 512 },
-	// What a first picture shows while that is on its way.
+	// Drawn until the detailed grapevine leaf has been fetched.
 	grapevine_sketch: { ...onTree(14), preset: "grapevine" },
 	// Malus domestica: oval, widest at the middle.
 	apple: {
@@ -54,10 +60,10 @@ const BAKED: Readonly<Record<string, Baked>> = {
 	willow: onTree(4),
 };
 
-/** Their names, which are those of the files. */
+/** Names of the baked leaves and of their files. */
 export const BAKED_LEAVES = Object.keys(BAKED);
 
-/** What is grown for it: a preset, or one with an outline of its own. */
+/** The specimen that a baked leaf is grown from: a preset, maybe with another outline. */
 export function bakedSpecimen(name: string): LeafSpecimen {
 	const { parameters, half, preset = name } = BAKED[name];
 	const own = leafFromPreset(preset);
@@ -68,7 +74,7 @@ export function bakedSpecimen(name: string): LeafSpecimen {
 	};
 }
 
-/** Grows a preset and bakes it: the same core gives the same file. */
+/** Grows and bakes a leaf: the same core gives the same file. */
 export function bakeLeaf(core: Core, name: string): LeafFile {
 	const { detail, parameters, half, preset = name, ...options } = BAKED[name];
 	const specimen = bakedSpecimen(name);

@@ -1,11 +1,16 @@
-/** A blade of as few triangles as a crown of thousands can bear: its margin's most telling corners, and the midrib. */
+/**
+ * A blade with few triangles, for crowns of thousands of leaves: the margin's most significant corners and the midrib.
+ */
 import { ShapeUtils, Vector2 } from "three";
 
-/** Where the midrib has corners, in lengths of the leaf: between them a leaf bends. */
+/** Heights of the midrib's vertices, in leaf lengths: the leaf bends between them. */
 const RIB = [0, 0.5, 1];
 
 export interface SparseBlade {
-	/** 2 × vertices, in lengths of the leaf, the base first; each half has its own of the midrib, so that the fold between them is sharp. */
+	/**
+	 * 2 × vertices, in leaf lengths, the base first. The halves have separate vertices on the midrib, for a sharp
+	 * fold.
+	 */
 	points: Float32Array;
 	/** 3 × triangles, counter-clockwise. */
 	indices: Uint32Array;
@@ -13,7 +18,7 @@ export interface SparseBlade {
 
 /**
  * @param margin 2 × points, counter-clockwise from the base
- * @param corners of each half's margin, besides base and tip
+ * @param corners number of corners of each half's margin, besides base and tip
  */
 export function sparseBlade(margin: Float32Array, corners: number): SparseBlade {
 	const round = Array.from({ length: margin.length / 2 }, (_, i) => new Vector2(margin[2 * i], margin[2 * i + 1]));
@@ -24,7 +29,7 @@ export function sparseBlade(margin: Float32Array, corners: number): SparseBlade 
 		const rib = RIB.map((height) => new Vector2(0, height));
 		const ends = [rib[0], ...half.map(({ x, y }) => new Vector2(side * Math.max(0, side * x), y)), rib[rib.length - 1]];
 		const outer = simplifiedLine(ends, corners).slice(1, -1);
-		// From the base, counter-clockwise: up the margin and back along the midrib, or the other way round.
+		// Counter-clockwise from the base: up the margin and back along the midrib, or the reverse.
 		const polygon = side > 0 ? [rib[0], ...outer, ...rib.slice(1).toReversed()] : [...rib, ...outer.toReversed()];
 		const first = blade.points.length / 2;
 		blade.points.push(...polygon.flatMap(({ x, y }) => [x, y]));
@@ -37,7 +42,10 @@ export function sparseBlade(margin: Float32Array, corners: number): SparseBlade 
 	return { points: Float32Array.from(blade.points), indices: Uint32Array.from(blade.indices) };
 }
 
-/** So many points of a line besides its ends: time and again the one goes that spans the least area with its neighbours (Visvalingam & Whyatt 1993). */
+/**
+ * Simplifies a line to its ends and `count` points: repeatedly removes the point with the least triangle area
+ * (Visvalingam & Whyatt 1993).
+ */
 function simplifiedLine(line: readonly Vector2[], count: number): Vector2[] {
 	const left = [...line];
 	const area = (at: number) => Math.abs(ShapeUtils.area([left[at - 1], left[at], left[at + 1]]));

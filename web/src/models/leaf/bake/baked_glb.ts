@@ -5,7 +5,7 @@ import { LEAF } from "../schema";
 import type { LeafSpecimen } from "../specimen";
 import { type BakeOptions, bakedParts } from "./baked_parts";
 
-/** The light leaf with its textures as glTF. */
+/** Writes the simplified leaf with its textures as glTF. */
 export async function bakedGlb(
 	leaf: Leaf,
 	specimen: LeafSpecimen,

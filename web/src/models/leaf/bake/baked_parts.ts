@@ -1,4 +1,4 @@
-/** A leaf as a light mesh, what is fine of it in textures: for games and distant views. */
+/** A leaf as a simplified mesh with its detail baked into textures: for games and distant views. */
 import type { Part } from "../../../plant/part";
 import { partsOf } from "../../../plant/parts_of";
 import type { Mesh } from "../../../plant/plant";
@@ -10,13 +10,13 @@ import type { LeafSpecimen } from "../specimen";
 import { lightMesh } from "./light_mesh";
 
 export interface BakeOptions {
-	/** Pixels to a side of each texture. */
+	/** Width and height of each texture, pixels. */
 	pixels?: number;
-	/** Cells to a side of the blade's square, each with a vertex at most. */
+	/** Cells along a side of the blade's square; each cell has at most one vertex. */
 	cells?: number;
 }
 
-/** @throws Error with a message for people where the leaf has no blade */
+/** @throws Error with a message for users where the leaf has no blade */
 export function* bakedParts(leaf: Leaf, specimen: LeafSpecimen, options: BakeOptions = {}): Generator<Part> {
 	const { pixels = 1024, cells = 24 } = options;
 	const { look, parameters } = specimen;
@@ -43,7 +43,7 @@ export function* bakedParts(leaf: Leaf, specimen: LeafSpecimen, options: BakeOpt
 	yield* partsOf({ meshes: stalk, organs: { ...leaf.organs, count: 0 } }, { stem: petioleMaterial(look) });
 }
 
-/** One side of a sheet. */
+/** The mesh of one side of the blade, seen from that side. */
 function seen({ positions, normals, uvs, indices }: Mesh, side: Side): Mesh {
 	const isUpper = side === "upper";
 	return {

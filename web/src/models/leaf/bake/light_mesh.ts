@@ -1,12 +1,12 @@
-/** A lighter mesh of a flat chart: vertices inside come together cell by cell, those of the margin stay. */
+/** Simplifies the mesh of a flat chart: inner vertices are merged cell by cell, vertices of the margin stay. */
 import type { Mesh } from "../../../plant/plant";
 
-/** Times that what came out turned over is parted again. */
+/** Most rounds that restore the vertices of inverted triangles. */
 const ROUNDS = 12;
 
 /**
- * @param edge by vertex: 0 on the margin
- * @param cells to a side of the square of texture coordinates
+ * @param edge distance from the margin of each vertex: 0 on the margin
+ * @param cells along a side of the square of texture coordinates
  */
 export function lightMesh(mesh: Mesh, edge: Float32Array, cells: number): Mesh {
 	const { uvs, indices } = mesh;
@@ -39,14 +39,14 @@ export function lightMesh(mesh: Mesh, edge: Float32Array, cells: number): Mesh {
 	);
 }
 
-/** Twice the area of a triangle of the chart. */
+/** Twice the signed area of a triangle of the chart. */
 function area(uvs: Float32Array, a: number, b: number, c: number): number {
 	const [ux, uy] = [uvs[2 * b] - uvs[2 * a], uvs[2 * b + 1] - uvs[2 * a + 1]];
 	const [vx, vy] = [uvs[2 * c] - uvs[2 * a], uvs[2 * c + 1] - uvs[2 * a + 1]];
 	return ux * vy - uy * vx;
 }
 
-/** Triangles of three corners, and the vertices that they use. */
+/** Removes degenerate triangles and unused vertices. */
 function compacted({ positions, normals, uvs }: Mesh, indices: Uint32Array): Mesh {
 	const numbers = new Map<number, number>();
 	const remapped: number[] = [];

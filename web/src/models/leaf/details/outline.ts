@@ -1,4 +1,4 @@
-/** The outline that a leaf has: the preset's, moved by hand, or traced from a picture. */
+/** The field `outline`: the preset's outline, edited, or traced from a picture. */
 
 import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
@@ -26,7 +26,7 @@ export const outlinePoints: Field<LeafSpecimen> = {
 	},
 };
 
-/** Points as files hold them, or as numbers: `{ x, y, kind }` or `[x, y, kind]`; undefined where one of them is none. */
+/** Reads a list of points, `{ x, y, kind }` or `[x, y, kind]`; undefined where an item is not a point. */
 function listed(value: unknown): OutlinePoint[] | undefined {
 	if (!Array.isArray(value)) return undefined;
 	const points = value.slice(0, MOST_POINTS + 1).map(point);
@@ -45,7 +45,7 @@ function point(value: unknown): OutlinePoint | undefined {
 	return { x: across, y: up, kind: known as Kind };
 }
 
-/** The outline made of what was given, in reach and the right way round; undefined where it encloses nothing. */
+/** Corrects an outline: within range and counter-clockwise; undefined where it does not enclose a blade. */
 function fitted(key: string, given: readonly OutlinePoint[], notes: Notes): OutlinePoint[] | undefined {
 	if (given.length < FEWEST_POINTS) {
 		const points = given.length === 1 ? "1 point encloses" : `${given.length} points enclose`;

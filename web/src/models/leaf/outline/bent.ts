@@ -1,11 +1,11 @@
 /**
- * Where the flat outline lies on the leaf, which is folded along its midrib and curled: bending.cpp of the core without waves and the
- * roundness of the crease. In lengths of the leaf.
+ * Maps the flat outline to the leaf, which is folded along its midrib and curled: as bending.cpp of the core, without
+ * waves and without rounding the crease. In leaf lengths.
  */
 import type { Vector } from "../../../ui/handles/plant_handle";
 import type { Place } from "./points";
 
-/** Degrees that each half is raised by, and that the tip is turned down by along a length. */
+/** Angles by which each half is raised, and by which the tip bends down over a leaf length, degrees. */
 export interface Bend {
 	readonly fold: number;
 	readonly curl: number;
@@ -13,20 +13,20 @@ export interface Bend {
 
 export interface BentPlace {
 	readonly at: Vector;
-	/** Where that goes as the flat place goes to the right and up: of length 1, at right angles. */
+	/** Unit tangents on the leaf as the flat point moves right and up; perpendicular. */
 	readonly along: readonly [Vector, Vector];
-	/** How far it goes up for each bit that the flat place does. */
+	/** Ratio of the movement on the leaf to the upward movement of the flat point. */
 	readonly stretch: number;
 }
 
-/** Degrees that are no curl. */
+/** Largest angle that counts as no curl, degrees. */
 const STRAIGHT = 0.05;
 const RADIANS = Math.PI / 180;
 
 export function bent({ x, y }: Place, { fold, curl }: Bend): BentPlace {
 	const [rise, reach] = [Math.sin(fold * RADIANS), Math.cos(fold * RADIANS)];
 	const z = Math.abs(x) * rise;
-	// In the middle both sides are as steep.
+	// On the midrib both sides have the same slope.
 	const [out, up] = x === 0 ? [1, 0] : [reach, Math.sign(x) * rise];
 	if (Math.abs(curl) < STRAIGHT) return { at: [x * reach, y, z], along: [[out, 0, up], [0, 1, 0]], stretch: 1 }; // biome-ignore format: two vectors
 	const radius = 1 / (curl * RADIANS);

@@ -1,6 +1,6 @@
 /**
- * Indices in bundles of like width, on a logarithmic scale from the finest to the widest; none is empty. What draws veins
- * draws a bundle at a time: a stroke for each would cost more than growing them.
+ * Groups indices by similar width, on a logarithmic scale from the thinnest to the widest; no group is empty. Veins
+ * are drawn group by group: a stroke for each vein would take longer than growing the veins.
  */
 export function bundled(widths: ArrayLike<number>, count: number): number[][] {
 	const logs = Array.from(widths, (width) => Math.log(Math.max(width, 1e-9)));

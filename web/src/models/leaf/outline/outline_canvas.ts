@@ -1,15 +1,15 @@
-/** The flat leaf on a canvas under the handles: its margin, and the veins of the last growth as wide as they are. */
+/** Draws the flat leaf on a canvas under the handles: the margin, and the veins of the last growth in their widths. */
 import { bundled } from "./bundles";
 import { inView, type OutlineFrame, STUB } from "./outline_frame";
 import type { Place } from "./points";
 
 /** Veins in the flat chart. */
 export interface FlatVeins {
-	/** 4 × count: start x y, end x y, in lengths of the leaf. */
+	/** 4 × count: start x y, end x y, in leaf lengths. */
 	ends: Float32Array;
-	/** count: their width, in lengths of the leaf. */
+	/** count: widths, in leaf lengths. */
 	widths: Float32Array;
-	/** 2 × count: the margin with its teeth, in lengths of the leaf; empty where there is none. */
+	/** 2 × count: the margin with its teeth, in leaf lengths; empty where unknown. */
 	margin: Float32Array;
 }
 
@@ -17,13 +17,13 @@ export interface OutlineScene {
 	curve: readonly Place[];
 	veins: FlatVeins | undefined;
 	frame: OutlineFrame;
-	/** Pixels of the screen to a CSS pixel. */
+	/** Device pixels per CSS pixel. */
 	ratio: number;
 	/** Any CSS colour. */
 	ink: string;
 }
 
-/** The part of a canvas's context that is drawn with. */
+/** The part of a canvas context that this module uses. */
 export type Pen = Pick<
 	CanvasRenderingContext2D,
 	| "setTransform"
@@ -41,7 +41,7 @@ export type Pen = Pick<
 	| "globalAlpha"
 >;
 
-/** Widths, in CSS pixels: of lines, and the least of a vein. */
+/** Width of lines and least width of a vein, CSS pixels. */
 const LINE = 1.1;
 const FINEST = 0.5;
 const BUNDLES = 8;
@@ -49,11 +49,11 @@ const BLADE = 0.07;
 const GROWN = 0.45;
 const VEIN = 0.7;
 
-/** Draws the scene on a canvas of its own size. */
+/** Draws the scene on a canvas at the element's size. */
 export function showOutline(canvas: HTMLCanvasElement, scene: Omit<OutlineScene, "ratio" | "ink">): void {
 	const { width, height } = scene.frame;
 	const ratio = devicePixelRatio;
-	// Whoever sizes a canvas wipes it.
+	// Setting the size also clears the canvas.
 	canvas.width = Math.round(width * ratio);
 	canvas.height = Math.round(height * ratio);
 	const pen = canvas.getContext("2d");
@@ -111,7 +111,7 @@ function inkVeins(pen: Pen, { ends, widths, margin }: FlatVeins, frame: OutlineF
 		}
 		const width = (total / members.length) * frame.scale;
 		pen.lineWidth = Math.max(FINEST, width);
-		// What is finer than a line can be is paler in its place.
+		// Veins thinner than the least width are drawn paler.
 		pen.globalAlpha = VEIN * Math.sqrt(Math.min(1, width / FINEST));
 		pen.stroke();
 	}

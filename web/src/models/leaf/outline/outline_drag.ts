@@ -1,4 +1,6 @@
-/** The drags of an outline's points, each named by its number. A point stops where the outline would cross itself. */
+/**
+ * Drag sessions of an outline's points, by their indices as text. A point stops where the outline would cross itself.
+ */
 import { DragSession } from "../../../ui/handles/drag_session";
 import { movePoint, type OutlinePoints, type Place, type Symmetry } from "./points";
 import { enclosesBlade } from "./spline";
@@ -6,11 +8,11 @@ import { enclosesBlade } from "./spline";
 export interface OutlineHost {
 	get(): OutlinePoints;
 	symmetry(): Symmetry;
-	/** The nearest place that a point can be taken to now. */
+	/** The nearest position that a point can be moved to now. */
 	reach?(to: Place): Place;
 	input(points: OutlinePoints): void;
 	change(): void;
-	/** A point would go where the outline crosses itself: it stays. Told when it comes to that, not all along. */
+	/** Called when a drag first reaches a position where the outline would cross itself: the point stays. */
 	refused(): void;
 	schedule?(callback: () => void): void;
 }

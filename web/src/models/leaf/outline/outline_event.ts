@@ -1,9 +1,9 @@
 import type { OutlinePoint } from "./points";
 
 /**
- * What the editor tells of. `outline-input`: live, once a frame at most. `outline-change`: a drag ended or was called off, a key
- * stepped, a point came or went. `outline-mirror`: the lock was pressed. `outline-refused`:
- * something would have made it cross itself, and was not done.
+ * Events of the editor. `outline-input`: during a drag, at most once a frame. `outline-change`: a drag ended or was
+ * cancelled, a key moved a point, or a point was added or removed. `outline-mirror`: the lock was pressed.
+ * `outline-refused`: a change was rejected because the outline would have crossed itself.
  */
 export type OutlineEvent = CustomEvent<{ outline: OutlinePoint[]; run?: string }>;
 

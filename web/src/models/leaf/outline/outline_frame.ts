@@ -1,4 +1,4 @@
-/** How an outline lies in the element that shows it: y up, the whole leaf in view. */
+/** The mapping from an outline to its element: y up, the whole leaf visible. */
 import { roundLength } from "../../../ui/handles/scale_bar";
 import type { Place } from "./points";
 
@@ -6,17 +6,17 @@ export interface OutlineFrame {
 	/** Size of the element, CSS pixels. */
 	width: number;
 	height: number;
-	/** What is in its middle, in lengths of the leaf. */
+	/** The point at the element's centre, in leaf lengths. */
 	centre: Place;
-	/** CSS pixels to a length of the leaf. */
+	/** CSS pixels per leaf length. */
 	scale: number;
 }
 
-/** Pixels left free around the leaf: at its sides a handle must not be cut, below is the scale bar. */
+/** Margins around the leaf, pixels: at the sides for handles, at the bottom for the scale bar. */
 const MARGIN = { side: 16, top: 16, bottom: 34 };
-/** How much of the petiole is seen, in lengths of the leaf. */
+/** Visible length of the petiole, in leaf lengths. */
 export const STUB = 0.07;
-/** A view is kept while the leaf fills this share of what it could. */
+/** The frame stays while the leaf fills this share of the size that it could have. */
 const FULL_ENOUGH = 0.8;
 
 export function fittedFrame(curve: readonly Place[], width: number, height: number): OutlineFrame {
@@ -28,14 +28,14 @@ export function fittedFrame(curve: readonly Place[], width: number, height: numb
 	return { width, height, scale, centre: { x: (left + right) / 2, y: (bottom + top) / 2 - lower } };
 }
 
-/** How far out of view a hand takes a point at once, CSS pixels. */
+/** Distance by which a drag may take a point out of view at once, CSS pixels. */
 const OVER = 3;
-/** Left free about the leaf at the least, before the view goes back from it. */
+/** Least margins around the leaf before the view zooms out, CSS pixels. */
 const RIM = { side: 6, top: 6, bottom: 20 };
 
 /**
- * The frame to go on with: the one before where the leaf still fits well: a view that rescaled after every drag would
- * unsettle. While a hand moves a point, the view only goes back as far as the whole leaf needs.
+ * The next frame: the present one while the leaf fits it well, because rescaling after every drag would distract.
+ * During a drag the view only zooms out, as far as the whole leaf needs.
  */
 export function steadyFrame(
 	before: OutlineFrame | undefined,
@@ -56,7 +56,7 @@ function suits(frame: OutlineFrame, curve: readonly Place[]): boolean {
 	return whole && frame.scale >= FULL_ENOUGH * fittedFrame(curve, frame.width, frame.height).scale;
 }
 
-/** The largest scale at which a leaf is seen whole about a frame's middle. */
+/** The largest scale at which the whole leaf is visible around a frame's centre. */
 function wholeScale({ width, height, centre }: OutlineFrame, curve: readonly Place[]): number {
 	const { left, right, bottom, top } = boundsOf(curve);
 	const side = (width / 2 - RIM.side) / Math.max(right - centre.x, centre.x - left, 0.01);
@@ -65,7 +65,7 @@ function wholeScale({ width, height, centre }: OutlineFrame, curve: readonly Pla
 	return Math.max(1, Math.min(side, up, down));
 }
 
-/** The nearest place to take a point to: in view, or by so little out of it that the view goes back slowly. */
+/** The nearest position for a dragged point: in view, or slightly outside, so that the view zooms out slowly. */
 export function inReach(frame: OutlineFrame, to: Place): Place {
 	const { x, y } = inView(frame, to);
 	const [left, top] = [RIM.side - OVER, RIM.top - OVER];
@@ -73,12 +73,12 @@ export function inReach(frame: OutlineFrame, to: Place): Place {
 	return onLeaf(frame, { x: Math.min(right, Math.max(left, x)), y: Math.min(low, Math.max(top, y)) });
 }
 
-/** A place of the leaf in CSS pixels from the element's top left corner. */
+/** Maps a point of the leaf to CSS pixels from the element's top left corner. */
 export function inView({ width, height, centre, scale }: OutlineFrame, { x, y }: Place): Place {
 	return { x: width / 2 + (x - centre.x) * scale, y: height / 2 - (y - centre.y) * scale };
 }
 
-/** The place of the leaf that is there. */
+/** Maps CSS pixels to a point of the leaf. */
 export function onLeaf({ width, height, centre, scale }: OutlineFrame, { x, y }: Place): Place {
 	return { x: centre.x + (x - width / 2) / scale, y: centre.y - (y - height / 2) / scale };
 }
@@ -92,7 +92,7 @@ export interface ScaleBar {
 
 /**
  * The longest round length that takes at most a third of the view.
- * @param millimetres of a length of the leaf
+ * @param millimetres length of the leaf
  */
 export function scaleBar({ width, scale }: OutlineFrame, millimetres: number): ScaleBar {
 	const length = roundLength(((width / 3) * millimetres) / scale);

@@ -1,6 +1,6 @@
 import { html, svg } from "lit";
 
-/** Line drawings on a 20 × 20 field. */
+/** Line drawings on a 20 × 20 grid. */
 const drawing = (path: unknown) => html`<svg viewBox="0 0 20 20" aria-hidden="true">${path}</svg>`;
 
 export const LOCK = drawing(svg`<path d="M10 2.5v15M7.5 6 3.5 10l4 4M12.5 6l4 4-4 4"/>`);

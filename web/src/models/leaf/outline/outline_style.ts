@@ -1,6 +1,6 @@
 import { css } from "lit";
 
-/** What the outline's view adds to handle_style.ts. */
+/** Styles of the outline's view in addition to handle_style.ts. */
 export const outlineStyle = css`
 	:host {
 		container-type: size;

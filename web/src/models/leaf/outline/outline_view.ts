@@ -1,6 +1,6 @@
 /**
- * `<panicle-outline>`: a leaf's outline with its points, over the flat leaf. It draws what it is given and tells what a
- * person does to it; the document stays with the page. A handle's name is the point's number.
+ * `<panicle-outline>`: a leaf's outline with its points, over the flat leaf. It draws its properties and dispatches
+ * the user's edits as events; the page owns the document. A handle's name is the index of its point.
  */
 import { html, nothing, type PropertyValues } from "lit";
 import { HandleView } from "../../../ui/handles/handle_view";
@@ -16,7 +16,7 @@ import type { OutlinePoints, Place, Symmetry } from "./points";
 import { curveOf, nearestSpan } from "./spline";
 import { inserted, pressed, removed, type Step, turned } from "./steps";
 
-/** Within so many CSS pixels a double click means the margin, or a point's dot. */
+/** Largest distance of a double click from the margin and from a point's dot, CSS pixels. */
 const MARGIN_REACH = 14;
 const DOT_REACH = 7;
 
@@ -29,11 +29,11 @@ export class OutlineView extends HandleView<string> {
 		mirror: { type: Boolean },
 	};
 	declare points: OutlinePoints | undefined;
-	/** Of the last growth. */
+	/** Veins of the last growth. */
 	declare veins: FlatVeins | undefined;
-	/** How long the leaf is. */
+	/** Length of the leaf. */
 	declare millimetres: number;
-	/** Whether both sides move as one. */
+	/** Whether both sides move together. */
 	declare mirror: boolean;
 
 	protected readonly heading = "Outline";
@@ -57,7 +57,7 @@ export class OutlineView extends HandleView<string> {
 
 	protected override willUpdate(changed: PropertyValues<this>): void {
 		const before = changed.get("points");
-		// Others have changed it meanwhile: what is held is another point now.
+		// Another action has changed the number of points, so the dragged index means another point.
 		if (this.drags.active && before && before.length !== this.points?.length) this.drop();
 		if (!this.points) return;
 		this.#chosen = Math.min(Math.max(this.#chosen, 1), this.points.length - 1);
@@ -115,14 +115,14 @@ export class OutlineView extends HandleView<string> {
 		if (points && this.#frame) showOutline(canvas, { curve: curveOf(points), veins, frame: this.#frame });
 	}
 
-	/** The base, point 0, is where the petiole joins: it stays. */
+	/** Positions of all handles. Point 0, the base at the petiole, has none. */
 	protected places(): [string, Place][] {
 		const frame = this.#frame;
 		const all = (this.points ?? []).map((point, i): [string, Place] => [`${i}`, frame ? inView(frame, point) : point]);
 		return all.slice(1);
 	}
 
-	/** Lengths of the leaf. */
+	/** Maps CSS pixels to leaf lengths. */
 	protected units(at: Place): Place {
 		return this.#frame ? onLeaf(this.#frame, at) : at;
 	}
@@ -136,12 +136,12 @@ export class OutlineView extends HandleView<string> {
 		if (!step) return false;
 		event.stopPropagation();
 		this.#take(step);
-		// The chosen point takes the focus.
+		// Focuses the chosen point.
 		void this.updateComplete.then(() => this.element(`${this.#chosen}`)?.focus({ preventScroll: true }));
 		return true;
 	}
 
-	/** On a point's dot it changes the kind, on the margin it puts a point in. */
+	/** A double click on a point's dot changes its kind, on the margin it adds a point. */
 	protected doubled(index: string | undefined, at: Place): void {
 		if (!this.points || !this.#frame) return;
 		const place = index === undefined ? undefined : inView(this.#frame, this.points[Number(index)]);
@@ -166,7 +166,7 @@ export class OutlineView extends HandleView<string> {
 		this.emit("outline-refused");
 	}
 
-	/** A step of keys or buttons is told and said. */
+	/** Applies an edit by key or button, dispatches events and announces its message. */
 	#take({ points, chosen, message }: Step): void {
 		if (points) {
 			this.#input(points);

@@ -1,4 +1,4 @@
-/** What the editor says of points. */
+/** Texts of the editor about points. */
 import type { Kind, OutlinePoint } from "./points";
 
 export const KIND_WORDS: Readonly<Record<Kind, string>> = {
@@ -21,7 +21,7 @@ export function pointInWords(points: readonly OutlinePoint[], index: number): st
 	return `Point ${index} of ${points.length - 1}, ${KIND_WORDS[point.kind]}: ${placeInWords(point)}`;
 }
 
-/** Where a step or a drag would leave no blade. */
+/** Message where an edit would make the outline cross itself. */
 export const CROSSES = "The outline would cross itself";
 
 export const HELP =

@@ -1,7 +1,7 @@
 /**
- * An outline as a link writes it: four characters of base 64 (RFC 4648, section 5) a point, most significant first: kind in
- * 2 bits, then x + 1.024 and y + 0.5 in thousandths, 11 each. `~` before it: the right side alone, the left being its
- * mirror image.
+ * Outlines in links: each point takes four characters of base 64 (RFC 4648, section 5), most significant first: kind
+ * in 2 bits, then x + 1.024 and y + 0.5 in thousandths, 11 bits each. After `~` only the right side follows; the left
+ * side is its mirror image.
  */
 import { bothSides, isSymmetric, KINDS, type OutlinePoint, type OutlinePoints, REACH, rightSide, STEP } from "./points";
 
@@ -10,18 +10,18 @@ const CHARACTERS = 4;
 const BITS = 11;
 const MASK = (1 << BITS) - 1;
 const HALF = "~";
-/** One less than the least x, and the least y, in steps. */
+/** The least x minus one, and the least y, in steps. */
 const LEAST = { x: Math.round(REACH.x[0] / STEP) - 1, y: Math.round(REACH.y[0] / STEP) };
 const STEPS = Math.round(1 / STEP);
 
 export function packOutline(points: OutlinePoints): string {
 	const half = rightSide(points);
-	// Two points on the midrib that face each other would come back as one.
+	// Two points on the midrib opposite each other would be decoded as one.
 	const isHalf = isSymmetric(points) && bothSides(half).length === points.length;
 	return isHalf ? HALF + half.map(packed).join("") : points.map(packed).join("");
 }
 
-/** The points; undefined where the text is none of `packOutline`'s. */
+/** Decodes an outline; undefined where the text is invalid. */
 export function unpackOutline(text: string): OutlinePoint[] | undefined {
 	const digits = text.startsWith(HALF) ? text.slice(HALF.length) : text;
 	if (digits.length % CHARACTERS !== 0 || !/^[\w-]*$/.test(digits)) return undefined;

@@ -1,4 +1,4 @@
-/** The outline's points on the leaf itself. */
+/** The outline's points as handles on the leaf. */
 import type { Change } from "../../../ui/editor_context";
 import type { HandlesOf, Vector } from "../../../ui/handles/plant_handle";
 import type { LeafSpecimen } from "../specimen";
@@ -7,14 +7,14 @@ import { placeInWords } from "./outline_words";
 import { isSymmetric, movePoint, type Place } from "./points";
 import { curveOf, enclosesBlade } from "./spline";
 
-/** A press of an arrow key, in lengths of the leaf; with Shift ten of them. */
+/** Step of an arrow key, in leaf lengths; Shift multiplies it by ten. */
 const NUDGE = 0.005;
 
 export const leafHandles: HandlesOf<LeafSpecimen> = ({ outline, parameters }) => {
 	const { length, fold, curl } = parameters;
 	const metres = length / 1000;
 	const bend = { fold, curl };
-	// What is alike on both sides stays so.
+	// Symmetric outlines stay symmetric.
 	const symmetry = { mirror: isSymmetric(outline) };
 	const moved = (index: number, to: Place): Change => {
 		const next = movePoint(outline, index, to, symmetry);
@@ -24,7 +24,7 @@ export const leafHandles: HandlesOf<LeafSpecimen> = ({ outline, parameters }) =>
 	const curve = curveOf(outline).map((place) => inMetres(bent(place, bend).at));
 	return {
 		handles: outline.flatMap((point, index) => {
-			// The base is where the petiole is.
+			// The base, at the petiole, cannot be moved.
 			if (index === 0) return [];
 			const { at, along, stretch } = bent(point, bend);
 			const here = inMetres(at);
@@ -49,7 +49,7 @@ export const leafHandles: HandlesOf<LeafSpecimen> = ({ outline, parameters }) =>
 	};
 };
 
-/** How far one place is from another along a direction. */
+/** Distance between two points along a direction. */
 function far(from: Vector, to: Vector, along: Vector): number {
 	return along.reduce((sum, way, i) => sum + way * (to[i] - from[i]), 0);
 }

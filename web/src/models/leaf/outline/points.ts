@@ -1,11 +1,11 @@
 /**
- * The outline of a blade as its control points, and what hands do to them: pure functions, each gives a new list. The
- * loop runs counter-clockwise, seen with the tip up, from the base, where the petiole joins: point 0, always at (0, 0). Coordinates
- * are in lengths of the leaf, x to the right, y to the tip, which is at about (0, 1).
+ * Control points of a blade's outline, and edits as pure functions that return a new list. Seen with the tip up, the
+ * loop runs counter-clockwise from the base at the petiole: point 0, always at (0, 0). Coordinates are in leaf
+ * lengths, x to the right, y to the tip, which is at about (0, 1).
  */
 import type { Point } from "../../../ui/handles/point";
 
-/** What a point is: of the curve, an angle in it, or the tip of a lobe, rounded or pointed, to which a main vein runs. */
+/** Kinds of points: smooth, an angle, or the rounded or pointed tip of a lobe, to which a main vein runs. */
 export const KINDS = ["smooth", "corner", "lobe", "pointed"] as const;
 export type Kind = (typeof KINDS)[number];
 
@@ -16,21 +16,21 @@ export interface OutlinePoint {
 }
 export type OutlinePoints = readonly OutlinePoint[];
 
-/** Where points may be; links hold them in steps of `STEP`. */
+/** Ranges of coordinates; links store them in steps of `STEP`. */
 export const REACH = { x: [-1.023, 1.023], y: [-0.5, 1.547] } as const;
 export const STEP = 0.001;
 export const FEWEST_POINTS = 3;
 export const MOST_POINTS = 64;
 
-/** Whether both sides are to move as one. */
+/** Whether both sides move together. */
 export interface Symmetry {
 	mirror: boolean;
 }
 
-/** In lengths of the leaf, y to the tip. */
+/** A position in leaf lengths, y to the tip. */
 export type Place = Point;
 
-/** The nearest place where a point may be. */
+/** The nearest allowed position. */
 export function placed({ x, y }: Place): Place {
 	return { x: within(x, REACH.x), y: within(y, REACH.y) };
 }
@@ -39,31 +39,31 @@ function within(value: number, [low, high]: readonly [number, number]): number {
 	return Math.round(Math.min(high, Math.max(low, value)) / STEP) / Math.round(1 / STEP) + 0; // −0 becomes 0
 }
 
-/** The point at the other side; the base and a tip in the middle are their own. */
+/** Index of the mirror point; the base and a tip on the midrib are their own mirror points. */
 export function mirrorOf(index: number, count: number): number {
 	return (count - index) % count;
 }
 
-/** The same point at the other side of the midrib. */
+/** The mirror image of a point. */
 export function mirrored({ x, y, kind }: OutlinePoint): OutlinePoint {
 	return { x: 0 - x, y, kind }; // never −0
 }
 
 /**
- * Both sides of a leaf from its right one.
- * @param half from the base up to the tip; a last point off the middle has its like at the left too
+ * Both sides of a leaf from its right side.
+ * @param half from the base to the tip; a last point beside the midrib is mirrored too
  */
 export function bothSides(half: OutlinePoints): OutlinePoint[] {
-	const turned = half.at(-1)?.x === 0 ? half.slice(1, -1) : half.slice(1); // the base is its own
+	const turned = half.at(-1)?.x === 0 ? half.slice(1, -1) : half.slice(1); // the base is its own mirror point
 	return [...half, ...turned.map(mirrored).reverse()];
 }
 
-/** The right side: from the base to the tip. */
+/** The right side, from the base to the tip. */
 export function rightSide(points: OutlinePoints): OutlinePoints {
 	return points.slice(0, Math.floor(points.length / 2) + 1);
 }
 
-/** Whether the left side is the right one's mirror image. */
+/** Whether the left side mirrors the right one. */
 export function isSymmetric(points: OutlinePoints): boolean {
 	return points.every((point, index) => {
 		const other = points[mirrorOf(index, points.length)];
@@ -71,7 +71,7 @@ export function isSymmetric(points: OutlinePoints): boolean {
 	});
 }
 
-/** The right side taken twice; the side ends at the highest point, which comes to the middle. */
+/** Mirrors the right side to the left; the right side ends at the highest point, which moves to the midrib. */
 export function madeSymmetric(points: OutlinePoints): OutlinePoint[] {
 	if (isSymmetric(points)) return [...points];
 	const top = points.reduce((best, { y }, index) => (index > 0 && y > points[best].y ? index : best), 1);
@@ -81,7 +81,7 @@ export function madeSymmetric(points: OutlinePoints): OutlinePoint[] {
 	return both.length < FEWEST_POINTS || both.length > MOST_POINTS ? [...points] : both;
 }
 
-/** Takes a point there; the base stays where it is. */
+/** Moves a point; the base stays. */
 export function movePoint(points: OutlinePoints, index: number, to: Place, { mirror }: Symmetry): OutlinePoint[] {
 	if (index === 0) return [...points];
 	const other = mirrorOf(index, points.length);
@@ -92,7 +92,7 @@ export function movePoint(points: OutlinePoints, index: number, to: Place, { mir
 	});
 }
 
-/** Puts a smooth point between one and the next; nothing changes where there would be too many. */
+/** Inserts a smooth point after another; no change where there would be too many. */
 export function insertPoint(points: OutlinePoints, after: number, at: Place, { mirror }: Symmetry): OutlinePoint[] {
 	const { length } = points;
 	const opposite = mirrorOf(after + 1, length);
@@ -106,26 +106,26 @@ export function insertPoint(points: OutlinePoints, after: number, at: Place, { m
 	});
 }
 
-/** Where the point that was put in after another stands then. */
+/** Index of a point that was inserted after another. */
 export function insertedAt(count: number, after: number, { mirror }: Symmetry): number {
 	return after + 1 + (mirror && mirrorOf(after + 1, count) < after ? 1 : 0);
 }
 
-/** Takes a point out; the base stays, and so do the last few. */
+/** Removes a point; the base and the last `FEWEST_POINTS` stay. */
 export function removePoint(points: OutlinePoints, index: number, { mirror }: Symmetry): OutlinePoint[] {
 	const gone = new Set(mirror ? [index, mirrorOf(index, points.length)] : [index]);
 	if (index === 0 || points.length - gone.size < FEWEST_POINTS) return [...points];
 	return points.filter((_, at) => !gone.has(at));
 }
 
-/** Makes a point of the next kind. */
+/** Changes a point to the next kind. */
 export function turnKind(points: OutlinePoints, index: number, { mirror }: Symmetry): OutlinePoint[] {
 	const kind = KINDS[(KINDS.indexOf(points[index].kind) + 1) % KINDS.length];
 	const turned = new Set(mirror ? [index, mirrorOf(index, points.length)] : [index]);
 	return points.map((point, at) => (turned.has(at) ? { ...point, kind } : point));
 }
 
-/** Twice the area, above 0 where the loop runs counter-clockwise. */
+/** Twice the signed area, positive where the loop runs counter-clockwise. */
 export function doubleArea(points: readonly Place[]): number {
 	return points.reduce((sum, { x, y }, index) => {
 		const next = points[(index + 1) % points.length];

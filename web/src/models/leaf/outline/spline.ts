@@ -1,11 +1,12 @@
 /**
- * The curve that an outline's points mean, as the core has it (wasm-core/src/models/leaf/shape/margin.hpp): a closed
- * centripetal Catmull–Rom spline (Yuksel, Schaefer and Keyser 2011), which breaks at corners and pointed tips: the control there is
- * halfway to the other one, or a third of the way to the next point where that is sharp too.
+ * The curve through an outline's points, as in the core (wasm-core/src/models/leaf/shape/margin.hpp): a closed
+ * centripetal Catmull–Rom spline (Yuksel, Schaefer and Keyser 2011) with breaks at corners and pointed tips. The
+ * control point there is halfway to the other control point, or a third of the way to the next point where that is
+ * sharp too.
  */
 import { doubleArea, type OutlinePoint, type OutlinePoints, type Place } from "./points";
 
-/** A cubic from one point to the next. */
+/** A cubic Bézier curve from one point to the next. */
 export interface Span {
 	from: Place;
 	first: Place;
@@ -15,7 +16,7 @@ export interface Span {
 
 const isSharp = ({ kind }: OutlinePoint): boolean => kind === "corner" || kind === "pointed";
 
-/** One for each point, to the next. */
+/** Spans of an outline: one from each point to the next. */
 export function spansOf(points: OutlinePoints): Span[] {
 	const { length } = points;
 	return points.map((from, index) => {
@@ -33,12 +34,12 @@ export function spansOf(points: OutlinePoints): Span[] {
 	});
 }
 
-/** The curve as a closed polygon, `steps` pieces a span; it begins at point 0. */
+/** The curve as a closed polygon of `steps` pieces per span; it begins at point 0. */
 export function curveOf(points: OutlinePoints, steps = 12): Place[] {
 	return spansOf(points).flatMap((span) => Array.from({ length: steps }, (_, step) => placeOn(span, step / steps)));
 }
 
-/** A place on a span, 0 … 1. */
+/** The point of a span at the parameter t, 0 … 1. */
 export function placeOn({ from, first, second, to }: Span, t: number): Place {
 	const s = 1 - t;
 	const [a, b, c, d] = [s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t];
@@ -48,18 +49,18 @@ export function placeOn({ from, first, second, to }: Span, t: number): Place {
 	};
 }
 
-/** Where the curve is nearest to a place: the span, and how far off it is. */
+/** The span nearest to a position, and its distance. */
 export function nearestSpan(points: OutlinePoints, { x, y }: Place, steps = 12): { span: number; distance: number } {
 	const away = curveOf(points, steps).map((place) => Math.hypot(place.x - x, place.y - y));
 	const best = away.indexOf(Math.min(...away));
 	const before = away[(best + away.length - 1) % away.length];
 	const after = away[(best + 1) % away.length];
-	// At a point itself the nearer neighbour tells on which side of it.
+	// At a control point, the nearer neighbour decides on which side of it the position is.
 	const span = best % steps === 0 && before < after ? best / steps - 1 : Math.floor(best / steps);
 	return { span: (span + points.length) % points.length, distance: away[best] };
 }
 
-/** The control of a span at `at` on the way to `to`, with `before` at its other side. */
+/** The control point of a span at `at` towards `to`; `before` is the other neighbour. */
 function handle(before: Place, at: Place, to: Place): Place {
 	const back = Math.sqrt(Math.hypot(at.x - before.x, at.y - before.y));
 	const on = Math.sqrt(Math.hypot(to.x - at.x, to.y - at.y));
@@ -70,11 +71,13 @@ function handle(before: Place, at: Place, to: Place): Place {
 	return { x: along("x"), y: along("y") };
 }
 
-/** Of a piece of the core's margin, about, in lengths of the leaf, and how many pieces a span has. */
+/**
+ * Approximate length of a piece of the core's margin, in leaf lengths, and the range of the number of pieces per span.
+ */
 const PIECE = 0.015;
 const PIECES = { fewest: 2, most: 32 } as const;
 
-/** The curve as the very polygon that the core grows, so that the same outlines cross themselves here and there. */
+/** The curve as the core's polygon, so that page and core agree on outlines that cross themselves. */
 function marginOf(points: OutlinePoints): Place[] {
 	return spansOf(points).flatMap((span) => {
 		const wanted = Math.ceil(Math.hypot(span.to.x - span.from.x, span.to.y - span.from.y) / PIECE);
@@ -83,10 +86,10 @@ function marginOf(points: OutlinePoints): Place[] {
 	});
 }
 
-/** Twice the area of the least blade, in lengths of the leaf squared. */
+/** Twice the least area of a blade, in squared leaf lengths. */
 const LEAST_AREA = 0.004;
 
-/** Whether points enclose a blade: counter-clockwise, of some area, without crossing each other's way. */
+/** Whether points enclose a blade: counter-clockwise, with some area, without self-intersections. */
 export function enclosesBlade(points: OutlinePoints): boolean {
 	const curve = marginOf(points);
 	return doubleArea(curve) > LEAST_AREA && !crossesItself(curve);
@@ -97,7 +100,7 @@ function crossesItself(polygon: readonly Place[]): boolean {
 	const { length } = polygon;
 	for (let i = 0; i < length; i++) {
 		const [a, b] = [polygon[i], polygon[(i + 1) % length]];
-		// The last edge is the first one's neighbour.
+		// The last edge is adjacent to the first one.
 		for (let j = i + 2; j < (i === 0 ? length - 1 : length); j++) {
 			const [c, d] = [polygon[j], polygon[(j + 1) % length]];
 			if (apart(a, b, c, d, "x") || apart(a, b, c, d, "y")) continue;
@@ -107,14 +110,14 @@ function crossesItself(polygon: readonly Place[]): boolean {
 	return false;
 }
 
-/** Whether one edge lies wholly before or behind another along an axis: where they are of one line, nothing else tells. */
+/** Whether two edges do not overlap along an axis; for collinear edges no other test separates them. */
 function apart(a: Place, b: Place, c: Place, d: Place, axis: "x" | "y"): boolean {
 	return (
 		Math.max(a[axis], b[axis]) < Math.min(c[axis], d[axis]) || Math.max(c[axis], d[axis]) < Math.min(a[axis], b[axis])
 	);
 }
 
-/** On which side of the way from one place to another a third one lies. */
+/** Sign of the side of a line on which a point is. */
 function side(from: Place, to: Place, { x, y }: Place): number {
 	return (to.x - from.x) * (y - from.y) - (to.y - from.y) * (x - from.x);
 }

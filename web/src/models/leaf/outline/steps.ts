@@ -1,4 +1,4 @@
-/** What keys and buttons do to the chosen point: one step each, with what is said of it. Pure functions. */
+/** Edits of the chosen point by keys and buttons, each with a message for screen readers. Pure functions. */
 import { ARROWS } from "../../../ui/handles/point";
 import { CROSSES, KIND_WORDS, placeInWords } from "./outline_words";
 import {
@@ -15,17 +15,17 @@ import {
 import { enclosesBlade, placeOn, spansOf } from "./spline";
 
 export interface Step {
-	/** The outline after it; absent where it stays as it was. */
+	/** The outline after the edit; absent where it is unchanged. */
 	points?: OutlinePoint[];
-	/** The point that is chosen then; absent where the choice stays. */
+	/** Index of the chosen point after the edit; absent where it is unchanged. */
 	chosen?: number;
 	message: string;
 }
 
-/** A step of the arrow keys, in lengths of the leaf. */
+/** Step of an arrow key, in leaf lengths. */
 const NUDGE = 0.005;
 
-/** What a key does to the chosen point; undefined where it does nothing. */
+/** The edit that a key causes; undefined where it causes none. */
 export function pressed(
 	points: OutlinePoints,
 	chosen: number,
@@ -47,13 +47,13 @@ function nudged(points: OutlinePoints, chosen: number, way: Place, by: number, s
 	return sound({ points: moved, chosen, message: placeInWords(moved[chosen]) });
 }
 
-/** The chosen point becomes one of the next kind. */
+/** Changes the chosen point to the next kind. */
 export function turned(points: OutlinePoints, chosen: number, symmetry: Symmetry): Step {
 	const next = turnKind(points, chosen, symmetry);
 	return sound({ points: next, chosen, message: KIND_WORDS[next[chosen].kind] });
 }
 
-/** A point halfway to the next, or where the curve is nearest to a place. */
+/** Inserts a point halfway to the next, or at a position near the curve. */
 export function inserted(points: OutlinePoints, after: number, symmetry: Symmetry, at?: Place): Step {
 	const next = insertPoint(points, after, at ?? placeOn(spansOf(points)[after], 0.5), symmetry);
 	if (next.length === points.length) return { message: "There is no room for more points" };
@@ -66,7 +66,7 @@ export function removed(points: OutlinePoints, chosen: number, symmetry: Symmetr
 	return sound({ points: next, chosen: Math.min(chosen, next.length - 1), message: "Point removed" });
 }
 
-/** A step after which there is no blade is none. */
+/** Rejects an edit after which the outline would not enclose a blade. */
 function sound(step: Step): Step {
 	if (!step.points || enclosesBlade(step.points)) return step;
 	return { message: CROSSES };

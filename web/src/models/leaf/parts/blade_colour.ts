@@ -1,31 +1,31 @@
-/** The colours of a blade: fresh, in autumn, dry. What view and files show of it is made of these (face_pictures.ts). */
+/** The colours of a blade: fresh, in autumn, dry. The textures (face_pictures.ts) are made of these. */
 import { type Colour, linear, mixed, smoothstep } from "../../../plant/colour";
 import type { LeafSpecimen } from "../specimen";
 import type { BladeFields } from "./blade_fields";
 
-/** Along veins the blade is paler, by this share of their colour. */
+/** Share of the veins' colour in the paler blade along veins. */
 const HALO = 0.16;
-/** Of what has dried up. */
+/** Colour of dry tissue. */
 const BROWN: Colour = [0.2, 0.085, 0.025];
-/** How near the margin a blade turns, and dries up, before the rest: in lengths of the leaf. */
+/** Widths of the rims along the margin that change colour and dry before the rest, in leaf lengths. */
 const TURNING_RIM = 0.11;
 const DRYING_RIM = 0.12;
-/** When a place turns that no vein feeds, and how much later one does on the widest vein: in shares of autumn. */
+/** Time at which tissue far from veins changes colour, and the delay on the widest vein, in shares of autumn. */
 const TURNS = 0.4;
 const FED_TURNS = 0.55;
-/** How long it takes to turn, before and after: what is fed less and less fades outward. */
+/** Duration of the change of colour, before and after that time: tissue farther from veins fades earlier. */
 const FADING = 0.26;
-/** The same of drying up. */
+/** Duration of drying. */
 const PARCHING = 0.3;
 
-/** Of one place, linear light. */
+/** Colours at one position, linear light. */
 export interface BladeColour {
 	blade: Colour;
-	/** Of the veins there. */
+	/** Colour of the veins at the position. */
 	vein: Colour;
 }
 
-/** @param green the face's colour between veins */
+/** @param green colour of the face between veins */
 export function bladeColours(
 	look: LeafSpecimen["look"],
 	green: Colour,
@@ -33,7 +33,7 @@ export function bladeColours(
 	const [fresh, late] = [linear(look.vein_colour as string), linear(look.autumn_colour as string)];
 	const [autumn, uneven, scorch] = [look.autumn as number, look.uneven as number, look.scorch as number];
 	const lateVein = mixed(scaled(late, 0.85), fresh, 0.25);
-	// From before the first place turns to after the last.
+	// The season starts before the first cell changes and ends after the last.
 	const season = -0.45 + 1.95 * autumn;
 	const drought = 1.9 * scorch * Math.max(0, autumn - 0.45);
 	return ({ edge, fed, halo, broad, mottle }, at) => {

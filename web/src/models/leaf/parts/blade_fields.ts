@@ -1,48 +1,51 @@
 /**
- * What the colour of a blade goes by, on a coarse grid over its chart: how far the margin is, how near the veins are that keep
- * it green, and chance. It does not know the look, so that other colours find it made.
+ * Inputs of a blade's colour on a coarse grid over its chart: distance from the margin, supply by nearby veins, and
+ * noise. They do not depend on the look, so a change of colours reuses them.
  */
 import { noise } from "../../../plant/noise";
 import type { Chart, Leaf } from "../grown";
 import { inCells, insideOf, spread } from "./chart";
 
-/** Noise cells to a metre: broad patches, mottling. */
+/** Noise cells per metre: broad patches, mottling. */
 const BROAD = 60;
 const MOTTLE = 420;
-/** Only what the eye sees from afar: veins at least this wide, against the widest. */
+/** Least relative width of veins that matter: those visible from afar. */
 const LEAST_WIDTH = 0.1;
-/** How far a vein as wide as the widest keeps the blade alive, in sides of the square; lesser ones by this power of their width. */
+/**
+ * Distance over which the widest vein supplies the blade, in sides of the square, and the power of the relative width
+ * for other veins.
+ */
 const REACH = 0.085;
 const REACH_POWER = 0.6;
-/** How well it does so on its axis: by this power of its width. */
+/** Power of the relative width for the supply on the vein's axis. */
 const STRENGTH_POWER = 0.3;
-/** The same for the paler blade close by, which is as wide along all of them. */
+/** Width of the paler halo, equal along all veins, in sides of the square. */
 const HALO_REACH = 0.018;
 
-/** By cell, rows from the bottom: what the margin and chance decide, while veins come and go. */
+/** Fields by cell, rows from the bottom, that depend on margin and noise but not on veins. */
 interface Ground {
-	/** Cells to a side of the square. */
+	/** Cells along a side of the square. */
 	side: number;
-	/** Where any of the leaf is in sight: 1 inside of the margin and in the cells about it. */
+	/** 1 inside the margin and in the cells around it, else 0. */
 	near: Uint8Array;
-	/** How far the margin is, in lengths of the leaf; 0 outside. */
+	/** Distance from the margin, in leaf lengths; 0 outside. */
 	edge: Float32Array;
-	/** Chance of broad patches and of mottling, each −0.5 … 0.5. */
+	/** Noise of broad patches and of mottling, each −0.5 … 0.5. */
 	broad: Float32Array;
 	mottle: Float32Array;
 }
 
-/** The same, and what the veins decide. */
+/** All fields of a blade. */
 export interface BladeFields extends Ground {
-	/** How much the veins about it feed a place: 1 on the widest … 0 far from all; the wider a vein, the farther. */
+	/** Supply by veins: 1 on the widest … 0 far from all; wider veins reach farther. */
 	fed: Float32Array;
-	/** 1 on a vein that one sees from afar … 0 a little beside. */
+	/** Halo: 1 on a vein visible from afar … 0 slightly beside it. */
 	halo: Float32Array;
 }
 
 /**
- * @param millimetres of a length of the leaf
- * @param seed another one has other patches
+ * @param millimetres length of the leaf
+ * @param seed changes the noise
  */
 export function bladeFields(
 	leaf: Pick<Leaf, "chart" | "margin" | "square"> & { segments: Pick<Leaf["segments"], "radii"> },
@@ -53,7 +56,7 @@ export function bladeFields(
 	return { ...groundOf(leaf, millimetres, seed, side), ...feedingOf(leaf, leaf.square, side) };
 }
 
-/** The last one: of a leaf whose particles run, each moment has the same. */
+/** The last result: while particles move, all frames have the same. */
 let known: { margin: Float32Array; rest: string; ground: Ground } | undefined;
 
 type Flat = Pick<Leaf, "margin" | "square">;
@@ -88,7 +91,7 @@ function edgeOf(margin: Float32Array, square: Chart, side: number): Float32Array
 	return away.map((cells) => (Math.max(0, cells - 0.5) * square.size) / side);
 }
 
-/** The leaf and the cells about it, from which pictures blend over its margin. */
+/** The leaf and the cells around it, from which textures interpolate at the margin. */
 function nearLeaf(edge: Float32Array, side: number): Uint8Array {
 	const near = new Uint8Array(side * side);
 	for (let row = 0; row < side; row++) {
@@ -102,7 +105,7 @@ function nearLeaf(edge: Float32Array, side: number): Uint8Array {
 	return near;
 }
 
-/** Fields of the veins: from cell to cell is handed on which of them feeds best. */
+/** Fields of the veins: each cell takes its best supplying vein from its neighbours. */
 function feedingOf(
 	{ chart: ends, segments: { radii } }: Pick<Leaf, "chart"> & { segments: Pick<Leaf["segments"], "radii"> },
 	square: Chart,
@@ -110,7 +113,7 @@ function feedingOf(
 ): Pick<BladeFields, "fed" | "halo"> {
 	const widest = radii.reduce((most, radius) => Math.max(most, radius), 1e-9);
 	const away = new Float32Array(side * side).fill(2 * side);
-	/** By cell, the vein that feeds it: where its axis is, and how wide it is against the widest; 0 none yet. */
+	/** The vein that supplies each cell: position of its axis and relative width; 0 where there is none yet. */
 	const [atX, atY, width] = [0, 0, 0].map(() => new Float32Array(side * side));
 	const places = inCells(ends, square, side);
 	for (let piece = 0; 4 * piece < ends.length; piece++) {
@@ -140,7 +143,7 @@ function handedOn(
 	width: Float32Array,
 	reach: Float32Array,
 ): Float32Array {
-	/** The logarithm of how well each cell is fed. */
+	/** Logarithm of each cell's supply. */
 	const best = Float32Array.from(width, (share, at) => {
 		if (share === 0) return Number.NEGATIVE_INFINITY;
 		const away = Math.hypot(atX[at] - (at % side) - 0.5, atY[at] - Math.floor(at / side) - 0.5) / reach[at];

@@ -1,12 +1,12 @@
 /** Grids over the square of the flat leaf, rows from the bottom. */
 import type { Chart } from "../grown";
 
-/** 2 × points in cells of a grid of so many to a side. */
+/** Converts 2 × points to cells of a grid. */
 export function inCells(points: Float32Array, { left, bottom, size }: Chart, side: number): Float32Array {
 	return points.map((value, at) => ((value - (at % 2 === 0 ? left : bottom)) / size) * side);
 }
 
-/** By cell, whether its middle lies inside of a margin given in cells: 1 or 0, row by row between the crossings. */
+/** By cell, whether its centre is inside a margin in cells: 1 or 0, row by row between the intersections. */
 export function insideOf(margin: Float32Array, side: number): Uint8Array {
 	const inside = new Uint8Array(side * side);
 	const crossings: number[][] = Array.from({ length: side }, () => []);
@@ -29,7 +29,10 @@ export function insideOf(margin: Float32Array, side: number): Uint8Array {
 	return inside;
 }
 
-/** How far each cell is from the nearest zero, in cells, by two chamfered passes (Borgefors 1986). Cells start at most `far`. */
+/**
+ * Distance transform: distance of each cell from the nearest zero, in cells, by two chamfer passes (Borgefors 1986).
+ * Initial values are at most `far`.
+ */
 export function spread(away: Float32Array, side: number): void {
 	for (let at = 0; at < away.length; at++) {
 		const column = at % side;

@@ -1,6 +1,7 @@
 /**
- * What the faces of a blade are laid with: colour, normals, thickness. Each picture shows its face as one sees it, tip up, the
- * first row at the top: so u runs right and v down, and nothing is mirrored, as glTF wants it of normals (plant/material.ts).
+ * Textures of a blade's faces: colour, normals, thickness. Each picture shows its face from its side, tip up, the
+ * first row at the top: u runs right and v down without mirroring, as glTF requires of normal maps
+ * (plant/material.ts).
  */
 import { type Colour, encoded } from "../../../plant/colour";
 import type { Picture } from "../../../plant/material";
@@ -11,38 +12,38 @@ import { type BladeFields, bladeFields } from "./blade_fields";
 import { faceColour, type Side } from "./materials";
 import { type VeinRaster, veinRaster } from "./vein_raster";
 
-/** Pixels to a side of what is shown and written of a leaf that stays. */
+/** Width and height of final textures, pixels. */
 export const SIDE = 1024;
-/** The same of one in passing. */
+/** Width and height of previews, pixels. */
 export const PREVIEW_SIDE = 256;
 
-/** Pixels to a cell of what blades' colours go by. */
+/** Pixels per cell of the blade's fields. */
 const PIXELS_PER_CELL = 6;
-/** Veins are grooves above, so deep against the ridges below, and no deeper than this share of the blade. */
+/** Depth of the grooves above veins relative to the ridges below, and its limit as a share of the thickness. */
 const GROOVE = 0.4;
 const DEEPEST = 0.5;
-/** How much of a vein's colour is the vein's. */
+/** Opacity of the veins' colour. */
 const INK = 0.85;
 const FLAT = [128, 128, 255] as const;
 
-/** What of a leaf is painted. */
+/** The part of a leaf that textures depend on. */
 export type FlatLeaf = Pick<Leaf, "chart" | "margin" | "square" | "energy"> & {
 	segments: Pick<Leaf["segments"], "count" | "radii">;
 };
 
-/** What one face is laid with. */
+/** The textures of one face. */
 export interface FaceTextures {
-	/** sRGB. */
+	/** Colour, sRGB. */
 	colour: Picture;
 	normal: Picture;
-	/** Of the blade, in linear light. */
+	/** Mean colour of the blade, linear light. */
 	mean: Colour;
 }
 
-/** Normals of a face that is quite flat. */
+/** Normal map of a flat face. */
 export const FLAT_PICTURE: Picture = { width: 1, height: 1, pixels: Uint8Array.from(FLAT) };
 
-/** Pictures of one leaf, each made when it is first asked for. */
+/** Textures of one leaf, each computed on first use. */
 export class FacePictures {
 	readonly #leaf: FlatLeaf;
 	readonly #millimetres: number;
@@ -53,9 +54,9 @@ export class FacePictures {
 	readonly #normals = new Map<string, Picture>();
 
 	/**
-	 * @param millimetres of a length of the leaf
-	 * @param side pixels to a side
-	 * @param flat whether veins do not stand out, which takes less time
+	 * @param millimetres length of the leaf
+	 * @param side width and height, pixels
+	 * @param flat omits the relief of veins, which takes less time
 	 */
 	constructor(leaf: FlatLeaf, millimetres: number, side: number, flat = false) {
 		this.#leaf = leaf;
@@ -69,14 +70,14 @@ export class FacePictures {
 		return { colour: picture, normal: this.#flat ? FLAT_PICTURE : this.normal(specimen.parameters, side), mean };
 	}
 
-	/** sRGB, and the mean of the blade in linear light. */
+	/** The colour in sRGB, and the blade's mean in linear light. */
 	colour({ look, seed }: Pick<LeafSpecimen, "look" | "seed">, face: Side): { picture: Picture; mean: Colour } {
 		const fields = this.#fieldsOf(seed);
 		const paint = painted(fields, bladeColours(look, faceColour(look, face)));
 		return { picture: colourPicture(this.raster, fields, paint, face), mean: paint.mean };
 	}
 
-	/** Normals of the veins on a flat blade: green is up. */
+	/** Normal map of the veins on a flat blade: green is up. */
 	normal({ relief, thickness }: LeafSpecimen["parameters"], face: Side): Picture {
 		const key = JSON.stringify([relief, thickness, face]);
 		const known = this.#normals.get(key) ?? normals(this.raster, relief, thickness, face);
@@ -84,7 +85,7 @@ export class FacePictures {
 		return known;
 	}
 
-	/** Thickness, as a share of `thickest`. */
+	/** Thickness as a share of `thickest`. */
 	thickness({ relief, thickness }: LeafSpecimen["parameters"], face: Side): Picture {
 		const { side, height } = this.raster;
 		const thickest = this.thickest({ relief, thickness });
@@ -97,7 +98,7 @@ export class FacePictures {
 		return { width: side, height: side, pixels };
 	}
 
-	/** Millimetres, of blade and vein together. */
+	/** Largest thickness of blade and vein together, millimetres. */
 	thickest({ relief, thickness }: LeafSpecimen["parameters"]): number {
 		return thickness + relief * this.raster.height.reduce((most, height) => Math.max(most, height), 0);
 	}
@@ -117,9 +118,9 @@ export class FacePictures {
 }
 
 interface Painted {
-	/** By cell: blade red, green, blue, vein red, green, blue, 0 … 255 in sRGB; the mean far from the leaf. */
+	/** By cell: blade red, green, blue, vein red, green, blue, 0 … 255 in sRGB; far from the leaf the mean. */
 	cells: Float32Array;
-	/** Of the blade, linear light. */
+	/** Mean colour of the blade, linear light. */
 	mean: Colour;
 }
 
@@ -150,12 +151,12 @@ function put(cells: Float32Array, at: number, blade: Colour, vein: Colour): void
 const SHADES = 4096;
 const ENCODED = Float32Array.from({ length: SHADES + 1 }, (_, i) => 255 * encoded([i / SHADES, 0, 0])[0]);
 
-/** Linear light as sRGB, 0 … 255. */
+/** Converts linear light to sRGB, 0 … 255. */
 function shown(value: number): number {
 	return ENCODED[Math.round(SHADES * Math.min(1, Math.max(0, value)))];
 }
 
-/** The blade's colours between cells, and veins over them. */
+/** The colour picture: the blade's colours interpolated between cells, with veins over them. */
 function colourPicture(
 	{ side, ink: veins }: VeinRaster,
 	fields: BladeFields,
@@ -201,7 +202,7 @@ function colourPicture(
 	return { width: side, height: side, pixels };
 }
 
-/** The first and the last cell near the leaf in the two rows about a place between them; the last is first where there is none. */
+/** The first and the last cell near the leaf in the two rows around a position; `to` < `from` where there is none. */
 function extent({ side, near }: BladeFields, place: number): [from: number, to: number] {
 	const low = side * Math.floor(Math.min(side - 1.001, Math.max(0, place)));
 	const isNear = (column: number) => near[low + column] || near[low + side + column];
@@ -211,7 +212,7 @@ function extent({ side, near }: BladeFields, place: number): [from: number, to: 
 	return [from, to];
 }
 
-/** What a line between two rows of cells has of them. */
+/** Interpolates a line between two rows of cells. */
 function blend(cells: Float32Array, side: number, row: number, line: Float32Array): void {
 	const place = Math.min(side - 1.001, Math.max(0, row));
 	const low = Math.floor(place);
@@ -246,7 +247,7 @@ function normals({ side, cell, height }: VeinRaster, relief: number, thickness: 
 	return { width: side, height: side, pixels };
 }
 
-/** How high the upper face stands: it sinks in over veins, ever less as it comes to the blade's middle. */
+/** Height of the upper face: it sinks in over veins, at most to `DEEPEST` of the thickness. */
 function grooves(height: Float32Array, relief: number, thickness: number): Float32Array {
 	const deepest = DEEPEST * thickness;
 	return height.map((high) => (high === 0 ? 0 : -deepest * (1 - Math.exp((-GROOVE * relief * high) / deepest))));

@@ -1,4 +1,4 @@
-/** A leaf in parts: the two faces of its blade with pictures laid on, its petiole, and particles on their way. */
+/** The parts of a leaf: the two textured faces of its blade, its petiole, and moving particles. */
 import type { Part } from "../../../plant/part";
 import { partsOf } from "../../../plant/parts_of";
 import type { Leaf } from "../grown";
@@ -7,12 +7,12 @@ import { asSeen } from "./as_seen";
 import { FacePictures, type FaceTextures, PREVIEW_SIDE, SIDE } from "./face_pictures";
 import { bladeMaterial, FACES, particleMaterial, petioleMaterial, type Side } from "./materials";
 
-/** Pictures by the leaf that they show, so that other colours find its veins drawn. */
+/** Textures by leaf, so that a change of colours reuses the veins. */
 const drawn = new WeakMap<Leaf, FacePictures>();
 
 /**
- * @param faces what the blade's faces are laid with; where absent, they are painted here and now, which takes a tenth of a second
- * @throws Error with a message for people where the leaf was asked for without meshes
+ * @param faces textures of the blade's faces; where absent, they are computed at once, which takes 0.1 s
+ * @throws Error with a message for users where the leaf was grown without meshes
  */
 export function* leafParts(
 	leaf: Leaf,
@@ -31,13 +31,13 @@ export function* leafParts(
 		const material = { ...bladeMaterial(look, side), colour: mean, textures };
 		yield { name: FACES[side], shape: { mesh: { ...mesh, name: FACES[side], uvs: asSeen(mesh.uvs, side) }, material } };
 	}
-	// Organs know meshes by their place among all.
+	// Organs refer to meshes by their indices.
 	const others = meshes.map((mesh) => (mesh.name in FACES ? { ...mesh, indices: new Uint32Array(0) } : mesh));
 	yield* partsOf({ meshes: others, organs }, { stem: petioleMaterial(look), skin: particleMaterial(look) });
 }
 
 function painted(leaf: Leaf, specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">, side: Side): FaceTextures {
-	// What grows in passing does not ask what sky there is.
+	// Previews have no visibility of the sky.
 	const pixels = leaf.meshes.some(({ sky }) => sky) ? SIDE : PREVIEW_SIDE;
 	const pictures = drawn.get(leaf) ?? new FacePictures(leaf, specimen.parameters.length, pixels);
 	drawn.set(leaf, pictures);

@@ -1,32 +1,32 @@
-/** The veins of the flat leaf in cells: what of each is vein, and how high it stands there. */
+/** Rasterizes the veins of the flat leaf: coverage and height by cell. */
 import type { Leaf } from "../grown";
 import { inCells } from "./chart";
 
-/** Millimetres on either side of a vein that are as pale as it: the sheath about it, which shows where veins themselves are too fine. */
+/** Width of the pale sheath on either side of a vein, millimetres; it shows where veins are too thin. */
 export const SHEATH = 0.012;
-/** How much of its colour the vein has that the least energy passes; the others have more, as the logarithm of theirs goes. */
+/** Opacity of the vein with the least energy; it increases to 1 with the logarithm of the energy. */
 export const FAINTEST = 0.4;
-/** A ridge ends this many radii of its vein from the axis: it rises smoothly out of the blade. */
+/** Radius of a ridge's foot, in radii of its vein: the ridge rises smoothly out of the blade. */
 const FOOT = 1.6;
-/** The least width of its slope, in cells: what is finer is lower by as much as it is wider. */
+/** Least radius of a ridge's foot, in cells: a ridge that is widened is lowered in proportion. */
 const LEAST_FOOT = 1.5;
 
 export interface VeinRaster {
-	/** Cells to a side of the square that texture coordinates span; rows from the bottom. */
+	/** Cells along a side of the square of texture coordinates; rows from the bottom. */
 	side: number;
-	/** Millimetres to a cell. */
+	/** Millimetres per cell. */
 	cell: number;
-	/** Share of the cell that is vein or its sheath, 0 … 1. */
+	/** Share of the cell that vein or sheath covers, 0 … 1. */
 	cover: Float32Array;
-	/** Of the same, what is to be seen in the veins' colour: the more energy passes, the more of it (Rodkaew et al. 2003, figure 4). */
+	/** Opacity of the veins' colour by cell: it increases with the energy (Rodkaew et al. 2003, figure 4). */
 	ink: Float32Array;
-	/** How high a vein stands there, as high on its axis as half its width: millimetres; nothing where it was not asked for. */
+	/** Height of the relief, millimetres: on a vein's axis half its width. Empty where not requested. */
 	height: Float32Array;
 }
 
 /**
- * @param millimetres of a length of the leaf
- * @param raised whether heights are wanted
+ * @param millimetres length of the leaf
+ * @param raised whether heights are computed
  */
 export function veinRaster(
 	{
@@ -56,7 +56,7 @@ export function veinRaster(
 	return raster;
 }
 
-/** Logarithms of the least and the most energy; ways that no particle has come yet have none. */
+/** Logarithms of the least and the largest positive energy; trails that no particle has passed have none. */
 function rangeOf(energy: Float32Array): readonly [least: number, most: number] {
 	let [least, most] = [Number.POSITIVE_INFINITY, 0];
 	for (const each of energy) if (each > 0) [least, most] = [Math.min(least, each), Math.max(most, each)];
@@ -68,7 +68,7 @@ function strength(energy: number, [least, most]: readonly [number, number]): num
 	return most > least ? FAINTEST + ((1 - FAINTEST) * (Math.log(energy) - least)) / (most - least) : 1;
 }
 
-/** One straight piece of a vein, its radius in cells. */
+/** Draws one segment of a vein; the radius is in cells. */
 function draw(
 	{ side, cell, cover, ink, height }: VeinRaster,
 	places: Float32Array,
@@ -100,7 +100,7 @@ function draw(
 			const away = ox * ox + oy * oy;
 			if (away >= reach * reach) continue;
 			const at = row * side + column;
-			// What is finer than a cell covers less of it.
+			// Veins thinner than a cell cover less of it.
 			const share = Math.min(1, covering - Math.sqrt(away)) * thin;
 			if (share > cover[at]) cover[at] = share;
 			if (share * strong > ink[at]) ink[at] = share * strong;

@@ -1,7 +1,7 @@
 /**
- * A leaf on the stage: at once with coarse pictures, and with fine ones once they are painted (commission.ts). Those go to the
- * card one a frame, so that none has to wait. While particles run, and when they have come to rest, a leaf wears what was last
- * painted until its own pictures come: coarse ones in passing, a frame or two later.
+ * Renders a leaf: at once with coarse textures, then with fine ones when they are painted (paint_queue.ts). Fine
+ * textures are uploaded one per frame, to keep frames short. While particles move, and when they stop, a leaf has the
+ * last painted textures until its own arrive; previews take a frame or two.
  */
 import type { PerspectiveCamera } from "three";
 import type { Picture } from "../../../plant/material";
@@ -17,7 +17,7 @@ import type { LeafSpecimen } from "../specimen";
 import type { BladeTextures } from "./paint";
 import { PaintQueue } from "./paint_queue";
 
-/** Something to lay on a face. */
+/** A texture that waits for its upload. */
 interface Sheet {
 	side: Side;
 	kind: "colour" | "normal";
@@ -32,11 +32,17 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 	#leaf: Leaf | undefined;
 	#preview = false;
 	#preset: string | undefined;
-	/** The finest there is of the leaf that is shown, maybe in colours it had before; in passing maybe of one just before it. */
+	/**
+	 * The finest textures available for the shown leaf, maybe in its previous colours; of a preview maybe those of the
+	 * one before.
+	 */
 	#faces: ((side: Side) => FaceTextures) | undefined;
 	#sheets: Sheet[] = [];
 
-	/** @param painters who paint the fine pictures, told where to bring them; where absent, a worker does */
+	/**
+	 * @param painters creates the queue that paints the fine textures and delivers them to a callback; by default a
+	 * worker paints
+	 */
 	constructor(
 		stage: RendererStage,
 		painters: (deliver: (faces: BladeTextures, preview: boolean) => void) => PaintQueue = (to) => new PaintQueue(to),
@@ -53,9 +59,9 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 
 	show(leaf: Leaf, specimen: LeafSpecimen): void {
 		this.#sheets = [];
-		// What grows in passing does not ask what sky there is.
+		// Previews have no visibility of the sky.
 		const preview = !leaf.meshes.some(({ sky }) => sky);
-		// The next of a life or a drag, its end included, looks much as the last one.
+		// The next frame of an animation or a drag, its end included, looks much like the last one.
 		const next = this.#faces && (preview || this.#preview) && specimen.preset === this.#preset;
 		if (leaf !== this.#leaf && !next) this.#faces = coarse(leaf, specimen);
 		this.#leaf = leaf;
@@ -102,7 +108,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 		this.#parts.dispose();
 	}
 
-	/** Small enough to be laid at once. */
+	/** Applies the textures of a preview at once: they are small. */
 	#pass(faces: BladeTextures): void {
 		this.#faces = (side) => ({ ...faces[side], normal: FLAT_PICTURE });
 		for (const side of ["upper", "lower"] as const) {
@@ -120,7 +126,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 		this.#stage.changed?.();
 	}
 
-	/** With every frame one, until all lie. */
+	/** Applies one texture per frame until none waits. */
 	#applyNextSheet(): void {
 		const sheet = this.#sheets.shift();
 		if (!sheet) return;
@@ -129,7 +135,7 @@ export class LeafRenderer implements ModelRenderer<LeafSpecimen, Leaf> {
 	}
 }
 
-/** Painted here and now: quickly, that is, with fewer pixels and flat. */
+/** Coarse textures, computed at once: with fewer pixels and without relief. */
 function coarse(leaf: Leaf, specimen: LeafSpecimen): (side: Side) => FaceTextures {
 	const pictures = new FacePictures(leaf, specimen.parameters.length, PREVIEW_SIDE, true);
 	const faces = new Map<Side, FaceTextures>();

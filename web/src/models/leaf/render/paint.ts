@@ -1,18 +1,18 @@
-/** Painting the faces of a leaf away from the page's thread: what is asked, what is answered, and the painting. */
+/** Painting of a leaf's textures in a worker: requests, results, and the painting itself. */
 import { asCardsTakeIt } from "../../../plant/picture";
 import { FacePictures, type FaceTextures, type FlatLeaf, PREVIEW_SIDE, SIDE } from "../parts/face_pictures";
 import type { LeafSpecimen } from "../specimen";
 
 export interface PaintOrder {
 	id: number;
-	/** Where absent, that of the order before. */
+	/** The leaf; where absent, the leaf of the request before. */
 	leaf?: FlatLeaf;
 	specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">;
-	/** Whether it is of a leaf in passing: with fewer pixels and flat, which takes little time. */
+	/** Whether to paint a preview: with fewer pixels and without relief, which takes little time. */
 	preview: boolean;
 }
 
-/** BladeTextures with pictures as cards take them. */
+/** Textures of both faces, with pictures in a format for upload. */
 export interface BladeTextures {
 	upper: FaceTextures;
 	lower: FaceTextures;
@@ -22,7 +22,7 @@ export interface Painted extends BladeTextures {
 	id: number;
 }
 
-/** Paints for one who asks time and again: veins stay drawn while colours change. */
+/** Paints repeatedly: a change of colours reuses the veins. */
 export class Painter {
 	#pictures: FacePictures | undefined;
 
@@ -39,7 +39,7 @@ export class Painter {
 	}
 }
 
-/** The buffers that move with an answer, rather than be copied. */
+/** Buffers that are transferred with a result instead of copied. */
 export function moved({ upper, lower }: BladeTextures): ArrayBuffer[] {
 	return [upper, lower].flatMap(({ colour, normal }) =>
 		[colour, normal].map(({ pixels }) => pixels.buffer as ArrayBuffer),

@@ -1,20 +1,20 @@
-/** Has leaves painted by a worker, for a page that must not wait. */
+/** Paints leaves in a worker, so that the page does not wait. */
 import { startWorker } from "../../../core/spawn";
 import type { FlatLeaf } from "../parts/face_pictures";
 import { type BladeTextures, type Painted, Painter, type PaintOrder } from "./paint";
 import address from "./paint_worker.ts?worker&url";
 
-/** What it needs of a worker. */
+/** The part of a worker that the queue uses. */
 export type PaintWorker = Pick<Worker, "postMessage" | "terminate" | "onmessage" | "onerror">;
 
-/** One order at a time is under way; what is ordered meanwhile waits, and of those that wait only the newest. */
+/** A queue with one order in progress and at most one waiting: a new order replaces the waiting one. */
 export class PaintQueue {
 	readonly #deliver: (faces: BladeTextures, preview: boolean) => void;
 	readonly #start: () => PaintWorker;
 	#worker: PaintWorker | undefined;
-	/** Paints here, once workers cannot be had. */
+	/** Paints on this thread where no worker is available. */
 	#alone: Painter | undefined;
-	/** The leaf that the worker knows. */
+	/** The leaf that the worker has received. */
 	#given: FlatLeaf | undefined;
 	#underWay: { order: PaintOrder; leaf: FlatLeaf } | undefined;
 	#next: { leaf: FlatLeaf; specimen: PaintOrder["specimen"]; preview: boolean } | undefined;
@@ -22,20 +22,20 @@ export class PaintQueue {
 	#wanted = 0;
 	readonly #waiting: (() => void)[] = [];
 
-	/** @param deliver is given what is still wanted when it comes, and whether it is of a leaf in passing */
+	/** @param deliver receives textures that are still wanted, and whether they are of a preview */
 	constructor(deliver: (faces: BladeTextures, preview: boolean) => void, start: () => PaintWorker = startPainter) {
 		this.#deliver = deliver;
 		this.#start = start;
 	}
 
-	/** Takes the place of whatever was ordered before and has not come; while leaves pass, what is under way is wanted still. */
+	/** Replaces the waiting order. During previews the order in progress stays wanted. */
 	order(leaf: FlatLeaf, { look, parameters, seed }: PaintOrder["specimen"], preview = false): void {
 		this.#wanted = ++this.#orders;
 		this.#next = { leaf, specimen: { look, parameters, seed }, preview };
 		if (!this.#underWay) this.#begin();
 	}
 
-	/** Settles when nothing is wanted any more. */
+	/** Resolves when no order is wanted any more. */
 	whenDone(): Promise<void> {
 		if (this.#wanted === 0) return Promise.resolve();
 		return new Promise((resolve) => this.#waiting.push(resolve));
@@ -61,7 +61,7 @@ export class PaintQueue {
 		else this.#send(order);
 	}
 
-	/** An order that cannot be copied to the worker is painted here. */
+	/** Sends an order to the worker; paints here an order that cannot be cloned. */
 	#send(order: PaintOrder): void {
 		try {
 			this.#employ().postMessage(order);
@@ -75,21 +75,21 @@ export class PaintQueue {
 		const worker = this.#start();
 		worker.onmessage = ({ data }: MessageEvent<Painted>) => this.#take(data);
 		worker.onerror = (event) => {
-			event.preventDefault(); // It is dealt with here; the console need not hear of it.
+			event.preventDefault(); // Handled here: keeps the error out of the console.
 			this.#paintAlone();
 		};
 		this.#worker = worker;
 		return worker;
 	}
 
-	/** From now on without a worker. */
+	/** Paints without a worker from now on. */
 	#paintAlone(): void {
 		this.#worker?.terminate();
 		this.#alone = new Painter();
 		this.#paint(this.#alone);
 	}
 
-	/** The order under way, here. */
+	/** Paints the order in progress on this thread. */
 	#paint(painter: Painter): void {
 		if (!this.#underWay) return;
 		const { order, leaf } = this.#underWay;

@@ -1,7 +1,7 @@
 /** The worker that paints leaves. */
 import { moved, type Painted, Painter, type PaintOrder } from "./paint";
 
-/** What this file needs of a worker's global scope, which the page's types do not describe. */
+/** The part of a worker's global scope that this file uses; the page's types do not describe it. */
 interface Scope {
 	postMessage(message: Painted, transfer: Transferable[]): void;
 	onmessage: ((event: MessageEvent<PaintOrder>) => void) | null;

@@ -1,4 +1,4 @@
-/** A picture of a leaf → the points of its outline, and its petiole. Pure; what cannot be traced is refused in words for people. */
+/** Traces a picture of a leaf: the points of its outline, and its petiole. Pure; errors have messages for users. */
 import { contourOf, smoothed } from "../../../import/tracing/contour";
 import { type Picture, TraceError } from "../../../import/tracing/picture";
 import { silhouetteOf } from "../../../import/tracing/silhouette";
@@ -7,22 +7,22 @@ import { upright } from "../../../import/tracing/upright";
 import { FEWEST_POINTS, type Kind, type OutlinePoint, type Place, placed } from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
 
-/** Most points that a traced outline has. */
+/** Most points of a traced outline. */
 export const MOST_TRACED = 48;
-/** Closer than this a finer outline says nothing, in lengths of the leaf. */
+/** Least tolerance of the simplification, in leaf lengths. */
 const FINEST = 0.004;
-/** An angle is looked at over this share of the margin to either side. */
+/** Share of the margin to either side over which an angle is measured. */
 const ARM = 0.018;
-/** Sharper than this a point is none of a smooth curve. */
+/** Largest angle of a sharp point, radians. */
 const SHARP = (118 / 180) * Math.PI;
-/** A tip of a lobe, not of a tooth, stands out by so much, in lengths of the leaf. */
+/** Least height of a lobe, in leaf lengths; lower tips are teeth. */
 const LOBE = 0.09;
-/** How far along the margin a lobe's foot is looked for, as a share of it. */
+/** Distance along the margin from a lobe's tip to its base, as a share of the margin. */
 const LOBE_REACH = 0.07;
 
 export interface TracedLeaf {
 	outline: OutlinePoint[];
-	/** Where the picture shows one; in lengths of the leaf. */
+	/** The petiole, in leaf lengths; absent where the picture shows none. */
 	petiole?: { length: number; width: number };
 }
 
@@ -46,7 +46,10 @@ function pointsOf(margin: readonly Place[]): OutlinePoint[] {
 	throw new TraceError("The leaf's outline could not be followed. Try a sharper picture of one flat leaf.");
 }
 
-/** Indices of a closed polygon that keep it within a tolerance (Ramer 1972, Douglas and Peucker 1973); the first is 0. */
+/**
+ * Simplifies a closed polygon within a tolerance (Ramer 1972, Douglas and Peucker 1973); returns indices, the first is
+ * 0.
+ */
 function simplified(polygon: readonly Place[], tolerance: number): number[] {
 	const far = polygon.reduce((best, { y }, index) => (y > polygon[best].y ? index : best), 0);
 	const keep = new Set([0, far]);
@@ -74,7 +77,7 @@ function offChord({ x, y }: Place, a: Place, b: Place): number {
 	return Math.hypot(x - a.x - t * dx, y - a.y - t * dy);
 }
 
-/** What a place of the margin is: sharp and standing out, the tip of a lobe; sharp, a corner. */
+/** Kind of a point of the margin: a sharp protruding point is the tip of a lobe, another sharp point a corner. */
 function kindOf(margin: readonly Place[], index: number): Kind {
 	const at = (share: number) => {
 		const { length } = margin;
@@ -84,7 +87,7 @@ function kindOf(margin: readonly Place[], index: number): Kind {
 	const one = Math.atan2(before.y - here.y, before.x - here.x);
 	const other = Math.atan2(after.y - here.y, after.x - here.x);
 	const angle = (other - one + 4 * Math.PI) % (2 * Math.PI);
-	// Counter-clockwise, the inside is on the left: seen from a tip it lies between after and before.
+	// Counter-clockwise, the inside is on the left: at a tip it is between `after` and `before`.
 	const convex = angle > Math.PI;
 	const within = convex ? 2 * Math.PI - angle : angle;
 	if (within > SHARP) return "smooth";

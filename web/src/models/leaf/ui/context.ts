@@ -1,4 +1,4 @@
-/** The types of controls/, for the leaf. */
+/** Types of the editor for leaves. */
 import type * as context from "../../../ui/editor_context";
 import type * as tool from "../../../ui/tool";
 import type { Leaf } from "../grown";

@@ -8,7 +8,7 @@ import { enclosesBlade } from "../outline/spline";
 import type { LeafContext, LeafTool } from "./context";
 import "../outline/outline_view";
 
-/** The flat view of the outline with its points. The state: whether both sides move as one. */
+/** The flat editor of the outline. Its state: whether both sides move together. */
 export const outline: LeafTool<boolean> = {
 	name: "outline",
 	initial: true,
@@ -35,19 +35,19 @@ function draw(context: LeafContext): unknown {
 	></panicle-outline>`;
 }
 
-/** Locking brings the left side to the right one's shape at once, so that what is shown is what is locked. */
+/** Toggles the lock. Locking mirrors the right side to the left at once. */
 export function toggleMirror(context: LeafContext): void {
 	const mirror = !context.toolState(outline);
 	context.setToolState(outline, mirror);
 	if (mirror) setOutline(context, madeSymmetric(context.state.specimen.outline));
 }
 
-/** Another outline as one step; one that encloses nothing is none. */
+/** Sets the outline as one undo step; ignores outlines that enclose no blade. */
 export function setOutline(context: LeafContext, points: OutlinePoint[]): void {
 	if (enclosesBlade(points)) context.set({ details: { outline: points } });
 }
 
-/** A leaf's flat veins, worked out once. */
+/** Cache of the leaves' flat veins. */
 const known = new WeakMap<Leaf, FlatVeins>();
 
 function veinsOf(leaf: Leaf, millimetres: number): FlatVeins {

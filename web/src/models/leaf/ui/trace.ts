@@ -7,7 +7,7 @@ import type { LeafSpecimen } from "../specimen";
 import type { TracedLeaf } from "../trace/trace";
 import type { LeafContext, LeafTool } from "./context";
 
-/** An outline from a picture: chosen in the panel, or dropped on the page. */
+/** A tool that traces the outline from a picture, which is chosen in the panel or dropped on the page. */
 export const trace: LeafTool = {
 	name: "trace",
 	initial: undefined,
@@ -31,7 +31,7 @@ function draw(context: LeafContext): unknown {
 	</div>`;
 }
 
-/** Takes the outline of the leaf in a picture, as one step; what is wrong with the picture is said. */
+/** Sets the outline from a picture of a leaf, as one undo step; reports problems with the picture in a note. */
 export function traceLeafFile(context: LeafContext, file: Blob): Promise<void> {
 	return traceFile(context, file, {
 		tracer: async () => (await import("../trace/trace")).traceLeaf,
@@ -43,7 +43,7 @@ export function traceLeafFile(context: LeafContext, file: Blob): Promise<void> {
 	});
 }
 
-/** What a traced leaf changes, and what to say of it: teeth would be cut into an outline that has its own. */
+/** The change that a traced leaf causes, with messages. Teeth are set to 0: the traced outline has its own. */
 export function asChange(
 	{ outline, petiole }: TracedLeaf,
 	{ parameters }: LeafSpecimen,

@@ -1,4 +1,4 @@
-/** The page's side of the leaf: loaded with the first leaf, in a page alone. */
+/** The leaf's user interface: loaded with the first leaf, only in a page. */
 import { html } from "lit";
 import { term } from "../../../ui/term";
 import type { ModelUi } from "../../../ui/tool";

@@ -1,4 +1,4 @@
 import type { Stateful } from "../../../ui/editor_context";
 
-/** The grip of a flat view that was last touched: the one that buttons mean. */
+/** The id of the grip that was last touched in a flat view; the buttons act on it. */
 export const ACTIVE_GRIP: Stateful<string> = { name: "meant", initial: "" };

@@ -1,4 +1,4 @@
-/** What fingers press for what keys do to grips: points, obstacles and targets come and go. */
+/** Buttons for touch screens: they add and remove points, obstacles and targets, as the keys do on grips. */
 import { html, nothing } from "lit";
 import type { Change, EditorContext } from "../../../ui/editor_context";
 import { ACTIVE_GRIP } from "./active_grip";
@@ -35,7 +35,7 @@ export function boundaryButtons<S extends BoundedSpecimen>(
 		${targetsInWords(context, layout)}`;
 }
 
-/** Why numbers or hands do nothing to the targets, and the way out. */
+/** Note on why dragging or the parameters have no effect on the targets, with a button that restores the parameters. */
 function targetsInWords<S extends BoundedSpecimen>(
 	context: EditorContext<S, WoodenPlant>,
 	layout: BoundaryLayout<S>,

@@ -1,4 +1,4 @@
-/** The flat view of outer and inner boundary from in front. */
+/** The editor of the outer and the inner boundary, seen from the front. */
 import { html } from "lit";
 import { guard } from "lit/directives/guard.js";
 import type { EditorContext } from "../../../ui/editor_context";

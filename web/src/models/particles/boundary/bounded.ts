@@ -1,22 +1,33 @@
-/** What a specimen of a tree or a root holds beyond its table: what bounds it, where it makes for, what stands in its way. */
+/** Fields of a tree's or root's specimen beyond its table: boundary, targets and obstacles. */
 import type { ClosedMesh } from "../../../specimen/closed_mesh";
 import type { Specimen } from "../../../specimen/specimen";
 
-/** A point of a profile that is turned about the upright axis: shares of half the boundary's width, and of its height from below. */
+/**
+ * A point of a profile that is revolved about the vertical axis: radius as a share of half the boundary's width,
+ * height as a share of the boundary's height, from below.
+ */
 export type Knot = readonly [radius: number, height: number];
 
 export interface Bounded {
-	/** Of the shape `spline`, from one end to the other; the built-in one where absent. */
+	/**
+	 * The profile of the shape `spline`, from the lower to the upper end; where absent, the model's default profile.
+	 */
 	profile?: Knot[];
-	/** Places that particles make for, metres: x, y, z; in place of those of the table where there are any. */
+	/** Points that particles move to, metres: x, y, z of each. They replace the table's targets. */
 	targets?: number[];
-	/** Boxes in which nothing grows, metres: low x, y, z, high x, y, z. */
+	/** Boxes without growth, metres: low x, y, z, high x, y, z of each. */
 	obstacles?: number[];
-	/** Round ones, such as another tree's crown, behind which it is dark: the boxes that these ellipsoids fill, as above. */
+	/**
+	 * Ellipsoids without growth that cast shade, such as another tree's crown: their bounding boxes, as in
+	 * `obstacles`.
+	 */
 	rounds?: number[];
-	/** Of the shape `mesh`. No link carries it. */
+	/** The boundary of the shape `mesh`. Links do not carry it. */
 	volume?: ClosedMesh;
-	/** The inner boundary, in place of the outer one made smaller; stretched to that one's box made as much smaller. No link carries it. */
+	/**
+	 * A mesh for the inner boundary in place of the scaled outer one; it is stretched to the scaled box. Links do not
+	 * carry it.
+	 */
 	hollow?: ClosedMesh;
 }
 

@@ -1,12 +1,12 @@
-/** Room for the grown plant, whatever its age. */
+/** Extent of the fully grown plant, for framing. */
 import type { Table } from "../../../specimen/table";
 import type { BoundedSpecimen } from "./bounded";
 import type { BoundaryLayout } from "./editor/boundary_layout";
 import { shellsOf } from "./editor/shell";
 
 /**
- * Where a boundary grows with its age: points of the grown one, metres, for the view to hold, so that a young plant is seen to
- * be small. Else none.
+ * Points of the fully grown boundary, metres, for plants whose boundary grows with age: the view frames these points,
+ * so that a young plant appears small. Empty for other plants.
  */
 export function grownExtent<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,

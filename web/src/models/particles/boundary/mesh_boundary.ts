@@ -1,4 +1,4 @@
-/** A closed mesh as what bounds a plant. */
+/** A closed mesh as the boundary of a plant. */
 
 import type { ClosedMesh } from "../../../specimen/closed_mesh";
 import { withParameters } from "../../../specimen/edit";
@@ -6,7 +6,7 @@ import type { ModelSchema } from "../../../specimen/model_schema";
 import type { Table } from "../../../specimen/table";
 import type { BoundedSpecimen } from "./bounded";
 
-/** The parameters of a boundary that is a mesh, `tall` metres high, in the mesh's own proportions. */
+/** Parameters of a boundary that is a mesh, `tall` metres high, with the mesh's proportions. */
 export function meshParameters(table: Table, { points }: ClosedMesh, tall: number): Record<string, number> {
 	const shape = table.entry("shape");
 	const span = (axis: number) => {
@@ -24,9 +24,9 @@ export function meshParameters(table: Table, { points }: ClosedMesh, tall: numbe
 }
 
 /**
- * A specimen with the mesh of a file as its boundary, as high as that was.
- * @param height the parameter that is the boundary's height
- * @throws MeshFileError with the reason in plain words
+ * A specimen whose boundary is the mesh of a file, as high as the boundary was.
+ * @param height the key of the parameter for the boundary's height
+ * @throws MeshFileError with a message for users
  */
 export async function boundedBy<S extends BoundedSpecimen>(
 	species: ModelSchema<S>,

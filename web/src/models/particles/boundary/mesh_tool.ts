@@ -1,4 +1,7 @@
-/** Closed meshes of one's own as the boundaries: the outer one chosen in the panel or dropped on the page, the inner one chosen. */
+/**
+ * Closed meshes from files as boundaries: the outer one is chosen in the panel or dropped on the page, the inner one
+ * is chosen.
+ */
 import { html, nothing } from "lit";
 import { ACCEPT } from "../../../import/mesh_file/accept";
 import { type ClosedMesh, sameMesh } from "../../../specimen/closed_mesh";
@@ -10,10 +13,10 @@ import type { BoundedSpecimen } from "./bounded";
 import { meshParameters } from "./mesh_boundary";
 import type { WoodenPlant } from "./wooden_plant";
 
-/** Files of meshes by their names: those that are not read are told which are. */
+/** Names of mesh files, unsupported formats included: those get a message that lists the supported formats. */
 const MESHES = /\.(obj|glb|gltf|stl|ply|off|fbx|dae|3mf|3ds|usdz?|blend)$/i;
 
-/** @param height the parameter that is the boundary's height */
+/** @param height the key of the parameter for the boundary's height */
 export function meshTool<S extends BoundedSpecimen>(group: string, height: string): Tool<S, WoodenPlant> {
 	return {
 		name: "mesh",
@@ -28,9 +31,9 @@ export function meshTool<S extends BoundedSpecimen>(group: string, height: strin
 	};
 }
 
-/** What a mesh from a file becomes. */
+/** A use of a mesh from a file. */
 interface Taken {
-	/** As a sentence says it: "The mesh is the boundary now". */
+	/** The message after the change: "The mesh is the boundary now". */
 	readonly words: string;
 	change(mesh: ClosedMesh): Change;
 }
@@ -45,7 +48,7 @@ function outer<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>
 	};
 }
 
-/** The inner boundary; where nothing was bare, it is as large as the table's. */
+/** Uses a mesh as the inner boundary, with the table's default size where the inner boundary was empty. */
 function inner<S extends BoundedSpecimen>(context: EditorContext<S, WoodenPlant>): Taken {
 	return {
 		words: "The mesh is the inner boundary now",
@@ -107,11 +110,11 @@ function choose<S extends BoundedSpecimen>(event: Event, context: EditorContext<
 	const input = event.target as HTMLInputElement;
 	const file = input.files?.[0];
 	if (file) void take(context, file, taken);
-	// The same file may be chosen again.
+	// Lets the user choose the same file again.
 	input.value = "";
 }
 
-/** Makes a file's mesh the outer boundary, as one step; whatever is wrong with it is said. */
+/** Makes a file's mesh the outer boundary, as one undo step; reports problems with the file in a note. */
 export const takeMesh = <S extends BoundedSpecimen>(
 	context: EditorContext<S, WoodenPlant>,
 	file: File,

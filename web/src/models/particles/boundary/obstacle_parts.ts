@@ -1,4 +1,4 @@
-/** Boxes and ellipsoids in which nothing grows, as parts: what a plant has grown around belongs to its picture. */
+/** Obstacles as parts of the plant, so that pictures and files show them. */
 import { linear } from "../../../plant/colour";
 import type { Material } from "../../../plant/material";
 import type { Part, PartMesh } from "../../../plant/part";
@@ -6,7 +6,7 @@ import type { Bounded } from "./bounded";
 import { wallsOf } from "./editor/walls";
 
 const STONE: Material = { name: "Obstacle", colour: linear("b9b2a6"), roughness: 0.95, still: true };
-/** Sides and rings of an ellipsoid. */
+/** Segments around and rings of an ellipsoid. */
 const [ROUND, RINGS] = [32, 16];
 
 export function* obstacleParts(specimen: Bounded): Generator<Part> {
@@ -18,7 +18,7 @@ export function* obstacleParts(specimen: Bounded): Generator<Part> {
 	}
 }
 
-/** An ellipsoid in a box: rings from its foot to its top. */
+/** The ellipsoid inscribed in a box, with rings from its lowest to its highest point. */
 function ovalMesh(corners: readonly number[]): PartMesh {
 	const middle = [0, 1, 2].map((k) => (corners[k] + corners[k + 3]) / 2);
 	const half = [0, 1, 2].map((k) => Math.max((corners[k + 3] - corners[k]) / 2, 1e-6));
@@ -46,7 +46,7 @@ function ovalMesh(corners: readonly number[]): PartMesh {
 			);
 			uvs.set([k / ROUND, 1 - ring / RINGS], 2 * vertex);
 			if (ring === RINGS || k === ROUND) continue;
-			// At foot and top one of the two has no area.
+			// At the poles one of the two triangles has no area.
 			if (ring > 0) indices.push(vertex, vertex + 1, vertex + across + 1);
 			if (ring < RINGS - 1) indices.push(vertex, vertex + across + 1, vertex + across);
 		}
@@ -54,7 +54,10 @@ function ovalMesh(corners: readonly number[]): PartMesh {
 	return { positions, normals, uvs, indices: Uint32Array.from(indices) };
 }
 
-/** Six faces of four corners each: low x, y, z, high x, y, z. */
+/**
+ * A box.
+ * @param corners low x, y, z, high x, y, z
+ */
 function boxMesh(corners: readonly number[]): PartMesh {
 	const positions: number[] = [];
 	const normals: number[] = [];

@@ -1,4 +1,4 @@
-/** The flat view from above: depth of the boundary, obstacles, targets. */
+/** The editor of the boundary's depth, the obstacles and the targets, seen from above. */
 import { html } from "lit";
 import { guard } from "lit/directives/guard.js";
 import type { EditorContext } from "../../../ui/editor_context";

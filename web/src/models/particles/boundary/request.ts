@@ -1,4 +1,4 @@
-/** Specimen → the blocks of a request, as wasm-core/src/models/particles/space_request.hpp lists them. */
+/** Encodes a specimen as the blocks of a request (wasm-core/src/models/particles/space_request.hpp). */
 import type { Block } from "../../../core/container";
 import { CoreError } from "../../../core/errors";
 import type { Table } from "../../../specimen/table";
@@ -6,15 +6,15 @@ import type { GrowthOptions } from "../../model";
 import type { BoundedSpecimen } from "./bounded";
 
 export interface RequestOptions extends GrowthOptions {
-	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
+	/** Whether the visibility of the sky is requested; the default is yes with meshes, except for previews. */
 	sky?: boolean;
-	/** Whether the fingerprint of the meshes is wanted; the default is no. */
+	/** Whether the fingerprint of the meshes is requested; the default is no. */
 	meshFingerprint?: boolean;
-	/** Whether a tree's light is wanted, cell by cell; the default is no. */
+	/** Whether the light in a tree's crown is requested, cell by cell; the default is no. */
 	light?: boolean;
 }
 
-/** @throws CoreError where a parameter is no number: the specimen has not come through specimen/restore.ts */
+/** @throws CoreError where a parameter is not a number, which specimen/restore.ts prevents */
 export function encodeBounded(table: Table, specimen: BoundedSpecimen, options: RequestOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, light = false } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;

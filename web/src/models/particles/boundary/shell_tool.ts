@@ -1,4 +1,4 @@
-/** The boundary in the 3-D view, on and off. */
+/** A switch that shows the boundary in the 3-D view. */
 import { svg } from "lit";
 import { shownShells } from "../../../ui/shell_tool";
 import type { Tool } from "../../../ui/tool";

@@ -1,9 +1,9 @@
-/** Files of a tree or a root besides those of every plant. */
+/** File formats of trees and roots in addition to the common ones. */
 import type { Specimen } from "../../../specimen/specimen";
 import type { Format } from "../../model";
 import type { TrailPlant } from "../trails";
 
-/** @param words what such a plant is, in a few words */
+/** @param words describes the plant in a few words */
 export function woodFormats<S extends Specimen, G extends TrailPlant>(
 	words: (grown: G, specimen: S) => string,
 ): readonly Format<S, G>[] {

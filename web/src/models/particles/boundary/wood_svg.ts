@@ -1,27 +1,27 @@
 /**
- * The wood of a tree or a root as SVG: from in front, in millimetres at a round scale, each branch one tapering shape from its
- * fork to its tip. Far ones come first and are paler.
+ * Writes the wood of a tree or a root as SVG: seen from the front, in millimetres at a round scale, each branch as one
+ * tapering shape from its fork to its tip. Branches farther from the viewer come first and are paler.
  */
 import { GENERATOR } from "../../../formats/generator";
 import { escaped, short } from "../svg_text";
 import type { TrailPlant } from "../trails";
 
-/** Of the drawing, millimetres; and what is left free about it. */
+/** Longest side of the drawing and its margin, millimetres. */
 const LONGEST = 250;
 const MARGIN = 2;
-/** No line is finer than half of a hair, nor any step along it: millimetres. */
+/** Least radius of a branch and least distance between two points along a branch, millimetres. */
 const FINEST = 0.03;
 const STEP = 0.12;
-/** Shades of grey, from what is farthest away to what is nearest. */
+/** Shades of grey by depth, and the value of the palest one. */
 const SHADES = 12;
 const FAR = 0xa0;
 
-/** A place along a branch: millimetres to the right and down, and half as wide as the branch is there. */
+/** A point along a branch: millimetres to the right and down, and the branch's radius there. */
 type PaperPoint = readonly [x: number, y: number, radius: number];
 
 /**
- * @param words what it is, for its title
- * @param link the address that brings the plant back
+ * @param words the title
+ * @param link the address that restores the plant
  */
 export function woodSvg(plant: TrailPlant, words: string, link: string): string {
 	const { ends } = plant.segments;
@@ -49,7 +49,10 @@ ${groups.filter((_, i) => shades[i].length > 0).join("\n")}
 `;
 }
 
-/** From each fork on the way that the most energy takes, to a tip: segments from the target outwards. */
+/**
+ * Branches as lists of segments from the target outwards: at each fork the segment with the most energy continues the
+ * branch.
+ */
 export function branchesOf({ segments: { count, parent }, energy }: TrailPlant): number[][] {
 	const next = new Int32Array(count).fill(-1);
 	for (let i = 0; i < count; i++) {
@@ -66,7 +69,10 @@ export function branchesOf({ segments: { count, parent }, energy }: TrailPlant):
 	return branches;
 }
 
-/** The places of a branch on the paper, from the surface of what bears it; those that nobody could tell from the last are left out. */
+/**
+ * Points of a branch on the paper, from the surface of its parent. Points closer than `STEP` to the last one are left
+ * out.
+ */
 function placesOf(
 	branch: readonly number[],
 	{ segments: { ends, radii, parent } }: TrailPlant,
@@ -93,7 +99,7 @@ function placesOf(
 	return places;
 }
 
-/** A share of the way from one place to another. */
+/** Interpolates between two points. */
 function towards(from: PaperPoint, to: PaperPoint, share: number): PaperPoint {
 	const at = (k: 0 | 1 | 2) => from[k] + Math.min(1, share) * (to[k] - from[k]);
 	return [at(0), at(1), at(2)];
@@ -103,7 +109,7 @@ function lengthOf(segment: number, ends: Float32Array): number {
 	return Math.hypot(...[0, 1, 2].map((axis) => ends[6 * segment + 3 + axis] - ends[6 * segment + axis])) || 1;
 }
 
-/** Along one side to the tip, and back along the other. */
+/** The outline of a branch as path data: along one side to the tip and back along the other. */
 function shapeOf(places: readonly PaperPoint[]): string {
 	const sides = places.map(([x, y, radius], k) => {
 		const [from, to] = [places[Math.max(0, k - 1)], places[Math.min(places.length - 1, k + 1)]];
@@ -115,7 +121,7 @@ function shapeOf(places: readonly PaperPoint[]): string {
 	return `M${[...sides.map(([one]) => one), ...sides.map(([, other]) => other).reverse()].join("L")}Z`;
 }
 
-/** How near the eye a branch is on the whole. */
+/** Mean distance of a branch towards the viewer. */
 function depthOf(branch: readonly number[], ends: Float32Array): number {
 	return branch.reduce((sum, segment) => sum + ends[6 * segment + 2] + ends[6 * segment + 5], 0) / (2 * branch.length);
 }
@@ -129,7 +135,7 @@ function rangeOf(values: ArrayLike<number>, first: number, stride = 3): [number,
 	return least <= most ? [least, most] : [0, 0];
 }
 
-/** 1, 2, 5, 10, 20 …: the first by which so many metres come to go on the paper. */
+/** The least scale 1, 2, 5, 10, 20 … at which a length in metres fits on the paper. */
 function scaleFor(metres: number): number {
 	for (let power = 1; ; power *= 10) {
 		const found = [1, 2, 5].find((digit) => (metres * 1000) / (digit * power) <= LONGEST);
@@ -137,7 +143,7 @@ function scaleFor(metres: number): number {
 	}
 }
 
-/** Of a class of depth. */
+/** The colour of a depth class. */
 function grey(shade: number): string {
 	const value = Math.round(FAR * (1 - shade / (SHADES - 1)));
 	return `#${value.toString(16).padStart(2, "0").repeat(3)}`;

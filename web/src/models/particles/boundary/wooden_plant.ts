@@ -1,4 +1,4 @@
-/** Trees and roots: trails, and of each vertex of their tubes the segment that it goes around. */
+/** Trees and roots: trails, and for each vertex of their tubes the segment that the vertex surrounds. */
 import type { Answer } from "../../../core/core";
 import type { Wooden } from "../../../plant/wood/wooden";
 import { readTrailPlant, type TrailPlant } from "../trails";

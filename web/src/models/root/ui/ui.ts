@@ -1,4 +1,4 @@
-/** The page's side of the root: loaded with the first root, in a page alone. */
+/** The root's user interface: loaded with the first root, only in a page. */
 import { html } from "lit";
 import type { ModelUi } from "../../../ui/tool";
 import { boundaryTool } from "../../particles/boundary/boundary_tool";

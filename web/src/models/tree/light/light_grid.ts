@@ -1,18 +1,18 @@
-/** The light in a crown's cells, as the core works it out (Rodkaew et al. 2003, section 4.2, figure 8). */
+/** The light in the cells of a crown, as computed by the core (Rodkaew et al. 2003, section 4.2, figure 8). */
 import type { Answer } from "../../../core/core";
 
 export interface LightGrid {
-	/** Share of all light in each cell, 255 for all of it; x fastest, then y. */
+	/** Share of the full light in each cell, 255 for all of it; x fastest, then y. */
 	readonly cells: Uint8Array;
-	/** How many cells there are along x, y and z. */
+	/** Number of cells along x, y and z. */
 	readonly counts: readonly [x: number, y: number, z: number];
-	/** The lowest corner, metres. */
+	/** The corner with the least coordinates, metres. */
 	readonly low: readonly [x: number, y: number, z: number];
-	/** Edge of a cell, metres. */
+	/** Side length of a cell, metres. */
 	readonly edge: number;
 }
 
-/** Undefined where the request asked for none. */
+/** Reads the light; undefined where it was not requested. */
 export function readLight({ columns }: Answer): LightGrid | undefined {
 	if (!columns.has("light.cells")) return undefined;
 	const [x, y, z] = columns.uint32("light.counts");
@@ -20,16 +20,16 @@ export function readLight({ columns }: Answer): LightGrid | undefined {
 	return { cells: columns.uint8("light.cells"), counts: [x, y, z], low: [lowX, lowY, lowZ], edge };
 }
 
-/** The points that show a grid: the middles of its cells, metres, and of each its red, green, blue and opacity, 0 … 1. */
+/** Points that display a grid: centres of the cells, metres, and red, green, blue and opacity of each, 0 … 1. */
 export interface LightPoints {
 	readonly positions: Float32Array;
 	readonly colours: Float32Array;
 }
 
-/** What a cell without light looks like, and one with all of it. */
+/** Colours of a cell without light and of a fully lit cell. */
 const DARK = [0.1, 0.16, 0.36];
 const BRIGHT = [1, 0.86, 0.35];
-/** How opaque each of them is: what is bright is seen through, so that the shadow within is. */
+/** Opacities of the two: bright cells are transparent, so that the shade inside is visible. */
 const DARK_OPACITY = 0.16;
 const BRIGHT_OPACITY = 0.015;
 

@@ -1,4 +1,4 @@
-/** The light of a crown's cells in the 3-D view: a point for each. */
+/** Shows the light in a crown's cells in the 3-D view, with a point for each cell. */
 import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from "three";
 import type { EditorContext, EditorState } from "../../../ui/editor_context";
 import type { ToolInteraction, ToolView } from "../../../ui/tool";
@@ -7,9 +7,9 @@ import type { TreePlant } from "../tree_plant";
 import { type LightGrid, lightPoints } from "./light_grid";
 import type { LightTool } from "./light_tool";
 
-/** Width of a point, of a cell's edge. */
+/** Width of a point relative to a cell. */
 const WIDTH = 1;
-/** Drawn after the plant. */
+/** Render order: after the plant. */
 const ORDER = 10;
 
 export class LightHands implements ToolInteraction<TreeSpecimen, TreePlant> {
@@ -36,7 +36,7 @@ export class LightHands implements ToolInteraction<TreeSpecimen, TreePlant> {
 		view.addOverlay(this.#points);
 	}
 
-	/** While a control is dragged no light is worked out: the last one stays. */
+	/** Shows or hides the points. Previews have no light: the last grid stays. */
 	update({ grown }: EditorState<TreeSpecimen, TreePlant>): void {
 		const visible = this.#context.toolState(this.#tool);
 		const grid = grown?.light ?? this.#shown;
@@ -58,7 +58,8 @@ export class LightHands implements ToolInteraction<TreeSpecimen, TreePlant> {
 		this.#points.geometry = new BufferGeometry()
 			.setAttribute("position", new BufferAttribute(positions, 3))
 			.setAttribute("color", new BufferAttribute(colours, 4));
-		// Sizes of points leave out the angle of view: cot(angle / 2), an element of the camera's projection, puts it in.
+		// Point sizes ignore the field of view: cot(fov / 2), an element of the camera's projection matrix, corrects
+		// this.
 		this.#material.size = WIDTH * grid.edge * this.#view.camera.projectionMatrix.elements[5];
 		this.#shown = grid;
 	}

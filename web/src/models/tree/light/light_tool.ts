@@ -1,4 +1,4 @@
-/** The light in a tree's crown, cell by cell, on and off (Rodkaew et al. 2003, figure 8). */
+/** A switch that shows the light in a tree's crown, cell by cell (Rodkaew et al. 2003, figure 8). */
 import { svg } from "lit";
 import { LazyInteraction } from "../../../ui/handles/lazy_interaction";
 import type { Tool } from "../../../ui/tool";

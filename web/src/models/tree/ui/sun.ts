@@ -8,7 +8,7 @@ import type { WoodenPlant } from "../../particles/boundary/wooden_plant";
 import type { TreeSpecimen } from "../specimen";
 import "../../particles/boundary/editor/sun_view";
 
-/** The sky with the sun that one drags. */
+/** The editor of the sun's direction. */
 export const sun: Tool<TreeSpecimen, WoodenPlant> = {
 	name: "sun",
 	initial: undefined,

@@ -1,4 +1,4 @@
-/** The page's side of the tree: loaded with the first tree, in a page alone. */
+/** The tree's user interface: loaded with the first tree, only in a page. */
 import { html } from "lit";
 import type { ModelUi } from "../../../ui/tool";
 import { boundaryTool } from "../../particles/boundary/boundary_tool";

@@ -1,4 +1,4 @@
-/** Lists of numbers in metres: the places that particles make for, the boxes in which nothing grows. */
+/** Fields with lists of coordinates in metres: targets of particles and obstacles. */
 
 import type { Field } from "../../../../specimen/model_schema";
 import { type Notes, quote } from "../../../../specimen/notes";
@@ -6,23 +6,23 @@ import { readList, readNumbers } from "../../../../specimen/read_values";
 import { onStep } from "../../../../specimen/table";
 import type { Bounded, BoundedSpecimen } from "../bounded";
 
-/** Metres from the middle of the ground, each way. */
+/** Largest absolute coordinate, metres. */
 export const FARTHEST = 100;
 
-/** More would make a link too long to be passed on. */
+/** Most targets: more would make links too long to share. */
 export const MOST_TARGETS = 60;
-/** As many as the core takes, boxes and round ones together (wasm-core/src/models/particles/obstacles.hpp). */
+/** Most boxes and ellipsoids together, as in the core (wasm-core/src/models/particles/obstacles.hpp). */
 export const MOST_OBSTACLES = 16;
 
 type ListKey = "targets" | "obstacles" | "rounds";
 
 interface Kind {
-	/** Numbers of one of them. */
+	/** Numbers of one item. */
 	readonly width: number;
 	readonly most: number;
-	/** One, in words. */
+	/** Items as a message names them. */
 	readonly one: string;
-	/** Puts the numbers of one into one form. */
+	/** Normalizes the numbers of one item. */
 	readonly ordered: (row: readonly number[]) => readonly number[];
 }
 
@@ -42,7 +42,7 @@ const KINDS: Readonly<Record<ListKey, Kind>> = {
 	rounds: BOXES,
 };
 
-/** Rows as a link can hold them: no more than it takes, within reach, on its steps. */
+/** Rows that a link can hold: at most as many as allowed, clamped to the range and rounded to steps. */
 export function fitted(field: ListKey, rows: readonly (readonly number[])[]): number[] {
 	const { most, ordered } = KINDS[field];
 	const near = (value: number) => onStep(Math.min(Math.max(value, -FARTHEST), FARTHEST));
@@ -64,7 +64,7 @@ export function roundsOf<S extends BoundedSpecimen>(): Field<S> {
 	return { ...list<S>("rounds", "rounds=X,Y,Z,X,Y,Z,…"), agree: withObstacles };
 }
 
-/** Boxes come first where there are too many together. */
+/** Drops the last ellipsoids where boxes and ellipsoids together are too many. */
 function withObstacles(specimen: Bounded, notes: Notes): void {
 	const { obstacles = [], rounds = [] } = specimen;
 	const room = BOXES.width * MOST_OBSTACLES - obstacles.length;
@@ -91,7 +91,7 @@ function list<S extends BoundedSpecimen>(field: ListKey, setting: string): Field
 	};
 }
 
-/** None where there are none; undefined where they cannot be read. */
+/** @returns an empty list where the value is empty; undefined where it cannot be read */
 function readRows(field: ListKey, key: string, value: unknown, notes: Notes): number[] | undefined {
 	const { width, most, one } = KINDS[field];
 	if (value === "" || (Array.isArray(value) && value.length === 0)) return [];

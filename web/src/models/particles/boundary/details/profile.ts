@@ -1,4 +1,4 @@
-/** The profile that a boundary of the shape `spline` is turned from. */
+/** The field `profile`: the curve that is revolved for a boundary of the shape `spline`. */
 
 import type { Field } from "../../../../specimen/model_schema";
 import { type Notes, quote } from "../../../../specimen/notes";
@@ -8,15 +8,15 @@ import type { BoundedSpecimen, Knot } from "../bounded";
 
 export const FEWEST_KNOTS = 3;
 export const MOST_KNOTS = 24;
-/** Of half the width: dragged further out, a point makes the boundary wider than its number says. */
+/** Largest radius, in half widths: a point may be dragged beyond the width. */
 const WIDEST = 3;
 
-/** A knot where a link can hold it, within its bounds. */
+/** A knot clamped to its bounds and rounded to the steps of links. */
 export function knotAt(radius: number, height: number): Knot {
 	return [onStep(Math.min(Math.max(radius, 0), WIDEST)), onStep(Math.min(Math.max(height, 0), 1))];
 }
 
-/** Links say `profile=radius,height,…` in shares; files a list of pairs. */
+/** The field `profile`. In links `profile=radius,height,…` in shares; in files a list of pairs. */
 export function profileOf<S extends BoundedSpecimen>(): Field<S> {
 	return {
 		keys: ["profile"],

@@ -1,4 +1,4 @@
-/** Closed meshes of one's own as the outer and the inner boundary. Files carry them; they are too long for a link. */
+/** Fields with closed meshes for the outer and the inner boundary. Files carry the meshes; links are too short. */
 import { readClosedMesh, sameMesh } from "../../../../specimen/closed_mesh";
 import type { Field } from "../../../../specimen/model_schema";
 import type { Table } from "../../../../specimen/table";
@@ -8,7 +8,10 @@ const keep = (instead: string) =>
 	`It is too short for the mesh, in whose place it brings ${instead}: download JSON or GLB to keep the mesh, and drop the file to bring it back.`;
 const MISSING = "links are too short for one, so an ellipsoid stands in its place until a file with it is dropped";
 
-/** @param table where the shape is chosen */
+/**
+ * The mesh of the outer boundary.
+ * @param table has the parameter `shape`
+ */
 export function volumeOf<S extends BoundedSpecimen>(table: Table): Field<S> {
 	const shows = (specimen: S) => table.option(specimen, "shape") === "mesh";
 	return {

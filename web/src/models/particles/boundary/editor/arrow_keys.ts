@@ -1,4 +1,4 @@
-/** What the grips of every flat view of a boundary share: their arrow keys, and what they can change. */
+/** Arrow keys and editable fields, common to the grips of all flat views of a boundary. */
 
 import { onStep } from "../../../../specimen/table";
 import type { Change } from "../../../../ui/editor_context";
@@ -6,14 +6,14 @@ import type { BoundedSpecimen } from "../bounded";
 import { type BoundaryLayout, sizeOf } from "./boundary_layout";
 import type { Grip } from "./grip";
 
-/** What an arrow key moves, as a share of the boundary's size; with Shift ten times that. */
+/** Step of an arrow key, as a share of the boundary's size; Shift multiplies it by ten. */
 const NUDGE = 0.01;
-/** The least of it, metres. */
+/** Least step, metres. */
 const LEAST_STEP = 0.01;
 
 export type GripWithoutKeys = Omit<Grip, "nudge">;
 
-/** The same with arrow keys. */
+/** Adds arrow keys to grips. */
 export function withArrowKeys<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,
@@ -27,7 +27,7 @@ export function withArrowKeys<S extends BoundedSpecimen>(
 	}));
 }
 
-/** All that grips can change of a specimen, as it is. */
+/** The present values of all fields that grips can change. */
 export function editableState({ parameters, profile, obstacles, rounds, targets }: BoundedSpecimen): Change {
 	return { parameters, details: { profile, obstacles, rounds, targets } };
 }

@@ -1,4 +1,7 @@
-/** How a model's numbers lay out its boundary, seen from in front. Metres; the ground is at height 0. */
+/**
+ * Maps a model's parameters to the geometry of its boundary, seen from the front, and back. Metres; the ground is at
+ * height 0.
+ */
 
 import { allBut } from "../../../../specimen/all_but";
 import type { EditorContext } from "../../../../ui/editor_context";
@@ -8,15 +11,15 @@ import { FROM_ABOVE, FROM_FRONT } from "./facing";
 import { contourOf } from "./mesh_outline";
 import { type Form, outlineOf } from "./outline";
 
-/** Corners of what is round, from above. */
+/** Corners of a circle seen from above. */
 const ROUND = 64;
 
-/** The least height and width that a drag leaves, metres. */
+/** Least height and width after a drag, metres. */
 export const LEAST = 0.02;
 
 type Parameters = Readonly<Partial<Record<string, number>>>;
 
-/** The box that a boundary fills. */
+/** Bounding box of a boundary, metres. */
 export interface Box {
 	readonly halfWidth: number;
 	readonly low: number;
@@ -25,30 +28,30 @@ export interface Box {
 
 export interface BoundaryLayout<S extends BoundedSpecimen = BoundedSpecimen> {
 	form(specimen: S): Form;
-	/** The profile of a spline that the specimen does not say. */
+	/** The profile of the shape `spline` where the specimen has none. */
 	readonly profile: readonly Knot[];
 	box(specimen: S): Box;
-	/** Where the axes of its boundaries stand, from left to right. */
+	/** x coordinates of the boundaries' axes, from left to right. */
 	axes(specimen: S): readonly number[];
-	/** How far the boundary reaches to the front and to the back of its axis. */
+	/** Distance from the axis to the front and to the back of the boundary. */
 	halfDepth(specimen: S): number;
-	/** Where particles make for unless the specimen says: x, y, z of each. */
+	/** Default targets: x, y, z of each. */
 	targets(specimen: S): readonly number[];
-	/** What is needed of the parameters for that depth to be another. */
+	/** Parameters that give the boundary another depth. */
 	deepen(specimen: S, halfDepth: number): Parameters;
-	/** What is needed of the parameters for the box to be another. */
+	/** Parameters that give the boundary another box. */
 	fit(specimen: S, box: Box): Parameters;
-	/** What is needed for the last axis to stand elsewhere; undefined where there is one. */
+	/** Parameters that move the last axis; undefined where there is only one axis. */
 	move?(specimen: S, axis: number): Parameters | undefined;
-	/** What a target is, in words: where it stands. */
+	/** Label of a target: "Trunk", "Collar". */
 	readonly target: string;
-	/** What the box's upper and lower end are called. */
+	/** Labels of the box's upper and lower end. */
 	readonly ends: { readonly high: string; readonly low: string };
-	/** The height about which the inner boundary is the outer one made smaller. */
+	/** The fixed height of the inner boundary's scaling. */
 	bareAbout(box: Box): number;
 }
 
-/** All that lays out a boundary: how far particles have run to fill it does not, nor how old it is. */
+/** Inputs that a boundary's geometry depends on: all of the specimen except its age. */
 export function layoutInputs<S extends BoundedSpecimen>({
 	state,
 	preset,
@@ -56,23 +59,23 @@ export function layoutInputs<S extends BoundedSpecimen>({
 	return [preset, ...allBut(state.specimen, ["age"])];
 }
 
-/** How large a box is, metres. */
+/** The larger of the half width and the height of a box, metres. */
 export function sizeOf({ halfWidth, low, high }: Box): number {
 	return Math.max(halfWidth, high - low);
 }
 
-/** The axis that grips stand at: the last one, where there are several. */
+/** The x coordinate of the axis that has the grips: the last axis. */
 export function axisOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): number {
 	return layout.axes(specimen).at(-1) ?? 0;
 }
 
-/** Of width that reaches out to one side, and of depth that was the same: round stays round. */
+/** Parameters of a width; where the depth was equal to the width, the depth too. */
 export function roundly({ parameters }: BoundedSpecimen, halfWidth: number): Parameters {
 	const width = 2 * halfWidth;
 	return parameters.depth === parameters.width ? { width, depth: width } : { width };
 }
 
-/** So many places evenly across a width, about the middle. */
+/** Evenly spaced positions across a width, centred on 0. */
 export function evenlySpaced(count: number, width: number): number[] {
 	return Array.from({ length: count }, (_, i) => width * ((i + 0.5) / count - 0.5));
 }
@@ -82,7 +85,7 @@ export function outlineIn<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, 
 	return outlineOf(layout.form(specimen), specimen.profile ?? layout.profile, specimen.volume);
 }
 
-/** The boundary from in front as closed loops in shares of its box: across −1 … 1, from below 0 … 1. */
+/** The boundary from the front as closed loops in shares of its box: x in −1 … 1, y in 0 … 1 from below. */
 export function loopsIn<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,
@@ -92,7 +95,7 @@ export function loopsIn<S extends BoundedSpecimen>(
 	return [[...right, ...right.map(({ x, y }) => ({ x: -x, y })).reverse()]];
 }
 
-/** The boundary from above: across and to the back −1 … 1. */
+/** The boundary from above as closed loops: x and y (to the back) in −1 … 1. */
 export function footprintIn<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,

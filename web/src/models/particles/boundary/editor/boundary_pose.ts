@@ -1,4 +1,4 @@
-/** The grips of a boundary from in front. */
+/** The grips of a boundary seen from the front. */
 
 import { lengthInWords } from "../../../../plant/in_words";
 import type { Point } from "../../../../ui/handles/point";
@@ -13,7 +13,7 @@ import { sizeGrips } from "./size_grips";
 import { targetGrips } from "./target_grips";
 import { wallGrips } from "./walls";
 
-/** Nearer to the ground than this share of its size, a dragged target stands on it. */
+/** Share of the boundary's size below which a dragged target snaps to the ground. */
 const GROUND = 0.05;
 
 export function boundaryPose<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, preset: S): Pose {
@@ -25,7 +25,7 @@ export function boundaryPose<S extends BoundedSpecimen>(layout: BoundaryLayout<S
 		...wallGrips(specimen, FROM_FRONT),
 	];
 	const feet = withArrowKeys(layout, specimen, targetGrips(layout, specimen, preset, FROM_FRONT));
-	// A hand that drags a target along the ground does not lift it off by a little; arrow keys do.
+	// Dragging along the ground does not lift a target slightly; arrow keys do.
 	const near = GROUND * sizeOf(layout.box(specimen));
 	const grounded = ({ x, y }: Point): Point => ({ x, y: Math.abs(y) < near ? 0 : y });
 	return {
@@ -37,13 +37,13 @@ export function boundaryPose<S extends BoundedSpecimen>(layout: BoundaryLayout<S
 	};
 }
 
-/** At the left of the inner boundary, half way up the outer one. */
+/** The grip at the left of the inner boundary, at half the height of the outer one. */
 function innerGrip<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, preset: S): GripWithoutKeys {
 	const box = layout.box(specimen);
 	const axis = axisOf(layout, specimen);
 	const { inner } = specimen.parameters;
 	const about = layout.bareAbout(box);
-	/** How far out the boundary is half way up, metres. */
+	/** Half width of the boundary at half its height, metres. */
 	const waist = box.halfWidth * Math.max(LEAST, radiusAt(outlineIn(layout, specimen), 0.5));
 	return {
 		id: "inner",

@@ -1,4 +1,4 @@
-/** `<panicle-boundary>`: outer and inner boundary from in front, with their grips, over the branches that grew in them. */
+/** `<panicle-boundary>`: the outer and the inner boundary from the front, with grips, over the plant's branches. */
 import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../ui/handles/point";
 import type { TrailPlant } from "../../trails";
@@ -8,14 +8,14 @@ import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./flat_d
 import { type Extent, type Frame, frameAbout, toScreen } from "./frame";
 import { GripView } from "./grip_view";
 
-/** What is drawn of a specimen's boundary: loops in shares of the box, across −1 … 1, from below 0 … 1. */
+/** The drawing of a boundary: loops in shares of the box, x in −1 … 1, y in 0 … 1 from below. */
 export interface BoundaryScene extends FlatScene {
 	readonly box: Box;
-	/** Of the inner boundary, over the outer. */
+	/** Size of the inner boundary relative to the outer one. */
 	readonly inner: number;
-	/** Of the inner boundary where it is of another form than the outer: loops as `loops` has them. */
+	/** Loops of the inner boundary, in the coordinates of `loops`, where its shape differs. */
 	readonly innerLoops?: readonly (readonly Point[])[];
-	/** The height about which that is smaller. */
+	/** The fixed height of the inner boundary's scaling, metres. */
 	readonly bareAbout: number;
 }
 
@@ -72,7 +72,7 @@ function extentOf(scene: BoundaryScene | undefined): Extent {
 	return { halfWidth: (1 + ROOM) * Math.max(...sides), low: low - room, high: high + room };
 }
 
-/** The box about an axis, `size` as large about a height. */
+/** Maps shares of the box to metres: about an axis, scaled by `size` about a height. */
 function placedIn({ halfWidth, low, high }: Box, axis: number, size: number, about: number): (share: Point) => Point {
 	return ({ x, y }) => ({ x: axis + size * x * halfWidth, y: about + size * (low + y * (high - low) - about) });
 }

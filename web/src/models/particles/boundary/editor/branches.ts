@@ -1,14 +1,14 @@
-/** Branches as a line drawing behind a flat view: the heaviest of them. */
+/** Draws the thickest branches as lines behind a flat view. */
 import type { TrailPlant } from "../../trails";
 import { type Facing, FROM_FRONT } from "./facing";
 import type { Frame } from "./frame";
 
-/** As many lines as a canvas takes within a frame; the rest are twigs that would only grey the drawing. */
+/** Most lines that a canvas draws within a frame; the rest are twigs that would only blur the drawing. */
 const MOST = 2500;
-/** Classes of energy, each a factor of 2^½ above the last. */
+/** Number of energy classes; each starts at √2 times the energy of the one before. */
 const CLASSES = 64;
 
-/** What a drawing is made from; equal ones need no new drawing. */
+/** Inputs of a drawing; equal inputs need no new drawing. */
 interface Drawn {
 	readonly plant: TrailPlant | undefined;
 	readonly frame: Frame;
@@ -24,14 +24,14 @@ export class BranchDrawing {
 		this.#facing = facing;
 	}
 
-	/** Draws in the canvas's own colour and at the screen's density, where anything that it is drawn from has changed. */
+	/** Draws in the canvas's colour at the screen's pixel ratio, where an input has changed. */
 	show(canvas: HTMLCanvasElement, plant: TrailPlant | undefined, frame: Frame): void {
 		const now = { plant, frame, ratio: devicePixelRatio, ink: getComputedStyle(canvas).color };
 		if (this.#drawn && same(this.#drawn, now)) return;
 		this.#drawn = now;
 		const [width, height] = [frame.width, frame.height].map((pixels) => Math.round(pixels * now.ratio));
 		const pen = canvas.getContext("2d");
-		// To size a canvas wipes it, but takes longer.
+		// Setting the size also clears the canvas, but takes longer.
 		if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
 		pen?.setTransform(1, 0, 0, 1, 0, 0);
 		pen?.clearRect(0, 0, width, height);
@@ -52,7 +52,7 @@ type Pen = Pick<
 	"setTransform" | "beginPath" | "moveTo" | "lineTo" | "stroke" | "lineWidth" | "lineCap" | "strokeStyle"
 >;
 
-/** The least line, CSS pixels: thinner ones are drawn so thick. */
+/** Least line width, CSS pixels. */
 const HAIR = 0.6;
 
 export function inkBranches(
@@ -67,7 +67,7 @@ export function inkBranches(
 	pen.setTransform(zoom, 0, 0, -sign * zoom, ratio * origin.x, ratio * origin.y);
 	pen.strokeStyle = ink;
 	pen.lineCap = "round";
-	// One path a width: as wide as they are, in steps of half as much again.
+	// One path per line width, in steps of a factor of 1.5.
 	const byWidth = new Map<number, number[]>();
 	for (const segment of heaviest(plant.energy, MOST)) {
 		const pixels = Math.max(HAIR, 2 * radii[2 * segment] * scale);
@@ -88,14 +88,14 @@ export function inkBranches(
 	}
 }
 
-/** About so many segments at most, those that the most energy passes; by counting, for there may be a hundred thousand. */
+/** About `most` segments with the most energy. It counts classes, because there may be 100,000 segments. */
 export function heaviest(energy: Float32Array, most: number): number[] {
 	const classOf = (value: number) => Math.min(CLASSES - 1, Math.max(0, Math.floor(2 * Math.log2(Math.max(1, value)))));
 	const counts = new Uint32Array(CLASSES);
 	for (const value of energy) counts[classOf(value)]++;
 	let [least, sum] = [CLASSES, 0];
 	while (least > 0 && sum + counts[least - 1] <= most) sum += counts[--least];
-	// Of the class that is too many, every so many-th.
+	// Takes evenly spaced segments of the class that exceeds the limit.
 	const every = least > 0 ? Math.ceil(counts[least - 1] / Math.max(1, most - sum)) : 1;
 	const chosen: number[] = [];
 	let seen = 0;

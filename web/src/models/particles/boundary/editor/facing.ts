@@ -1,24 +1,24 @@
-/** From where a flat view looks, and what is up in it. */
+/** Directions of the flat views. */
 
 import { lengthInWords } from "../../../../plant/in_words";
 import type { Point } from "../../../../ui/handles/point";
 
 export interface Facing {
-	/** The coordinate that is up, and whether it grows that way. */
+	/** The axis that points up in the view, and whether it points in the positive direction. */
 	readonly up: 1 | 2;
 	readonly sign: 1 | -1;
 }
 
 export const FROM_FRONT: Facing = { up: 1, sign: 1 };
-/** What is in front is below. */
+/** From above, with the front at the bottom. */
 export const FROM_ABOVE: Facing = { up: 2, sign: -1 };
 
-/** Where a place (x, y, z) is seen. */
+/** Projects a point (x, y, z) to the view. */
 export function seen(place: readonly number[], { up, sign }: Facing): Point {
 	return { x: place[0], y: sign * place[up] + 0 };
 }
 
-/** A place moved to where it is seen; what the view does not show stays. */
+/** Moves a point to a position in the view; the hidden coordinate stays. */
 export function moved(place: readonly number[], to: Point, { up, sign }: Facing): number[] {
 	return place.map((value, k) => (k === 0 ? to.x : k === up ? sign * to.y : value));
 }

@@ -1,30 +1,30 @@
-/** What flat views draw under their grips: in CSS pixels, of places in metres. */
+/** SVG drawings under the grips of flat views: from metres to CSS pixels. */
 import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../ui/handles/point";
 import { drawScaleBar } from "../../../../ui/handles/scale_bar";
 import { type Frame, scaleBar, toScreen } from "./frame";
 
-/** Closed lines, in shares of a box. */
+/** Closed polygons, in shares of a box. */
 export type Loops = readonly (readonly Point[])[];
 
-/** What every flat view draws of a specimen, in metres. */
+/** The part of a specimen that all flat views draw, metres. */
 export interface FlatScene {
-	/** Where along x boundaries stand. */
+	/** x coordinates of the boundaries' axes. */
 	readonly axes: readonly number[];
-	/** One boundary's outline, closed: in shares of its box, as the view has it. */
+	/** The closed outline of one boundary, in shares of its box, as the view projects it. */
 	readonly loops: Loops;
-	/** Numbers, six a wall. */
+	/** Corners of the box obstacles: six numbers each. */
 	readonly walls: readonly (readonly number[])[];
-	/** As walls, the boxes that they fill. */
+	/** Bounding boxes of the ellipsoids, as in `walls`. */
 	readonly rounds: readonly (readonly number[])[];
-	/** x, y, z of each. */
+	/** x, y, z of each target. */
 	readonly targets: readonly (readonly number[])[];
 }
 
-/** Room that branches and grips take beyond what is drawn, as a share. */
+/** Margin for branches and grips beyond the drawing, as a share of its size. */
 export const ROOM = 0.06;
 
-/** The data of a path; `place` takes shares of the box to metres. */
+/** Path data of loops; `place` maps shares of the box to metres. */
 export function loopPath(frame: Frame, loops: Loops, place: (share: Point) => Point): string {
 	const pairs = (loop: readonly Point[]) =>
 		loop.map((share) => {
@@ -34,13 +34,13 @@ export function loopPath(frame: Frame, loops: Loops, place: (share: Point) => Po
 	return loops.map((loop) => `M${pairs(loop).join("L")}Z`).join("");
 }
 
-/** An obstacle between two corners, the lower left one first. */
+/** A box obstacle between its lower left and its upper right corner. */
 export function rectangle(frame: Frame, low: Point, high: Point): TemplateResult {
 	const [from, to] = [toScreen(frame, { x: low.x, y: high.y }), toScreen(frame, { x: high.x, y: low.y })];
 	return svg`<rect class="obstacle" x=${from.x} y=${from.y} width=${to.x - from.x} height=${to.y - from.y}></rect>`;
 }
 
-/** Another crown between two corners of its box. */
+/** An ellipsoid between two corners of its bounding box. */
 export function oval(frame: Frame, low: Point, high: Point): TemplateResult {
 	const [from, to] = [toScreen(frame, { x: low.x, y: high.y }), toScreen(frame, { x: high.x, y: low.y })];
 	const [rx, ry] = [(to.x - from.x) / 2, (to.y - from.y) / 2];

@@ -1,14 +1,14 @@
-/** How a flat view's units, y up, lie in its element, and how long a scale bar suits it. */
+/** The mapping from a flat view's units, y up, to its element, and its scale bar. */
 import type { Point } from "../../../../ui/handles/point";
 import { roundLength } from "../../../../ui/handles/scale_bar";
 
 export interface Frame {
-	/** Of the element, CSS pixels. */
+	/** Size of the element, CSS pixels. */
 	readonly width: number;
 	readonly height: number;
-	/** CSS pixels to a unit. */
+	/** CSS pixels per unit. */
 	readonly scale: number;
-	/** Where the origin lies, CSS pixels from the upper left corner. */
+	/** Position of the origin, CSS pixels from the upper left corner. */
 	readonly origin: Point;
 }
 
@@ -20,19 +20,19 @@ export function fromScreen({ origin, scale }: Frame, { x, y }: Point): Point {
 	return { x: (x - origin.x) / scale, y: (origin.y - y) / scale };
 }
 
-/** What a view is to show, in its units. */
+/** The region that a view shows, in its units. */
 export interface Extent {
 	readonly halfWidth: number;
 	readonly low: number;
 	readonly high: number;
 }
 
-/** Sizes go in steps of a fifth, so that a view does not swell and shrink with every touch of a slider. */
+/** Ratio of two neighbouring scales: with continuous scales, each move of a slider would resize the view. */
 const STEP = 1.2;
-/** Left free around what is shown, CSS pixels: about a grip's reach. */
+/** Margin around the region, CSS pixels: about a grip's radius. */
 const MARGIN = 18;
 
-/** The frame that shows an extent in the middle of an element. */
+/** The frame that shows a region in the middle of an element. */
 export function frameAbout({ halfWidth, low, high }: Extent, width: number, height: number): Frame {
 	const wide = Math.max(1, width - 2 * MARGIN) / (2 * halfWidth);
 	const tall = Math.max(1, height - 2 * MARGIN) / (high - low);
@@ -40,7 +40,7 @@ export function frameAbout({ halfWidth, low, high }: Extent, width: number, heig
 	return { width, height, scale, origin: { x: width / 2, y: height / 2 + (scale * (low + high)) / 2 } };
 }
 
-/** The longest round length that takes at most a quarter of the view, in metres. */
+/** The longest round length that takes at most a quarter of the view, metres. */
 export function scaleBar({ width, scale }: Pick<Frame, "width" | "scale">): { length: number; label: string } {
 	const length = roundLength(width / 4 / scale);
 	return { length, label: length >= 0.995 ? `${Math.round(length)} m` : `${Math.round(100 * length)} cm` };

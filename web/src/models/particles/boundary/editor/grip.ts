@@ -1,42 +1,47 @@
-/** What a flat view is given to be drawn and dragged, and what it tells. */
+/** Grips that a flat view draws and drags, and the events that it dispatches. */
 import type { Change } from "../../../../ui/editor_context";
 import { ARROWS, type Point } from "../../../../ui/handles/point";
 
-/** Something to take hold of, and what hands do to it: changes of the specimen that the pose was made of. */
+/** A draggable point, and the changes of the specimen that dragging and keys cause. */
 export interface Grip {
 	readonly id: string;
-	/** In the view's units. */
+	/** Position in the view's units. */
 	readonly at: Point;
-	/** What it is: "Point 3". */
+	/** Name of the element that the grip moves: "Point 3". */
 	readonly label: string;
-	/** What of that, where there are several grips to one: "size". */
+	/** Part of the element, where several grips belong to one: "size". */
 	readonly part?: string;
-	/** Where it stands, in words: "2.1 m out, 3 m up". */
+	/** Position as text: "2.1 m out, 3 m up". */
 	readonly value: string;
-	/** Taken to a place by a pointer. */
+	/** The change after a drag to a position. */
 	pull(to: Point): Change;
-	/** One press of an arrow key. */
+	/** The change after one press of an arrow key. */
 	nudge(right: number, up: number, large: boolean): Change;
-	/** What a double click does: the preset's own numbers are back. */
+	/** The change after a double click: the preset's values. */
 	reset?(): Change | undefined;
-	/** What Delete and Insert do; absent where they do nothing. */
+	/** The changes after Delete and Insert; absent where the keys do nothing. */
 	remove?(): Change;
 	add?(): Change;
 }
 
 export interface Pose {
 	readonly grips: readonly Grip[];
-	/** All that grips can change, as it is. */
+	/** The present values of all fields that grips can change. */
 	readonly change: Change;
 }
 
-/** `grip-input`: live, once a frame at most. `grip-change`: a drag ended, a key stepped, or Escape called it off. */
+/**
+ * `grip-input`: during a drag, at most once a frame. `grip-change`: a drag ended or was cancelled, or a key changed a
+ * value.
+ */
 export type GripEvent = CustomEvent<Change>;
 
 export const gripIn = (pose: Pose | undefined, id: string): Grip | undefined =>
 	pose?.grips.find((grip) => grip.id === id);
 
-/** What a key on a grip does, and what is said of it besides where the grip stands then. */
+/**
+ * The change that a key causes on a grip, with a message for screen readers where the new position does not suffice.
+ */
 export function pressed(
 	grip: Grip,
 	{ key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">,
@@ -54,7 +59,7 @@ declare global {
 	interface HTMLElementEventMap {
 		"grip-input": GripEvent;
 		"grip-change": GripEvent;
-		/** The grip that is meant from now on. */
+		/** The id of the grip that has the focus from now on. */
 		"grip-focus": CustomEvent<string>;
 	}
 }

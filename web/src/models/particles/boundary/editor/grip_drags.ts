@@ -1,4 +1,4 @@
-/** Drags of grips, one at a time: places are in the view's units, what they change are parts of a specimen. */
+/** Drag sessions of grips, one at a time: positions are in the view's units, changes are partial specimens. */
 import type { Change } from "../../../../ui/editor_context";
 import { type DragHost, DragSession } from "../../../../ui/handles/drag_session";
 import { gripIn, type Pose } from "./grip";
@@ -8,7 +8,7 @@ export interface GripHost extends Pick<DragHost<string, Change, undefined>, "inp
 }
 
 export function gripDrags({ pose, input, change, schedule }: GripHost): DragSession<string, Change> {
-	/** What the grip in hand was last told to make of the specimen: always the same numbers of it. */
+	/** The last change of the dragged grip; each change sets the same fields. */
 	let lastChange: Change = {};
 	return new DragSession<string, Change>({
 		get: () => pose()?.change ?? {},
@@ -16,7 +16,7 @@ export function gripDrags({ pose, input, change, schedule }: GripHost): DragSess
 		pull: (state, id, to) => gripIn(pose(), id)?.pull(to) ?? state,
 		same: (one, other) => one === other,
 		restored: (_, before) => only(before, lastChange),
-		// What one grip makes of the pose, another's drag does not know of.
+		// Grips change different fields, so drags cannot be combined.
 		alone: true,
 		input: (next) => {
 			lastChange = next;
@@ -27,7 +27,7 @@ export function gripDrags({ pose, input, change, schedule }: GripHost): DragSess
 	});
 }
 
-/** Of a change only what another one says something of, too. */
+/** The entries of a change whose keys another change has too. */
 function only({ parameters, details }: Change, like: Change): Change {
 	return { parameters: picked(parameters, like.parameters), details: picked(details, like.details) };
 }

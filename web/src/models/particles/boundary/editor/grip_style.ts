@@ -1,6 +1,6 @@
 import { css } from "lit";
 
-/** What these views add to handle_style.ts. */
+/** Styles of the flat views in addition to handle_style.ts. */
 export const gripStyle = css`
 	canvas {
 		opacity: 0.5;

@@ -1,6 +1,6 @@
 /**
- * A flat view with grips, of what a pose says: what boundary and sun are drawn and dragged on. Subclasses say what lies
- * behind the grips.
+ * A flat view with grips: base class of the views in which boundary and sun are edited. Subclasses draw the
+ * background.
  */
 import { html, type PropertyValues, type TemplateResult } from "lit";
 import type { Change } from "../../../../ui/editor_context";
@@ -24,15 +24,15 @@ export abstract class GripView extends HandleView<string> {
 		change: () => this.emit("grip-change"),
 	});
 
-	/** How the view's units lie in an element of its size. */
+	/** The frame that maps the view's units to an element of its size. */
 	protected abstract fit(): Frame;
-	/** What is drawn under the grips, in CSS pixels. */
+	/** The drawing under the grips, CSS pixels. */
 	protected abstract drawing(frame: Frame): TemplateResult;
 
-	/** What is in hand must not move by itself. */
+	/** Keeps the frame while a grip is dragged, so that it stays under the pointer. */
 	protected override willUpdate(changed: PropertyValues): void {
 		const before = changed.get("pose") as Pose | undefined;
-		// Others have taken away what is held.
+		// Another action has removed the dragged grip.
 		if (before?.grips.some(({ id }) => this.drags.holds(id) && !gripIn(this.pose, id))) this.drop();
 		if (!this.drags.active) this.frame = this.fit();
 	}
@@ -87,12 +87,12 @@ export abstract class GripView extends HandleView<string> {
 		if (!step) return false;
 		this.#step(step.change);
 		const nearest = grips.slice(0, place + 1).reverse();
-		// The new pose comes with the page's next drawing.
+		// The next update of the page sets the new pose.
 		requestAnimationFrame(() => void this.updateComplete.then(() => this.#withArrowKeys(nearest, step.message)));
 		return true;
 	}
 
-	/** The focus stays where it is, or goes to the nearest before what is there no more. */
+	/** Focuses the grip or, where it is gone, the nearest one before it, and announces the result. */
 	#withArrowKeys(nearest: readonly Grip[], message?: string): void {
 		const next = nearest.find(({ id }) => gripIn(this.pose, id));
 		if (next) this.element(next.id)?.focus({ preventScroll: true });

@@ -1,4 +1,4 @@
-/** The points of a profile as grips. */
+/** Grips of the points of a profile. */
 
 import { lengthInWords } from "../../../../plant/in_words";
 import type { Change } from "../../../../ui/editor_context";
@@ -40,12 +40,12 @@ function knotsOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, { profile
 
 const profiled = (profile: Knot[]): Change => ({ details: { profile } });
 
-/** The end of the box that a point carries with it. */
+/** The end of the box that moves with a point. */
 function endOf(knots: readonly Knot[], index: number): "low" | "high" | undefined {
 	return index === 0 ? "low" : index === knots.length - 1 ? "high" : undefined;
 }
 
-/** A point between its neighbours' heights. */
+/** The profile with one point moved, between the heights of its neighbours. */
 function between(knots: readonly Knot[], index: number, radius: number, height: number): Knot[] {
 	const [below, above] = [knots[index - 1]?.[1] ?? 0, knots[index + 1]?.[1] ?? 1];
 	return knots.toSpliced(index, 1, knotAt(radius, Math.min(Math.max(height, below), above)));
@@ -57,13 +57,16 @@ function pulled<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: 
 	const radius = Math.max(0, to.x - axisOf(layout, specimen)) / box.halfWidth;
 	const end = endOf(knots, index);
 	if (!end) return profiled(between(knots, index, radius, (to.y - box.low) / (box.high - box.low)));
-	// It keeps its share of the height: the box's end goes as far as brings the point to the place.
+	// The point keeps its share of the height: the end of the box moves so far that the point is at the pointer.
 	const [other, share] = end === "high" ? [box.low, knots[index][1]] : [box.high, 1 - knots[index][1]];
 	const y = share > 0 ? other + (to.y - other) / share : box[end];
 	return { ...profiled(between(knots, index, radius, knots[index][1])), ...withEnd(layout, specimen, end, y) };
 }
 
-/** None where the preset has no such point: it has another shape, or other points have come or gone. */
+/**
+ * The change back to the preset's point; undefined where the preset has no such point: another shape, or another
+ * number of points.
+ */
 function reset<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,
@@ -78,17 +81,17 @@ function reset<S extends BoundedSpecimen>(
 	return { ...profiled(between(knots, index, ...was)), ...withPresetsEnd(layout, specimen, preset, end) };
 }
 
-/** A point more after one of them, on the line. */
+/** The profile with one more point on the curve after a point. */
 function added<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, index: number): Change {
 	const knots = knotsOf(layout, specimen);
 	const height = (knots[index][1] + knots[index + 1][1]) / 2;
 	return profiled(knots.toSpliced(index + 1, 0, knotAt(radiusAt(outlineIn(layout, specimen), height), height)));
 }
 
-/** Heights of the points by which another form is taken over. */
+/** Heights of the sample points when another shape is converted to a profile, in shares of the box. */
 const TAKEN = [0.02, 0.15, 0.4, 0.65, 0.88, 1];
 
-/** The present boundary as a profile to be shaped by hand. */
+/** Converts the present boundary to an editable profile. */
 export function asProfile<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): Knot[] {
 	const outline = outlineIn(layout, specimen);
 	return TAKEN.map((height, i) => knotAt(radiusAt(outline, height), i === 0 ? 0 : height));

@@ -1,9 +1,9 @@
-/** A mesh as the core stretches it to its boundary's box, and its outline from in front or from above. */
+/** Meshes normalized to a box, as in the core, and their silhouettes from the front and from above. */
 
 import type { ClosedMesh } from "../../../../specimen/closed_mesh";
 import type { Point } from "../../../../ui/handles/point";
 
-/** What is worked out of a mesh, once: views ask at every drawing, and a mesh is replaced, never changed. */
+/** Caches a function of a mesh. Views call it at each drawing; meshes are immutable. */
 export function once<T>(of: (mesh: ClosedMesh) => T): (mesh: ClosedMesh) => T {
 	const known = new WeakMap<ClosedMesh, { readonly value: T }>();
 	return (mesh) => {
@@ -13,7 +13,7 @@ export function once<T>(of: (mesh: ClosedMesh) => T): (mesh: ClosedMesh) => T {
 	};
 }
 
-/** Its points in shares of its box: across and from the middle to the front −1 … 1, from below 0 … 1. */
+/** A mesh with its points in shares of its box: x and z in −1 … 1, y in 0 … 1 from below. */
 export const inBox = once(({ points, triangles }: ClosedMesh): ClosedMesh => {
 	const [low, high] = [
 		[Infinity, Infinity, Infinity],
@@ -30,15 +30,15 @@ export const inBox = once(({ points, triangles }: ClosedMesh): ClosedMesh => {
 const CONTOURS = { 1: once((mesh) => contour(mesh, 1)), 2: once((mesh) => contour(mesh, 2)) } as const;
 
 /**
- * Loops along the edges at which a mesh turns away from the eye: its silhouette, with holes, and folds in front of it.
- * @param up the coordinate that is up in the picture: 1 from in front, 2 from above, where the front is below
+ * Silhouette of a mesh as loops along the edges between front and back faces, with holes and folds.
+ * @param up the axis that points up in the picture: 1 from the front, 2 from above with the front below
  */
 export const contourOf = (mesh: ClosedMesh, up: 1 | 2): readonly (readonly Point[])[] => CONTOURS[up](mesh);
 
 function contour(mesh: ClosedMesh, up: 1 | 2): Point[][] {
 	const { points, triangles } = inBox(mesh);
 	const at = (corner: number): Point => ({ x: points[3 * corner], y: (up === 2 ? -1 : 1) * points[3 * corner + up] });
-	/** Edges of triangles that face the eye, by both ends; those that two of them share cancel. */
+	/** Edges of triangles that face the viewer, by both ends; an edge of two such triangles cancels. */
 	const edges = new Map<string, readonly [number, number]>();
 	for (let i = 0; i < triangles.length; i += 3) {
 		const corners = triangles.slice(i, i + 3);
@@ -52,7 +52,7 @@ function contour(mesh: ClosedMesh, up: 1 | 2): Point[][] {
 	return loopsOf([...edges.values()]).map((loop) => loop.map(at));
 }
 
-/** Edges put one after the other, round and round. */
+/** Joins edges to closed loops. */
 function loopsOf(edges: readonly (readonly [number, number])[]): number[][] {
 	const onward = new Map<number, number[]>();
 	for (const [from, to] of edges) onward.set(from, [...(onward.get(from) ?? []), to]);

@@ -1,16 +1,19 @@
-/** A boundary from in front, in shares of its box: from its axis out, from its lowest point up (wasm-core/src/models/particles/boundary.cpp). */
+/**
+ * Outlines of boundaries from the front, in shares of the box: radius from the axis, height from the lowest point
+ * (wasm-core/src/models/particles/boundary.cpp).
+ */
 import type { ClosedMesh } from "../../../../specimen/closed_mesh";
 import type { Knot } from "../bounded";
 import { inBox, once } from "./mesh_outline";
 
 export type Form = "ellipsoid" | "box" | "cone" | "coneDown" | "bowl" | "spline" | "mesh";
 
-/** Pieces of a spline between two knots, as the core has them. */
+/** Pieces of a spline between two knots, as in the core. */
 const PIECES = 6;
 const ARC = 48;
 const LEVELS = 40;
 
-/** The right half, from below; where a mesh is not the same on both sides, the wider one. */
+/** The right half of an outline, from below; of an asymmetric mesh the wider half. */
 export function outlineOf(form: Form, profile: readonly Knot[], mesh?: ClosedMesh): readonly Knot[] {
 	switch (form) {
 		case "box":
@@ -30,7 +33,7 @@ export function outlineOf(form: Form, profile: readonly Knot[], mesh?: ClosedMes
 	}
 }
 
-/** Cosine and sine from one angle to another, one at the least for each of `ARC` parts of half a turn. */
+/** Points of a circular arc: cosine and sine, in `ARC` steps. */
 function arc(from: number, to: number): Knot[] {
 	const down = from === 0 ? [-Math.PI / 2, 0] : [from, to];
 	return Array.from({ length: ARC + 1 }, (_, i) => {
@@ -39,7 +42,7 @@ function arc(from: number, to: number): Knot[] {
 	});
 }
 
-/** A smooth line through points: Catmull–Rom, radii never below 0. */
+/** Catmull–Rom spline through points; radii are not negative. */
 export function splineThrough(points: readonly Knot[]): Knot[] {
 	const line: Knot[] = [];
 	const last = points.length - 1;
@@ -59,7 +62,7 @@ export function splineThrough(points: readonly Knot[]): Knot[] {
 	return [...line, points[last]];
 }
 
-/** The half width of a mesh's box at each of some heights: where its edges cross them, or it has corners. */
+/** The largest half width of a mesh at `LEVELS` heights, from the intersections of its edges. */
 const silhouette = once((mesh: ClosedMesh): readonly Knot[] => {
 	const { points, triangles } = inBox(mesh);
 	const widths = new Float32Array(LEVELS + 1);
@@ -77,7 +80,7 @@ const silhouette = once((mesh: ClosedMesh): readonly Knot[] => {
 	return [[0, 0], ...Array.from(widths, (width, level): Knot => [width, level / LEVELS]), [0, 1]];
 });
 
-/** How far out an outline is at a height. */
+/** The largest radius of an outline at a height. */
 export function radiusAt(outline: readonly Knot[], height: number): number {
 	let widest = 0;
 	for (let i = 0; i + 1 < outline.length; i++) {

@@ -1,4 +1,4 @@
-/** The grips of a plan: the boundary, its obstacles and its targets from above. */
+/** Grips of the view from above: boundary, obstacles and targets. */
 
 import { lengthInWords } from "../../../../plant/in_words";
 import type { BoundedSpecimen } from "../bounded";

@@ -1,6 +1,5 @@
 /**
- * `<panicle-plan>`: the boundary from above, with its obstacles and where particles make for, over
- * the branches that grew in it; what is in front is below.
+ * `<panicle-plan>`: boundary, obstacles and targets from above, over the plant's branches; the front is at the bottom.
  */
 import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../ui/handles/point";
@@ -8,7 +7,7 @@ import { AboveView } from "./above_view";
 import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./flat_drawing";
 import { type Frame, frameAbout, toScreen } from "./frame";
 
-/** What is drawn of a specimen from above: loops in shares of the half width and the half depth, y to the back. */
+/** The drawing of a specimen from above: loops in shares of the half width and the half depth, y to the back. */
 export interface PlanScene extends FlatScene {
 	readonly halfWidth: number;
 	readonly halfDepth: number;

@@ -1,4 +1,4 @@
-/** A boundary's grips on the plant itself: in the plane of the front view. */
+/** The grips of a boundary as handles on the plant, in the plane of the front view. */
 import type { HandlesOf, Vector } from "../../../../ui/handles/plant_handle";
 import type { BoundedSpecimen } from "../bounded";
 import { type BoundaryLayout, loopsIn } from "./boundary_layout";

@@ -1,13 +1,13 @@
-/** A boundary as a surface in metres, as the core makes it (wasm-core/src/models/particles/boundary.cpp): to be shown, not measured. */
+/** A boundary as a surface for display, metres, shaped as in the core (wasm-core/src/models/particles/boundary.cpp). */
 import type { ClosedMesh } from "../../../../specimen/closed_mesh";
 import type { BoundedSpecimen, Knot } from "../bounded";
 import { type BoundaryLayout, outlineIn } from "./boundary_layout";
 import { inBox } from "./mesh_outline";
 
-/** Corners of what is round, seen from above. */
+/** Segments around a surface of revolution. */
 const SIDES = 48;
 
-/** One surface an axis, and where the inner boundary is a mesh of one's own, that as well. */
+/** One surface per axis, and one for the inner boundary where that is a mesh. */
 export function shellsOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): ClosedMesh[] {
 	const { inner } = specimen.parameters;
 	const shell = layout.form(specimen) === "mesh" && specimen.volume ? inBox(specimen.volume) : turned(layout, specimen);
@@ -20,7 +20,10 @@ export function shellsOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, s
 		]);
 }
 
-/** A surface in shares of the boundary's box, about an axis, in metres; of the inner boundary `size` as large. */
+/**
+ * Scales a surface from shares of the boundary's box to metres about an axis; `size` is 1, or the inner boundary's
+ * scale.
+ */
 function placed<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,
@@ -35,7 +38,7 @@ function placed<S extends BoundedSpecimen>(
 	return { points: points.map((share, i) => from[i % 3] + size * share * scale[i % 3]), triangles };
 }
 
-/** The outline turned about its axis; a box has four sides, as wide as their corners are far. */
+/** The surface of revolution of the outline; a box has four sides. */
 function turned<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): ClosedMesh {
 	const outline = outlineIn(layout, specimen);
 	const square = layout.form(specimen) === "box";

@@ -1,4 +1,4 @@
-/** The ends and the side of a boundary's box as grips. */
+/** Grips of the ends and the side of a boundary's box. */
 
 import { lengthInWords } from "../../../../plant/in_words";
 import type { Change } from "../../../../ui/editor_context";
@@ -37,7 +37,7 @@ function endGrip<S extends BoundedSpecimen>(
 	};
 }
 
-/** At the height at which the boundary is widest. */
+/** The grip of the width, at the widest height of the boundary. */
 export function sideGrip<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,
@@ -56,7 +56,7 @@ export function sideGrip<S extends BoundedSpecimen>(
 	};
 }
 
-/** One end of the box at a height; the other stays. */
+/** Moves one end of the box to a height; the other end stays. */
 export function withEnd<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,
@@ -68,7 +68,10 @@ export function withEnd<S extends BoundedSpecimen>(
 	return { parameters: layout.fit(specimen, { ...box, [end]: at }) };
 }
 
-/** One end as in the preset: at the ground where that has it, away from it as far from the other as there. */
+/**
+ * Resets one end to the preset: the end at the ground to its height there, the other end to its distance from that
+ * one.
+ */
 export function withPresetsEnd<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,
@@ -86,7 +89,7 @@ export function heightInWords(height: number): string {
 	return `${lengthInWords(Math.abs(height))} ${height < 0 ? "below ground" : "up"}`;
 }
 
-/** The height at which a boundary is widest, as a share. */
+/** The height of the widest place, as a share of the boundary's height. */
 function shoulderOf<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): number {
 	const form = layout.form(specimen);
 	return form === "cone" ? 0 : form === "bowl" || form === "coneDown" ? 1 : 0.5;

@@ -1,22 +1,25 @@
-/** The sun as a grip on the sky, seen from above: the middle is overhead, the rim the horizon, in front is below. */
+/**
+ * The sun as a grip on the sky seen from above: the zenith in the middle, the horizon at the rim, the front at the
+ * bottom.
+ */
 
 import type { Specimen } from "../../../../specimen/specimen";
 import type { Point } from "../../../../ui/handles/point";
 import type { Pose } from "./grip";
 
-/** Degrees that an arrow key moves, and with Shift. */
+/** Step of an arrow key without and with Shift, degrees. */
 const STEP = 5;
 const LARGE = 15;
 
 const QUARTERS = ["in front", "at the front right", "at the right", "at the back right", "behind", "at the back left", "at the left", "at the front left"]; // biome-ignore format: a rose
 
-/** Where it stands on a disc of radius 1. */
+/** Position of the sun on a disc of radius 1. */
 export function sunPlace(azimuth: number, height: number): Point {
 	const [out, angle] = [1 - height / 90, (azimuth * Math.PI) / 180];
 	return { x: out * Math.sin(angle), y: -out * Math.cos(angle) };
 }
 
-/** Whole degrees. */
+/** The sun's direction at a point of the disc, integer degrees. */
 export function sunAt({ x, y }: Point): { sun: number; sun_height: number } {
 	const out = Math.min(1, Math.hypot(x, y));
 	const azimuth = out < 1e-6 ? 0 : (Math.atan2(x, -y) * 180) / Math.PI;

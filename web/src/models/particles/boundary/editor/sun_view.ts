@@ -1,17 +1,17 @@
-/** `<panicle-sun>`: the sky from above, with the sun in it, over the tree that grew in its light. */
+/** `<panicle-sun>`: the sky from above with the sun, over the tree's branches. */
 import { svg, type TemplateResult } from "lit";
 import type { TrailPlant } from "../../trails";
 import { AboveView } from "./above_view";
 import { type Frame, frameAbout, toScreen } from "./frame";
 
-/** Heights above the horizon at which rings are drawn, degrees. */
+/** Elevations of the rings, degrees. */
 const RINGS = [0, 30, 60];
 const WORDS = [
 	["front", 0, -1],
 	["behind", 0, 1],
 ] as const;
 
-/** How far the tree reaches out, of the sky's radius. */
+/** Radius of the tree in the drawing, as a share of the sky's radius. */
 const REACH = 0.5;
 
 export class SunView extends AboveView {
@@ -41,7 +41,7 @@ export class SunView extends AboveView {
 	}
 }
 
-/** How far out from the middle a tree's branches come, metres. */
+/** Largest horizontal distance of the branches from the axis, metres. */
 function reachOf({ segments: { ends } }: TrailPlant): number {
 	let square = 0;
 	for (let at = 0; at < ends.length; at += 3) square = Math.max(square, ends[at] ** 2 + ends[at + 2] ** 2);

@@ -1,4 +1,4 @@
-/** Targets as grips: where trunks stand, or roots begin. */
+/** Grips of the targets: the bases of trunks, or the collars of roots. */
 
 import { onStep } from "../../../../specimen/table";
 import type { Change } from "../../../../ui/editor_context";
@@ -10,13 +10,13 @@ import { type Facing, moved, placeInWords, seen } from "./facing";
 
 const WIDTH = 3;
 
-/** x, y and z of each. */
+/** x, y and z of each target. */
 export function targetsIn<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S): number[][] {
 	const targets = specimen.targets ?? layout.targets(specimen);
 	return Array.from({ length: targets.length / WIDTH }, (_, i) => targets.slice(WIDTH * i, WIDTH * (i + 1)));
 }
 
-/** None where there are more than a list of them can hold; the last one cannot be taken out. */
+/** Grips of all targets; none where a list cannot hold that many. The last target cannot be removed. */
 export function targetGrips<S extends BoundedSpecimen>(
 	layout: BoundaryLayout<S>,
 	specimen: S,
@@ -38,7 +38,7 @@ export function targetGrips<S extends BoundedSpecimen>(
 
 const placed = (feet: readonly (readonly number[])[]): Change => ({ details: { targets: fitted("targets", feet) } });
 
-/** Back to where the preset, or else the table, has it; all of them so, and no list of them is kept. */
+/** Resets one target to the preset's or the table's position; where all targets are reset, the list is removed. */
 function reset<S extends BoundedSpecimen>(layout: BoundaryLayout<S>, specimen: S, preset: S, index: number): Change {
 	const [feet, before] = [targetsIn(layout, specimen), targetsIn(layout, { ...specimen, targets: preset.targets })];
 	feet[index] = before[index] ?? feet[index];

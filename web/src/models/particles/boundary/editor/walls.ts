@@ -1,4 +1,4 @@
-/** Boxes and ellipsoids in which nothing grows: in each view one is moved by its middle and sized by its far right corner. */
+/** Grips of obstacles: each view moves an obstacle by its centre and resizes it by its upper right corner. */
 
 import { lengthInWords } from "../../../../plant/in_words";
 import type { Change } from "../../../../ui/editor_context";
@@ -9,15 +9,15 @@ import type { GripWithoutKeys } from "./arrow_keys";
 import { type Facing, moved, placeInWords, seen } from "./facing";
 
 const WIDTH = 6;
-/** The least that a wall is thick or high, metres. */
+/** Least thickness and height of an obstacle, metres. */
 const LEAST = 0.02;
 
-/** Kinds of obstacles, as a specimen has them. */
+/** Kinds of obstacles, by their keys in a specimen. */
 export type WallKind = "obstacles" | "rounds";
 const NAMES: Readonly<Record<WallKind, string>> = { obstacles: "Obstacle", rounds: "Round obstacle" };
 const KINDS = Object.keys(NAMES) as WallKind[];
 
-/** Low x, y, z, high x, y, z of each of a kind. */
+/** Low x, y, z, high x, y, z of each obstacle of a kind. */
 export function wallsOf(specimen: Bounded, kind: WallKind = "obstacles"): number[][] {
 	const numbers = specimen[kind] ?? [];
 	return Array.from({ length: numbers.length / WIDTH }, (_, i) => numbers.slice(WIDTH * i, WIDTH * (i + 1)));
@@ -70,19 +70,19 @@ function walled(kind: WallKind, walls: readonly (readonly number[])[]): Change {
 	return { details: { [kind]: walls.length > 0 ? fitted(kind, walls) : undefined } };
 }
 
-/** As far as it stays within reach, as large as it is. */
+/** Moves an obstacle, at most to the edge of the allowed range. */
 function shifted(wall: readonly number[], by: readonly number[]): number[] {
 	const way = by.map((far, k) => Math.min(Math.max(far, -FARTHEST - wall[k]), FARTHEST - wall[k + 3]));
 	return wall.map((value, i) => value + way[i % 3]);
 }
 
-/** With one wall more: from the ground to the height of a point, to the right of it. */
+/** Adds a box obstacle from the ground to the height of a point, to the right of the point. */
 export function withWall(specimen: Bounded, { x, y }: Point, depth: number): Change {
 	const [low, high] = [Math.min(0, y), Math.max(0, y)];
 	return withOne(specimen, "obstacles", [x, low, -depth / 2, x + 0.06 * (high - low), high, depth / 2]);
 }
 
-/** With an ellipsoid more, as wide as that, which begins at x. */
+/** Adds an ellipsoid of a width whose left end is at x. */
 export function withRound(
 	specimen: Bounded,
 	x: number,
