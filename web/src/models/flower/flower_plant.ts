@@ -1,62 +1,68 @@
-/** Columns of an answer → a flower (wasm-core/src/models/flower/model.hpp). */
+/** Converts an answer's columns to a flower (wasm-core/src/models/flower/model.hpp). */
 import type { Answer } from "../../core/core";
 import type { Plant, PlantMesh } from "../../plant/plant";
 import { readPlant } from "../../plant/read_plant";
 
-/** Volumes in the order in which they were made. */
+/** Volumes in order of creation. */
 export interface Volumes {
-	/** What they are called, by `label`. */
+	/** Names, indexed by `label`. */
 	labels: readonly string[];
-	/** The module that each of `labels` is of; 0 the text itself, others in its order. */
+	/** Module of each of `labels`: 0 is the text itself, then modules in their order. */
 	module: Uint32Array;
 	label: Uint32Array;
 	order: Uint32Array;
-	/** That each stands on; 0xffffffff of the first. */
+	/** Parent volume; 0xffffffff of the first. */
 	parent: Uint32Array;
-	/** On which of its faces: 0 O, 1 E, from 2 on C1 …; and 1 where it is sewn to nothing there. */
+	/** Face of the parent: 0 O, 1 E, from 2 on C1 …; `attached` is 1 for volumes that are not sewn to that face. */
 	face: Uint32Array;
 	attached: Uint8Array;
-	/** The line of the text where each is grown, and where the module is called that it is of; 0 for none. */
+	/** Line of the production that grew each volume, and line of its module's call; 0 for none. */
 	line: Uint32Array;
 	call: Uint32Array;
 	/** 9 × volumes: N, T, atx, aty, atz, H, L, W, m. */
 	values: Float32Array;
 }
 
-/** The map dart by dart (docs/generalized-maps.md). */
+/** The generalized map, dart by dart (docs/generalized-maps.md). */
 export interface Darts {
 	/** α0 … α3, a dart for each dart. */
 	alpha: readonly [Uint32Array, Uint32Array, Uint32Array, Uint32Array];
-	/** The volume and the vertex that each is of. */
+	/** Volume and vertex of each dart. */
 	volume: Uint32Array;
 	vertex: Uint32Array;
 	/** 3 × vertices, metres. */
 	positions: Float32Array;
 }
 
-/** The whole flower as one mesh for one distance; its runs are called by their kind of material. */
+/** A flower as one mesh for one viewing distance; its runs are named by their kind of material. */
 export interface Level {
 	mesh: PlantMesh;
-	/** Of each vertex, which of the flower's paints it has. */
+	/** Index of each vertex's paint. */
 	paint: Uint8Array;
 }
 
 export interface FlowerPlant extends Plant {
-	/** Absent of what has grown in passing. */
+	/** Absent from previews. */
 	darts?: Darts;
-	/** None of what has grown for its levels alone. */
+	/** Empty if only levels were requested. */
 	volumes: Volumes;
-	/** From near to far; none where they were not asked for. */
+	/** Levels from near to far; empty if not requested. */
 	levels: readonly Level[];
-	/** Of each mesh, of each triangle the volume that it is of. */
+	/** Volume of each triangle of each mesh. */
 	pickIds: readonly Uint32Array[];
-	/** Of each mesh, what number the text gives its material. */
+	/** Material number of each mesh. */
 	numbers: Uint32Array;
-	/** And what it calls it; empty where it does not. */
+	/** Material name of each mesh; empty for an unnamed material. */
 	names: readonly string[];
-	/** 4 × meshes, and behind those 4 for each other paint of levels: where an organ begins and where it ends, of its margin, of its veins; 0xrrggbb as sRGB. */
+	/**
+	 * 4 × meshes, then 4 × further paints of levels: colours at an organ's base and tip, of its margin and of its
+	 * veins; 0xrrggbb in sRGB.
+	 */
 	colours: Uint32Array;
-	/** 6 × as many: foot, width of the margin, veins a side, their strength, light that comes through, 1 where veins are feathered. */
+	/**
+	 * 6 per paint: foot, width of the margin, veins to a side, their strength, share of transmitted light, 1 for
+	 * feathered veins.
+	 */
 	paint: Float32Array;
 }
 

@@ -1,4 +1,6 @@
-/** Files of a flower besides those of every plant: its grammar, in both forms of Petrenko's Table 4. */
+/**
+ * File formats of a flower besides those of every plant: its grammar, as text and as the XML of Petrenko's Table 4.
+ */
 import type { Format } from "../model";
 import type { FlowerPlant } from "./flower_plant";
 import { volumesTable } from "./record";

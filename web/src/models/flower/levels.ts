@@ -1,4 +1,4 @@
-/** A flower for four distances: a mesh for each kind of organ, with a colour for each vertex as its text says. */
+/** Levels of detail of a flower: at each distance one mesh per kind of organ, coloured by vertex. */
 import type { Colour } from "../../plant/colour";
 import type { Material } from "../../plant/material";
 import { cut, type Part } from "../../plant/part";
@@ -8,7 +8,7 @@ import { materialOf } from "./parts";
 
 export function flowerLevels({ levels, colours, paint }: FlowerPlant): Part[][] {
 	const paints = paintsOf(colours, paint);
-	// Of one kind at all distances, with what comes through on the average.
+	// All levels share one material per kind, with the mean of the light that its organs transmit.
 	const light = new Map<string, number[]>();
 	for (const { mesh, paint: of } of levels)
 		for (const { name, firstVertex, vertexCount } of mesh.runs)
@@ -29,7 +29,7 @@ const WHITE: Colour = [1, 1, 1];
 
 const mean = (values: readonly number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
-/** So that flowers of one kind share a finish. */
+/** Rounds transmitted light, so that flowers of one kind share a material. */
 const rounded = (light: number) => Math.round(5 * light) / 5;
 
 function coloured(uvs: Float32Array, of: Uint8Array, paints: readonly Paint[]): Float32Array {

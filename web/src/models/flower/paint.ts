@@ -1,40 +1,46 @@
-/** What organs of a material look like along their length and width, as the text's `#material` says (docs/models/flower/language.md). */
+/**
+ * Paints organs along their length and width, as the text's `#material` describes them
+ * (docs/models/flower/language.md).
+ */
 import { type Colour, clamp, encoded, linear } from "../../plant/colour";
 import type { Picture } from "../../plant/material";
 
-/** Colours in linear light; shares of an organ's length and of half its width. */
+/** Paint of a material: colours in linear light, lengths as shares of an organ's length and of half its width. */
 export interface Paint {
-	/** Where an organ begins and where it ends. */
+	/** Colours where an organ begins and ends. */
 	base: Colour;
 	tip: Colour;
-	/** Over how much of its length the one goes into the other. */
+	/** Share of the length over which `base` blends into `tip`. */
 	foot: number;
 	margin: { colour: Colour; width: number };
 	veins: {
 		colour: Colour;
-		/** A side. */
+		/** Number to a side. */
 		count: number;
 		strength: number;
-		/** They leave one in the middle. */
+		/** Whether veins branch off a rib in the middle. */
 		feathered: boolean;
 	};
-	/** Light that comes through from behind, as a share. */
+	/** Share of light that is transmitted. */
 	light: number;
 }
 
-/** Pixels along an organ, and from its middle to its margin. */
+/** Size of a picture in pixels: along an organ, and from its middle to its margin. */
 const LONG = 256;
 const WIDE = 128;
-/** Veins fork here, so far along, and part by this share of the room between two. */
+/** Position at which veins fork, as a share of the length, and how far they part, as a share of their distance. */
 const FORK = 0.42;
 const PARTED = 0.25;
-/** How wide a vein is, as a share of the room between two. */
+/** Width of a vein as a share of the distance between two. */
 const THIN = 0.13;
-/** How wide a rib is, as a share of half the width, and how far forward its side veins have gone at the margin, of the length. */
+/**
+ * Width of a rib as a share of half the width, and how far side veins have moved forward at the margin, as a share of
+ * the length.
+ */
 const RIB = 0.045;
 const FORWARD = 0.17;
 
-/** Columns of an answer → what its materials are painted with. */
+/** Converts an answer's columns to its materials' paints. */
 export function paintsOf(colours: Uint32Array, numbers: Float32Array): Paint[] {
 	return Array.from({ length: colours.length / 4 }, (_, i) => {
 		const [base, tip, margin, veins] = [...colours.subarray(4 * i, 4 * i + 4)].map(colourOf);
@@ -52,12 +58,12 @@ export function paintsOf(colours: Uint32Array, numbers: Float32Array): Paint[] {
 
 const colourOf = (packed: number): Colour => linear(packed.toString(16).padStart(6, "0"));
 
-/** Whether there is something that a colour for each vertex is too coarse for. */
+/** Returns whether a paint has details that colours of vertices cannot show. */
 export function isFine({ margin, veins }: Paint): boolean {
 	return margin.width > 0 || (veins.count >= 1 && veins.strength > 0);
 }
 
-/** The colour at a place: u along the organ, v from its middle to its margin, both 0 … 1. */
+/** Returns the colour at `u` along the organ and `v` from its middle to its margin, both 0 … 1. */
 export function colourAt({ base, tip, foot, margin, veins }: Paint, u: number, v: number): Colour {
 	const along = mixed(base, tip, smooth(u / Math.max(foot, 1e-3)));
 	const edged = margin.width > 0 ? mixed(along, margin.colour, smooth((v - 1 + margin.width) / margin.width)) : along;
@@ -65,11 +71,14 @@ export function colourAt({ base, tip, foot, margin, veins }: Paint, u: number, v
 	return veins.count >= 1 ? mixed(edged, veins.colour, veins.strength * drawn(veins.count, u, v)) : edged;
 }
 
-/** What ink comes to on the average before it fades, and from where along the organ it does: of veins that spread, and of feathered ones. */
+/**
+ * Mean vein density before veins fade, and the position along the organ from which on they fade; for spreading and for
+ * feathered veins.
+ */
 const SPREAD = { ink: 0.23, fades: 0.5 };
 const FEATHERED = { ink: 0.1, fades: 0.75 };
 
-/** The same where single veins cannot be told any more: what they do to the colour about them. */
+/** Returns the colour seen from a distance, where veins only darken the colour around them. */
 export function colourFromAfar(paint: Paint, u: number, v: number): Colour {
 	const { veins } = paint;
 	const plain = colourAt({ ...paint, veins: { ...veins, count: 0 } }, u, v);
@@ -78,7 +87,9 @@ export function colourFromAfar(paint: Paint, u: number, v: number): Colour {
 	return veins.count >= 1 ? mixed(plain, veins.colour, dark) : plain;
 }
 
-/** How much of a place is vein: one in the middle, others that spread from the foot, fork, and fade before the tip. */
+/**
+ * Vein density of spreading veins: one in the middle, others that spread from the foot, fork, and fade before the tip.
+ */
 function ink(count: number, u: number, v: number): number {
 	const across = (v * (Math.floor(count) + 0.5)) / (0.55 + 0.45 * Math.sqrt(u));
 	const from = Math.abs(across - Math.round(across));
@@ -89,7 +100,10 @@ function ink(count: number, u: number, v: number): number {
 	return Math.exp(-off * off) * (1 - smooth((u - 0.62) / 0.38)) * (1 - 0.5 * smooth((v - 0.7) / 0.3));
 }
 
-/** Of a feathered one: a rib that thins towards the tip, and side veins that leave it, bow forward and fade before the margin. */
+/**
+ * Vein density of feathered veins: a rib that thins towards the tip, and side veins that leave it, bow forward and
+ * fade before the margin.
+ */
 function barbs(count: number, u: number, v: number): number {
 	const rib = v / (RIB * (1 - 0.7 * u));
 	const along = (u - FORWARD * v * (1 + 0.5 * v)) * (Math.floor(count) + 0.5);
@@ -106,11 +120,11 @@ const smooth = (x: number): number => {
 const mixed = (a: Colour, b: Colour, share: number): Colour =>
 	a.map((value, c) => value + (b[c] - value) * share) as Colour;
 
-/** Pictures that have been painted, those used last at the end: what is dragged is painted once. */
+/** Cache of painted pictures, least recently used first, so that dragging repaints only changed materials. */
 const painted = new Map<string, { picture: Picture; mean: Colour }>();
 const MOST = 32;
 
-/** An organ's face by u and v, and its mean colour. The same paint gives the same object. */
+/** Returns an organ's picture by u and v with its mean colour. The same paint gives the same object. */
 export function pictureOf(paint: Paint): { picture: Picture; mean: Colour } {
 	const key = JSON.stringify({ ...paint, light: 0 });
 	const made = painted.get(key) ?? paintedOf(paint);

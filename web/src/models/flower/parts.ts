@@ -1,11 +1,11 @@
-/** A flower in parts: a mesh for each of its materials, painted as its text says. */
+/** Splits a flower into parts: a mesh for each of its materials, painted as its text describes. */
 import type { Colour } from "../../plant/colour";
 import { type Material, standardMaterial } from "../../plant/material";
 import type { Part, PartMesh } from "../../plant/part";
 import type { FlowerPlant } from "./flower_plant";
 import { colourAt, isFine, type Paint, paintsOf, pictureOf } from "./paint";
 
-/** What of a kind differs from what is usual for it (plant/material.ts). */
+/** Material properties that differ from the standard material of the kind (plant/material.ts). */
 const OWN: Readonly<Record<string, Partial<Material>>> = {
 	stem: { roughness: 0.75 },
 	leaf: { roughness: 0.55 },
@@ -14,7 +14,7 @@ const OWN: Readonly<Record<string, Partial<Material>>> = {
 
 const KINDS: Readonly<Record<string, string>> = { leaf: "blade" };
 
-/** Light that has gone through an organ is warmer, and half of it was scattered back. */
+/** Tint of transmitted light, which is warmer; half of it is scattered back. */
 const THROUGH: Colour = [1.5, 1.4, 1.2];
 const SAME: Colour = [1, 1, 1];
 
@@ -25,7 +25,7 @@ export function* flowerParts(plant: FlowerPlant): Generator<Part> {
 		const mesh = { ...plain, pickIds: plant.pickIds[i] };
 		const paint = paints[i];
 		const named = capital(plant.names[i] || mesh.material);
-		// A text may itself call one so.
+		// The text may itself use a numbered name.
 		let name = named;
 		for (let more = 2; names.has(name); more++) name = `${named} ${more}`;
 		names.add(name);
@@ -41,8 +41,8 @@ export function* flowerParts(plant: FlowerPlant): Generator<Part> {
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
 
 /**
- * What organs of a kind are made of.
- * @param light that comes through, as a share
+ * Returns the material of a kind of organ.
+ * @param light share of light that is transmitted
  */
 export function materialOf(kind: string, name: string, colour: Colour, light: number): Material {
 	const { sheet: _, ...usual } = standardMaterial(KINDS[kind] ?? kind);
@@ -51,13 +51,13 @@ export function materialOf(kind: string, name: string, colour: Colour, light: nu
 		...OWN[kind],
 		name,
 		colour,
-		// The skin is closed: there is no other side to see.
+		// The mesh is closed, so its back faces are never seen.
 		doubleSided: false,
 		...(light > 0 ? { sheet: { through: THROUGH.map((c) => c * light) as Colour, reverse: SAME } } : {}),
 	};
 }
 
-/** A colour for each vertex, where there is nothing finer. */
+/** Colours a mesh by vertex, for paints without fine details. */
 function coloured(mesh: PartMesh, paint: Paint): PartMesh {
 	const colours = new Float32Array(mesh.positions.length);
 	for (let v = 0; v < colours.length / 3; v++)

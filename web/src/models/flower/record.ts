@@ -1,32 +1,35 @@
-/** What the JSON document says of a flower besides what it says of any plant: its map, so that anyone can check it. */
+/**
+ * Record of a flower in the JSON document, besides that of every plant: its generalized map, so that anyone can check
+ * it.
+ */
 import { type Cell, writeCsv } from "../../formats/csv";
 import { shortFloat } from "../../formats/numbers";
 import { integers, lists, placed, Rows, vectors } from "../../formats/rows";
 import type { FlowerPlant } from "./flower_plant";
 
 export interface FlowerRecord {
-	/** What each volume is called, and how many sides it has. */
+	/** Name of each volume, and its number of sides. */
 	label: string[];
 	order: number[];
-	/** The volume that each stands on; −1 of the first. */
+	/** Parent volume; −1 of the first. */
 	parent: number[];
-	/** On which of its faces: O, E, C1 …; null of the first. */
+	/** Face of the parent: O, E, C1 …; null of the first. */
 	face: (string | null)[];
-	/** Those that are sewn to nothing there. */
+	/** Volumes that are not sewn to that face. */
 	attached: number[];
-	/** Of each volume N, T, atx, aty, atz, H, L, W, m. */
+	/** N, T, atx, aty, atz, H, L, W, m of each volume. */
 	values: Rows<number[]>;
-	/** α0 … α3: of each dart the one that it leads to. */
+	/** α0 … α3: the dart that each dart is linked to. */
 	alpha?: Rows<number[]>;
-	/** Of each dart its volume. */
+	/** Volume of each dart. */
 	volume?: Rows<number>;
-	/** Of each dart where it stands, metres. */
+	/** Position of each dart's vertex, metres. */
 	position?: Rows<number[]>;
 }
 
 const NONE = 0xffffffff;
 
-/** O, E, C1 … */
+/** Returns the name of a face: O, E, C1 … */
 const faceName = (face: number): string => ["O", "E"][face] ?? `C${face - 1}`;
 
 export function flowerRecord({ volumes, darts }: FlowerPlant): FlowerRecord {
@@ -49,17 +52,20 @@ export function flowerRecord({ volumes, darts }: FlowerPlant): FlowerRecord {
 	};
 }
 
-/** A server sends no more darts: some 50 MB. */
+/** Limit of darts that a server sends, about 50 MB of JSON. */
 export const MOST_DARTS = 600_000;
 
-/** Why its document with the map is not to be sent; undefined where it may. It may have grown without the map. */
+/**
+ * Returns why the document with the map is too large to send, or undefined if it is not. The flower may have grown
+ * without the map.
+ */
 export function tooHeavy({ counts: { darts: count = 0 } }: Pick<FlowerPlant, "counts">): string | undefined {
 	if (count <= MOST_DARTS) return undefined;
 	const [own, most] = [count, MOST_DARTS].map((each) => each.toLocaleString("en"));
 	return `the flower’s map has ${own} darts, and at most ${most} are sent; file-map=0 leaves the map out`;
 }
 
-/** A line a volume, in the order in which they were made. */
+/** Writes volumes as CSV, in order of creation. */
 export function volumesTable({ volumes }: FlowerPlant): string {
 	const { labels, label, order, parent, face, attached, line, values } = volumes;
 	const header = [

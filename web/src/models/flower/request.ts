@@ -1,4 +1,4 @@
-/** Specimen → the blocks of a request, as wasm-core/src/models/flower/model.hpp lists them. */
+/** Encodes a specimen as the blocks of a request, listed in wasm-core/src/models/flower/model.hpp. */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
 import type { GrowthOptions } from "../model";
@@ -7,18 +7,21 @@ import { FLOWER_TABLE } from "./table";
 import { fetchedText } from "./texts";
 
 export interface FlowerRequestOptions extends GrowthOptions {
-	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
+	/** Whether to compute sky visibility; default: with meshes, except in previews. */
 	sky?: boolean;
-	/** Whether the fingerprint of the meshes is wanted; the default is no. */
+	/** Whether to compute the fingerprint of the meshes; default: no. */
 	meshFingerprint?: boolean;
 }
 
-/** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
+/**
+ * Encodes a request.
+ * @throws CoreError if the preset's text has not been fetched or a parameter is not a number
+ */
 export function encodeFlower(specimen: FlowerSpecimen, options: FlowerRequestOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, levels = false } = options;
 	const { measures = !preview, sky = meshes && !preview, map = !preview && !levels } = options;
 	const outputs = [
-		// How large its surface is, only its skin says: the same in a file without meshes.
+		// The surface area is measured on the mesh, so that it must not depend on whether meshes were requested.
 		(meshes || measures) && "meshes",
 		measures && "measures",
 		sky && "sky",

@@ -1,4 +1,4 @@
-/** The document's side of the model: its table, its presets, and what a specimen of it holds besides. */
+/** Schema of a flower's document: its parameters, presets and further fields. */
 import { constantValues } from "../../specimen/constants";
 import { grammarText } from "../../specimen/grammar_text";
 import type { ModelSchema } from "../../specimen/model_schema";
@@ -8,13 +8,19 @@ import type { FlowerSpecimen } from "./specimen";
 import { FLOWER_TABLE } from "./table";
 import { variablesIn } from "./texts";
 
-/** The preset a link without `preset` means. */
+/** Preset of a link without `preset`. */
 export const DEFAULT_PRESET = "tulip";
 
-/** A line of each flower's grammar, and of no L-system's. Here as below blanks are each matched in one place alone: any text may come, and of three ways to share them out all would be tried. */
+/**
+ * Matches an axiom, which every flower's grammar has and no L-system. Here and below, blanks match in one way only:
+ * any text may come, and backtracking would take too long.
+ */
 const AXIOM = /^[ \t]*#[ \t]*axiome?\b/m;
 
-/** Of these there is one besides it: the faces that something grows on, a module, a volume's numbers, a volume that is halved. */
+/**
+ * Further signs of a flower's grammar; it has at least one: faces in a production, a module, a volume's numbers, or a
+ * split volume.
+ */
 const OWN = [
 	/\]\s*(?:_|(?:\{\s*)?(?:[OE]|C\d+|C\())/,
 	/^[ \t]*#[ \t]*module\b/m,
@@ -22,7 +28,7 @@ const OWN = [
 	/-[ \t]*(?:[OE]|C\d+)[ \t]*(?:--?>|→)/,
 ];
 
-/** The XML of Table 4: an element of a grammar's begins it, be it within another. */
+/** Matches the XML of Table 4: it begins with an element of a grammar, or with such an element inside another. */
 const XML =
 	/^\uFEFF?\s*<(?:[?!]|[\p{L}_][^>]*>\s*<(?:volume|variable|axiom|rule|statement)\b|(?:volume|variable|axiom|rule)\b)/u;
 

@@ -4,7 +4,9 @@ import { PRESETS } from "./presets.generated";
 
 export const { fetchTexts, fetchedText } = presetTexts(PRESETS, () => import("./texts.generated"));
 
-/** What the text that a flower grows by calls variables of its own: `#define name=`. How many steps it has is a parameter. */
+/**
+ * Returns the names of a flower's own variables, `#define name=`. Excludes finalStep, which is the parameter `steps`.
+ */
 export async function variablesIn(flower: { readonly grammar?: string; readonly preset: string }): Promise<string[]> {
 	if (flower.grammar === undefined) await fetchTexts();
 	const bare = uncommented(fetchedText(flower) ?? "");
@@ -14,23 +16,23 @@ export async function variablesIn(flower: { readonly grammar?: string; readonly 
 	return [...names].map(([, name]) => name).filter((name) => name !== "finalStep");
 }
 
-/** Whether anything of a flower depends on its age; yes of a text that has not been fetched. */
+/** Returns whether a flower depends on its age; true if its text has not been fetched. */
 export function usesAge(flower: { readonly grammar?: string; readonly preset: string }): boolean {
 	const text = fetchedText(flower);
 	if (text !== lastUsesAge?.text) lastUsesAge = { text, isActive: text === undefined || isOfAge(uncommented(text)) };
 	return lastUsesAge?.isActive ?? true;
 }
 
-/** The word itself, or colours of buds and of what has wilted. */
+/** Returns whether a text uses the variable `age`, or colours of buds and of wilting. */
 function isOfAge(text: string): boolean {
 	if (/\bage\b/.test(text)) return true;
 	const materials = text.split("\n").filter((line) => /^[ \t]*#[ \t]*material\b/.test(line));
-	// Within quotes it is a name.
+	// Within quotes it is a material's name.
 	return materials.some((line) => line.match(/"?\b(?:bud|wilted)\b/g)?.some((word) => !word.startsWith('"')));
 }
 
-/** It is asked at every change of a document, and texts are long. */
+/** The last result of `usesAge`, which runs at every change of a document on long texts. */
 let lastUsesAge: { readonly text: string | undefined; readonly isActive: boolean } | undefined;
 
-/** The text with blanks for its comments, those between two `@` too; lines stay. One that is never closed goes on to the end. */
+/** Replaces comments by blanks, those between two `@` too; lines stay. An unclosed comment extends to the end. */
 export const uncommented = (text: string): string => text.replace(/@[^@]*(?:@|$)|\/\*[\s\S]*?(?:\*\/|$)/g, blanked);

@@ -1,11 +1,11 @@
-/** A flower in a few plain words: for the caption, the picture's description and the screen reader. */
+/** Summary of a flower in words: for the caption, the picture's description and screen readers. */
 import { countInWords, heightsOf, lengthInWords } from "../../plant/in_words";
 import type { FlowerPlant } from "./flower_plant";
 import { FLOWER_TABLE } from "./table";
 
 const HEIGHT = FLOWER_TABLE.measures.findIndex(({ key }) => key === "height");
 
-/** "42 cm tall, 17 organs, 1,120 volumes". */
+/** Returns "42 cm tall, 17 organs, 1,120 volumes". */
 export function flowerInWords(plant: FlowerPlant): string {
 	const { counts } = plant;
 	const parts = [`${lengthInWords(heightOf(plant))} tall`];
@@ -14,7 +14,10 @@ export function flowerInWords(plant: FlowerPlant): string {
 	return parts.join(", ");
 }
 
-/** Metres, as it is measured: from its lowest to its highest place; while a hand moves by what is drawn, and without that by its stems. */
+/**
+ * Returns the height in metres as measured, from the lowest to the highest point; in previews, of the drawn meshes,
+ * else of the stems.
+ */
 function heightOf({ measures, meshes, segments }: FlowerPlant): number {
 	if (measures) return measures[HEIGHT] / 100;
 	const drawn = meshes.map(({ positions }) => heightsOf(positions));

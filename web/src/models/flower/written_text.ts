@@ -1,21 +1,24 @@
-/** A flower's text as a file: with its values and steps in it, so that it grows the same flower wherever it is read. */
+/** Writes a flower's text as a file, with its values and steps, so that it grows the same flower everywhere. */
 import { outlineOf, withConstants, wordOf } from "../../grammar_editor/outline";
 import type { FlowerSpecimen } from "./specimen";
 import { fetchedText, fetchTexts } from "./texts";
 import { scan } from "./ui/language";
 
-/** The text of a `.gl3`. */
+/** Returns the text of a `.gl3` file. */
 export async function fileText(specimen: FlowerSpecimen): Promise<string> {
 	if (specimen.grammar === undefined) await fetchTexts();
 	return writtenText(fetchedText(specimen) ?? "", specimen);
 }
 
-/** The text with a document's values and steps in front of its modules; what the text does not have is left out. */
+/**
+ * Writes a document's values and steps into a text, before its modules; values without a definition in the text are
+ * dropped.
+ */
 export function writtenText(
 	text: string,
 	{ constants, parameters: { steps } }: Pick<FlowerSpecimen, "constants" | "parameters">,
 ): string {
-	// How many steps it has is a parameter, and a value of that name changes nothing.
+	// The parameter `steps` sets the number of steps; a value named finalStep has no effect.
 	const { finalStep: _, ...own } = constants;
 	const pieces = scan(text);
 	if (!(steps > 0)) return withConstants(text, own, pieces);

@@ -1,4 +1,4 @@
-/** Files of what a text grows besides those of every plant. */
+/** File formats of a text's plant besides those of every plant. */
 import type { Format } from "../model";
 import type { GrammarPlant } from "./grammar_plant";
 import type { GrammarSpecimen } from "./specimen";

@@ -1,38 +1,44 @@
-/** Columns of an answer → what a text has grown (wasm-core/src/models/grammar/model.hpp). */
+/** Converts an answer's columns to a text's plant (wasm-core/src/models/grammar/model.hpp). */
 import type { Answer } from "../../core/core";
 import type { Plant } from "../../plant/plant";
 import { readPlant } from "../../plant/read_plant";
 import type { Area, WithAreas } from "./areas/area";
 
-/** What of drawn things is not their shape, one each. */
+/** Attributes of segments or organs, one value each. */
 export interface Marks {
-	/** The module that drew it, by its place in the last string, from 0. */
+	/** Module that drew it, by its place in the last string, from 0. */
 	module: Uint32Array;
-	/** 1 … 8 of the palette. */
+	/** Colour of the palette, 1 … 8. */
 	colour: Uint8Array;
 }
 
-/** A plant that a text has grown. */
+/** A plant grown from a text. */
 export interface GrammarPlant extends Plant {
-	/** Of segments. */
+	/** Attributes of segments. */
 	lines: Marks;
-	/** Of organs. */
+	/** Attributes of organs. */
 	organMarks: Marks;
-	/** Of segments, where the text says it: the growth area of each, from 1, 0 for none, and whether it is the main branch's. */
+	/**
+	 * For segments, if the text uses areas: the growth area of each, from 1, 0 for none, and whether it belongs to the
+	 * main branch.
+	 */
 	belongs?: { area: Uint8Array; main: Uint8Array };
-	/** That it has grown in, where there are such. */
+	/** Growth areas that it has grown in, if any. */
 	areas?: readonly Area[];
-	/** Of growth areas, where they were measured: m³, and the share of the surface that is clothed. */
+	/** Measures of growth areas, if requested: volume in m³, and the share of the surface that leaves cover. */
 	areaMeasures?: { volume: Float32Array; clothed: Float32Array };
 	/** Colours of each mesh's runs, by the mesh's name. */
 	runColours: Readonly<Record<string, Uint8Array>>;
-	/** The organ that each run of the mesh `blades` is, where that is told. */
+	/** Organ of each run of the mesh `blades`, if known. */
 	bladeOrgans?: Uint32Array;
-	/** The derived string, where it was asked for. */
+	/** The derived string, if requested. */
 	string?: string;
 }
 
-/** @param specimen that it was asked for */
+/**
+ * Reads a plant from an answer.
+ * @param specimen the requested specimen
+ */
 export function readGrammarPlant(answer: Answer, { areas }: WithAreas = {}): GrammarPlant {
 	const { columns } = answer;
 	const plant = readPlant(answer);

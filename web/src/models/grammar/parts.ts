@@ -1,4 +1,4 @@
-/** What a text has grown in parts: lines by their colours, what is organMarks by its kind and colour. */
+/** Splits a text's plant into parts: lines by colour, organs by kind and colour. */
 import { linear } from "../../plant/colour";
 import { type Material, standardMaterial } from "../../plant/material";
 import { cut, type Part, type PartMesh, TRANSFORM } from "../../plant/part";
@@ -7,9 +7,9 @@ import type { GrammarPlant } from "./grammar_plant";
 import type { ColourKey } from "./parameters.generated";
 import type { GrammarSpecimen } from "./specimen";
 
-/** More of a kind than these nobody picks one by one: none has a name of its own, and files hold them in a few meshes. */
+/** Above this number, organs of a kind have no names of their own, and files hold them in a few meshes. */
 const MOST_NAMED = 300;
-/** More polygons than these are one part a colour: each part is drawn by itself. */
+/** Above this number, polygons of one colour share a part, since each part is a draw call. */
 const MOST_APART = 60;
 
 export function* grammarParts(plant: GrammarPlant, { look }: GrammarSpecimen): Generator<Part> {
@@ -41,7 +41,7 @@ export function* grammarParts(plant: GrammarPlant, { look }: GrammarSpecimen): G
 	}
 }
 
-/** Each run for itself; where there are many, those of a colour together. */
+/** Groups the runs of a mesh: one group per run, or one per colour if there are many. */
 function groupsOf({ runs }: PlantMesh, colours: Uint8Array): { name: string; colour: number; runs: MeshRun[] }[] {
 	const shown = runs.map((run, place) => ({ run, colour: colours[place] })).filter(({ run }) => run.indexCount > 0);
 	if (shown.length <= MOST_APART) return shown.map(({ run, colour }) => ({ name: run.name, colour, runs: [run] }));
@@ -54,7 +54,7 @@ function groupsOf({ runs }: PlantMesh, colours: Uint8Array): { name: string; col
 	return [...groups].sort(([a], [b]) => a - b).map(([colour, members]) => ({ name: "Blades", colour, runs: members }));
 }
 
-/** Runs of a mesh as one mesh of their own. */
+/** Joins runs of a mesh into one mesh. */
 function gathered(mesh: PlantMesh, runs: readonly MeshRun[]): PartMesh {
 	if (runs.length === 1) return cut(mesh, runs[0]);
 	const vertices = runs.reduce((sum, { vertexCount }) => sum + vertexCount, 0);
@@ -80,14 +80,14 @@ function gathered(mesh: PlantMesh, runs: readonly MeshRun[]): PartMesh {
 	return all;
 }
 
-/** A material of a kind in a colour of the palette. */
+/** Returns the material of a kind in a colour of the palette. */
 function painted(kind: string, colour: number, look: GrammarSpecimen["look"]): Material {
 	const standard = standardMaterial(kind);
 	const key = `colour${colour}` as ColourKey;
 	return { ...standard, name: `${standard.name} ${colour}`, colour: linear(look[key]) };
 }
 
-/** The organs that are drawn with a mesh, as instances: a part for each colour. */
+/** Yields the organs that are instances of a mesh: a part for each colour. */
 function* instancedParts(
 	{ organs, organMarks }: GrammarPlant,
 	index: number,
@@ -118,7 +118,9 @@ function* instancedParts(
 	}
 }
 
-/** The organs of a mesh by their colours. Plain loops: there may be a hundred thousand, at every step of a drag. */
+/**
+ * Groups the organs of a mesh by colour. Plain loops, since there may be a hundred thousand at every step of a drag.
+ */
 function byColour(organs: GrammarPlant["organs"], { colour }: GrammarPlant["organMarks"], index: number) {
 	const counts = new Map<number, number>();
 	for (let organ = 0; organ < organs.count; organ++)

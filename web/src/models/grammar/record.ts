@@ -1,48 +1,48 @@
-/** What the JSON document says of what a text has grown, besides and in place of what it says of any plant. */
+/** Record of a text's plant in the JSON document, besides and in place of that of every plant. */
 import type { OrganRecord, SegmentRecord } from "../../formats/json";
 import { shortFloat } from "../../formats/numbers";
 import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
 import type { Area } from "./areas/area";
 import type { GrammarPlant } from "./grammar_plant";
 
-/** A line. */
+/** A segment. */
 export interface LineRecord extends SegmentRecord {
-	/** That drew it: its place in the last string, from 0. */
+	/** Module that drew it, by its place in the last string, from 0. */
 	module: number;
-	/** Of the palette, 1 … 8. */
+	/** Colour of the palette, 1 … 8. */
 	colour: number;
-	/** The growth area that it belongs to, from 1; 0 for none. Where the text says it. */
+	/** Growth area that it belongs to, from 1; 0 for none. Present if the text uses areas. */
 	area?: number;
-	/** 1: of the main branch; else 0. Where the text says it. */
+	/** 1 for segments of the main branch, else 0. Present if the text uses areas. */
 	main?: number;
 }
 
-/** A sphere, a surface, a polygon. */
+/** An organ: a sphere, a surface or a polygon. */
 export interface GrammarOrganRecord extends OrganRecord {
-	/** That drew it: its place in the last string, from 0. */
+	/** Module that drew it, by its place in the last string, from 0. */
 	module: number;
-	/** Of the palette, 1 … 8. */
+	/** Colour of the palette, 1 … 8. */
 	colour: number;
 }
 
-/** A growth area, and what has grown in it. */
+/** A growth area, with measures of the branches in it. */
 export interface AreaRecord extends Pick<Area, "kind" | "centre" | "size" | "rotation"> {
-	/** How many belong to it, where the text says it. */
+	/** Number of segments that belong to it, if the text uses areas. */
 	segments?: number;
-	/** m³, where measures were asked for. */
+	/** Volume in m³, if measures were requested. */
 	volume?: number;
-	/** Share of its surface that has the base of a leaf within one leaf's length, where measures were asked for. */
+	/** Share of its surface within one leaf's length of a leaf's base, if measures were requested. */
 	clothed?: number;
 }
 
 export interface GrammarRecord {
 	/** Length of the last string. */
 	modules: number;
-	/** Of the derivation. */
+	/** Number of derivation steps. */
 	steps: number;
-	/** The last string, where it was asked for: it reads back as an axiom. */
+	/** The last string, if requested; it can be parsed as an axiom. */
 	string?: string;
-	/** What bounds the branches, metres. */
+	/** Volumes that clip the branches, metres. */
 	areas?: readonly AreaRecord[];
 	segments: Rows<LineRecord>;
 	organs: Rows<GrammarOrganRecord>;

@@ -1,4 +1,4 @@
-/** Specimen → the blocks of a request, as wasm-core/src/models/grammar/model.hpp lists them. */
+/** Encodes a specimen as the blocks of a request, listed in wasm-core/src/models/grammar/model.hpp. */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
 import { traceBlocks } from "../../plant/derivation_trace";
@@ -9,13 +9,16 @@ import { GRAMMAR_TABLE } from "./table";
 import { fetchedText } from "./texts";
 
 export interface GrammarRequestOptions extends GrowthOptions {
-	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
+	/** Whether to compute sky visibility; default: with meshes, except in previews. */
 	sky?: boolean;
-	/** Whether the fingerprint of the meshes is wanted; the default is no. */
+	/** Whether to compute the fingerprint of the meshes; default: no. */
 	meshFingerprint?: boolean;
 }
 
-/** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
+/**
+ * Encodes a request.
+ * @throws CoreError if the preset's text has not been fetched or a parameter is not a number
+ */
 export function encodeGrammar(specimen: GrammarSpecimen, options: GrammarRequestOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, string = false, trace } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;

@@ -1,4 +1,4 @@
-/** The document's side of the model: its table, its presets, and what a specimen of it holds besides. */
+/** Schema of the model's document: its parameters, presets and further fields. */
 import { constantValues } from "../../specimen/constants";
 import { grammarText } from "../../specimen/grammar_text";
 import type { ModelSchema } from "../../specimen/model_schema";
@@ -10,7 +10,7 @@ import type { GrammarSpecimen } from "./specimen";
 import { GRAMMAR_TABLE } from "./table";
 import { definedNames } from "./texts";
 
-/** The preset a link without `preset` means. */
+/** Preset of a link without `preset`. */
 export const DEFAULT_PRESET = "shrub";
 
 export const GRAMMAR: ModelSchema<GrammarSpecimen> = {

@@ -5,19 +5,19 @@ import type { GrammarSpecimen } from "./specimen";
 
 export const { fetchTexts, fetchedText } = presetTexts(PRESETS, () => import("./texts.generated"));
 
-/** The text that a specimen grows from: its own, or else its preset's. */
+/** Returns a specimen's text: its own, or else its preset's. */
 export async function textOf(specimen: Pick<GrammarSpecimen, "grammar" | "preset">): Promise<string> {
 	if (specimen.grammar === undefined) await fetchTexts();
 	return fetchedText(specimen) ?? "";
 }
 
-/** Whether a text's branches keep within growth areas. */
+/** Returns whether a text restricts its branches to growth areas. */
 export const usesAreas = (text: string): boolean => /\b(bound|reach)\s*\(/.test(text);
 
-/** The text of a preset by its name. */
+/** Returns a preset's text. */
 export const presetText = (preset: string): Promise<string> => textOf({ preset });
 
-/** The names to which the text that a specimen grows by lets values be given: of its `#define`s and `#input`s. */
+/** Returns the names of the `#define`s and `#input`s of a specimen's text, whose values can be set. */
 export async function definedNames(specimen: Pick<GrammarSpecimen, "grammar" | "preset">): Promise<string[]> {
 	const bare = blankComments(await textOf(specimen));
 	return [...bare.matchAll(/^[ \t]*#[ \t]*(?:define|input)[ \t]+(\p{L}[\p{L}\p{N}_]*)/gmu)].map(([, name]) => name);

@@ -1,7 +1,7 @@
-/** What a text has grown in a few plain words: for the caption, the picture's description and the screen reader. */
+/** Summary of a text's plant in words: for the caption, the picture's description and screen readers. */
 import type { GrammarPlant } from "./grammar_plant";
 
-/** "1,240 modules, 380 segments, 24 organs". */
+/** Returns "1,240 modules, 380 segments, 24 organs". */
 export function grammarInWords({ counts }: GrammarPlant): string {
 	const parts = [counted(counts.modules ?? 0, "module"), counted(counts.segments ?? 0, "segment")];
 	if (counts.organs > 0) parts.push(counted(counts.organs, "organ"));
@@ -10,10 +10,10 @@ export function grammarInWords({ counts }: GrammarPlant): string {
 
 const counted = (count: number, noun: string) => `${count.toLocaleString("en-GB")} ${noun}${count === 1 ? "" : "s"}`;
 
-/** Characters; a longer line is not a title. */
+/** Longest title, in characters. */
 const LONGEST_TITLE = 60;
 
-/** The first line of the comment that a text begins with, as presets' texts have their title there. */
+/** Returns the first line of the comment at the start of a text, which is its title in presets. */
 export function titleOfText(text: string): string {
 	const start = text.trimStart();
 	const comment = start.startsWith("/*") ? start.slice(2).trimStart() : "";

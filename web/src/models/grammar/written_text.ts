@@ -1,14 +1,17 @@
-/** A specimen's text as a file: with its constants and steps in it, so that it grows the same plant wherever it is read. */
+/** Writes a specimen's text as a file, with its constants and steps, so that it grows the same plant everywhere. */
 import { withConstants } from "../../grammar_editor/outline";
 import type { GrammarSpecimen } from "./specimen";
 import { textOf } from "./texts";
 
-/** The text of a `.lsys`. */
+/** Returns the text of a `.lsys` file. */
 export async function writtenText(specimen: GrammarSpecimen): Promise<string> {
 	return withValues(await textOf(specimen), specimen);
 }
 
-/** A text in which the `#define`s and the derivation length say what a specimen says; what the text does not have is left out. */
+/**
+ * Writes a specimen's constants and steps into the `#define`s and the derivation length of a text; constants without a
+ * `#define` are dropped.
+ */
 export function withValues(text: string, { constants, steps }: Pick<GrammarSpecimen, "constants" | "steps">): string {
 	const written = withConstants(text, constants);
 	if (steps === undefined) return written;
@@ -17,7 +20,9 @@ export function withValues(text: string, { constants, steps }: Pick<GrammarSpeci
 	return written.replace(/^[ \t]*axiom[ \t]*:/m, (axiom) => `derivation length: ${steps}\n${axiom}`);
 }
 
-/** The place of the derivation length in a text: from behind its colon to the blanks and the comment that end its line. */
+/**
+ * Returns the range of the derivation length in a text, from behind its colon to before trailing blanks and comments.
+ */
 function lengthIn(text: string): { from: number; to: number } | undefined {
 	for (const head of text.matchAll(/^[ \t]*derivation[ \t]+length[ \t]*:[ \t]*/gm)) {
 		const from = head.index + head[0].length;

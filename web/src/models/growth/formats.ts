@@ -1,4 +1,4 @@
-/** Files of a tree besides those of every plant. */
+/** File formats of a tree besides those of every plant. */
 import { writeTextFile } from "../../specimen/text_file";
 import type { Format } from "../model";
 import type { GrowthPlant } from "./growth_plant";

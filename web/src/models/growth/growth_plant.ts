@@ -1,4 +1,4 @@
-/** Columns of an answer → a tree of a growth grammar (wasm-core/src/models/growth/model.hpp). */
+/** Converts an answer's columns to a tree of a growth grammar (wasm-core/src/models/growth/model.hpp). */
 import type { Answer } from "../../core/core";
 import type { AttachedLeaf, Veins } from "../../plant/leaf";
 import { fetchBakedLeaf, fetchedLeaf } from "../../plant/leaves";
@@ -9,20 +9,20 @@ import { GROWTH_TABLE } from "./table";
 import type { GrowthVolume } from "./volumes/volume";
 
 export interface GrowthPlant extends Wooden {
-	/** Of each segment the shoot that it is of, that one's order (0 of a trunk), and the step at which it came. */
+	/** For each segment its shoot, the shoot's order (0 of a trunk), and the shoot's first step. */
 	shoots: { shoot: Uint32Array; order: Uint8Array; born: Uint32Array };
-	/** Those of the footprint, as they came out. */
+	/** Growth volumes of the footprint, as evaluated. */
 	volumes: readonly GrowthVolume[];
-	/** Of every leaf, over its texture coordinates; absent where it has none. */
+	/** Veins of every leaf, in its texture coordinates; absent if it has none. */
 	veins?: Veins;
 }
 
 const kindOf = (specimen: GrowthSpecimen): string => GROWTH_TABLE.option(specimen, "leaf_kind") ?? "";
 
-/** Fetches the leaf that a tree bears; needles are not baked, and there is none of bare trees. */
+/** Fetches the baked leaf of a tree; needles are not baked, and bare trees have none. */
 export const fetchLeafOf = (specimen: GrowthSpecimen): Promise<void> => fetchBakedLeaf(kindOf(specimen));
 
-/** Undefined before it is there, of needles and of bare trees. */
+/** Returns the leaf of a tree; undefined before it is fetched, for needles and for bare trees. */
 export const leafOf = (specimen: GrowthSpecimen): AttachedLeaf | undefined => fetchedLeaf(kindOf(specimen));
 
 export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): GrowthPlant {
@@ -50,7 +50,7 @@ export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): Growt
 	};
 }
 
-/** To the hundredth, as the core draws them and texts write them. */
+/** Rounds to hundredths, like the core's handles and texts. */
 const hundredth = (value: number): number => Math.round(value * 100) / 100 + 0;
 
 function volumeOf(id: number, shape: Float32Array, wide: number, place: Float32Array): GrowthVolume {

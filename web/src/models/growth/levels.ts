@@ -1,4 +1,4 @@
-/** A tree of a growth grammar for four distances: bark, leaves and blossoms, in one colour each. */
+/** Levels of detail of a tree: bark, leaves and blossoms, each in one colour. */
 import { linear, mixed } from "../../plant/colour";
 import { leafColour } from "../../plant/leaf_colours";
 import type { Material } from "../../plant/material";
@@ -9,7 +9,7 @@ import { GROWTH_TABLE } from "./table";
 import { leafSeason } from "./year";
 
 const LEVEL = /^level\d$/;
-/** The share of young wood in what is seen of a tree's. */
+/** Share of young wood in the visible wood. */
 const YOUNG = 0.4;
 
 export function growthLevels({ meshes }: GrowthPlant, specimen: GrowthSpecimen): Part[][] {
@@ -24,7 +24,7 @@ export function growthLevels({ meshes }: GrowthPlant, specimen: GrowthSpecimen):
 		);
 }
 
-/** By the names of the levels' runs. */
+/** Materials by the names of the levels' runs. */
 function materialsOf(specimen: GrowthSpecimen): Record<string, Material> {
 	const { look, parameters } = specimen;
 	const season = leafSeason(parameters.season, GROWTH_TABLE.option(specimen, "year") === "evergreen");

@@ -1,4 +1,4 @@
-/** A tree of a growth grammar in parts: bark, leaves in their tints, blossoms, those about to fall and those that lie on the ground. */
+/** Splits a tree into parts: bark, leaves in their tints, blossoms, leaves about to fall and leaves on the ground. */
 import { linear } from "../../plant/colour";
 import { leafTints } from "../../plant/leaf_colours";
 import type { Material } from "../../plant/material";
@@ -11,10 +11,10 @@ import type { GrowthSpecimen } from "./specimen";
 import { GROWTH_TABLE } from "./table";
 import { leafSeason } from "./year";
 
-/** What a birch's bark turns to towards the ground. */
+/** Colour of a birch's bark near the ground. */
 const FOOT = linear("2a2623");
 
-/** Of what is on the ground in autumn, how far the year is for its colours: browner than what hangs. */
+/** Season of fallen leaves' colours in autumn: browner than leaves on the tree. */
 const LYING = 1;
 
 export function* growthParts(plant: GrowthPlant, specimen: GrowthSpecimen): Generator<Part> {
@@ -27,7 +27,7 @@ export function* growthParts(plant: GrowthPlant, specimen: GrowthSpecimen): Gene
 		...dress,
 		tints: { blade: leafTints({ ...colours, season }, plant.veins), petal: [] },
 	});
-	// Those about to fall and the fallen are of one colour: a step later they are gone.
+	// Falling and fallen leaves have one colour: a step later they are gone.
 	const [red] = leafTints({ leaf: look.falling, autumn: look.falling, season: 0.4 }, plant.veins);
 	yield* attachedParts(withOrgans(plant, ["falling", "fallen"]), { blade: [{ ...red, name: "Falling leaf" }] });
 	const brown = leafTints({ ...colours, season: LYING }, plant.veins);
@@ -59,7 +59,7 @@ function woodOf(specimen: GrowthSpecimen): Omit<Dress, "tints"> {
 	};
 }
 
-/** What the table calls each. */
+/** Kinds of bark by their names in the table. */
 const BARKS: Readonly<Record<string, BarkKind>> = {
 	furrowed: "furrowed",
 	smooth: "smooth",
@@ -77,7 +77,7 @@ const petal = (colour: string): Material => ({
 	sheet: { through: [0.9, 0.85, 0.85], reverse: [1, 0.98, 0.98] },
 });
 
-/** The same plant with those of its organs that have one of these tags and a mesh. */
+/** Returns the plant with only the organs that have one of these tags and a mesh. */
 function withOrgans(plant: GrowthPlant, tags: readonly string[]): GrowthPlant {
 	const { organs } = plant;
 	const wanted = new Set(tags.map((tag) => organs.tags.indexOf(tag)));

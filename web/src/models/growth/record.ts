@@ -1,16 +1,16 @@
-/** What the JSON document says of a tree of a growth grammar, besides and in place of what it says of any plant. */
+/** Record of a tree in the JSON document, besides and in place of that of every plant. */
 import type { SegmentRecord } from "../../formats/json";
 import { floats, integers, type Rows, recordRows, vectors, words } from "../../formats/rows";
 import type { GrowthPlant } from "./growth_plant";
 import type { GrowthVolume } from "./volumes/volume";
 
-/** A piece of a shoot. */
+/** A segment of a shoot. */
 export interface ShootRecord extends SegmentRecord {
-	/** The shoot that it is of. */
+	/** Shoot of the segment. */
 	shoot: number;
-	/** 0 of a trunk, 1 of a branch that it bears. */
+	/** Order of the shoot: 0 for a trunk, 1 for a branch of it. */
 	order: number;
-	/** The step at which its shoot came. */
+	/** Step in which the shoot started. */
 	born: number;
 }
 

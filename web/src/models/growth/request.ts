@@ -1,4 +1,4 @@
-/** Specimen → the blocks of a request, as wasm-core/src/models/growth/model.hpp lists them. */
+/** Encodes a specimen as the blocks of a request, listed in wasm-core/src/models/growth/model.hpp. */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
 import { leafBlocks } from "../../plant/leaf";
@@ -9,17 +9,20 @@ import { GROWTH_TABLE } from "./table";
 import { fetchedText } from "./texts";
 
 export interface GrowthRequestOptions extends GrowthOptions {
-	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
+	/** Whether to compute sky visibility; default: with meshes, except in previews. */
 	sky?: boolean;
-	/** Whether the fingerprint of the meshes is wanted; the default is no. */
+	/** Whether to compute the fingerprint of the meshes; default: no. */
 	meshFingerprint?: boolean;
-	/** Whether meshes for four distances are wanted, as wasm-core/src/models/growth/model.hpp says; the default is no. */
+	/** Whether to build meshes for four distances (wasm-core/src/models/growth/model.hpp); default: no. */
 	levels?: boolean;
-	/** How many of them, from near to far; absent: all four. */
+	/** Number of levels, from near to far; default: all four. */
 	levelCount?: number;
 }
 
-/** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
+/**
+ * Encodes a request.
+ * @throws CoreError if the preset's text has not been fetched or a parameter is not a number
+ */
 export function encodeGrowth(specimen: GrowthSpecimen, options: GrowthRequestOptions = {}): Block[] {
 	const { meshes = true, preview = false, meshFingerprint = false, levels = false, levelCount } = options;
 	const { measures = !preview, sky = meshes && !preview } = options;

@@ -1,4 +1,4 @@
-/** The document's side of the model: its table, its presets, and what a specimen of it holds besides. */
+/** Schema of a tree's document: its parameters, presets and further fields. */
 import { grammarText } from "../../specimen/grammar_text";
 import type { ModelSchema } from "../../specimen/model_schema";
 import { Presets } from "../../specimen/presets";
@@ -7,10 +7,10 @@ import { PRESET_KINDS, PRESETS } from "./presets.generated";
 import type { GrowthSpecimen } from "./specimen";
 import { GROWTH_TABLE } from "./table";
 
-/** The preset a link without `preset` means. */
+/** Preset of a link without `preset`. */
 export const DEFAULT_PRESET = "figure-5";
 
-/** What begins a line of a growth grammar: an L-system may call a symbol so, but has an axiom. */
+/** Matches a line of a growth grammar. An L-system may use these names as symbols, but has an axiom. */
 const OWN = /^[ \t]*(?:footprint|tree)[ \t]*(?:-->|->|→)/m;
 const AXIOM = /^[ \t]*axiom[ \t]*:/im;
 

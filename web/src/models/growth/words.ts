@@ -1,9 +1,9 @@
-/** A tree of a growth grammar in a few plain words: for the caption, the picture's description and the screen reader. */
+/** Summary of a tree in words: for the caption, the picture's description and screen readers. */
 import { countInWords, heightsOf, lengthInWords } from "../../plant/in_words";
 import type { GrowthPlant } from "./growth_plant";
 import type { GrowthSpecimen } from "./specimen";
 
-/** "9.7 m tall, 230 branches, 2,100 leaves, 400 on the ground, among neighbours". */
+/** Returns "9.7 m tall, 230 branches, 2,100 leaves, 400 on the ground, among neighbours". */
 export function growthInWords({ segments, counts }: GrowthPlant, { surroundings }: GrowthSpecimen): string {
 	const { high } = heightsOf(segments.ends);
 	const parts = [

@@ -1,10 +1,13 @@
-/** The year of a tree: what its slider means for the colours of leaves. */
+/** The year of a tree: maps the season's slider to colours of leaves. */
 
-/** Where on the slider the first buds open, summer is, leaves begin to turn and all have (wasm-core/src/models/growth/foliage.cpp). */
+/**
+ * Positions on the slider at which the first buds open, summer is, leaves begin to turn and all have turned
+ * (wasm-core/src/models/growth/foliage.cpp).
+ */
 const [BUDS, SUMMER, TURNS, TURNED] = [0.12, 0.4, 0.52, 0.78];
 
 /**
- * The season as leaves' colours take it (plant/leaf_colours.ts): 0 spring, 0.4 summer, 1 autumn.
+ * Returns the season for leaf colours (plant/leaf_colours.ts): 0 spring, 0.4 summer, 1 autumn.
  * @param season of the slider, 0 late winter … 1 winter
  */
 export function leafSeason(season: number, evergreen: boolean): number {

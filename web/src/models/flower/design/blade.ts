@@ -1,4 +1,4 @@
-/** Leaves, sepals and petals by the template of what is like a petal. */
+/** Writes the grammars of leaves, sepals and petals from the template templates/petal_like.gl3. */
 import type { Description } from "./description";
 import { widthOf } from "./margin";
 import { valueAt } from "./polynomial";
@@ -7,9 +7,9 @@ import { filled } from "./template";
 import petalLike from "./templates/petal_like.gl3?raw";
 
 export type Bladed = "leaf" | "sepal" | "petal";
-/** What the upper epidermis is of; ten and twenty more are the mesophyll and the lower epidermis. */
+/** Material number of each organ's upper epidermis; plus 10 is its mesophyll, plus 20 its lower epidermis. */
 const MATERIALS: Readonly<Record<Bladed, number>> = { leaf: 2, sepal: 3, petal: 4 };
-/** How much paler than the upper side, which has the chosen colours, the layers below it are. */
+/** Layers of a blade, with how much paler each is than the upper side, which has the chosen colours. */
 const LAYERS = [
 	{ name: "upper epidermis", paler: 0 },
 	{ name: "mesophyll", paler: 0.1 },
@@ -17,7 +17,7 @@ const LAYERS = [
 ] as const;
 const PALE = "e2e6d2";
 
-/** Degrees that a lobe turns up against the one before, and those by which margins wave. */
+/** Per cross-section: degrees by which a lobe turns up against the one before, and by which margins wave. */
 const SECTIONS: Readonly<Record<string, readonly [cup: number, wave: number]>> = {
 	flat: [1, 0],
 	cupped: [7, 0],
@@ -26,23 +26,23 @@ const SECTIONS: Readonly<Record<string, readonly [cup: number, wave: number]>> =
 	wavy: [4, 14],
 };
 
-/** The polynomial of a blade's outline, whether of the table or drawn. */
+/** Returns the polynomial of a blade's outline, for a shape of the table as for a drawn margin. */
 export function outlineOf({ values, margin }: Description): Fit {
 	if (values.outline === DRAWN && margin) return fitOf({ width: widthOf(margin) });
 	return fitOf(SHAPES[String(values.outline)] ?? SHAPES.elliptic);
 }
 
-/** Lobes to a side: as many as its width can show. */
+/** Returns the number of lobes to a side that the blade's width can show. */
 function lobes(width: number, length: number): number {
 	const share = width / length;
 	return share < 0.1 ? 1 : share < 0.3 ? 2 : 3;
 }
 
-/** Whether a line is of lobes farther out than there are: what never grows would never be glued. */
+/** Returns whether a template line names a lobe beyond the last one, whose volume would never grow. */
 const namesBeyond = (line: string, across: number): boolean =>
 	[...line.matchAll(/\b[RL][UML](\d)/g)].some(([, lobe]) => Number(lobe) > across);
 
-/** The grammar of one such organ. */
+/** Returns the grammar of a leaf, sepal or petal. */
 export function bladeText(organ: Bladed, description: Description): string {
 	const { values } = description;
 	const [length, width, angle] = [Number(values.length), Number(values.width), Number(values.angle)];
@@ -90,7 +90,7 @@ export function bladeText(organ: Bladed, description: Description): string {
 	});
 }
 
-/** `c0+s*(c1+s*(…))`. */
+/** Writes a polynomial by Horner's scheme: `c0+s*(c1+s*(…))`. */
 function horner(coefficients: readonly number[]): string {
 	const [first, ...rest] = coefficients;
 	return rest.length === 0 ? String(first) : `${first}+s*(${horner(rest)})`;
@@ -99,7 +99,7 @@ function horner(coefficients: readonly number[]): string {
 const GREEN = "8d9c4e";
 const BROWN = "8a6a40";
 
-/** Buds are greener and what wilts is browner; petals may have veins. */
+/** Returns the `#material` clauses for buds (greener), wilting (browner) and, of petals, veins. */
 function painted(organ: Bladed, { base, tip, veins }: Description["values"]): string {
 	const wilted = ` wilted "${mixed(String(base), BROWN, 0.5)}" "${mixed(String(tip), BROWN, 0.6)}"`;
 	if (organ !== "petal") return wilted;
@@ -107,7 +107,7 @@ function painted(organ: Bladed, { base, tip, veins }: Description["values"]): st
 	return `${lines} bud "${mixed(String(base), GREEN, 0.7)}" "${mixed(String(tip), GREEN, 0.5)}"${wilted}`;
 }
 
-/** Between two colours, six hexadecimal digits each. */
+/** Mixes two colours, six hexadecimal digits each. */
 function mixed(one: string, other: string, share: number): string {
 	const channel = (of: string, at: number): number => Number.parseInt(of.slice(at, at + 2), 16);
 	return [0, 2, 4]
@@ -118,5 +118,5 @@ function mixed(one: string, other: string, share: number): string {
 
 const round = (value: number): number => Math.round(value * 100) / 100 + 0;
 
-/** The half width at a share of the steps, as the grammar works it out: a share of the greatest. */
+/** Returns the half width, as a share of the greatest, at a share `t` of the steps, as the grammar computes it. */
 export const halfWidthAt = ({ coefficients }: Fit, t: number): number => Math.max(0.004, valueAt(coefficients, t));

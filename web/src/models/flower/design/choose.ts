@@ -1,4 +1,4 @@
-/** A choice written into a text: its organ's section is made anew, and what was edited in it by hand is merged in. */
+/** Writes a choice into a text: rewrites the organ's section and merges edits made by hand into it. */
 import type { Description } from "./description";
 import { type Design, textOf } from "./design";
 import { merged } from "./merge";
@@ -6,13 +6,13 @@ import { sectionOf } from "./sections";
 
 export interface Chosen {
 	readonly text: string;
-	/** Lines edited by hand that the choice does not leave. */
+	/** Lines edited by hand that the choice overwrites. */
 	readonly lost: readonly string[];
-	/** The text with those lines retained. */
+	/** The text with the lines in `lost` retained instead. */
 	readonly retained: string;
 }
 
-/** The text of a design with one organ described otherwise. */
+/** Returns the text of a design with one organ described anew. */
 export function choose(design: Design, description: Description): Chosen {
 	const at = design.sections.findIndex((section) => section.description.organ === description.organ);
 	const { description: before, text } = design.sections[at];
@@ -21,25 +21,25 @@ export function choose(design: Design, description: Description): Chosen {
 			...design,
 			sections: design.sections.map((section, i) => (i === at ? { ...section, text: lines.join("\n") } : section)),
 		});
-	// The line of the description itself is the choice's, however it was written.
-	const [base, mine, [said, ...made]] = [sectionOf(before), text, sectionOf(description)].map((each) =>
+	// The description's line always comes from the choice, however it was written before.
+	const [base, mine, [firstLine, ...made]] = [sectionOf(before), text, sectionOf(description)].map((each) =>
 		each.split("\n"),
 	);
 	const { lines, lost, retained } = merged(base.slice(1), mine.slice(1), made);
 	return {
-		text: withText([said, ...lines]),
+		text: withText([firstLine, ...lines]),
 		lost: lost.filter((line) => line.trim() !== ""),
-		retained: withText([said, ...retained]),
+		retained: withText([firstLine, ...retained]),
 	};
 }
 
-/** Whether a section is not what its description makes, however that is written. */
+/** Returns whether a section differs, below its description, from the one that its description generates. */
 export const isEdited = ({ description, text }: Design["sections"][number]): boolean =>
 	belowLine(text) !== belowLine(sectionOf(description));
 
 const belowLine = (section: string): string => section.slice(section.indexOf("\n"));
 
-/** The text with one organ's section as its description makes it. */
+/** Returns the text with one organ's section regenerated from its description, without edits made by hand. */
 export function madeAnew(design: Design, organ: Description["organ"]): string {
 	const sections = design.sections.map((section) =>
 		section.description.organ === organ ? { ...section, text: sectionOf(section.description) } : section,

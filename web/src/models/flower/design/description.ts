@@ -1,17 +1,17 @@
-/** An organ's description as it stands in the text: one comment, `@organ petal outline=rounded count=5 …@`. */
+/** Reads and writes an organ's description, a comment in the text: `@organ petal outline=rounded count=5 …@`. */
 import { type Margin, readMargin, writtenMargin } from "./margin";
 import { FIELDS, type NumberField, type Organ, type OrganField } from "./organs";
 import { DRAWN } from "./shapes";
 
 export interface Description {
 	readonly organ: Organ;
-	/** By the keys of the organ's fields. */
+	/** Values by the keys of the organ's fields. */
 	readonly values: Readonly<Record<string, string | number>>;
-	/** Of an outline that is drawn. */
+	/** The margin of a drawn outline. */
 	readonly margin?: Margin;
 }
 
-/** What nobody has said of it. */
+/** Returns a description of default values, except for the given ones. */
 export function usual(organ: Organ, values: Description["values"] = {}): Description {
 	return {
 		organ,
@@ -19,7 +19,7 @@ export function usual(organ: Organ, values: Description["values"] = {}): Descrip
 	};
 }
 
-/** A value as the field takes it; its usual one where it does not. */
+/** Returns a value clamped to a field's range and step, or the field's default if the value is invalid. */
 export function taken(field: OrganField, value: string | number | undefined): string | number {
 	if (value === undefined) return field.usual;
 	if (field.kind === "choice") return field.options.includes(String(value)) ? value : field.usual;
@@ -33,7 +33,7 @@ function nearest({ least, most, step, usual: other }: NumberField, value: number
 	return Math.min(most, Math.max(least, Math.round(steps * 1000) / 1000));
 }
 
-/** With other values; those that are drawn keep their margin. */
+/** Returns a description with some values changed; a drawn outline keeps its margin. */
 export function described(
 	description: Description,
 	values: Description["values"],
@@ -43,22 +43,25 @@ export function described(
 	return { ...usual(organ, { ...description.values, ...values }), ...(margin && { margin }) };
 }
 
-/** The line, without its end. */
+/** Writes a description as a line, without a line break. */
 export function lineOf({ organ, values, margin }: Description): string {
-	const said = FIELDS[organ].map(({ key }) => `${key}=${values[key]}`);
-	if (margin && values.outline === DRAWN) said.push(`margin=${writtenMargin(margin)}`);
-	return `@organ ${organ} ${said.join(" ")}@`;
+	const settings = FIELDS[organ].map(({ key }) => `${key}=${values[key]}`);
+	if (margin && values.outline === DRAWN) settings.push(`margin=${writtenMargin(margin)}`);
+	return `@organ ${organ} ${settings.join(" ")}@`;
 }
 
-/** The other way round: what is not said, or not understood, is as usual. Undefined where the line is none. */
+/**
+ * Parses a line written by `lineOf`; missing and invalid values become defaults. Returns undefined if the line is no
+ * description.
+ */
 export function readLine(line: string): Description | undefined {
-	// Whole words alone, here and below: of a long one each part would be tried by itself.
+	// Anchors at whole words, here and below: otherwise each part of a long word would be tried by itself.
 	const [, name, rest] = /^@organ (\w+)\b([^@\n]*)@\s*$/.exec(line) ?? [];
 	if (name === undefined || !Object.hasOwn(FIELDS, name)) return undefined;
 	const organ = name as Organ;
-	const said = Object.fromEntries(rest.split(/\s+/).flatMap((word) => settingIn(word)));
-	const margin = said.margin === undefined ? undefined : readMargin(said.margin);
-	const description = usual(organ, said);
+	const settings = Object.fromEntries(rest.split(/\s+/).flatMap((word) => settingIn(word)));
+	const margin = settings.margin === undefined ? undefined : readMargin(settings.margin);
+	const description = usual(organ, settings);
 	if (description.values.outline === DRAWN && !margin)
 		return described(description, { outline: FIELDS[organ].find(({ key }) => key === "outline")?.usual ?? DRAWN });
 	return { ...description, ...(margin && { margin }) };

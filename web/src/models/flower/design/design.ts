@@ -1,21 +1,24 @@
-/** A whole flower: its text taken apart into organs' sections, and put together again. Assembling is to write them one after another. */
+/** Splits a flower's text into one section per organ and joins sections into a text. */
 import { type Description, readLine, usual } from "./description";
 import { ORGANS, type Organ } from "./organs";
 import { sectionOf } from "./sections";
 
-/** A section as the text has it. */
+/** One organ's section of a text. */
 export interface Section {
 	readonly description: Description;
 	readonly text: string;
 }
 
 export interface Design {
-	/** What stands before the first organ. */
+	/** Text before the first organ. */
 	readonly head: string;
 	readonly sections: readonly Section[];
 }
 
-/** A text's sections, in time that grows with its length, for it may come by a link; undefined where it does not describe all six organs, each once and in their order. */
+/**
+ * Splits a text into its sections, in linear time, since links may bring any text. Returns undefined unless the text
+ * describes all six organs, each once and in their order.
+ */
 export function designOf(text: string): Design | undefined {
 	const parts = partsOf(text);
 	const head = readLine(firstLine(parts[0])) ? "" : (parts.shift() ?? "");
@@ -34,17 +37,17 @@ function partsOf(text: string): string[] {
 
 const firstLine = (text: string): string => text.split("\n", 1)[0];
 
-/** The text of a design. */
+/** Joins a design's head and sections into its text. */
 export const textOf = ({ head, sections }: Design): string => head + sections.map(({ text }) => text).join("");
 
-/** The text of a flower described so; what is not described is as usual. */
+/** Returns the text of a flower with these descriptions; organs without a description get default values. */
 export function assembled(descriptions: readonly Description[] = [], head = ""): string {
 	return (
 		head + ORGANS.map((organ) => sectionOf(descriptions.find((each) => each.organ === organ) ?? usual(organ))).join("")
 	);
 }
 
-/** What a design says of an organ. */
+/** Returns a design's description of one organ. */
 export function describedIn({ sections }: Design, organ: Organ): Description {
 	return sections[ORGANS.indexOf(organ)].description;
 }

@@ -1,19 +1,24 @@
-/** An outline that was drawn or traced: half widths at places along an organ, and a smooth curve through them. */
+/**
+ * A margin: an outline that was drawn or traced, as half widths at positions along an organ, joined by a smooth curve.
+ */
 import type { Width } from "./shapes";
 
-/** Both from 0 to 1: from the foot to the tip, and from the vein to the widest there is. */
+/**
+ * A point of a margin: `along` runs from 0 at the foot to 1 at the tip, `out` from 0 at the vein to 1 at the greatest
+ * half width.
+ */
 export interface MarginPoint {
 	readonly along: number;
 	readonly out: number;
 }
 
-/** From the foot to the tip, whose `along` is 0 and 1. */
+/** Points from the foot (`along` 0) to the tip (`along` 1). */
 export type Margin = readonly MarginPoint[];
 
-/** So many are shown to be dragged, the ends among them. */
+/** Number of points that are shown as handles, both ends included. */
 export const KNOTS = 9;
 
-/** An even outline's points, to draw on from. */
+/** Samples an outline at evenly spaced points, which drawing starts from. */
 export function marginOf(width: Width): Margin {
 	const places = Array.from({ length: KNOTS }, (_, i) => i / (KNOTS - 1));
 	const fine = Array.from({ length: 201 }, (_, i) => width(i / 200) || 0);
@@ -23,7 +28,10 @@ export function marginOf(width: Width): Margin {
 
 const round = (value: number): number => Math.round(value * 1000) / 1000;
 
-/** A point where it is taken to: between its neighbours, the ends only in and out, and so those that have no room. */
+/**
+ * Moves a point, limited by its neighbours. The ends and points without room between their neighbours move in and out
+ * only.
+ */
 export function moved(margin: Margin, index: number, to: MarginPoint): Margin {
 	const [before, after] = [margin[index - 1], margin[index + 1]];
 	const room = before && after && after.along - before.along >= 2 * APART;
@@ -31,12 +39,12 @@ export function moved(margin: Margin, index: number, to: MarginPoint): Margin {
 	return margin.map((point, i) => (i === index ? { along, out: round(within(to.out, 0, 1)) } : point));
 }
 
-/** Points are dragged no nearer to each other; a hand may write them nearer. */
+/** Least distance along the organ between dragged points; text edited by hand may have smaller ones. */
 const APART = 0.02;
 
 const within = (value: number, least: number, most: number): number => Math.min(most, Math.max(least, value));
 
-/** The curve through the points: cubic between them, never beyond them (Fritsch and Butland 1984). */
+/** Returns the monotone cubic interpolation of the points, which never overshoots them (Fritsch and Butland 1984). */
 export function widthOf(margin: Margin): Width {
 	const steps = margin.slice(1).map(({ along, out }, i) => (out - margin[i].out) / (along - margin[i].along));
 	const slope = (i: number): number => {
@@ -67,10 +75,10 @@ export function widthOf(margin: Margin): Width {
 	};
 }
 
-/** `0:0.1,0.5:1,1:0`, as a description holds it. */
+/** Writes a margin as a description holds it: `0:0.1,0.5:1,1:0`. */
 export const writtenMargin = (margin: Margin): string => margin.map(({ along, out }) => `${along}:${out}`).join(",");
 
-/** The other way round; undefined where it is none. */
+/** Parses a margin written by `writtenMargin`; returns undefined if the text is invalid. */
 export function readMargin(text: string): Margin | undefined {
 	const points = text.split(",").map((pair) => {
 		const [along, out] = pair.split(":").map(Number);

@@ -1,35 +1,39 @@
-/** Two changes of one text, line by line: one made by hand, one by a choice. */
+/** Merges two changes of one text, line by line: one made by hand, one made by a choice (a three-way merge). */
 
-/** What they come to. */
+/** The result of a merge. */
 export interface Merged {
 	readonly lines: readonly string[];
-	/** Lines changed by hand in a place that the choice has changed too, so that they are not in `lines`. */
+	/** Lines changed by hand that conflict with the choice, so that `lines` does not contain them. */
 	readonly lost: readonly string[];
-	/** The same with those retained instead, in place of what the choice made there. */
+	/** The merged lines with `lost` retained in place of the choice's lines. */
 	readonly retained: readonly string[];
 }
 
 /**
- * @param base what both began with
- * @param mine with what was done by hand
- * @param made with what the choice makes
+ * Merges two changes of `base`.
+ * @param base the lines before both changes
+ * @param mine the lines changed by hand
+ * @param made the lines that the choice generates
  */
 export function merged(base: readonly string[], mine: readonly string[], made: readonly string[]): Merged {
 	const found: Merging = { lines: [], lost: [], retained: [] };
 	for (const stretch of stretches([base, mine, made], (line) => line)) {
 		if (take(found, stretch)) continue;
-		// Lines that stand side by side are different places: those of one name, and between them those that are as many.
+		// Adjacent changed lines may be independent: lines that define the same name, and between those, lines that
+		// pair up by count.
 		for (const named of stretches(stretch, nameOf))
 			for (const place of inPairs(named)) if (!take(found, place)) giveWay(found, place);
 	}
 	return found;
 }
 
-/** What stands in one place: in what both began with, by hand, and as the choice makes it. */
+/** Corresponding lines of the three versions: the base, the version edited by hand and the choice's version. */
 type Stretch = readonly [was: readonly string[], own: readonly string[], other: readonly string[]];
 type Merging = { readonly [key in keyof Merged]: string[] };
 
-/** From one line whose key stands in all three to the next; those themselves are stretches of one line. */
+/**
+ * Splits a stretch at lines whose keys match in all three versions; each matching line becomes a stretch of its own.
+ */
 function* stretches(
 	[base, mine, made]: Stretch,
 	keyOf: (line: string, of: number, at: number) => string,
@@ -47,11 +51,17 @@ function* stretches(
 	yield [base.slice(at), mine.slice(atMine), made.slice(atMade)];
 }
 
-/** `#define length=`, `#define STEM(`, `#material 4`; of what has no name one that no other line has. */
+/**
+ * Returns the name that a line defines (`#define length=`, `#define STEM(`, `#material 4`), or a unique key for a line
+ * that defines none.
+ */
 const nameOf = (line: string, of: number, at: number): string => NAME.exec(line)?.[0] ?? `${of} ${at}`;
 const NAME = /^#(?:define[ \t]+\p{L}[\p{L}\p{N}_]*[ \t]*[=(]?|material[ \t]+\d+)/u;
 
-/** Where the choice, or else the hand, has put each line in the place of another: from one that the other of both has left to the next. */
+/**
+ * Pairs lines of one version with the base by position, if that version has as many lines as the base, and splits the
+ * stretch at lines that the third version left unchanged.
+ */
 function* inPairs(stretch: Stretch): Iterable<Stretch> {
 	const [was, own, other] = stretch;
 	const paired = areParallel(was, other) ? 2 : areParallel(was, own) ? 1 : undefined;
@@ -65,11 +75,14 @@ function* inPairs(stretch: Stretch): Iterable<Stretch> {
 	}
 }
 
-/** Whether there are as many, and none of them stands elsewhere. */
+/** Returns whether both versions have as many lines and no unchanged line has moved. */
 const areParallel = (was: readonly string[], now: readonly string[]): boolean =>
 	was.length === now.length && matches(was, now).every((to, at) => to < 0 || to === at);
 
-/** Takes what one of the two has changed there, or both in one way or in words of their own; false where that is not so. */
+/**
+ * Appends a stretch that merges without conflict: only one version changed it, both made the same change, or both
+ * changed different words of one line. Returns false for a conflict.
+ */
 function take({ lines, retained }: Merging, [was, own, other]: Stretch): boolean {
 	const taken = same(own, was) || same(own, other) ? other : same(other, was) ? own : inWords([was, own, other]);
 	if (!taken) return false;
@@ -78,7 +91,10 @@ function take({ lines, retained }: Merging, [was, own, other]: Stretch): boolean
 	return true;
 }
 
-/** A line of which both have changed words, none of them the same: `#material` has a colour of the hand's, and another of the choice's. */
+/**
+ * Merges a line word by word where the two versions changed different words, as of a `#material` with one colour
+ * changed by hand and another by the choice.
+ */
 function inWords(all: Stretch): readonly string[] | undefined {
 	if (all.some(({ length }) => length !== 1)) return undefined;
 	const [was, own, other] = all.map(([line]) => line.split(/(\s+)/));
@@ -95,7 +111,7 @@ function giveWay({ lines, lost, retained }: Merging, [was, own, other]: Stretch)
 		lost,
 		own.filter((line) => !inWas.has(line) && !inOther.has(line)),
 	);
-	// What was taken out by hand and comes again is told by what comes.
+	// Where lines deleted by hand come back, the loss is those deleted lines.
 	if (own.every((line) => inWas.has(line)))
 		append(
 			lost,
@@ -106,17 +122,17 @@ function giveWay({ lines, lost, retained }: Merging, [was, own, other]: Stretch)
 const same = (one: readonly string[], other: readonly string[]): boolean =>
 	one.length === other.length && one.every((line, i) => line === other[i]);
 
-/** More than a call takes arguments. */
+/** Appends lines one by one: a spread call would exceed the engine's limit of arguments. */
 function append(lines: string[], more: readonly string[]): void {
 	for (const line of more) lines.push(line);
 }
 
-/** Pairs of lines that are compared at the most: of a section some forty thousand lines long. */
+/** Limit of pairs of lines that are compared. */
 const MOST_PAIRS = 4_000_000;
 
 /**
- * Of each line of a text where it stands in the other, −1 where it does not: beginnings and ends that are the same, and between them a
- * longest common subsequence. Where that takes too long, nothing between them is taken for the same.
+ * Returns for each line of `from` the index of its match in `to`, or −1: equal lines at the start and end, and a
+ * longest common subsequence of the lines between. Past `MOST_PAIRS` pairs the lines between are treated as unmatched.
  */
 function matches(from: readonly string[], to: readonly string[]): number[] {
 	const found = new Array<number>(from.length).fill(-1);

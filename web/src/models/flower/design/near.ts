@@ -1,4 +1,4 @@
-/** Which of the flowers that are designed by choices is nearest to one whose text is no design: by its symmetry, its whorls and its stamens. */
+/** Maps presets whose text is no design to the most similar designed preset, by symmetry, whorls and stamens. */
 
 const NEAREST: Readonly<Record<string, readonly string[]>> = {
 	"designed-buttercup": ["buttercup", "globeflower", "poppy", "rose", "water-lily"],
@@ -6,7 +6,7 @@ const NEAREST: Readonly<Record<string, readonly string[]>> = {
 	"designed-violet": ["pansy", "spike"],
 };
 
-/** @returns a preset's name; of flowers that are like none of them the thesis's own example */
+/** Returns the name of the most similar designed preset; the thesis's own example if none is similar. */
 export function designedNear(preset: string): string {
 	return Object.keys(NEAREST).find((designed) => NEAREST[designed].includes(preset)) ?? "designed-tulip";
 }

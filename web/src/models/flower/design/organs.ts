@@ -1,4 +1,7 @@
-/** The six control points of a flower (Petrenko 2014, section 3.3) and what each is described by. */
+/**
+ * Organs of a designed flower, the six control points of Petrenko 2014 (section 3.3), with the fields that describe
+ * each.
+ */
 import { OUTLINES } from "./shapes";
 
 export const ORGANS = ["stem", "leaf", "sepal", "petal", "stamen", "pistil"] as const;
@@ -64,7 +67,7 @@ const colours = (
 	{ kind: "colour", key: "tip", label: other, help: "Where it ends.", usual: tip },
 ];
 
-/** What a leaf, a sepal and a petal have in common: one template makes them. */
+/** Fields shared by leaves, sepals and petals, which one template generates. */
 function blade(outline: string, length: number, width: number, thickness: number): OrganField[] {
 	return [
 		choice("outline", "Outline", OUTLINES, "The shape of its margin, or one that is drawn.", outline),

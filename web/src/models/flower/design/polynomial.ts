@@ -1,26 +1,26 @@
-/** Polynomials of degree 6, by which the widths of organs are told (Petrenko 2014, equation 1), fitted by least squares. */
+/** Polynomials of degree 6 that give the widths of organs (Petrenko 2014, equation 1), fitted by least squares. */
 
 export const DEGREE = 6;
 
-/** c0 … c6. */
+/** Coefficients c0 … c6. */
 export type Coefficients = readonly number[];
 
-/** What a polynomial is to go through, as nearly as it can. */
+/** A point for a polynomial to approximate. */
 export interface Sample {
 	readonly t: number;
 	readonly value: number;
 }
 
-/** @returns the polynomial's value */
+/** Evaluates a polynomial at `t`. */
 export function valueAt(coefficients: Coefficients, t: number): number {
 	return coefficients.reduceRight((sum, coefficient) => sum * t + coefficient, 0);
 }
 
 /**
- * The polynomial of degree 6 whose squared distances from the samples are least together, by Householder's reflections: normal
- * equations would lose half of the digits.
- * @param samples at least seven, of different t between 0 and 1
- * @throws RangeError where there are fewer
+ * Fits a polynomial of degree 6 to samples by least squares, with Householder reflections: normal equations would lose
+ * half of the digits.
+ * @param samples at least seven, of different `t` between 0 and 1
+ * @throws RangeError if there are fewer
  */
 export function fitted(samples: readonly Sample[]): Coefficients {
 	const size = DEGREE + 1;
@@ -35,7 +35,7 @@ export function fitted(samples: readonly Sample[]): Coefficients {
 	return found;
 }
 
-/** Reflects what stands in column k below row k into that row. */
+/** Applies the Householder reflection that clears column `k` below row `k`. */
 function reflect(rows: number[][], k: number): void {
 	const length = Math.hypot(...rows.slice(k).map((row) => row[k]));
 	const mirror = rows.map((row, i) => (i < k ? 0 : row[k]));
@@ -50,7 +50,7 @@ function reflect(rows: number[][], k: number): void {
 	}
 }
 
-/** How far a polynomial is from the samples where it is farthest. */
+/** Returns the largest distance between a polynomial and its samples. */
 export function errorOf(coefficients: Coefficients, samples: readonly Sample[]): number {
 	return samples.reduce((most, { t, value }) => Math.max(most, Math.abs(valueAt(coefficients, t) - value)), 0);
 }

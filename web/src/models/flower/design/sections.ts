@@ -1,4 +1,4 @@
-/** Each organ's grammar from its description: the section of the text that stands below its line. */
+/** Generates each organ's section of the text: its description's line and the grammar that follows from it. */
 import { type Bladed, bladeText } from "./blade";
 import { type Description, lineOf } from "./description";
 import type { Organ } from "./organs";
@@ -20,10 +20,10 @@ function stemText({ values }: Description): string {
 	});
 }
 
-/** The piece of stem above a node: it bends on as pieces without a node do (templates/stem.gl3). */
+/** Stem segment above a node, which bends like segments without a node (templates/stem.gl3). */
 const BENT_STEM = "STEM(,,<bend*step/6>,,,,,)";
 
-/** Nodes of the stem, each of which bears so many leaves; they still belong to the stem's grammar. */
+/** Generates the nodes of the stem with their leaves; nodes are part of the stem's module. */
 function leafText(description: Description): string {
 	const { values } = description;
 	const count = Number(values.count);
@@ -31,7 +31,7 @@ function leafText(description: Description): string {
 	const basal = values.arrangement === "basal";
 	const each = basal ? 3 : values.arrangement === "opposite" ? 2 : 1;
 	const nodes = Math.ceil(count / each);
-	// A node takes a step and the stem above it another; the last must come before the stem's end.
+	// A node takes one step and the stem segment above it another; the last node must come before the stem's end.
 	const apart = Math.min(4, Math.floor(MOST_STEPS / nodes));
 	const lines = Array.from({ length: nodes }, (_, i) => {
 		const node = `NODE${i + 1}`;
@@ -49,13 +49,13 @@ function leafText(description: Description): string {
 
 type Values = Description["values"];
 
-/** What a node bears: a leaf, or the stalk of one, which rises in its stead. */
+/** Returns the leaf on a node, or its stalk, which then has the leaf's rise. */
 function leafOn({ stalk, angle }: Values, part: number): string {
 	if (Number(stalk) === 0) return `&LEAF{part=${part}}`;
 	return `STALK(,<${-Number(angle)}>,,,<${round(Number(stalk) * part)}>,,,)`;
 }
 
-/** Its length says how large the leaf is that it bears; as many sides as a vein has. */
+/** Generates the stalk, whose length scales its leaf; it has as many sides as a blade's vein. */
 function stalkLines({ stalk, angle, thickness }: Values): string[] {
 	if (Number(stalk) === 0) return [];
 	return [
@@ -64,13 +64,13 @@ function stalkLines({ stalk, angle, thickness }: Values): string[] {
 	];
 }
 
-/** Which side of a node bears its kth leaf, in twelfths of the way round: a stem has as many sides as it has. */
+/** Returns the face of a node for its leaf `k`, counted in twelfths of a turn, since stems have 12, 4 or 3 sides. */
 function nodeFace(each: number, node: number, k: number): string {
 	const twelfth = each === 1 ? (node * 5) % 12 : (k * (12 / each) + node * (each === 2 ? 3 : 2)) % 12;
 	return `C(1+floor(${twelfth}*sides/12))`;
 }
 
-/** Of the stem, in which nodes can come. */
+/** Steps of the stem in which nodes can be placed. */
 const MOST_STEPS = 16;
 
 const BLADE_RINGS = { sepal: 1, petal: 4 } as const;
@@ -89,10 +89,10 @@ function bladedWhorl(organ: "sepal" | "petal", description: Description): string
 	return count === 0 ? ring : `${ring}\n${bladeText(organ as Bladed, description)}`;
 }
 
-/** Whorls farther in are smaller and steeper. */
+/** Settings of inner whorls, which are smaller and steeper. */
 const inward: Call = (whorl) => (whorl === 0 ? "" : `{part=${round(1 - 0.08 * whorl)}; tilt=${6 * whorl}}`);
 
-/** Lips: the upper and the lower differ in size and stand apart. The first face points down. */
+/** Settings of irregular whorls: upper and lower lips differ in size and angle. The first face points down. */
 const lipped =
 	(lip: number): Call =>
 	(whorl, face, sides) => {
@@ -116,7 +116,7 @@ function stamenText({ values }: Description): string {
 	return `${ring}\n${filled(stamen, {
 		...values,
 		joint: round(Math.max(Number(values.thickness), Number(values.anther) * 0.2)),
-		// At its back it is held in the middle: one half to each side of it.
+		// A dorsifixed anther is held in its middle: one half on each side of the filament.
 		faces: basifixed ? "E" : "C1,C3",
 		pieces: basifixed ? 5 : 6,
 		end: 8 + pieces,
@@ -142,7 +142,7 @@ function pistilText({ values }: Description): string {
 	return `${ring}${joined}\n${filled(pistil, {
 		...values,
 		sides,
-		// Many carpels are each the smaller.
+		// The more carpels, the smaller each.
 		share: apart ? round(Math.min(1, 3.5 / count)) : 1,
 		start: apart ? `-${values.angle}+math.random(-3,3)` : "0",
 		lobes: faces.map((face) => `C${face}`).join(","),
@@ -160,7 +160,7 @@ const MAKERS: Readonly<Record<Organ, (description: Description) => string>> = {
 	pistil: pistilText,
 };
 
-/** An organ's section: its description, its grammar and an empty line. */
+/** Generates an organ's section: its description's line, its grammar and an empty line. */
 export function sectionOf(description: Description): string {
 	return `${lineOf(description)}\n${MAKERS[description.organ](description)}\n`;
 }

@@ -1,17 +1,17 @@
 /**
- * The table of shapes: how wide leaves, sepals and petals are along their length. The thesis keeps coefficients in a data base
- * (section 3.3.1) and prints none; here an outline's formula is fitted when it is asked for, and one that is drawn in the same way.
+ * Table of outlines: the half width of leaves, sepals and petals along their length. The thesis stores coefficients in
+ * a database (section 3.3.1) and prints none; here each outline's formula is fitted on request, like drawn outlines.
  */
 import { type Coefficients, errorOf, fitted, type Sample } from "./polynomial";
 
-/** A half width, from 0 to 1, at each share of the length, from 0 at the foot to 1 at the tip. */
+/** Half width, from 0 to 1, at a share of the length, from 0 at the foot to 1 at the tip. */
 export type Width = (along: number) => number;
 
 export interface Shape {
 	readonly width: Width;
-	/** Whether steps are of one length; else as a cosine spaces them, without which a polynomial cannot end round. */
+	/** Whether steps have equal lengths; otherwise they are cosine-spaced, which rounded tips need. */
 	readonly even?: boolean;
-	/** How far its foot's lobes turn back, degrees. */
+	/** Angle by which the lobes at the foot turn back, degrees. */
 	readonly fan?: number;
 }
 
@@ -24,7 +24,10 @@ const easing = (from: number, to: number, u: number): number => {
 	return t * t * (3 - 2 * t);
 };
 
-/** By what botanists call them; `apical` and `tulip` are the thesis's. Formulas are ours, of any height: they are measured. */
+/**
+ * Outlines by their botanical names; `apical` and `tulip` are the thesis's. The formulas are our own; their heights
+ * are normalised later.
+ */
 export const SHAPES: Readonly<Record<string, Shape>> = {
 	rounded: { width: humped(0.5, 0.5) },
 	elliptic: { width: humped(0.8, 0.8) },
@@ -41,28 +44,28 @@ export const SHAPES: Readonly<Record<string, Shape>> = {
 	tulip: { width: (u) => (0.42 + 0.58 * easing(-0.05, 0.6, u)) * (1 - u ** 3.2) ** 0.62 },
 };
 
-/** What `outline` may be: one of the table's, or drawn. */
+/** Value of `outline` for a drawn margin; `OUTLINES` are all valid values. */
 export const DRAWN = "drawn";
 export const OUTLINES: readonly string[] = [...Object.keys(SHAPES), DRAWN];
 
 const SAMPLES = 96;
 
-/** A polynomial that follows an outline, and how nearly. */
+/** A polynomial fitted to an outline, with its error. */
 export interface Fit {
 	readonly coefficients: Coefficients;
-	/** The largest distance, a share of the greatest half width. */
+	/** Largest distance from the outline, as a share of the greatest half width. */
 	readonly error: number;
 	readonly even: boolean;
 	readonly fan: number;
 }
 
-/** How far up a step stands. */
+/** Maps a share of the steps to a share of the length. */
 export const alongAt = (t: number, even: boolean): number => (even ? t : (1 - Math.cos(Math.PI * t)) / 2);
 
-/** The same the other way round. */
+/** Maps a share of the length to a share of the steps; the inverse of `alongAt`. */
 export const stepAt = (along: number, even: boolean): number => (even ? along : Math.acos(1 - 2 * along) / Math.PI);
 
-/** A shape's polynomial of the step's share of all steps. */
+/** Fits a shape's polynomial, a function of the share of the steps. */
 export function fitOf({ width, even = false, fan = 0 }: Shape): Fit {
 	const raw = Array.from({ length: SAMPLES + 1 }, (_, i): Sample => {
 		const t = i / SAMPLES;

@@ -1,9 +1,10 @@
-/** A template grammar and the values that fill its gaps, `{{length}}`. */
+/** Fills the gaps, `{{length}}`, of a template grammar. */
 
 /**
- * @param template its text; between `{{` and `}}` stand names
+ * Fills a template.
+ * @param template its text, with names between `{{` and `}}`
  * @returns the text with every gap filled
- * @throws RangeError where a name has no value
+ * @throws RangeError if a name has no value
  */
 export function filled(template: string, values: Readonly<Record<string, string | number>>): string {
 	return template.replace(/\{\{([a-z ]+)\}\}/g, (_, name: string) => {

@@ -1,4 +1,4 @@
-/** A picture of a petal, a sepal or a leaf → the points of its outline. Pure; what cannot be traced is refused in words for people. */
+/** Traces the margin of a petal, sepal or leaf in a picture. Pure; throws TraceError with a message for users. */
 
 import { contourOf, smoothed } from "../../../import/tracing/contour";
 import type { Picture } from "../../../import/tracing/picture";
@@ -10,16 +10,16 @@ import { KNOTS, type Margin } from "./margin";
 
 export interface Traced {
 	readonly margin: Margin;
-	/** Its greatest width against its length. */
+	/** Greatest width divided by the length. */
 	readonly wide: number;
 }
 
-/** Widths are looked at so finely, in lengths. */
+/** Height of the band in which a width is measured, as a share of the length. */
 const BAND = 0.01;
 
 /**
- * The half widths of what a picture shows, both sides alike: an organ's polynomial has but one.
- * @param noun what sentences call it: "petal"
+ * Returns the half widths of an organ in a picture, as means of both sides, since an organ's polynomial is symmetric.
+ * @param noun the organ's name in error messages: "petal"
  * @throws TraceError
  */
 export function tracedMargin(picture: Picture, noun: string): Traced {

@@ -1,27 +1,35 @@
-/** A whorl: a ring that bears its organs on its sides and the next whorl on its end. The grammars of rings join an assembled flower. */
+/**
+ * Generates whorls: rings with organs on their sides and the next whorl on their end. The rings' grammars join the
+ * organs of an assembled flower.
+ */
 import type { Organ } from "./organs";
 
-/** What each whorl's module is called, from the outside in. */
+/** Module names of the whorls, from the outside in. */
 export const WHORLS = { sepal: "CALYX", petal: "COROLLA", stamen: "ANDROECIUM", pistil: "GYNOECIUM" } as const;
 export type Whorled = keyof typeof WHORLS;
 const ORDER: readonly Whorled[] = ["sepal", "petal", "stamen", "pistil"];
-/** Where each begins to count, in halves of a gap: neighbours stand in each other's gaps. */
+/** Offset of each whorl's first organ, in half gaps, so that adjacent whorls alternate. */
 const HALF: Readonly<Record<Whorled, number>> = { sepal: 1, petal: 0, stamen: 1, pistil: 0 };
 
-/** Of a ring, at the least: it is round. */
+/** Least number of a ring's sides, so that it looks round. */
 const FEWEST_SIDES = 10;
 
-/** Of a ring wherever its organs are evenly apart on it: rings of one order are sewn to each other, and to a stem of as many sides. */
+/**
+ * Sides of a ring whose organs can be spaced evenly on it. Rings with equal numbers of sides are sewn to each other
+ * and to a stem with as many sides.
+ */
 const USUAL_SIDES = 12;
 
-/** So many sides, and on which of them organs stand. */
+/** A ring: its number of sides and the faces with organs. */
 export interface Ring {
 	readonly sides: number;
-	/** From 1. */
+	/** Faces with organs, counted from 1. */
 	readonly faces: readonly number[];
 }
 
-/** A ring for so many organs, the first on its first face or, `half` on, in the middle between the first two. */
+/**
+ * Returns a ring for `count` organs: the first on face 1 or, if `half` is odd, midway between the first two positions.
+ */
 export function ringFor(count: number, half: number): Ring {
 	if (count === 0) return { sides: USUAL_SIDES, faces: [] };
 	const gap =
@@ -30,25 +38,30 @@ export function ringFor(count: number, half: number): Ring {
 	return { sides: gap * count, faces: Array.from({ length: count }, (_, i) => 1 + first + i * gap) };
 }
 
-/** How an organ is called on one face: settings of its module, as the text has them; empty where it has its own. */
+/**
+ * Returns the settings in the call of an organ's module on one face, as text; empty if the organ keeps its own values.
+ */
 export type Call = (whorl: number, face: number, sides: number) => string;
 
 export interface WhorlPlan {
 	readonly organ: Whorled;
 	readonly count: number;
 	readonly whorls: number;
-	/** Millimetres. */
+	/** Radius, millimetres. */
 	readonly radius: number;
-	/** The number of what rings are made of. */
+	/** Number of the rings' material. */
 	readonly material: number;
 	readonly call: Call;
 }
 
-/** Of a ring, millimetres, and how deep one that is not sewn on is sunk into what bears it: rounded ends draw back, and would leave a gap. */
+/**
+ * Height of a ring, and depth to which an unsewn ring is sunk into its parent, since rounded ends would leave a gap;
+ * millimetres.
+ */
 const RISE = 1.2;
 const SUNK = 1;
 
-/** The module of a whorl, or of several of one count. */
+/** Generates the module of a whorl, or of several whorls with the same count. */
 export function whorlText({ organ, count, whorls, radius, material, call }: WhorlPlan): string {
 	const rings = Array.from({ length: count === 0 ? 1 : whorls }, (_, i) => ringFor(count, HALF[organ] + i));
 	const next = ORDER[ORDER.indexOf(organ) + 1];
@@ -61,7 +74,7 @@ export function whorlText({ organ, count, whorls, radius, material, call }: Whor
 		lines.push(`#define RING${i + 1}(${sides},0,0,0,${rise},${across},${across},${material})`);
 	});
 	if (sewn) lines.push(`#define finalStep=${rings.length}`, "#axiom: RING1");
-	// Down into what bears it, and up again.
+	// Goes down into the parent volume and up again.
 	else lines.push(`#define finalStep=${rings.length + 1}`, "#axiom: FOOT", "FOOT -> FOOT[RING1(,180,,,,,,)]_{E}");
 	rings.forEach(({ sides, faces }, i) => {
 		const ring = `RING${i + 1}`;
@@ -73,12 +86,12 @@ export function whorlText({ organ, count, whorls, radius, material, call }: Whor
 	return `${lines.join("\n")}\n`;
 }
 
-/** Faces by how they are called, so that a radial whorl is one line. */
+/** Groups faces by the settings of their call, so that a radial whorl is one line. */
 function alike(faces: readonly number[], called: (face: number) => string): Map<string, number[]> {
 	const found = new Map<string, number[]>();
 	for (const face of faces) found.set(called(face), [...(found.get(called(face)) ?? []), face]);
 	return found;
 }
 
-/** Whether an organ stands in a whorl of the flower. */
+/** Returns whether an organ belongs to a whorl. */
 export const isWhorled = (organ: Organ): organ is Whorled => Object.hasOwn(WHORLS, organ);

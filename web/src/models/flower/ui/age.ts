@@ -4,7 +4,7 @@ import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
 import { usesAge } from "../texts";
 
-/** The stages of a flower's life: of most texts nothing but where things stand depends on it, so that the same map is placed anew. */
+/** Stages of a flower's life. In most texts the age changes only positions, so that the same map is placed again. */
 export const LIFE: Life = {
 	parameter: "age",
 	label: "Age",
@@ -22,5 +22,5 @@ export const LIFE: Life = {
 	help: "0 a bud, 1 open, 2 wilted.",
 };
 
-/** Of a text that says nothing of age nothing would change. */
+/** Not shown for texts that do not depend on the age. */
 export const age = lifeTool<FlowerSpecimen, FlowerPlant>(LIFE, usesAge);

@@ -1,24 +1,28 @@
 /**
- * The volume that is chosen, by its descent: its number alone says little, for of a text that has changed another may have it.
- * Numbers, lines and sides may change, and it is still the second PETAL on the third RING of the STEM.
+ * Identifies the chosen volume by its descent, since another volume may have its number once the text has changed.
+ * Where numbers, lines and faces change, it remains the second PETAL on the third RING of the STEM.
  */
 import type { FlowerPlant, Volumes } from "../flower_plant";
 
-/** From the first volume to the chosen one: what each is called, and which of those of that name on the one before. */
+/**
+ * Path from the first volume to the chosen one: each volume's name, and its index among those of that name with the
+ * same parent.
+ */
 export type ChosenVolume = readonly { readonly label: string; readonly nth: number }[];
 
 type WithVolumes = Pick<FlowerPlant, "volumes">;
 
 const NONE = 0xffffffff;
 
-/** A volume of what has grown, to be known again; undefined where none of that number has. */
+/** Returns the path to a volume; undefined if there is no volume of that number. */
 export function chosenOf(grown: WithVolumes | undefined, volume: number | undefined): ChosenVolume | undefined {
 	if (!grown || volume === undefined || !(volume >= 0 && volume < grown.volumes.order.length)) return undefined;
 	const { order, parent, label, labels } = grown.volumes;
 	const line: number[] = [];
 	for (let at = volume; at !== NONE; at = parent[at]) if (line.push(at) > order.length) return undefined; // It would go round.
 	line.reverse();
-	// What a volume is split into may stand behind what grows from it: each is looked at by its parent, in whatever order.
+	// Parts of a split volume may come after their children, so each volume is looked up by its parent, independent
+	// of their order.
 	const behind = new Map(line.map((at, i) => [parent[at], i]));
 	const before = new Uint32Array(line.length);
 	for (let at = 0; at < order.length; at++) {
@@ -28,7 +32,7 @@ export function chosenOf(grown: WithVolumes | undefined, volume: number | undefi
 	return line.map((at, i) => ({ label: labels[label[at]], nth: before[i] }));
 }
 
-/** Its number in what has grown now; undefined where that has none of its descent. */
+/** Returns the number of the volume at a path; undefined if there is none. */
 export function stillChosen(grown: WithVolumes | undefined, chosen: ChosenVolume | undefined): number | undefined {
 	if (!grown || !chosen) return undefined;
 	const { labels, label } = grown.volumes;
@@ -43,7 +47,7 @@ export function stillChosen(grown: WithVolumes | undefined, chosen: ChosenVolume
 	return last;
 }
 
-/** Of each volume, and behind the last of nobody, the first that grew from it; and of each the next that grew from the same. */
+/** Returns the first child of each volume, with the first volume at index `count`, and the next sibling of each. */
 function childrenOf({ order, parent }: Volumes): { first: Uint32Array; next: Uint32Array } {
 	const count = order.length;
 	const first = new Uint32Array(count + 1).fill(NONE);

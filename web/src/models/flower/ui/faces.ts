@@ -1,10 +1,10 @@
-/** Whether what stands on a face may be what a text lets grow there: of two in one line the faces tell which it is. */
+/** Checks by a production's faces whether a volume may have grown by it. */
 import type { Piece } from "../../../grammar_editor/scan";
 
 /**
- * `…]_{C1, C5}`: false where the faces have plain names and none of them is the one asked for.
- * @param behind the piece behind the list of what grows
- * @param face 0 O, 1 E, from 2 on C1 …; undefined where nobody knows
+ * Returns false if a production's faces, `…]_{C1, C5}`, are plain names and do not include `face`.
+ * @param behind index of the token behind the list
+ * @param face 0 O, 1 E, from 2 on C1 …; undefined if unknown
  */
 export function canGrowOnFace(pieces: readonly Piece[], behind: number, face: number | undefined): boolean {
 	if (face === undefined) return true;
@@ -20,7 +20,7 @@ export function canGrowOnFace(pieces: readonly Piece[], behind: number, face: nu
 		if (pieces[at]?.text !== ",") break;
 		at++;
 	}
-	// One that is worked out, as C(1+step), may be any.
+	// A computed face, as C(1+step), may be any.
 	const plain = named.length > 0 && (braced ? pieces[at]?.text === "}" : !/^[C(]$/.test(pieces[at]?.text ?? ""));
 	return !plain || named.includes(face === 0 ? "O" : face === 1 ? "E" : `C${face - 1}`);
 }

@@ -1,4 +1,4 @@
-/** The flower language as the editor knows it (docs/models/flower/language.md). */
+/** The flower language for the editor (docs/models/flower/language.md). */
 import type { Dialect } from "../../../grammar_editor/dialect";
 import type { Kind, Piece } from "../../../grammar_editor/scan";
 
@@ -15,7 +15,7 @@ function kindOf(piece: string, before: string): Kind {
 	return /^(?:[<>=!]=|&&|\|\||[-+*/%^!<>=|])$/.test(piece) ? "operator" : "mark";
 }
 
-/** Takes a text to pieces, blanks left out. */
+/** Splits a text into tokens, without blanks. */
 export function scan(text: string): Piece[] {
 	const pieces: Piece[] = [];
 	let line = 1;

@@ -1,6 +1,6 @@
-/** The nine numbers of a volume, and what a figure of a flower's text is, in words. */
+/** Names of a volume's nine numbers, and descriptions of numbers in a flower's text. */
 
-/** As the text calls them, what they are and in what they are counted. */
+/** Symbol, name and unit of each number. */
 export const FIELDS = [
 	["N", "sides", ""],
 	["T", "translation", ""],
@@ -13,7 +13,9 @@ export const FIELDS = [
 	["m", "material", ""],
 ] as const;
 
-/** What a figure is: of a volume's numbers the table's words, of a variable the comment behind its definition; empty where nobody says. */
+/**
+ * Describes a number: a volume's by `FIELDS`, a variable by the comment behind its definition; empty if there is none.
+ */
 export function describeNumber(text: string, name: string): string {
 	const field = FIELDS.find(([sign]) => sign === name);
 	if (field) return field[2] ? `${field[1]}, ${field[2]}` : field[1];

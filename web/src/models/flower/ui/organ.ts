@@ -1,15 +1,17 @@
-/** The organ that a volume is of, and what it is in words: out of the text alone, for what grammars call their volumes says nothing. */
+/**
+ * Finds the organ of a volume and names it by the text's materials and modules, since volume labels may be arbitrary.
+ */
 import type { FlowerPlant, Volumes } from "../flower_plant";
 import { uncommented } from "../texts";
 
 export interface Organ {
-	/** Of one call of a module, or of the text itself. */
+	/** Volumes of one call of a module, or of the text outside modules. */
 	readonly volumes: ReadonlySet<number>;
-	/** How many volumes stand from its foot to the chosen one, both of them counted. */
+	/** Number of volumes from the organ's foot to the chosen volume, both counted. */
 	readonly segment: number;
 }
 
-/** What an organ begins with, and how many volumes stand from there to the chosen one. */
+/** Returns the first volume of an organ, and the number of volumes from there to the chosen one. */
 export function footOf(volumes: Volumes, chosen: number): { foot: number; segment: number } {
 	const { order, parent } = volumes;
 	let [foot, segment] = [chosen, 1];
@@ -21,7 +23,10 @@ export function footOf(volumes: Volumes, chosen: number): { foot: number; segmen
 const areOfOne = ({ label, module, call }: Volumes, one: number, other: number): boolean =>
 	module[label[one]] === module[label[other]] && call[one] === call[other];
 
-/** @param chosen a volume of those */
+/**
+ * Returns the organ of a volume.
+ * @param chosen one of `all`
+ */
 export function organOf(all: Volumes, chosen: number): Organ {
 	const { order, parent } = all;
 	const isOf = (at: number) => areOfOne(all, at, chosen);
@@ -33,7 +38,7 @@ export function organOf(all: Volumes, chosen: number): Organ {
 	for (let each = 0; each < order.length; each++) {
 		const way: number[] = [];
 		let at = each;
-		// What is on the way is out until it turns out to lead to the root: no way goes round for ever.
+		// Volumes on the path count as outside until they prove to lead to the root, so that cycles end the walk.
 		for (; at < order.length && known[at] === UNKNOWN && isOf(at); at = parent[at]) {
 			known[at] = OUT;
 			way.push(at);
@@ -45,7 +50,10 @@ export function organOf(all: Volumes, chosen: number): Organ {
 	return { volumes, segment };
 }
 
-/** "Tepal, upper epidermis", as its material says: its name, behind its kind where it does not say of what; the symbol of no material. */
+/**
+ * Returns a volume's title from its material's name, prefixed by the kind if the name lacks it: "Tepal, upper
+ * epidermis". Without a material it is the volume's label.
+ */
 export function titleOfVolume(
 	{ volumes, numbers, names, meshes }: Pick<FlowerPlant, "volumes" | "numbers" | "names" | "meshes">,
 	chosen: number,
@@ -57,7 +65,7 @@ export function titleOfVolume(
 	return words === "" ? volumes.labels[volumes.label[chosen]] : words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/** "RU1, volume 132: segment 4 of PETAL, which has 108 volumes." */
+/** Describes a volume's place: "RU1, volume 132: segment 4 of PETAL, which has 108 volumes." */
 export function placeOfVolume(
 	{ labels, label, module }: Volumes,
 	chosen: number,

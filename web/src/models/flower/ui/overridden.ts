@@ -1,12 +1,16 @@
-/** Which numbers of a volume's definition hold nowhere, since wherever one grows the text gives it others. */
+/**
+ * Finds numbers of a volume's definition that have no effect, since every production that grows the volume overrides
+ * them.
+ */
 import type { Piece } from "../../../grammar_editor/scan";
 import { type Entry, entriesOf, inFields } from "./statements";
 
 /**
- * By their places among N, T, atx, aty, atz, H, L, W, m. Of what grows on its like an empty place is that one's, and so says nothing of the
- * definition; where others take its name, or are split into it, all may hold.
- * @param statements those of its module, bare
- * @param translated whether its lists have a translation
+ * Returns the overridden numbers as indices into N, T, atx, aty, atz, H, L, W, m. Productions whose predecessor has
+ * the same label do not count: empty entries there take the predecessor's values. Where volumes are relabelled or
+ * split into this one, none counts as overridden.
+ * @param statements the module's statements, without comments
+ * @param translated whether the volume's lists have a translation
  */
 export function overridden(
 	statements: readonly (readonly Piece[])[],
@@ -38,7 +42,7 @@ function listBehind(pieces: readonly Piece[], name: number, translated: boolean 
 	return pieces[name + 1]?.text === "(" ? inFields(entriesOf(pieces, name + 1).entries, translated) : [];
 }
 
-/** What stands before the blocks, or the arrow where there are none. */
+/** Returns the name before the blocks, or before the arrow if there are no blocks. */
 function predecessorOf(pieces: readonly Piece[], arrow: number): string | undefined {
 	const block = pieces.findIndex(({ text }) => text === "{");
 	return pieces[(block >= 0 && block < arrow ? block : arrow) - 1]?.text;

@@ -1,8 +1,11 @@
-/** A flower's text as its reader in the core takes it: statements and lists of volumes' numbers (wasm-core/src/models/flower/syntax/reader.cpp). */
+/**
+ * Splits a flower's text into statements and lists of volumes' numbers, like the core's reader
+ * (wasm-core/src/models/flower/syntax/reader.cpp).
+ */
 import { wordOf } from "../../../grammar_editor/outline";
 import type { Piece } from "../../../grammar_editor/scan";
 
-/** Without comments; statements' words stand at their sign, however they are written: `# define` is one #define. */
+/** Removes comments and normalises the words of statements: `# define` becomes `#define`. */
 export function bare(pieces: readonly Piece[]): Piece[] {
 	const found: Piece[] = [];
 	for (const piece of pieces) {
@@ -16,7 +19,10 @@ export function bare(pieces: readonly Piece[]): Piece[] {
 	return found;
 }
 
-/** Within brackets, and where something has to follow, they go on in the next line. @param pieces bare ones */
+/**
+ * Splits tokens into statements. A statement continues on the next line inside brackets and where more must follow.
+ * @param pieces tokens without comments
+ */
 export function statementsOf(pieces: readonly Piece[]): Piece[][] {
 	const statements: Piece[][] = [];
 	let depth = 0;
@@ -40,7 +46,9 @@ export function statementsOf(pieces: readonly Piece[]): Piece[][] {
 	return statements;
 }
 
-/** Whether a volume's lists have a translation, by `module:volume`; and that of what a module begins with, by `module:`. */
+/**
+ * Returns whether each volume's lists have a translation, by `module:volume`, and of each module's axiom by `module:`.
+ */
 export function formsOf(statements: readonly (readonly Piece[])[]): Map<string, boolean> {
 	const forms = new Map<string, boolean>();
 	const begun: [module: string, name: string][] = [];
@@ -62,10 +70,10 @@ export function formsOf(statements: readonly (readonly Piece[])[]): Map<string, 
 	return forms;
 }
 
-/** Of what stands between two commas the first piece and the one behind the last. */
+/** Range of the tokens of an entry: the first token, and the one behind the last. */
 export type Entry = readonly [from: number, to: number];
 
-/** What stands between the commas of a list whose bracket opens at a piece, and the piece behind it. */
+/** Returns the entries of the list whose bracket opens at a token, and the token behind the list. */
 export function entriesOf(pieces: readonly Piece[], open: number): { entries: Entry[]; end: number } {
 	const entries: Entry[] = [];
 	let [from, depth] = [open + 1, 0];
@@ -83,12 +91,12 @@ export function entriesOf(pieces: readonly Piece[], open: number): { entries: En
 }
 
 /**
- * The entries of a list by what they say: N, T, atx, aty, atz, H, L, W, m; undefined where it has no place for it.
- * @param translated whether its volume's lists have a translation
+ * Assigns a list's entries to N, T, atx, aty, atz, H, L, W, m; undefined for numbers that the list lacks.
+ * @param translated whether the volume's lists have a translation
  */
 export function inFields(entries: readonly Entry[], translated: boolean | undefined): (Entry | undefined)[] {
-	// Of ten numbers one angle is too many (docs/models/flower/language.md).
-	const said = entries.filter((_, i) => entries.length !== 10 || i !== 5);
-	const whole = said.length === 9 || (said.length !== 8 && translated);
-	return whole ? said : [said[0], undefined, ...said.slice(1)];
+	// Lists of ten numbers have one angle too many (docs/models/flower/language.md).
+	const listed = entries.filter((_, i) => entries.length !== 10 || i !== 5);
+	const whole = listed.length === 9 || (listed.length !== 8 && translated);
+	return whole ? listed : [listed[0], undefined, ...listed.slice(1)];
 }

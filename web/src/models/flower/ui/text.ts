@@ -5,12 +5,12 @@ import type { FlowerSpecimen } from "../specimen";
 import { fetchedText, fetchTexts } from "../texts";
 import { FLOWER_LANGUAGE } from "./language";
 
-/** Where a flower's text comes from. */
+/** Source of a flower's text for the editor. */
 export const source: GrammarSource<FlowerSpecimen> = {
 	noun: "flower",
 	dialect: FLOWER_LANGUAGE,
 	always: true,
-	// It is no variable: the parameter of the steps stands for it.
+	// The parameter `steps` controls it; it is not a variable.
 	governed: new Set(["finalStep"]),
 	leans: "bend",
 	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),

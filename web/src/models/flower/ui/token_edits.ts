@@ -1,4 +1,6 @@
-/** What a flower's text says of one volume in tokens: where each stands, so that a hand can change it. */
+/**
+ * Finds the numbers in a flower's text that define one volume, with their positions, so that sliders can edit them.
+ */
 import { outlineOf, type Range } from "../../../grammar_editor/outline";
 import type { Piece } from "../../../grammar_editor/scan";
 import { canGrowOnFace } from "./faces";
@@ -6,33 +8,33 @@ import { scan } from "./language";
 import { overridden } from "./overridden";
 import { bare, type Entry, entriesOf, formsOf, inFields, statementsOf } from "./statements";
 
-/** A token of the text. */
+/** A number in the text. */
 export interface NumberToken {
-	/** What it says: H, atx, or a variable's name. */
+	/** Name: H, atx, or a variable's. */
 	readonly name: string;
-	/** Where it stands; a minus before it is part of it. */
+	/** Position in the text; includes a preceding minus. */
 	readonly from: number;
 	readonly to: number;
 	readonly text: string;
-	/** Of a constant of the text how far its slider goes. */
+	/** Range of a constant's slider. */
 	readonly range?: Range;
 }
 
-/** Figures that stand together. */
+/** Numbers that stand together, under a title. */
 export interface NumberGroup {
 	readonly title: string;
 	readonly tokens: readonly NumberToken[];
 }
 
-/** Where a volume comes from. */
+/** Where a volume comes from in the text. */
 export interface VolumeOrigin {
 	readonly label: string;
-	/** The module that it is of, counted as they stand in the text; 0 the text itself. */
+	/** Module of the volume, numbered as in the text; 0 is the text outside modules. */
 	readonly module: number;
-	/** The lines where it is grown and where its module is called; 0 for none. */
+	/** Lines of the production that grows it and of its module's call; 0 for none. */
 	readonly line: number;
 	readonly call: number;
-	/** The faces that it stands on, and that what its module's call has grown stands on: 0 O, 1 E, from 2 on C1 …; where they are known. */
+	/** Faces, if known, that the volume and its module's first volume stand on: 0 O, 1 E, from 2 on C1 … */
 	readonly face?: number | undefined;
 	readonly foot?: number | undefined;
 }
@@ -42,10 +44,10 @@ const FIELDS = ["N", "T", "atx", "aty", "atz", "H", "L", "W", "m"];
 type Pieces = readonly Piece[];
 
 /**
- * The tokens of a volume's definition, of where it is grown, of its module's call, of its module's variables and of those of the text that
- * the call is worked out from; no empty lists. Variables that every call sets are left out, and of a definition what every growth gives
- * otherwise: what is said of them there holds nowhere.
- * Of several of one name on one line there are all that may have grown on its face, each by its place.
+ * Returns the numbers of a volume's definition, its production, its module's call, its module's variables, and the
+ * text's variables in that call; no empty groups. Excludes variables that every call sets and numbers that every
+ * production overrides, since editing those has no effect. If one line grows the same name several times, returns
+ * every list that fits the volume's face, numbered.
  */
 export function numberGroupsOf(text: string, { label, module, line, call, face, foot }: VolumeOrigin): NumberGroup[] {
 	const scanned = scan(text);
@@ -98,10 +100,10 @@ export function numberGroupsOf(text: string, { label, module, line, call, face, 
 
 const nth = (i: number, { length }: readonly unknown[]): string => (length > 1 ? `, ${i + 1} of ${length}` : "");
 
-/** A list behind a volume's name, and the piece behind it. */
+/** The list of numbers behind a volume's name, and the token behind it. */
 interface List {
 	readonly entries: readonly Entry[];
-	/** The name. */
+	/** Index of the name. */
 	readonly from: number;
 	readonly end: number;
 }
@@ -111,7 +113,7 @@ function listBehind(pieces: Pieces, name: number): List {
 	return { ...entriesOf(pieces, name + 1), from: name };
 }
 
-/** The lists of a volume's definition in a module that stands between two places. */
+/** Returns the lists of a volume's definitions between two tokens. */
 function definitionsOf(pieces: Pieces, from: number, to: number, label: string): List[] {
 	const found: List[] = [];
 	for (let i = from; i < to; i++)
@@ -119,20 +121,20 @@ function definitionsOf(pieces: Pieces, from: number, to: number, label: string):
 	return found;
 }
 
-/** Those of a name that stands on a line behind a sign: `[` where a volume grows, `&` where a module does. */
+/** Returns the lists of a name on a line behind a sign: `[` for volumes, `&` for modules. */
 function listsAt(pieces: Pieces, line: number, sign: string, name: string): List[] {
 	return pieces.flatMap((piece, i) =>
 		piece.line === line && piece.text === name && pieces[i - 1]?.text === sign ? [listBehind(pieces, i)] : [],
 	);
 }
 
-/** Those that may stand on a face; all where none may, for then the text has changed. */
+/** Returns the lists whose production may grow on a face; all if none may, since the text has changed. */
 function standing(pieces: Pieces, lists: readonly List[], face: number | undefined): readonly List[] {
 	const found = lists.filter(({ end }) => canGrowOnFace(pieces, end, face));
 	return found.length > 0 ? found : lists;
 }
 
-/** Variables that are tokens, of the statements between two places. */
+/** Returns the variables with plain numbers between two tokens. */
 function variablesOf(pieces: Pieces, from: number, to: number): NumberToken[] {
 	const found: NumberToken[] = [];
 	for (let i = from; i < to; i++)
@@ -141,7 +143,7 @@ function variablesOf(pieces: Pieces, from: number, to: number): NumberToken[] {
 	return found;
 }
 
-/** What stands between the bracket of a call and its end: names are set before a =, and used elsewhere. */
+/** Returns the names that a call uses, without those that it sets. */
 function wordsFrom(pieces: Pieces, call: number): string[] {
 	let end = call;
 	while (end < pieces.length && pieces[end].text !== "]") end++;
@@ -151,7 +153,7 @@ function wordsFrom(pieces: Pieces, call: number): string[] {
 		.map(({ text }) => text);
 }
 
-/** Variables of a module that none of its calls leaves as the module has them; none where nothing calls it. */
+/** Returns the variables of a module that every call sets; none if nothing calls it. */
 function setByEveryCall(pieces: Pieces, name: string): Set<string> {
 	const calls = pieces.flatMap((piece, i) => (piece.text === name && pieces[i - 1]?.text === "&" ? [i] : []));
 	const sets = calls.map((call) => {
@@ -163,7 +165,7 @@ function setByEveryCall(pieces: Pieces, name: string): Set<string> {
 	return new Set([...(sets[0] ?? [])].filter((each) => sets.every((set) => set.has(each))));
 }
 
-/** `{len=66; width=40}` behind a call. */
+/** Returns the numbers in the settings behind a call: `{len=66; width=40}`. */
 function settings(pieces: Pieces, from: number): NumberToken[] {
 	if (pieces[from]?.text !== "{") return [];
 	const found: NumberToken[] = [];
@@ -182,7 +184,7 @@ function statementEnd(pieces: Pieces, from: number): number {
 	return end;
 }
 
-/** Those entries that are a token and nothing else; a number that is worked out is none. */
+/** Returns the entries that are a plain number, without expressions. */
 function numberTokensIn(
 	pieces: Pieces,
 	entries: readonly (Entry | undefined)[],

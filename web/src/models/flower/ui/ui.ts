@@ -1,4 +1,4 @@
-/** The page's side of the model: loaded with the first flower, in a page alone. */
+/** User interface of the model, loaded with the first flower. */
 import { html } from "lit";
 import { gestureTool } from "../../../grammar_editor/gesture_tool";
 import { grammarTools } from "../../../grammar_editor/grammar_tool";

@@ -16,21 +16,21 @@ import { footOf, organOf, placeOfVolume, titleOfVolume } from "./organ";
 import { source } from "./text";
 import { type NumberGroup, type NumberToken, numberGroupsOf } from "./token_edits";
 
-/** The numbers of the chosen volume, and sliders of what the text says of it: what they change is written into the text. */
+/** Panel of the chosen volume: its numbers, and sliders for the numbers in the text that define it. */
 export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, FlowerPlant>> {
 	static override properties = {
 		...ControlElement.properties,
 		chosenIn: { attribute: false },
 		choose: { attribute: false },
 	};
-	/** VolumeOrigin of what stands now: a number that was told may be of a flower that has gone. */
+	/** Returns the chosen volume of the current flower; a stored number might belong to an earlier one. */
 	declare chosenIn: (context: EditorContext<FlowerSpecimen, FlowerPlant>) => number | undefined;
 	declare choose: (volume: number | undefined) => void;
 
 	readonly #held = new HeldKey(() => this.context.settle());
-	/** What a slider has begun last: it may go from under the hand, with the volume that it tells of. */
+	/** The gesture that a slider began; the slider may disappear before it ends, with the volume. */
 	#gesture: string | undefined;
-	/** How far sliders reach: a range does not run away from the hand. */
+	/** Slider ranges, stable during a drag. */
 	readonly #ranges = new Map<string, NumberRange>();
 
 	protected override shows(): readonly unknown[] {
@@ -50,7 +50,7 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 			<div aria-live="polite">${
 				grown && chosen !== undefined ? this.#name(grown, chosen) : html`<p>None is chosen.</p>`
 			}</div>
-			${grown && chosen !== undefined ? [this.#tell(grown, chosen), this.#said(grown, chosen)] : nothing}`;
+			${grown && chosen !== undefined ? [this.#drawValues(grown, chosen), this.#drawNumbers(grown, chosen)] : nothing}`;
 	}
 
 	#choose(typed: string, count: number): void {
@@ -65,18 +65,18 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 		return html`<h3 class="volume-name">${titleOfVolume(grown, chosen)}</h3><p class="volume-place">${place}</p>`;
 	}
 
-	#tell({ volumes }: FlowerPlant, chosen: number): unknown {
+	#drawValues({ volumes }: FlowerPlant, chosen: number): unknown {
 		const own = volumes.values.subarray(9 * chosen, 9 * chosen + 9);
 		return html`<dl class="volume-values">
 			${FIELDS.map(([name, words, unit], i) => html`<div><dt><abbr title=${words}>${name}</abbr></dt><dd>${shortFloat(Number(own[i].toPrecision(4)))}${unit && html` <small>${unit}</small>`}</dd></div>`)}
 		</dl>`;
 	}
 
-	#said({ volumes }: FlowerPlant, chosen: number): unknown {
+	#drawNumbers({ volumes }: FlowerPlant, chosen: number): unknown {
 		const text = this.#text();
 		if (text === undefined) return nothing;
 		const label = volumes.label[chosen];
-		const said = numberGroupsOf(text, {
+		const groups = numberGroupsOf(text, {
 			label: volumes.labels[label],
 			module: volumes.module[label],
 			line: volumes.line[chosen],
@@ -86,7 +86,7 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 		});
 		const same = `${volumes.labels[label]} ${volumes.module[label]} ${volumes.line[chosen]}`;
 		return html`${repeat(
-			said,
+			groups,
 			({ title }) => `${same} ${title}`,
 			(group) => this.#group(group),
 		)}
@@ -94,14 +94,14 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 	}
 
 	#group({ title, tokens }: NumberGroup): unknown {
-		return html`<fieldset class="volume-said"><legend>${title}</legend>${tokens.map((token, i) => this.#slider(token, title, i))}</fieldset>`;
+		return html`<fieldset class="volume-numbers"><legend>${title}</legend>${tokens.map((token, i) => this.#slider(token, title, i))}</fieldset>`;
 	}
 
 	#slider(token: NumberToken, title: string, index: number): unknown {
 		const { name, text } = token;
 		const key = `${title} ${index} ${name}`;
-		const said = token.range ? statedRange(token.range) : rangeFor(name, Number(text));
-		const range = within(this.#ranges.get(key), Number(text)) ?? said;
+		const usual = token.range ? statedRange(token.range) : rangeFor(name, Number(text));
+		const range = within(this.#ranges.get(key), Number(text)) ?? usual;
 		this.#ranges.set(key, range);
 		const { min, max, step } = range;
 		const words = describeNumber(this.#text() ?? "", name);
@@ -146,7 +146,7 @@ export class VolumePanel extends ControlElement<EditorContext<FlowerSpecimen, Fl
 		this.#gesture = undefined;
 	}
 
-	/** The change that writes a token in the place of another. */
+	/** Returns the change that replaces a number in the text. */
 	#changed({ from, to }: NumberToken, written: string) {
 		const text = this.#text() ?? "";
 		return withText(

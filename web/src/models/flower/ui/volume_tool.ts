@@ -1,4 +1,7 @@
-/** A click on a volume of the flower: its numbers, and what the text says of it, which a hand can change (Petrenko 2014, section 3.4). */
+/**
+ * Tool to select a volume by clicking it: shows its numbers, and those of the text, which can be edited (Petrenko
+ * 2014, section 3.4).
+ */
 import { html } from "lit";
 import type { EditorContext } from "../../../ui/editor_context";
 import { PickPointer } from "../../../ui/pick_pointer";
@@ -18,7 +21,7 @@ const VOLUME = {
 	everyday: true,
 } as const;
 
-/** The volume that is chosen, and of which preset's flower: another has others. */
+/** The chosen volume, and the preset of its flower, since it does not apply to other presets. */
 interface Choice {
 	readonly volume: ChosenVolume;
 	readonly preset: string;
@@ -37,7 +40,7 @@ export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, Choice | undefined> =
 		const pointer = new PickPointer(view, {
 			name: "picking-volume",
 			at: (x, y) => view.pick(x, y),
-			// To look for what is under a pointer that only passes takes too long of so many triangles.
+			// Picking is too slow for hovering, with so many triangles.
 			hovers: false,
 			mark: () => {},
 			take: (volume) => choose(context, volume),
@@ -53,7 +56,7 @@ export const volumeTool: Tool<FlowerSpecimen, FlowerPlant, Choice | undefined> =
 	},
 };
 
-/** The last one asked for: it is marked at every change of the state. */
+/** The last result of `organIn`, which runs at every change of the state. */
 let lastOrgan: { readonly grown: FlowerPlant; readonly chosen: number; readonly organ: Organ } | undefined;
 
 function organIn({ state: { grown } }: FlowerContext, chosen: number): Organ | undefined {

@@ -1,11 +1,14 @@
-/** A flower's grammar out of XML, which keeps no comments and spells lists out: what a design wrote is as the design writes it again. */
+/**
+ * Converts XML to a flower's grammar. Since XML drops comments and spells lists out, sections that match their
+ * description are regenerated.
+ */
 import { assembled, designOf, textOf } from "../design/design";
 import { sectionOf } from "../design/sections";
 import { textOfXml } from "./read";
 import { xmlOf } from "./write";
 
 /**
- * The text of a file of XML. Organs' sections that are what their descriptions make, but for that, are not taken for edited by hand.
+ * Returns the text of an XML file; unchanged sections of a design do not count as edited by hand.
  * @throws TextError with the line and column of the XML
  */
 export function grammarOfXml(source: string): string {

@@ -1,6 +1,6 @@
 /**
- * XML → elements, as far as grammars need it: elements, attributes, text, the five entities of XML itself and characters by number,
- * CDATA; comments and instructions are passed over. A document type is refused, so that no entity is ever defined or fetched.
+ * Parses the XML that grammars need: elements, attributes, text, XML's five entities, character references and CDATA;
+ * skips comments and instructions. Rejects document types, so that no entity is ever defined or fetched.
  */
 import { TextError } from "../../../specimen/text_error";
 
@@ -8,9 +8,9 @@ export interface XmlElement {
 	readonly name: string;
 	readonly attributes: Readonly<Record<string, string>>;
 	readonly children: XmlElement[];
-	/** What stands between its tags, its children's left out. */
+	/** Text between its tags, without its children's. */
 	text: string;
-	/** Its line and column, from 1: worked out when asked for, since to count columns takes as long as the line. */
+	/** Returns its line and column, from 1; lazily, since counting columns takes linear time. */
 	place(): readonly [line: number, column: number];
 }
 
@@ -20,7 +20,7 @@ const NAME = /[\p{L}_][\p{L}\p{N}_.:-]*/uy;
 const ENTITIES: Readonly<Record<string, string>> = { lt: "<", gt: ">", amp: "&", quot: '"', apos: "'" };
 
 /**
- * The elements that stand at the top: one, or as many as there are.
+ * Parses the top-level elements of a text, one or several.
  * @throws TextError with line and column
  */
 export function elementsOf(source: string): XmlElement[] {
@@ -31,7 +31,7 @@ class XmlReader {
 	readonly #source: string;
 	#at = 0;
 	#made = 0;
-	/** Where lines begin. */
+	/** Offsets of the beginnings of lines. */
 	readonly #lines: number[] = [0];
 
 	constructor(source: string) {
@@ -175,7 +175,7 @@ class XmlReader {
 	}
 }
 
-/** A text as it stands between tags. */
+/** Escapes text for use between tags. */
 export function escaped(text: string): string {
 	return text.replace(/[&<]/g, (sign) => (sign === "&" ? "&amp;" : "&lt;")).replace(/\]\]>/g, "]]&gt;");
 }

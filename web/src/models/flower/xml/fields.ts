@@ -1,4 +1,4 @@
-/** A volume's numbers as Table 4 calls them, in its order: N, T, atx, aty, atz, H, L, W, m. */
+/** Element names of Table 4 for a volume's numbers, in order: N, T, atx, aty, atz, H, L, W, m. */
 export const FIELDS = [
 	"degree",
 	"transl_coef",

@@ -1,4 +1,4 @@
-/** The XML of a flower's grammar (Petrenko 2014, Table 4) → its text. */
+/** Converts the XML of a flower's grammar (Petrenko 2014, Table 4) to its text. */
 import { TextError } from "../../../specimen/text_error";
 import { elementsOf, type XmlElement } from "./elements";
 import { FIELDS } from "./fields";
@@ -6,7 +6,7 @@ import { FIELDS } from "./fields";
 const PARTS = new Set(["volume", "variable", "axiom", "rule", "statement"]);
 
 /**
- * The text that a file of XML says: elements as Table 4 has them, one after the other or within one of any name.
+ * Returns the text of an XML file: elements of Table 4, at the top level or inside one root of any name.
  * @throws TextError with the line and column of the XML
  */
 export function textOfXml(source: string): string {
@@ -49,7 +49,7 @@ function rule(element: XmlElement): string {
 	return `${init}${init && " "}${nameOf(grown)}${between} -> ${after.children.map(piece).join("")}`;
 }
 
-/** What stands behind the arrow: volumes, signs and faces, one after the other. */
+/** Writes the successor: volumes, signs and faces in order. */
 function piece(element: XmlElement): string {
 	switch (element.name) {
 		case "volume":
@@ -65,7 +65,7 @@ function piece(element: XmlElement): string {
 	}
 }
 
-/** `NAME(N, T, …){…}`; without the list where no number is there at all. */
+/** Writes a volume: `NAME(N, T, …){…}`, without the list if it has no numbers. */
 function volume(element: XmlElement): string {
 	const known = new Set<string>(["name", "settings", ...FIELDS]);
 	const strange = element.children.find(({ name }) => !known.has(name));
@@ -90,7 +90,7 @@ function value(element: XmlElement): string {
 	return oneLine(element) || wrong(element, `<${element.name}> is empty.`);
 }
 
-/** A statement of the text ends with its line. */
+/** Joins an element's text into one line, since a statement ends with its line. */
 function oneLine(element: XmlElement | undefined): string {
 	if (element && element.children.length > 0)
 		wrong(element.children[0], `<${element.name}> has text in it and no elements.`);

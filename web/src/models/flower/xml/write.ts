@@ -1,6 +1,7 @@
 /**
- * A flower's text → the XML of Table 4 (Petrenko 2014). What that has no element for (glue, splits, modules, materials) stands as it is in
- * a `<statement>` of ours, and all in one `<grammar>`, since XML wants a root. Comments are left out, but for those that describe a design.
+ * Converts a flower's text to the XML of Table 4 (Petrenko 2014). Glue, splits, modules and materials have no element
+ * there; they become `<statement>` elements of our own. The root is `<grammar>`. Comments are dropped, except those
+ * that describe a design.
  */
 import { readLine } from "../design/description";
 import { scan } from "../ui/language";
@@ -10,7 +11,10 @@ import { FIELDS } from "./fields";
 
 type Pieces = ReturnType<typeof scan>;
 
-/** @param text one that has grown: of another the XML may say less */
+/**
+ * Returns the XML of a text.
+ * @param text a valid text; XML of others may be incomplete
+ */
 export function xmlOf(text: string): string {
 	const pieces = scan(text);
 	const statements = statementsOf(bare(pieces));
@@ -18,23 +22,23 @@ export function xmlOf(text: string): string {
 	let module = "";
 	const elements = statements.map((pieces) => {
 		if (pieces[0].text === "#module") module = pieces[1]?.text ?? "";
-		const said = element(new Statement(text, pieces), (name, of = module) => forms.get(`${of}:${name}`));
-		return { from: pieces[0].from, said };
+		const xml = element(new Statement(text, pieces), (name, of = module) => forms.get(`${of}:${name}`));
+		return { from: pieces[0].from, xml };
 	});
 	const described = pieces
 		.filter((piece) => isDescription(text, piece))
-		.map((piece) => ({ from: piece.from, said: `<statement>${escaped(piece.text)}</statement>` }));
-	const lines = [...elements, ...described].sort((one, other) => one.from - other.from).map(({ said }) => said);
+		.map((piece) => ({ from: piece.from, xml: `<statement>${escaped(piece.text)}</statement>` }));
+	const lines = [...elements, ...described].sort((one, other) => one.from - other.from).map(({ xml }) => xml);
 	return `<?xml version="1.0" encoding="UTF-8"?>\n<grammar>\n${lines.join("\n")}\n</grammar>\n`;
 }
 
-/** Whether a piece is an organ's description on a line of its own, as a design has it. */
-function isDescription(text: string, { kind, from, to, text: said }: Pieces[number]): boolean {
+/** Returns whether a token is an organ's description on a line of its own. */
+function isDescription(text: string, { kind, from, to, text: comment }: Pieces[number]): boolean {
 	const alone = (from === 0 || text[from - 1] === "\n") && /^[ \t]*(?:\n|$)/.test(text.slice(to, to + 200));
-	return kind === "comment" && alone && readLine(said) !== undefined;
+	return kind === "comment" && alone && readLine(comment) !== undefined;
 }
 
-/** A statement, read from the left. */
+/** A statement that is read from left to right. */
 class Statement {
 	at = 0;
 	constructor(
@@ -50,7 +54,7 @@ class Statement {
 		return this.pieces[this.at]?.text ?? "";
 	}
 
-	/** Comments within are left out. */
+	/** Returns the text of tokens, without comments. */
 	slice(from: number, to: number): string {
 		return this.pieces
 			.slice(from, to)
@@ -59,7 +63,10 @@ class Statement {
 	}
 }
 
-/** Whether lists of a volume have a translation, undefined of what is none; of a module with an empty name, what it begins with. */
+/**
+ * Returns whether a volume's lists have a translation, or undefined if the name is no volume; with an empty name,
+ * those of a module's axiom.
+ */
 type Form = (name: string, module?: string) => boolean | undefined;
 
 function element(statement: Statement, form: Form): string {
@@ -85,7 +92,10 @@ function element(statement: Statement, form: Form): string {
 	return `<statement>${escaped(spelledOut(statement, form))}</statement>`;
 }
 
-/** The rest of a statement, lists of volumes with all nine numbers: as definitions have them here, so that shorter ones would say others. */
+/**
+ * Writes the rest of a statement with all nine numbers in each list, since definitions have nine here and shorter
+ * lists would be read differently.
+ */
 function spelledOut(statement: Statement, form: Form): string {
 	const { pieces, at } = statement;
 	let written = "";
@@ -101,14 +111,14 @@ function spelledOut(statement: Statement, form: Form): string {
 	return `${written}${from > at && from < pieces.length ? " " : ""}${statement.slice(from, pieces.length)}`;
 }
 
-/** The nine numbers of a list that opens at a piece, empty where they are left out; and the piece behind it. */
+/** Returns the nine numbers of a list, empty where left out, and the token behind the list. */
 function numbersAt(statement: Statement, open: number, translated: boolean | undefined): [string[], number] {
 	const { entries, end } = entriesOf(statement.pieces, open);
-	const said = inFields(entries, translated).map((entry) => (entry ? statement.slice(...entry) : ""));
-	return [FIELDS.map((_, i) => said[i] ?? ""), end];
+	const listed = inFields(entries, translated).map((entry) => (entry ? statement.slice(...entry) : ""));
+	return [FIELDS.map((_, i) => listed[i] ?? ""), end];
 }
 
-/** A production that grows something; undefined of one that glues or splits. */
+/** Writes a production that grows volumes; undefined for glue and splits. */
 function rule(statement: Statement, form: Form): string | undefined {
 	const { pieces } = statement;
 	const isName = (i: number) => pieces[i] !== undefined && /^[\p{L}]/u.test(pieces[i].text);
@@ -139,7 +149,7 @@ function block(statement: Statement): string {
 	return statement.slice(from, statement.at++);
 }
 
-/** `[NAME(…)]_{faces}` */
+/** Writes a grown volume: `[NAME(…)]_{faces}`. */
 function growth(statement: Statement, form: Form): string | undefined {
 	statement.at++;
 	const module = statement.on("&");

@@ -1,7 +1,7 @@
-/** Growth areas: the volumes that a text's plant is clipped to (docs/models/grammar/topiary.md). */
+/** Growth areas: the volumes that clip a text's plant (docs/models/grammar/topiary.md). */
 import type { ClosedMesh } from "../../../specimen/closed_mesh";
 
-/** In the order of the core's (wasm-core/src/spatial/volume.hpp). */
+/** Kinds in the core's order (wasm-core/src/spatial/volume.hpp). */
 export const AREA_KINDS = ["box", "sphere", "ellipsoid", "cylinder", "cone", "mesh"] as const;
 export type AreaKind = (typeof AREA_KINDS)[number];
 
@@ -14,38 +14,41 @@ export interface Area {
 	readonly kind: AreaKind;
 	/** Metres. */
 	readonly centre: Triple;
-	/** Of the box that it fills before it is turned, metres; a sphere has the same each way. */
+	/** Size of the box that it fills before it is rotated, metres; a sphere's three sizes are equal. */
 	readonly size: Triple;
-	/** Of length 1. */
+	/** Unit quaternion. */
 	readonly rotation: Quaternion;
-	/** Of the kind `mesh`, in a unit of its own: it is stretched to the size. No link carries it. */
+	/** Mesh of an area of kind `mesh`, in any unit: it is scaled to `size`. Links do not contain it. */
 	readonly mesh?: ClosedMesh;
 }
 
-/** What a specimen of the model has of them. */
+/** Areas and main branch of a specimen. */
 export interface WithAreas {
-	/** In the order in which the main branch passes them; absent where there are none. */
+	/** Areas in the order in which the main branch passes them; absent if there are none. */
 	areas?: readonly Area[];
-	/** Where a hand has led the main branch, metres: x, y, z of place after place; absent where it leads from centre to centre. */
+	/** Drawn path of the main branch, metres: x, y, z of each place; absent if it leads from centre to centre. */
 	path?: readonly number[];
-	/** Of each place of the path the place that the branch comes from there, counted from 1, 0 for the foot; absent where it does not fork. */
+	/**
+	 * For each place of the path, the place before it, counted from 1, 0 for the foot; absent if the branch does not
+	 * fork.
+	 */
 	from?: readonly number[];
 }
 
-/** As many as a link can hold with ease, and a hand with patience. */
+/** Limits of areas and places, so that links and the panel stay usable. */
 export const MOST_AREAS = 24;
 export const MOST_PATH = 60;
 /** Metres. */
 export const FARTHEST = 100;
 export const SMALLEST = 0.01;
 
-/** A vector turned. */
+/** Rotates a vector. */
 export function turned([x, y, z]: Triple, [qx, qy, qz, qw]: Quaternion): Triple {
 	const [tx, ty, tz] = [2 * (qy * z - qz * y), 2 * (qz * x - qx * z), 2 * (qx * y - qy * x)];
 	return [x + qw * tx + qy * tz - qz * ty, y + qw * ty + qz * tx - qx * tz, z + qw * tz + qx * ty - qy * tx];
 }
 
-/** A turn by degrees about an axis, after another turn. */
+/** Rotates by degrees about an axis, after another rotation. */
 export function turnedOn([bx, by, bz, bw]: Quaternion, axis: Triple, degrees: number): Quaternion {
 	const half = (degrees * Math.PI) / 360;
 	const [ax, ay, az] = axis.map((value) => value * Math.sin(half));
@@ -58,7 +61,7 @@ export function turnedOn([bx, by, bz, bw]: Quaternion, axis: Triple, degrees: nu
 	]);
 }
 
-/** The same turn as degrees about Y, then X, then Z: what people type. */
+/** Converts a rotation to the angles that users type: degrees about Y, then X, then Z. */
 export function degreesOf([x, y, z, w]: Quaternion): Triple {
 	const clamp = (value: number) => Math.max(-1, Math.min(1, value));
 	const sine = clamp(2 * (w * x - y * z));
@@ -74,7 +77,7 @@ export function degreesOf([x, y, z, w]: Quaternion): Triple {
 	return [about_x, about_y, about_z];
 }
 
-/** A turn by degrees about Z, then X, then Y, all of the world. */
+/** Converts degrees about Z, then X, then Y, all axes of the world, to a rotation. */
 export function turnOf([x, y, z]: Triple): Quaternion {
 	return turnedOn(turnedOn(turnedOn(UNTURNED, [0, 0, 1], z), [1, 0, 0], x), [0, 1, 0], y);
 }
@@ -86,7 +89,7 @@ export function unit(q: Quaternion): Quaternion {
 	return q.map((value) => (sign * value) / length) as unknown as Quaternion;
 }
 
-/** A place of an area's own box, −1 … 1 each way, in metres. */
+/** Converts a point of an area's own box, −1 … 1 on each axis, to metres. */
 export function placeIn({ centre, size, rotation }: Area, own: Triple): Triple {
 	const [x, y, z] = turned([0.5 * own[0] * size[0], 0.5 * own[1] * size[1], 0.5 * own[2] * size[2]], rotation);
 	return [centre[0] + x, centre[1] + y, centre[2] + z];

@@ -1,14 +1,17 @@
-/** What hands and buttons make of areas and of the main branch's path. Pure. */
+/** Edits of areas and of the main branch's path by pointer and buttons. Pure functions. */
 import type { Change } from "../../../ui/editor_context";
 import { fittedArea, fittedPath } from "../details/areas";
 import { type Area, type AreaKind, MOST_AREAS, MOST_PATH, type Triple, UNTURNED, type WithAreas } from "./area";
 
-/** All of them in place of what there was. */
+/** Replaces all areas. */
 export const withAreas = (areas: readonly Area[]): Change => ({
 	details: { areas: areas.length > 0 ? areas.map(fittedArea) : undefined },
 });
 
-/** @param from of each place the one that it comes after; absent of a branch that does not fork */
+/**
+ * Replaces the path.
+ * @param from for each place the place before it; absent for a branch that does not fork
+ */
 export function withPath(path: readonly number[] | undefined, from?: readonly number[]): Change {
 	const forks = from?.some((before, i) => before !== i) ?? false;
 	return {
@@ -19,12 +22,12 @@ export function withPath(path: readonly number[] | undefined, from?: readonly nu
 	};
 }
 
-/** One of them another. */
+/** Changes one area. */
 export function changed({ areas = [] }: WithAreas, index: number, change: Partial<Area>): Change {
 	return withAreas(areas.map((area, i) => (i === index ? { ...area, ...change } : area)));
 }
 
-/** One more, above the last and as large. Nothing where there is no room for it. */
+/** Adds an area above the last one, of the same size. Returns undefined if there is no room for it. */
 export function added({ areas = [] }: WithAreas, kind: AreaKind, mesh?: Area["mesh"]): Change | undefined {
 	if (areas.length >= MOST_AREAS) return undefined;
 	const last = areas.at(-1);
@@ -36,7 +39,7 @@ export function added({ areas = [] }: WithAreas, kind: AreaKind, mesh?: Area["me
 export const removed = ({ areas = [] }: WithAreas, index: number): Change =>
 	withAreas(areas.filter((_, i) => i !== index));
 
-/** Earlier (−1) or later (1) in the main branch's way. Nothing where it is the first or the last. */
+/** Moves an area earlier (−1) or later (1) on the main branch. Returns undefined for the first or the last. */
 export function reordered({ areas = [] }: WithAreas, index: number, by: 1 | -1): Change | undefined {
 	const to = index + by;
 	if (!areas[index] || !areas[to]) return undefined;
@@ -45,16 +48,16 @@ export function reordered({ areas = [] }: WithAreas, index: number, by: 1 | -1):
 	return withAreas(moved);
 }
 
-/** The places that the main branch is led by: drawn ones, or else the centres. */
+/** Returns the places that the main branch passes: the drawn ones, or else the areas' centres. */
 export const placesOf = ({ areas = [], path }: WithAreas): readonly Triple[] =>
 	path
 		? Array.from({ length: path.length / 3 }, (_, i): Triple => [path[3 * i], path[3 * i + 1], path[3 * i + 2]])
 		: areas.map(({ centre }) => centre);
 
-/** Of each place the one that the branch comes from there, counted from 1; 0 is the foot. */
+/** Returns for each place the place before it, counted from 1; 0 is the foot. */
 export const fromOf = (specimen: WithAreas): readonly number[] => specimen.from ?? placesOf(specimen).map((_, i) => i);
 
-/** The branches as lines, each from where it begins. */
+/** Returns the branches as lines, each from its beginning. */
 export function branchesOf(specimen: WithAreas): readonly (readonly Triple[])[] {
 	const places = placesOf(specimen);
 	const from = fromOf(specimen);
@@ -62,7 +65,7 @@ export function branchesOf(specimen: WithAreas): readonly (readonly Triple[])[] 
 	const lines: Triple[][] = [];
 	const lineOf: Triple[][] = [];
 	places.forEach((place, i) => {
-		// The first that comes after a place goes on with its line.
+		// The first successor of a place continues its line.
 		const first = from.indexOf(from[i]) === i;
 		const line = first && from[i] > 0 ? lineOf[from[i] - 1] : [at(from[i])];
 		if (line.length === 1) lines.push(line);
@@ -72,7 +75,7 @@ export function branchesOf(specimen: WithAreas): readonly (readonly Triple[])[] 
 	return lines;
 }
 
-/** A place elsewhere. The first time a hand takes one, the path is its own from then on. */
+/** Moves a place. From the first move on, the path is drawn and no longer follows the centres. */
 export function movedPlace(specimen: WithAreas, index: number, to: Triple): Change {
 	return withPath(
 		placesOf(specimen).flatMap((place, i) => (i === index ? to : place)),
@@ -80,7 +83,7 @@ export function movedPlace(specimen: WithAreas, index: number, to: Triple): Chan
 	);
 }
 
-/** One more after a place, half way to the next; after the last as far on as the one before. */
+/** Adds a place after another, half way to the next; after the last one, continues by half the last distance. */
 export function addedPlace(specimen: WithAreas, index: number): Change | undefined {
 	const places = placesOf(specimen);
 	const at = places[index];
@@ -98,10 +101,10 @@ export function addedPlace(specimen: WithAreas, index: number): Change | undefin
 	);
 }
 
-/** One less; without any the branch leads from centre to centre again. */
+/** Removes a place; without any place the branch leads from centre to centre again. */
 export function removedPlace(specimen: WithAreas, index: number): Change {
 	const from = fromOf(specimen);
-	// What came after it comes after the one before it; where that was the foot, after the first of those.
+	// Successors of the removed place follow its predecessor; if that was the foot, they follow the first successor.
 	const first = from.indexOf(index + 1);
 	const instead = from[index] > 0 ? from[index] : first + 1;
 	const again = from.map((before, i) =>
@@ -114,10 +117,10 @@ export function removedPlace(specimen: WithAreas, index: number): Change {
 	);
 }
 
-/** How far from the line a stroke's places may be left out, of its length. */
+/** Greatest distance from the line at which a stroke's places are dropped, as a share of its length. */
 const SLACK = 0.012;
 
-/** A drawn stroke as a path: with as many places as keep it in shape (Douglas and Peucker 1973). */
+/** Simplifies a drawn stroke to a path that keeps its shape (Douglas and Peucker 1973). */
 export function strokePath(stroke: readonly Triple[]): Change | undefined {
 	if (stroke.length < 2) return undefined;
 	const long = stroke.slice(1).reduce((sum, at, i) => sum + distance(at, stroke[i]), 0);
@@ -126,7 +129,7 @@ export function strokePath(stroke: readonly Triple[]): Change | undefined {
 	return withPath(places.flat());
 }
 
-/** A drawn stroke as one more branch: it begins at the place that is nearest to where the pen was put down. */
+/** Adds a drawn stroke as a further branch, which begins at the place nearest to the stroke's start. */
 export function strokeFork(specimen: WithAreas, stroke: readonly Triple[]): Change | undefined {
 	const places = placesOf(specimen);
 	const drawn = strokePath(stroke)?.details?.path as readonly number[] | undefined;

@@ -1,4 +1,7 @@
-/** Areas and path as handles in the 3-D view: each area's middle, of the chosen one its sides and turns; each place of a drawn path. */
+/**
+ * Handles of areas and path in the 3-D view: each area's centre, the chosen area's sides and rotations, each place of
+ * a drawn path.
+ */
 import type { Change } from "../../../ui/editor_context";
 import type { PlantHandle, PlantHandles, Vector } from "../../../ui/handles/plant_handle";
 import {
@@ -21,28 +24,30 @@ const AXES: readonly Vector[] = [
 ];
 const NAMES = ["x", "y", "z"];
 const SIDES = ["Width", "Height", "Depth"];
-/** Metres of an arrow key, alone and with Shift. */
+/** Metres that an arrow key moves, alone and with Shift. */
 const STEP = 0.01;
 const STRIDE = 0.1;
 /** Degrees. */
 const TURN = 5;
 const TURN_FAR = 15;
-/** Where a turn's handle stands, in half areas: across its axis, and in the first view clear of the sides' and of one another. */
+/**
+ * Positions of the rotation handles, in half areas: across their axis, and apart from other handles in the first view.
+ */
 const ARMS: readonly Triple[] = [
 	[0, -1, -1],
 	[-1, 0, 1],
 	[-1.35, 1, 0],
 ];
-/** How far to either side of it the arc goes that shows which way it turns, and in how many pieces; degrees. */
+/** Angle to both sides of a rotation handle that its arc spans, degrees, and the arc's number of segments. */
 const ARC = 36;
 const PIECES = 12;
 
 export interface Choice {
-	/** Which area has its sides and turns shown. */
+	/** Area whose sides and rotations are shown. */
 	readonly area?: number | undefined;
 	/** Whether the main branch's places are shown. */
 	readonly path?: boolean;
-	/** Whether Delete removes them: where there is a way back. */
+	/** Whether Delete removes them: only on pages with undo. */
 	readonly removable?: boolean;
 }
 
@@ -55,7 +60,7 @@ export function areaHandles(specimen: WithAreas, choice: Choice = {}): PlantHand
 	const gone = (change: () => Change) => (choice.removable ? { remove: change } : {});
 	return {
 		handles: [
-			// Places may stand in the middles: one of the two is shown.
+			// Places may coincide with centres: only one kind is shown.
 			...(choice.path ? [] : areas).map((area, i) => ({
 				...middle(specimen, area, i, i === choice.area),
 				...gone(() => removed(specimen, i)),
@@ -73,10 +78,10 @@ export function areaHandles(specimen: WithAreas, choice: Choice = {}): PlantHand
 	};
 }
 
-/** Those of pages that have the plant alone: where areas stand. */
+/** Handles on pages that show only the plant. */
 export const areaHandlesOf = (specimen: WithAreas): PlantHandles => areaHandles(specimen);
 
-/** "Area 2, a cone". */
+/** Returns the name of an area: "Area 2, a cone". */
 export const nameOf = ({ kind }: Area, index: number): string =>
 	`Area ${index + 1}, ${/^[aeiou]/.test(kind) ? "an" : "a"} ${kind}`;
 
@@ -99,7 +104,7 @@ function middle(specimen: WithAreas, area: Area, index: number, chosen: boolean)
 	};
 }
 
-/** The middle of a side: the opposite one stays where it is. */
+/** Returns the handles in the middle of sides; dragging one keeps the opposite side in place. */
 function sides(specimen: WithAreas, area: Area, index: number): PlantHandle[] {
 	return AXES.map((own, k) => {
 		const axis = turned(own, area.rotation);
@@ -125,7 +130,10 @@ function sides(specimen: WithAreas, area: Area, index: number): PlantHandle[] {
 	});
 }
 
-/** About the area's own axes: a handle to each, on an arm across it, and the arc on which it goes. */
+/**
+ * Returns the rotation handles about the area's own axes, each on an arm across its axis, with an arc that shows its
+ * direction.
+ */
 function turns(specimen: WithAreas, area: Area, index: number): { handle: PlantHandle; arc: readonly Vector[] }[] {
 	return AXES.map((own, k) => {
 		const axis = turned(own, area.rotation);

@@ -21,10 +21,10 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 	readonly #view: ToolView;
 	readonly #context: AreaContext;
 	readonly #handles: PlantInteraction<GrammarSpecimen, GrammarPlant>;
-	/** The document as it was before a stroke. */
+	/** Document before the stroke. */
 	#before: GrammarSpecimen | undefined;
 	#stroke: Triple[] | undefined;
-	/** Whether the stroke draws a fork, as the tool said when it began. */
+	/** Whether the stroke draws a fork, by the tool's state at its start. */
 	#strokeIsFork = false;
 	#last: Point = { x: 0, y: 0 };
 	#drawing: AreaState["drawing"];
@@ -69,7 +69,7 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 		if (index !== undefined && index !== this.#context.toolState(areaTool).chosen) choose(this.#context, index);
 	}
 
-	/** Where a stroke goes: in the plane through the areas' middle that faces the eye. */
+	/** Returns the point under the pointer in the plane through the areas' centre that faces the camera. */
 	#under({ clientX, clientY }: PointerEvent): Triple | undefined {
 		const { left, top, width, height } = this.#view.canvas.getBoundingClientRect();
 		const places = placesOf(this.#context.state.specimen);
@@ -99,7 +99,7 @@ export class AreaInteraction implements ToolInteraction<GrammarSpecimen, Grammar
 		this.#view.canvas.setPointerCapture(event.pointerId);
 	};
 
-	/** The branch follows the pen: it regrows at once. */
+	/** Extends the stroke; the plant regrows at once. */
 	readonly #go = (event: PointerEvent): void => {
 		const { clientX: x, clientY: y } = event;
 		if (!this.#stroke || Math.hypot(x - this.#last.x, y - this.#last.y) < FINE) return;

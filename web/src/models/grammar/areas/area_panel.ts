@@ -1,4 +1,7 @@
-/** Growth areas by list and numbers: all that hands do in the view, for keyboards and screen readers as well. */
+/**
+ * Panel of growth areas: a list and numbers for everything that the pointer does in the view, for keyboards and screen
+ * readers.
+ */
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { ACCEPT } from "../../../import/mesh_file/accept";
@@ -26,7 +29,7 @@ import {
 import { nameOf } from "./area_handles";
 import { type AreaContext, type AreaState, areaTool, choose, hasAreas, takeAreaMesh } from "./area_tool";
 
-/** What the buttons are called; a mesh comes by its own. */
+/** Labels of the buttons; meshes have a button of their own. */
 const WORDS: Readonly<Record<Exclude<AreaKind, "mesh">, string>> = {
 	box: "Box",
 	sphere: "Ball",
@@ -96,7 +99,7 @@ function drawArea(context: AreaContext, area: Area, index: number): unknown {
 				const list = pressed.closest(".group-body");
 				context.set(change);
 				choose(context, undefined);
-				// The button goes with its area: the next one has the focus, or what adds one.
+				// The button disappears with its area: focus the next area, or the button that adds one.
 				setTimeout(() => {
 					const left = list?.querySelectorAll<HTMLElement>(".areas button");
 					const next = left?.[Math.min(index, left.length - 1)] ?? list?.querySelector<HTMLElement>(".actions button");
@@ -107,7 +110,7 @@ function drawArea(context: AreaContext, area: Area, index: number): unknown {
 	</div>`;
 }
 
-/** Of a ball all three follow the one that was changed. */
+/** Keeps a sphere's sizes equal: all follow the changed one. */
 function oneSize({ kind, size }: Area, wanted: Triple): Triple {
 	if (kind !== "sphere") return wanted;
 	const width = wanted.find((value, k) => value !== size[k]) ?? size[0];
@@ -183,10 +186,10 @@ function button(words: string, change: Change | undefined, press: (change: Chang
 	return html`<button class="button" type="button" ?disabled=${!change} @click=${click}>${words}</button>`;
 }
 
-/** The table's, but open and before the others: where there are areas, they are what hands are for. */
+/** Group of the table, but open, since areas are edited most. */
 const GROUP: Group = { ...(GRAMMAR_TABLE.groups.find(({ key }) => key === "areas") as Group), closed: false };
 
-/** A section of the panel, also where there is no area yet but a text that asks for one; and what is dropped on the page. */
+/** Panel section, also shown if a text uses areas and there are none; accepts dropped meshes. */
 export const areaPanel: Tool<GrammarSpecimen, GrammarPlant> = {
 	name: "area-panel",
 	initial: undefined,

@@ -1,4 +1,4 @@
-/** Growth areas in the page: as glass and with handles in the 3-D view, in the panel by numbers. */
+/** Tools of growth areas: glass shells and handles in the 3-D view. */
 import { svg } from "lit";
 import type { EditorContext } from "../../../ui/editor_context";
 import { LazyInteraction } from "../../../ui/handles/lazy_interaction";
@@ -13,25 +13,25 @@ import { surfaceOf } from "./surface";
 
 export type AreaContext = EditorContext<GrammarSpecimen, GrammarPlant>;
 
-/** What of the areas is in hand. */
+/** Tool state of growth areas. */
 export interface AreaState {
 	/** Whether handles are shown. */
 	readonly handles: boolean;
-	/** Which area has its sides and turns shown, and its numbers in the panel. */
+	/** Area whose sides and rotations are shown, and its numbers in the panel. */
 	readonly chosen?: number | undefined;
 	/** Whether the main branch's places are shown. */
 	readonly path?: boolean;
-	/** What the next stroke over the picture is: the main branch's path, or one more branch of it. */
+	/** Content of the next stroke: the main branch's path, or a further branch. */
 	readonly drawing?: "path" | "fork" | undefined;
 }
 
 const GLASS = svg`<path d="M10 3l6 3.2v7.600L10 17l-6-3.200V6.200zM4 6.200l6 3.200 6-3.200M10 9.400V17" stroke-dasharray="2 1.500"/>`;
 const HANDLES = svg`<path d="M10 3l6 3.2v7.600L10 17l-6-3.200V6.200z"/><circle cx="10" cy="3" r="1.600" fill="currentcolor"/><circle cx="16" cy="13.800" r="1.600" fill="currentcolor"/><circle cx="4" cy="13.800" r="1.600" fill="currentcolor"/>`;
 
-/** Whether there is anything to take hold of. */
+/** Returns whether there are areas to edit. */
 export const hasAreas = ({ areas = [] }: GrammarSpecimen): boolean => areas.length > 0;
 
-/** Faint, until they are hidden. */
+/** Translucent shells, visible by default. */
 const areaGlass = shownShells<GrammarSpecimen, GrammarPlant>({
 	name: "glass",
 	icon: GLASS,
@@ -77,7 +77,7 @@ export const areaTools: readonly Tool<GrammarSpecimen, GrammarPlant>[] = [
 	areaTool as Tool<GrammarSpecimen, GrammarPlant>,
 ];
 
-/** Makes a file's mesh one more area, as one step; whatever is wrong with it is said. */
+/** Adds a file's mesh as a growth area, as one undo step; reports errors to the user. */
 export async function takeAreaMesh(context: AreaContext, file: File): Promise<void> {
 	const isStill = sameDocument(context);
 	const notify = (title: string, words: string) => context.notify(title, [words], { topic: FILE_TOPIC });
@@ -105,7 +105,7 @@ export async function takeAreaMesh(context: AreaContext, file: File): Promise<vo
 	}
 }
 
-/** Shows an area's handles and numbers; none's where undefined. */
+/** Shows an area's handles and numbers; none if undefined. */
 export function choose(context: AreaContext, chosen: number | undefined): void {
 	context.setToolState(areaTool, { ...context.toolState(areaTool), handles: true, chosen });
 }

@@ -1,4 +1,4 @@
-/** Areas and path as blocks of a request (wasm-core/src/models/grammar/areas.hpp). */
+/** Encodes areas and path as blocks of a request (wasm-core/src/models/grammar/areas.hpp). */
 import type { Block } from "../../../core/container";
 import { AREA_KINDS, type WithAreas } from "./area";
 

@@ -1,10 +1,10 @@
-/** The surface of an area, as it is shown. */
+/** Surface meshes of areas, for the view. */
 import type { ClosedMesh } from "../../../specimen/closed_mesh";
 import { type Area, type AreaKind, placeIn, type Triple } from "./area";
 
 const SIDES = 32;
 
-/** In metres, turned and put where it stands. */
+/** Returns the surface of an area in metres, rotated and placed. */
 export function surfaceOf(area: Area): ClosedMesh {
 	const { points, triangles } = area.kind === "mesh" ? stretched(area.mesh) : formOf(area.kind);
 	const placed: number[] = [];
@@ -14,7 +14,7 @@ export function surfaceOf(area: Area): ClosedMesh {
 
 const forms = new Map<AreaKind, ClosedMesh>();
 
-/** Within −1 … 1 each way. */
+/** Returns the surface of a kind of area, within −1 … 1 on each axis. */
 function formOf(kind: AreaKind): ClosedMesh {
 	const known = forms.get(kind) ?? made(kind);
 	forms.set(kind, known);
@@ -55,7 +55,7 @@ function box(): ClosedMesh {
 	return { points, triangles: faces.flatMap(([a, b, c, d]) => [a, b, c, a, c, d]) };
 }
 
-/** A line of (radius, height) turned about the upright. */
+/** Returns the surface of revolution of a line of (radius, height) about the vertical axis. */
 function revolved(line: readonly (readonly [number, number])[]): ClosedMesh {
 	const points = line.flatMap(([radius, height]) =>
 		Array.from({ length: SIDES }, (_, i) => (2 * Math.PI * i) / SIDES).flatMap((angle) => [
@@ -74,7 +74,7 @@ function revolved(line: readonly (readonly [number, number])[]): ClosedMesh {
 	return { points, triangles };
 }
 
-/** A mesh in a box of −1 … 1 each way; nothing where there is none. */
+/** Scales a mesh into a box of −1 … 1 on each axis; empty if there is none. */
 function stretched(mesh: ClosedMesh = { points: [], triangles: [] }): ClosedMesh {
 	const [low, high] = [Math.min, Math.max].map((extreme) =>
 		[0, 1, 2].map((k) =>

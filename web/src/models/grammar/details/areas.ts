@@ -1,4 +1,4 @@
-/** The volumes that a text may ask for by bound() and reach(), and the way of its main branch. */
+/** Document fields of growth areas, which a text uses by bound() and reach(), and of the main branch's path. */
 import { readClosedMesh, sameMesh } from "../../../specimen/closed_mesh";
 import type { Field } from "../../../specimen/model_schema";
 import { type Notes, quote } from "../../../specimen/notes";
@@ -18,13 +18,13 @@ import {
 } from "../areas/area";
 import type { GrammarSpecimen } from "../specimen";
 
-/** Of a turn's numbers. */
+/** Steps of a rotation's numbers: 1 / DECIMALS. */
 const DECIMALS = 10_000;
-/** How far from 1 the length of a turn may be that is left as it is: rounding. */
+/** Deviation of a rotation's length from 1 that is accepted as rounding. */
 const SLACK = 1e-3;
 const MILLIMETRES = 1000;
 
-/** `areas=box:0,0.8,0:1,1,1;cone:0,2,0:1,2,1:0,0,0.38,0.92`: kind, centre, size, and the turn where there is one. */
+/** `areas=box:0,0.8,0:1,1,1;cone:0,2,0:1,2,1:0,0,0.38,0.92`: kind, centre, size, and optionally the rotation. */
 export const areas: Field<GrammarSpecimen> = {
 	keys: ["areas"],
 	settings: ["areas=KIND:X,Y,Z:W,H,D:QX,QY,QZ,QW;…"],
@@ -64,7 +64,7 @@ export const path: Field<GrammarSpecimen> = {
 	},
 };
 
-/** `from=0,1,2,1`: of each place of the path the one that the main branch comes from there, counted from 1, where it forks. */
+/** `from=0,1,2,1`: for each place of the path the place before it, counted from 1, if the branch forks. */
 export const from: Field<GrammarSpecimen> = {
 	keys: ["from"],
 	settings: ["from=0,1,…"],
@@ -85,7 +85,7 @@ export const from: Field<GrammarSpecimen> = {
 const near = (value: number): number => onStep(Math.min(Math.max(value, -FARTHEST), FARTHEST), MILLIMETRES);
 const wide = (value: number): number => onStep(Math.min(Math.max(value, SMALLEST), FARTHEST), MILLIMETRES);
 
-/** An area in the one form that documents keep: on the steps of a link. */
+/** Normalises an area to the form of documents: rounded to the steps of a link. */
 export function fittedArea({ kind, centre, size, rotation, mesh }: Area): Area {
 	const length = Math.hypot(...rotation);
 	const turn = Math.abs(length - 1) < SLACK && rotation[3] >= 0 ? rotation : unit(rotation);
@@ -99,7 +99,7 @@ export function fittedArea({ kind, centre, size, rotation, mesh }: Area): Area {
 	};
 }
 
-/** Places as a link can hold them. */
+/** Rounds places to the steps of a link, and limits their number. */
 export const fittedPath = (places: readonly number[]): number[] => places.slice(0, 3 * MOST_PATH).map(near);
 
 function inWords({ kind, centre, size, rotation }: Area): string {
@@ -107,7 +107,7 @@ function inWords({ kind, centre, size, rotation }: Area): string {
 	return [kind, centre.join(","), size.join(","), ...turn].join(":");
 }
 
-/** What cannot be read is left out, with a note. `before` are those of the preset, which may bring meshes. */
+/** Reads areas; omits invalid ones with a note. `before` are the preset's, which may have meshes. */
 function readAreas(key: string, value: unknown, before: readonly Area[] = [], notes: Notes): Area[] {
 	const list = typeof value === "string" ? value.split(";").filter(Boolean) : Array.isArray(value) ? value : undefined;
 	if (!list) {
@@ -150,7 +150,7 @@ function numbers(value: unknown, count: number): number[] | undefined {
 	return read?.length === count && read.every(Number.isFinite) ? read : undefined;
 }
 
-/** None where there are none; undefined where they cannot be read. */
+/** Reads a path: empty if there are no places; undefined if it is invalid. */
 function readPath(key: string, value: unknown, notes: Notes): number[] | undefined {
 	const read = value === "" ? [] : readNumbers(value);
 	if (!read || read.length % 3 !== 0 || !read.every(Number.isFinite)) {

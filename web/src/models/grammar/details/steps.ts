@@ -1,10 +1,10 @@
-/** How many steps a text is derived for, in place of what it says itself. */
+/** Number of derivation steps, in place of the text's own. */
 
 import type { Field } from "../../../specimen/model_schema";
 import { readWithin } from "../../../specimen/read_within";
 import type { GrammarSpecimen } from "../specimen";
 
-/** The core's own limit (wasm-core/src/foundation/limits.hpp). */
+/** Limit of the core (wasm-core/src/foundation/limits.hpp). */
 export const MOST_STEPS = 4096;
 const STEPS = { kind: "integer", min: 0, max: MOST_STEPS } as const;
 

@@ -1,4 +1,4 @@
-/** What is not measured of what a text has grown: its steps, and what stands in each growth area. */
+/** Numbers of a text's plant besides its measures: derivation steps, and the contents of each growth area. */
 import { html, nothing } from "lit";
 import { term } from "../../../ui/term";
 import type { GrammarPlant } from "../grammar_plant";

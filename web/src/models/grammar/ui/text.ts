@@ -6,7 +6,7 @@ import type { GrammarSpecimen } from "../specimen";
 import { fetchedText, fetchTexts } from "../texts";
 import { warningsOf } from "./warnings";
 
-/** Where a text comes from that is grown as it is. */
+/** Source of a text for the editor. */
 export const source: GrammarSource<GrammarSpecimen> = {
 	noun: "plant",
 	group: "lines",

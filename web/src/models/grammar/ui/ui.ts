@@ -1,4 +1,4 @@
-/** The page's side of the model: loaded with the first plant of it, in a page alone. */
+/** User interface of the model, loaded with its first plant. */
 import { html } from "lit";
 import { steppedScene } from "../../../grammar_editor/derivation_tool";
 import { gestureTool } from "../../../grammar_editor/gesture_tool";

@@ -1,4 +1,6 @@
-/** What a plant lacks of what was requested for, and why: told beside its picture and below its text. */
+/**
+ * Warnings about a plant that lacks parts of the request, with reasons: shown beside its picture and below its text.
+ */
 import { blankComments } from "../../../grammar_editor/comments";
 import { withThousands } from "../../../ui/thousands";
 import type { GrammarPlant } from "../grammar_plant";
@@ -6,11 +8,14 @@ import type { GrammarSpecimen } from "../specimen";
 import { fetchedText, usesAreas } from "../texts";
 
 const BARE = /^Nothing grows in area (\d+):/;
-/** Of the core's notes; others stand with the numbers, or have a place in the text. */
+/** Notes of the core that are shown as warnings; others are shown with the numbers, or at a place in the text. */
 const CUT = /^What grew so far is shown/;
 const REPORTED = /^The grammar (?:draws nothing|has no #define)/;
 
-/** A line each. @param specimen that the plant has grown from */
+/**
+ * Returns the warnings, a line each.
+ * @param specimen that the plant has grown from
+ */
 export function warningsOf({ notes, counts }: GrammarPlant, specimen: GrammarSpecimen): readonly string[] {
 	const text = fetchedText(specimen) ?? "";
 	const bare = notes.filter((note) => BARE.test(note));
@@ -25,12 +30,12 @@ export function warningsOf({ notes, counts }: GrammarPlant, specimen: GrammarSpe
 	];
 }
 
-/** The growth areas in which nothing grows, counted from 0. */
+/** Returns the growth areas in which nothing grows, counted from 0. */
 export function bareAreas({ notes }: Pick<GrammarPlant, "notes">): ReadonlySet<number> {
 	return new Set(notes.flatMap((note) => Number(BARE.exec(note)?.[1] ?? 0) - 1).filter((area) => area >= 0));
 }
 
-/** Such notes, those of one reason together. */
+/** Groups notes about empty areas by their reason. */
 function reasonsOf(notes: readonly string[]): string[][] {
 	const together = new Map<string, string[]>();
 	for (const note of notes) {
@@ -40,7 +45,7 @@ function reasonsOf(notes: readonly string[]): string[][] {
 	return [...together.values()];
 }
 
-/** Notes of one reason as one: they differ by the area alone. */
+/** Joins notes of one reason, which differ by the area only. */
 function inOne(notes: readonly string[]): string {
 	const numbers = notes.map((note) => BARE.exec(note)?.[1]);
 	if (numbers.length < 2) return notes[0];
@@ -48,13 +53,13 @@ function inOne(notes: readonly string[]): string {
 	return notes[0].replace(BARE, `Nothing grows in ${areas}:`);
 }
 
-/** How far the derivation has come, where it has not come to its end. */
+/** Returns how many steps were done, if fewer than requested. */
 function stepsOf(done: number, { steps, constants }: GrammarSpecimen, text: string): string[] {
 	const requested = steps ?? lengthIn(text, constants);
 	return requested !== undefined && done < requested ? [`These are ${done} of ${requested} steps.`] : [];
 }
 
-/** The derivation length, where it is a number or the name of one; what is reckoned is the core's to know. */
+/** Returns the derivation length, if it is a number or the name of one; the core evaluates expressions. */
 function lengthIn(text: string, constants: GrammarSpecimen["constants"]): number | undefined {
 	const bare = blankComments(text);
 	const [, length = ""] = /^[ \t]*derivation[ \t]+length[ \t]*:[ \t]*([\p{L}\w]+)[ \t]*$/imu.exec(bare) ?? [];

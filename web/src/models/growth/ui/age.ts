@@ -3,7 +3,7 @@ import { lifeTool } from "../../../ui/life_tool";
 import type { GrowthPlant } from "../growth_plant";
 import type { GrowthSpecimen } from "../specimen";
 
-/** How far a tree has come of its steps: what stands stays, and each step adds its shoots. */
+/** Age of a tree as its share of growth steps: each step adds shoots and leaves earlier ones unchanged. */
 export const LIFE: Life = {
 	parameter: "age",
 	label: "Age",

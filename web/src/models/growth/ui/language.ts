@@ -1,4 +1,4 @@
-/** The growth language as the editor knows it (docs/models/growth/language.md). */
+/** The growth language for the editor (docs/models/growth/language.md). */
 import type { Dialect } from "../../../grammar_editor/dialect";
 import type { Kind, Piece } from "../../../grammar_editor/scan";
 
@@ -18,7 +18,7 @@ function kindOf(piece: string, fresh: boolean, before: string): Kind {
 	return /^(?:[<>=!]=|&&|\|\||[-+*/%^!<>=])$/.test(piece) ? "operator" : "mark";
 }
 
-/** Takes a text to pieces, blanks left out. */
+/** Splits a text into tokens, without blanks. */
 function scan(text: string): Piece[] {
 	const pieces: Piece[] = [];
 	let line = 1;

@@ -1,4 +1,4 @@
-/** Says of a tree out of a stand that it grows among neighbours, and lets it grow without them. */
+/** Shows that a tree from a stand grows among neighbours, with a button to grow it without them. */
 import { html } from "lit";
 import type { Tool } from "../../../ui/tool";
 import type { GrowthPlant } from "../growth_plant";

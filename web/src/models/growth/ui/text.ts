@@ -3,7 +3,7 @@ import type { GrowthSpecimen } from "../specimen";
 import { fetchedText, fetchTexts } from "../texts";
 import { GROWTH_LANGUAGE } from "./language";
 
-/** Where a tree's text comes from. */
+/** Source of a tree's text for the editor. */
 export const source: GrammarSource<GrowthSpecimen> = {
 	noun: "tree",
 	dialect: GROWTH_LANGUAGE,

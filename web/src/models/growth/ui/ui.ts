@@ -1,4 +1,4 @@
-/** The page's side of the model: loaded with the first tree of it, in a page alone. */
+/** User interface of the model, loaded with its first tree. */
 import { html } from "lit";
 import { gestureTool } from "../../../grammar_editor/gesture_tool";
 import { grammarTools } from "../../../grammar_editor/grammar_tool";

@@ -1,17 +1,20 @@
-/** The growth volumes that a growth grammar's `footprint` has, read from its text and written into it: the text owns them. */
+/**
+ * Reads the growth volumes of a growth grammar's `footprint` from its text and writes them into it; the text owns
+ * them.
+ */
 import { blankComments } from "../../../grammar_editor/comments";
 import { type GrowthVolume, meanWidth } from "./volume";
 
 const NUMBER = /^[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?°?$/i;
-/** What has a number of its own in brackets. */
+/** Matches an argument with numbers in brackets. */
 const CALL = /^(\w+)\s*\(([^()]*)\)$/;
 
-/** The places of a text's footprints, and the text in the brackets of each volume. Reads each character a few times at most. */
+/** Returns the positions of a text's footprints, and the text in the brackets of each volume. Linear time. */
 function footprintsOf(text: string): { from: number; to: number; volumes: string[] }[] {
 	const bare = blankComments(text);
 	const found: { from: number; to: number; volumes: string[] }[] = [];
 	for (const head of bare.matchAll(/\bfootprint\s*(?:-->|->|→)/g)) {
-		// Inside the brackets of the previous footprint it is not a footprint.
+		// A footprint inside the brackets of the previous one is ignored.
 		if (head.index < (found.at(-1)?.to ?? 0)) continue;
 		const volumes: string[] = [];
 		let to = head.index + head[0].length;
@@ -31,7 +34,7 @@ function footprintsOf(text: string): { from: number; to: number; volumes: string
 
 const VOLUME = /\s*(?:,\s*)?GrowVol\s*\(/y;
 
-/** The place of the bracket that closes what was opened right before; the end where none does. */
+/** Returns the position of the bracket that closes the one before `from`; the text's end if none does. */
 function closing(text: string, from: number): number {
 	let depth = 1;
 	for (let at = from; at < text.length; at++) {
@@ -41,7 +44,10 @@ function closing(text: string, from: number): number {
 	return text.length;
 }
 
-/** Whether a text has nothing of its volumes drawn by chance or worked out: its footprint is what it says, in numbers alone. */
+/**
+ * Returns the volumes of a text whose footprint consists of plain numbers; undefined if any number is random or
+ * computed.
+ */
 export function writtenVolumes(text: string): readonly GrowthVolume[] | undefined {
 	const found = footprintsOf(text)
 		.flatMap(({ volumes }) => volumes)
@@ -50,10 +56,13 @@ export function writtenVolumes(text: string): readonly GrowthVolume[] | undefine
 	return found.length > 0 && volumes.length === found.length ? volumes : undefined;
 }
 
-/** From one volume to the next, degrees: where each leans to if nobody says. */
+/** Default direction of lean, degrees from one volume to the next. */
 const TURN = 137.5;
 
-/** `1, 1, 4, 10, 2.5, 0, towards(90), at(1, 2)`. Where those behind the first stand is worked out, unless it is said. */
+/**
+ * Parses `1, 1, 4, 10, 2.5, 0, towards(90), at(1, 2)`. Returns undefined if a volume behind the first has no explicit
+ * place, since the core computes it.
+ */
 function volumeOf(inside: string, index: number): GrowthVolume | undefined {
 	const parts = partsOf(inside).map((part) => part.trim());
 	const numbers = parts.filter((part) => NUMBER.test(part)).map(Number.parseFloat);
@@ -75,7 +84,7 @@ function volumeOf(inside: string, index: number): GrowthVolume | undefined {
 	return volume;
 }
 
-/** Splits at the commas outside brackets. */
+/** Splits at commas outside brackets. */
 function partsOf(inside: string): string[] {
 	const parts: string[] = [];
 	let [from, depth] = [0, 0];
@@ -90,22 +99,22 @@ function partsOf(inside: string): string[] {
 	return [...parts, inside.slice(from)];
 }
 
-/** Shortest to the hundredth: centimetres, and hundredths of a degree. */
+/** Writes a number to hundredths: centimetres, and hundredths of a degree. */
 const written = (value: number): string => String(Math.round(value * 100) / 100 + 0);
 
-/** A volume as the language has it; `at` and `towards` are always said, so that it stands where it stood. */
+/** Writes a volume. `at` and `towards` are always included, so that it keeps its place. */
 function lineOf({ id, base, height, top, middle, gradient, towards, at }: GrowthVolume): string {
 	const numbers = [1, id, base, height, top, gradient].map(written).join(", ");
 	const curved = middle === meanWidth(base, top) ? "" : `, wm(${written(middle)})`;
 	return `GrowVol(${numbers}${curved}, towards(${written(towards)}), at(${at.map(written).join(", ")}))`;
 }
 
-/** Blanks, and the line's end. */
+/** Matches blanks and the line's end. */
 const REST_OF_LINE = /[ \t]*\n?/y;
 
 /**
- * A text with these volumes in place of those it had: its first footprint holds them all, in numbers, and any other is taken out.
- * A text without a footprint gets one at its end.
+ * Replaces the volumes of a text: its first footprint holds them all as numbers, and others are removed. A text
+ * without a footprint gets one at its end.
  */
 export function withVolumes(text: string, volumes: readonly GrowthVolume[]): string {
 	const head = "footprint -> ";

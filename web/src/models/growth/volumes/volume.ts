@@ -1,6 +1,6 @@
 /**
- * A growth volume, the solid of revolution that tells a tree how far its branches reach (Kim, Kim and Cho 2013, section 3.3):
- * a quadric through the circles of its widths at the base, halfway up and at the top, which leans. Pure maths.
+ * A growth volume, the solid of revolution that limits a tree's branches (Kim, Kim and Cho 2013, section 3.3): a
+ * leaning quadric through the circles of its widths at the base, halfway up and at the top. Pure maths.
  */
 
 export type Triple = readonly [x: number, y: number, z: number];
@@ -11,31 +11,31 @@ export interface GrowthVolume {
 	readonly base: number;
 	readonly height: number;
 	readonly top: number;
-	/** Width halfway up, metres: `wm`; of a frustum the mean of the others. */
+	/** Width halfway up, metres: `wm`; the mean of the others for a frustum. */
 	readonly middle: number;
-	/** How far its axis leans, degrees: `grad`. */
+	/** Lean of its axis, degrees: `grad`. */
 	readonly gradient: number;
-	/** Where it leans to, degrees from +X to +Z. */
+	/** Direction of lean, degrees from +X to +Z. */
 	readonly towards: number;
-	/** Where it stands, metres. */
+	/** Position on the ground, metres. */
 	readonly at: readonly [x: number, z: number];
 }
 
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
-/** Its axis, of length 1. */
+/** Returns a volume's axis, a unit vector. */
 export function axisOf({ gradient, towards }: Pick<GrowthVolume, "gradient" | "towards">): Triple {
 	const [out, way] = [Math.sin(radians(gradient)), radians(towards)];
 	return [out * Math.cos(way), Math.cos(radians(gradient)), out * Math.sin(way)];
 }
 
-/** The direction square to the axis in which its widths are shown: across where it leans to. */
+/** Returns the direction in which widths are shown: perpendicular to the axis and to the direction of lean. */
 export function acrossOf({ towards }: Pick<GrowthVolume, "towards">): Triple {
 	const way = radians(towards);
 	return [-Math.sin(way) + 0, 0, Math.cos(way)];
 }
 
-/** A place in it: `up` of its height, `out` metres from its axis to a side, `about` degrees from `acrossOf`. */
+/** Returns a point of a volume: `up` of its height, `out` metres from its axis, `about` degrees from `acrossOf`. */
 export function placeIn(volume: GrowthVolume, up: number, out = 0, about = 0): Triple {
 	const axis = axisOf(volume);
 	const one = acrossOf(volume);
@@ -49,20 +49,23 @@ export function placeIn(volume: GrowthVolume, up: number, out = 0, about = 0): T
 	return [0, 1, 2].map((k) => foot[k] + along * axis[k] + cosine * one[k] + sine * other[k]) as unknown as Triple;
 }
 
-/** Halfway up a frustum, to the centimetre. */
+/** Returns a frustum's width halfway up, to the centimetre. */
 export const meanWidth = (base: number, top: number): number => Math.round(50 * (base + top)) / 100;
 
-/** Its radius so far up: the square of it is a quadratic, which of a frustum is that of a straight line. */
+/**
+ * Returns the radius at a share of the height. Its square is a quadratic, which for a frustum is that of a straight
+ * line.
+ */
 export function radiusAt({ base, middle, top }: Pick<GrowthVolume, "base" | "middle" | "top">, up: number): number {
 	const square = base ** 2 * (1 - up) * (1 - 2 * up) + middle ** 2 * 4 * up * (1 - up) + top ** 2 * up * (2 * up - 1);
 	return 0.5 * Math.sqrt(Math.max(0, square));
 }
 
 const SIDES = 32;
-/** Of its height, where rings stand: closer towards the ends, where a dome turns. */
+/** Shares of the height with rings: closer towards the ends, where a dome curves. */
 const HEIGHTS = Array.from({ length: 15 }, (_, i) => (1 - Math.cos((Math.PI * i) / 14)) / 2);
 
-/** Its surface, for the view. */
+/** Returns a volume's surface, for the view. */
 export function surfaceOf(volume: GrowthVolume): { points: number[]; triangles: number[] } {
 	const rings: [up: number, out: number][] = [
 		[0, 0],
@@ -75,7 +78,7 @@ export function surfaceOf(volume: GrowthVolume): { points: number[]; triangles: 
 	return { points, triangles: TRIANGLES };
 }
 
-/** One array for all: the view knows by it that a body is the same one stretched. */
+/** Triangles of every volume, one shared array: the view recognises by it a body that was only stretched. */
 const TRIANGLES = Array.from({ length: HEIGHTS.length + 1 }, (_, ring) => ring).flatMap((ring) =>
 	Array.from({ length: SIDES }, (_, i) => {
 		const [a, b] = [ring * SIDES + i, ring * SIDES + ((i + 1) % SIDES)];

@@ -1,14 +1,14 @@
-/** Growth volumes as handles in the 3-D view: where each stands, and of the chosen one its height, lean and widths. */
+/** Handles of growth volumes in the 3-D view: each volume's position, and the chosen one's height, lean and widths. */
 import type { Change } from "../../../ui/editor_context";
 import type { PlantHandle, PlantHandles, Vector } from "../../../ui/handles/plant_handle";
 import { acrossOf, axisOf, type GrowthVolume, meanWidth, placeIn, radiusAt } from "./volume";
 
-/** Metres of an arrow key, alone and with Shift; degrees of a lean. */
+/** Metres that an arrow key moves, alone and with Shift; degrees of a lean. */
 const STEP = 0.1;
 const STRIDE = 1;
 const TURN = 2;
 const TURN_FAR = 10;
-/** What a hand can make of one; the core has the same and more (models/growth/volumes.cpp). */
+/** Limits of dragged volumes; the core allows the same and more (models/growth/volumes.cpp). */
 const LOWEST = 0.5;
 const HIGHEST = 100;
 const WIDEST = 100;
@@ -20,10 +20,13 @@ const within = (value: number, least: number, most: number): number => Math.min(
 const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const from = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 
-/** "Growth volume 2". */
+/** Returns the name of a volume: "Growth volume 2". */
 export const nameOf = (index: number): string => `Growth volume ${index + 1}`;
 
-/** @param put makes the change that leaves these volumes */
+/**
+ * Returns the handles of volumes.
+ * @param put returns the change that sets the volumes
+ */
 export function volumeHandles(
 	volumes: readonly GrowthVolume[],
 	chosen: number,
@@ -79,7 +82,7 @@ function shape(volume: GrowthVolume, index: number, put: Put): PlantHandle[] {
 		const middle = placeIn(volume, up);
 		const across = acrossOf(volume);
 		const straight = volume.middle === meanWidth(volume.base, volume.top);
-		// Of a frustum the middle stays halfway between the ends, whichever is drawn.
+		// A frustum stays one when either end is dragged.
 		const wide = (value: number) => {
 			const changed = { ...volume, [key]: within(value, 0, WIDEST) };
 			if (key !== "middle" && straight) changed.middle = meanWidth(changed.base, changed.top);
@@ -116,7 +119,7 @@ function shape(volume: GrowthVolume, index: number, put: Put): PlantHandle[] {
 	];
 }
 
-/** Taken round at three quarters of the height: how far it leans, and where to. */
+/** Returns the handle of the lean and its direction, at three quarters of the height. */
 function lean(volume: GrowthVolume, of: string, put: Put): PlantHandle {
 	const base = placeIn(volume, 0);
 	return {
@@ -134,7 +137,7 @@ function lean(volume: GrowthVolume, of: string, put: Put): PlantHandle {
 			const [x, y, z] = from(to, base);
 			const out = Math.hypot(x, z);
 			const gradient = within((Math.atan2(out, y) * 180) / Math.PI, 0, STEEPEST);
-			// Upright it leans nowhere: it keeps where it leant to.
+			// An upright volume keeps its direction of lean.
 			return put(out > 0.01 ? { gradient, towards: (Math.atan2(z, x) * 180) / Math.PI } : { gradient });
 		},
 		nudge: (right, up, large) => {

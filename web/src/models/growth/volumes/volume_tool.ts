@@ -1,4 +1,4 @@
-/** Growth volumes in the page: as glass and with handles in the 3-D view. What hands make of them is written into the text. */
+/** Tools of growth volumes: glass shells and handles in the 3-D view. Edits are written into the text. */
 import { svg } from "lit";
 import type { Change, EditorContext } from "../../../ui/editor_context";
 import { LazyInteraction } from "../../../ui/handles/lazy_interaction";
@@ -12,24 +12,24 @@ import { type GrowthVolume, surfaceOf } from "./volume";
 
 export type VolumeContext = EditorContext<GrowthSpecimen, GrowthPlant>;
 
-/** What of the volumes is in hand. */
+/** Tool state of growth volumes. */
 export interface VolumeState {
 	/** Whether handles are shown. */
 	readonly handles: boolean;
-	/** Which volume has its height, lean and widths shown. */
+	/** Volume whose height, lean and widths are shown. */
 	readonly chosen: number;
 }
 
 const GLASS = svg`<path d="M6.500 4h7M4 16.500h12M6.500 4L4 16.500M13.500 4L16 16.500" stroke-dasharray="2 1.500"/>`;
 const HANDLES = svg`<path d="M6.500 4h7L16 16.500H4z"/><circle cx="10" cy="4" r="1.600" fill="currentcolor"/><circle cx="16" cy="16.500" r="1.600" fill="currentcolor"/><circle cx="4" cy="16.500" r="1.600" fill="currentcolor"/>`;
 
-/** As the text writes them, and where it draws or works them out as the last plant has them. */
+/** Returns the volumes written in the text; if the text computes any, those of the last plant. */
 export function volumesOf(specimen: GrowthSpecimen, grown: GrowthPlant | undefined): readonly GrowthVolume[] {
 	const text = fetchedText(specimen);
 	return (text === undefined ? undefined : writtenVolumes(text)) ?? grown?.volumes ?? [];
 }
 
-/** The text with these volumes in it: a preset's becomes the plant's own. */
+/** Returns the change that writes volumes into the text; a preset's text becomes the plant's own. */
 export function put(specimen: GrowthSpecimen, volumes: readonly GrowthVolume[]): Change {
 	const text = fetchedText(specimen);
 	return text === undefined ? {} : { details: { grammar: withVolumes(text, volumes) } };

@@ -1,4 +1,4 @@
-/** `<panicle-flower-organs>`: the six control points as tabs, each organ by its choices. */
+/** `<panicle-flower-organs>`: the six organs as tabs, each with controls for its fields. */
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { chooseFile } from "../../../../ui/choose_file";
@@ -28,7 +28,7 @@ const WORDS: Readonly<Record<Organ, string>> = {
 	pistil: "Pistil",
 };
 
-/** Of those that do not matter now. */
+/** Fields that are hidden while they have no effect. */
 const HIDDEN_WHEN: Readonly<Record<string, (values: Description["values"]) => boolean>> = {
 	lip: ({ symmetry }) => symmetry !== "irregular",
 };
@@ -42,7 +42,7 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 	declare tool: Stateful<Organ>;
 	declare drafts: Drafts;
 
-	/** What became of a number that could not be taken as typed. */
+	/** The last typed number that was changed to fit its field, with the message that explains it. */
 	#refused: { readonly of: string; readonly value: number; readonly text: string } | undefined;
 	readonly #held = new HeldKey(() => this.drafts.settle(this.context));
 
@@ -92,18 +92,18 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 			return html`<div class="control">${this.#number(description, field, id)}</div>
 				${this.#refused?.of === `${description.organ} ${key}` && this.#refused.value === value ? html`<p class="clamped" role="status">${this.#refused.text}</p>` : nothing}`;
 		const words = html`<label for=${id}>${label}</label>`;
-		const told = html`<span class="unseen" id=${`${id}-help`}>${help}</span>`;
+		const helpText = html`<span class="unseen" id=${`${id}-help`}>${help}</span>`;
 		if (field.kind === "choice")
 			return html`<div class="control choice">${words}
 				<select id=${id} .value=${live(String(value))} aria-describedby=${`${id}-help`}
 					@change=${(event: Event) => this.#choose(description, key, (event.target as HTMLSelectElement).value)}
 				>${field.options.map((option) => html`<option value=${option} ?selected=${option === value}>${inWords(option)}</option>`)}</select>
-				${told}</div>`;
+				${helpText}</div>`;
 		return html`<div class="control choice">${words}
 			<input type="color" id=${id} .value=${live(`#${value}`)} aria-describedby=${`${id}-help`}
 				@input=${(event: Event) => this.#edit(description, key, digits(event))}
 				@change=${(event: Event) => this.#choose(description, key, digits(event))}
-			>${told}</div>`;
+			>${helpText}</div>`;
 	}
 
 	#number(description: Description, { key, label, unit, least, most, step, help }: NumberField, id: string): unknown {
@@ -127,19 +127,19 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 				if (Number.isFinite(typed)) this.#choose(description, key, typed);
 				const design = designIn(this.context.state.specimen);
 				const taken = design ? Number(describedIn(design, description.organ).values[key]) : value;
-				const said = {
+				const refused = {
 					of: `${description.organ} ${key}`,
 					value: taken,
 					text: refusal(label, range, text, typed, String(taken)),
 				};
-				this.#refused = taken === typed ? undefined : said;
+				this.#refused = taken === typed ? undefined : refused;
 				this.requestUpdate();
 				return String(taken);
 			},
 		});
 	}
 
-	/** How nearly the polynomial follows the outline, and the way to one from a picture. */
+	/** Shows how closely the polynomial fits the outline, and a button to trace a picture. */
 	#outline(description: Description): unknown {
 		const { organ } = description;
 		const { error } = outlineOf(description);
@@ -156,7 +156,7 @@ class OrgansPanel extends ControlElement<FlowerContext> {
 	}
 
 	#with(description: Description, key: string, value: string | number): Description {
-		// What is drawn goes on from the shape that was there.
+		// Drawing starts from the outline before.
 		const margin = key === "outline" && value === DRAWN ? pointsOf(description) : description.margin;
 		return described(description, { [key]: value }, margin);
 	}

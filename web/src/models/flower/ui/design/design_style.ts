@@ -1,6 +1,6 @@
 import { css } from "lit";
 
-/** What the views of a design add to handle_style.ts. */
+/** Styles of a design's views, added to handle_style.ts. */
 export const designStyle = css`
 	.drawing path {
 		vector-effect: non-scaling-stroke;

@@ -1,4 +1,7 @@
-/** Designing a flower: six organs by choices in the panel, and flat views with handles. All is written into the text. */
+/**
+ * Tools to design a flower: fields of six organs in the panel, and flat views with handles. All changes are written
+ * into the text.
+ */
 import { html, nothing } from "lit";
 import { fromPreset } from "../../../../specimen/from_preset";
 import { isPicture } from "../../../../ui/picture_file";
@@ -35,7 +38,7 @@ const GROUP = {
 
 const isDesigned = (specimen: FlowerSpecimen): boolean => designIn(specimen) !== undefined;
 
-/** Where a text describes no organs. */
+/** Shown where a text describes no organs. */
 export const beginTool: DesignTool = {
 	name: "begin-design",
 	initial: undefined,
@@ -57,7 +60,7 @@ export const beginTool: DesignTool = {
 	},
 };
 
-/** Which organ is in hand. */
+/** Tool state: the selected organ. */
 export const designTool: DesignTool<Organ> = {
 	name: "design",
 	initial: "petal",
@@ -114,7 +117,7 @@ function draw(
 	></panicle-flower-design>`;
 }
 
-/** A flat view as a file, with nothing chosen in it. */
+/** Saves a flat view as a file, without a selected organ. */
 function saveScene(context: FlowerContext, name: string, of: (descriptions: readonly Description[]) => Scene): void {
 	const { specimen } = context.state;
 	const design = designIn(specimen);
@@ -124,13 +127,13 @@ function saveScene(context: FlowerContext, name: string, of: (descriptions: read
 	saveFile(new Blob([picture], { type: "image/svg+xml" }), `${specimen.preset}-${name}.svg`);
 }
 
-/** Whoever takes hold of an organ's handle means that organ. */
+/** Selects the organ whose handle gets the focus. */
 function meant(context: FlowerContext, handle: string): void {
 	const organ = ORGANS.find((each) => handle.startsWith(`${each}-`));
 	if (organ && organ !== context.toolState(designTool)) context.setToolState(designTool, organ);
 }
 
-/** The one whose outline is shown: a stem, a stamen and a pistil have none. */
+/** Returns the organ whose outline is shown; stems, stamens and pistils have none. */
 const bladed = (chosen: Organ): Organ => (chosen === "leaf" || chosen === "sepal" ? chosen : "petal");
 
 export const designTools: readonly DesignTool[] = [

@@ -1,4 +1,7 @@
-/** `<panicle-flower-design>`: one flat view of a designed flower with its handles. It draws a scene and tells what a person does to it. */
+/**
+ * `<panicle-flower-design>`: one flat view of a designed flower with its handles. It draws a scene and reports changes
+ * as events.
+ */
 import { html, svg } from "lit";
 import { classMap } from "lit/directives/class-map.js";
 import { DragSession } from "../../../../ui/handles/drag_session";
@@ -10,8 +13,8 @@ import { designStyle } from "./design_style";
 import type { Scene, SceneHandle } from "./scene";
 
 /**
- * `design-input`: live; the organs as they are described now. `design-change`: a drag ended, or a key stepped. `design-focus`: a handle is
- * in hand; its id begins with what it is of.
+ * `design-input`: live; carries the changed descriptions. `design-change`: a drag ended, or a key made a step.
+ * `design-focus`: a handle got the focus; its id begins with its organ's name.
  */
 export type DesignEvent = CustomEvent<{ descriptions: readonly Description[]; run?: string }>;
 
@@ -35,9 +38,9 @@ export class DesignView extends HandleView<string> {
 		of: { attribute: false },
 	};
 	declare heading: string;
-	/** The whole flower. */
+	/** Descriptions of all organs. */
 	declare descriptions: readonly Description[] | undefined;
-	/** What is drawn of it. */
+	/** Returns the scene of given descriptions. */
 	declare of: ((descriptions: readonly Description[]) => Scene) | undefined;
 
 	protected readonly help = HELP;
@@ -65,7 +68,7 @@ export class DesignView extends HandleView<string> {
 	protected override willUpdate(): void {
 		if (!this.descriptions || !this.of) return;
 		this.#scene = this.of(this.descriptions);
-		// While a hand moves a handle, what is under it must not go away from it.
+		// The view does not rescale during a drag, so that the handle stays under the pointer.
 		if (this.drags.active) return;
 		const { left, top, right, bottom } = this.#scene.box;
 		const { width, height } = this.size;
@@ -173,7 +176,7 @@ const STEPS: Readonly<Record<string, readonly [right: number, up: number]>> = {
 	ArrowDown: [0, -1],
 };
 
-/** The flower with one organ described otherwise. */
+/** Returns the descriptions with one organ's replaced. */
 const withOne = (descriptions: readonly Description[], one: Description): readonly Description[] =>
 	descriptions.map((each) => (each.organ === one.organ ? one : each));
 

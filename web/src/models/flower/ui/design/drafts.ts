@@ -1,4 +1,4 @@
-/** Choices and drags written into a flower's text: what was edited by hand is merged in, and what cannot be retained is told. */
+/** Writes choices and drags into a flower's text: merges edits made by hand, and reports lost lines. */
 
 import { type GrammarSource, textOf as grownText, withText } from "../../../../grammar_editor/source";
 import type { EditorContext } from "../../../../ui/editor_context";
@@ -19,14 +19,17 @@ let last: { readonly text: string; readonly design: Design | undefined } | undef
 
 const grammar = source as unknown as GrammarSource;
 
-/** The text that a flower grows by, with the values that stand beside it, as by sliders, in it; undefined where it has yet to be fetched. */
+/** Returns the text of a flower with the values of its sliders written in; undefined if it has not been fetched. */
 export const valuedText = (specimen: FlowerSpecimen): string | undefined =>
 	fetchedText(specimen) === undefined ? undefined : grownText(grammar, specimen, () => {});
 
-/** The change that makes a text a flower's: values beside the one before would else hold against what a choice says there. */
+/**
+ * Returns the change that sets a flower's text. It also drops slider values, which would override the values that a choice
+ * writes.
+ */
 export const textChange = (specimen: FlowerSpecimen, text: string) => withText(grammar, specimen, text);
 
-/** What a flower's text describes; undefined where it has no descriptions, or has yet to be fetched. */
+/** Returns the design in a flower's text; undefined if it has no descriptions or has not been fetched. */
 export function designIn(specimen: FlowerSpecimen): Design | undefined {
 	const text = valuedText(specimen);
 	if (text === undefined) return undefined;
@@ -34,7 +37,7 @@ export function designIn(specimen: FlowerSpecimen): Design | undefined {
 	return last.design;
 }
 
-/** The organs as a flower's text describes them. */
+/** Returns the descriptions of a design's organs. */
 export const descriptionsIn = ({ sections }: Design): readonly Description[] =>
 	sections.map(({ description }) => description);
 
@@ -44,7 +47,7 @@ interface Written {
 	readonly lost: readonly string[];
 }
 
-/** A design with its organs described so. Where nothing is described otherwise its text is what it was. */
+/** Writes changed descriptions into a design; its text stays the same where no description differs. */
 function written(design: Design, descriptions: readonly Description[]): Written {
 	let [mine, retained]: readonly [Design, Design] = [design, design];
 	let lost: readonly string[] = [];
@@ -58,14 +61,17 @@ function written(design: Design, descriptions: readonly Description[]): Written 
 	return { text: textOf(mine), retained: textOf(retained), lost };
 }
 
-/** The choices of one gesture: each is merged with the text as it was when the gesture began, so that one that is called off leaves nothing. */
+/**
+ * Drafts of one gesture: each is merged with the text from before the gesture, so that a cancelled gesture leaves no
+ * change.
+ */
 export class Drafts {
 	#before: Design | undefined;
 	#last: Written | undefined;
 
-	/** While the hand moves. */
+	/** Applies a draft while the gesture goes on. */
 	edit(context: FlowerContext, descriptions: readonly Description[], run?: string): void {
-		// What is there now may be of another hand: an undo, the editor, another plant.
+		// The text may have changed otherwise: by undo, the editor, or another plant.
 		const { specimen } = context.state;
 		if (!this.#last || valuedText(specimen) !== this.#last.text) this.#before = designIn(specimen);
 		if (!this.#before) return;
@@ -73,16 +79,17 @@ export class Drafts {
 		context.edit({ ...textChange(specimen, this.#last.text), run }, GESTURE);
 	}
 
-	/** Its end: one step, and what was lost is told. */
+	/** Ends the gesture as one undo step and reports lost lines. */
 	settle(context: FlowerContext): void {
 		context.settle(GESTURE);
 		const done = this.#last;
 		this.#before = undefined;
 		this.#last = undefined;
-		if (done && done.lost.length > 0 && valuedText(context.state.specimen) === done.text) tell(context, done);
+		if (done && done.lost.length > 0 && valuedText(context.state.specimen) === done.text)
+			reportLostLines(context, done);
 	}
 
-	/** A choice by itself. */
+	/** Applies a single choice. */
 	set(context: FlowerContext, description: Description): void {
 		const design = designIn(context.state.specimen);
 		if (!design) return;
@@ -94,7 +101,7 @@ export class Drafts {
 
 const MAX_LISTED = 4;
 
-function tell(context: FlowerContext, { text, lost, retained }: Written): void {
+function reportLostLines(context: FlowerContext, { text, lost, retained }: Written): void {
 	const isStill = sameDocument(context);
 	const keep = () => {
 		if (isStill() && valuedText(context.state.specimen) === text)

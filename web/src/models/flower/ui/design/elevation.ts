@@ -1,17 +1,21 @@
-/** The side elevation: what stands at the right of the axis, each organ as the line of its middle, in millimetres; up is up. */
+/**
+ * The side elevation of a flower: the middle line of each organ to the right of the axis, in millimetres, up being up.
+ */
 import type { Point } from "../../../../ui/handles/point";
 import { type Description, described } from "../../design/description";
 import type { Organ } from "../../design/organs";
 import { pathOf, roundPath, type Scene, type SceneHandle, type SceneLine } from "./scene";
 
 const PIECES = 24;
-/** Of the stem, as much as is drawn: the rest is as the slider says. */
+/** Share of the flower's height drawn of the stem, whose length has a slider. */
 const STALK = 0.35;
 const value = ({ values }: Description, key: string): number => Number(values[key] ?? 0);
 const degrees = (radians: number): number => (radians * 180) / Math.PI;
 const radians = (of: number): number => (of * Math.PI) / 180;
 
-/** Where an organ's middle line goes: it rises so steeply, and bends outwards as it goes. */
+/**
+ * Returns the middle line of an organ that starts at an angle `rise` and bends outwards by `bent`, both in degrees.
+ */
 export function lineFrom(from: Point, length: number, rise: number, bent: (along: number) => number): Point[] {
 	const points = [from];
 	let [{ x, y }, angle] = [from, rise];
@@ -24,7 +28,10 @@ export function lineFrom(from: Point, length: number, rise: number, bent: (along
 	return points;
 }
 
-/** As the template bends: by thirds, 45, 35 and 20 % of it, and the tip's besides. */
+/**
+ * Returns the middle line of a blade, bent like its template: 45, 35 and 20 % of `bend` over the thirds, and `curl`
+ * added at the tip.
+ */
 function bladeLine(description: Description, from: Point): Point[] {
 	const [bend, curl] = [value(description, "bend"), value(description, "curl")];
 	const [low, middle, high] = [0.45 * bend, 0.35 * bend, 0.2 * bend + curl];
@@ -42,7 +49,10 @@ const LABELS: Readonly<Record<"sepal" | "petal" | "stamen", string>> = {
 	stamen: "Stamen",
 };
 
-/** @param chosen whose lines stand out */
+/**
+ * Returns the scene of the elevation.
+ * @param chosen organ whose lines are highlighted
+ */
 export function elevation(descriptions: readonly Description[], chosen?: Organ): Scene {
 	const of = (organ: Organ) => descriptions.find((each) => each.organ === organ) as Description;
 	const lines: SceneLine[] = [];
@@ -82,7 +92,7 @@ export function elevation(descriptions: readonly Description[], chosen?: Organ):
 	return { box: { left: -across, right: across, top, bottom }, lines, handles };
 }
 
-/** Its tip, for its length and rise; its middle, for its bend; its foot, for the whorl's radius. */
+/** Returns the handles of an organ: its tip sets length and rise, its middle the bend, its foot the whorl's radius. */
 function lineHandles(
 	organ: "sepal" | "petal" | "stamen",
 	description: Description,
@@ -117,7 +127,7 @@ function lineHandles(
 			label: `${name}, bend`,
 			value: `${bend}°`,
 			at: middle,
-			// The arrow of an arc is an eighth of its length times its angle, nearly; what bends inwards lies below its chord.
+			// The sagitta of an arc is about an eighth of its length times its angle; inward bends lie below the chord.
 			pull: (to) => {
 				const off = (point: Point) =>
 					((point.x - from.x) * chord.y - (point.y - from.y) * chord.x) / Math.max(reach, 0.1);

@@ -1,6 +1,7 @@
 /**
- * The floral diagram: a flower from above as botanists draw it. The axis stands at the top and the bract below; sepals are keeled,
- * petals plain crescents, stamens have two lobes, the ovary is cut across. Angles from the foot of the diagram, round to the left.
+ * The floral diagram, a schematic view from above: axis at the top, bract below, keeled sepals, plain crescents for
+ * petals, stamens with two lobes, the ovary in cross-section. Angles start at the foot of the diagram and run
+ * clockwise.
  */
 import type { Point } from "../../../../ui/handles/point";
 import { type Description, described } from "../../design/description";
@@ -10,7 +11,7 @@ import { pathOf, roundPath, type Scene, type SceneHandle, type SceneLine } from 
 
 type Ringed = "sepal" | "petal" | "stamen";
 
-/** Where each whorl's ring lies, and how far a larger radius brings it out. */
+/** Radius of each whorl's ring, and the range in which the organ's radius moves it. */
 const RINGS: Readonly<Record<Ringed, readonly [at: number, room: number]>> = {
 	sepal: [86, 12],
 	petal: [62, 14],
@@ -31,11 +32,11 @@ const at = (degrees: number, radius: number): Point => {
 	const angle = (degrees * Math.PI) / 180;
 	return { x: -radius * Math.sin(angle), y: radius * Math.cos(angle) };
 };
-/** 0 … 360 from the foot, round to the left. */
+/** Returns the angle of a point in degrees, 0 … 360 from the foot, clockwise. */
 const degreesOf = ({ x, y }: Point): number => ((Math.atan2(-x, y) * 180) / Math.PI + 360) % 360;
 const value = ({ values }: Description, key: string): number => Number(values[key]);
 
-/** Square roots: small radii are told apart, too. */
+/** Returns the radius of a ring in the diagram; by square roots, so that small radii differ visibly. */
 const ringRadius = (organ: Ringed, description: Description): number => {
 	const [from, room] = RINGS[organ];
 	return from + room * (Math.sqrt(value(description, "radius") / MOST_RADIUS) - 0.5);
@@ -45,11 +46,14 @@ const radiusAt = (organ: Ringed, ring: number): number => {
 	return MOST_RADIUS * Math.max(0, (ring - from) / room + 0.5) ** 2;
 };
 
-/** Of a gap between neighbours, how much an organ's width takes: as wide as long it takes all. */
+/** Returns the share of a gap between neighbours that an organ fills; organs as wide as long fill all of it. */
 const shareOf = (description: Description): number =>
 	Math.min(1.3, 0.25 + (0.75 * value(description, "width")) / value(description, "length"));
 
-/** @param chosen whose lines stand out */
+/**
+ * Returns the scene of the diagram.
+ * @param chosen organ whose lines are highlighted
+ */
 export function floralDiagram(descriptions: readonly Description[], chosen?: Organ): Scene {
 	const of = (organ: Organ) => descriptions.find((each) => each.organ === organ) as Description;
 	const ringed = (["sepal", "petal", "stamen"] as const).map((organ) => ringScene(organ, of(organ)));
@@ -62,7 +66,7 @@ export function floralDiagram(descriptions: readonly Description[], chosen?: Org
 			{ d: `M-26 98Q0 112 26 98Q0 104 -26 98Z`, kind: "around" },
 			...parts.flatMap(({ lines, organ }) => lines.map((line) => ({ ...line, chosen: organ === chosen }))),
 		],
-		// Of the others how many there are; whoever takes hold of that chooses the organ.
+		// Other organs show only the handle of their count; focusing it selects the organ.
 		handles: parts.flatMap(({ handles, organ }) => (organ === chosen ? handles : handles.slice(0, 1))),
 	};
 }
@@ -97,7 +101,7 @@ function ringScene(organ: Ringed, description: Description): Part {
 	return { organ, lines: count === 0 ? [guide] : lines, handles };
 }
 
-/** Both edges of an arc, thick in its middle; a sepal has a keel. */
+/** Returns the path of a crescent; a sepal's has a keel. */
 function crescent(degrees: number, radius: number, half: number, keeled: boolean): string {
 	const steps = Array.from({ length: 13 }, (_, i) => i / 6 - 1);
 	const outer = steps.map((s) => at(degrees + s * half, radius + (keeled && s === 0 ? 6 : 3.2 * (1 - s * s))));
@@ -105,7 +109,7 @@ function crescent(degrees: number, radius: number, half: number, keeled: boolean
 	return pathOf([...outer, ...inner], true);
 }
 
-/** An anther cut across: two lobes, open inwards. */
+/** Returns the path of an anther in cross-section: two lobes, open inwards. */
 function anther(degrees: number, radius: number): string {
 	const around = [-1, -0.6, -0.2, 0, 0.2, 0.6, 1];
 	const spread = 420 / Math.max(radius, 14);
@@ -114,14 +118,17 @@ function anther(degrees: number, radius: number): string {
 	return pathOf([...outer, ...inner], true);
 }
 
-/** How many are where the second would stand; the radius outwards of the first; the width at its edge. */
+/**
+ * Returns a ring's handles: the count at the second organ's position, the radius outside the first, the width at the
+ * first's edge.
+ */
 function ringHandles(organ: Ringed, description: Description, ring: number, first: number): SceneHandle[] {
 	const count = value(description, "count");
 	const name = NAMES[organ];
 	const set = (key: string, to: number) => described(description, { [key]: to });
 	const gap = count > 0 ? 360 / count : 330;
 	const most = organ === "sepal" ? 12 : organ === "petal" ? 21 : 24;
-	// Beyond 300 degrees from the first there is no second, and short of 15 none could be told from it.
+	// Beyond 300 degrees the count is 1 or 0; below 15 degrees counts could not be distinguished.
 	const counted = (to: Point) => {
 		const turned = (degreesOf(to) - first + 360) % 360;
 		return set(
@@ -167,7 +174,7 @@ function ringHandles(organ: Ringed, description: Description, ring: number, firs
 	return handles;
 }
 
-/** On the innermost whorl, where no other handle stands: farther in there are more. */
+/** Returns the handle on the innermost whorl, away from other handles: dragging it inwards adds whorls. */
 function whorlsHandle(organ: Ringed, description: Description, ring: number, first: number): SceneHandle {
 	const whorls = value(description, "whorls");
 	const set = (to: number) => described(description, { whorls: to });
@@ -181,7 +188,9 @@ function whorlsHandle(organ: Ringed, description: Description, ring: number, fir
 	};
 }
 
-/** The ovary cut across: carpels grown together are one with so many rooms, free ones stand round the middle. */
+/**
+ * Draws the ovary in cross-section: one wall with chambers for fused carpels, circles around the middle for free ones.
+ */
 function ovaryScene(description: Description): Part {
 	const count = value(description, "count");
 	const apart = description.values.fusion === "apocarpous";
@@ -226,7 +235,7 @@ function ovaryScene(description: Description): Part {
 	};
 }
 
-/** "K5 C5 A5+5 G3": the floral formula that goes with the diagram. Without sepals all of them are one perigone, "P3+3". */
+/** Returns the floral formula, "K5 C5 A5+5 G3". Without sepals the petals are a perigone, "P3+3". */
 export function floralFormula(descriptions: readonly Description[]): string {
 	const perigone = descriptions.some(({ organ, values }) => organ === "sepal" && Number(values.count) === 0);
 	const letters = { sepal: "K", petal: perigone ? "P" : "C", stamen: "A", pistil: "G" } as const;

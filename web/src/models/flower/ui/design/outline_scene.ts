@@ -1,4 +1,4 @@
-/** The outline of a leaf, a sepal or a petal with points to drag, and the polynomial that follows it. */
+/** Scene of a blade's outline with draggable points, and the polynomial that is fitted to it. */
 import type { Point } from "../../../../ui/handles/point";
 import { halfWidthAt, outlineOf } from "../../design/blade";
 import { type Description, described } from "../../design/description";
@@ -6,11 +6,11 @@ import { type Margin, marginOf, moved, widthOf } from "../../design/margin";
 import { DRAWN, SHAPES, stepAt } from "../../design/shapes";
 import { pathOf, type Scene, type SceneHandle } from "./scene";
 
-/** A drawing is 100 long; widths are as they are against lengths. */
+/** Length of the drawing; widths are to scale. */
 const LONG = 100;
 const FINE = 60;
 
-/** The points that an outline has, or would begin with if it were drawn. */
+/** Returns the points of a drawn outline, or the ones that drawing would start from. */
 export function pointsOf({ values, margin }: Description): Margin {
 	return values.outline === DRAWN && margin
 		? margin
@@ -26,7 +26,7 @@ export function outlineScene(description: Description): Scene {
 	const steps = Array.from({ length: FINE + 1 }, (_, i) => i / FINE);
 	const side = (of: (along: number) => number): Point[] => steps.map((u) => ({ x: wide * of(u), y: -LONG * u }));
 	const both = (line: readonly Point[]) => pathOf([...line, ...line.map(({ x, y }) => ({ x: -x, y })).reverse()], true);
-	// What is drawn need not reach the greatest width; the fit always does.
+	// Drawn points may stay below the greatest width; the fit is normalised to it.
 	const most = Math.max(...steps.map(drawn), 1e-6);
 	const along = (u: number): number => halfWidthAt(fit, stepAt(u, fit.even));
 	const across = Math.max(wide * 1.15, 12);

@@ -1,4 +1,4 @@
-/** The outline of a petal, a sepal or a leaf from a picture: chosen in the panel, or dropped on the page. */
+/** Traces an organ's outline from a picture that was chosen in the panel or dropped on the page. */
 import { traceFile } from "../../../../import/tracing/trace_file";
 import { described } from "../../design/description";
 import { describedIn } from "../../design/design";
@@ -6,7 +6,7 @@ import type { Organ } from "../../design/organs";
 import { DRAWN } from "../../design/shapes";
 import { type Drafts, designIn, type FlowerContext } from "./drafts";
 
-/** Takes the outline of what is in a picture for an organ, as one step; what is wrong with the picture is said. */
+/** Sets an organ's outline to the one in a picture, as one undo step; reports errors to the user. */
 export function traceInto(context: FlowerContext, drafts: Drafts, organ: Organ, file: Blob): Promise<void> {
 	return traceFile(context, file, {
 		tracer: async () => {
