@@ -6,7 +6,7 @@ export default [
 		faults: [
 			{
 				id: "flower-xml-short-lists",
-				find: "whole ? said : [said[0], undefined, ...said.slice(1)]",
+				find: "whole ? listed : [listed[0], undefined, ...listed.slice(1)]",
 				replace: "said",
 				breaks: "lists without a translation are shifted in XML",
 			},
