@@ -1,8 +1,10 @@
 import type { Part } from "../plant/part";
 
-/** What points of a cloud say of the part that they lie on (ply.ts), by a model's own words. */
+/** Labels of points in a point cloud (ply.ts) for the parts that they are on, chosen by the model. */
 export interface PointLabels {
-	/** Kinds of parts by their class numbers: names of parts without the numbers behind. Kinds that are not listed follow. */
+	/**
+	 * Kinds of parts by class number: names of parts without their trailing numbers. Kinds that are not listed follow.
+	 */
 	readonly classes: readonly string[];
 	/** A further property of points, a whole number that some parts have; −1 elsewhere. */
 	readonly id: {
@@ -11,14 +13,14 @@ export interface PointLabels {
 	};
 }
 
-/** What a file says of where it came from; the model fills it in. */
+/** The origin of a file, filled in by the model. */
 export interface About {
-	/** What the whole plant is called: its model and its preset. */
+	/** The name of the whole plant: its model and its preset. */
 	name: string;
-	/** The address, or the query alone, that brings the specimen back. */
+	/** The address, or the query alone, that restores the specimen. */
 	link: string;
-	/** How points of a cloud are labelled, where the model says so. */
+	/** Labels of points in clouds, if the model has any. */
 	labels?: PointLabels;
-	/** What else there is to know, as JSON: the specimen, counts, measures, fingerprints, whatever the model has. */
+	/** Further data, as JSON: the specimen, counts, measures, fingerprints and data of the model. */
 	extras: Record<string, unknown>;
 }

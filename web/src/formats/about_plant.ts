@@ -6,17 +6,17 @@ import { writtenSpecimen } from "../specimen/written";
 import type { About, PointLabels } from "./about";
 import { measuresOf } from "./measures";
 
-/** A model as far as files with meshes go. */
+/** The part of a model that files with meshes need. */
 export interface Described<S extends Specimen, G extends Plant> extends ModelSchema<S> {
-	/** How points on its plants are labelled. */
+	/** Labels of points on its plants. */
 	readonly labels?: PointLabels;
-	/** What such files say of the plant besides what they say of every plant. */
+	/** Properties of the plant in such files, besides those of every plant. */
 	extras?(grown: G, specimen: S): Record<string, unknown>;
 }
 
 /**
- * Where a file came from: enough to grow the plant again and to check that it is the same.
- * @param link the address that brings the specimen back; without it the query and fragment alone, `?v=2&…`
+ * The origin of a file: enough to grow the plant again and to check that it is the same.
+ * @param link the address that restores the specimen; without it the query and fragment alone, `?v=2&…`
  */
 export async function aboutPlant<S extends Specimen, G extends Plant>(
 	model: Described<S, G>,

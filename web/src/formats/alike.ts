@@ -1,6 +1,6 @@
 /**
- * Bodies that are alike, sharing meshes: of each material, variant and step of shade the one that sees most of the sky stands for
- * all, as it stands in `pose`. What is lost: what each has of its own, where it is pressed, its tint and patches.
+ * Makes similar bodies share meshes: for each material, variant and step of shade, the body that sees most of the sky
+ * replaces all others, placed by `pose`. The differences between bodies get lost: their deformation, tint and patches.
  */
 import { placeVectors, rows } from "../plant/orientation";
 import { everyPart, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
@@ -11,7 +11,7 @@ const ORIGIN = [0, 0, 0] as const;
 
 type Posed = Shape & Required<Pick<Shape, "pose">>;
 
-/** The same parts, a group's posed bodies as a part a class, and what hangs on them beside. */
+/** The part, with one part per class of posed bodies in a group, and the children of those bodies beside them. */
 export function alike(part: Part): Part {
 	const { children } = part;
 	if (!children) return part;
@@ -64,7 +64,7 @@ function joined(parts: readonly Part[]): Part[] {
 	return [...others, ...shared];
 }
 
-/** The most open one, of unit size and facing +Y, in the mean shade of all. */
+/** The mesh of the most open body, of unit size and facing +Y, in the mean shade of all. */
 function sharedMesh(members: readonly Posed[]): PartMesh {
 	const { mesh, pose } = members.reduce((best, each) => (openOf(each.mesh) > openOf(best.mesh) ? each : best));
 	const [x, y, z, qx, qy, qz, qw, size] = pose.subarray(0, TRANSFORM);
@@ -77,7 +77,7 @@ function sharedMesh(members: readonly Posed[]): PartMesh {
 	return { ...mesh, ...own, sky: new Uint8Array(about.length / 3).fill(Math.round(255 * open)) };
 }
 
-/** The share of the sky that a mesh sees in the mean. */
+/** The mean share of the sky that a mesh sees. */
 function openOf({ sky }: PartMesh): number {
 	return sky ? sky.reduce((sum, value) => sum + value, 0) / (255 * sky.length) : 1;
 }

@@ -1,12 +1,12 @@
-/** What a glTF animation is made of: things that are seen for a while, and what sways for ever. */
+/** Elements of a glTF animation: nodes that are visible for a time, and nodes that sway without end. */
 import { BEAT } from "../plant/sway";
 
 type Json = Record<string, unknown>;
 
-/** When something is to be seen, seconds; what has no end is seen until the rest ends. */
+/** The time in which a node is visible, seconds; without an end it is visible until `rest` ends. */
 export type Moment = { from: number; until: number } | { from: number; rest: number };
 
-/** Times, the scale at each (three numbers), and the scale of who plays nothing. */
+/** Key times, the scale at each (three numbers), and the scale for readers that play no animation. */
 export function keysOf(moment: Moment): { times: number[]; scales: number[]; scale: 0 | 1 } {
 	const ends = "until" in moment;
 	const { from } = moment;
@@ -24,10 +24,10 @@ export function keysOf(moment: Moment): { times: number[]; scales: number[]; sca
 	return { times, scales: seen.flatMap((value) => [value, value, value]), scale: ends ? 0 : 1 };
 }
 
-/** Keys of a swing from its beginning to where it begins anew: between them weights run straight. */
+/** Keys of one period of a swing: weights are linear between them. */
 const KEYS = 24;
 
-/** Times of a whole swing, and at each the weights of its sine and of its cosine; the last are the first. */
+/** Times of a whole swing, and at each the weights of its sine and of its cosine; the last equal the first. */
 export function swingKeys(): { times: number[]; weights: number[] } {
 	const steps = Array.from({ length: KEYS + 1 }, (_, i) => i);
 	const angle = (i: number) => (2 * Math.PI * (i % KEYS)) / KEYS;
@@ -37,17 +37,17 @@ export function swingKeys(): { times: number[]; weights: number[] } {
 	};
 }
 
-/** Collects channels; all begin together. */
+/** Collects channels; all begin at the same time. */
 export class Animation {
 	readonly #channels: Json[] = [];
 	readonly #samplers: Json[] = [];
 
-	/** Has a property of a node go from value to value without between; both are accessors. */
+	/** Animates a property of a node in steps; both values are accessors. */
 	step(node: number, path: string, input: number, output: number): void {
 		this.#add(node, path, { input, output, interpolation: "STEP" });
 	}
 
-	/** The same by straight lines between. */
+	/** Animates a property of a node linearly; both values are accessors. */
 	run(node: number, path: string, input: number, output: number): void {
 		this.#add(node, path, { input, output, interpolation: "LINEAR" });
 	}
@@ -57,7 +57,7 @@ export class Animation {
 		this.#channels.push({ sampler, target: { node, path } });
 	}
 
-	/** As documents have it; none where nothing moves. */
+	/** The animation as in documents; empty where nothing moves. */
 	written(name: string): Json[] {
 		return this.#channels.length > 0 ? [{ name, channels: this.#channels, samplers: this.#samplers }] : [];
 	}

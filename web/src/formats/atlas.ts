@@ -1,15 +1,15 @@
-/** Pictures of many meshes, in square tiles row by row: what is drawn in a tile is settled pixel by pixel by whoever asks for it. */
+/** An atlas: pictures of many meshes, in square tiles row by row. A callback colours each pixel. */
 import type { Picture } from "../plant/material";
 
-/** Pixels of a picture and of a tile along an edge, at the most. */
+/** The most pixels along an edge of a picture, and of a tile. */
 const MOST_PIXELS = 2048;
 const MOST_TILE = 256;
-/** Round what is drawn in a tile, so that readers who blend neighbours find the same there. */
+/** Pixels around a tile that repeat its edge, for readers that blend neighbouring pixels. */
 const MARGIN = 4;
-/** Of a pixel, beyond a triangle's edge: what lies between two triangles belongs to one. */
+/** Tolerance beyond a triangle's edge, in pixels: a pixel between two triangles belongs to one of them. */
 const EDGE = 0.02;
 
-/** What a pixel shows, by the pictures' names: red, green, blue, 0 … 255. */
+/** The colour of a pixel in each picture, by the pictures' names: red, green, blue, 0 … 255. */
 export type Paint<Kind extends string> = (
 	corners: readonly number[],
 	weights: readonly number[],
@@ -24,7 +24,7 @@ export class Atlas<Kind extends string> {
 	readonly #columns: number;
 
 	constructor(kinds: readonly Kind[], tiles: number) {
-		// Powers of two, as graphics cards like them.
+		// Powers of two, which graphics cards prefer.
 		this.#columns = powerFrom(Math.sqrt(tiles));
 		this.#tile = Math.min(MOST_TILE, MOST_PIXELS / this.#columns);
 		this.#width = this.#columns * this.#tile;
@@ -37,14 +37,14 @@ export class Atlas<Kind extends string> {
 		>;
 	}
 
-	/** Texture coordinates of a mesh, 0 … 1, as they lie on a tile. */
+	/** Texture coordinates of a mesh, 0 … 1, moved to its tile. */
 	placed(uvs: Float32Array, tile: number): Float32Array {
 		const { left, top } = this.#corner(tile);
 		const local = this.#local(uvs);
 		return local.map((value, i) => (i % 2 === 0 ? (left + value) / this.#width : (top + value) / this.#height));
 	}
 
-	/** Draws triangles on a tile, by their texture coordinates on a picture of their own. */
+	/** Draws triangles on a tile, by their texture coordinates in a picture of their own. */
 	draw(uvs: Float32Array, indices: Uint32Array, tile: number, paint: Paint<Kind>): void {
 		const local = this.#local(uvs);
 		const drawn = new Uint8Array(this.#tile ** 2);
@@ -82,7 +82,7 @@ export class Atlas<Kind extends string> {
 		}
 	}
 
-	/** What no triangle has covered takes what a neighbour shows, until all of the tile is drawn. */
+	/** Spreads colours to neighbouring pixels that no triangle covers, until the whole tile is drawn. */
 	#spread(drawn: Uint8Array, tile: number): void {
 		const side = this.#tile;
 		const { left, top } = this.#corner(tile);
@@ -110,12 +110,12 @@ export class Atlas<Kind extends string> {
 	}
 }
 
-/** The weights of the nearest place in the triangle. */
+/** The weights of the nearest point in the triangle. */
 function within(...weights: number[]): number[] {
 	const inside = weights.map((weight) => Math.max(0, weight));
 	const sum = inside[0] + inside[1] + inside[2];
 	return inside.map((weight) => weight / sum);
 }
 
-/** The least power of two that is no smaller. */
+/** The least power of two that is at least `value`. */
 const powerFrom = (value: number) => 2 ** Math.ceil(Math.log2(value));

@@ -1,8 +1,8 @@
 /**
- * Colours and shade of vertices and what of a surface is finer than they are, baked into pictures: what programs that paint, and
- * readers that know no colours of vertices, can use. Parts of one material share pictures, a tile each: colours under an open sky,
- * shade with roughness (and no metal) as glTF packs them, and normals where anything of the material has a relief. Only of parts
- * whose texture coordinates stay on one picture.
+ * Bakes vertex colours, shade, and detail finer than vertices into pictures, for programs that paint, and readers
+ * without vertex colours. Parts of one material share pictures, with a tile each: colours under an open sky, shade with
+ * roughness (and no metal) as glTF packs them, and normals where any part of the material has a relief. Only for parts
+ * whose texture coordinates stay within one picture.
  */
 import { type Colour, encoded } from "../plant/colour";
 import type { Material } from "../plant/material";
@@ -13,7 +13,7 @@ import { tangentsOf } from "./tangents";
 
 type Kind = "colour" | "surface" | "normal";
 
-/** The same parts; what has been baked has neither colours nor shade in its vertices. */
+/** The parts; baked ones have neither colours nor shade at their vertices. */
 export async function baked(parts: readonly Part[]): Promise<Part[]> {
 	const byMaterial = new Map<Material, Shape[]>();
 	for (const { shape } of everyPart(parts)) {
@@ -52,10 +52,13 @@ function isBakeable({ mesh, material, instances }: Shape): boolean {
 	return uvs.every((value) => value >= 0 && value <= 1);
 }
 
-/** A normal that is the mesh's own. */
+/** The mesh's own normal. */
 const FLAT = [128, 128, 255];
 
-/** What pictures show of a shape; `mesh` is it with the texture coordinates that it will have. */
+/**
+ * The colours of a shape's pixels.
+ * @param mesh the shape's mesh with its final texture coordinates
+ */
 function painted({ mesh: { colours, sky }, material }: Shape, mesh: PartMesh, finer: Finer | undefined): Paint<Kind> {
 	const open = opennessOf(sky, material.colour);
 	const frame = finer?.relief ? frameOf(mesh) : undefined;
@@ -76,7 +79,7 @@ const byte = (value: number) => Math.round(255 * value);
 
 type Among = (values: ArrayLike<number>, width: number, k: number) => number;
 
-/** Normals in the frame of the tangents that the file has: 0 … 255 for −1 … 1, green up the picture. */
+/** Normals in the frame of the file's tangents: 0 … 255 for −1 … 1, green up the picture. */
 function frameOf(mesh: PartMesh): (among: Among, normal: Vector) => number[] {
 	const tangents = tangentsOf(mesh);
 	return (among, normal) => {
@@ -101,7 +104,7 @@ function unit(vector: Vector): Vector {
 	return [vector[0] / length, vector[1] / length, vector[2] / length];
 }
 
-/** Of each vertex the share of light from all around that the shade leaves. */
+/** For each vertex, the share of ambient light that shade leaves. */
 function opennessOf(sky: Uint8Array | undefined, colour: Colour): Float32Array | undefined {
 	const albedo = (colour[0] + colour[1] + colour[2]) / 3;
 	return sky && Float32Array.from(sky, (value) => Math.min(1, bounced(value / 255, albedo)));

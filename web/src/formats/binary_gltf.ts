@@ -1,6 +1,6 @@
 /**
- * A writer of binary glTF 2.0 for what Panicle exports: one buffer, geometry and pictures. Small on purpose; why not a library
- * is in docs/export.md.
+ * A writer of binary glTF 2.0 for Panicle's exports: one buffer, geometry and pictures. Small on purpose;
+ * docs/export.md has the reasons against a library.
  */
 import { shortFloat } from "./numbers";
 
@@ -19,7 +19,7 @@ interface Accessor {
 }
 
 /**
- * How the accessors of one buffer view lie. `target` and `stride` (bytes) only for vertices and indices; data comes
+ * The layout of accessors in a buffer view. `target` and `stride` (bytes) only for vertices and indices; data comes
  * padded to the stride.
  */
 export interface ViewLayout {
@@ -27,7 +27,10 @@ export interface ViewLayout {
 	stride?: number;
 }
 
-/** What meshoptimizer's encoder does: packs `count` rows of `size` bytes, of vertices (`ATTRIBUTES`) or of indices (`TRIANGLES`). */
+/**
+ * An encoder like meshoptimizer's: packs `count` rows of `size` bytes, of vertices (`ATTRIBUTES`) or of indices
+ * (`TRIANGLES`).
+ */
 export interface Encoder {
 	encodeGltfBuffer(source: Uint8Array, count: number, size: number, mode: string): Uint8Array;
 }
@@ -52,7 +55,7 @@ interface View {
 	bytes: number;
 }
 
-/** Where compressed data stands, and how it is to be unpacked. */
+/** The place of compressed data, and how to unpack it. */
 interface Packed {
 	buffer: 0;
 	byteOffset: number;
@@ -62,7 +65,7 @@ interface Packed {
 	mode: "ATTRIBUTES" | "TRIANGLES";
 }
 
-/** Collects typed arrays in named buffer views; a view exists once something is in it, so that none is ever unused. */
+/** Collects typed arrays in named buffer views; a view exists only once it has data. */
 export class BinaryGltf {
 	readonly #views = new Map<string, View>();
 	readonly #accessors: Accessor[] = [];
@@ -70,8 +73,9 @@ export class BinaryGltf {
 	readonly #encoder: Encoder | undefined;
 
 	/**
-	 * @param layouts every view that may be asked for, by name
-	 * @param encoder compresses what is of vertices and indices (EXT_meshopt_compression); the document must then require that
+	 * @param layouts every view that `add` may name
+	 * @param encoder compresses vertices and indices (EXT_meshopt_compression); the document must then require that
+	 * extension
 	 */
 	constructor(layouts: Record<string, ViewLayout>, encoder?: Encoder) {
 		this.#layouts = layouts;
@@ -88,7 +92,7 @@ export class BinaryGltf {
 		type: AccessorType,
 		options: { bounds?: boolean; normalized?: boolean } = {},
 	): number {
-		// What is compressed is unpacked view by view: each accessor has its own.
+		// Compressed data is unpacked view by view: give each accessor its own view.
 		const own = this.#encoder && this.#layouts[viewName]?.target ? ` ${this.#accessors.length}` : "";
 		const view = this.#view(`${viewName}${own}`, this.#layouts[viewName]);
 		const { stride } = view.layout;
@@ -135,20 +139,23 @@ export class BinaryGltf {
 			bytes += aligned(packed ? packed.data.byteLength : byteLength);
 			if (packed) unpacked += aligned(byteLength);
 		}
-		// What has to be unpacked stands in a buffer that is nowhere: for readers that take no notice, if there were such data.
+		// The unpacked buffer has no data: it is a fallback that no reader uses, because the extension is required.
 		const fallback = { byteLength: unpacked, extensions: { [COMPRESSION]: { fallback: true } } };
 		const buffers = [{ byteLength: bytes }, ...(unpacked > 0 ? [fallback] : [])];
 		const geometry = bytes > 0 ? { accessors: this.#accessors, bufferViews, buffers } : undefined;
 		return pack(JSON.stringify({ ...json, ...geometry }), bytes, (target) => copy(stored, target));
 	}
 
-	/** What stands in place of a view, `byteOffset` bytes from the start of the buffer, where it is compressed. */
+	/**
+	 * A compressed view and its place in the document; undefined where it is not compressed. `byteOffset` counts from
+	 * the start of the buffer.
+	 */
 	#packed({ layout, chunks, bytes }: View, byteOffset: number): { data: Uint8Array; place: Packed } | undefined {
 		if (!this.#encoder || !layout.target) return undefined;
 		const source = new Uint8Array(bytes);
 		copy(chunks, source);
 		const byteStride = layout.stride ?? chunks[0].BYTES_PER_ELEMENT;
-		// Behind an odd number of short indices stands what fills them up.
+		// Padding follows an odd number of short indices.
 		const count = Math.floor(chunks[0].byteLength / byteStride);
 		const mode = layout.target === "indices" ? "TRIANGLES" : "ATTRIBUTES";
 		const data = this.#encoder.encodeGltfBuffer(source.subarray(0, count * byteStride), count, byteStride, mode);
@@ -162,7 +169,7 @@ export class BinaryGltf {
 	}
 }
 
-/** One after the other, each from a multiple of four bytes on. */
+/** Copies chunks one after the other, each from a multiple of four bytes on. */
 function copy(chunks: readonly AccessorData[], target: Uint8Array): void {
 	let at = 0;
 	for (const chunk of chunks) {
@@ -191,7 +198,7 @@ function pack(json: string, binaryBytes: number, copyBinary: (target: Uint8Array
 	return file;
 }
 
-/** Every accessor and chunk starts at a multiple of four bytes. */
+/** Rounds up: every accessor and chunk begins at a multiple of four bytes. */
 function aligned(bytes: number): number {
 	return (bytes + 3) & ~3;
 }
@@ -204,7 +211,7 @@ function componentType(data: AccessorData): number {
 	return data instanceof Int8Array ? 5120 : 5121;
 }
 
-/** Of the first `components` of every `step` values, as they are stored. */
+/** Minimum and maximum of the first `components` of every `step` values, as they are stored. */
 function bounds(data: AccessorData, components: number, step: number): { min: number[]; max: number[] } {
 	const min = new Array<number>(components).fill(Number.POSITIVE_INFINITY);
 	const max = new Array<number>(components).fill(Number.NEGATIVE_INFINITY);

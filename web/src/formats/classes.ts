@@ -1,21 +1,21 @@
-/** Classes of descriptors (OIV), for files: of what was measured, and of what only the look decides. */
+/** Classes of descriptors (OIV) for files: of measures, and of the look. */
 import type { Plant } from "../plant/plant";
 import { classOf, type Descriptor, type MeasureClass } from "../specimen/measures";
 import type { Specimen } from "../specimen/specimen";
 import type { Table } from "../specimen/table";
 import { measureValues } from "./measures";
 
-/** The class of one descriptor, as a file says it. */
+/** The class of one descriptor in a file. */
 export interface WrittenClass {
 	/** Code of the OIV's descriptor. */
 	readonly oiv: number;
-	/** The class by its number. */
+	/** The number of the class. */
 	readonly class: number;
 	/** The class in words. */
 	readonly words: string;
 }
 
-/** A model as far as classes go. */
+/** The part of a model that classes need. */
 export interface Classing<S extends Specimen> {
 	readonly table: Pick<Table, "measures">;
 	readonly descriptors?: readonly Descriptor<S>[];
@@ -32,7 +32,9 @@ export function descriptorsOf<S extends Specimen>({
 	return [...measured, ...descriptors.map(({ key, oiv }) => ({ key, oiv }))];
 }
 
-/** The classes by the keys of their measures; none of what does not apply, and none at all where measures were not wanted. */
+/**
+ * The classes by the keys of their measures, without those that do not apply; empty where measures were not requested.
+ */
 export function classesOf<S extends Specimen>(
 	{ table, descriptors = [] }: Classing<S>,
 	plant: Pick<Plant, "measures">,

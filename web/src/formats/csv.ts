@@ -1,13 +1,13 @@
-/** Tables for a spreadsheet or a data frame, as RFC 4180 has them: commas and CRLF, the first row their header. */
+/** Tables for a spreadsheet or a data frame, as in RFC 4180: commas and CRLF, the first row is the header. */
 
-/** Null is an empty cell: what does not apply. */
+/** Null is an empty cell: the value does not apply. */
 export type Cell = string | number | null;
 
 export function writeCsv(rows: readonly (readonly Cell[])[]): string {
 	return rows.map((row) => `${row.map(written).join(",")}\r\n`).join("");
 }
 
-/** Text is quoted where it holds what would end a cell. */
+/** The text of a cell, in quotes where it contains separators. */
 function written(cell: Cell): string {
 	if (cell === null) return "";
 	const text = String(cell);

@@ -1,23 +1,23 @@
-/** Pieces that are drawn together: one mesh a material, and no more materials than a reader should have to draw. */
+/** Merges pieces into draw calls: one mesh per material, and no more materials than a limit. */
 import type { Colour } from "../plant/colour";
 import type { Material } from "../plant/material";
 import type { PartMesh } from "../plant/part";
 import type { Piece } from "./piece";
 import { plainBase } from "./vertex_colours";
 
-/** All that is drawn at once. */
+/** One draw call. */
 interface Call {
 	material: Material;
-	/** Each with what its colours are to be multiplied with. */
+	/** Each with the colour that multiplies its colours. */
 	pieces: { piece: Piece; tint: Colour }[];
 }
 
 const WHITE: Colour = [1, 1, 1];
 
 /**
- * One piece for each thing that is drawn at once, in the order in which materials first occur; at most `most` (1 or more). Where
- * there are more materials, those that are most alike become the one of them that covers more: its finish and its pictures, each
- * part in its own colour.
+ * One piece per draw call, in the order of first use of the materials; at most `most` (1 or more). Where there are more
+ * materials, the most similar ones are merged: the one that covers less gets the finish and the pictures of the other,
+ * each part in its own colour.
  */
 export function drawCalls(pieces: Iterable<Piece>, most: number): Piece[] {
 	const kinds = new Map<Material, Call>();
@@ -47,7 +47,7 @@ function joinNearest(calls: Call[]): void {
 
 const trianglesOf = ({ pieces }: Call) => pieces.reduce((sum, { piece }) => sum + piece.mesh.indices.length, 0);
 
-/** How wrong it is to show one as the other: what decides is pictures, then whether both sides show, then the finish. */
+/** The error of drawing one material as the other: first by pictures, then by double-sidedness, then by finish. */
 function distanceBetween(one: Material, other: Material): number {
 	const differs = (of: (material: Material) => unknown, weight: number) => (of(one) === of(other) ? 0 : weight);
 	return (
@@ -62,7 +62,7 @@ function distanceBetween(one: Material, other: Material): number {
 	);
 }
 
-/** Which pictures there are, of which size: those that agree in it are taken for tints of one. */
+/** The kinds and sizes of a material's pictures: materials that agree in them count as tints of one. */
 function picturesOf({ textures = {} }: Material): string {
 	const { repeats = false, colour, normal, thickness } = textures;
 	const sizes = [colour, normal, thickness].map((picture) => picture && `${picture.width}×${picture.height}`);
@@ -84,7 +84,7 @@ function join(from: Call, into: Call): void {
 	into.pieces.push(...tinted);
 }
 
-/** A picture that is not laid on is shown by its mean. */
+/** Replaces a dropped picture by its mean colour. */
 function withoutPictures({ piece, tint }: Call["pieces"][number], { textures, colour }: Material) {
 	if (!textures?.colour) return { piece, tint };
 	const { material, mesh } = piece;
@@ -96,7 +96,7 @@ function withoutPictures({ piece, tint }: Call["pieces"][number], { textures, co
 	};
 }
 
-/** Texture coordinates are kept for pictures alone; colours are there wherever any piece has its own. */
+/** Texture coordinates are kept for pictures only; all pieces get vertex colours where any has them. */
 function merged({ material, pieces }: Call): Piece {
 	const vertices = pieces.reduce((sum, { piece }) => sum + piece.mesh.positions.length / 3, 0);
 	const corners = pieces.reduce((sum, { piece }) => sum + piece.mesh.indices.length, 0);
@@ -116,7 +116,7 @@ function merged({ material, pieces }: Call): Piece {
 		const { positions, normals, uvs, indices, colours } = piece.mesh;
 		mesh.positions.set(positions, 3 * vertex);
 		mesh.normals.set(normals, 3 * vertex);
-		// What is held nowhere goes with where it is.
+		// Vertices without a fixed point get their own position.
 		mesh.feet?.set(piece.mesh.feet ?? positions, 3 * vertex);
 		if (material.textures) mesh.uvs.set(uvs, 2 * vertex);
 		mesh.colours?.set(scaled(colours ?? filled(plainBase(piece.material), piece.mesh), tint), 3 * vertex);

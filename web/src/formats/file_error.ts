@@ -1,13 +1,13 @@
-/** A file that holds no specimen; the message names the file and says what to do. */
+/** A file without a specimen; the message names the file and a remedy. */
 export class FileError extends Error {
 	override name = "FileError";
 }
 
-/** A file that would be larger than files may be (limits.ts); the message says what to do. */
+/** A file that would exceed the limits of files (limits.ts); the message names a remedy. */
 export class FileTooLargeError extends Error {
 	override name = "FileTooLargeError";
 	/**
-	 * @param bytes that the file would have; undefined where writing ended at the limit
+	 * @param bytes size of the file; undefined where writing ended at the limit
 	 * @param instanced whether a file in which parts share meshes is smaller
 	 */
 	constructor(bytes: number | undefined, most: number, instanced = false) {

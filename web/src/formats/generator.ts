@@ -1,4 +1,4 @@
 import { version } from "../../../package.json";
 
-/** Who made the file; written into every export. */
+/** The name and version of the program, written into every export. */
 export const GENERATOR = `Panicle ${version}`;

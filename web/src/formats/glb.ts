@@ -1,4 +1,6 @@
-/** Any plant's parts → binary glTF 2.0, in metres, +Y up. What is in the file, and why it is so, is in docs/export.md. */
+/**
+ * Writes parts of any plant as binary glTF 2.0, in metres, +Y up. docs/export.md has the contents and their reasons.
+ */
 import type { Colour } from "../plant/colour";
 import type { Material, Picture } from "../plant/material";
 import { everyPart, type Instances, type Part, type PartMesh, type Shape, TRANSFORM, type Vector } from "../plant/part";
@@ -20,37 +22,48 @@ import { written } from "./written";
 
 export interface GlbOptions {
 	/**
-	 * Instances drawn by one node with EXT_mesh_gpu_instancing in place of a node each, or of meshes of all those that are
-	 * no parts by themselves: smaller and faster, for readers that know the extension; others refuse the file. What is drawn
-	 * once stays as it is.
+	 * Draws instances by one node with EXT_mesh_gpu_instancing, in place of one node each, or of meshes for all
+	 * instances that are no parts by themselves: smaller and faster, for readers that know the extension; others refuse
+	 * the file. Meshes that are drawn once stay as they are.
 	 */
 	instancing?: boolean;
-	/** Positions in 16 bits and normals in 8, with KHR_mesh_quantization: about two thirds the size; readers must know it. */
+	/**
+	 * Positions in 16 bits and normals in 8, with KHR_mesh_quantization: about two thirds of the size; readers must
+	 * know it.
+	 */
 	compact?: boolean;
-	/** Compresses what is compact (EXT_meshopt_compression, which readers must know); ready. */
+	/** Compresses a compact file (EXT_meshopt_compression, which readers must know). It must be ready. */
 	encoder?: Encoder;
-	/** When parts are to be seen, by their names: an animation. What ends is not seen by readers that play none. */
+	/**
+	 * When parts are visible, by their names: an animation. Parts that disappear are invisible in readers that play
+	 * none.
+	 */
 	moments?: ReadonlyMap<string, Moment>;
-	/** How wind moves it, of parts without instances: an animation without end. */
+	/** Motion in wind, for parts without instances: an endless animation. */
 	sway?: Sway;
-	/** The parts are the same at so many levels of detail, from near to far: the least shares of the view's area that each covers (MSFT_lod). */
+	/**
+	 * The least shares of the view's area that each level of detail covers (MSFT_lod); the parts are the same plant at
+	 * these levels, from near to far.
+	 */
 	coverage?: readonly number[];
-	/** Whether light comes through flesh, which costs readers a pass of its own; without it flesh is as bright, and opaque. */
+	/**
+	 * Whether light passes through flesh, which costs readers an extra pass; without it flesh is as bright, and opaque.
+	 */
 	translucent?: boolean;
 }
 
 const INSTANCING = "EXT_mesh_gpu_instancing";
-/** Well inside what validators allow a quaternion to be off its unit length. */
+/** Decimals of quaternions: well within the tolerance of validators for their length. */
 const TURN_DECIMALS = 7;
 
-/** The file; `parts` are only read. The same parts give the same bytes. */
+/** Writes the file; `parts` are only read. The same parts give the same bytes. */
 export function exportGlb(parts: Iterable<Part>, about: About, options: GlbOptions = {}): Uint8Array<ArrayBuffer> {
 	const all = options.instancing ? [...parts] : [...parts].map(together);
 	const document = new GltfDocument(options.compact ?? options.encoder !== undefined, options.encoder);
 	return new PartsWriter(document, all, options).write(all, about);
 }
 
-/** What its parent has done to a node already. */
+/** The transform that a node inherits from its parent. */
 interface Frame {
 	origin: readonly number[];
 	unit: number;
@@ -65,17 +78,17 @@ class PartsWriter {
 	readonly #moments: GlbOptions["moments"];
 	readonly #sway: Sway | undefined;
 	readonly #coverage: GlbOptions["coverage"];
-	/** The brightest colour of all vertices of a material. */
+	/** The brightest vertex colour of each material. */
 	readonly #bases = new Map<Material, Colour>();
-	/** The same as a picture, where there is one. */
+	/** These colours as pictures, where materials have one. */
 	readonly #painted = new Map<Material, Picture>();
-	/** Materials of which something has no texture coordinates. */
+	/** Materials that meshes without texture coordinates use. */
 	readonly #bare = new Set<Material>();
-	/** Indices by material, of those with colours of vertices and of those without. */
+	/** Indices by material, with and without vertex colours. */
 	readonly #materials = { coloured: new Map<Material, number>(), plain: new Map<Material, number>() };
-	/** What many draw, by mesh and material: one mesh may be worn in several. */
+	/** Meshes with several instances, by mesh and material: one mesh may have several materials. */
 	readonly #shared = new Map<PartMesh, Map<Material, Placed>>();
-	/** Colours as they are written, of meshes that have any. */
+	/** Written vertex colours, by mesh. */
 	readonly #colours = new Map<PartMesh, Float32Array>();
 
 	constructor(
@@ -98,7 +111,7 @@ class PartsWriter {
 		if (!document.compact) this.#paintBases(parts);
 	}
 
-	/** Has bases stand in pictures, where all that wears the material has texture coordinates to look them up by. */
+	/** Moves base colours into pictures, where all meshes of the material have texture coordinates. */
 	#paintBases(parts: readonly Part[]): void {
 		for (const { shape } of everyPart(parts)) if (shape?.mesh.uvs.length === 0) this.#bare.add(shape.material);
 		for (const [material, base] of this.#bases) {
@@ -118,7 +131,7 @@ class PartsWriter {
 		return this.#document.finish(roots, { link, ...extras });
 	}
 
-	/** Appends the node of a part and of all it holds; returns its index. */
+	/** Appends the nodes of a part and of its children; returns the index of the part's node. */
 	#part({ name, shape, extras, children = [] }: Part, parent: Frame): number {
 		const node: Json = extras ? { name, extras: written(extras) } : { name };
 		const index = this.#document.node(node);
@@ -137,7 +150,7 @@ class PartsWriter {
 		return index;
 	}
 
-	/** Has a node draw a mesh of its own; returns what that makes of its children's frame. */
+	/** Gives a node a mesh of its own; returns the frame of its children. */
 	#draw(node: Json, name: string, shape: Shape, parent: Frame): Frame {
 		const { mesh, ...frame } = this.#mesh(shape, name);
 		Object.assign(node, { mesh, ...placed(frame, parent) });
@@ -145,8 +158,8 @@ class PartsWriter {
 	}
 
 	/**
-	 * Has a node draw a mesh where its instances stand, or hold nodes that do; returns those.
-	 * @param apart whether the node has children, which must not be turned with a mesh
+	 * Gives a node a mesh with instances, or child nodes with the instances; returns these.
+	 * @param apart whether the node has children, which must not turn with the mesh
 	 */
 	#instances(node: Json, name: string, shape: Shape, instances: Instances, parent: Frame, apart: boolean): number[] {
 		const { mesh, unit } = this.#sharedMesh(shape, name);
@@ -161,7 +174,7 @@ class PartsWriter {
 		return [];
 	}
 
-	/** A node for each instance. */
+	/** One node per instance. */
 	#apart(
 		{ transforms }: Instances,
 		each: NonNullable<Instances["each"]>,
@@ -202,7 +215,7 @@ class PartsWriter {
 		this.#shared.set(shape.mesh, worn);
 		const known = worn.get(shape.material);
 		if (known) return known;
-		// Only where the mesh has a unit of its own does it need an origin.
+		// The mesh needs an origin only where it has a unit of its own.
 		const made = this.#mesh(this.#document.compact ? { ...shape, centre: [0, 0, 0] } : shape, name);
 		worn.set(shape.material, made);
 		return made;
@@ -226,7 +239,7 @@ class PartsWriter {
 		const thickness = this.#document.compact ? 2 : (material.flesh?.thickness ?? 0);
 		const said = this.#translucent ? material : opaque(material);
 		const textures = this.#textures(said, base, base && this.#painted.get(material));
-		// Some readers know a picture and colours of vertices, and no factor beside them: the picture has it all.
+		// Some readers support pictures and vertex colours, but no factor besides: put the factor into the picture.
 		const factor: Colour = textures.colour === undefined ? (base ?? material.colour) : [1, 1, 1];
 		const index = this.#document.material(gltfMaterial(said, factor, thickness, textures));
 		indices.set(material, index);
@@ -244,7 +257,7 @@ class PartsWriter {
 	}
 }
 
-/** How a sine and a cosine of time move every vertex. */
+/** The displacement of every vertex by a sine and a cosine of time. */
 function swingOf({ positions, feet = positions }: PartMesh, sway: Sway): [sine: Float32Array, cosine: Float32Array] {
 	const [sines, cosines] = [new Float32Array(positions.length), new Float32Array(positions.length)];
 	for (let i = 0; i < positions.length; i += 3) {
@@ -256,14 +269,14 @@ function swingOf({ positions, feet = positions }: PartMesh, sway: Sway): [sine: 
 	return [sines, cosines];
 }
 
-/** The same without the flesh that light comes through. */
+/** The material without translucent flesh. */
 function opaque(material: Material): Material {
 	if (!material.flesh) return material;
 	const { flesh: _, textures: { thickness: __, ...textures } = {}, ...others } = material;
 	return Object.keys(textures).length > 0 ? { ...others, textures } : others;
 }
 
-/** What a node says of where it is; what it need not say it leaves out. */
+/** The translation and scale of a node; omits defaults. */
 function placed({ origin, unit }: Frame, parent: Frame): Json {
 	const moved = origin.map((value, k) => (Math.fround(value) - Math.fround(parent.origin[k])) / parent.unit);
 	const scale = short(unit / parent.unit);
@@ -273,7 +286,7 @@ function placed({ origin, unit }: Frame, parent: Frame): Json {
 	};
 }
 
-/** The same of instance `index`, whose mesh has a unit of its own. */
+/** The transform of instance `index`, whose mesh has a unit of its own. */
 function transformed(transforms: Float32Array, index: number, unit: number, parent: Frame): Json {
 	const [x, y, z, ...rest] = transforms.subarray(TRANSFORM * index, TRANSFORM * (index + 1));
 	const rotation = rest.slice(0, 4).map((value) => rounded(value, TURN_DECIMALS));

@@ -1,6 +1,6 @@
 /**
- * A glTF document while it fills: nodes, meshes, materials and the buffer behind them, each used by another, as
- * validators ask. Meshes are written in full (float32, read everywhere) or compact (KHR_mesh_quantization).
+ * A glTF document under construction: nodes, meshes, materials and their buffer; validators require that each is in
+ * use. Meshes are written in full (float32, read everywhere) or compact (KHR_mesh_quantization).
  */
 import type { Mesh } from "../plant/plant";
 import { Animation, keysOf, type Moment, swingKeys } from "./animation";
@@ -37,14 +37,14 @@ const VIEWS: Record<string, ViewLayout> = {
 	scales: {},
 };
 
-/** Smooth, with smaller copies; the one without repetition, the other with it. */
+/** Samplers: smooth, with mipmaps; without and with repetition. */
 const CLAMPED = { magFilter: 9729, minFilter: 9987, wrapS: 33071, wrapT: 33071 };
 const REPEATED = { magFilter: 9729, minFilter: 9987, wrapS: 10497, wrapT: 10497 };
 
-/** Most vertices 16-bit indices reach; 65535 itself means a restart of the strip. */
+/** The most vertices for 16-bit indices; 65535 itself restarts a strip. */
 const SHORT_INDEX_VERTICES = 65535;
 
-/** Texture coordinates and triangles that many meshes may share. */
+/** Texture coordinates and triangles that meshes may share. */
 interface Pattern {
 	/** Absent where there are none. */
 	uvs?: number;
@@ -52,17 +52,17 @@ interface Pattern {
 }
 
 export interface MeshOptions {
-	/** Where the mesh's own origin shall be; without one it stays where it is. */
+	/** The origin of the mesh; without it the origin stays. */
 	centre?: readonly number[];
 	/** 4 × vertices. */
 	colours?: Uint8Array;
 	/** 4 × vertices (tangents.ts). */
 	tangents?: Float32Array;
-	/** 3 × vertices each: how far a sine and a cosine of time take them. */
+	/** 3 × vertices each: displacement by a sine and a cosine of time. */
 	swing?: readonly [sine: Float32Array, cosine: Float32Array];
 }
 
-/** What a node needs to draw a mesh where it was: its origin, and what a unit of its coordinates is. */
+/** A mesh to draw by a node: its index, origin, and unit of its coordinates. */
 export interface Placed {
 	mesh: number;
 	origin: readonly number[];
@@ -80,9 +80,9 @@ export class GltfDocument {
 	readonly #textures: Json[] = [];
 	readonly #samplers: Json[] = [];
 	readonly #animation = new Animation();
-	/** Accessors of the keys by which all swing. */
+	/** Accessors of the keys that all swinging nodes share. */
 	#swing: { input: number; output: number } | undefined;
-	/** Accessors of texture coordinates and of triangles that were there before. */
+	/** Accessors of shared texture coordinates and triangles. */
 	readonly #charts = new Map<Float32Array, number>();
 	readonly #lists = new Map<Uint32Array, number>();
 	readonly #used = new Set<string>();
@@ -107,7 +107,10 @@ export class GltfDocument {
 		return this.#materials.push({ ...material }) - 1;
 	}
 
-	/** Appends a PNG; returns the index of a texture of it that ends at its edges, or goes on from the start there. */
+	/**
+	 * Appends a PNG; returns the index of its texture.
+	 * @param repeats whether it repeats beyond its edges
+	 */
 	texture(name: string, bytes: Uint8Array, repeats = false): number {
 		const bufferView = this.#binary.raw(bytes);
 		const source = this.#images.push({ name, mimeType: "image/png", bufferView }) - 1;
@@ -116,13 +119,13 @@ export class GltfDocument {
 		return this.#textures.push({ name, source, sampler: this.#samplers.indexOf(wanted) }) - 1;
 	}
 
-	/** An extension without which the file must not be read. */
+	/** Requires an extension: readers without it must not read the file. */
 	require(extension: string): void {
 		this.#used.add(extension);
 		this.#required.add(extension);
 	}
 
-	/** Has a node be seen at its moment alone, by its scale. */
+	/** Makes a node visible only at its moment, by its scale. */
 	show(node: Json, index: number, moment: Moment): void {
 		const { times, scales, scale } = keysOf(moment);
 		if (scale === 0) node.scale = [0, 0, 0];
@@ -131,7 +134,7 @@ export class GltfDocument {
 		this.#animation.step(index, "scale", input, output);
 	}
 
-	/** Has a node swing whose mesh says how. */
+	/** Animates the swing of a node's mesh. */
 	swing(index: number): void {
 		this.#swing ??= this.#swingKeys();
 		this.#animation.run(index, "weights", this.#swing.input, this.#swing.output);
@@ -146,9 +149,9 @@ export class GltfDocument {
 	}
 
 	/**
-	 * Has a node be seen as others from afar (MSFT_lod).
+	 * Gives a node its coarser levels of detail (MSFT_lod).
 	 * @param others from near to far
-	 * @param coverage the least share of the view's area that it covers as each, its own first
+	 * @param coverage the least share of the view's area that it covers at each level, its own first
 	 */
 	levels(others: readonly number[], index: number | undefined, coverage: readonly number[]): void {
 		if (index === undefined || others.length === 0) return;
@@ -158,12 +161,15 @@ export class GltfDocument {
 		this.#used.add(LOD);
 	}
 
-	/** Attributes of instances: appends to the view of that name, returns the accessor. */
+	/** Appends attributes of instances to the view of that name; returns the accessor. */
 	instances(view: "translations" | "rotations" | "scales", data: AccessorData): number {
 		return this.#binary.add(view, data, view === "rotations" ? "VEC4" : "VEC3");
 	}
 
-	/** Appends a mesh of one material; arrays of texture coordinates and triangles that were there before are shared. */
+	/**
+	 * Appends a mesh of one material; arrays of texture coordinates and triangles that are already in the file are
+	 * shared.
+	 */
 	mesh(name: string, mesh: Mesh, material: number, { centre, colours, tangents, swing }: MeshOptions = {}): Placed {
 		const { attributes, ...place } = this.compact
 			? this.#compactAttributes(mesh, centre)
@@ -221,7 +227,7 @@ export class GltfDocument {
 		return list;
 	}
 
-	/** In compact meshes those that stay on one picture take half. */
+	/** In compact meshes, texture coordinates within one picture take half the size. */
 	#textureCoordinates(uvs: Float32Array): number {
 		const within = this.compact && uvs.every((value) => value >= 0 && value <= 1);
 		if (!within) return this.#binary.add("uvs", uvs, "VEC2");
@@ -254,7 +260,7 @@ export class GltfDocument {
 	}
 }
 
-/** glTF forbids empty lists: leaves them out. */
+/** Leaves out empty lists, which glTF forbids. */
 function filled(lists: Record<string, unknown[]>): Json {
 	return Object.fromEntries(Object.entries(lists).filter(([, list]) => list.length > 0));
 }

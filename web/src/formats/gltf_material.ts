@@ -1,4 +1,4 @@
-/** Materials as glTF has them; keys of `extensions` are the extensions' names. */
+/** Materials in glTF; keys of `extensions` are the extensions' names. */
 import type { Colour } from "../plant/colour";
 import { lightThrough, type Material } from "../plant/material";
 import { rounded } from "./numbers";
@@ -27,8 +27,8 @@ export interface GltfMaterial {
 }
 
 /**
- * @param colour the base, which vertices' colours and the texture multiply
- * @param thickness of the flesh in the unit of the meshes, where there is any
+ * @param colour the base colour, which multiplies vertex colours and the texture
+ * @param thickness of the flesh in the unit of the meshes, if any
  */
 export function gltfMaterial(
 	material: Material,
@@ -78,19 +78,19 @@ function extensionsOf(material: Material, thickness: number, textures: TextureIn
 			attenuationDistance: one(flesh.distance),
 		};
 	}
-	// What flesh lets through it has said already.
+	// Flesh already describes its transmitted light.
 	const through = flesh ? undefined : diffuseTransmission(material, textures);
 	if (through) extensions.KHR_materials_diffuse_transmission = through;
 	return extensions;
 }
 
 /**
- * What a sheet lets through, of which each colour is to what it throws back as in view. Together they are no more than falls
- * on it, which glTF asks for, so that what is thrown back is less by as much as comes through.
+ * Transmission of a sheet. The ratio of transmitted to reflected light is that of the view for each colour. Their sum
+ * is at most the incoming light, which glTF requires, so that reflected light decreases by the transmitted light.
  */
 function diffuseTransmission(material: Material, { colour: picture }: TextureIndices): object | undefined {
 	const shares = lightThrough(material);
-	// Base colours are no part of it: it has the same picture, or the colour itself.
+	// The extension ignores base colours: it gets the same picture, or the colour itself.
 	const pictured = material.textures?.colour !== undefined && picture !== undefined;
 	const colour = pictured ? shares : shares.map((share, k) => share * material.colour[k]);
 	const most = Math.max(...colour);

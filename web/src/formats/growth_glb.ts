@@ -1,7 +1,8 @@
 /**
- * The *growth* form: a plant's life as an animation that every reader of glTF plays. Its ages stand one in another's place, each a light
- * plant by itself; nodes' scales, which step from 0 to 1 and back, show one at a time. So colours, flowers and all that comes and
- * goes are those of that age. Morphing one mesh could not say them: stems and berries come and go, and few readers morph colours.
+ * The *growth* form: a plant's life as an animation that every reader of glTF plays. Each age is a light plant of its
+ * own in the same place; the scales of nodes, which step from 0 to 1 and back, show one at a time. So colours, flowers
+ * and all other parts are those of the age. Morphing one mesh could not do that: stems and berries appear and vanish,
+ * and few readers morph colours.
  */
 import type { Material } from "../plant/material";
 import type { Part, Shape } from "../plant/part";
@@ -13,19 +14,22 @@ import { palettedByMaterial } from "./palette";
 
 /** A plant at other ages. */
 export interface Aged {
-	/** From the youngest to the oldest, as the plant counts them. */
+	/** From the youngest to the oldest, in the unit of the plant's age. */
 	readonly ages: readonly number[];
 	at(age: number): Promise<Iterable<Part>>;
 }
 
-/** Of each age, at the most. */
+/** The most triangles of each age. */
 const AGE_TRIANGLES = 5000;
-/** How long the whole takes, and how long it rests at the end. */
+/** Seconds of the whole animation, and of the rest at its end. */
 const SECONDS = 10;
 const REST = 2;
 const PIXELS = 128;
 
-/** The file: plain glTF; readers that play nothing show the oldest. Ages of which nothing stands yet are left out. */
+/**
+ * Writes the file: plain glTF; readers without animation show the oldest age. Ages before the first visible part are
+ * left out.
+ */
 export async function growthGlb({ ages, at }: Aged, about: About): Promise<Uint8Array<ArrayBuffer>> {
 	const parts: Part[] = [];
 	const moments = new Map<string, Moment>();
@@ -44,8 +48,9 @@ export async function growthGlb({ ages, at }: Aged, about: About): Promise<Uint8
 }
 
 /**
- * The parts of all ages with unique names and one material for each name: that of the oldest age, whose picture has the colours of
- * all ages. A material that has a picture already has another one at every age: it stays, and its name says the age.
+ * The parts of all ages with unique names and one material per name: that of the oldest age, whose picture has the
+ * colours of all ages. A material with a picture of its own has another one at every age: it stays, and its name
+ * includes the age.
  */
 function withOneMaterialAKind(grown: readonly Part[][], ages: readonly number[]): Part[][] {
 	const oldest = new Map<string, Material>();
@@ -76,7 +81,7 @@ function withOneMaterialAKind(grown: readonly Part[][], ages: readonly number[])
 
 const atAge = (name: string, age: number) => `${name}, age ${age}`;
 
-/** A shape whose vertices have colours: its material's where they had none. */
+/** A shape with vertex colours: its material's colour where it had none. */
 function coloured(shape: Shape): Shape {
 	const { mesh, material } = shape;
 	if (mesh.colours) return shape;

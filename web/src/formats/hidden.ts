@@ -1,24 +1,24 @@
 /**
- * Triangles that nobody can see: those that lie inside closed meshes, as the ends of twigs do in what they bear and in what bears
- * them, and where closed meshes press flat against each other.
+ * Removes hidden triangles: those inside closed meshes, such as the ends of twigs inside attached organs and parent
+ * branches, and those where closed meshes touch face to face.
  */
 import type { Mesh } from "../plant/plant";
 import { boundsOf, type Piece } from "./piece";
 import { welded } from "./weld";
 
-/** Which places of a plant's surface its closed pieces hide. */
+/** Finds points of a plant's surface that its closed pieces hide. */
 export class Cover<Own extends Piece> {
 	readonly #pieces: readonly Own[];
 	readonly #within: number;
-	/** Of each piece, the closed ones beside it. */
+	/** For each piece, the closed ones near it. */
 	readonly #about: readonly (readonly Body[])[];
 
-	/** @param within how far in front of a surface it may be covered, metres: what lies nearer than this has nothing to be seen between */
+	/** @param within gap in metres between a surface and a covering body, within which the surface counts as hidden */
 	constructor(pieces: readonly Own[], within: number) {
 		const boxes = pieces.map(({ mesh }) => boundsOf([mesh.positions]));
 		const closed = new Map<Uint32Array, boolean>();
 		const bodies = pieces.flatMap(({ mesh }, i) => {
-			// What shares its triangles is closed, or open, with the others.
+			// Meshes that share triangles are closed, or open, together.
 			const whole = closed.get(mesh.indices) ?? isClosed(mesh);
 			closed.set(mesh.indices, whole);
 			return whole ? [new Body(mesh, boxes[i])] : [];
@@ -28,7 +28,7 @@ export class Cover<Own extends Piece> {
 		this.#about = boxes.map((box) => bodies.filter((body) => overlap(body.box, box, within)));
 	}
 
-	/** The pieces without triangles that are hidden as a whole; those of which nothing is left are left out. */
+	/** The pieces without hidden triangles; wholly hidden pieces are left out. */
 	visible(): Own[] {
 		return this.#pieces.flatMap((piece, i) => {
 			if (this.#about[i].length === 0) return [piece];
@@ -37,14 +37,14 @@ export class Cover<Own extends Piece> {
 		});
 	}
 
-	/** Whether a place on the surface of the piece of that index is hidden. `normal` has unit length. */
+	/** Whether a point on the surface of the piece of that index is hidden. `normal` has unit length. */
 	hides(index: number, place: readonly number[], normal: readonly number[]): boolean {
 		const [x, y, z] = place.map((value, k) => value + this.#within * normal[k]);
 		return this.#about[index].some((body) => body.holds(x, y, z));
 	}
 }
 
-/** The pieces without triangles that cannot be seen (`Cover`). */
+/** The pieces without hidden triangles (`Cover`). */
 export function withoutHidden<Own extends Piece>(pieces: readonly Own[], within: number): Own[] {
 	return new Cover(pieces, within).visible();
 }
@@ -58,7 +58,7 @@ function visible({ positions, normals, indices }: Mesh, about: readonly Body[], 
 	for (let at = 0; at < indices.length; at += 3) {
 		const [a, b, c] = [indices[at], indices[at + 1], indices[at + 2]];
 		const middle = (k: number) => (front[3 * a + k] + front[3 * b + k] + front[3 * c + k]) / 3;
-		// In the middle as well: what is about it need not be convex.
+		// Test the middle, too: the covering bodies need not be convex.
 		const covered = hidden[a] && hidden[b] && hidden[c] && inside(middle(0), middle(1), middle(2));
 		if (!covered) kept.push(a, b, c);
 	}
@@ -73,7 +73,7 @@ interface Box {
 const overlap = (one: Box, other: Box, margin: number) =>
 	[0, 1, 2].every((k) => one.low[k] <= other.high[k] + margin && other.low[k] <= one.high[k] + margin);
 
-/** Whether every edge has a triangle on either side, equal positions being one corner. */
+/** Whether every edge has a triangle on either side, where equal positions are one corner. */
 export function isClosed(mesh: Mesh): boolean {
 	const { indices, count } = welded({ positions: mesh.positions, indices: mesh.indices });
 	const edges = new Map<number, number>();
@@ -87,12 +87,12 @@ export function isClosed(mesh: Mesh): boolean {
 	return edges.size > 0 && [...edges.values()].every((sum) => sum === 0);
 }
 
-/** Columns along x, across a body's box. */
+/** Columns of the grid across a body's box; rays run along x. */
 const COLUMNS = 12;
-/** Shares of the box by which points are moved, so that no ray runs along an edge of what is symmetrical. */
+/** Shares of the box by which points are shifted, so that no ray runs along an edge of a symmetrical body. */
 const ASIDE = [1.7e-6, 2.3e-6] as const;
 
-/** A closed mesh as what it holds: how often its surface winds about a point, along a ray in the direction of x. */
+/** The inside of a closed mesh, by the winding number of its surface along a ray in the direction of x. */
 class Body {
 	readonly #positions: Float32Array;
 	/** Corners of the triangles that a ray of each column may meet. */

@@ -1,6 +1,6 @@
 /**
- * Any plant → the JSON document: its parts as numbers, for those who compute. Lengths are metres; each number is the
- * shortest decimal that reads back as the same float32, so the fingerprint can be computed again from the document
+ * Any plant as a JSON document: its parts as numbers, for computations. Lengths are metres; each number is the shortest
+ * decimal that reads back as the same float32, so that the fingerprint can be computed again from the document
  * (docs/fingerprint.md).
  */
 import type { DerivationTrace, ToldModule } from "../plant/derivation_trace";
@@ -15,80 +15,83 @@ import { measuresOf, type WrittenMeasures } from "./measures";
 import { floats, integers, Rows, recordRows, vectors, words } from "./rows";
 import { TextBuffer } from "./text_buffer";
 
-/** A place in metres, +Y up. */
+/** A point in metres, +Y up. */
 export type Vector = [x: number, y: number, z: number];
 
 /** A drawn module. */
 export interface SegmentRecord {
-	/** Index of the segment it grows from, which comes earlier; −1 at a root. */
+	/** Index of the parent segment, which comes earlier; −1 at a root. */
 	parent: number;
 	/** By the model's own names. */
 	kind: string;
-	/** Where it begins. */
+	/** The start point. */
 	start: Vector;
-	/** Where it ends. */
+	/** The end point. */
 	end: Vector;
-	/** At the start, metres. */
+	/** Radius at the start, metres. */
 	radius: number;
-	/** At the end, metres. */
+	/** Radius at the end, metres. */
 	radiusEnd: number;
 }
 
-/** Something borne. */
+/** An attached organ. */
 export interface OrganRecord {
 	/** By the model's own names. */
 	kind: string;
-	/** Index of the segment that bears it; −1 for none. */
+	/** Index of the segment that it is attached to; −1 for none. */
 	segment: number;
-	/** Where it is held. */
+	/** The point of attachment. */
 	position: Vector;
 	/** Unit quaternion x y z w. */
 	rotation: [x: number, y: number, z: number, w: number];
-	/** How many metres one unit of its mesh is. */
+	/** Metres per unit of its mesh. */
 	scale: number;
 }
 
 /** A derivation, and a window of one of its strings. */
 export interface TraceRecord {
-	/** How many modules each step's string has; the axiom's first. */
+	/** Modules in each step's string, from the axiom on. */
 	counts: number[];
-	/** The step that is told. */
+	/** The traced step. */
 	step: number;
 	/** Index of the first of `modules` in its string. */
 	first: number;
 	modules: readonly ToldModule[];
 }
 
-/** What every plant's document has; the rest is its model's. */
+/** The document of every plant; models add to it. */
 export interface PlantDocument<S extends Specimen> {
 	/** The program that wrote it, with its version: `Panicle 1.2.0`. */
 	generator: string;
 	specimen: WrittenSpecimen<S>;
 	counts: Plant["counts"];
-	/** By key; null where one does not apply; none where the model measures nothing or nothing was asked for. */
+	/** By key; null where one does not apply; empty where the model has no measures or none were requested. */
 	measures: WrittenMeasures;
-	/** Classes of descriptors (OIV) by the keys of their measures; absent of models that have none, and where nothing was measured. */
+	/**
+	 * Classes of descriptors (OIV) by the keys of their measures; absent for models without descriptors, and where
+	 * nothing was measured.
+	 */
 	classes?: Record<string, WrittenClass>;
-	/** One a drawn module, unmerged, parents first; absent where nothing was drawn. */
+	/** One per drawn module, unmerged, parents first; absent where nothing was drawn. */
 	segments?: SegmentRecord[];
-	/** Absent where nothing is borne. */
+	/** Absent where there are no organs. */
 	organs?: OrganRecord[];
-	/** How its text was derived, where that was asked for. */
+	/** The trace of the text's derivation, if requested. */
 	chronicle?: TraceRecord;
 	notes: string[];
 	fingerprint: string;
 	timings: Plant["timings"];
 }
 
-/** A model as far as documents go. */
+/** The part of a model that documents need. */
 export interface Recorded<S extends Specimen, G extends Plant, R extends object> extends ModelSchema<S> {
 	/** Descriptors besides those of its measures. */
 	readonly descriptors?: readonly Descriptor<S>[];
-	/** What the document has of the plant besides, or in place of, what it has of every plant: `Rows` where there are many alike. */
+	/** Fields of the document besides, or in place of, those of every plant: `Rows` for many similar records. */
 	record?(grown: G, specimen: S): R;
 }
 
-/** Rows as the lists of records that they are in a document. */
+/** Rows as the lists of records that a document has. */
 export type RecordedRows<R> = { [Key in keyof R]: Exclude<R[Key], undefined> extends Rows<infer Row> ? Row[] : R[Key] };
 
 /** The document; `grown` and `specimen` are only read. Needs no meshes. */
@@ -103,10 +106,10 @@ export function exportJson<S extends Specimen, G extends Plant, R extends object
 }
 
 /**
- * The document as `JSON.stringify` would write it, in UTF-8, in a third of the time. Rows are written one by one, so that the
- * document is in memory once, as text (`TextBuffer.chunks`).
- * @param indent what each level is indented by; all on one line where absent
- * @throws FileTooLargeError where the document is larger than files may be (limits.ts)
+ * The document as `JSON.stringify` would write it, in UTF-8, in a third of the time. Rows are written one by one, so
+ * that the document is in memory once, as text (`TextBuffer.chunks`).
+ * @param indent the indentation of each level; all on one line where absent
+ * @throws FileTooLargeError where the document exceeds the limit of files (limits.ts)
  */
 export function writeJson<S extends Specimen, G extends Plant, R extends object>(
 	model: Recorded<S, G, R>,
@@ -126,7 +129,7 @@ export function writeJson<S extends Specimen, G extends Plant, R extends object>
 	return out;
 }
 
-/** As `JSON.stringify` writes a value whose own line begins as `line` does. */
+/** The text of a value as `JSON.stringify` writes it, in a line that begins with `line`. */
 function indented(value: unknown, indent: string, line: string): string {
 	return JSON.stringify(value, null, indent).replaceAll("\n", line);
 }
@@ -139,7 +142,7 @@ function writeIndented(out: TextBuffer, rows: Rows<unknown>, indent: string): vo
 	out.text(rows.count > 0 ? `\n${indent}]` : "]");
 }
 
-/** What is in the document, in its order, rows as such. */
+/** The fields of the document in order, rows as such. */
 function contents<S extends Specimen, G extends Plant, R extends object>(
 	model: Recorded<S, G, R>,
 	grown: G,
@@ -167,7 +170,7 @@ function traceRecord({ counts, step, first, modules }: DerivationTrace): TraceRe
 	return { counts: [...counts], step, first, modules };
 }
 
-/** What was drawn, and what is borne. */
+/** Segments and organs. */
 function plantRecord({ segments, organs }: Plant) {
 	return {
 		...(segments.count > 0 ? { segments: segmentRows(segments) } : {}),

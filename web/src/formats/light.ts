@@ -1,6 +1,6 @@
 /**
- * A plant in few triangles and few draw calls, for pages, games and phones: what nobody sees is gone, each material is one mesh, and
- * single parts have no names any more. Of the parts of any model.
+ * A plant with few triangles and few draw calls, for pages, games and phones: hidden triangles are removed, each
+ * material is one mesh, and single parts lose their names. For parts of any model.
  */
 import type { Material, Picture, Textures } from "../plant/material";
 import type { Part, Vector } from "../plant/part";
@@ -12,9 +12,12 @@ import { extentOf, type Piece, piecesOf } from "./piece";
 import { simplified } from "./simplified";
 import { sparse } from "./sparse";
 
-/** Readers draw each by itself. */
+/** The most draw calls. */
 const MOST_DRAWN = 5;
-/** A quarter of a pixel where the plant fills a view a thousand pixels high, as a share of its extent. */
+/**
+ * An invisible error, as a share of the plant's extent: a quarter of a pixel where the plant fills a view a thousand
+ * pixels high.
+ */
 const UNSEEN = 1 / 4000;
 
 /** Overlap of outlines (outline.ts) above which bodies stay separate. */
@@ -23,15 +26,15 @@ const SAME_OUTLINE = 0.975;
 const REACHES = [4, 5, 7];
 
 export interface Light {
-	/** Triangles at the most; without it as few as look the same. */
+	/** The most triangles; without it as few as look the same. */
 	triangles?: number;
-	/** Where what stands still is held, of what is to sway: vertices then say where they are (`feet`). */
+	/** The fixed point of still parts, for plants that are to sway: vertices then have fixed points (`feet`). */
 	still?: Vector | undefined;
-	/** Pixels that pictures have along an edge, at the most. */
+	/** The most pixels along an edge of a picture. */
 	pixels: number;
 }
 
-/** One part for each thing that is drawn at once; at most 5. */
+/** One part per draw call; at most 5. */
 export async function lightParts(parts: Iterable<Part>, { triangles, pixels, still }: Light): Promise<Part[]> {
 	const all = triangles === undefined ? parts : sparse([...parts], triangles);
 	const pieces = [...piecesOf(all, still)];
@@ -46,12 +49,12 @@ export async function lightParts(parts: Iterable<Part>, { triangles, pixels, sti
 	});
 }
 
-/** One piece for each draw call, without the triangles that cannot be seen. */
+/** One piece per draw call, without hidden triangles. */
 const drawCallsOf = (pieces: readonly Piece[]) => drawCalls(visible(pieces), MOST_DRAWN);
 
 /**
- * Simplifies pieces to at most so many triangles. Where separate bodies lose the outline, solid ones are merged first, if more of the
- * outline is kept so.
+ * Simplifies pieces to at most `triangles`. Where separate bodies would lose the outline, solid ones are merged first,
+ * if that preserves more of the outline.
  */
 async function within(pieces: readonly Piece[], triangles: number): Promise<Piece[]> {
 	let best = await simplified(drawCallsOf(pieces), { triangles });
@@ -69,12 +72,12 @@ async function within(pieces: readonly Piece[], triangles: number): Promise<Piec
 	return best;
 }
 
-/** What can be seen of pieces from outside. */
+/** The pieces without triangles that are hidden from outside. */
 export function visible<Own extends Piece>(pieces: readonly Own[]): Own[] {
 	return coverOf(pieces).visible();
 }
 
-/** What hides what of pieces. */
+/** The cover of pieces by each other. */
 export function coverOf<Own extends Piece>(pieces: readonly Own[]): Cover<Own> {
 	return new Cover(pieces, UNSEEN * extentOf(pieces));
 }
@@ -92,7 +95,7 @@ function withPictures(material: Material, change: (picture: Picture) => Picture)
 	return { ...material, textures: { ...(Object.fromEntries(entries) as Textures), ...(repeats ? { repeats } : {}) } };
 }
 
-/** Halved as often as it takes, each pixel the mean of four. */
+/** Halves a picture until it fits, each pixel the mean of four. */
 export function shrunk(picture: Picture, most: number): Picture {
 	const { width, height, pixels } = picture;
 	if (Math.max(width, height) <= most) return picture;

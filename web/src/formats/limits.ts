@@ -1,18 +1,18 @@
 /**
- * What one file may take (docs/export.md), so that a small text or link cannot take all memory. The core has limits of its own
- * (wasm-core/src/foundation/limits.hpp).
+ * Limits of one file (docs/export.md), so that a small text or link cannot take all memory. The core has limits of its
+ * own (wasm-core/src/foundation/limits.hpp).
  */
 import { everyPart, type Part, type PartMesh, TRANSFORM } from "../plant/part";
 import { FileTooLargeError } from "./file_error";
 
-/** Bytes of the meshes in a file, each as often as the file has it. */
+/** The most bytes of meshes in a file, counting every copy. */
 export const MOST_MESH_BYTES = 320_000_000;
-/** Bytes of a file that is text (JSON, OBJ, CSV), or of the text in it (USDZ, 3MF). */
+/** The most bytes of a text file (JSON, OBJ, CSV), or of the text in a file (USDZ, 3MF). */
 export const MOST_TEXT_BYTES = 200_000_000;
 
 /**
- * How a file writes instances: each mesh once (`shared`); those that are parts of their own as nodes that share a mesh, all others
- * as meshes (`nodes`); all as meshes (`meshes`).
+ * How a file writes instances: each mesh once (`shared`); named instances as nodes that share a mesh, all others as
+ * meshes (`nodes`); all as meshes (`meshes`).
  */
 export type WrittenInstances = "shared" | "nodes" | "meshes";
 

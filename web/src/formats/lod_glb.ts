@@ -1,23 +1,23 @@
 /**
- * The *lod* form: a plant for several distances in one file (MSFT_lod), for engines that show of it what its size in the view is worth.
- * The finest stands in the scene, and names the others; who does not know the extension shows just that.
+ * The *lod* form: a plant at several levels of detail in one file (MSFT_lod), for engines that choose one by its size
+ * in the view. The finest is in the scene, and names the others; readers without the extension show only the finest.
  */
 import type { Part } from "../plant/part";
 import type { About } from "./about";
 import { exportGlb } from "./glb";
 
-/** A plant for several distances, from near to far. */
+/** Makes a plant at several levels of detail, from near to far. */
 export type Levels = () => Promise<readonly (readonly Part[])[]>;
 
 /**
- * Of the view's area, what a plant covers where each level still does, the last until it cannot be seen: squares of the shares of its
- * height at which stands change (models/stand/render/level_choice.ts), rounded.
+ * The least share of the view's area for each level; the last level is shown until it is invisible. Squares of the
+ * shares of the view's height at which stands change levels (models/stand/render/level_choice.ts), rounded.
  */
 const COVERAGE = [0.5, 0.07, 0.007, 0];
 
-/** The file: plain glTF for who does not know the extension, which asks for nothing. */
+/** Writes the file: plain glTF for readers without the extension, which is not required. */
 export async function lodGlb(levels: Levels, about: About): Promise<Uint8Array<ArrayBuffer>> {
-	// A tree without leaves or blossoms has meshes of none.
+	// Skip empty meshes: a tree without leaves or blossoms has some.
 	const drawn = ({ shape }: Part) => shape !== undefined && shape.mesh.indices.length > 0;
 	const all = (await levels()).map((parts) => parts.filter(drawn)).filter((parts) => parts.length > 0);
 	const parts = all.map((children, level): Part => ({ name: `Level ${level}`, children }));

@@ -1,6 +1,6 @@
 /**
- * The *low* form: no more triangles than asked for, in plain glTF, which opens everywhere. Colours are pictures: game engines and
- * simple readers leave colours of vertices out, or take them for sRGB.
+ * The *low* form: a limited number of triangles, in plain glTF, which opens everywhere. Colours are pictures: game
+ * engines and simple readers drop vertex colours, or read them as sRGB.
  */
 import type { Part } from "../plant/part";
 import type { About } from "./about";

@@ -1,4 +1,4 @@
-/** The measures of a growth by their keys. */
+/** The measures of a plant by their keys. */
 import type { Plant } from "../plant/plant";
 import type { MeasureInfo } from "../specimen/measures";
 import type { Table } from "../specimen/table";
@@ -7,7 +7,7 @@ import { shortFloat } from "./numbers";
 /** A measure's description and its value: null where it does not apply to this plant. */
 export type MeasureValue = readonly [info: MeasureInfo, value: number | null];
 
-/** Every measure in the order of the table; empty where none were asked for. */
+/** Every measure in the order of the table; empty where none were requested. */
 export function measureValues(table: Pick<Table, "measures">, { measures }: Pick<Plant, "measures">): MeasureValue[] {
 	if (!measures) return [];
 	return table.measures.map((info, index) => {
@@ -16,10 +16,10 @@ export function measureValues(table: Pick<Table, "measures">, { measures }: Pick
 	});
 }
 
-/** What a file says of them: by key. */
+/** Measures in a file, by key. */
 export type WrittenMeasures = Record<string, number | null>;
 
-/** `{ measures }` for a file; nothing where none were asked for. */
+/** `{ measures }` for a file; empty where none were requested. */
 export function measuresOf(
 	table: Pick<Table, "measures">,
 	grown: Pick<Plant, "measures">,

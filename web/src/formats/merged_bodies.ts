@@ -1,6 +1,6 @@
 /**
- * Solid bodies that touch, such as the berries of a bunch, as the one surface about all of them: for budgets of triangles that are
- * too small for each body by itself.
+ * Merges touching solid bodies, such as the berries of a bunch, into one surface: for budgets of triangles that are too
+ * small for each body by itself.
  */
 import type { Material } from "../plant/material";
 import type { PartMesh } from "../plant/part";
@@ -14,15 +14,18 @@ import { closeGaps, emptyVoxels, fillInside, withoutPinches } from "./voxels";
 
 /** Cells along the longest edge of the plant. */
 const CELLS = 192;
-/** Bodies thinner than this keep their triangles: cells, by the radius of the ball that has their ratio of volume to surface. */
+/**
+ * Bodies thinner than this keep their triangles: in cells, the radius of the ball with the same ratio of volume to
+ * surface.
+ */
 const LEAST_RADIUS = 2;
 
-/** Solid pieces by material, where there are two or more of one. */
+/** Solid pieces by material, where a material has two or more. */
 export type SolidGroups = ReadonlyMap<Material, readonly Piece[]>;
 
 /**
- * Solid pieces are closed and not thin, and have neither pictures nor places at which they are held (`feet`): a leaf, a petal or a
- * pedicel is none.
+ * Finds solid pieces: closed and not thin, without pictures and fixed points (`feet`), unlike leaves, petals or
+ * pedicels.
  */
 export function solidGroups(pieces: readonly Piece[]): SolidGroups {
 	const least = LEAST_RADIUS * pitchFor(pieces);
@@ -37,8 +40,8 @@ export function solidGroups(pieces: readonly Piece[]): SolidGroups {
 }
 
 /**
- * The pieces with each group of solid ones as one closed piece, with normals of its own and the colours of the vertices that are
- * nearest to its own vertices.
+ * The pieces, with each group of solid ones merged into one closed piece, with new normals and the colours of the
+ * nearest original vertices.
  * @param groups of these pieces
  * @param reach half the width of gaps between bodies that are filled, in 192nds of the longest edge of the plant
  */
@@ -56,7 +59,7 @@ function isSolid({ material, mesh }: Piece, leastRadius: number): boolean {
 	return radiusOf(mesh) >= leastRadius && isClosed(mesh);
 }
 
-/** Three times the volume divided by the surface; 0 of a mesh without triangles. */
+/** Three times the volume divided by the surface; 0 for a mesh without triangles. */
 function radiusOf({ positions, indices }: PartMesh): number {
 	let [volume, area] = [0, 0];
 	for (let at = 0; at < indices.length; at += 3) {
@@ -82,7 +85,7 @@ function bodyOf(pieces: readonly Piece[], pitch: number, reach: number): PartMes
 	return colours ? { ...mesh, colours } : mesh;
 }
 
-/** Of the vertices: means over the triangles about each, by their areas. */
+/** Vertex normals: means over the adjacent triangles, weighted by area. */
 function normalsOf(positions: Float32Array, indices: Uint32Array): Float32Array {
 	const normals = new Float32Array(positions.length);
 	for (let at = 0; at < indices.length; at += 3) {
@@ -98,14 +101,17 @@ function normalsOf(positions: Float32Array, indices: Uint32Array): Float32Array 
 	return normals;
 }
 
-/** Twice the area of a triangle, along its normal. @param a @param b @param c where the positions of its corners begin */
+/**
+ * Twice the area of a triangle, along its normal.
+ * @param a @param b @param c offsets of its corners' positions
+ */
 function crossOf(p: Float32Array, a: number, b: number, c: number): [x: number, y: number, z: number] {
 	const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
 	const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
 	return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
 }
 
-/** The colours of the nearest vertices; undefined where the vertices of none have colours. */
+/** The colours of the nearest vertices; undefined where no piece has vertex colours. */
 function coloursAt(positions: Float32Array, pieces: readonly Piece[]): Float32Array | undefined {
 	if (!pieces.some(({ mesh }) => mesh.colours)) return undefined;
 	const length = pieces.reduce((sum, { mesh }) => sum + mesh.positions.length, 0);

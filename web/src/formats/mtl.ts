@@ -4,21 +4,24 @@ import type { Material } from "../plant/material";
 import { GENERATOR } from "./generator";
 import { rounded } from "./numbers";
 
-/** Light that a surface returns as a highlight, for readers that know no physically based values: smooth, and matt. */
+/** The highlight of smooth and of matt surfaces, for readers without physically based values. */
 const SPECULAR = { smooth: 0.25, matt: 0.04 } as const;
 const SMOOTH = 0.5;
 const DECIMALS = 4;
 const WHITE = [1, 1, 1];
 
-/** A material under the name that the OBJ calls it by. */
+/** A material and its name in the OBJ. */
 export interface NamedMaterial {
 	name: string;
 	material: Material;
-	/** Files beside this one, by what they show. */
+	/** Files of pictures beside this one. */
 	pictures?: { colour?: string; normal?: string };
 }
 
-/** The text; values that physically based readers know are `Pr` roughness, `Pm` metallic, `Ps` sheen, `Pc` coat, `norm` a picture of normals. */
+/**
+ * Writes the text; physically based values are `Pr` roughness, `Pm` metallic, `Ps` sheen, `Pc` coat, `norm` a picture
+ * of normals.
+ */
 export function writeMtl(materials: readonly NamedMaterial[]): string {
 	return [`# ${GENERATOR}\n`, ...materials.map(block)].join("\n");
 }
@@ -28,10 +31,10 @@ function block({ name, material, pictures = {} }: NamedMaterial): string {
 	const specular = roughness < SMOOTH ? SPECULAR.smooth : SPECULAR.matt;
 	const lines = [
 		`newmtl ${name}`,
-		// What a picture says is multiplied by this, or takes its place; as it is displayed where there is none.
+		// This factor multiplies the picture, or is replaced by it; without a picture it is the colour in sRGB.
 		`Kd ${(pictures.colour ? WHITE : encoded(colour).map(short)).join(" ")}`,
 		`Ks ${specular} ${specular} ${specular}`,
-		// Blinn–Phong's exponent of the same width of highlight as this roughness.
+		// Blinn–Phong's exponent for a highlight as wide as with this roughness.
 		`Ns ${rounded(2 / roughness ** 4 - 2, 1)}`,
 		"d 1",
 		"illum 2",

@@ -8,11 +8,11 @@ const MOST_DIGITS = 9;
 export const EXACT_POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`1e${exponent}`));
 
 /**
- * The shortest decimal that a reader of float32 takes for `value` (itself a float32), as a number; printed by
- * `JSON.stringify` it is that decimal. 0.1f, which is 0.10000000149011612, becomes 0.1.
+ * The shortest decimal that reads back as the float32 `value`, as a number; `JSON.stringify` prints that decimal. 0.1f,
+ * which is 0.10000000149011612, becomes 0.1.
  */
 export function shortFloat(value: number): number {
-	// Adding 0 makes 0 of −0, which JSON would print so in any case.
+	// Adding 0 turns −0 into 0, as JSON prints it.
 	if (Number.isInteger(value)) return value + 0;
 	const above = MOST_DIGITS - 1 - Math.floor(Math.log10(Math.abs(value)));
 	for (let digits = FEWEST_DIGITS; digits < MOST_DIGITS; digits++) {
@@ -23,8 +23,8 @@ export function shortFloat(value: number): number {
 }
 
 /**
- * How many places after the point that decimal is rounded to, zeros at its end counted; undefined where the decimal is better made by
- * other means: it is written with an exponent, or has more than nine digits before the point.
+ * The number of decimals of that decimal, with trailing zeros; undefined where `shortFloat` must be used: with an
+ * exponent, or more than nine digits before the point.
  */
 export function placesOf(value: number): number | undefined {
 	const size = Math.abs(value);
@@ -44,13 +44,13 @@ export function placesOf(value: number): number | undefined {
 	return undefined;
 }
 
-/** Smaller ones are written with an exponent. */
+/** Smaller numbers are written with an exponent. */
 const LEAST_PLAIN = 1e-6;
 const MOST_PLAIN = 1e9;
-/** As near to them as numbers are; no float32 lies between. */
+/** The nearest numbers to negative powers of ten; no float32 is in between. */
 const TENTHS = EXACT_POWERS.map((power) => 1 / power);
 
-/** `value` to so many significant digits, `places` of them after the point. */
+/** `value` to `digits` significant digits, `places` of them after the point. */
 function ofDigits(value: number, digits: number, places: number): number {
 	const power = EXACT_POWERS[places];
 	const scaled = Math.abs(value) * power;
@@ -59,12 +59,15 @@ function ofDigits(value: number, digits: number, places: number): number {
 	return (value < 0 ? -whole : whole) / power;
 }
 
-/** One rounding each of exact numbers, as in reading the decimal; but near a half the product's own could turn the scale. */
+/**
+ * Whether the rounding is certain: reading the decimal rounds exact numbers once, but near a half the error of the
+ * product could change the result.
+ */
 function isSure(scaled: number, whole: number): boolean {
 	return Math.abs(scaled - whole) < 0.499_999;
 }
 
-/** `value` to so many decimals. */
+/** `value` rounded to `decimals`. */
 export function rounded(value: number, decimals: number): number {
 	return Number(value.toFixed(decimals));
 }

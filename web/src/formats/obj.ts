@@ -1,6 +1,6 @@
 /**
- * Any plant's parts → Wavefront OBJ with MTL: metres, +Y up, every instance baked. The objects have the names of the GLB's
- * nodes, with underscores for spaces. What is in the files is in docs/export.md.
+ * Writes parts of any plant as Wavefront OBJ with MTL: metres, +Y up, with every instance as a mesh. Objects have the
+ * names of the GLB's nodes, with underscores for spaces. docs/export.md has the contents of the files.
  */
 import type { Picture } from "../plant/material";
 import { everyPart, type Part, type Shape, TRANSFORM } from "../plant/part";
@@ -16,17 +16,18 @@ import { png } from "./png";
 import type { TextBuffer } from "./text_buffer";
 import { placed, together } from "./together";
 
-/** A picture that the MTL asks for. */
+/** A picture that the MTL refers to. */
 export interface ObjPicture {
-	/** Of its file, which lies beside the MTL. */
+	/** The name of its file, which is beside the MTL. */
 	name: string;
 	bytes: Uint8Array<ArrayBuffer>;
 }
 
 /**
- * The two texts and their pictures. `name` is what the files are called without their endings: the OBJ asks for `name.mtl`.
- * @param pictured whether the MTL may ask for pictures; else it has colours alone
- * @throws FileTooLargeError where the OBJ is larger than files may be (limits.ts)
+ * The two texts and their pictures.
+ * @param name the name of the files without suffix: the OBJ refers to `name.mtl`
+ * @param pictured whether the MTL may refer to pictures; else it has colours only
+ * @throws FileTooLargeError where the OBJ exceeds the limit of files (limits.ts)
  */
 export function exportObj(
 	parts: Iterable<Part>,
@@ -38,7 +39,7 @@ export function exportObj(
 	return { obj: obj.toString(), ...others };
 }
 
-/** The same with the OBJ in pieces (`TextBuffer.chunks`): as one string it would be in memory twice. */
+/** As `exportObj`, with the OBJ in pieces (`TextBuffer.chunks`): as one string it would be in memory twice. */
 export function writeObj(
 	parts: Iterable<Part>,
 	about: About,
@@ -66,8 +67,8 @@ export function writeObj(
 }
 
 /**
- * The names of a material's pictures, each of which is written once. A plain colour is a picture, too: some read `Kd` as it is
- * displayed, Blender as light, and all of them a picture as sRGB.
+ * The names of a material's pictures, each of which is written once. A plain colour becomes a picture, too: some
+ * readers take `Kd` for sRGB, Blender for linear light, and all of them take pictures for sRGB.
  */
 function picturesOf({ name, material }: NamedMaterial, file: string, written: Map<Picture, ObjPicture>) {
 	const kinds = (["colour", "normal"] as const).flatMap((kind) => {

@@ -1,6 +1,6 @@
 /**
- * What an OBJ calls its materials by. It knows no colours of vertices that every reader isActive: parts of one material and
- * one variant are written in the mean of theirs.
+ * Names of an OBJ's materials. OBJ has no vertex colours that every reader supports: parts of one material and one
+ * variant are written in their mean colour.
  */
 import { type Colour, meanColour } from "../plant/colour";
 import type { Material } from "../plant/material";
@@ -10,7 +10,7 @@ import type { NamedMaterial } from "./mtl";
 interface Used {
 	name: string;
 	material: Material;
-	/** Of the parts' mean colours, and how many have any. */
+	/** Sum of the parts' mean colours, and the number of parts with colours. */
 	sum: Colour;
 	count: number;
 }
@@ -20,7 +20,7 @@ export class ObjMaterials {
 	readonly #used = new Map<Material, Map<string, Used>>();
 	readonly #names = new Set<string>();
 
-	/** The name of a shape's material; its colours count from now on. */
+	/** Returns the name of a shape's material, and includes the shape's colours in the mean. */
 	nameOf({ material, variant, mesh }: Shape): string {
 		const variants = this.#used.get(material) ?? new Map<string, Used>();
 		this.#used.set(material, variants);
@@ -35,7 +35,7 @@ export class ObjMaterials {
 		return used.name;
 	}
 
-	/** All that were named, in that order, in the colours that they are to be shown in. */
+	/** All named materials, in the order of naming, with their mean colours. */
 	all(): NamedMaterial[] {
 		const used = [...this.#used.values()].flatMap((variants) => [...variants.values()]);
 		return used.map(({ name, material, sum, count }) => {

@@ -1,15 +1,15 @@
 /** The statements of an OBJ, object by object: positions, normals, then the faces between them. */
 import { TextBuffer } from "./text_buffer";
 
-/** Of a metre: a micrometre. */
+/** Decimals of a metre: a micrometre. */
 const POSITION_DECIMALS = 6;
-/** Of a unit vector, or of a texture's width: a shade no display shows. */
+/** Decimals of a unit vector, or of texture coordinates: an invisible error. */
 const SHADE_DECIMALS = 4;
 const SPACE = 0x20;
 const SLASH = 0x2f;
 const LINE_END = 0x0a;
 
-/** Triangles where they stand. */
+/** Triangles in the plant's frame. */
 export interface ObjMesh {
 	positions: Float32Array | Float64Array;
 	normals: Float32Array | Float64Array;
@@ -17,20 +17,20 @@ export interface ObjMesh {
 	indices: Uint32Array;
 }
 
-/** OBJ counts vertices, normals and texture coordinates from 1 through the whole file. */
+/** Writes objects. OBJ counts vertices, normals and texture coordinates from 1 through the whole file. */
 export class ObjWriter {
 	readonly #out = new TextBuffer();
-	/** Of all objects so far. */
+	/** Vertices of all objects so far. */
 	#vertices = 0;
 	#uvs = 0;
-	/** The number of the first of each run of texture coordinates. */
+	/** The number of the first coordinate of each shared array. */
 	readonly #known = new Map<Float32Array, number>();
 
 	line(text: string): void {
 		this.#out.text(`${text.replace(/[\r\n]+/g, " ")}\n`);
 	}
 
-	/** Writes an object, `name` with underscores for spaces. Texture coordinates that were there before are shared. */
+	/** Writes an object, `name` with underscores for spaces. Shared texture coordinates are written once. */
 	object(name: string, { positions, normals, uvs, indices }: ObjMesh, material: string): void {
 		this.line(`o ${name.replaceAll(" ", "_")}`);
 		const first = this.#vertices + 1;
@@ -40,14 +40,14 @@ export class ObjWriter {
 		this.#faces(indices, material, first, this.#textureCoordinates(uvs));
 	}
 
-	/** All statements; nothing may be written after. */
+	/** All statements; write nothing afterwards. */
 	get text(): TextBuffer {
 		return this.#out;
 	}
 
 	/**
-	 * Returns the number of the first. OBJ measures v from the picture's lower edge, Panicle and glTF from the upper one:
-	 * turned over, so that the same picture fits both files.
+	 * Returns the number of the first coordinate. OBJ measures v from the picture's lower edge, Panicle and glTF from
+	 * the upper one: v is flipped, so that the same picture fits both files.
 	 */
 	#textureCoordinates(uvs: Float32Array): number {
 		const known = this.#known.get(uvs);

@@ -6,15 +6,15 @@ type Size = Voxels["size"];
 /** Fills every empty cell that cannot be reached from outside. */
 export function fillHollows({ size, cells }: Voxels): void {
 	const outside = new Uint8Array(cells.length);
-	// The outermost layer is empty: all that is outside can be reached from its first cell.
+	// The outermost layer is empty: its first cell reaches all of the outside.
 	flood(size, 0, outside, (cell) => cells[cell] === 0);
 	for (let cell = 0; cell < cells.length; cell++) if (outside[cell] === 0) cells[cell] = 1;
 }
 
 /**
- * Joins pieces to the largest piece: each that is within `farthest` cells of what has been joined, counted along the axes,
- * by a rod `thick` cells wide. Pieces that are farther away are removed.
- * @returns how many pieces were removed
+ * Joins pieces to the largest piece: each within `farthest` cells of the joined ones, counted along the axes, by a rod
+ * `thick` cells wide. Pieces that are farther away are removed.
+ * @returns the number of removed pieces
  */
 export function joinPieces({ size, cells }: Voxels, thick: number, farthest: number): number {
 	const [nx, ny] = size;
@@ -40,7 +40,7 @@ export function joinPieces({ size, cells }: Voxels, thick: number, farthest: num
 		}
 	};
 	join(largest);
-	// Empty cells that a wave has reached: by which of the steps, counted from 1.
+	// Empty cells that a wave has reached: the number of the step, from 1.
 	const reachedBy = new Uint8Array(cells.length);
 	for (let far = 0; far <= farthest && wave.length > 0; far++) {
 		const from = wave;
@@ -59,7 +59,7 @@ export function joinPieces({ size, cells }: Voxels, thick: number, farthest: num
 			}
 		}
 	}
-	// Rods are filled, and belong to what has been joined.
+	// Rods are filled, and belong to the joined piece.
 	joined.fill(0);
 	flood(size, largest, joined, isFilled);
 	let removed = 0;
@@ -73,7 +73,7 @@ export function joinPieces({ size, cells }: Voxels, thick: number, farthest: num
 	return removed;
 }
 
-/** A cell of the piece that has the most cells; undefined where no cell is filled. */
+/** A cell of the piece with the most cells; undefined where no cell is filled. */
 function largestPiece(size: Size, cells: Uint8Array): number | undefined {
 	const seen = new Uint8Array(cells.length);
 	let largest: number | undefined;
@@ -92,9 +92,9 @@ function isOutermost([nx, ny, nz]: Size, cell: number): boolean {
 }
 
 /**
- * Marks all cells of a kind that can be reached from one of them through faces of cells; a run along x at a time, so that
- * few places are remembered.
- * @returns how many cells those are
+ * Marks all cells of a kind that are connected through faces of cells with one of them; works in runs along x, so that
+ * the stack stays short.
+ * @returns the number of these cells
  */
 function flood(
 	[nx, ny]: Size,

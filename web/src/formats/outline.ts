@@ -1,7 +1,7 @@
-/** Outlines of pieces in orthographic views along the axes, and how much of two is the same: a measure of how well shape is kept. */
+/** Outlines of pieces in orthographic views along the axes, and their overlap: a measure of preserved shape. */
 import { boundsOf, type Piece } from "./piece";
 
-/** Along the longest edge of the box about the plant. */
+/** Pixels along the longest edge of the plant's box. */
 const PIXELS = 192;
 /** The two axes of each picture. */
 const VIEWS = [
@@ -10,10 +10,10 @@ const VIEWS = [
 	[2, 0],
 ] as const;
 
-/** One picture a view, 1 where the plant covers the middle of a pixel. */
+/** One picture per view, 1 where the plant covers the middle of a pixel. */
 export type Outline = readonly Uint8Array[];
 
-/** @returns a function that draws outlines at the scale and place of these pieces, so that they can be compared */
+/** @returns a function that draws outlines at the scale and position of these pieces, so that they can be compared */
 export function outlinesBeside(pieces: readonly Piece[]): (pieces: readonly Piece[]) => Outline {
 	const { low, high } = boundsOf(pieces.map(({ mesh }) => mesh.positions));
 	const pixel = Math.max(...high.map((value, axis) => value - low[axis])) / PIXELS || 1;
@@ -25,7 +25,7 @@ export function outlinesBeside(pieces: readonly Piece[]): (pieces: readonly Piec
 		});
 }
 
-/** Intersection over union of the pixels covered, in the view where it is least: 1 where outlines are equal. */
+/** The least intersection over union of the covered pixels among the views: 1 where outlines are equal. */
 export function agreement(one: Outline, other: Outline): number {
 	const shares = one.map((covered, view) => {
 		let [both, either] = [0, 0];

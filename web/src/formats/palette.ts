@@ -1,16 +1,16 @@
 /**
- * Colours of vertices as a picture with texture coordinates, for readers that know no colours of vertices. What a plant is coloured in
- * lies near a plane in the space of colours: the picture is that plane, along its two principal axes, and what blends between
- * vertices blends on it.
+ * Vertex colours as a picture with texture coordinates, for readers without vertex colours. The colours of a plant are
+ * near a plane in colour space: the picture is that plane, along its two principal axes, so that colours interpolate
+ * between vertices.
  */
 import { type Colour, clamp, encoded } from "../plant/colour";
 import type { Material, Picture } from "../plant/material";
 import type { Part, Shape } from "../plant/part";
 
-/** Pixels along an edge; eight bits have no more steps than a few of them tell apart. */
+/** Pixels along an edge; eight bits have no more visible steps. */
 const EDGE = 64;
 const ROUNDS = 60;
-/** Of all that colours spread, what is less beside the first axis is none. */
+/** The least spread of colours beside the first axis, as a share of the whole spread. */
 const LEAST_SPREAD = 1e-9;
 
 export interface Palette {
@@ -20,8 +20,8 @@ export interface Palette {
 }
 
 /**
- * Parts that say by a picture what colours their vertices have, where no picture did before; texture coordinates of theirs go. What has
- * instances stays as it is.
+ * Parts with their vertex colours in a picture, unless they have a picture already; their own texture coordinates are
+ * dropped. Parts with instances stay as they are.
  */
 export function paletted(parts: readonly Part[]): Part[] {
 	return parts.map(({ shape, children, ...part }) => ({
@@ -32,8 +32,8 @@ export function paletted(parts: readonly Part[]): Part[] {
 }
 
 /**
- * Shapes that have colours of vertices in a picture, those of one material in one: what readers would else show in one colour. Those of
- * variants, instances or a picture stay as they are, and are not among them.
+ * Shapes with vertex colours in a picture, one picture per material, for readers that would show one colour. Shapes
+ * with variants, instances or a picture stay as they are, and are not in the result.
  */
 export function palettedByMaterial(shapes: readonly Shape[]): Map<Shape, Shape> {
 	const groups = new Map<Material, Shape[]>();
@@ -84,7 +84,7 @@ export function paletteOf(colours: Float32Array): Palette {
 	const all = traceOf(spread);
 	const first = principal(spread);
 	const left = without(spread, first);
-	// What lies on a line has no second axis: rounding would name any.
+	// Colours on a line have no second axis: rounding errors would choose one.
 	const second: Colour = traceOf(left) > LEAST_SPREAD * all ? principal(left) : [0, 0, 0];
 	const axes = [first, second];
 	const places = new Float32Array(2 * count);
@@ -126,7 +126,7 @@ function covariance(values: Float32Array, mean: readonly number[]): Matrix {
 
 const traceOf = (matrix: Matrix) => matrix[0][0] + matrix[1][1] + matrix[2][2];
 
-/** The axis along which values spread most, of unit length, by powers of the matrix. */
+/** The axis of the largest spread, of unit length, by powers of the matrix. */
 function principal(matrix: Matrix): Colour {
 	let axis: Colour = [0.6, 0.64, 0.48];
 	for (let round = 0; round < ROUNDS; round++) {
@@ -138,7 +138,7 @@ function principal(matrix: Matrix): Colour {
 	return axis;
 }
 
-/** What is left beside an axis. */
+/** The matrix without an axis. */
 function without(matrix: Matrix, axis: Colour): Matrix {
 	const along = matrix.map((row) => row[0] * axis[0] + row[1] * axis[1] + row[2] * axis[2]);
 	const strength = along[0] * axis[0] + along[1] * axis[1] + along[2] * axis[2];

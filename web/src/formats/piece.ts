@@ -1,4 +1,4 @@
-/** What light forms of a file are made from: all that is drawn of a plant, each where it stands. */
+/** Pieces: all drawn meshes of a plant in its frame, from which light forms of a file are made. */
 import type { Material } from "../plant/material";
 import {
 	type Extras,
@@ -13,23 +13,23 @@ import {
 import { placed } from "./together";
 import { writtenColours } from "./vertex_colours";
 
-/** Triangles of one material in the plant's frame; the shade in which they stand is in their colours. */
+/** Triangles of one material in the plant's frame; their colours include the shade. */
 export interface Piece {
 	material: Material;
 	mesh: PartMesh;
 }
 
-/** A piece that is a part, or an instance of one where each is a part by itself. */
+/** A piece that is a part, or an instance where each is a part by itself. */
 export interface NamedPiece extends Piece {
-	/** Of the part. */
+	/** The name of the part. */
 	name: string;
-	/** What is known of the part besides. */
+	/** Properties of the part. */
 	extras?: Extras;
 }
 
 /**
- * Every mesh, and every instance of one by itself.
- * @param still where what stands still is held: then instances, too, say where they are (`feet`)
+ * Every mesh, and every instance by itself.
+ * @param still the fixed point of still parts: then instances, too, have fixed points (`feet`)
  */
 export function* piecesOf(parts: Iterable<Part>, still?: Vector): Generator<NamedPiece> {
 	for (const part of everyPart(parts)) {
@@ -56,7 +56,7 @@ function* instancesOf(
 	}
 }
 
-/** The same mesh held at a place. */
+/** The mesh with one fixed point. */
 function heldAt(place: Vector, mesh: PartMesh): PartMesh {
 	return { ...mesh, feet: mesh.positions.map((_, at) => place[at % 3]) };
 }
@@ -70,7 +70,7 @@ function piece(
 	return { name, ...(extras && { extras }), material, mesh: colours ? { ...bare, colours } : bare };
 }
 
-/** The least box about all vertices: its lowest and its highest corner. */
+/** The bounding box of all vertices: its lowest and its highest corner. */
 export function boundsOf(positions: Iterable<Float32Array>): { low: number[]; high: number[] } {
 	const low = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
 	const high = low.map((value) => -value);
@@ -86,7 +86,7 @@ export function boundsOf(positions: Iterable<Float32Array>): { low: number[]; hi
 	return { low, high };
 }
 
-/** The longest edge of the box about pieces; 0 where there are none. */
+/** The longest edge of the pieces' bounding box; 0 where there are none. */
 export function extentOf(pieces: readonly Piece[]): number {
 	const { low, high } = boundsOf(pieces.map(({ mesh }) => mesh.positions));
 	return Math.max(0, ...high.map((value, axis) => value - low[axis]));

@@ -1,4 +1,4 @@
-/** Files with meshes that there are of every plant: what they are called, and what makes them when one is asked for. */
+/** Files with meshes for every plant: their names, and their writers, loaded on demand. */
 import type { Part } from "../plant/part";
 import type { Sway } from "../plant/sway";
 import type { About } from "./about";
@@ -6,82 +6,87 @@ import type { Aged } from "./growth_glb";
 import { checkMeshBytes, type WrittenInstances } from "./limits";
 import type { Levels } from "./lod_glb";
 
-/** What a person may say of a file; what a file does not heed changes nothing. */
+/** Options of a file; a file ignores those that it does not use. */
 export interface FileOptions {
-	/** Of the *low* and the *wind* form, at the most. */
+	/** The most triangles of the *low* and the *wind* form. */
 	readonly triangles?: number;
-	/** Whether light comes through flesh in the *detailed* and the *instanced* form; readers take another pass for it. */
+	/**
+	 * Whether light passes through flesh in the *detailed* and the *instanced* form; readers need an extra pass for it.
+	 */
 	readonly translucent?: boolean;
-	/** Whether pictures say colours, shade, roughness and relief in the *detailed* form, where vertices and materials do otherwise. */
+	/**
+	 * Whether pictures hold colours, shade, roughness and relief in the *detailed* form, in place of vertices and
+	 * materials.
+	 */
 	readonly textures?: boolean;
-	/** That nothing is thinner than in files for printers, millimetres. */
+	/** The least thickness in files for printers, millimetres. */
 	readonly thickness?: number;
-	/** Of a cloud. */
+	/** The number of points of a cloud. */
 	readonly points?: number;
 }
 
-/** What is taken of a number that comes from outside: from the least to the most. */
+/** Ranges of options with numbers. */
 export const FILE_RANGES = {
 	triangles: [100, 2_000_000],
 	thickness: [0.2, 20],
 	points: [1, 2_000_000],
 } as const satisfies Partial<Record<keyof FileOptions, readonly [least: number, most: number]>>;
 
-/** What else of a plant there is than what is seen of it now, for files that move or are seen from afar. */
+/** Further data of a plant, for files that move or have levels of detail. */
 export interface Further {
-	/** The plant at other ages, for what is of its `life`; absent where it has none. */
+	/** The plant at other ages, for files with `life`; absent where it has none. */
 	readonly aged?: Aged | undefined;
-	/** How wind moves it; absent where it stands still. */
+	/** Motion in wind; absent where wind does not move it. */
 	readonly sway?: Sway | undefined;
-	/** The plant for several distances; absent of models that make none. */
+	/** The plant at several levels of detail; absent for models without levels. */
 	readonly levels?: Levels | undefined;
-	/** Receives a sentence for each way in which the file differs from what was asked for. */
+	/** Receives a sentence for each way in which the file differs from the request. */
 	readonly note?: ((text: string) => void) | undefined;
 }
 
 export interface PlantFile {
-	/** Its name for programs: `glb-web`. */
+	/** The name for programs: `glb-web`. */
 	readonly key: string;
-	/** As file names end: `glb`. */
+	/** The suffix of file names: `glb`. */
 	readonly ending: string;
-	/** Which of those that end so, where there are several; the first is meant where nobody says. */
+	/** The form among files with the same suffix; the first one is the default. */
 	readonly form?: string;
 	readonly title: string;
-	/** One line about it. */
+	/** One line of description. */
 	readonly about: string;
-	/** After the plant's name. */
+	/** The end of the file's name, after the plant's name. */
 	readonly suffix: string;
 	/** The media type of the file. */
 	readonly type: string;
-	/** What of the options it uses. */
+	/** The options that it uses. */
 	readonly uses?: readonly (keyof FileOptions)[];
-	/** Whether it is the file of its kind only where parts share meshes. */
+	/** Whether it is useful only where parts share meshes. */
 	readonly shared?: true;
 	/** Whether making it takes seconds. */
 	readonly slow?: true;
-	/** Whether it is of the plant at many ages, and so of plants that have any. */
+	/** Whether it shows the plant at many ages: only for plants that have ages. */
 	readonly life?: true;
-	/** Whether it is of what wind moves: of what stands still it shows just that. */
+	/** Whether it shows motion in wind, if the plant has any. */
 	readonly blown?: true;
-	/** Whether it is of the plant for several distances, and so of models that make such. */
+	/** Whether it has levels of detail: only for models that make them. */
 	readonly levelled?: true;
-	/** How it writes instances, for what it may hold (limits.ts); absent of files that are not made from the parts themselves. */
+	/** How it writes instances, for its limits (limits.ts); absent for files that simplify the parts. */
 	readonly instances?: WrittenInstances;
 	/**
 	 * @param parts only read; the same parts and options give the same bytes
-	 * @throws FileTooLargeError where the file would be larger than files may be (limits.ts)
+	 * @throws FileTooLargeError where the file would exceed the limits of files (limits.ts)
 	 */
 	make(parts: Iterable<Part>, about: About, options: FileOptions, further?: Further): Promise<Uint8Array<ArrayBuffer>>;
 }
 
-/** Of the *wind* form, where nobody says otherwise. */
+/** The default of the *wind* form. */
 export const WIND_TRIANGLES = 40_000;
-/** Of the *low* form, where nobody says otherwise. */
+/** The default of the *low* form. */
 export const LOW_TRIANGLES = 20_000;
 
-/** For printers, where nobody says otherwise: what a nozzle of 0.4 mm prints safely. */
+/** The default for printers: a nozzle of 0.4 mm prints it safely. */
 export const THICKNESS = 1;
-/** Of a cloud, where nobody says otherwise. */
+/** The default of a cloud. */
 export const POINTS = 100_000;
 
 const GLB = { ending: "glb", type: "model/gltf-binary" } as const;
@@ -227,7 +232,7 @@ const FILES: readonly PlantFile[] = [
 	},
 ];
 
-/** Each compares its size with the limit before it is made. */
+/** Each checks its size against the limit before it is made. */
 export const PLANT_FILES: readonly PlantFile[] = FILES.map((file) => {
 	const { instances, make } = file;
 	if (!instances) return file;
@@ -239,10 +244,10 @@ export const PLANT_FILES: readonly PlantFile[] = FILES.map((file) => {
 	return { ...file, make: checked };
 });
 
-/** The file that a name's ending and perhaps a form mean. */
+/** The file for a suffix and perhaps a form. */
 export function plantFile(ending: string, form?: string): PlantFile | undefined {
 	return PLANT_FILES.find((file) => file.ending === ending && (form === undefined || file.form === form));
 }
 
-/** Of the kinds that have forms, all forms in a sentence's order. */
+/** All forms, in the order of a sentence. */
 export const FORMS = PLANT_FILES.flatMap(({ form }) => form ?? []);

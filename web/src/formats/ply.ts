@@ -1,8 +1,9 @@
 /**
- * Points on a plant's surface as binary PLY: place, normal, colour, and the part that each lies on, for those who work with scans. Metres, +Y up.
+ * Points on a plant's surface as binary PLY: position, normal, colour, and part of each point, for work with scans.
+ * Metres, +Y up.
  *
- * `instance` counts the nodes with a mesh of the *detailed* GLB, from 0, in their order. `class` is the number of the part's kind, which comments
- * of the header name. A model may add an id of its own (`PointLabels`).
+ * `instance` counts the nodes with a mesh of the *detailed* GLB, from 0, in their order. `class` is the number of the
+ * part's kind, which comments of the header name. A model may add an id of its own (`PointLabels`).
  */
 import { encoded } from "../plant/colour";
 import type { Part } from "../plant/part";
@@ -14,20 +15,23 @@ import { type NamedPiece, type Piece, piecesOf } from "./piece";
 import { together } from "./together";
 import { plainBase } from "./vertex_colours";
 
-/** Bytes of a point: six floats, three bytes of colour; then 32 bits and 16 of its label, and 32 of an id where there is one. */
+/**
+ * Bytes of a point: six floats, three bytes of colour; then 32 bits and 16 of its label, and 32 of an id if there is
+ * one.
+ */
 const [LABEL, ID, WITH_ID] = [27, 33, 37];
 
-/** What a point lies on. */
+/** The part of a point. */
 interface Label {
 	readonly instance: number;
 	readonly kind: number;
-	/** Undefined where the model gives none. */
+	/** Undefined where the model has none. */
 	readonly id: number | undefined;
 }
 
-/** @param points as many, evenly over all that can be seen from outside */
+/** @param points their number, spread evenly over all visible surface */
 export function ply(parts: Iterable<Part>, about: About, points: number): Uint8Array<ArrayBuffer> {
-	// As nodes of a GLB: what is many times in one of them is one there.
+	// Counted as nodes of a GLB: instances in one node there are one here.
 	const all = [...piecesOf([...parts].map(together))];
 	const kinds = kindsOf(all, about.labels?.classes);
 	const cover = coverOf(
@@ -56,30 +60,30 @@ export function ply(parts: Iterable<Part>, about: About, points: number): Uint8A
 	return file;
 }
 
-/** A place on a triangle of a piece. */
+/** A point on a triangle of a piece. */
 interface Point {
 	readonly piece: Labelled;
 	/** Vertices of the triangle. */
 	readonly corners: Uint32Array;
-	/** Of the corners; they sum to 1. */
+	/** Weights of the corners; they sum to 1. */
 	readonly weights: readonly [number, number, number];
 }
 
 type Labelled = Piece & { readonly label: Label };
 
-/** Of the points on triangles that can be seen, the share that must not be hidden: below it all are taken. */
+/** The least share of visible points on candidate triangles: below it all candidates count as visible. */
 const LEAST_SEEN = 0.05;
-/** Points that are placed beyond the share that was hidden before, so that a second time is enough. */
+/** Factor of additional points, so that a second pass is enough. */
 const SPARE = 1.02;
 
 /** Points on triangles, all numbers by index: a cloud may have millions. */
 class Candidates {
-	/** Of each point, the index of its piece, and of its triangle in that. */
+	/** For each point, the index of its piece, and of its triangle in that piece. */
 	readonly #places: Uint32Array;
-	/** None where there is no area. */
+	/** 0 where there is no area. */
 	readonly count: number;
 
-	/** One in the middle of each of so many equal shares of the area. */
+	/** One point in the middle of each equal share of the area. */
 	constructor(
 		readonly pieces: readonly Labelled[],
 		areas: readonly Float64Array[],
@@ -113,7 +117,7 @@ interface Cloud {
 	at(index: number): Point;
 }
 
-/** So many points, evenly over all that can be seen: parts of large triangles are hidden, too. */
+/** A cloud of points, spread evenly over all visible surface: large triangles may be partly hidden. */
 function cloudOf(cover: Cover<Labelled>, points: number): Cloud {
 	const pieces = cover.visible();
 	const areas = pieces.map(areasOf);
@@ -137,7 +141,7 @@ function isHidden(cover: Cover<Labelled>, point: Point): boolean {
 	return cover.hides(point.piece.label.instance, meanOf(positions, point), normalAt(point));
 }
 
-/** Of three numbers a vertex, those between the corners. */
+/** Interpolates values with three numbers per vertex. */
 function meanOf(values: Float32Array, { corners, weights }: Point): number[] {
 	return [0, 1, 2].map((k) =>
 		weights.reduce((sum, weight, corner) => sum + weight * values[3 * corners[corner] + k], 0),
@@ -150,10 +154,10 @@ function normalAt(point: Point): number[] {
 	return normal.map((value) => value / length);
 }
 
-/** What the name of a part says it is: all but the number behind it. */
+/** The kind of a part: its name without the trailing number. */
 const kindOf = ({ name }: Pick<NamedPiece, "name">) => name.replace(/ [\d.]+$/, "");
 
-/** Kinds of parts by their class numbers: those that are known, then the others as they come. */
+/** Kinds of parts by class number: the known ones, then the others in order of appearance. */
 function kindsOf(pieces: readonly NamedPiece[], known: readonly string[] = []): string[] {
 	return [...new Set([...known, ...pieces.map(kindOf)])];
 }
@@ -163,7 +167,7 @@ function labelOf(piece: NamedPiece, instance: number, kinds: readonly string[], 
 	return { instance, kind: kinds.indexOf(kindOf(piece)), id };
 }
 
-/** Of its triangles. */
+/** Areas of the triangles. */
 function areasOf({ mesh: { positions: p, indices } }: Piece): Float64Array {
 	return Float64Array.from({ length: indices.length / 3 }, (_, triangle) => {
 		const [a, b, c] = [3 * indices[3 * triangle], 3 * indices[3 * triangle + 1], 3 * indices[3 * triangle + 2]];
@@ -173,12 +177,15 @@ function areasOf({ mesh: { positions: p, indices } }: Piece): Float64Array {
 	});
 }
 
-/** The generalised golden ratio of two dimensions: its multiples fill a square evenly (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"). */
+/**
+ * The generalised golden ratio of two dimensions: its multiples fill a square evenly (Roberts 2018, "The unreasonable
+ * effectiveness of quasirandom sequences").
+ */
 const STEPS = [0.7548776662466927, 0.5698402909980532] as const;
 
 function write(view: DataView, at: number, point: Point): void {
 	const { mesh, material, label } = point.piece;
-	// A picture is there by its mean, which vertices' colours multiply.
+	// The mean of a picture replaces it; vertex colours multiply it.
 	const under = material.textures?.colour && mesh.colours ? material.colour : [1, 1, 1];
 	const base = mesh.colours || !material.textures?.colour ? plainBase(material) : material.colour;
 	const [red, green, blue] = mesh.colours ? meanOf(mesh.colours, point).map((value, k) => value * under[k]) : base;

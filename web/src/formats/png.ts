@@ -1,13 +1,13 @@
-/** Pictures as PNG (ISO/IEC 15948): eight bits a channel; the same pixels give the same bytes. */
+/** Pictures as PNG (ISO/IEC 15948): eight bits per channel; the same pixels give the same bytes. */
 import { zlibSync } from "fflate";
 import type { Picture } from "../plant/material";
 import { PNG_SIGNATURE, pngChunk } from "./png_chunks";
 
 const TRUE_COLOUR = 2;
 const CHANNELS = 3;
-/** Rows as what they differ by from the row above: a third less of what blends slowly, hardly more of what is flat. */
+/** The filter "up": differences from the row above, a third smaller for gradients, hardly larger for flat colours. */
 const UP = 2;
-/** The highest, 9, takes twice as long for a fiftieth less. */
+/** Compression level: the highest, 9, takes twice as long and saves a fiftieth. */
 const LEVEL = 6;
 
 export function png({ width, height, pixels }: Picture): Uint8Array<ArrayBuffer> {
@@ -17,7 +17,7 @@ export function png({ width, height, pixels }: Picture): Uint8Array<ArrayBuffer>
 	view.setUint32(4, height);
 	header.set([8, TRUE_COLOUR], 8);
 	const row = CHANNELS * width;
-	// Before each row stands how it is filtered. Above the first one all is 0.
+	// Each row begins with its filter. The row above the first one is 0.
 	const rows = new Uint8Array((row + 1) * height);
 	for (let y = 0; y < height; y++) {
 		const to = y * (row + 1);

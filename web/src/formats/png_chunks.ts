@@ -1,4 +1,4 @@
-/** What a PNG is made of (ISO/IEC 15948, section 5): a signature, then chunks. */
+/** The structure of a PNG (ISO/IEC 15948, section 5): a signature, then chunks. */
 
 export const PNG_SIGNATURE = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a);
 

@@ -1,6 +1,7 @@
 /**
- * The link of a picture's plant, in the picture's own file: a text chunk `tEXt` (ISO/IEC 15948, section 11.3.4.3) whose keyword is
- * `Panicle` and whose text is the whole address. Programs that show or rename pictures keep it; most of those that save them again do not.
+ * The link of a picture's plant, in the picture's file: a text chunk `tEXt` (ISO/IEC 15948, section 11.3.4.3) with the
+ * keyword `Panicle` and the whole address as text. Programs that show or rename pictures preserve it; most of those
+ * that save them again do not.
  */
 import { FileError } from "./file_error";
 import { CHUNK_FRAME, checksum, PNG_SIGNATURE, pngChunk } from "./png_chunks";
@@ -12,9 +13,9 @@ const END = "IEND";
 const latin1 = new TextDecoder("latin1");
 
 /**
- * The picture with its plant's link, before its first pixels.
- * @param picture a PNG; anything else comes back as it is
- * @param link an address, which has no other characters than ASCII
+ * The picture with its plant's link, before the first pixels.
+ * @param picture a PNG; any other file is returned unchanged
+ * @param link an ASCII address
  */
 export async function withLink(picture: Blob, link: string): Promise<Blob> {
 	if (!(await isPng(picture))) return picture;
@@ -24,15 +25,15 @@ export async function withLink(picture: Blob, link: string): Promise<Blob> {
 	return new Blob([picture.slice(0, start), text, picture.slice(start)], { type: "image/png" });
 }
 
-/** Whether a file begins as PNGs do. */
+/** Whether a file begins with the signature of PNG. */
 export async function isPng(file: Blob): Promise<boolean> {
 	const start = new Uint8Array(await file.slice(0, PNG_SIGNATURE.length).arrayBuffer());
 	return start.length === PNG_SIGNATURE.length && start.every((byte, i) => byte === PNG_SIGNATURE[i]);
 }
 
 /**
- * The link in a PNG, as it stands there: from outside, and never to be trusted.
- * @param name what the file is called, for messages
+ * The link in a PNG, unchecked: never trust it.
+ * @param name the file's name, for messages
  * @throws FileError where there is none
  */
 export function linkInPng(name: string, bytes: Uint8Array): string {
@@ -51,7 +52,7 @@ export function linkInPng(name: string, bytes: Uint8Array): string {
 interface Chunk {
 	readonly type: string;
 	readonly data: Uint8Array;
-	/** Whether the checksum says so; worked out where asked for. */
+	/** Whether the checksum is right; computed on access. */
 	readonly whole: boolean;
 }
 
@@ -76,13 +77,15 @@ function* chunksOf(name: string, bytes: Uint8Array): Generator<Chunk> {
 	}
 }
 
-/** What stands after our keyword in a `tEXt` chunk. */
+/** The text after our keyword in a `tEXt` chunk. */
 function plainText(data: Uint8Array): string | undefined {
 	const [keyword, text] = cut(data);
 	return keyword === LINK_KEYWORD ? latin1.decode(text) : undefined;
 }
 
-/** The same of an `iTXt` chunk, into which some programs turn the former; packed ones are passed over. */
+/**
+ * The text after our keyword in an `iTXt` chunk, into which some programs turn the former; compressed ones are ignored.
+ */
 function internationalText(data: Uint8Array): string | undefined {
 	const [keyword, rest] = cut(data);
 	if (keyword !== LINK_KEYWORD || rest[0] !== 0) return undefined;

@@ -5,7 +5,7 @@ export class PointTree {
 	readonly #order: Uint32Array;
 	#place: readonly [x: number, y: number, z: number] = [0, 0, 0];
 	#found = 0;
-	/** The square of the distance of the point found. */
+	/** The square of the distance of the nearest point so far. */
 	#least = 0;
 
 	/** @param points 3 × points, at least one */
@@ -15,7 +15,7 @@ export class PointTree {
 		this.#split(0, this.#order.length, 0);
 	}
 
-	/** The index of the point that is nearest to a place. */
+	/** The index of the nearest point. */
 	nearest(x: number, y: number, z: number): number {
 		this.#place = [x, y, z];
 		this.#least = Number.POSITIVE_INFINITY;

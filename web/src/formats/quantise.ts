@@ -1,12 +1,15 @@
-/** Positions and normals in fewer bytes (KHR_mesh_quantization): 16 bits a coordinate, 8 bits a normal's. */
+/**
+ * Positions and normals in fewer bytes (KHR_mesh_quantization): 16 bits per coordinate, 8 bits per component of a
+ * normal.
+ */
 import { shortFloat } from "./numbers";
 
 const SHORT_MAX = 32767;
 const BYTE_MAX = 127;
-/** Coordinates of a vertex, padded so that each starts at a multiple of four bytes. */
+/** Components of a vertex, padded so that each begins at a multiple of four bytes. */
 const PADDED = 4;
 
-/** 3 × vertices, less `centre`. */
+/** 3 × vertices, relative to `centre`. */
 export function relative(positions: Float32Array, centre: readonly number[]): Float32Array {
 	const [x, y, z] = centre;
 	const moved = new Float32Array(positions.length);
@@ -18,7 +21,7 @@ export function relative(positions: Float32Array, centre: readonly number[]): Fl
 	return moved;
 }
 
-/** The middle of all positions' bounds. */
+/** The middle of the positions' bounding box. */
 export function wholeBounds(positions: Float32Array): [number, number, number] {
 	const low = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
 	const high = low.map((value) => -value);
@@ -31,13 +34,13 @@ export function wholeBounds(positions: Float32Array): [number, number, number] {
 }
 
 /**
- * 4 × vertices (the fourth is padding): each coordinate less `centre`, in steps of `scale` / 32767. One scale for all
- * three, so that normals stay what they are.
+ * 4 × vertices (the fourth is padding): each coordinate relative to `centre`, in steps of `scale` / 32767. One scale
+ * for all three, so that normals stay right.
  */
 export function quantised(positions: Float32Array, centre: readonly number[]): { values: Int16Array; scale: number } {
 	let reach = 0;
 	for (let i = 0; i < positions.length; i++) reach = Math.max(reach, Math.abs(positions[i] - centre[i % 3]));
-	// Rounded up to a float32, so that nothing lies beyond it.
+	// Rounded up to a float32, so that all coordinates fit.
 	const scale = reach > 0 ? shortFloat(Math.fround(reach * (1 + 1e-7))) : 1;
 	const steps = SHORT_MAX / scale;
 	const values = new Int16Array((positions.length / 3) * PADDED);
@@ -50,12 +53,12 @@ export function quantised(positions: Float32Array, centre: readonly number[]): {
 	return { values, scale };
 }
 
-/** 4 × vertices, all of which count: in steps of 1 / 127. */
+/** 4 × vertices, without padding: in steps of 1 / 127. */
 export function quantisedTangents(tangents: Float32Array): Int8Array {
 	return Int8Array.from(tangents, (value) => Math.round(BYTE_MAX * value));
 }
 
-/** 4 × vertices (the fourth is padding): each coordinate in steps of 1 / 127. */
+/** 4 × vertices (the fourth is padding): each component in steps of 1 / 127. */
 export function quantisedNormals(normals: Float32Array): Int8Array {
 	const values = new Int8Array((normals.length / 3) * PADDED);
 	for (let i = 0, at = 0; i < normals.length; i += 3, at += PADDED) {

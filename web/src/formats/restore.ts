@@ -1,7 +1,8 @@
 /**
- * A specimen out of a file that Panicle exported: a GLB (`asset.extras.specimen`), the JSON document (`specimen`), or a PNG with its link
- * (png_link.ts); or a file of many that are saved, as it stands. Files come from anywhere: sizes are checked before anything is read, of a GLB nothing but its JSON is read, and what is
- * found must go through specimen/restore.ts or specimen/link.ts like everything from outside.
+ * Reads a specimen from a file that Panicle exported: a GLB (`asset.extras.specimen`), the JSON document (`specimen`),
+ * or a PNG with its link (png_link.ts); or a whole file of saved specimens. Files come from anywhere: sizes are checked
+ * before anything is read, only the JSON of a GLB is read, and results must pass through specimen/restore.ts or
+ * specimen/link.ts like all data from outside.
  */
 import { CHUNK_HEADER_BYTES, CHUNK_JSON, GLB_MAGIC, GLB_VERSION, HEADER_BYTES } from "./binary_gltf";
 import { FileError } from "./file_error";
@@ -9,25 +10,27 @@ import { isPng, linkInPng } from "./png_link";
 
 export { FileError };
 
-/** What a file holds of a specimen. */
+/** The specimen in a file, in one of its forms. */
 export type Found = { readonly record: object } | { readonly link: string } | { readonly library: object };
 
-/** What a file of saved specimens says it is, in its field `format` (docs/saved.md). */
+/** The field `format` of a file of saved specimens (docs/saved.md). */
 export const LIBRARY_FORMAT = "panicle-library";
 
 const WANTED = "drop a GLB, JSON or PNG exported by Panicle.";
 
 /**
- * Most bytes of JSON or of a picture that are read. A plant has at most 100 000 segments (wasm-core/src/foundation/limits.hpp), so no
- * export comes to half of this; the meshes of a GLB, which may be far larger, do not count.
+ * The most bytes of JSON or of a picture that are read. A plant has at most 100 000 segments
+ * (wasm-core/src/foundation/limits.hpp), so no export reaches half of this; the meshes of a GLB, which may be far
+ * larger, do not count.
  */
 export const JSON_BYTES = 128 * 1024 * 1024;
 
 /**
- * @param name what the file is called, for messages only: its kind is told from its first bytes
+ * Finds the specimen in a file.
+ * @param name the file's name, for messages only: the first bytes decide its kind
  * @param file the whole file, of any size
- * @returns the record of a specimen as it stands in the file, or the link, of whatever model; or the document of a library
- * @throws FileError when there is neither in it
+ * @returns the record of a specimen as it is in the file, or the link, of any model; or the document of a library
+ * @throws FileError when there is none
  */
 export async function foundInFile(name: string, file: Blob): Promise<Found> {
 	if (file.size === 0) throw new FileError(`${name} is empty.`);
@@ -66,7 +69,7 @@ function parse(name: string, bytes: ArrayBuffer): unknown {
 		return JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
 	} catch (error) {
 		if (!startsAsJson(bytes)) throw new FileError(`${name} is neither a GLB nor readable JSON: ${WANTED}`);
-		// Engines say where.
+		// JavaScript engines report the position.
 		const where = error instanceof Error ? error.message : error;
 		throw new FileError(`${name} is damaged or unfinished JSON: export or download it again. (${where})`);
 	}
@@ -74,7 +77,7 @@ function parse(name: string, bytes: ArrayBuffer): unknown {
 
 const startsAsJson = (bytes: ArrayBuffer) => /^\s*[{[]/.test(new TextDecoder().decode(bytes.slice(0, 64)));
 
-/** The record at the place either format keeps it; glTF kept as text counts as well. */
+/** The record at the place of either format; glTF stored as text counts as well. */
 function specimenIn(document: unknown): object | undefined {
 	const specimen = field(document, "specimen") ?? field(field(field(document, "asset"), "extras"), "specimen");
 	return typeof specimen === "object" && specimen !== null && !Array.isArray(specimen) ? specimen : undefined;

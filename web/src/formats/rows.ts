@@ -1,34 +1,34 @@
 /**
- * Records of a document that are alike, as the arrays that their fields come from. They are made objects of for those who compute, or
- * written as text without ever having been any: a plant has tens of thousands of numbers, and objects of them, which a text is made of
- * next, took more time than its growing.
+ * Similar records of a document, backed by the arrays of their fields. They become objects for computations, or are
+ * written as text without objects: a plant has tens of thousands of numbers, and making objects and then text took more
+ * time than growing.
  */
 import { shortFloat } from "./numbers";
 import type { TextBuffer } from "./text_buffer";
 
-/** What rows have under one key. */
+/** The values of rows under one key. */
 export interface Field<Value> {
-	/** @returns what row `index` has */
+	/** @returns the value of row `index` */
 	at(index: number): Value;
-	/** Appends that as JSON. */
+	/** Appends the value as JSON. */
 	write(out: TextBuffer, index: number): void;
 }
 
 type Fields<Row> = { readonly [Key in keyof Row]: Field<Row[Key]> };
 
 export class Rows<Row> {
-	/** @param row what each row is: a record (`recordRows`), or a number or a list */
+	/** @param row the values of rows: a record (`recordRows`), or a number or a list */
 	constructor(
 		readonly count: number,
 		readonly row: Field<Row>,
 	) {}
 
-	/** What row `index` has. */
+	/** The value of row `index`. */
 	record(index: number): Row {
 		return this.row.at(index);
 	}
 
-	/** One value a row. */
+	/** The values of all rows. */
 	records(): Row[] {
 		return Array.from({ length: this.count }, (_, index) => this.row.at(index));
 	}
@@ -68,7 +68,7 @@ function records<Row extends object>(all: Fields<Row>): Field<Row> {
 	};
 }
 
-/** Lists of whole numbers, one of `lists` a row. */
+/** Lists of whole numbers, one of `lists` per row. */
 export function lists(all: readonly ArrayLike<number>[]): Field<number[]> {
 	return {
 		at: (index) => Array.from(all[index]),
@@ -83,12 +83,12 @@ export function lists(all: readonly ArrayLike<number>[]): Field<number[]> {
 	};
 }
 
-/** What another field has at the places of a list. */
+/** The values of another field at the indices of a list. */
 export function placed<Value>(field: Field<Value>, places: ArrayLike<number>): Field<Value> {
 	return { at: (index) => field.at(places[index]), write: (out, index) => field.write(out, places[index]) };
 }
 
-/** Numbers that are no fractions. */
+/** Whole numbers. */
 export function integers(values: ArrayLike<number>): Field<number> {
 	return {
 		at: (index) => values[index],
@@ -104,7 +104,7 @@ export function floats(values: Float32Array, stride = 1, offset = 0): Field<numb
 	};
 }
 
-/** As many floats as `Vector` has, of every `stride`, from the one at `offset` on. */
+/** Vectors of floats, one of every `stride` floats, from the one at `offset` on. */
 export function vectors<Vector extends number[]>(
 	values: Float32Array,
 	stride: number,
@@ -126,7 +126,7 @@ export function vectors<Vector extends number[]>(
 	};
 }
 
-/** Words, by their places in a list. */
+/** Words, by their indices in a list. */
 export function words<Word extends string>(list: readonly Word[], places: ArrayLike<number>): Field<Word> {
 	const texts = list.map((word) => JSON.stringify(word));
 	return {

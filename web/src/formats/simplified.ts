@@ -1,4 +1,6 @@
-/** Fewer triangles for the same look, by meshoptimizer: edges collapse where that changes shape, light and colour least. */
+/**
+ * Fewer triangles for the same look, by meshoptimizer: edges collapse where that changes shape, light and colour least.
+ */
 import { type Flags, MeshoptSimplifier } from "meshoptimizer/simplifier";
 import { clamp } from "../plant/colour";
 import type { PartMesh } from "../plant/part";
@@ -6,32 +8,35 @@ import type { Piece } from "./piece";
 import { welded } from "./weld";
 
 /**
- * What a difference of normals and of colours counts for, as a share of the whole plant's extent: a normal that is off by a
- * tenth is as bad as a surface that is off by a two-thousandth.
+ * The weight of differences of normals and of colours, as a share of the whole plant's extent: an error of a tenth in a
+ * normal counts as much as an error of a two-thousandth in position.
  */
 const NORMAL_WEIGHT = 0.005;
 const COLOUR_WEIGHT = 0.02;
-/** Numbers beside the position by which collapses are judged: a normal and a colour. */
+/** Numbers besides the position that collapses consider: a normal and a colour. */
 const ATTRIBUTES = 6;
 const WEIGHTS = [...new Array(3).fill(NORMAL_WEIGHT), ...new Array(3).fill(COLOUR_WEIGHT)];
-/** Steps of what makes vertices equal: eighths of a degree, colours as files have them, a 4096th of a picture. */
+/**
+ * Rounding within which vertices count as equal: eighths of a degree, colours as files have them, a 4096th of a
+ * picture.
+ */
 const NORMAL_STEPS = 512;
 const COLOUR_STEPS = 255;
 const PICTURE_STEPS = 4096;
 
 export interface Wanted {
-	/** At most so many; what is least missed goes first. Without it only as many go as `error` allows. */
+	/** The most triangles; the least important ones go first. Without it only as many go as `error` allows. */
 	triangles?: number;
-	/** How far a surface may come to lie from where it was, as a share of the plant's extent; without it as far as need be. */
+	/** The largest movement of a surface, as a share of the plant's extent; unlimited where absent. */
 	error?: number;
 	/**
-	 * Whether vertices may move to where the surface differs least, with their normals and colours. Triangles between fixed vertices lie
-	 * inside convex surfaces. Has no effect where a piece has texture coordinates or `feet`.
+	 * Whether vertices may move to reduce the error of the surface, with their normals and colours. Triangles between
+	 * fixed vertices lie inside convex surfaces. Has no effect where a piece has texture coordinates or `feet`.
 	 */
 	moves?: boolean;
 }
 
-/** The pieces with fewer vertices and triangles, judged together; those of which nothing is left are left out. */
+/** The pieces with fewer vertices and triangles, simplified together; empty ones are left out. */
 export async function simplified(
 	pieces: readonly Piece[],
 	{ triangles = 0, error = 1, moves = false }: Wanted,
@@ -51,7 +56,7 @@ export async function simplified(
 		} else {
 			[indices] = MeshoptSimplifier.simplifyWithAttributes(...request);
 		}
-		// What holds together in too many places yields to a grid.
+		// Meshes with too many connections are simplified on a grid.
 		if (triangles > 0 && indices.length > target)
 			[indices] = MeshoptSimplifier.simplifySloppy(indices, one.positions, 3, null, target, 1);
 	}
@@ -61,7 +66,7 @@ export async function simplified(
 	);
 }
 
-/** Equal vertices as one. */
+/** Merges equal vertices. */
 function lean(mesh: PartMesh): PartMesh {
 	const { normals, uvs, colours } = mesh;
 	const steps = (values: Float32Array, step: number) =>
@@ -101,7 +106,7 @@ function concatenated(meshes: PartMesh[]): Whole {
 	return { meshes, firsts, positions, attributes, indices };
 }
 
-/** A mesh with the positions, normals and colours that its vertices have in the whole, from the vertex `first` on. */
+/** A mesh with the positions, normals and colours of its vertices in the whole, from the vertex `first` on. */
 function moved(mesh: PartMesh, { positions, attributes }: Whole, first: number): PartMesh {
 	const [normals, colours] = [new Float32Array(mesh.positions.length), new Float32Array(mesh.positions.length)];
 	for (let to = 0, at = ATTRIBUTES * first; to < normals.length; to += 3, at += ATTRIBUTES) {
@@ -126,7 +131,7 @@ function divided(indices: Uint32Array, firsts: readonly number[]): number[][] {
 	return parts;
 }
 
-/** Without the vertices that no triangle has. */
+/** The mesh without unused vertices. */
 function compacted(mesh: PartMesh, triangles: readonly number[]): PartMesh {
 	const from: number[] = [];
 	const to = new Int32Array(mesh.positions.length / 3).fill(-1);

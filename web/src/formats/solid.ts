@@ -1,4 +1,4 @@
-/** A plant as one closed body for printers: nothing of it thinner than asked for. */
+/** A plant as one closed body for printers, with a least thickness. */
 import { MeshoptSimplifier } from "meshoptimizer/simplifier";
 import type { Part } from "../plant/part";
 import { EmptyPlantError } from "./file_error";
@@ -8,27 +8,30 @@ import { boundsOf, piecesOf } from "./piece";
 import { type Surface, surfaceOf } from "./surface_nets";
 import { emptyVoxels, fillInside, fillThin, thicken, withoutPinches } from "./voxels";
 
-/** Cells that are the least thickness; smoothing takes half a cell of them (surface_nets.ts). */
+/** Cells per least thickness; smoothing takes half a cell of them (surface_nets.ts). */
 const THICK = 2;
 const KEPT = THICK - 0.5;
-/** More cells than this take more memory than phones have: coarser cells then, and a thicker least. */
+/** The most cells, which fit the memory of phones; beyond it cells become coarser, and the least thickness larger. */
 const MOST_CELLS = 16_000_000;
-/** Printers' beds are about as long: what is larger is written at the first of these scales that fits. */
+/** The size of printers' beds, metres: larger plants are written at the first of these scales that fits. */
 const LONGEST = 0.25;
 const SCALES = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
-/** So often places are left alone where fewer triangles would tear the surface. */
+/** How often vertices are locked where simplification would tear the surface. */
 const ATTEMPTS = 2;
-/** Pieces that are farther apart than this are not joined, metres of the print: rods as long would be seen. */
+/** Pieces farther apart than this are not joined, metres of the print: longer rods would be visible. */
 const FARTHEST = 0.005;
-/** How far a surface may move for fewer triangles, in cells. */
+/** The largest movement of the surface in simplification, in cells. */
 const SLACK = 0.15;
 
 export interface Solid extends Surface {
-	/** What 1 stands for: 1 for life size, 50 for 1:50. Positions are in metres of the print. */
+	/** 1 for life size, 50 for 1:50. Positions are in metres of the print. */
 	scale: number;
-	/** That nothing is thinner than, metres of the print: what was asked for, or more where the body is too large for so fine a grid. */
+	/**
+	 * The least thickness, metres of the print: the requested one, or more where the body is too large for so fine a
+	 * grid.
+	 */
 	thickness: number;
-	/** How many pieces were left out, which nothing holds. */
+	/** The number of loose pieces, which were left out. */
 	loose: number;
 }
 
@@ -62,7 +65,10 @@ export async function solidOf(parts: Iterable<Part>, least: number): Promise<Sol
 	return { ...surface, scale, thickness: KEPT * pitch, loose };
 }
 
-/** What differs from what was asked for, in sentences. @param least as in `solidOf` */
+/**
+ * Differences from the request, in sentences.
+ * @param least as in `solidOf`
+ */
 export function solidNotes({ thickness, loose }: Pick<Solid, "thickness" | "loose">, least: number): string[] {
 	const notes: string[] = [];
 	const millimetres = (metres: number) => Number((1000 * metres).toPrecision(2));
@@ -79,7 +85,7 @@ export function solidNotes({ thickness, loose }: Pick<Solid, "thickness" | "loos
 	return notes;
 }
 
-/** The edge of a cell: `wanted`, or as large as keeps the grid within bounds. */
+/** The edge of a cell: `wanted`, or the least that keeps the grid within its limit. */
 function pitchFor([x, y, z]: readonly number[], wanted: number): number {
 	let pitch = wanted;
 	const cells = () => [x, y, z].reduce((product, extent) => product * (extent / pitch + 8), 1);
@@ -87,7 +93,7 @@ function pitchFor([x, y, z]: readonly number[], wanted: number): number {
 	return pitch;
 }
 
-/** Whether a mesh is closed; what shares its triangles is so with it. */
+/** Whether a mesh is closed, cached by triangles. */
 function closedOnce(): (mesh: Parameters<typeof isClosed>[0]) => boolean {
 	const known = new Map<Uint32Array, boolean>();
 	return (mesh) => {
@@ -97,7 +103,7 @@ function closedOnce(): (mesh: Parameters<typeof isClosed>[0]) => boolean {
 	};
 }
 
-/** Fewer triangles. Where edges would get more than two, what is about them stays as it is. */
+/** Fewer triangles. The surface stays as it is around edges that would get more than two triangles. */
 function fewer(surface: Surface, error: number): Surface {
 	const { positions, indices } = surface;
 	const vertices = positions.length / 3;
@@ -134,10 +140,10 @@ function compacted(positions: Float32Array, indices: Uint32Array): Surface {
 	return { positions: own, indices };
 }
 
-/** The ends of edges that have not just two triangles, which run along them in opposite directions. */
+/** The ends of edges without exactly two triangles in opposite directions. */
 export function tornAt(indices: Uint32Array): Set<number> {
 	const next = (at: number) => indices[at % 3 === 2 ? at - 2 : at + 1];
-	// Where edges lead from each vertex, one vertex after the other.
+	// Ends of the edges from each vertex, one vertex after the other.
 	const firsts = new Uint32Array(indices.reduce((most, vertex) => Math.max(most, vertex), 0) + 3);
 	for (const vertex of indices) firsts[vertex + 2]++;
 	for (let vertex = 2; vertex < firsts.length; vertex++) firsts[vertex] += firsts[vertex - 1];

@@ -1,15 +1,18 @@
 /**
- * Fewer of what is many, and larger: a crown of a tenth of its leaves that covers as much, as stochastic simplification has it (Cook
- * et al. 2007, "Stochastic simplification of aggregate detail").
+ * Fewer but larger instances: a crown of a tenth of its leaves that covers the same area, by stochastic simplification
+ * (Cook et al. 2007, "Stochastic simplification of aggregate detail").
  */
 import { everyPart, type Instances, type Part, TRANSFORM } from "../plant/part";
 
-/** Triangles that one of many keeps at the least: two make a sheet that folds, two more a tip and a foot. */
+/** The least triangles per instance: two make a sheet that folds, two more a tip and a base. */
 const LEAST_TRIANGLES = 4;
-/** Of all triangles, those that may go to what is many. */
+/** The share of all triangles for such instances. */
 const SHARE = 0.6;
 
-/** The same parts with so few instances of what is no part by itself that a budget of triangles does for them; ever the same ones. */
+/**
+ * The parts with fewer instances of those that are no parts by themselves, so that they fit a budget of triangles;
+ * always the same ones.
+ */
 export function sparse(parts: readonly Part[], triangles: number): Part[] {
 	const count = [...everyPart(parts)].reduce((sum, { shape }) => sum + countOf(shape?.instances), 0);
 	const keep = Math.min(1, (SHARE * triangles) / LEAST_TRIANGLES / count);
@@ -25,7 +28,7 @@ function thinned(part: Part, keep: number): Part {
 	return { ...held, shape: { ...shape, instances: fewer(shape.instances, keep) } };
 }
 
-/** Evenly: instances stand in the order in which they grew, neighbours beside each other. */
+/** Evenly chosen instances: they are in order of growth, neighbours beside each other. */
 function fewer({ transforms, sky, ...rest }: Instances, keep: number): Instances {
 	const count = transforms.length / TRANSFORM;
 	const kept = Array.from({ length: Math.max(1, Math.round(keep * count)) }, (_, i) => Math.floor((i + 0.5) / keep));

@@ -9,8 +9,8 @@ const HEADER = 80;
 const TRIANGLE = 50;
 
 /**
- * @param thickness that nothing is thinner than, millimetres
- * @param note receives a sentence for each way in which the body differs from what was asked for
+ * @param thickness the least thickness, millimetres
+ * @param note receives a sentence for each way in which the body differs from the request
  * @throws EmptyPlantError where the plant has no mesh
  */
 export async function stl(
@@ -37,7 +37,7 @@ export async function stl(
 	return file;
 }
 
-/** Millimetres, and +Z up as printers have it, in place of metres and +Y up. */
+/** Positions in millimetres and +Z up, as printers expect, from metres and +Y up. */
 export function printed({ positions }: Solid): Float32Array {
 	const turned = new Float32Array(positions.length);
 	for (let i = 0; i < positions.length; i += 3) {

@@ -1,6 +1,7 @@
 /**
- * The surface of voxels as one closed mesh (Gibson 1998, "Constrained elastic surface nets"): a vertex in each cube of eight neighbours
- * that are not all alike, drawn smooth, no further from the cube's middle than a quarter of a cell along any axis.
+ * The surface of voxels as one closed mesh (Gibson 1998, "Constrained elastic surface nets"): a vertex in each cube of
+ * eight neighbours that are not all equal, smoothed, at most a quarter of a cell from the cube's middle along each
+ * axis.
  */
 import type { Voxels } from "./voxels";
 
@@ -42,7 +43,7 @@ export function surfaceOf({ size: [nx, ny, nz], origin, pitch, cells }: Voxels):
 				const cube = y * nx + x;
 				here[cube] = middles.length / 3;
 				middles.push(x + 1, y + 1, z + 1);
-				// A face for each of the cube's first edges that goes in or out of the body.
+				// A face for each of the cube's first edges that crosses the surface.
 				const filled = cells[at] === 1;
 				if (filled !== (cells[at + 1] === 1)) quad(filled, below[cube - nx], below[cube], here[cube], here[cube - nx]);
 				if (filled !== (cells[at + nx] === 1)) quad(filled, below[cube - 1], here[cube - 1], here[cube], below[cube]);
@@ -56,7 +57,7 @@ export function surfaceOf({ size: [nx, ny, nz], origin, pitch, cells }: Voxels):
 	return { positions: places.map((value, i) => origin[i % 3] + pitch * value), indices: halved(quads) };
 }
 
-/** Every vertex towards the mean of its neighbours. */
+/** Moves every vertex towards the mean of its neighbours. */
 function relaxed(middles: Float32Array, quads: Uint32Array): Float32Array {
 	const places = middles.slice();
 	const [sums, counts] = [new Float32Array(places.length), new Uint8Array(places.length / 3)];

@@ -1,9 +1,9 @@
-/** Where texture coordinates run on a surface, as glTF's TANGENT has it: what pictures of normals are told by. */
+/** Tangents along texture coordinates, as in glTF's TANGENT, for pictures of normals. */
 import type { Mesh } from "../plant/plant";
 
 /**
- * 4 × vertices: the unit vector along which u increases, at right angles to the normal, and the sign by which
- * normal × tangent points up the picture, against v. Means over the triangles about each vertex, by their areas.
+ * 4 × vertices: the unit vector along which u increases, perpendicular to the normal, and the sign by which normal ×
+ * tangent points up the picture, against v. Means over the adjacent triangles, weighted by area.
  */
 export function tangentsOf({ positions, normals, uvs, indices }: Mesh): Float32Array {
 	const tangents = new Float32Array((positions.length / 3) * 4);
@@ -11,7 +11,7 @@ export function tangentsOf({ positions, normals, uvs, indices }: Mesh): Float32A
 		const [a, b, c] = [indices[at], indices[at + 1], indices[at + 2]];
 		const [du1, dv1] = [uvs[2 * b] - uvs[2 * a], uvs[2 * b + 1] - uvs[2 * a + 1]];
 		const [du2, dv2] = [uvs[2 * c] - uvs[2 * a], uvs[2 * c + 1] - uvs[2 * a + 1]];
-		// Twice the area in the picture; v runs down, so what is seen as it is turns the other way.
+		// Twice the area in the picture; v runs down, which reverses the orientation.
 		const turn = du1 * dv2 - du2 * dv1;
 		for (const corner of [a, b, c]) {
 			for (let k = 0; k < 3; k++) {
@@ -28,7 +28,9 @@ export function tangentsOf({ positions, normals, uvs, indices }: Mesh): Float32A
 	return tangents;
 }
 
-/** At right angles to the normal, and of unit length; any such where the texture does not say. */
+/**
+ * Makes a tangent perpendicular to the normal, and of unit length; any such vector where the texture determines none.
+ */
 function straighten(tangent: Float32Array, [nx, ny, nz]: Float32Array): void {
 	const across = tangent[0] * nx + tangent[1] * ny + tangent[2] * nz;
 	let [x, y, z] = [tangent[0] - across * nx, tangent[1] - across * ny, tangent[2] - across * nz];

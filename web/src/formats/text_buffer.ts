@@ -3,36 +3,36 @@ import { MOST_TEXT_BYTES } from "./limits";
 import { EXACT_POWERS, placesOf, shortFloat } from "./numbers";
 
 /**
- * Text written straight as bytes: formatting a number here costs some ten nanoseconds, a tenth of `toFixed` and
- * joining, which is what an OBJ of a million numbers needs.
+ * Text written as bytes: formatting a number here takes some ten nanoseconds, a tenth of `toFixed` and joining, which
+ * makes an OBJ of a million numbers fast.
  */
 
 const ZERO = 0x30;
 const MINUS = 0x2d;
 const POINT = 0x2e;
 const LAST_OF_ASCII = 0x7f;
-/** A sign, a zero and a point, fourteen places, the character after it. */
+/** A sign, a zero and a point, fourteen digits, the character after it. */
 const LONGEST_NUMBER = 18;
 const LARGEST_INTEGER = 0x7fffffff;
 const POWERS = [1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
 
 /** Bytes of a chunk of text: a long text is never copied to grow. */
 const CHUNK = 1 << 20;
-/** The first is smaller: many texts are short. */
+/** The first chunk is smaller: many texts are short. */
 const FIRST_CHUNK = 1 << 16;
 
-/** Throws FileTooLargeError where the text becomes larger than `most`. */
+/** Collects text. Throws FileTooLargeError where the text becomes larger than `most`. */
 export class TextBuffer {
-	/** Chunks that are complete. */
+	/** Complete chunks. */
 	readonly #chunks: Uint8Array<ArrayBuffer>[] = [];
-	/** Their bytes. */
+	/** Bytes of the complete chunks. */
 	#complete = 0;
 	#bytes: Uint8Array<ArrayBuffer>;
 	#length = 0;
 
 	/**
 	 * @param chunk bytes of each chunk
-	 * @param most bytes of the text at the most
+	 * @param most the most bytes of the text
 	 */
 	constructor(
 		readonly chunk = CHUNK,
@@ -49,7 +49,7 @@ export class TextBuffer {
 		this.#length += encoded.length;
 	}
 
-	/** The same of a short text; where it is ASCII, many times as fast. */
+	/** Appends a short text; many times as fast where it is ASCII. */
 	word(word: string): void {
 		this.#reserve(word.length);
 		const bytes = this.#bytes;
@@ -72,7 +72,7 @@ export class TextBuffer {
 		this.#bytes[this.#length++] = end;
 	}
 
-	/** Appends `value` rounded to `decimals` (0 … 9), zeros at the end left out, and the character `end`. */
+	/** Appends `value` rounded to `decimals` (0 … 9), without trailing zeros, and the character `end`. */
 	fixed(value: number, decimals: number, end: number): void {
 		const power = POWERS[decimals];
 		const scaled = Math.round(Math.abs(value) * power);
@@ -88,7 +88,7 @@ export class TextBuffer {
 		this.#bytes[this.#length++] = end;
 	}
 
-	/** Appends a float32 as JSON has it, in the fewest digits that it can be read back from: what `shortFloat` gives. */
+	/** Appends a float32 as JSON, in the fewest digits that read back as the same value: those of `shortFloat`. */
 	short(value: number): void {
 		const places = placesOf(value);
 		if (places === undefined) {
@@ -104,12 +104,12 @@ export class TextBuffer {
 		this.#fraction(scaled - whole * power, places);
 	}
 
-	/** All that was appended, in pieces: for files, which need it in one piece nowhere. Nothing may be appended after. */
+	/** The text in pieces, for files. Append nothing afterwards. */
 	chunks(): Uint8Array<ArrayBuffer>[] {
 		return [...this.#chunks, this.#bytes.subarray(0, this.#length)];
 	}
 
-	/** The same in one piece of its own. */
+	/** The text in one piece. */
 	bytes(): Uint8Array<ArrayBuffer> {
 		const whole = new Uint8Array(this.#complete + this.#length);
 		let at = 0;
@@ -120,7 +120,7 @@ export class TextBuffer {
 		return whole;
 	}
 
-	/** The same as a text. */
+	/** The text as a string. */
 	toString(): string {
 		const decoder = new TextDecoder();
 		const texts = this.chunks().map((chunk) => decoder.decode(chunk, { stream: true }));
@@ -129,7 +129,7 @@ export class TextBuffer {
 
 	#fraction(scaled: number, decimals: number): void {
 		if (scaled === 0) return;
-		let fraction = scaled | 0; // the remainder of what is no whole number to the machine takes many times as long
+		let fraction = scaled | 0; // the remainder of a number that is not a small integer takes many times as long
 		let places = decimals;
 		for (; fraction % 10 === 0; fraction /= 10) places--;
 		this.#bytes[this.#length++] = POINT;

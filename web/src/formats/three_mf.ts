@@ -8,10 +8,10 @@ import { printed } from "./stl";
 import { TextBuffer } from "./text_buffer";
 import { ZIP_DATE } from "./zip_date";
 
-/** Of a millimetre: a micrometre. */
+/** Decimals of a millimetre: a micrometre. */
 const DECIMALS = 3;
 const QUOTE = 0x22;
-/** Beyond this, deflating takes longer than all the rest and saves three hundredths. */
+/** Compression level: higher ones take longer than all other work and save three hundredths. */
 const LEVEL = 3;
 
 const TYPES = `<?xml version="1.0" encoding="UTF-8"?>
@@ -20,8 +20,8 @@ const RELATIONS = `<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>`;
 
 /**
- * @param thickness that nothing is thinner than, millimetres
- * @param note receives a sentence for each way in which the body differs from what was asked for
+ * @param thickness the least thickness, millimetres
+ * @param note receives a sentence for each way in which the body differs from the request
  * @throws EmptyPlantError where the plant has no mesh
  */
 export async function threeMf(

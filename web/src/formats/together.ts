@@ -1,15 +1,15 @@
 /**
- * Instances that are no parts by themselves, as meshes: thousands of leaves. A node each takes readers minutes to open, and
- * one node for all takes an extension.
+ * Merges instances that are no parts by themselves, such as thousands of leaves, into meshes. Readers take minutes to
+ * open one node per instance, and one node for all needs an extension.
  */
 import { placeVectors, rows } from "../plant/orientation";
 import { type Instances, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
 
-/** Vertices of a mesh at the most: triangles count them in 16 bits. */
+/** The most vertices of a mesh, for 16-bit indices. */
 const MOST_VERTICES = 65_535;
 const ORIGIN = [0, 0, 0] as const;
 
-/** The same part, and all it holds, with a mesh in place of such instances, or a child for each of several. */
+/** The part and its children, with a mesh in place of such instances, or a child for each of several meshes. */
 export function together(part: Part): Part {
 	const children = part.children?.map(together);
 	const held = children ? { ...part, children } : part;
@@ -26,7 +26,7 @@ function* shapesOf({ instances: _, ...shape }: Shape, instances: Instances): Gen
 	const { mesh } = shape;
 	const atOnce = Math.max(1, Math.floor((MOST_VERTICES * 3) / mesh.positions.length));
 	const count = countOf(instances);
-	// Even meshes, not full ones and a rest.
+	// Meshes of equal size, rather than full ones and a rest.
 	const each = Math.ceil(count / Math.ceil(count / atOnce));
 	for (let from = 0; from < count; from += each) {
 		yield { ...shape, mesh: meshOf(mesh, instances, from, Math.min(count, from + each)) };
@@ -55,7 +55,7 @@ function meshOf(mesh: PartMesh, { transforms, sky }: Instances, from: number, to
 	return merged;
 }
 
-/** A mesh's vertices where one of its instances stands. */
+/** A mesh's vertices after the transform of one of its instances. */
 export function placed(mesh: PartMesh, [x, y, z, qx, qy, qz, qw, scale]: Float32Array) {
 	const turn = rows({ x: qx, y: qy, z: qz, w: qw });
 	const positions = new Float64Array(mesh.positions.length);

@@ -1,6 +1,6 @@
 /**
- * USDZ (Universal Scene Description, zipped), which phones show in the room: meshes, UsdPreviewSurface and PNGs, metres, +Y up. The layer is
- * text, as the specification allows.
+ * USDZ (Universal Scene Description, zipped), which phones show in augmented reality: meshes, UsdPreviewSurface and
+ * PNGs, metres, +Y up. The layer is text, as the specification allows.
  */
 import { type Zippable, zipSync } from "fflate";
 import { meanColour } from "../plant/colour";
@@ -15,10 +15,10 @@ import { png } from "./png";
 import { TextBuffer } from "./text_buffer";
 import { ZIP_DATE } from "./zip_date";
 
-/** What phones show at once without a thought. */
+/** The most triangles, which phones draw easily. */
 const TRIANGLES = 50_000;
 const PIXELS = 512;
-/** Of a metre: a hundredth of a millimetre; of a normal; of a picture's edge. */
+/** Decimals of a metre (a hundredth of a millimetre), of a normal, and of texture coordinates. */
 const POSITION_DECIMALS = 5;
 const NORMAL_DECIMALS = 3;
 const UV_DECIMALS = 5;
@@ -106,7 +106,7 @@ function writeMesh(
 function writeMaterial(out: TextBuffer, index: number, material: Material, mesh: PartMesh, picture?: string): void {
 	const path = `/Plant/Material_${index}`;
 	const colour = picture ? `.connect = <${path}/Colour.outputs:rgb>` : ` = (${material.colour.map(short).join(", ")})`;
-	// A picture is as dark as vertices are in the mean, in the shade that they stand in.
+	// The mean shade of the vertices darkens the picture.
 	const shade = material.textures?.colour && mesh.colours ? meanColour(mesh.colours) : [1, 1, 1];
 	const { clearcoat, ior = 1.5, roughness } = material;
 	out.text(`    def Material "Material_${index}"
@@ -175,7 +175,7 @@ function zipped(files: readonly [string, Uint8Array][]): Uint8Array<ArrayBuffer>
 	const all: Zippable = {};
 	let at = 0;
 	for (const [name, bytes] of files) {
-		// A header of 30 bytes, the name, and an extra field of 4 bytes and what fills up.
+		// A header of 30 bytes, the name, and an extra field of 4 bytes and padding.
 		const start = at + 30 + name.length + 4;
 		const padding = (64 - (start % 64)) % 64;
 		all[name] = [bytes, { extra: { 6534: new Uint8Array(padding) } }];

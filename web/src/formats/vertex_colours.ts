@@ -1,14 +1,14 @@
 /**
- * Colours of vertices as glTF wants them: `COLOR_0` can only darken what a material's base colour says. So the base is
- * the brightest of all vertices, channel by channel: nothing is cut off, dark skins keep as many steps as eight bits
- * have, and a viewer that knows no vertex colours still shows a plant of the right colour.
+ * Vertex colours in glTF: `COLOR_0` can only darken a material's base colour. So the base is the brightest of all
+ * vertices, channel by channel: no colour is clipped, dark skins have all steps of eight bits, and a viewer without
+ * vertex colours still shows a plant of the right colour.
  */
 import type { Colour } from "../plant/colour";
 import type { Material } from "../plant/material";
 import type { PartMesh } from "../plant/part";
 import { everywhere, shaded } from "../plant/shade";
 
-/** The brightest of 3 × vertices and of `so far`, channel by channel; linear. */
+/** The brightest of 3 × vertices and of `soFar`, channel by channel; linear. */
 export function brightest(colours: Float32Array, soFar: Colour = [0, 0, 0]): Colour {
 	const base: Colour = [...soFar];
 	for (let i = 0; i < colours.length; i += 3) {
@@ -19,7 +19,7 @@ export function brightest(colours: Float32Array, soFar: Colour = [0, 0, 0]): Col
 	return base;
 }
 
-/** What `base` is to be multiplied with at each vertex: 4 × vertices, red, green, blue, 255. */
+/** The factor on `base` at each vertex: 4 × vertices, red, green, blue, 255. */
 export function sharesOf(colours: Float32Array, base: Colour): Uint8Array {
 	const scale = base.map((value) => (value > 0 ? 255 / value : 0));
 	const bytes = new Uint8Array((colours.length / 3) * 4);
@@ -32,12 +32,12 @@ export function sharesOf(colours: Float32Array, base: Colour): Uint8Array {
 	return bytes;
 }
 
-/** Where vertices have no colours: a texture takes the place of the material's. */
+/** The base colour without vertex colours: a texture replaces the material's. */
 export function plainBase({ colour, textures }: Material): Colour {
 	return textures?.colour ? [1, 1, 1] : colour;
 }
 
-/** Colours of vertices in the shade in which they stand: most programs know no other way to show it. */
+/** Vertex colours in the shade: most programs have no other way to show it. */
 export function writtenColours(mesh: PartMesh, material: Material): Float32Array | undefined {
 	const { colours, sky, positions } = mesh;
 	if (!sky) return colours;

@@ -1,7 +1,7 @@
-/** A body as cells of a grid: what closed meshes hold, and what no cell is thick enough to show made thick. */
+/** A body as voxels: the inside of closed meshes, with thin parts thickened to at least one cell. */
 import type { Mesh } from "../plant/plant";
 
-/** Cells, 1 where there is body; x runs fastest. The outermost layer on every side is empty. */
+/** Cells, 1 inside the body; x runs fastest. The outermost layer on every side is empty. */
 export interface Voxels {
 	readonly size: readonly [x: number, y: number, z: number];
 	/** The corner of the first cell, and the edge of every cell. */
@@ -10,7 +10,7 @@ export interface Voxels {
 	readonly cells: Uint8Array;
 }
 
-/** Empty layers about what is asked for: as far as bodies may grow, and one. */
+/** Empty layers around the box: the growth of bodies, and one. */
 const MARGIN = 4;
 
 /** @param margin empty layers on every side of the box from `low` to `high` */
@@ -21,9 +21,9 @@ export function emptyVoxels(low: readonly number[], high: readonly number[], pit
 	return { size, origin, pitch, cells: new Uint8Array(size[0] * size[1] * size[2]) };
 }
 
-/** Fills the cells whose middle any of the closed meshes holds: about which all of them together wind. */
+/** Fills the cells whose middle is inside any of the closed meshes, by the winding number of all of them together. */
 export function fillInside({ size: [nx, ny, nz], origin, pitch, cells }: Voxels, closed: readonly Mesh[]): void {
-	// What a row along x passes through, by rows: where, and whether into or out of a body.
+	// Crossings of each row along x: the position, and whether it enters or leaves a body.
 	const rows = new Map<number, number[]>();
 	const at = (mesh: Mesh, vertex: number, axis: number) =>
 		(mesh.positions[3 * vertex + axis] - origin[axis]) / pitch - 0.5;
@@ -53,7 +53,7 @@ export function fillInside({ size: [nx, ny, nz], origin, pitch, cells }: Voxels,
 	for (const [row, crossings] of rows) fillRow(cells.subarray(row * nx, (row + 1) * nx), crossings);
 }
 
-/** Shares of a cell by which meshes are moved, so that no row runs along an edge of what is symmetrical. */
+/** Shares of a cell by which meshes are shifted, so that no row runs along an edge of a symmetrical body. */
 const ASIDE = [1.7e-5, 2.3e-5] as const;
 
 function fillRow(row: Uint8Array, crossings: readonly number[]): void {
@@ -69,7 +69,7 @@ function fillRow(row: Uint8Array, crossings: readonly number[]): void {
 	}
 }
 
-/** Fills the cells that surfaces pass through where no cell about them is filled: what is thinner than a cell. */
+/** Fills the cells that surfaces pass through without a filled neighbour: parts thinner than a cell. */
 export function fillThin(voxels: Voxels, surfaces: readonly Mesh[]): void {
 	const {
 		size: [nx, ny],
@@ -102,8 +102,8 @@ export function fillThin(voxels: Voxels, surfaces: readonly Mesh[]): void {
 const distance = (a: readonly number[], b: readonly number[]) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 
 /**
- * Makes the body a union of cubes of `thick` cells: so thick it is everywhere then. What is thicker stays as it is (an opening);
- * what is thinner grows about its middle.
+ * Makes the body a union of cubes of `thick` cells, which is its least thickness. Thicker parts stay as they are (an
+ * opening); thinner ones grow around their middle.
  */
 export function thicken({ size, cells }: Voxels, thick: number): void {
 	const [before, after] = [-Math.floor((thick - 1) / 2), Math.ceil((thick - 1) / 2)];
@@ -124,17 +124,19 @@ export function closeGaps({ size, cells }: Voxels, reach: number): void {
 	narrow(cells, size, -reach, reach);
 }
 
-/** Cells from whose place less `from` … `to` along each axis a filled one is seen (a dilation by a box). */
+/** Fills cells with a filled cell at minus `from` … `to` along each axis (a dilation by a box). */
 function widen(cells: Uint8Array, size: Voxels["size"], from: number, to: number): void {
 	slide(cells, size, from, to, 1);
 }
 
-/** Cells about which, `from` … `to` along each axis, all are filled (an erosion by a box). */
+/** Leaves only cells with all cells filled at `from` … `to` along each axis (an erosion by a box). */
 function narrow(cells: Uint8Array, size: Voxels["size"], from: number, to: number): void {
 	slide(cells, size, from, to, 0);
 }
 
-/** One axis after the other. `wins` is the value that spreads: filled ones seen from ahead, empty ones from behind. */
+/**
+ * Works along one axis after the other. `wins` is the value that spreads: filled cells forwards, empty ones backwards.
+ */
 function slide(cells: Uint8Array, [nx, ny, nz]: Voxels["size"], from: number, to: number, wins: 0 | 1): void {
 	const [first, last] = wins ? [-to, -from] : [from, to];
 	const axes = [
@@ -161,7 +163,9 @@ function slide(cells: Uint8Array, [nx, ny, nz]: Voxels["size"], from: number, to
 	}
 }
 
-/** Fills one cell of every square of four in which only two that are across from each other are filled: there edges would meet four faces. */
+/**
+ * Fills one cell of every square of four in which only two diagonal ones are filled: there edges would have four faces.
+ */
 export function withoutPinches({ size: [nx, ny, nz], cells }: Voxels): void {
 	const plane = nx * ny;
 	const mend = (at: number, u: number, v: number) => {
@@ -173,7 +177,7 @@ export function withoutPinches({ size: [nx, ny, nz], cells }: Voxels): void {
 	for (let changed = true; changed; ) {
 		changed = false;
 		for (let i = 0; i < plane * (nz - 1) - nx - 1; i++) {
-			// What differs from fewer than two of its neighbours is no corner of such a square.
+			// A cell that differs from fewer than two of its neighbours is no corner of such a square.
 			const filled = 3 * cells[i];
 			if (Math.abs(filled - cells[i + 1] - cells[i + nx] - cells[i + plane]) < 2) continue;
 			if (mend(i, 1, nx)) changed = true;

@@ -1,4 +1,7 @@
-/** The *web* form: what pages load, as small as it looks the same. Readers must know meshoptimizer's compression, as three.js does. */
+/**
+ * The *web* form: as small as possible without a visible difference, for pages. Readers must know meshoptimizer's
+ * compression, as three.js does.
+ */
 import { MeshoptEncoder } from "meshoptimizer/encoder";
 import type { Part, PartMesh } from "../plant/part";
 import type { About } from "./about";
@@ -9,8 +12,9 @@ import { taken } from "./simplified";
 const PIXELS = 512;
 
 /**
- * The file: at most 5 draw calls, KHR_mesh_quantization and EXT_meshopt_compression.
- * @param compressed without it the same values in the same order stand there as they are, for readers that cannot unpack them
+ * Writes the file: at most 5 draw calls, KHR_mesh_quantization and EXT_meshopt_compression.
+ * @param compressed without it the same values in the same order are written uncompressed, for readers without the
+ * extension
  */
 export async function webGlb(parts: Iterable<Part>, about: About, compressed = true): Promise<Uint8Array<ArrayBuffer>> {
 	await MeshoptEncoder.ready;
@@ -18,12 +22,12 @@ export async function webGlb(parts: Iterable<Part>, about: About, compressed = t
 	return exportGlb(light, about, compressed ? { encoder: MeshoptEncoder } : { compact: true });
 }
 
-/** Triangles and vertices in an order that packs well. */
+/** Orders triangles and vertices for compression. */
 function ordered(part: Part): Part {
 	if (!part.shape) return part;
 	const { mesh } = part.shape;
 	const indices = mesh.indices.slice();
-	// It writes the triangles, in their new order and by their new vertices, where the old ones were.
+	// reorderMesh overwrites the triangles, in their new order and with their new vertices.
 	const [to, count] = MeshoptEncoder.reorderMesh(indices, true, true);
 	const from = new Uint32Array(count);
 	for (const [vertex, place] of to.entries()) if (place < count) from[place] = vertex;

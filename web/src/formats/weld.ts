@@ -1,25 +1,25 @@
-/** Vertices that are equal as one. */
+/** Merged equal vertices. */
 
 export interface Welded {
-	/** The triangles, by the new vertices; those without area, two of whose corners became one, are left out. */
+	/** The triangles, by the new vertices, without those that have lost their area because two corners were merged. */
 	indices: Uint32Array;
 	/** The first old vertex of each new one. */
 	from: Uint32Array;
-	/** New vertices. */
+	/** The number of new vertices. */
 	count: number;
 }
 
 /**
- * @param mesh.positions 3 × vertices: equal only where they are so to the last bit
+ * @param mesh.positions 3 × vertices: equal only to the last bit
  * @param mesh.indices 3 × triangles
- * @param rows what else must be equal: so many whole numbers for each vertex, one row after the other
+ * @param rows further values that must be equal: whole numbers for each vertex, one row after the other
  */
 export function welded(
 	{ positions, indices }: { positions: Float32Array; indices: Uint32Array },
 	...rows: Int32Array[]
 ): Welded {
 	const vertices = positions.length / 3;
-	// Adding 0 makes 0 of −0.
+	// Adding 0 turns −0 into 0.
 	const bits = new Int32Array(Float32Array.from(positions, (value) => value + 0).buffer);
 	const keys = interleaved([bits, ...rows], vertices);
 	const width = keys.length / (vertices || 1);

@@ -1,6 +1,7 @@
 /**
- * The *wind* form: a plant that sways for ever, in plain glTF. Every vertex has two targets of morphing, where a sine and where a cosine
- * of time take it (plant/swing.ts); an animation of their weights goes round without a seam. What readers play nothing is at rest.
+ * The *wind* form: a plant that sways without end, in plain glTF. Every vertex has two morph targets, its displacement
+ * by a sine and by a cosine of time (plant/swing.ts); an animation of their weights loops without a seam. Readers
+ * without animation show the plant at rest.
  */
 import type { Part } from "../plant/part";
 import type { Sway } from "../plant/sway";
@@ -12,7 +13,7 @@ import { WIND_TRIANGLES } from "./plant_files";
 
 const PIXELS = 256;
 
-/** @param sway absent of what stands still: then nothing moves */
+/** @param sway absent where wind does not move the plant */
 export async function windGlb(
 	parts: Iterable<Part>,
 	about: About,
