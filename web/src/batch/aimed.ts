@@ -1,14 +1,14 @@
-/** A plant for which measures are asked: its parameters are found anew for every one. */
+/** A plant with target measures: parameters are searched for each plant. */
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
 import { type Answer, type Means, solve } from "../targets/solve";
 
-/** Grows a specimen without meshes, measured. */
+/** Grows and measures a specimen without meshes. */
 export type Measuring = (specimen: Specimen) => Promise<Pick<Plant, "measures">>;
 
-/** @throws what growing throws */
+/** @throws errors of growing */
 export async function aimed(
 	model: Model,
 	from: Specimen,

@@ -1,4 +1,4 @@
-/** CRC-32 as in ZIP archives and PNG (ISO 3309): tells a file that is whole from one that is not. */
+/** CRC-32 as in ZIP archives and PNG (ISO 3309), which reveals damaged files. */
 
 const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
 	let bits = byte;

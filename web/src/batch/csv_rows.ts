@@ -1,4 +1,7 @@
-/** Rows and cells of a table as csv.ts writes it (RFC 4180), read in one pass each. A table of an interrupted series may end anywhere. */
+/**
+ * Rows and cells of a table that csv.ts wrote (RFC 4180), read in one pass each. The table of an interrupted series may
+ * end anywhere.
+ */
 
 /** Whole rows with their CRLF; a CRLF within quotation marks ends no row. An unfinished last row is left out. */
 export function splitRows(text: string): string[] {
@@ -15,7 +18,10 @@ export function splitRows(text: string): string[] {
 	return rows;
 }
 
-/** The values of a row's cells. @param row with its CRLF */
+/**
+ * The values of a row's cells.
+ * @param row with its CRLF
+ */
 export function splitCells(row: string): string[] {
 	const cells: string[] = [];
 	const end = row.length - "\r\n".length;
@@ -30,5 +36,5 @@ export function splitCells(row: string): string[] {
 	return cells;
 }
 
-/** A cell without its quotation marks; two within them stand for one. */
+/** A cell without its quotation marks; a doubled one inside is a single one. */
 const unquote = (cell: string): string => (cell.startsWith('"') ? cell.slice(1, -1).replaceAll('""', '"') : cell);

@@ -1,8 +1,9 @@
 /**
- * Random draws of a series: the seed of each plant, and the values of what differs from plant to plant.
+ * Random draws of a series: the seed of each plant, and the values of varied parameters.
  *
- * Seeds that are counted up, or that are the same in two varieties, give related plants: a model may spread seeds evenly on purpose (a
- * bunch's length is a multiple of the golden ratio), which is wanted in the page and wrong in a sample. A series therefore hashes.
+ * Consecutive seeds, and equal seeds of two varieties, give related plants: a model may spread seeds evenly on purpose
+ * (a bunch's length is a multiple of the golden ratio), which is right for the page and wrong for a sample. A series
+ * therefore hashes.
  */
 import { DEFAULT_SEED } from "../specimen/from_preset";
 import { encodeQuery, textsOf } from "../specimen/link";
@@ -12,13 +13,16 @@ import type { Specimen } from "../specimen/specimen";
 export interface Draws {
 	/** Whether the numbers are the seeds, and shares are the same in every series. */
 	readonly literal: boolean;
-	/** The seed of a plant by its number; no two numbers have the same. 0 … 2³² − 1. */
+	/** The seed of a plant by its number, 0 … 2³² − 1; different for each number. */
 	seed(number: number): number;
-	/** A share for a plant and a quantity: 0 up to but not 1, uniform. `quantity` names what is drawn: `vary age`. */
+	/** A uniform share for a plant and a quantity: from 0 to below 1. `quantity` names the drawn value: `vary age`. */
 	share(quantity: string, number: number): number;
 }
 
-/** What all plants of a series have in common, as one text: the query without its seed, and the texts of the fragment, not packed. */
+/**
+ * The settings that all plants of a series share, as one text: the query without its seed, and the texts of the
+ * fragment, uncompressed.
+ */
 export function specificationOf<S extends Specimen>(species: ModelSchema<S>, from: S): string {
 	const common = { ...from, seed: DEFAULT_SEED };
 	return JSON.stringify([species.name, from.preset, encodeQuery(species, common), ...textsOf(species, common)]);
@@ -35,8 +39,8 @@ export function independentDraws<S extends Specimen>(species: ModelSchema<S>, fr
 }
 
 /**
- * Draws for comparisons in pairs: the number itself is the seed, and a quantity has the same share in every series, whatever its
- * variety and settings.
+ * Draws for paired comparisons: the number itself is the seed, and a quantity has the same share in every series,
+ * whatever its variety and settings.
  */
 export function literalDraws(): Draws {
 	const draw = hashFunction("");
@@ -47,7 +51,7 @@ export function literalDraws(): Draws {
 	};
 }
 
-/** A function from a quantity and a number to 32 bits, one to one in the number. */
+/** A function from a quantity and a number to 32 bits, one-to-one in the number. */
 function hashFunction(specification: string): (quantity: string, number: number) => number {
 	const keys = new Map<string, readonly [number, number]>();
 	return (quantity, number) => {
@@ -60,14 +64,14 @@ function hashFunction(specification: string): (quantity: string, number: number)
 	};
 }
 
-/** 64 bits of a text: FNV-1a (Fowler, Noll, Vo 1991) over its UTF-8, as two words. */
+/** A hash of 64 bits of a text: FNV-1a (Fowler, Noll, Vo 1991) over its UTF-8, as two words. */
 function hashText(text: string): readonly [number, number] {
 	let hash = 0xcbf29ce484222325n;
 	for (const byte of new TextEncoder().encode(text)) hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);
 	return [mixBits(Number(hash >> 32n)), mixBits(Number(hash & 0xffffffffn))];
 }
 
-/** Makes every bit depend on every other, one to one (Appleby 2011, the finalizer of MurmurHash3). */
+/** Makes every bit depend on every other, one-to-one (Appleby 2011, the finalizer of MurmurHash3). */
 function mixBits(bits: number): number {
 	let h = bits;
 	h = Math.imul(h ^ (h >>> 16), 0x85ebca6b);

@@ -1,4 +1,4 @@
-/** Goals of a series: measures to be met by each plant, one value for all or drawn from a range. */
+/** Goals of a series: target measures of each plant, one value for all or drawn from a range. */
 import type { MeasureInfo } from "../specimen/measures";
 import type { Table } from "../specimen/table";
 import type { Aim } from "../targets/aim";
@@ -9,14 +9,14 @@ export interface Goal {
 	readonly measure: string;
 	/** In the measure's unit; a share from 0 to 1. */
 	readonly from: number;
-	/** The same as `from` where one value is wanted. */
+	/** Equal to `from` for a single value. */
 	readonly to: number;
 }
 
-/** As `--target` has it: `160`, `120..160`. */
+/** The text for `--target`: `160`, `120..160`. */
 export const formatGoal = ({ from, to }: Goal): string => (from === to ? String(from) : `${from}..${to}`);
 
-/** What a plant aims at, by its number: of a range each value is as likely as any other. */
+/** The targets of a plant, by its number: uniformly drawn from ranges. */
 export function aimsOf(
 	{ measures }: Pick<Table, "measures">,
 	goals: readonly Goal[],

@@ -1,6 +1,7 @@
 /**
- * The manifest of a series, `series.json` beside its table: everything that determines its files. Two calls with equal manifests make the same
- * files, so that one can continue another; series with different manifests must not share a folder.
+ * The manifest of a series, `series.json` beside its table: everything that determines its files. Two calls with equal
+ * manifests make the same files, so that one can continue another; series with different manifests must not share a
+ * folder.
  */
 import { GENERATOR } from "../formats/generator";
 import type { FileOptions } from "../formats/plant_files";
@@ -19,10 +20,10 @@ export interface Manifest {
 	readonly preset: string;
 	/** Settings of all plants besides the preset, by the keys of links. */
 	readonly settings: Readonly<Record<string, string>>;
-	/** Texts of the plants' own, by the keys of links. */
+	/** Texts in place of the presets', by the keys of links. */
 	readonly texts: Readonly<Record<string, string>>;
 	readonly draws: "independent" | "literal";
-	/** Numbers of all plants, as `--seeds` has them. */
+	/** Numbers of all plants, in the form of `--seeds`. */
 	readonly plants: string;
 	/** The number of parts of the series, each with its own table. */
 	readonly parts: number;
@@ -36,7 +37,7 @@ export interface Manifest {
 	readonly options: FileOptions;
 }
 
-/** @param numbers of all plants, those of other parts among them */
+/** @param numbers numbers of all plants, including those of other parts */
 export function manifestOf(series: Series, numbers: readonly number[], parts = 1): Manifest {
 	const { model, from, varied, goals = [], draws, formats, options = {} } = series;
 	const common = { ...from, seed: DEFAULT_SEED };
@@ -59,7 +60,8 @@ export function manifestOf(series: Series, numbers: readonly number[], parts = 1
 export const formatManifest = (manifest: Manifest): string => `${JSON.stringify(manifest, null, "\t")}\n`;
 
 /**
- * The differences between a manifest that was read and another, in the terms of the command line: `--seeds: 1-12 there, 5-8 here`.
+ * The differences between a manifest that was read and another, in the terms of the command line: `--seeds: 1-12 there,
+ * 5-8 here`.
  * @param there any text; a text that is not a manifest is one difference
  */
 export function differencesFrom(there: string, here: Manifest): string[] {
@@ -106,7 +108,7 @@ function parseObject(text: string): object {
 	}
 }
 
-/** Characters of a value that a message shows. */
+/** The most characters of a value in a message. */
 const SHOWN = 40;
 
 function quoteValue(value: string | undefined): string {
@@ -114,7 +116,7 @@ function quoteValue(value: string | undefined): string {
 	return value.length > SHOWN || value.includes("\n") ? "another text" : value;
 }
 
-/** Numbers as `--seeds` takes them, neighbours as ranges: `1-12,20`. */
+/** Numbers in the form of `--seeds`, neighbours as ranges: `1-12,20`. */
 function formatRanges(numbers: readonly number[]): string {
 	const ranges: [first: number, last: number][] = [];
 	for (const number of numbers) {

@@ -1,12 +1,12 @@
-/** The numbers of a series' plants, as a person writes them after `--seeds`: `1-100`, `7`, `1-10,20,33-35`. */
+/** The numbers of a series' plants in the form of `--seeds`: `1-100`, `7`, `1-10,20,33-35`. */
 import { SEED } from "../specimen/limits";
 import { Unusable } from "./unusable";
 
-/** Plants of one series at the most: its table is still one that spreadsheets open. */
+/** The most plants of one series: spreadsheets still open its table. */
 export const MOST_PLANTS = 100_000;
 
 /**
- * Each number once, in the order in which they are written.
+ * Each number once, in the order of the text.
  * @throws Unusable
  */
 export function readPlantNumbers(text: string): number[] {

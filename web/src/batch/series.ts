@@ -1,4 +1,6 @@
-/** Many plants of one model that differ in seed and in what is varied: the same on any machine, in any order. */
+/**
+ * A series: many plants of one model that differ in seed and varied parameters; the same on any machine, in any order.
+ */
 
 import { type FileOptions, PLANT_FILES } from "../formats/plant_files";
 import type { FileRequest } from "../generate/files/messages";
@@ -18,14 +20,14 @@ import { drawn, type Varied, withVaried } from "./vary";
 
 export interface Series {
 	readonly model: Model;
-	/** What all plants have but for seed and what is varied. */
+	/** The specimen of all plants, without seed and varied parameters. */
 	readonly from: Specimen;
 	readonly varied: readonly Varied[];
-	/** Seeds and values of what is varied, by the plants' numbers. */
+	/** Draws seeds and varied values by the plants' numbers. */
 	readonly draws: Draws;
-	/** Measures that each is to meet: its parameters are searched for with its seed. */
+	/** Target measures of each plant: parameters are searched for with its seed. */
 	readonly goals?: readonly Goal[];
-	/** Kinds of files of each: keys of `formatsOf`, one at the least. */
+	/** Kinds of files of each plant: keys of `formatsOf`, at least one. */
 	readonly formats: readonly string[];
 	readonly options?: FileOptions;
 }
@@ -35,11 +37,11 @@ export interface Member {
 	readonly number: number;
 	readonly seed: number;
 	readonly specimen: Specimen;
-	/** The values of what is varied, in its order. */
+	/** The varied values, in the order of `varied`. */
 	readonly values: readonly string[];
-	/** What its measures are to be, in the order of the goals. */
+	/** The targets, in the order of the goals. */
 	readonly aims: readonly Aim[];
-	/** Query and fragment that bring it back, by themselves. */
+	/** Query and fragment that restore the plant by itself. */
 	readonly link: string;
 	/** Names of its files, in the order of the formats. */
 	readonly files: readonly string[];
@@ -55,17 +57,17 @@ export interface MadeFile {
 
 export interface Grown {
 	readonly plant: Plant;
-	/** With the parameters that were found, where measures were to be met. */
+	/** With the parameters that reach the targets, if there are targets. */
 	readonly specimen: Specimen;
-	/** Query and fragment that bring it back; the member's own where no measures were to be met. */
+	/** Query and fragment that restore it; the member's own without targets. */
 	readonly link: string;
-	/** Keys of the measures that were not met. */
+	/** Keys of missed target measures. */
 	readonly missed: readonly string[];
 	/** In the order of the formats. */
 	readonly files: readonly MadeFile[];
 }
 
-/** Every kind of file, by its key. */
+/** The keys of all kinds of files. */
 export const formatsOf = ({ formats = [] }: Pick<Model, "formats">): string[] => [
 	...[...PLANT_FILES.filter(({ life, levelled }) => !life && !levelled).map(({ key }) => key), "obj", "json"],
 	...formats.map(({ key }) => key),
@@ -78,7 +80,7 @@ export function checkFormat(model: Model, format: string): void {
 		throw new Unusable(`“${format}” is no kind of file of a ${model.noun}; there are ${known.join(", ")}`);
 }
 
-/** What the name of a file ends in. */
+/** The suffix of a file's name. */
 function suffixOf({ formats }: Model, format: string): string {
 	const own = formats?.find(({ key }) => key === format);
 	if (own) return own.suffix;
@@ -87,7 +89,7 @@ function suffixOf({ formats }: Model, format: string): string {
 	return `${["", ...form].join("-")}.${kind}`;
 }
 
-/** What the files of a plant are called. */
+/** The names of a plant's files. */
 export const filesOf = ({ model, from, formats }: Series, number: number): string[] =>
 	formats.map((format) => `${from.preset}-${number}${suffixOf(model, format)}`);
 
@@ -111,13 +113,13 @@ export interface Means {
 	make(model: Model, request: FileRequest): Promise<Blob>;
 }
 
-/** Grows one and makes its files; throws what these throw. */
+/** Grows a plant and makes its files; rejects as these do. */
 export async function growMember(series: Series, member: Member, means: Means): Promise<Grown> {
 	const { model, formats, options = {} } = series;
 	const { specimen, link, missed } =
 		member.aims.length > 0 ? await foundFor(series, member, means) : { ...member, missed: [] };
 	const meshes = formats.some((format) => format !== "json");
-	// How long it took is the machine's, and no part of what is the same everywhere.
+	// The time of growing depends on the machine: leave it out.
 	const plant = { ...(await means.grow(model, specimen, { meshes, measures: true })), timings: { grow: 0 } };
 	const files: MadeFile[] = [];
 	for (const [at, format] of formats.entries()) {
@@ -134,11 +136,11 @@ export async function growMember(series: Series, member: Member, means: Means): 
 interface Found {
 	specimen: Specimen;
 	link: string;
-	/** Measures that are not what they are to be, and how near they come. */
+	/** The missed targets, with the nearest values in words. */
 	missed: { measure: string; words: string }[];
 }
 
-/** The specimen that comes nearest to what its measures are to be. */
+/** The specimen nearest to the targets. */
 async function foundFor({ model }: Series, { specimen: from, aims }: Member, { grow }: Means): Promise<Found> {
 	const { specimen, reached } = await aimed(model, from, aims, (each) =>
 		grow(model, each, { meshes: false, measures: true }),

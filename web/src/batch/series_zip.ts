@@ -1,25 +1,25 @@
-/** A series as one archive: what the command line puts into a folder, byte for byte. */
+/** A series as one archive, byte for byte the folder that the command line writes. */
 import { ZipStream } from "../generate/files/zip";
 import { formatManifest, MANIFEST, manifestOf } from "./manifest";
 import { growMember, type Means, memberOf, type Series } from "./series";
 import { columnsOf, failedRow, rowOf, written } from "./table";
 import { Unusable } from "./unusable";
 
-/** Plants of one archive at the most. */
+/** The most plants of one archive. */
 export const MOST_IN_ARCHIVE = 1000;
-/** Bytes of one: readers that know no larger ones count up to this. */
+/** The most bytes: some readers know no larger archives. */
 const LARGEST = 2 ** 31;
 
 export interface Watch {
 	/** Cancels: the promise rejects with its reason. */
 	signal: AbortSignal;
-	/** Told after each plant how many are done. */
+	/** Called after each plant with the number of finished ones. */
 	progress(done: number): void;
 }
 
 /**
- * Grows plant after plant and packs them with their table. One that cannot be grown has its line, which says why.
- * @throws Unusable where none can be grown, and where it comes to more than one archive holds, and the signal's reason
+ * Grows plant after plant and packs their files with the table. A plant that cannot be grown has a row with the reason.
+ * @throws Unusable where no plant can be grown, and where one archive is too small, and the signal's reason
  */
 export async function zipOf(series: Series, numbers: readonly number[], means: Means, watch: Watch): Promise<Blob> {
 	const { signal, progress } = watch;

@@ -12,7 +12,8 @@ type Environment = Readonly<Record<string, string | undefined>>;
 const MOST_SHARDS = 10_000;
 
 /**
- * Reads `3/16`, or `auto` and `auto/16`: the place that a Slurm array or a Kubernetes indexed Job has given this task.
+ * Reads `3/16`, or `auto` and `auto/16`: the index that a Slurm array or a Kubernetes indexed Job has set for this
+ * task.
  * @throws Unusable
  */
 export function readShard(text: string, environment: Environment): Shard {
@@ -27,7 +28,7 @@ export function readShard(text: string, environment: Environment): Shard {
 	return checked({ index: Number(place), total });
 }
 
-/** The seeds of a part, in their order: parts follow one another, and hold as many as each other or one more. */
+/** The seeds of a part, in order: parts follow one another, and their sizes differ by at most one. */
 export function partOf<Item>(items: readonly Item[], { index, total }: Shard): Item[] {
 	const start = (part: number) => Math.floor((part * items.length) / total);
 	return items.slice(start(index - 1), start(index));

@@ -1,19 +1,21 @@
-/** The table of a series: a line for each plant, with all that brings it back and what was measured. */
+/** The table of a series: a row for each plant, with its link and measures. */
 import { classesOf, descriptorsOf } from "../formats/classes";
 import { type Cell, writeCsv } from "../formats/csv";
 import { measureValues } from "../formats/measures";
 import { splitCells, splitRows } from "./csv_rows";
 import type { Grown, Member, Series } from "./series";
 
-/** Columns of a plant's files: of the first kind `file`, `bytes`, `crc32`, of each further one `file_json` and so on. */
+/**
+ * Columns of a plant's files: `file`, `bytes`, `crc32` for the first kind, `file_json` and so on for each further one.
+ */
 function fileColumns({ formats }: Series): (readonly [file: string, bytes: string, sum: string])[] {
 	const keyed = (suffix: string) => [`file${suffix}`, `bytes${suffix}`, `crc32${suffix}`] as const;
 	return formats.map((format, at) => keyed(at === 0 ? "" : `_${format}`));
 }
 
 /**
- * Names of the columns: a varied parameter's is `set_age`, since measures may be called like parameters. Where measures are to be met, `from` is
- * the link before parameters were searched for, `target_bunch_length` what the measure is to be, and `missed` names those that are not met.
+ * Names of the columns: `set_age` for a varied parameter, since measures may have names of parameters. With targets,
+ * `from` is the link before the search, `target_bunch_length` the target value, and `missed` names the missed measures.
  */
 export function columnsOf(series: Series): string[] {
 	const { model, varied, goals = [] } = series;
@@ -27,10 +29,10 @@ export function columnsOf(series: Series): string[] {
 	];
 }
 
-/** The cells of a line by their columns; what is left out is empty. */
+/** The cells of a row by column; missing ones are empty. */
 type Cells = Record<string, Cell>;
 
-/** What a line says of a plant before it has grown. */
+/** The cells of a plant that has not grown yet. */
 function memberCells({ varied, goals = [] }: Series, { number, seed, values, aims, link }: Member): Cells {
 	return {
 		...{ number, seed },
@@ -40,7 +42,7 @@ function memberCells({ varied, goals = [] }: Series, { number, seed, values, aim
 	};
 }
 
-/** A grown plant's line. */
+/** The row of a grown plant. */
 export function rowOf(series: Series, member: Member, { plant, specimen, link, missed, files }: Grown): Cell[] {
 	const cells = memberCells(series, member);
 	fileColumns(series).forEach(([name, bytes, sum], at) => {
@@ -53,7 +55,7 @@ export function rowOf(series: Series, member: Member, { plant, specimen, link, m
 	return inColumns(series, { ...cells, fingerprint, link, missed: missed.join(" "), notes: notes.join(" ") });
 }
 
-/** The line of a plant that could not be grown: no file, and why. */
+/** The row of a plant that could not be grown: no file, and the reason. */
 export function failedRow(series: Series, member: Member, why: string): Cell[] {
 	return inColumns(series, { ...memberCells(series, member), link: member.link, notes: why.replaceAll(/\s+/g, " ") });
 }
@@ -62,21 +64,21 @@ const inColumns = (series: Series, cells: Cells): Cell[] => columnsOf(series).ma
 
 export const written = (row: readonly Cell[]): string => writeCsv([row]);
 
-/** What a line says of its files. */
+/** A row of a table that was read. */
 export interface Line {
 	/** In the order of the formats. */
 	readonly files: readonly { readonly name: string; readonly bytes: number; readonly sum: string }[];
-	/** The member's link, as it is before parameters are searched for. */
+	/** The member's link, from before the search for parameters. */
 	readonly link: string;
-	/** Whether a measure that was to be met is not. */
+	/** Whether a target was missed. */
 	readonly missed: boolean;
-	/** As it was read, to be written again. */
+	/** The text of the row, to write it again. */
 	readonly text: string;
 }
 
 /**
- * The whole lines of a table by the numbers of their plants, of those that were grown: a last one that broke off is not among them.
- * Undefined where the text is the table of another series: its columns are others.
+ * The whole rows of a table by the numbers of their plants, without failed plants and an unfinished last row. Undefined
+ * where the text is the table of another series: it has other columns.
  */
 export function readLines(series: Series, text: string): Map<number, Line> | undefined {
 	const [header, ...rows] = splitRows(text);

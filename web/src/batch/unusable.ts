@@ -1,4 +1,4 @@
-/** What was typed of a series cannot be used. The message is one plain sentence with what to write instead. */
+/** A text about a series that cannot be used. The message is one plain sentence with a remedy. */
 export class Unusable extends Error {
 	override name = "Unusable";
 }

@@ -1,4 +1,7 @@
-/** What is varied from plant to plant of a series: `age=60..110,density=3..8,fruit=lychee|duku`. */
+/**
+ * Parameters that vary between the plants of a series: `age=60..110,density=3..8,fruit=lychee
+ * duku`.
+ */
 import { halvesOf, keyAndValue } from "../specimen/halves";
 import type { ModelSchema } from "../specimen/model_schema";
 import { readNumber } from "../specimen/read_values";
@@ -8,15 +11,15 @@ import { type Entry, nearestWithin, onStep } from "../specimen/table";
 import type { Draws } from "./draws";
 import { Unusable } from "./unusable";
 
-/** A parameter and where its values come from: anywhere from one number to another, or one of a few. */
+/** A parameter and its values: a range of numbers, or a list. */
 export type Varied = {
 	readonly entry: Entry;
-	/** Whether it is no parameter, but a name of the text's own (`named` of specimen/model_schema.ts). */
+	/** Whether it is a name in the text, rather than a parameter (`named` in specimen/model_schema.ts). */
 	readonly own?: true;
 } & ({ readonly from: number; readonly to: number } | { readonly values: readonly string[] });
 
 /**
- * @param from the specimen that all plants have but for what is varied
+ * @param from the specimen of all plants, without varied values
  * @throws Unusable
  */
 export function readVary<S extends Specimen>(species: ModelSchema<S>, text: string, from: S): Varied[] {
@@ -48,7 +51,7 @@ function readOne<S extends Specimen>(species: ModelSchema<S>, part: string, from
 	return { entry, ...own, from: least, to: most };
 }
 
-/** The parameter of that key; undefined where it may be a name of the text's own. */
+/** The parameter of that key; undefined where it may be a name in the text. */
 function entryOf<S extends Specimen>({ table, details }: ModelSchema<S>, key: string): Entry | undefined {
 	const entry = table.entry(key);
 	if (entry) return entry;
@@ -65,13 +68,13 @@ function entryOf<S extends Specimen>({ table, details }: ModelSchema<S>, key: st
 	throw new Unusable(`${key}: ${known}; see --help or the parameters' page`);
 }
 
-/** Of any size, and as fine as it is drawn. */
+/** A parameter for a name in the text: of any size and precision. */
 const constantOf = (key: string): Entry => ({
 	...{ key, link: key, label: key, symbol: "", group: "", unit: "", help: "", since: 1 },
 	...{ kind: "number", min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY, default: 0, step: 0 },
 });
 
-/** The specimen with values of what is varied. */
+/** The specimen with varied values. */
 export function withVaried<S extends Specimen>(
 	species: ModelSchema<S>,
 	from: S,
@@ -103,7 +106,7 @@ export async function checkVaried<S extends Specimen>(
 	if (stranger) throw new Unusable(`${stranger.name}: no parameter has that key, and ${stranger.problem}`);
 }
 
-/** Refuses what would not be used as it is. */
+/** Refuses values that would be changed. */
 function check<S extends Specimen>(
 	species: ModelSchema<S>,
 	{ entry, own }: { entry: Entry; own: { own?: true } },
@@ -120,7 +123,7 @@ function check<S extends Specimen>(
 	}
 }
 
-/** The value that a plant has, as links write it: of its number, the key and what is allowed, by the series' draws. */
+/** The value of a plant, as links write it: drawn by its number, the key and the allowed values. */
 export function drawn(varied: Varied, number: number, draws: Draws): string {
 	const share = draws.share(`vary ${varied.entry.key}`, number);
 	if ("values" in varied) return varied.values[Math.floor(share * varied.values.length)];

@@ -1,4 +1,4 @@
-/** The words of the command line → what is asked for, still unread. */
+/** Parses the words of the command line into a call, without reading its values. */
 import { parseArgs } from "node:util";
 import type { FileOptions } from "../formats/plant_files";
 import { MOST_TOLD, type TraceRequest } from "../plant/derivation_trace";
@@ -7,29 +7,29 @@ import { UsageError } from "./usage";
 
 export interface Call {
 	help: boolean;
-	/** Whether the models and their presets are asked for, and no plant. */
+	/** Whether to list the models and their presets, instead of growing. */
 	list: boolean;
 	/** Preset or link: `long-conical`, `leaf/oak`, `leaf`, `?v=2&…`. */
 	source: string | undefined;
 	seed: string | undefined;
-	/** By key; where a key is given twice, the last value. */
+	/** By key; the last value where a key is repeated. */
 	set: Record<string, string>;
-	/** Measures asked for, still unread: `bunch_length=160`. */
+	/** Unread targets: `bunch_length=160`. */
 	targets: readonly string[];
 	grammarFile: string | undefined;
 	boundaryFile: string | undefined;
-	/** Whether the JSON is to have the derived string. */
+	/** Whether the JSON gets the derived string. */
 	string: boolean;
-	/** Which part of the derivation the JSON is to tell of. */
+	/** The part of the derivation that the JSON traces. */
 	trace: TraceRequest | undefined;
-	/** Which of the files that end like `out`. */
+	/** The form among files with the suffix of `out`. */
 	form: string | undefined;
 	files: FileOptions;
 	/** The time limit in seconds. */
 	seconds?: number;
-	/** A file; of a series, a folder. */
+	/** A file; for a series, a folder. */
 	out: string | undefined;
-	/** Undefined where one plant is asked for. */
+	/** Undefined for a single plant. */
 	batch: BatchCall | undefined;
 }
 
@@ -43,7 +43,7 @@ export function readArguments(words: readonly string[]): Call {
 	const alone = (["form", "string", "chronicle"] as const).find((key) => values[key]);
 	if (batch && alone)
 		throw new UsageError(`--${alone} is for a single plant; for a series, choose the kinds of files with --as`);
-	// Each line of a series' table brings its plant back by its link alone, and links hold no meshes.
+	// Each row of a series' table restores its plant by its link alone, and links hold no meshes.
 	if (batch && values.boundary)
 		throw new UsageError("--boundary is for one plant: links do not hold meshes, and a series is known by its links");
 	return {
@@ -101,7 +101,7 @@ function parse(words: readonly string[]) {
 		if (option) {
 			throw new UsageError(`${option} needs a value; one that begins with a dash is joined with =, as in --seed=-1`);
 		}
-		// Node's own words, less the advice that follows the first sentence.
+		// Node's own words, without the advice after the first sentence.
 		const [sentence] = message.split(/\.\s|\n/);
 		throw new UsageError(`${sentence.replaceAll("'", "").replace(/\.$/, "")}; see --help`);
 	}
@@ -113,7 +113,7 @@ function readSetting(setting: string): [string, string] {
 	return [setting.slice(0, at).trim(), setting.slice(at + 1).trim()];
 }
 
-/** @throws UsageError where it is no step, with what of its string */
+/** @throws UsageError where it is no step with an optional window */
 function readTrace(text: string): TraceRequest {
 	const [step, first, count] = text.split(",").map((word) => (/^\s*\d+\s*$/.test(word) ? Number(word) : Number.NaN));
 	const fits = [step, first ?? 0].every((value) => value <= 0xffffffff) && (count ?? 0) <= MOST_TOLD;

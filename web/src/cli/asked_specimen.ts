@@ -1,6 +1,6 @@
 /**
- * What a call asks for → a specimen. A link is brought into range with notes, since it may be old or cut short on its
- * way; what was typed here is refused where it cannot be used, since a silent change would spoil a series.
+ * Turns a call into a specimen. Values of a link are changed to fit, with notes, since the link may be old or damaged;
+ * typed values that do not fit are refused, since a silent change would spoil a series.
  */
 
 import { basename } from "node:path";
@@ -22,7 +22,8 @@ import { UsageError } from "./usage";
 import { reasonOf } from "./writing";
 
 /**
- * `textName`: what places in the grammar's text are of; a file of XML has none of its lines.
+ * The specimen of a call. `textName` names the file for positions in the grammar's text; XML has other lines than the
+ * grammar.
  * @throws UsageError
  */
 export async function askedSpecimen(
@@ -39,7 +40,7 @@ export async function askedSpecimen(
 	specimen = readSettings(model, call.set, specimen);
 	if (call.boundaryFile !== undefined) {
 		const bounded = await readBoundary(model, call.boundaryFile, specimen, readFile);
-		// The mesh's own proportions give way to what was typed.
+		// Typed values override the mesh's own proportions.
 		const start = specimen;
 		specimen = readSettings(model, call.set, bounded);
 		const brought = (key: string) => held(start, key) !== held(bounded, key);
@@ -63,7 +64,7 @@ export async function askedModel(source: string | undefined): Promise<Model> {
 	return modelNamed(link ? modelInQuery(link.query) : model);
 }
 
-/** What the call names; where it names nothing, the model that its text is for, with what the text's file says of it. */
+/** The specimen that the call names; where it names none, the one of its text's file or its text's model. */
 async function readStart(source: string | undefined, read: ReadText | undefined): Promise<Asked> {
 	const model = source === undefined ? read?.model : undefined;
 	return model ? { model, specimen: read?.specimen ?? fromPreset(model), notes: [] } : readSource(source);
@@ -89,7 +90,7 @@ function readSettings(model: Model, settings: Call["set"], specimen: Specimen): 
 	return stranger === undefined ? read : typed(model, namer?.named?.(read, own) ?? {}, read, message);
 }
 
-/** A name that a text does not define is misspelt: of a link it is a note, of a call a mistake. */
+/** Refuses names that the text does not define: a note for a link, an error for a call. */
 async function refuseStrangers(model: Model, settings: Call["set"], specimen: Specimen): Promise<void> {
 	const named = Object.keys(settings).filter((key) => !detailOf(model, key) && !entryOf(model, key));
 	if (named.length === 0) return;
@@ -97,14 +98,14 @@ async function refuseStrangers(model: Model, settings: Call["set"], specimen: Sp
 	if (stranger) throw new UsageError(`--set ${stranger.name}: no parameter has that key, and ${stranger.problem}`);
 }
 
-/** The parameter that a key of the table or of links means; the first of those that share one. */
+/** The parameter of a table key or a link key; the first of those that share a link key. */
 const entryOf = ({ table }: Model, key: string) => table.entry(key) ?? table.linked(key)[0];
 
-/** The detail that --set takes by that key. */
+/** The field that --set changes by that key. */
 const detailOf = ({ details }: Model, key: string) =>
 	details.find(({ settings = [] }) => settings.some((each) => each.split("=")[0] === key));
 
-/** What was typed and is right, but nothing comes of it: not refused, so that a series may vary the procedure. */
+/** Notes on settings that are valid, but have no effect: not refused, so that a series may vary the procedure. */
 function idleSettings(model: Model, settings: Call["set"], specimen: Specimen): Note[] {
 	const notes = new Notes();
 	for (const key of Object.keys(settings)) {
@@ -119,7 +120,7 @@ function idleSettings(model: Model, settings: Call["set"], specimen: Specimen): 
 
 const held = (specimen: Specimen, key: string) => (specimen as unknown as Record<string, unknown>)[key];
 
-/** What came in by an option, but nothing would come of it, since a choice that was typed does not heed it. */
+/** Refuses an option that has no effect because of a typed choice. */
 function refuseUnheeded(
 	{ details, table }: Model,
 	brought: (key: string) => boolean,
@@ -135,7 +136,7 @@ function refuseUnheeded(
 	}
 }
 
-/** A link's further decimals are rounded without a word; someone who types them means them. */
+/** Refuses typed decimals that would be rounded; those of a link are rounded silently. */
 function refuseFinerSteps(model: Model, settings: Call["set"]): void {
 	for (const [key, value] of Object.entries(settings)) {
 		const entry = entryOf(model, key);
@@ -145,7 +146,7 @@ function refuseFinerSteps(model: Model, settings: Call["set"]): void {
 	}
 }
 
-/** Reads values that a person typed: the first that cannot be used as it is ends it. */
+/** Reads values that a user typed; throws at the first that cannot be used as it is. */
 function typed(
 	model: Model,
 	values: Readonly<Record<string, unknown>>,
@@ -159,7 +160,7 @@ function typed(
 	}
 }
 
-/** What is wrong with what was typed, as a mistake in the call; all else stays what it is. */
+/** Turns a SpecimenError into a UsageError; other errors stay. */
 function inUsage(error: unknown, message: (wrong: SpecimenError) => string): unknown {
 	return error instanceof SpecimenError ? new UsageError(message(error)) : error;
 }
@@ -183,7 +184,7 @@ async function readBoundary(
 const BEGIN =
 	"begin with “axiom: F”, a flower with “#define STEM(8,0,0,0,9,3,3,1)” and “#axiom: STEM”, a tree of growth with “tree -> DivFunc(…)”, a stand with “plants 100”";
 
-/** A text and the model that it is for; one that is in another form than its model's grammars, as one of those. */
+/** A text and its model, translated into a grammar where it has another form. */
 async function readGrammarText(said: string, file: string): Promise<ReadText> {
 	try {
 		return await readText(said, file);

@@ -1,4 +1,4 @@
-/** The words that ask for a series of plants in place of one. */
+/** The options for a series of plants in place of one. */
 import { UsageError } from "./usage";
 
 export const BATCH_OPTIONS = {
@@ -15,9 +15,9 @@ export interface BatchCall {
 	seeds: string;
 	/** Whether these are the plants' seeds themselves. */
 	literal: boolean;
-	/** What is varied; undefined: only the seed. */
+	/** Varied parameters; undefined: only the seed. */
 	vary: string | undefined;
-	/** Which part of it; undefined: all. */
+	/** The part to grow; undefined: all. */
 	shard: string | undefined;
 	/** The keys of kinds of files. */
 	formats: readonly string[];
@@ -28,7 +28,7 @@ type Values = Readonly<
 >;
 
 /**
- * Undefined where one plant is asked for.
+ * Undefined for a single plant.
  * @throws UsageError
  */
 export function readBatch(values: Values): BatchCall | undefined {

@@ -1,9 +1,9 @@
-/** Options of files (`--points 5000`): refused where no file uses them, since a silent nothing would spoil a series. */
+/** Options of files (`--points 5000`): refused where no file uses them, since ignoring them would spoil a series. */
 import { type FileOptions, PLANT_FILES } from "../formats/plant_files";
 import { UsageError } from "./usage";
 
 /**
- * @param formats keys of the kinds of files that are to be made
+ * @param formats keys of the kinds of files to make
  * @throws UsageError
  */
 export function refuseUnused(options: FileOptions, formats: readonly string[]): void {

@@ -1,11 +1,11 @@
-/** `npm run -s grow -- …`, bundled for Node by wasm-core/tools/grow.mjs. Does its work when it is loaded. */
+/** `npm run -s grow -- …`, bundled for Node by wasm-core/tools/grow.mjs. Loading it runs the command. */
 import { readFile } from "node:fs/promises";
 import { loadCoreFromBytes } from "../core/loader";
 import { nodeFiles } from "./node_files";
 import { run } from "./run";
 import { reasonOf } from "./writing";
 
-// The bundle lies as deep in the repository as this file, so the way to the cores is the same from both.
+// The bundle is as deep in the repository as this file: the path to the cores is the same from both.
 const cores = new URL("../../../build/core/", import.meta.url);
 
 async function coreBytes(wasm: string): Promise<Uint8Array<ArrayBuffer>> {
@@ -14,7 +14,8 @@ async function coreBytes(wasm: string): Promise<Uint8Array<ArrayBuffer>> {
 	});
 }
 
-// A reader that has seen enough (`| head`) is no error.
+// A reader that closes early (`
+// head`) is no error.
 process.stdout.on("error", (error: NodeJS.ErrnoException) => {
 	if (error.code === "EPIPE") return;
 	process.stderr.write(`grow: standard output cannot be written: ${reasonOf(error)}\n`);

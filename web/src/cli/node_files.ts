@@ -22,7 +22,7 @@ type Files = Pick<
 	| "whenTerminated"
 >;
 
-/** Exit status of a process that SIGTERM has ended, as shells give it. */
+/** Exit status of a process that SIGTERM has ended, as shells report it. */
 const TERMINATED = 143;
 
 export const nodeFiles: Files = {
@@ -64,7 +64,7 @@ export const nodeFiles: Files = {
 	},
 };
 
-/** What file systems answer that have no hard links. */
+/** Error codes of file systems without hard links. */
 const WITHOUT_LINKS = ["EPERM", "ENOTSUP", "EOPNOTSUPP", "ENOSYS"];
 
 async function createPlainly(path: string, data: string): Promise<boolean> {
@@ -77,7 +77,7 @@ async function createPlainly(path: string, data: string): Promise<boolean> {
 	}
 }
 
-/** Half a file is worse than none; what is no file (`/dev/full`) stays. */
+/** Removes an incomplete file, but not a device (`/dev/full`). */
 async function withoutHalf(path: string, error: unknown): Promise<never> {
 	const isFile = await lstat(path).then(
 		(found) => found.isFile(),
@@ -88,7 +88,7 @@ async function withoutHalf(path: string, error: unknown): Promise<never> {
 	throw error;
 }
 
-/** What is answered in the middle of writing. */
+/** Error codes in the middle of writing. */
 const FULL = ["ENOSPC", "EDQUOT", "EFBIG", "EIO"];
 
 function isRunning(id: number): boolean {
@@ -96,7 +96,7 @@ function isRunning(id: number): boolean {
 		process.kill(id, 0);
 		return true;
 	} catch (error) {
-		// Someone else's process runs as well.
+		// The process runs, but belongs to another user.
 		return (error as NodeJS.ErrnoException).code === "EPERM";
 	}
 }

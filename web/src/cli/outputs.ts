@@ -1,4 +1,4 @@
-/** What the command can write of a plant. */
+/** Files that the command can write for a plant. */
 import { basename, dirname, join } from "node:path";
 import { aboutPlant } from "../formats/about_plant";
 import { writeJson } from "../formats/json";
@@ -12,34 +12,34 @@ import type { Specimen } from "../specimen/specimen";
 
 type File = [file: string, data: string | Uint8Array | readonly Uint8Array[]];
 
-/** Endings of names that every model knows. */
+/** Suffixes that every model has. */
 const COMMON = [...new Set(PLANT_FILES.map(({ ending }) => ending)), "obj", "json"];
 
-/** A form of a common kind of file has the kind's ending last, which viewers open: `glb-baked` is `.baked.glb`. */
+/** A form of a common kind of file ends in the kind's suffix, which viewers open: `glb-baked` is `.baked.glb`. */
 const endingFor = (key: string) => key.split("-").reverse().join(".");
 
 const endings = ({ formats = [] }: Pick<Model, "formats">) => [...COMMON, ...formats.map(({ key }) => endingFor(key))];
 
-/** The endings that a model knows, in a sentence: ".glb, .obj or .json". */
+/** The suffixes that a model has, in words: ".glb, .obj or .json". */
 export function endingsOf(model: Pick<Model, "formats">): string {
 	const all = endings(model).map((ending) => `.${ending}`);
 	return `${all.slice(0, -1).join(", ")} or ${all.at(-1)}`;
 }
 
-/** The longest ending of a file's name by which a model can be written to it. */
+/** The longest suffix of a file's name that a model has. */
 export function endingOf(model: Pick<Model, "formats">, file: string): string | undefined {
 	const found = endings(model).filter((ending) => file.toLowerCase().endsWith(`.${ending}`));
 	return found.sort((one, other) => other.length - one.length)[0];
 }
 
-/** What a model of its own gives by that ending. */
+/** The model's own format with that suffix. */
 export function ownFormat({ formats }: Pick<Model, "formats">, ending: string) {
 	return formats?.find(({ key }) => endingFor(key) === ending);
 }
 
 /**
- * The files of a plant by the ending of the name that was asked for; an OBJ has its materials and their pictures beside it.
- * @param further the same plant at other ages and for other distances, where it has such
+ * The files of a plant by the suffix of the requested name; an OBJ has its materials and their pictures beside it.
+ * @param further the plant at other ages and levels of detail, if any
  */
 export async function filesOf(
 	file: string,

@@ -1,11 +1,14 @@
-/** Messages for a terminal, which may quote files and links that others wrote. */
+/** Messages for a terminal, which may quote files and links from others. */
 
-/** Characters of the longest line that is printed whole. */
+/** The longest line that is printed whole, in characters. */
 const LONGEST_LINE = 1000;
-/** Controls other than the line feed and the tab, by which a mark is placed below a quoted line, and marks that change the direction of the text around them. */
+/**
+ * Control characters except the line feed and the tab, which place a mark below a quoted line, and characters that
+ * change the direction of text.
+ */
 const UNPRINTABLE = /(?![\n\t])[\p{Cc}\u2028\u2029\u202a-\u202e\u2066-\u2069]/gu;
 
-/** A message whose control characters are written as `\u{1b}`, with long lines cut: a quoted text cannot steer the terminal. */
+/** A message with control characters as `\u{1b}`, and long lines cut: a quoted text cannot control the terminal. */
 export function printable(message: string): string {
 	return message
 		.split("\n")

@@ -28,7 +28,11 @@ import { TimeLimit, TimeOverError } from "./time_limit";
 import { CUT_SHORT, MISSED, TIME_OVER, UsageError, usage } from "./usage";
 import { writing } from "./writing";
 
-/** @returns the exit status: 0 grown, 1 the core broke or is missing, a file could not be written or some of a series did not grow, 2 something in the call cannot be used, 3 grown but a target is missed, 4 the plant is empty and the file cannot be, 5 the time limit was reached, 6 a limit of the core cut the plant short */
+/**
+ * @returns the exit status: 0 grown, 1 the core crashed or is missing, a file could not be written or some plants of a
+ * series did not grow, 2 the call cannot be used, 3 grown but a target is missed, 4 the plant is empty and the file
+ * cannot be, 5 the time limit was reached, 6 a limit of the core cut the plant short
+ */
 export async function run(words: readonly string[], surroundings: Surroundings): Promise<number> {
 	const world = { ...surroundings, say: (line: string) => surroundings.say(printable(line)) };
 	try {
@@ -61,7 +65,10 @@ async function listed(): Promise<string> {
 	return `${JSON.stringify(await Promise.all(rows))}\n`;
 }
 
-/** @returns the exit status: 0 grown, 3 grown but a target is missed, 5 or 6 cut short by the time limit or a limit of the core */
+/**
+ * @returns the exit status: 0 grown, 3 grown but a target is missed, 5 or 6 cut short by the time limit or a limit of
+ * the core
+ */
 async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): Promise<number> {
 	const { model, specimen: from, notes, textName } = await askedSpecimen(call, world);
 	const goals = readTargets(model, from, call.targets);
@@ -76,7 +83,7 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 	checkTold(call, model, ending);
 	const cores = new Cores((wasm) => world.loadCore(wasm, limit.passed));
 	const run = cores.grow.bind(cores);
-	// What a file does not say is not worked out for it: levels and ages are grown by themselves.
+	// Compute only data that the file holds: levels and ages are grown by themselves.
 	const json = ending === "json";
 	const { life, levelled } = plantFile(ending, call.form) ?? {};
 	const [meshes, measures] = [
@@ -89,7 +96,7 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 			own === undefined ? undefined : { name: textName, text: own },
 			limit.orNothing(growPlant(model, each, wanted, run, { timeIsOver: limit.isOver })),
 		);
-	// A part of the plant would mislead a search, and would be a gap in an animation.
+	// A cut plant would mislead a search, and would be a gap in an animation.
 	const growWhole = (each: Specimen, wanted: GrowthOptions) => limit.whole(() => grow(each, wanted));
 	const { specimen, missed } =
 		aims.length > 0 ? await found(model, from, aims, growWhole, world) : { specimen: from, missed: false };
@@ -123,7 +130,7 @@ async function growAndWrite(call: Call, limit: TimeLimit, world: Surroundings): 
 	return status;
 }
 
-/** The exit status of a plant that is written: a plant that is not whole is reported before a target that it misses. */
+/** The exit status of a plant that is written: a cut plant is reported before a missed target. */
 function statusOf({ cutShort }: Plant, missed: boolean): number {
 	if (cutShort) return cutShort === "time" ? TIME_OVER : CUT_SHORT;
 	return missed ? MISSED : 0;
@@ -137,7 +144,7 @@ function reportTime({ cutShort }: Plant, { option }: TimeLimit, { say }: Surroun
 	);
 }
 
-/** @throws UsageError where the string or a trace is requested of a plant or a file that has none */
+/** @throws UsageError where the string or a trace is requested for a plant or a file that has none */
 function checkTold(call: Call, model: Model, ending: string): void {
 	const texted = model.details.some(({ packed }) => packed?.key === "grammar");
 	const untold = (what: string) =>
@@ -152,7 +159,7 @@ function checkTold(call: Call, model: Model, ending: string): void {
 		);
 }
 
-/** The specimen that comes nearest to its targets, and whether it misses one; reports how near it comes and what changed. */
+/** The specimen nearest to its targets, and whether it misses one; reports the results and changes. */
 async function found(
 	model: Model,
 	from: Specimen,
@@ -167,7 +174,7 @@ async function found(
 	return { specimen: answer.specimen, missed: answer.reached.some(({ there }) => !there) };
 }
 
-/** @throws UsageError where there is no such form of the file, or the plant has no ages or levels for it to show */
+/** @throws UsageError where there is no such form of the file, or the plant has no ages or levels for it */
 async function checkForm({ form, out }: Call, ending: string, model: Model, specimen: Specimen): Promise<void> {
 	const file = plantFile(ending, form);
 	if (file?.life) await model.prepare?.(specimen);
@@ -180,8 +187,9 @@ async function checkForm({ form, out }: Call, ending: string, model: Model, spec
 }
 
 /**
- * What the core refuses was asked for in the call; a place in the grammar is given as compilers do, with its line.
- * @param grammar the text and what messages call it: its file; undefined for the built-in one
+ * Turns errors of the core into errors of the call; a position in the grammar is reported as compilers do, with its
+ * line.
+ * @param grammar the text and its name in messages: its file; undefined for the built-in one
  */
 async function growing(grammar: { name: string; text: string } | undefined, grown: Promise<Plant>): Promise<Plant> {
 	try {
@@ -196,7 +204,7 @@ async function growing(grammar: { name: string; text: string } | undefined, grow
 	}
 }
 
-/** The line of a text below what is said of it, and a sign below the place; nothing where there is none. */
+/** The line of a text below the message, and a mark below the position; empty where there is none. */
 function shown(text: string, line: number, column: number): string {
 	const said = text.split("\n")[line - 1]?.trimEnd();
 	if (!said) return "";

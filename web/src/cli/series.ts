@@ -1,6 +1,7 @@
 /**
- * Grows a series into a folder: a file for each plant, a table of them and a manifest. What is there and whole is not grown again: the table
- * has its name once all of it is there, until then its lines are in a journal beside it. A folder holds one series, and one process writes a table.
+ * Grows a series into a folder: a file for each plant, a table of them and a manifest. Complete plants are not grown
+ * again: rows are in a journal beside the table, which is renamed to the table once it is complete. A folder holds one
+ * series, and one process writes a table.
  */
 import { join } from "node:path";
 import { crc32 } from "../batch/crc32";
@@ -30,23 +31,26 @@ import { writing } from "./writing";
 const REPORT_INTERVAL = 5000;
 /** The advice where the time limit ends a series. */
 const CONTINUE = "the same call continues the series; where no plant is added, give it more seconds";
-/** Differences between two series that a message names. */
+/** The most differences between two series in a message. */
 const NAMED = 3;
 
 interface Asked {
 	series: Series;
-	/** Of all plants, in order. */
+	/** Numbers of all plants, in order. */
 	all: readonly number[];
-	/** In how many parts they are grown. */
+	/** The number of parts. */
 	parts: number;
-	/** Of the part that is wanted, in order. */
+	/** Numbers of the requested part, in order. */
 	numbers: readonly number[];
 	folder: string;
 	/** The table's path. */
 	table: string;
 }
 
-/** @returns the exit status: 0 all are there, 1 some could not be grown, 3 some miss their targets, 5 the time limit was reached before all were there */
+/**
+ * @returns the exit status: 0 all plants are written, 1 some could not be grown, 3 some miss their targets, 5 the time
+ * limit was reached before all were written
+ */
 export async function growSeries(call: Call, batch: BatchCall, limit: TimeLimit, world: Surroundings): Promise<number> {
 	const asked = await readSeries(call, batch, world);
 	await claimFolder(asked, world);
@@ -61,14 +65,14 @@ export async function growSeries(call: Call, batch: BatchCall, limit: TimeLimit,
 }
 
 /**
- * Writes the manifest of the folder, or compares it with the one that exists.
+ * Writes the manifest of the folder, or compares it with the existing one.
  * @throws UsageError where the folder holds another series, or files that this one would overwrite
  */
 async function claimFolder({ series, all, parts, folder }: Asked, world: Surroundings): Promise<void> {
 	await writing(folder, () => world.makeFolder(folder));
 	const path = join(folder, MANIFEST);
 	const manifest = manifestOf(series, all, parts);
-	// The names are read before the manifest: a series writes its manifest before its files.
+	// Read the names before the manifest: a series writes its manifest before its files.
 	const names = new Set(await world.listFolder(folder).catch(() => []));
 	const read = () => world.readFile(path).catch(() => undefined);
 	let there = await read();
@@ -168,14 +172,14 @@ async function readSeries(call: Call, batch: BatchCall, world: Surroundings): Pr
 	};
 }
 
-/** `plants.csv`, or of a part `plants-03-of-16.csv`: sorted by name, parts are in order. */
+/** `plants.csv`, or `plants-03-of-16.csv` for a part: sorted by name, parts are in order. */
 function tableName(shard: Shard | undefined): string {
 	if (!shard) return "plants.csv";
 	const { index, total } = shard;
 	return `plants-${String(index).padStart(String(total).length, "0")}-of-${total}.csv`;
 }
 
-/** The lines whose files are all there and whole, by the plants' numbers. */
+/** The rows whose files are all there and complete, by the plants' numbers. */
 async function readTable({ series, numbers, folder, table }: Asked, world: Surroundings): Promise<Map<number, Line>> {
 	const known = new Map<number, Line>();
 	for (const path of [table, `${table}.part`]) {
@@ -207,7 +211,7 @@ async function areWhole(folder: string, { files }: Line, world: Surroundings): P
 	return true;
 }
 
-/** Grows one plant after the other with the same cores, and with others after one that broke. */
+/** Grows one plant after the other with the same cores, and replaces cores that crashed. */
 class Grower {
 	readonly #series: Series;
 	readonly #limit: TimeLimit;
@@ -220,7 +224,7 @@ class Grower {
 	}
 
 	/**
-	 * @returns a plant's line of the table, its files where it could be grown, and whether it misses a target; undefined
+	 * @returns a plant's row of the table, its files where it could be grown, and whether it misses a target; undefined
 	 * where the time limit was reached before the plant was whole
 	 */
 	async grow(member: Member): Promise<{ line: string; files?: readonly MadeFile[]; missed: boolean } | undefined> {
@@ -245,7 +249,7 @@ class Grower {
 const writeTo = (path: string, data: string | Uint8Array, world: Surroundings) =>
 	writing(path, () => world.replaceFile(path, data));
 
-/** What cannot be used says where it was written. */
+/** Adds the name of the option to errors about its text. */
 function typed<Value>(option: string, text: string, read: (text: string) => Value): Value {
 	try {
 		return read(text);
@@ -254,7 +258,7 @@ function typed<Value>(option: string, text: string, read: (text: string) => Valu
 	}
 }
 
-/** Says now and then how far it is. */
+/** A function that reports progress from time to time. */
 function sayer(total: number, world: Surroundings): (done: number) => void {
 	let last = performance.now();
 	return (done) => {

@@ -17,9 +17,9 @@ interface Owner {
 	readonly at: number;
 }
 
-/** Milliseconds without a renewal after which a lock expires, on whatever machine its process runs. */
+/** Milliseconds without a renewal after which a lock expires, on any machine. */
 const EXPIRY = 5 * 60_000;
-/** Fewest milliseconds between two renewals. */
+/** The least milliseconds between two renewals. */
 const RENEWAL_INTERVAL = 20_000;
 /** Attempts to take the lock: another process may take it just after it was released. */
 const TRIES = 3;
@@ -63,7 +63,7 @@ export class TableLock {
 	}
 
 	/**
-	 * Renews the lock. To be called before every write.
+	 * Renews the lock. Call it before every write.
 	 * @throws Error where another process has taken the lock after it expired
 	 */
 	async renew(): Promise<void> {

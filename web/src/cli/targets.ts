@@ -1,4 +1,4 @@
-/** `--target KEY=VALUE` and `KEY=FROM..TO`: measures to be met in place of parameters. */
+/** `--target KEY=VALUE` and `KEY=FROM..TO`: target measures in place of parameters. */
 import type { Goal } from "../batch/goals";
 import type { Model } from "../models/model";
 import { halvesOf, keyAndValue } from "../specimen/halves";

@@ -1,10 +1,10 @@
-/** The time limit of a call, `--seconds N`: a growth that reaches it ends with what has grown so far. */
+/** The time limit of a call, `--seconds N`: a growth that reaches it ends with the plant so far. */
 import { CoreError } from "../core/errors";
 
-/** Of the time limit, the share for growing: the rest is for meshes and for writing the file. */
+/** The share of the time limit for growing: the rest is for meshes and for writing the file. */
 const GROWING = 0.75;
 
-/** The time was over before anything was there to write. Ends the command with the status of a time limit. */
+/** The time was over before there was anything to write. Ends the command with the status of a time limit. */
 export class TimeOverError extends Error {
 	override name = "TimeOverError";
 }
@@ -14,9 +14,9 @@ export class TimeLimit {
 	readonly #begun: number;
 
 	/**
-	 * Begins now.
+	 * Starts the limit.
 	 * @param seconds undefined: no limit
-	 * @param elapsed milliseconds from any moment on
+	 * @param elapsed milliseconds of a monotonic clock
 	 */
 	constructor(
 		readonly seconds: number | undefined,
@@ -26,19 +26,19 @@ export class TimeLimit {
 		this.#begun = elapsed();
 	}
 
-	/** The share of the time for growing that has passed; 0 where there is no limit. */
+	/** The elapsed share of the time for growing; 0 without a limit. */
 	readonly passed = (): number => (this.elapsed() - this.#begun) / this.#milliseconds;
 
 	readonly isOver = (): boolean => this.passed() >= 1;
 
-	/** The time limit as it is typed. */
+	/** The option as users type it. */
 	get option(): string {
 		return `--seconds ${this.seconds}`;
 	}
 
 	/**
-	 * Waits for a growth of which a part is of no use.
-	 * @throws TimeOverError where it was cut short by the time limit, or began after its end
+	 * Waits for a growth that is useless if cut.
+	 * @throws TimeOverError where the time limit cut it short, or it began after the limit
 	 */
 	async whole<Plant extends { cutShort?: "limit" | "time" }>(grow: () => Promise<Plant>): Promise<Plant> {
 		if (this.isOver()) throw this.#nothing();
@@ -49,7 +49,7 @@ export class TimeLimit {
 
 	/**
 	 * Waits for a growth.
-	 * @throws TimeOverError where the time limit ended it with nothing to show
+	 * @throws TimeOverError where the time limit ended it without a plant
 	 */
 	async orNothing<Plant>(growing: Promise<Plant>): Promise<Plant> {
 		try {

@@ -1,4 +1,4 @@
-/** What the command says about itself. */
+/** Help and errors of the command. */
 
 import { formatsOf } from "../batch/series";
 
@@ -9,11 +9,11 @@ import type { Model } from "../models/model";
 import { fromPreset } from "../specimen/from_preset";
 import { endingsOf } from "./outputs";
 
-/** A mistake in how the command was called: one line, and exit status 2. */
+/** An error in the call of the command: one line, and exit status 2. */
 export class UsageError extends Error {
 	override name = "UsageError";
 
-	/** @param below what stands on lines of its own below the message: a text's line and the place in it */
+	/** @param below lines below the message: a text's line with a mark at the position */
 	constructor(
 		message: string,
 		readonly below = "",
@@ -31,7 +31,7 @@ export const TIME_OVER = 5;
 /** Exit status where a limit of the core cut the plant short. */
 export const CUT_SHORT = 6;
 
-/** The text of --help: of one model, with the names of the others. */
+/** The text of --help for one model, with the names of the others. */
 export function usage(model: Model, models: readonly string[]): string {
 	const { name, title, noun, table, presets, details, formats, targets } = model;
 	const keys = [...table.links].map(([key, entries]) => {

@@ -1,7 +1,7 @@
-/** Writing of files that were named in a call: whose fault it is where one cannot be written. */
+/** Writes files that a call names, and tells errors of the call from those of the machine. */
 import { UsageError } from "./usage";
 
-/** Codes of the system for which the call is to blame: another path can be written. */
+/** System codes that are errors of the call: another path can be written. */
 const OF_THE_PATH: Readonly<Record<string, string>> = {
 	ENOENT: "no such file or folder",
 	ENOTDIR: "a part of the path is no folder",
@@ -13,7 +13,7 @@ const OF_THE_PATH: Readonly<Record<string, string>> = {
 	EINVAL: "the name cannot be used",
 };
 
-/** Codes for which the machine is. */
+/** System codes that are errors of the machine. */
 const OF_THE_MACHINE: Readonly<Record<string, string>> = {
 	ENOSPC: "the disk is full",
 	EDQUOT: "the quota of the disk is used up",
@@ -24,19 +24,19 @@ const OF_THE_MACHINE: Readonly<Record<string, string>> = {
 	EPIPE: "its reader has gone",
 };
 
-/** The system's word on a file, in plain ones. */
+/** The system's error about a file in plain words. */
 export function reasonOf(error: unknown): string {
 	const { code = "", message } = error as NodeJS.ErrnoException;
 	return OF_THE_PATH[code] ?? OF_THE_MACHINE[code] ?? message.split("\n")[0];
 }
 
-/** A failure to write that no other call would have avoided: a full disk. Ends the command with status 1. */
+/** A failure to write that no other call would avoid: a full disk. Ends the command with status 1. */
 export class WriteError extends Error {
 	override name = "WriteError";
 }
 
 /**
- * Writes, and says of a failure which path it was.
+ * Writes, and adds the path to errors.
  * @throws UsageError where the path cannot be used, WriteError where the machine cannot write
  */
 export async function writing<Result>(path: string, write: () => Promise<Result>): Promise<Result> {

@@ -1,6 +1,6 @@
 /**
- * What is asked for → a specimen. A link is brought into range with notes, since it may be old or cut short on its way;
- * what was typed is refused where it cannot be used, since a silent change would spoil a series.
+ * Turns a request into a specimen. Values of a link are changed to fit, with notes, since the link may be old or
+ * damaged; typed values that do not fit are refused, since a silent change would spoil a series.
  */
 import { isModel, modelNamed, modelNames } from "../models/index";
 import type { Model } from "../models/model";
@@ -10,13 +10,13 @@ import { quote } from "../specimen/notes";
 import { isKnown, type Restored, restore } from "../specimen/restore";
 import { SPECIMEN_VERSION, type Specimen } from "../specimen/specimen";
 
-/** What was asked for cannot be used as it is: nothing has been grown. The message says what is wrong, and what there is in its place. */
+/** The request cannot be used as it is: nothing has been grown. The message names the problem and valid values. */
 export class SpecimenError extends Error {
 	override name = "SpecimenError";
 	constructor(
-		/** The part that is wrong, as it was named: a parameter's key, `preset`, `model`. */
+		/** The name of the wrong part: a parameter's key, `preset`, `model`. */
 		readonly key: string,
-		/** What is wrong with it, in plain words. */
+		/** The problem in plain words. */
 		readonly problem: string,
 		message = `${key}: ${problem}`,
 	) {
@@ -24,18 +24,19 @@ export class SpecimenError extends Error {
 	}
 }
 
-/** A specimen, and the model that it is one of. */
+/** A specimen and its model. */
 export interface Read extends Restored {
 	readonly model: Model;
 }
 
-/** Where a text says how its presets are listed. */
+/** A hint in messages about unknown presets. */
 const LISTED = "presets() lists them";
 
 /**
- * A preset's name or a link. A preset of the default model has its bare name, those of others their model's before it:
- * `riesling`, `leaf/oak`; a model's name alone is its standard preset, and nothing the default model's.
- * @param listed ends the sentence about a preset that is not there
+ * Reads a preset's name or a link. A preset of the default model has its bare name, those of others their model's
+ * before it: `riesling`, `leaf/oak`; a model's name alone means its standard preset, and an empty source the default
+ * model's.
+ * @param listed the end of the message about an unknown preset
  * @throws SpecimenError where it is neither
  */
 export async function readSource(source: string | undefined, listed = LISTED): Promise<Read> {
@@ -63,7 +64,7 @@ export function linkIn(text: string): { query: string; fragment: string } | unde
 	return { query: query < 0 ? "" : text.slice(query, end), fragment: text.slice(end) };
 }
 
-/** Reads a link; whatever comes in gives a complete specimen and notes. */
+/** Reads a link; any link gives a complete specimen and notes. */
 export async function readLink(query: string, fragment: string): Promise<Read> {
 	const model = await modelNamed(modelInQuery(query));
 	return { model, ...(await decodeLink(model, query, fragment)) };
@@ -74,9 +75,9 @@ function fresh(model: Model, preset: string | undefined): Read {
 }
 
 /**
- * Values by their keys, as a person or a program writes them, put into a specimen; the first that cannot be used as it is
- * ends it. Numbers are held to two decimals, as links hold them.
- * @param from what holds where they are silent; without one, the preset that they name
+ * Sets values by their keys in a specimen; throws at the first that cannot be used as it is. Numbers are rounded to two
+ * decimals, as in links.
+ * @param from the specimen with all other values; without one, the preset that the values name
  * @throws SpecimenError
  */
 export function readTyped(model: Model, values: Readonly<Record<string, unknown>>, from?: Specimen): Specimen {
@@ -88,7 +89,7 @@ export function readTyped(model: Model, values: Readonly<Record<string, unknown>
 }
 
 /**
- * Values by their keys, among them the model's name and a preset's.
+ * Reads values by their keys, including the names of the model and of a preset.
  * @throws SpecimenError
  */
 export async function readValues(values: Readonly<Record<string, unknown>>): Promise<Read> {

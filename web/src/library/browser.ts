@@ -1,4 +1,7 @@
-/** The library's front door in browsers: on a page plants grow in workers, two at the most, in a worker on its own thread. */
+/**
+ * The library's entry point in browsers: on a page plants grow in workers, two at the most, in a worker on its own
+ * thread.
+ */
 import { Core } from "../core/core";
 import { compileCore } from "../core/loader";
 import { Pool } from "../core/pool";

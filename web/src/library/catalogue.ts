@@ -1,4 +1,4 @@
-/** What there is to grow: models, and of each its presets, parameters, measures and files. */
+/** The catalogue: models, and their presets, parameters, measures and files. */
 import { PLANT_FILES } from "../formats/plant_files";
 import { isModel, modelNamed, modelNames } from "../models/index";
 import type { Model } from "../models/model";
@@ -7,37 +7,37 @@ import { SpecimenError } from "./asked";
 
 /** A model. */
 export interface ModelInfo {
-	/** As links write it: `bunch`. */
+	/** The name in links: `bunch`. */
 	readonly name: string;
-	/** As a heading: "Grape bunch". */
+	/** The heading: "Grape bunch". */
 	readonly title: string;
-	/** Whether what its links mean is not yet frozen. */
+	/** Whether the meaning of its links is not frozen yet. */
 	readonly preview: boolean;
 }
 
 /** A named specimen to start from. */
 export interface PresetInfo {
-	/** As in links: `long-conical`. */
+	/** The name in links: `long-conical`. */
 	readonly name: string;
-	/** As a heading. */
+	/** The heading. */
 	readonly title: string;
-	/** The sort that the gallery shows it with. */
+	/** The gallery's group of it. */
 	readonly kind: string;
-	/** One line about it. */
+	/** One line of description. */
 	readonly about: string;
 }
 
 /** A parameter of a model. */
 export interface ParameterInfo {
-	/** By which `grow` takes it. */
+	/** The key for `grow`. */
 	readonly key: string;
-	/** As panels call it. */
+	/** The label in panels. */
 	readonly label: string;
 	/** A choice's value is the name of one of its `options`, a colour's six hexadecimal digits. */
 	readonly kind: "number" | "integer" | "choice" | "colour";
 	/** Of numbers: `mm`, `%`, `°` …; `px` are the paper's pixels; empty where there is none. */
 	readonly unit: string;
-	/** What the model takes where neither preset nor caller says otherwise. */
+	/** The value where neither preset nor caller sets one. */
 	readonly default: number | string;
 	/** Of numbers. */
 	readonly min?: number;
@@ -51,15 +51,15 @@ export interface ParameterInfo {
 
 /** A measure of a grown plant. */
 export interface MeasureInfo {
-	/** By which `Grown.measures` and `GrowOptions.targets` name it. */
+	/** The key in `Grown.measures` and `GrowOptions.targets`. */
 	readonly key: string;
-	/** As tables call it. */
+	/** The label in tables. */
 	readonly label: string;
 	/** A share is 0 … 1; a note is the class of a descriptor. */
 	readonly kind: "number" | "share" | "whole" | "note";
-	/** Empty of shares, counts and notes. */
+	/** Empty for shares, counts and notes. */
 	readonly unit: string;
-	/** Code of the descriptor of the OIV, the vine and wine organisation, where there is one. */
+	/** Code of the descriptor of the OIV, the vine and wine organisation, if there is one. */
 	readonly oiv?: number;
 	/** One plain sentence. */
 	readonly help: string;
@@ -67,19 +67,19 @@ export interface MeasureInfo {
 
 /** A kind of file. */
 export interface FormatInfo {
-	/** What `toFile` calls it: `glb-low`, `csv`. */
+	/** The key for `toFile`: `glb-low`, `csv`. */
 	readonly key: string;
-	/** As menus call it. */
+	/** The title in menus. */
 	readonly title: string;
-	/** One line about it. */
+	/** One line of description. */
 	readonly about: string;
-	/** What names of such files end in: `-low.glb`. */
+	/** The end of such files' names: `-low.glb`. */
 	readonly suffix: string;
 	/** The media type. */
 	readonly type: string;
 }
 
-/** All models, the one that a link means which names none at first. */
+/** All models; the default model is the first. */
 export async function models(): Promise<ModelInfo[]> {
 	const all = await Promise.all(modelNames().map(modelNamed));
 	return all.map(({ name, title, preview = false }) => ({ name, title, preview }));
@@ -132,8 +132,8 @@ export async function measures(model?: string): Promise<MeasureInfo[]> {
 }
 
 /**
- * The kinds of file that `toFile` makes of a model's plants. Some suit not all of them: `glb-growth` those with an age, `glb-lod` those of models that make levels.
- *
+ * The kinds of file that `toFile` makes of a model's plants. Some do not suit all plants: `glb-growth` needs an age,
+ * `glb-lod` a model with levels.
  * @param model - its name; the default model's where absent
  * @throws SpecimenError where there is no such model
  */
@@ -148,7 +148,7 @@ export async function formats(model?: string): Promise<FormatInfo[]> {
 	}));
 }
 
-/** Besides the files with meshes in one piece. */
+/** Kinds of files besides those with meshes in one piece. */
 const OTHERS: readonly FormatInfo[] = [
 	{
 		key: "obj",

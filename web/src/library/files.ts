@@ -1,4 +1,4 @@
-/** Files of grown specimens: all that the app's Download and the command line write, but for pictures. */
+/** Files of grown specimens: all that the app's Download and the command line write, except pictures. */
 import { aboutPlant } from "../formats/about_plant";
 import { exportJson, type OrganRecord, type SegmentRecord } from "../formats/json";
 import { exportObj } from "../formats/obj";
@@ -13,60 +13,70 @@ import { readTyped, SpecimenError } from "./asked";
 import { formats } from "./catalogue";
 import { type Grown, growHeld, type Specimen } from "./grow";
 
-/** The forms of a GLB: docs/export.md says what is in each. */
+/** The forms of a GLB: docs/export.md describes them. */
 export type GlbForm = "detailed" | "web" | "low" | "instanced" | "growth" | "wind" | "lod";
 
-/** What may be said of a GLB. */
+/** Options of a GLB. */
 export interface GlbOptions {
-	/** `detailed` where absent. `web` and `instanced` are for readers of extensions of glTF, `growth` is the plant's life as an animation, `wind` its swaying, `lod` a tree of `growth` for four distances (MSFT_lod). */
+	/**
+	 * `detailed` where absent. `web` and `instanced` are for readers of extensions of glTF, `growth` is the plant's
+	 * life as an animation, `wind` its swaying, `lod` a tree of `growth` at four levels of detail (MSFT_lod).
+	 */
 	readonly form?: GlbForm;
-	/** Of the form `low`, at the most, 20,000 where absent; and of the form `wind`, 40,000 where absent. */
+	/** The most triangles of the form `low`, 20,000 where absent, and of the form `wind`, 40,000 where absent. */
 	readonly triangles?: number;
-	/** Whether light comes through flesh in the forms `detailed` and `instanced`; readers take another pass for it. */
+	/**
+	 * Whether light passes through flesh in the forms `detailed` and `instanced`; readers need an extra pass for it.
+	 */
 	readonly translucent?: boolean;
-	/** Whether pictures say colours and shade in the form `detailed`, where vertices do otherwise. */
+	/** Whether pictures hold colours and shade in the form `detailed`, in place of vertices. */
 	readonly textures?: boolean;
 }
 
-/** An OBJ with what lies beside it. */
+/** An OBJ with the files beside it. */
 export interface ObjFiles {
-	/** The text of `NAME.obj`; it asks for `NAME.mtl`. */
+	/** The text of `NAME.obj`; it refers to `NAME.mtl`. */
 	readonly obj: string;
 	/** The text of `NAME.mtl`. */
 	readonly mtl: string;
-	/** The pictures that the MTL asks for, PNGs by the names of their files. */
+	/** The pictures that the MTL refers to, PNGs by the names of their files. */
 	readonly pictures: readonly { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> }[];
 }
 
-/** The JSON document of a plant: what docs/command-line.md describes. Lengths in metres; each number reads back as the float32 it was. */
+/**
+ * The JSON document of a plant, as in docs/command-line.md. Lengths in metres; each number reads back as the same
+ * float32.
+ */
 export interface PlantDocument {
 	/** The program that wrote it, with its version. */
 	readonly generator: string;
-	/** What it grew from. */
+	/** The specimen that it grew from. */
 	readonly specimen: Specimen;
-	/** How many of what there are, by name. */
+	/** Counts by name. */
 	readonly counts: Readonly<Record<string, number>>;
 	/** By key; null where one does not apply. */
 	readonly measures: Readonly<Record<string, number | null>>;
 	/** Classes of descriptors by the keys of their measures, with the code of the OIV; absent where there are none. */
 	readonly classes?: Readonly<Record<string, { readonly oiv: number; readonly class: number; readonly words: string }>>;
-	/** One a drawn module, parents first; absent where nothing was drawn. A model may say them in other fields of its own. */
+	/**
+	 * One per drawn module, parents first; absent where nothing was drawn. A model may use fields of its own in their
+	 * place.
+	 */
 	readonly segments?: readonly SegmentRecord[];
-	/** What is borne; absent where nothing is. */
+	/** Leaves, fruits and flowers; absent where there are none. */
 	readonly organs?: readonly OrganRecord[];
-	/** What there is to say of it, in plain sentences. */
+	/** Messages in plain sentences. */
 	readonly notes: readonly string[];
-	/** As `Grown` has it; it can be computed again from the document. */
+	/** As in `Grown`; it can be computed again from the document. */
 	readonly fingerprint: string;
-	/** What the model says besides. */
+	/** Fields of the model. */
 	readonly [own: string]: unknown;
 }
 
 /**
  * A GLB: glTF 2.0 in one file, metres, +Y up. The same plant and options give the same bytes.
- *
  * @param grown - a plant with meshes
- * @param options - its form, and what may be said of that
+ * @param options - its form and options of the form
  * @throws SpecimenError where the plant was grown without meshes, or has no ages for the form `growth`
  *
  * @example
@@ -80,8 +90,7 @@ export function toGLB(grown: Grown, options: GlbOptions = {}): Promise<Uint8Arra
 }
 
 /**
- * A USDZ, which phones show in the room.
- *
+ * A USDZ, which phones show in augmented reality.
  * @param grown - a plant with meshes
  * @throws SpecimenError where the plant was grown without meshes
  */
@@ -91,9 +100,8 @@ export function toUSDZ(grown: Grown): Promise<Uint8Array<ArrayBuffer>> {
 
 /**
  * A 3MF for printers: one closed body in millimetres. Takes seconds.
- *
  * @param grown - a plant with meshes
- * @param options - `thickness`: that nothing is thinner, in millimetres; 1 where absent
+ * @param options - `thickness`: the least thickness, in millimetres; 1 where absent
  * @throws SpecimenError where the plant was grown without meshes
  */
 export function to3MF(grown: Grown, options: { readonly thickness?: number } = {}): Promise<Uint8Array<ArrayBuffer>> {
@@ -101,10 +109,9 @@ export function to3MF(grown: Grown, options: { readonly thickness?: number } = {
 }
 
 /**
- * An STL of the same body as `to3MF`'s, for older programs.
- *
+ * An STL of the same body as in `to3MF`, for older programs.
  * @param grown - a plant with meshes
- * @param options - `thickness`: that nothing is thinner, in millimetres; 1 where absent
+ * @param options - `thickness`: the least thickness, in millimetres; 1 where absent
  * @throws SpecimenError where the plant was grown without meshes
  */
 export function toSTL(grown: Grown, options: { readonly thickness?: number } = {}): Promise<Uint8Array<ArrayBuffer>> {
@@ -113,9 +120,8 @@ export function toSTL(grown: Grown, options: { readonly thickness?: number } = {
 
 /**
  * A PLY of points spread evenly over the surface, with normals and colours.
- *
  * @param grown - a plant with meshes
- * @param options - `points`: how many; 100,000 where absent
+ * @param options - `points`: their number; 100,000 where absent
  * @throws SpecimenError where the plant was grown without meshes
  */
 export function toPLY(grown: Grown, options: { readonly points?: number } = {}): Promise<Uint8Array<ArrayBuffer>> {
@@ -124,9 +130,8 @@ export function toPLY(grown: Grown, options: { readonly points?: number } = {}):
 
 /**
  * An OBJ, its MTL and their pictures: metres, +Y up.
- *
  * @param grown - a plant with meshes
- * @param name - what the files will be called, without an ending; the preset's name where absent
+ * @param name - the name of the files, without a suffix; the preset's name where absent
  * @throws SpecimenError where the plant was grown without meshes
  */
 export async function toOBJ(grown: Grown, name = grown.specimen.preset): Promise<ObjFiles> {
@@ -137,8 +142,7 @@ export async function toOBJ(grown: Grown, name = grown.specimen.preset): Promise
 }
 
 /**
- * The plant as a document of plain JSON: every part as numbers, measures, what it grew from.
- *
+ * The plant as a document of plain JSON: every part as numbers, measures, and its specimen.
  * @param grown - a plant, with or without meshes
  */
 export async function toJSON(grown: Grown): Promise<PlantDocument> {
@@ -147,14 +151,13 @@ export async function toJSON(grown: Grown): Promise<PlantDocument> {
 }
 
 /**
- * A file of any kind that `formats(model)` lists: those above, an OBJ with all that belongs to it in a ZIP, and what a model has of
- * its own, such as a bunch's `csv` or a leaf's `svg`.
- *
- * @param grown - a plant; with meshes, but for `json` and tables
+ * A file of any kind that `formats(model)` lists: those above, an OBJ with all its files in a ZIP, and the model's own,
+ * such as a bunch's `csv` or a leaf's `svg`.
+ * @param grown - a plant; with meshes, except for `json` and tables
  * @param format - the key of the kind
- * @param options - what is not heeded by that kind changes nothing
+ * @param options - options; the kind ignores those that it does not use
  * @returns the file, with its media type
- * @throws SpecimenError where there is no such kind of this plant, or a number of `options` is out of its range
+ * @throws SpecimenError where there is no such kind for this plant, or a number in `options` is out of its range
  */
 export async function toFile(grown: Grown, format: string, options: FileOptions = {}): Promise<Blob> {
 	const { model, held } = await heldOf(grown);
@@ -177,10 +180,9 @@ export async function toFile(grown: Grown, format: string, options: FileOptions 
 }
 
 /**
- * What a plant is made of, as all files with meshes have it: named meshes or instances, each with its material.
- *
+ * The parts of a plant, as in all files with meshes: named meshes or instances, each with its material.
  * @param grown - a plant with meshes
- * @returns the parts, which share meshes, arrays and materials by sharing the objects; nothing in them may be changed
+ * @returns the parts, which share meshes, arrays and materials by sharing the objects; do not change them
  * @throws SpecimenError where the plant was grown without meshes
  */
 export async function partsOf(grown: Grown): Promise<Part[]> {
@@ -201,7 +203,7 @@ async function bytesOf(grown: Grown, format: string, options: FileOptions = {}):
 	return new Uint8Array(await (await toFile(grown, format, options)).arrayBuffer());
 }
 
-/** The specimen as the model has it: it may have come through a message, or from a file. */
+/** The specimen with the model's own types: it may have come through a message, or from a file. */
 async function heldOf({ specimen }: Grown): Promise<{ model: Model; held: Held }> {
 	const model = await modelNamed(specimen.model);
 	return { model, held: readTyped(model, specimen) };

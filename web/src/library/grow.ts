@@ -1,4 +1,4 @@
-/** `grow`: what the library is for. */
+/** `grow`, the main function of the library. */
 import { aimed } from "../batch/aimed";
 import { measuresOf } from "../formats/measures";
 import { growPlant, untimed } from "../generate/growth";
@@ -13,11 +13,11 @@ import { type Read, readSource, readValues, SpecimenError } from "./asked";
 import { runtime } from "./runtime";
 
 /**
- * A specimen: the whole document that a plant grows from. Plain JSON, the same as exported files carry and links write; the same
+ * A specimen: the whole document that a plant grows from. Plain JSON, the same as in exported files and links; the same
  * specimen gives the same plant, bit for bit, everywhere.
  */
 export interface Specimen {
-	/** The version of what it means. */
+	/** The version of its meaning. */
 	readonly v: 2;
 	/** Name of the model: `bunch`, `leaf`, `tree`, `root`. */
 	readonly model: string;
@@ -27,15 +27,15 @@ export interface Specimen {
 	readonly seed: number;
 	/** Every parameter by its key, in the units of `parameters(model)`; choices by the names of their options. */
 	readonly parameters: Readonly<Record<string, number | string>>;
-	/** What only colours the plant: colours as six hexadecimal digits, the others numbers. */
+	/** Values that only colour the plant: colours as six hexadecimal digits, the others numbers. */
 	readonly look: Readonly<Record<string, number | string>>;
-	/** What a model holds besides: berries taken off, a grammar's text, an outline. */
+	/** Further fields of the model: removed berries, a grammar's text, an outline. */
 	readonly [detail: string]: unknown;
 }
 
 /**
- * What a program asks for by keys: `{ preset: "riesling", seed: 7, age: 80 }`. What is left out is the preset's; any key of
- * `parameters(model)` is one, and so are `grammar`, `thin` and the other details of docs/links.md. A whole `Specimen` is one, too.
+ * Values by keys: `{ preset: "riesling", seed: 7, age: 80 }`. Missing ones are the preset's; keys are those of
+ * `parameters(model)`, and `grammar`, `thin` and the other fields in docs/links.md. A whole `Specimen` is valid, too.
  */
 export interface Values {
 	/** Name of the model; `bunch` where absent. */
@@ -44,25 +44,31 @@ export interface Values {
 	readonly preset?: string;
 	/** 0 … 4294967295; 1 where absent. */
 	readonly seed?: number;
-	/** A parameter or a detail. */
+	/** A parameter or a further field. */
 	readonly [key: string]: unknown;
 }
 
 /**
- * What is to be grown: a link, whole or from its `?` on; a preset's name (`riesling`, `leaf/oak`, `tree` for a model's standard
- * preset); or values by their keys.
+ * A request for a plant: a link, whole or from its `?` on; a preset's name (`riesling`, `leaf/oak`, `tree` for a
+ * model's standard preset); or values by their keys.
  */
 export type Asked = string | Values;
 
-/** How `grow` grows. */
+/** Options of `grow`. */
 export interface GrowOptions {
-	/** Whether triangles are wanted; `true` where absent. Without them growing is quicker, and there are no parts and no files with meshes. */
+	/**
+	 * Whether to make triangles; `true` where absent. Without them growing is quicker, and there are no parts and no
+	 * files with meshes.
+	 */
 	readonly meshes?: boolean;
-	/** Whether measures are wanted; `true` where absent. */
+	/** Whether to measure the plant; `true` where absent. */
 	readonly measures?: boolean;
-	/** Measures asked for in place of parameters, by their keys and in their units: `{ bunch_length: 160 }`. Parameters are found that measure so, as near as they can. */
+	/**
+	 * Target measures in place of parameters, by their keys and in their units: `{ bunch_length: 160 }`. `grow`
+	 * searches for parameters that come as near as possible.
+	 */
 	readonly targets?: Readonly<Record<string, number>>;
-	/** Cancels. On a page a growth ends in its midst, elsewhere before it begins. */
+	/** Cancels. On a page it interrupts a growth, elsewhere it only prevents one from beginning. */
 	readonly signal?: AbortSignal;
 }
 
@@ -70,21 +76,24 @@ export interface GrowOptions {
  * A grown specimen. Plain data: it may be posted from a worker to the page as it is, and `structuredClone` copies it.
  */
 export interface Grown {
-	/** What it grew from; of a link out of range, or with `targets`, not quite what was asked. */
+	/** The specimen that it grew from; it differs from the request for a link out of range, or with `targets`. */
 	readonly specimen: Specimen;
-	/** Query and fragment that bring it back: `?v=2&…`. */
+	/** Query and fragment that restore it: `?v=2&…`. */
 	readonly link: string;
-	/** In a few plain words: "118 berries, 14 cm long". */
+	/** A few plain words: "118 berries, 14 cm long". */
 	readonly words: string;
-	/** How many of what there are, by name. */
+	/** Counts by name. */
 	readonly counts: Readonly<Record<string, number>>;
-	/** By the keys of `measures(model)` and in their units; null where one does not apply; empty where none were wanted. */
+	/**
+	 * By the keys of `measures(model)` and in their units; null where one does not apply; empty where none were
+	 * requested.
+	 */
 	readonly measures: Readonly<Record<string, number | null>>;
-	/** What there is to say of what was asked and of what grew, in plain sentences. */
+	/** Messages about the request and the plant, in plain sentences. */
 	readonly notes: readonly string[];
-	/** 16 hexadecimal digits over segments and organs: the same plant has the same (docs/fingerprint.md). */
+	/** 16 hexadecimal digits over segments and organs: equal for equal plants (docs/fingerprint.md). */
 	readonly fingerprint: string;
-	/** Whether it was grown with meshes, which its parts and most files are made of. */
+	/** Whether it was grown with meshes, which parts and most files need. */
 	readonly meshes: boolean;
 	/** The plant itself as typed arrays: segments, organs, meshes, and the model's own columns. Metres, +Y up. */
 	readonly plant: Plant;
@@ -92,14 +101,14 @@ export interface Grown {
 
 /**
  * Grows a specimen of any model.
- *
  * @param asked - a link, a preset's name, or values by their keys
- * @param options - what is wanted of it
+ * @param options - options of growing
  * @returns the plant with its measures, fingerprint, link and notes
- * @throws SpecimenError where a preset's name or a value cannot be used; what a link says is brought into range instead, with a note
+ * @throws SpecimenError where a preset's name or a value cannot be used; values of a link are brought into range
+ * instead, with a note
  * @throws CoreError where a grammar's text is wrong, with its line and column, or the plant would be too large
  * @throws UnsupportedError where there is no WebAssembly, or the core's file could not be fetched
- * @throws CoreTrap where the core broke: the next plant grows in another
+ * @throws CoreTrap where the core crashed: the next plant grows in another
  *
  * @example
  * ```js
@@ -124,12 +133,12 @@ export async function grow(asked: Asked, options: GrowOptions = {}): Promise<Gro
 	};
 }
 
-/** What is asked for, as a specimen with every parameter's value. */
+/** The request as a specimen with every parameter's value. */
 export async function readAsked(asked: Asked): Promise<Read> {
 	return typeof asked === "string" ? readSource(asked) : readValues(asked);
 }
 
-/** Grows what has been read. */
+/** Grows a specimen that has been read. */
 export function growHeld(
 	model: Model,
 	specimen: Held,
@@ -139,7 +148,7 @@ export function growHeld(
 	return growPlant(model, specimen, wanted, (wasm, blocks) => runtime().grow(wasm, blocks, signal));
 }
 
-/** The specimen that measures what is asked, and what falls short of it. */
+/** The specimen nearest to the targets, and notes on missed ones. */
 async function aim(model: Model, from: Held, targets: Readonly<Record<string, number>>, signal?: AbortSignal) {
 	const aims = Object.entries(targets).map(([measure, value]) => ({ measure, value }));
 	if (aims.length === 0) return { specimen: from, notes: [] };

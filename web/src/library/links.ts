@@ -1,21 +1,21 @@
-/** Links as the library reads and writes them. */
+/** Reads and writes links for the library. */
 import { encodeLink } from "../specimen/link";
 import { quote } from "../specimen/notes";
 import { writtenSpecimen } from "../specimen/written";
 import { linkIn, readLink, SpecimenError } from "./asked";
 import { type Asked, readAsked, type Specimen } from "./grow";
 
-/** What a link says. */
+/** The contents of a link. */
 export interface ParsedLink {
-	/** Complete and in range, whatever the link was. */
+	/** Complete and in range for any link. */
 	readonly specimen: Specimen;
-	/** What of the link could not be used, and what is used in its place, in plain sentences. */
+	/** Unusable parts of the link, with the values used in their place, in plain sentences. */
 	readonly notes: readonly string[];
 }
 
 /**
- * Reads a link without growing it. Any link gives a specimen: links are for ever, and what of one cannot be used is told in notes.
- *
+ * Reads a link without growing it. Any link gives a specimen: links stay valid, and unusable parts are reported in
+ * notes.
  * @param link - a whole address, or its part from the `?` on
  * @throws SpecimenError where the text is no link at all: it has neither `?` nor `#` nor `://`
  */
@@ -27,8 +27,7 @@ export async function parseLink(link: string): Promise<ParsedLink> {
 }
 
 /**
- * The link of a specimen, by which the app, the element and the service bring it back.
- *
+ * The link of a specimen, which opens it in the app, the element and the service.
  * @param asked - a specimen, values by their keys, a preset's name, or a link, which is written anew
  * @param page - the address of an app to open it in; without one, the link begins with its `?`
  * @throws SpecimenError where a preset's name or a value cannot be used

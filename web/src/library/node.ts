@@ -1,4 +1,4 @@
-/** The library's front door under Node: plants grow on the thread that asks. */
+/** The library's entry point under Node: plants grow on the calling thread. */
 import { readFile } from "node:fs/promises";
 import { loadCoreFromBytes } from "../core/loader";
 import { setRuntime } from "./runtime";

@@ -4,17 +4,17 @@ import type { Pool } from "../core/pool";
 import { addressOf } from "./address_of";
 import type { Runtime } from "./runtime";
 
-/** Milliseconds that idle workers are kept for a plant more. */
+/** Milliseconds for which idle workers stay ready. */
 const LINGER = 10_000;
 
-/** Grows in workers, so that the page stays responsive; they are given up when nothing has been asked of them for a while. */
+/** Grows in workers, so that the page stays responsive; the workers end after a while without requests. */
 export class PageRuntime implements Runtime {
 	readonly #start: () => Pool;
 	#pool: Pool | undefined;
 	#running = 0;
 	#leaving: ReturnType<typeof setTimeout> | undefined;
 
-	/** @param start makes the pool of workers; again after they were given up */
+	/** @param start makes the pool of workers, and again after it has ended */
 	constructor(start: () => Pool) {
 		this.#start = start;
 	}

@@ -1,11 +1,14 @@
-/** Where the library's plants grow: what browsers and Node do differently. Each front door (browser.ts, node.ts) lays its own. */
+/**
+ * The runtime of the library: the way of growing in browsers or Node. Each entry point (browser.ts, node.ts) sets its
+ * own.
+ */
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 
 export interface Runtime {
 	/**
 	 * @param wasm the file of a model's core: `bunch.wasm`
-	 * @param signal cancels; where that can be, in the midst of growing
+	 * @param signal cancels, if possible also a running growth
 	 */
 	grow(wasm: string, blocks: readonly Block[], signal?: AbortSignal): Promise<Answer>;
 }

@@ -4,8 +4,8 @@ import { addressOf } from "./address_of";
 import type { Runtime } from "./runtime";
 
 /**
- * Grows on the thread that asks: a growth is not interrupted once it has begun.
- * @param load brings the core to life that lies there
+ * Grows on the calling thread: a running growth cannot be interrupted.
+ * @param load instantiates the core at an address
  */
 export function threadRuntime(load: (address: string) => Promise<Core>): Runtime {
 	const cores = new Cores((wasm) => load(addressOf(wasm)));

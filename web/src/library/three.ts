@@ -15,12 +15,12 @@ import { partsOf } from "./files";
 import type { Grown } from "./grow";
 
 /**
- * A plant as a group of three's meshes, for games and scenes that have a renderer of their own: the parts, names and physically based
- * materials of the detailed GLB, colours of vertices in the shade in which they stand. Metres, +Y up; a bunch hangs from the origin, trees
- * stand on it. What stands many times, such as a tree's leaves, is an `InstancedMesh`, each instance in the shade in which it stands.
+ * A plant as a group of three's meshes, for games and scenes that have a renderer of their own: the parts, names and
+ * physically based materials of the detailed GLB, with the shade in their vertex colours. Metres, +Y up; a bunch hangs
+ * from the origin, trees stand on it. Repeated parts, such as a tree's leaves, are an `InstancedMesh`, each instance in
+ * its own shade.
  *
- * Geometries, materials and textures are the group's own: who takes it out of a scene for good disposes of them.
- *
+ * Geometries, materials and textures belong to the group: dispose of them when you remove it.
  * @param grown - a plant with meshes
  * @returns the group; `userData` has its link and its fingerprint
  * @throws `SpecimenError` where the plant was grown without meshes
@@ -46,7 +46,7 @@ export async function toObject3D(grown: Grown): Promise<Group> {
 	return group;
 }
 
-/** Parts with what they see of the sky in their colours, as files have it; meshes stay shared. */
+/** Parts with their visible share of the sky in their colours, as in files; meshes stay shared. */
 class Shade {
 	readonly #known = new Map<PartMesh, PartMesh>();
 
@@ -69,14 +69,14 @@ class Shade {
 	}
 }
 
-/** What the colours of instances are to be multiplied with, where each sees more or less of the sky; linear. */
+/** Factors on the colours of instances, where instances see different shares of the sky; linear. */
 function tintsOf({ mesh, material, instances }: Shape): InstancedBufferAttribute | null {
 	if (!instances?.sky || mesh.sky) return null;
 	const open = everywhere([1, 1, 1], instances.sky.length);
 	return new InstancedBufferAttribute(shaded(open, instances.sky, material.colour), 3);
 }
 
-/** Each material once, with colours of vertices and without. */
+/** Materials of three.js, each made once with vertex colours and once without. */
 class Clothes {
 	readonly #made = {
 		coloured: new Map<Material, MeshStandardMaterial>(),

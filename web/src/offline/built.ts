@@ -1,16 +1,16 @@
-/** What a build consists of, as web/offline_app.mjs writes it into its service worker. */
+/** The description of a build, which web/offline_app.mjs writes into its service worker. */
 export interface Built {
-	/** The app's version: files of the same plant may differ from one to the next. */
+	/** The app's version: files of the same plant may differ between versions. */
 	readonly release: string;
-	/** Tells this build from every other. */
+	/** A unique id of this build. */
 	readonly id: string;
-	/** Its files by their paths in the app's folder, the page itself as "": what they must be, as `integrity` has it. */
+	/** Integrity values of its files by their paths in the app's folder; the path of the page itself is "". */
 	readonly files: Readonly<Record<string, string>>;
-	/** Paths of the cores by what models call them: `tree.wasm`. */
+	/** Paths of the cores by file name: `tree.wasm`. */
 	readonly cores: Readonly<Record<string, string>>;
-	/** The path of the script that answers for specimens. */
+	/** The path of the script that serves specimens. */
 	readonly specimens: string;
 }
 
-/** Files whose names tell what is in them: what has the same path is the same. */
+/** Whether a file's name depends on its content: equal paths mean equal files. */
 export const isNamedByContent = (path: string): boolean => path.startsWith("assets/");

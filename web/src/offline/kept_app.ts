@@ -1,18 +1,18 @@
-/** A build of the app, kept in a cache of its own until no page needs it. */
+/** A build of the app in a cache of its own, until no page needs it. */
 import { type Built, isNamedByContent } from "./built";
 
 export interface KeptAppOptions {
-	/** The app's folder, as a whole address that ends in a slash: several apps of one host keep what is theirs apart. */
+	/** The app's folder, as a whole address that ends in a slash: several apps on one host have separate caches. */
 	readonly scope: string;
 	readonly built: Built;
 	readonly caches: CacheStorage;
 	readonly fetch: (url: string, init: RequestInit) => Promise<Response>;
 }
 
-/** Files fetched at once. */
+/** The number of files that are fetched at once. */
 const ABREAST = 6;
 const PAGE = "";
-/** Hosts may say that an answer depends on who asks; these files do not. */
+/** These files do not depend on request headers, even where a host claims so. */
 const MATCHING = { ignoreVary: true } as const;
 
 export class KeptApp {
@@ -27,20 +27,20 @@ export class KeptApp {
 		this.#name = this.#prefix + options.built.id;
 	}
 
-	/** Whether every file of this build is there: the page, which is fetched last, is one of them. */
+	/** Whether every file of this build is cached. The page is fetched last. */
 	async isWhole(): Promise<boolean> {
 		const cache = await this.#open();
 		return (await cache.match(this.#address(PAGE), MATCHING)) !== undefined;
 	}
 
-	/** Whether another build is kept whole: pages come from that one. */
+	/** Whether another build is cached completely: pages come from that one. */
 	async isOtherWhole(): Promise<boolean> {
 		return (await this.#inOthers(PAGE)) !== undefined;
 	}
 
 	/**
-	 * Fetches every file that is not there yet.
-	 * @throws where one does not come, or is another than this build's, as after a deploy: what has come stays
+	 * Fetches every file that is not cached yet.
+	 * @throws where one cannot be fetched, or differs from this build's, as after a deploy: fetched files stay
 	 */
 	fill(): Promise<void> {
 		this.#filling ??= this.#fill().finally(() => {
@@ -49,7 +49,7 @@ export class KeptApp {
 		return this.#filling;
 	}
 
-	/** A file as it is kept: of this build, or where that has none of the name, of one that pages are still open of. */
+	/** A cached file: of this build, or of a build with open pages where this build has no such file. */
 	async find(path: string): Promise<Response | undefined> {
 		if (!Object.hasOwn(this.#options.built.files, path))
 			return isNamedByContent(path) ? this.#inOthers(path) : undefined;
@@ -57,7 +57,10 @@ export class KeptApp {
 		return cache.match(this.#address(path), MATCHING);
 	}
 
-	/** A file of this build, or its script that answers for specimens, fetched if it has not been yet. @throws as `fill` */
+	/**
+	 * A file of this build, or its script that serves specimens; fetches it if it is not cached yet.
+	 * @throws as `fill`
+	 */
 	async bring(path: string): Promise<Response> {
 		const cache = await this.#open();
 		const kept = await cache.match(this.#address(path), MATCHING);
@@ -67,7 +70,10 @@ export class KeptApp {
 		return response;
 	}
 
-	/** Lets other builds go, but for those that have one of these scripts. @param open addresses of the open pages' scripts */
+	/**
+	 * Deletes other builds, except those that have one of these scripts.
+	 * @param open addresses of the open pages' scripts
+	 */
 	async sweep(open: readonly string[]): Promise<void> {
 		for (const name of await this.#others()) {
 			const cache = await this.#options.caches.open(name);
@@ -96,12 +102,12 @@ export class KeptApp {
 	async #fetch(path: string, priority: "auto" | "low" = "low"): Promise<Response> {
 		const response = await this.#options.fetch(this.#address(path), {
 			integrity: this.#options.built.files[path],
-			// What may have changed under the same name is asked for again.
+			// Files that may have changed under the same name are revalidated.
 			cache: isNamedByContent(path) ? "default" : "no-cache",
 			priority,
 		} as RequestInit);
 		if (!response.ok) throw new Error(`${path || "The page"} could not be fetched: ${response.status}`);
-		// Browsers open no page by an answer that was sent on from elsewhere, as some hosts do with the endings of names.
+		// Browsers open no page by a redirected response, which some hosts send for suffixes of names.
 		return response.redirected ? new Response(await response.blob(), { headers: response.headers }) : response;
 	}
 

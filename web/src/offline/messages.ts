@@ -2,12 +2,15 @@
 
 /** From a page. */
 export type ToWorker =
-	/** A page is open; `keep`: the whole app is to be there without a network from now on. */
+	/** A page is open; `keep`: cache the whole app for use without a network. */
 	| { readonly type: "opened"; readonly keep: boolean }
-	/** A person has asked for the new version. */
+	/** The user has chosen to use the new version. */
 	| { readonly type: "take over" };
 
-/** Sent to every page: a specimen is needed. A page that can grow specimens answers `FREE` on the port sent with the message, and receives the request there. */
+/**
+ * Sent to every page: a specimen is needed. A page that can grow specimens answers `FREE` on the port sent with the
+ * message, and receives the request there.
+ */
 export const GROWTH_NEEDED = "panicle specimen";
 export const FREE = "free";
 
@@ -16,7 +19,7 @@ export interface SpecimenRequest {
 	readonly url: string;
 	readonly method: string;
 	readonly headers: Readonly<Record<string, string>>;
-	/** Address of the script that answers (specimens.ts). */
+	/** Address of the script that serves specimens (specimens.ts). */
 	readonly script: string;
 	/** Addresses of the cores by file name: `tree.wasm`. */
 	readonly cores: Readonly<Record<string, string>>;
@@ -33,11 +36,11 @@ export type SpecimenAnswer =
 	/** The page's worker could not be started, or failed. */
 	| { readonly type: "unable" };
 
-/** The maximum number of waiting requests in a page, and in the service worker. */
+/** The most waiting requests in a page, and in the service worker. */
 export const MOST_WAITING = 16;
 export const TOO_MANY = "too many requests; try again in a moment";
 
-/** An answer of status 503 with its reason. */
+/** A response of status 503 with its reason. */
 export function refusal(message: string): Extract<SpecimenAnswer, { type: "answer" }> {
 	const headers = {
 		"content-type": "text/plain; charset=utf-8",

@@ -1,4 +1,7 @@
-/** Delegates the growth of specimens from the service worker to an open page: the service worker's own thread also serves the app's files, and cannot end a growth. */
+/**
+ * Delegates the growth of specimens from the service worker to an open page: the service worker's own thread also
+ * serves the app's files, and cannot end a growth.
+ */
 import { FREE, GROWTH_NEEDED, type SpecimenAnswer, type SpecimenRequest } from "./messages";
 
 /** A page, as the service worker sees it. */
@@ -6,13 +9,13 @@ export interface PageClient {
 	postMessage(message: unknown, transfer: Transferable[]): void;
 }
 
-/** The time in which a page has to answer that it grows specimens, milliseconds. */
+/** Milliseconds in which a page must reply that it grows specimens. */
 const PATIENCE = 250;
-/** The time in which a page has to answer a request, milliseconds: longer than its full queue takes (SpecimenQueue). */
+/** Milliseconds in which a page must answer a request: longer than its full queue takes (SpecimenQueue). */
 const LONGEST = 600_000;
 
 /**
- * Sends the request to the first page that answers that it can grow specimens.
+ * Sends the request to the first page that replies that it can grow specimens.
  * @returns undefined if no page can
  */
 export async function grownByPage(
@@ -29,7 +32,7 @@ export async function grownByPage(
 		};
 		const timer = setTimeout(give, longest, { type: "unable" });
 		port.onmessage = ({ data }: MessageEvent<SpecimenAnswer>) => give(data);
-		// The page has been left.
+		// The page was closed.
 		port.addEventListener("close", () => give({ type: "unable" }));
 		port.postMessage(request);
 	});
@@ -37,14 +40,14 @@ export async function grownByPage(
 	return answer.type === "answer" ? responseOf(answer) : undefined;
 }
 
-/** Statuses of HTTP that have no body. */
+/** HTTP statuses without a body. */
 const EMPTY = [204, 304];
 
 export function responseOf({ status, headers, body }: Extract<SpecimenAnswer, { type: "answer" }>): Response {
 	return new Response(EMPTY.includes(status) ? null : body, { status, headers });
 }
 
-/** The port of the first page that answers; the ports of the others are closed. */
+/** The port of the first page that replies; closes the ports of the others. */
 function firstFree(pages: readonly PageClient[], patience: number): Promise<MessagePort | undefined> {
 	return new Promise((resolve) => {
 		const ports: MessagePort[] = [];

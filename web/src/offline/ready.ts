@@ -1,15 +1,15 @@
 /**
- * `specimens.js`, for pages of one's own in the app's folder or below it: `await ready`, and addresses of specimens are answered in the
- * browser, by the app's service worker. docs/service.md has examples.
+ * `specimens.js`, for other pages in the app's folder or below it: after `await ready`, the app's service worker
+ * answers requests for specimens in the browser. docs/service.md has examples.
  */
 import { registerWorker, tellOpened } from "./register";
 import { hostSpecimens } from "./specimen_host";
 
-/** Settles when this page's requests go by the worker; rejects where they never will, and says why. */
+/** Settles when the worker answers this page's requests; rejects with the reason where it never will. */
 export const ready: Promise<void> = start();
 
 async function start(): Promise<void> {
-	// The built script lies in the app's folder itself.
+	// The built script is in the app's folder itself.
 	const folder = new URL(/* @vite-ignore */ "./", import.meta.url);
 	if (!location.href.startsWith(folder.href))
 		throw new Error(`Only pages below ${folder.href} are answered by its service worker.`);
@@ -20,7 +20,7 @@ async function start(): Promise<void> {
 	const controlled = new Promise<void>((resolve) => {
 		navigator.serviceWorker.addEventListener("controllerchange", () => resolve(), { once: true });
 	});
-	// A first worker takes its pages by itself, and one that is there already when it is told of them.
+	// A first worker claims its pages by itself, an existing one when a page reports to it.
 	tellOpened(await navigator.serviceWorker.ready, false);
 	await controlled;
 }

@@ -1,14 +1,13 @@
-/** The service worker, as pages meet it. */
+/** Registers and removes the service worker, for pages. */
 import type { ToWorker } from "./messages";
 
 const SCRIPT = "service-worker.js";
 
 /**
- * Registers the app's worker for the app's folder; whoever calls it again has the same one. A host that has a worker of its own in that
- * place keeps it, and where the script is gone, the host wants none: what there was of it is cleared away.
- *
- * @param folder the app's, an address that ends in a slash
- * @returns undefined where there is to be no worker, or can be none
+ * Registers the app's worker for the app's folder; repeated calls return the same one. The worker of another script at
+ * that place stays. Where the host has no script any more, the worker and its caches are removed.
+ * @param folder the app's folder, an address that ends in a slash
+ * @returns undefined where there is no worker, or none is possible
  */
 export async function registerWorker(folder: URL): Promise<ServiceWorkerRegistration | undefined> {
 	if (!("serviceWorker" in navigator) || !folder.protocol.startsWith("http")) return undefined;
@@ -21,11 +20,11 @@ export async function registerWorker(folder: URL): Promise<ServiceWorkerRegistra
 		await forgetWorker(before);
 		return undefined;
 	}
-	// Past the browser's keep: or a new version would be noticed when that forgets the old script.
+	// Bypass the browser's cache, which would delay new versions.
 	return navigator.serviceWorker.register(href, { updateViaCache: "none" });
 }
 
-/** Tells the worker that a page is open. */
+/** Reports an open page to the worker. */
 export function tellOpened({ active }: ServiceWorkerRegistration, keep: boolean): void {
 	active?.postMessage({ type: "opened", keep } satisfies ToWorker);
 }
@@ -35,11 +34,11 @@ async function isGone(script: string): Promise<boolean> {
 		const { status } = await fetch(script, { method: "HEAD", cache: "no-store" });
 		return status === 404 || status === 410;
 	} catch {
-		return false; // The host is out of reach, which is what the worker is for.
+		return false; // The host cannot be reached: the worker is for this case.
 	}
 }
 
-/** Clears away a worker and what it kept: the next page comes from the host. */
+/** Removes a worker and its caches: the next page comes from the host. */
 export async function forgetWorker(registration: ServiceWorkerRegistration): Promise<void> {
 	const names = await caches.keys();
 	const own = names.filter((name) => name.startsWith(`panicle ${registration.scope} `));

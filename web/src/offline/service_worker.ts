@@ -1,6 +1,6 @@
 /**
- * The app's service worker: the app without a network, and files of specimens by their addresses. A classic script, which every browser
- * that has service workers runs; docs/offline.md says what it does when.
+ * The app's service worker: the app without a network, and files of specimens by their addresses. A classic script, for
+ * every browser with service workers; docs/offline.md describes its behaviour.
  */
 import type { Service } from "../service/service";
 import { type Built, isNamedByContent } from "./built";
@@ -11,14 +11,14 @@ import type { MakeSpecimens } from "./specimens";
 import { wantedBy } from "./wanted";
 import type { WorkerScope } from "./worker_scope";
 
-/** Written in by the build. */
+/** Inserted by the build. */
 declare const __BUILT__: Built;
 
 const worker = self as unknown as WorkerScope & { panicleSpecimens?: MakeSpecimens };
 const built = __BUILT__;
 const { scope } = worker.registration;
 const app = new KeptApp({ scope, built, caches, fetch: (url, init) => fetch(url, init) });
-/** The script that answers for specimens, and the cores. */
+/** The script that serves specimens, and the cores. */
 const IN_GROWTH = new Set([built.specimens, ...Object.values(built.cores)]);
 let service: Service | undefined;
 let growingHere = 0;
@@ -41,22 +41,22 @@ worker.addEventListener("fetch", (event) => {
 });
 
 async function install(): Promise<void> {
-	// What is imported now the browser keeps with the worker, and lets be imported again; later on nothing else.
+	// The browser stores imports with the worker, and allows only these later.
 	worker.importScripts(scope + built.specimens);
-	// Pages come from the network as yet: nothing is to be waited for.
+	// Without a cached build, pages still come from the network: take over at once.
 	if (!(await app.isOtherWhole())) return worker.skipWaiting();
 	await app.fill();
 }
 
 async function opened(keep: boolean): Promise<void> {
-	// A page that was loaded past the worker has none.
+	// Claims pages that were loaded without the worker.
 	await worker.clients.claim();
-	// Without a network, or after a deploy, not all of it comes: the next page asks again.
+	// Without a network, or after a deploy, some files cannot be fetched: the next page tries again.
 	if (keep && !(await app.isWhole())) await app.fill().catch(() => {});
 	await sweep();
 }
 
-/** What is kept of other builds goes, but for what open pages are of, and for the next one's. */
+/** Deletes cached builds, except this one and those of open pages. */
 async function sweep(): Promise<void> {
 	const { installing, waiting } = worker.registration;
 	if (installing || waiting) return;
@@ -91,7 +91,7 @@ function requestOf({ url, method, headers }: Request): SpecimenRequest {
 	};
 }
 
-/** Where no page grows specimens: on this thread, which answers nothing else meanwhile. */
+/** Answers on this thread, which blocks it, where no page grows specimens. */
 async function answerHere(request: Request): Promise<Response> {
 	if (growingHere >= MOST_WAITING) return responseOf(refusal(TOO_MANY));
 	growingHere++;

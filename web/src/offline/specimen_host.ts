@@ -1,9 +1,9 @@
-/** A page that grows specimens for the service worker, in a worker of its own. */
+/** Grows specimens for the service worker in a page, with a worker of its own. */
 import { FREE, GROWTH_NEEDED, type SpecimenAnswer, type SpecimenRequest } from "./messages";
 
 type Ask = (request: SpecimenRequest) => Promise<SpecimenAnswer>;
 
-/** Grows specimens on request of the service worker from now on. The script for that is fetched with the first request. */
+/** Starts to grow specimens for the service worker. The script is fetched with the first request. */
 export function hostSpecimens(
 	workers: EventTarget = navigator.serviceWorker,
 	load: () => Promise<Ask> = loadQueue,

@@ -1,13 +1,15 @@
 /** Grows specimens one after the other in a worker, which is ended when a growth takes too long. */
 import { MOST_WAITING, refusal, type SpecimenAnswer, type SpecimenRequest, TOO_MANY } from "./messages";
 
-/** A growth that takes longer ends, milliseconds. */
+/** Milliseconds after which a growth is ended. */
 const LONGEST_GROWTH = 30_000;
-/** The worker ends when nothing was requested for so long, milliseconds: a core keeps the memory that its largest plant took. */
+/**
+ * Milliseconds without requests after which the worker ends: a core never gives back the memory of its largest plant.
+ */
 const REST = 10_000;
 
 export interface SpecimenQueueOptions {
-	/** Starts a worker of a script (specimens.ts), a classic one. */
+	/** Starts a worker of a classic script (specimens.ts). */
 	start?(script: string): Pick<Worker, "postMessage" | "terminate" | "onmessage" | "onerror">;
 }
 
@@ -22,7 +24,7 @@ export class SpecimenQueue {
 	readonly #start: (script: string) => Thread;
 	readonly #waiting: Job[] = [];
 	#running: Job | undefined;
-	/** The worker, with the script that it runs: pages may outlive a version of the app. */
+	/** The worker with the script that it runs: pages may outlive a version of the app. */
 	#thread: { readonly script: string; readonly worker: Thread } | undefined;
 	#timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -30,7 +32,7 @@ export class SpecimenQueue {
 		this.#start = start;
 	}
 
-	/** Never rejects: where too many wait, or it takes too long, the answer is 503 with the reason. */
+	/** Never rejects: where too many requests wait, or a growth takes too long, the answer is 503 with the reason. */
 	ask(request: SpecimenRequest): Promise<SpecimenAnswer> {
 		return new Promise((resolve) => {
 			if (this.#waiting.length >= MOST_WAITING) {
@@ -64,7 +66,7 @@ export class SpecimenQueue {
 		if (this.#thread?.script === script) return this.#thread.worker;
 		this.#end();
 		const worker = this.#start(script);
-		// Events of a worker that has been ended may still be on their way.
+		// A worker that has ended may still have events in the queue.
 		const isCurrent = () => this.#thread?.worker === worker;
 		worker.onmessage = ({ data }: MessageEvent<SpecimenAnswer>) => {
 			if (isCurrent()) this.#answer(data);
@@ -77,7 +79,7 @@ export class SpecimenQueue {
 		return worker;
 	}
 
-	/** Ends the growth that runs, with its worker. */
+	/** Ends the running growth with its worker. */
 	#break(answer: SpecimenAnswer): void {
 		this.#end();
 		this.#answer(answer);

@@ -1,12 +1,12 @@
 /**
- * Answers for specimens, as a script of its own: in a worker of a page, and in the service worker, which runs it when no page grows
- * specimens. It is classic: service workers cannot `import()`.
+ * Serves specimens as a script of its own: in a worker of a page, and in the service worker, which runs it when no page
+ * grows specimens. It is classic: service workers cannot `import()`.
  */
 import { loadCoreFromBytes } from "../core/loader";
 import { makeService, type Service } from "../service/service";
 import type { SpecimenAnswer, SpecimenRequest } from "./messages";
 
-/** @param bringCore a core's file, by what models call it */
+/** @param bringCore fetches a core by the name of its file */
 export type MakeSpecimens = (bringCore: (wasm: string) => Promise<ArrayBuffer>, release: string) => Service;
 
 const makeSpecimens: MakeSpecimens = (bringCore, release) =>

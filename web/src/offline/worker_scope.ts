@@ -1,8 +1,8 @@
 import type { PageClient } from "./page_growth";
 
-/** What is used of a service worker's surroundings: the page's types, which hold everywhere else here, do not have them. */
+/** The part of a service worker's scope that is used here; the page's types do not describe it. */
 interface Lasting extends Event {
-	/** Until then the browser lets the worker live; rejected, what was begun has failed. */
+	/** Keeps the worker alive until the promise settles; a rejection is a failure of the event. */
 	waitUntil(work: Promise<unknown>): void;
 }
 

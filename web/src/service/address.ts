@@ -1,12 +1,12 @@
 /**
- * The address of a specimen's file. Two ways to write one:
- *
- * - `specimens/riesling.glb?seed=7&age=80`, `specimens/leaf/oak.low.glb?file-triangles=5000`, `specimens/tree.json`: a preset, and in the query what is to be
- *   otherwise: parameters, and values that the text of a grammar or a flower gives a name. Typed by hand: what cannot be used is refused.
- * - `specimens/any-name.glb?v=2&preset=riesling&seed=7`, `specimens/v=2&preset=riesling&seed=7/any-name.glb`: a link, in the query or as
- *   a folder, so that a file's neighbours (an OBJ's materials) have addresses beside it. Links are for ever: what cannot be used
- *   is brought into range as everywhere, with a note. Texts that a link has in its fragment, which no server is sent, come as
- *   further keys: `g=…`.
+ * The address of a specimen's file, in two forms:
+ * - `specimens/riesling.glb?seed=7&age=80`, `specimens/leaf/oak.low.glb?file-triangles=5000`, `specimens/tree.json`: a
+ *   preset, with differences in the query: parameters, and values for names in the text of a grammar or a flower. Users
+ *   type it: unusable values are refused.
+ * - `specimens/any-name.glb?v=2&preset=riesling&seed=7`, `specimens/v=2&preset=riesling&seed=7/any-name.glb`: a link,
+ *   in the query or as a folder, so that a file's neighbours (an OBJ's materials) have addresses beside it. Links stay
+ *   valid: unusable values are brought into range as everywhere, with a note. Texts of a link's fragment, which
+ *   browsers do not send to servers, are further keys: `g=…`.
  */
 import { FILE_RANGES, type FileOptions } from "../formats/plant_files";
 import { isModel, modelNamed } from "../models/index";
@@ -17,36 +17,36 @@ import { isKnown, restore } from "../specimen/restore";
 import { SPECIMEN_VERSION, type Specimen } from "../specimen/specimen";
 import { Refused } from "./refused";
 
-/** What is asked for. */
+/** A request for a specimen's file. */
 export interface Asked {
 	readonly model: Model;
 	readonly specimen: Specimen;
-	/** Of a link that could not be used as it was. */
+	/** Notes on parts of a link that could not be used. */
 	readonly notes: readonly Note[];
 	/** The file's name up to its first dot. */
 	readonly name: string;
-	/** What follows that dot, lower case: `low.glb`. */
+	/** The suffix after that dot, lower case: `low.glb`. */
 	readonly ending: string;
-	/** Whether what the file names beside itself has an address as well: the link is a folder. */
+	/** Whether files beside it have addresses, too: the link is a folder. */
 	readonly neighbours: boolean;
 	readonly options: FileOptions;
-	/** Whether measures are to be worked out for a JSON document. */
+	/** Whether a JSON document gets measures. */
 	readonly measures: boolean;
-	/** Whether such a document is to tell all of the plant's topology, where its model has one. */
+	/** Whether a JSON document gets the whole topology, for models that have one. */
 	readonly map: boolean;
 }
 
-/** Longer ones are not read. */
+/** The most characters of an address. */
 export const LONGEST_ADDRESS = 24 * 1024;
-/** The folder that holds all plants there are. */
+/** The folder of all specimens. */
 const FOLDER = "/specimens/";
 const HOW = "write specimens/PRESET.glb?seed=7, or specimens/NAME.glb?v=2&… with a link’s query";
 
-/** What a query says of the file, not of the specimen, as `file-triangles` and so on. */
+/** Options of the file in a query, with the prefix `file-`: `file-triangles`. */
 export const FILE_KEYS = ["triangles", "thickness", "points", "translucent", "textures", "measures", "map"] as const;
 type FileKey = (typeof FILE_KEYS)[number];
 
-/** @throws Refused where it means no file of a specimen */
+/** @throws Refused where it is no address of a specimen's file */
 export async function readAddress({ pathname, search, href }: URL): Promise<Asked> {
 	if (href.length > LONGEST_ADDRESS) throw new Refused(414, `the address is longer than ${LONGEST_ADDRESS} characters`);
 	const at = pathname.lastIndexOf(FOLDER);
@@ -107,7 +107,7 @@ async function readPreset(folder: string | undefined, preset: string, query: URL
 	return { model, specimen, notes };
 }
 
-/** A link whose fragment came in the query. */
+/** Decodes a link whose fragment is in the query. */
 function decode(model: Model, query: URLSearchParams) {
 	const packed = packedKeys(model).flatMap((key) => {
 		const text = taken(query, key);
@@ -120,7 +120,7 @@ const packedKeys = ({ details }: Model): string[] => details.flatMap(({ packed }
 
 const presetsOf = ({ presets }: Model): string => presets.list.map(({ name }) => name).join(", ");
 
-/** The last value of a key, which is taken out. */
+/** Removes a key, and returns its last value. */
 function taken(query: URLSearchParams, key: string): string | undefined {
 	const value = query.getAll(key).at(-1);
 	query.delete(key);

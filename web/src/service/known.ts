@@ -1,8 +1,8 @@
-/** Tags of the answers given last, by what was asked: an answer that has not changed need not be worked out to say so. */
+/** A cache of entity tags of the last answers, by request: an unchanged answer need not be computed to report that. */
 export class Known {
 	readonly #tags = new Map<string, string>();
 
-	/** @param most how many are kept; those not asked for longest are forgotten */
+	/** @param most the size of the cache; the least recently used tags are evicted */
 	constructor(readonly most: number) {}
 
 	tag(asked: string): string | undefined {

@@ -1,4 +1,4 @@
-/** A request that is not answered with a plant: why, in one line, and by which status of HTTP. */
+/** A request that is not answered with a plant: the reason in one line, and the HTTP status. */
 export class Refused extends Error {
 	override name = "Refused";
 	constructor(

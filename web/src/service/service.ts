@@ -1,6 +1,6 @@
 /**
- * Specimens by their addresses: a request of HTTP → the plant's file. Keeps nothing: the same address gives the same plant anywhere,
- * be it a server, a service worker or a test that answers.
+ * Answers HTTP requests for specimens by their addresses. It stores nothing: the same address gives the same plant on a
+ * server, in a service worker or in a test.
  */
 import { crc32 } from "../batch/crc32";
 import type { Core } from "../core/core";
@@ -21,31 +21,31 @@ import { type Asked, readAddress } from "./address";
 import { Known } from "./known";
 import { Refused } from "./refused";
 
-/** What the service needs of the world outside. */
+/** The environment of the service. */
 export interface Surroundings {
 	/** @param wasm the file of a model's core: `bunch.wasm` */
 	loadCore(wasm: string): Promise<Core>;
-	/** What the files are made by: files of the same plant may differ from one release to the next. */
+	/** The version of the writers: files of the same plant may differ between releases. */
 	readonly release: string;
 }
 
 /** Answers a request; never throws. */
 export type Service = (request: Request) => Promise<Response>;
 
-/** Methods of HTTP that are answered. */
+/** HTTP methods that are supported. */
 export const METHODS = ["GET", "HEAD", "OPTIONS"];
-/** Any page may ask: what is answered is public, and the same for all. */
+/** Any page may send requests: answers are public, and the same for all. */
 const FOR_ALL = {
 	"access-control-allow-origin": "*",
 	"access-control-expose-headers": "etag, content-disposition",
 	"cross-origin-resource-policy": "cross-origin",
 	"x-content-type-options": "nosniff",
 };
-/** A plant stays what it is, its files may be made better: asked again after an hour, and meanwhile the old one does. */
+/** A plant stays the same, but files may improve: revalidate after an hour, and use the old file meanwhile. */
 const CACHING = "public, max-age=3600, stale-while-revalidate=86400";
-/** Besides those of every plant and those of a model: an OBJ alone, the materials that it names, and both in an archive with their pictures. */
+/** Further kinds of files: an OBJ alone, its materials, and an archive of both with their pictures. */
 const OTHERS = ["json", "obj", "mtl", "zip-obj"];
-/** And a picture that the materials name, which is called as they are. */
+/** A picture of the materials, whose name begins with theirs. */
 const OF_OBJ = "png-obj";
 const OF_MATERIAL = /-(?:colour|normal)$/;
 const encoder = new TextEncoder();
@@ -83,7 +83,7 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 		const json = format === "json";
 		const map = asked.map && json;
 		if (map && asked.model.heavy) {
-			// How large it is shows before it is measured and told; what has grown for that is kept by the core.
+			// Check the size first, without measures and topology; the core caches the grown plant.
 			const heavy = asked.model.heavy(await grow(asked, { meshes: false, measures: false, map: false }));
 			if (heavy !== undefined) throw new Refused(413, heavy);
 		}
@@ -116,7 +116,7 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 	};
 }
 
-/** The key of the kind of file that an ending means: `low.glb` is `glb-low`. */
+/** The key of the kind of file for a suffix: `low.glb` is `glb-low`. */
 async function formatOf({ model, specimen, name, ending, neighbours }: Asked): Promise<string> {
 	const key = ending.split(".").reverse().join("-");
 	const all = [...PLANT_FILES.map((file) => file.key), ...OTHERS, ...(model.formats ?? []).map((each) => each.key)];
@@ -155,7 +155,7 @@ async function fileOf(
 	return makeFile(model, request, growing);
 }
 
-/** The picture that an MTL of any name asks for by this one, which ends as the material and the kind do. */
+/** The picture of an MTL of any name, by the end of its name: material and kind. */
 function picture({ pictures }: ReturnType<typeof writeObj>, name: string): Blob {
 	const meant = pictures.filter((each) => `${name}.png`.endsWith(each.name));
 	const [found] = meant.sort((one, other) => other.name.length - one.name.length);
@@ -163,7 +163,7 @@ function picture({ pictures }: ReturnType<typeof writeObj>, name: string): Blob 
 	return new Blob([found.bytes], { type: "image/png" });
 }
 
-/** What the core says of a grammar has the place, as compilers write it. */
+/** The core's error message with its position, in the form of compilers. */
 function placed({ line, column, message }: CoreError): string {
 	return line > 0 ? `grammar:${line}:${column}: ${message}` : message;
 }

@@ -1,8 +1,8 @@
-/** The cores, in the program itself: one file is the whole service. */
+/** The cores, embedded in the program: one file is the whole service. */
 
 const files = import.meta.glob<string>("../../../../build/core/*.wasm", { query: "?url&inline", import: "default" });
 
-/** @param wasm its file: `bunch.wasm` */
+/** @param wasm the name of its file: `bunch.wasm` */
 export async function coreBytes(wasm: string): Promise<Uint8Array<ArrayBuffer>> {
 	const [, load] = Object.entries(files).find(([path]) => path.endsWith(`/${wasm}`)) ?? [];
 	if (!load) throw new Error(`There is no core ${wasm}.`);

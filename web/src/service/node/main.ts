@@ -1,4 +1,7 @@
-/** `npm run service`: the service under Node, bundled into one file by wasm-core/tools/service.mjs. Does its work when it is loaded. */
+/**
+ * `npm run service`: the service under Node, bundled into one file by wasm-core/tools/service.mjs. Loading it starts
+ * the server.
+ */
 import { availableParallelism } from "node:os";
 import { parseArgs } from "node:util";
 import { isMainThread, Worker } from "node:worker_threads";
@@ -7,9 +10,9 @@ import { makeServer } from "./server";
 import { answerRequests } from "./thread";
 import { ThreadPool } from "./thread_pool";
 
-/** Most memory for the JavaScript objects of one thread, MiB; one that needs more ends, and another takes its place. */
+/** The most memory for the JavaScript objects of one thread, MiB; a thread that needs more is replaced. */
 const HEAP = 1024;
-/** A thread that holds more than this after a request gives it back by ending, bytes. An instance of WebAssembly never shrinks. */
+/** Bytes of memory after a request above which a thread is replaced: an instance of WebAssembly never shrinks. */
 const MOST_HEAP_BYTES = 256 * 1024 * 1024;
 const USAGE = `npm run service -- [--port 8765] [--host 127.0.0.1] [--threads N] [--seconds 20]
 Serves /specimens/PRESET.ENDING?…, the plant's file, with N threads and at most the given seconds for one plant.
@@ -46,7 +49,7 @@ async function serve(): Promise<void> {
 	});
 	let draining = false;
 	const end = async () => {
-		// A second signal does not wait for the answers that are due.
+		// A second signal does not wait for pending answers.
 		if (draining) return process.exit(1);
 		draining = true;
 		server.close();

@@ -11,17 +11,17 @@ const USED_HEADERS = ["if-none-match"] as const;
 const HELP =
 	"A specimen's file: /specimens/riesling.glb?seed=7, /specimens/NAME.json?v=2&… with a link's query. /health says ok.\n";
 
-/** What clients may take of the server. Times in milliseconds. */
+/** Limits on clients. Times in milliseconds. */
 export interface ServerLimits {
 	/** Open connections. */
 	readonly connections: number;
-	/** Until a request's head, or the whole request, has come. */
+	/** The time to receive a request's head, or the whole request. */
 	readonly request: number;
-	/** An answer of which the client has read nothing for so long is dropped, … */
+	/** The time without reading after which a client's answer is dropped. */
 	readonly stalled: number;
-	/** … and one that is read more slowly than this over all, bytes a second. */
+	/** Bytes per second below which an answer's average reading rate is too slow. */
 	readonly slowest: number;
-	/** Bytes of answers that clients have yet to read; above, further requests are refused until some have been read. */
+	/** Bytes of answers that clients have not read yet; above, further requests are refused. */
 	readonly unread: number;
 }
 
@@ -44,7 +44,7 @@ export function makeServer(threads: Pick<ThreadPool, "run">, limits = SERVER_LIM
 	};
 	let unread = 0;
 	const server = createServer(options, async (request, response) => {
-		request.socket.setTimeout(0); // Growing may take longer than a client may be silent.
+		request.socket.setTimeout(0); // Growing may take longer than clients may be idle.
 		request.resume(); // Bodies are ignored.
 		const { method = "GET", url = "/" } = request;
 		if (url === "/" || url === "/health") return sendText(response, 200, url === "/" ? HELP : "ok\n");
@@ -55,12 +55,12 @@ export function makeServer(threads: Pick<ThreadPool, "run">, limits = SERVER_LIM
 				throw new Refused(503, "too many answers are still to be read; try again in a moment", { "retry-after": "5" });
 			const left = leaving(response);
 			const answer = await threads.run({ url: addressOf(url), method, headers: usedHeaders(request) }, left);
-			if (left.aborted) return; // No “close” follows that would count the answer as read.
+			if (left.aborted) return; // No “close” event follows that would count the answer as read.
 			unread += answer.body.byteLength;
 			response.once("close", () => {
 				unread -= answer.body.byteLength;
 			});
-			// A server that is shutting down waits for no further request of the connection.
+			// A server that is shutting down closes the connection after the answer.
 			if (!server.listening) response.setHeader("connection", "close");
 			send(response, answer, limits);
 		} catch (error) {
@@ -69,11 +69,11 @@ export function makeServer(threads: Pick<ThreadPool, "run">, limits = SERVER_LIM
 		}
 	});
 	server.maxConnections = limits.connections;
-	server.timeout = limits.request; // Connections that send nothing at all are closed by nothing else.
+	server.timeout = limits.request; // Closes connections that send nothing at all.
 	return server;
 }
 
-/** The address of a request's first line, which may be a path or a whole address; a user's name and password are left out. */
+/** The address in a request's first line, which may be a path or a whole address, without user name and password. */
 function addressOf(url: string): string {
 	const address = new URL(url.startsWith("/") ? `http://localhost${url}` : url);
 	address.username = "";

@@ -17,7 +17,7 @@ export function answerRequests(release: string): void {
 	});
 }
 
-/** What this thread's objects take, and the buffers and memories of WebAssembly that they hold. */
+/** Bytes of this thread's objects, and of their buffers and memories of WebAssembly. */
 function heapBytes(): number {
 	const { total_heap_size, external_memory } = getHeapStatistics();
 	return total_heap_size + external_memory;
@@ -32,7 +32,7 @@ async function respond(
 	return { status: response.status, headers: Object.fromEntries(response.headers), body };
 }
 
-/** What is answered where even the request cannot be built or the answer cannot be read: the thread itself goes on. */
+/** The answer where a request is malformed or an answer cannot be read: the thread itself stays valid. */
 function internalError(): Answer {
 	const body = new TextEncoder().encode("Internal error\n");
 	return { status: 500, headers: { "content-type": "text/plain; charset=utf-8", "cache-control": "no-store" }, body };

@@ -1,11 +1,12 @@
 /**
- * A pool of threads that answer requests, each thread one request at a time. A growth in WebAssembly cannot be interrupted: a request
- * that takes too long, or whose client has left, ends together with its thread, and a new thread takes that one's place.
+ * A pool of threads that answer requests, each thread one request at a time. A growth in WebAssembly cannot be
+ * interrupted: a request that takes too long, or whose client has left, ends together with its thread, and a new thread
+ * replaces it.
  */
 import { Refused } from "../refused";
 import type { ThreadRequest, ThreadResponse } from "./messages";
 
-/** What the pool uses of a `worker_threads` Worker; tests give another. */
+/** The part of a `worker_threads` Worker that the pool uses; tests replace it. */
 export interface Thread {
 	postMessage(request: ThreadRequest): void;
 	on(event: "message", listener: (response: ThreadResponse) => void): unknown;
@@ -16,15 +17,18 @@ export interface Thread {
 export interface ThreadPoolOptions {
 	start(): Thread;
 	readonly threads: number;
-	/** Longest time for one answer, and longest time in the queue before it, milliseconds. */
+	/** The longest time for one answer, and the longest time in the queue, milliseconds. */
 	readonly timeout: number;
-	/** Most requests in the queue. */
+	/** The most requests in the queue. */
 	readonly queueLength: number;
-	/** A thread that holds more memory than this after a request ends, and the next request gets a new one, bytes. */
+	/** Bytes of memory after a request above which a thread is replaced. */
 	readonly mostHeapBytes: number;
 }
 
-/** How long a growth may go on after its client has left, milliseconds: a short one is cheaper to finish than a thread to start. */
+/**
+ * Milliseconds that a growth may continue after its client has left: a short one is cheaper to finish than a thread to
+ * start.
+ */
 const ABANDONED_TIMEOUT = 500;
 const CLOSING = "the service is shutting down";
 const RETRY = { "retry-after": "5" };
@@ -35,7 +39,7 @@ interface Job {
 	readonly request: Request;
 	readonly resolve: (response: ThreadResponse) => void;
 	readonly reject: (error: Error) => void;
-	/** Removes a job from the queue that waits too long. */
+	/** Removes a job that waits too long. */
 	waiting: ReturnType<typeof setTimeout> | undefined;
 }
 
@@ -50,7 +54,7 @@ export class ThreadPool {
 	readonly #options: ThreadPoolOptions;
 	readonly #slots: Slot[];
 	readonly #queue: Job[] = [];
-	/** Promises of all requests that have no answer yet. */
+	/** Promises of all unanswered requests. */
 	readonly #pending = new Set<Promise<ThreadResponse>>();
 	#lastId = 0;
 	#closed = false;
@@ -88,7 +92,7 @@ export class ThreadPool {
 		return response;
 	}
 
-	/** Refuses further requests, answers those that are here, and ends the threads. */
+	/** Refuses further requests, answers the pending ones, and ends the threads. */
 	async drain(): Promise<void> {
 		this.#closed = true;
 		await Promise.allSettled(this.#pending);
@@ -154,7 +158,7 @@ export class ThreadPool {
 		return this.#replaceThread(slot, ({ reject }) => reject(new Refused(503, why)));
 	}
 
-	/** Ends a slot's thread; another starts with the next job. */
+	/** Ends a slot's thread; the next job starts another. */
 	async #replaceThread(slot: Slot, settle: (job: Job) => void): Promise<void> {
 		const { thread } = slot;
 		slot.thread = undefined;
