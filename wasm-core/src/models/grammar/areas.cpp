@@ -29,13 +29,13 @@ std::vector<glm::vec3> triples(std::span<const float> values) {
   return made;
 }
 
-// What is still to be given to meshes.
+// Points and triangles of the request that no mesh has taken yet.
 struct Stock {
   std::span<const float> points;
   std::span<const std::uint32_t> triangles;
 };
 
-// Takes an area's own out of the stock. Errors: bad_input.
+// Takes the points and triangles of one area from the stock. Errors: bad_input.
 Result<Surface> take(Stock& stock, std::uint32_t points, std::uint32_t triangles) {
   if (stock.points.size() / 3 < points || stock.triangles.size() / 3 < triangles)
     return refused("An area has more points or triangles than there are.");
@@ -60,7 +60,7 @@ std::string note_on(const Surface& surface, std::size_t number) {
   return {};
 }
 
-// Within −1 … 1 each way.
+// The surface of a volume kind within the box from −1 to 1 on each axis.
 Surface surface_in_box(Volume::Kind kind, const Surface& mesh) {
   constexpr std::uint32_t sides = 32;
   constexpr glm::vec2 cylinder[] = {{1, -1}, {1, 1}}, cone[] = {{1, -1}, {0, 1}};
@@ -126,7 +126,7 @@ Result<Areas> Areas::read(Request& request, const Limits& limits) {
 
 void Areas::add_inputs(lsystem::Inputs& inputs, float metres) {
   metres_ = metres;
-  // Without areas a text has somewhere to go all the same.
+  // Without areas a grammar still has one place to grow towards.
   if (path_.empty()) {
     path_.emplace_back(0, 1, 0);
     from_.push_back(0);
@@ -162,21 +162,22 @@ void Areas::add_fork_inputs(lsystem::Inputs& inputs) const {
     }
     last[before] = place;
   }
-  // From the ends to the foot: the way goes by the first of those that come after a place.
+  // From the ends to the foot: a place belongs to the area of the first place behind it, unless it lies in an area
+  // itself.
   for (std::size_t i = count; i-- > 0;) {
     for (std::uint32_t area = 1; own[i] == 0 && area <= volumes_.size(); ++area)
       if (volumes_[area - 1].contains(path_[i])) own[i] = area;
     if (own[i] == 0 && next[i] <= count) own[i] = own[next[i] - 1];
   }
   inputs.scalars.push_back({"forks", static_cast<float>(forks)});
-  const auto tell = [&inputs](const char* name, const std::vector<std::uint32_t>& values, std::uint32_t least) {
+  const auto add_array = [&inputs](const char* name, const std::vector<std::uint32_t>& values, std::uint32_t least) {
     lsystem::Inputs::Array array{name, {}};
     for (const std::uint32_t value : values) array.values.push_back(static_cast<float>(std::max(value, least)));
     inputs.arrays.push_back(std::move(array));
   };
-  tell("next", next, 0);
-  tell("fork", fork, 0);
-  tell("own", own, 1);
+  add_array("next", next, 0);
+  add_array("fork", fork, 0);
+  add_array("own", own, 1);
 }
 
 const Volume* Areas::find(float area) const {
@@ -200,7 +201,7 @@ float Areas::reach(const glm::vec3& from, const glm::vec3& way, float area, floa
   const Volume* volume = find(area);
   const float length = glm::length(way);
   if (volume == nullptr || !(length > 0)) return 0;
-  // All that is asked for is given back as it was asked: texts compare.
+  // A reach over the whole requested length is returned exactly as requested, since grammars compare the two numbers.
   const float wanted = most * metres_, reached = volume->reach(metres_ * from, way / length, wanted);
   return reached == wanted ? most : reached / metres_;
 }

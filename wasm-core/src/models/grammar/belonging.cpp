@@ -33,7 +33,7 @@ std::vector<Belonging> belongings(const lsystem::Program& program, const lsystem
   const auto role = static_cast<std::uint32_t>(found - roles.names.begin());
   std::vector<Belonging> made;
   made.reserve(static_cast<std::size_t>(string.modules));
-  std::vector<Belonging> around;  // of the branches that are open
+  std::vector<Belonging> around;  // of the open branches
   Belonging now;
   for (const std::uint32_t* module = string.begin(); module < string.end(); module += lsystem::words_of(*module)) {
     const std::uint32_t symbol = lsystem::symbol_of(*module);

@@ -1,7 +1,8 @@
-// Which growth area the modules of a string belong to, and which are the main branch's: what a text says by a role.
+// The growth area of each module of a string, and whether the module belongs to the main branch, as a grammar declares
+// them by a role:
 //
-//   #role area Area   what stands behind Area(n), up to the end of its branch, belongs to area n; behind Area(n, 1) it
-//                     is the main branch's as well
+//   #role area Area   modules behind Area(n), up to the end of the branch, belong to area n; modules behind Area(n, 1)
+//                     belong to the main branch as well
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@ struct Belonging {
   bool main = false;
 };
 
-// Of each module of a string by its place; nothing where the text declares no such role.
+// The area of each module, by its index in the string; empty where the grammar declares no such role.
 std::vector<Belonging> belongings(const lsystem::Program& program, const lsystem::String& string);
 
 }  // namespace panicle::grammar

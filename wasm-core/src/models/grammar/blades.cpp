@@ -11,7 +11,7 @@
 namespace panicle::grammar {
 namespace {
 
-// Normals are the mean of what meets in a corner, by its area: a blade of bends is smooth.
+// Normals of corners: the mean of the adjacent triangles' normals, weighted by area, so that a bent blade is smooth.
 std::vector<glm::vec3> normals_of(std::span<const glm::vec3> corners, const std::vector<std::uint32_t>& triangles) {
   std::vector<glm::vec3> sums(corners.size(), glm::vec3(0));
   glm::vec3 whole(0);
@@ -30,7 +30,8 @@ std::vector<glm::vec3> normals_of(std::span<const glm::vec3> corners, const std:
   return sums;
 }
 
-// Of vertices, each at a corner: seen along the middle normal, the box about the polygon is the picture.
+// Adds texture coordinates of vertices: the polygon's bounding box, seen along its mean normal, is the picture. `used`:
+// the corner of each vertex.
 void add_uvs(Mesh& mesh, std::span<const glm::vec3> corners, const std::vector<std::uint32_t>& used) {
   glm::vec3 low = corners[used[0]], high = low;
   for (const std::uint32_t corner : used) {
@@ -48,7 +49,7 @@ void add_uvs(Mesh& mesh, std::span<const glm::vec3> corners, const std::vector<s
   }
 }
 
-// Corners that no triangle has are left out. `used`: of each vertex the corner that it is at.
+// Adds a sheet without the corners that no triangle has. `used`: the corner of each vertex.
 void add_sheet(Mesh& mesh, std::span<const glm::vec3> corners, const std::vector<std::uint32_t>& triangles,
                std::vector<std::uint32_t>& used) {
   const std::vector<glm::vec3> normals = normals_of(corners, triangles);

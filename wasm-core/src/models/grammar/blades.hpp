@@ -1,4 +1,4 @@
-// Polygons as sheets, and as plates where they have a thickness: one mesh, a run each.
+// Polygons as sheets, or as plates where they have a thickness: one mesh with a run for each polygon.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace panicle::grammar {
 
-// The mesh `blades`, in the unit of the corners times `scale`, with the columns `colour` (uint8 a run) and `organ`
-// (uint32 a run: which of all that is borne). A polygon without a triangle has no run; `empty` counts them.
+// Builds the mesh `blades`, in the unit of the corners times `scale`, with the columns `colour` (uint8 a run) and
+// `organ` (uint32 a run: index of the polygon's organ). A polygon without a triangle has no run; `empty` counts them.
 PlantMesh blades_of(const Polygons& polygons, float scale, std::uint32_t& empty, WorkBudget* budget = nullptr);
 
 }  // namespace panicle::grammar

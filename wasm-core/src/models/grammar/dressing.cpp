@@ -22,18 +22,18 @@
 namespace panicle::grammar {
 namespace {
 
-// What is thinner than this share of the plant's largest extent is a pixel wide.
+// Lines thinner than this share of the plant's largest extent are about a pixel wide.
 constexpr float thin = 0.002f;
 constexpr std::uint32_t thin_sides = 5, thinnest_sides = 3;
 constexpr std::uint64_t most_vertices = 4'000'000;
-// From so many lines on each is a speck of the whole: thin ones are drawn with the fewest sides, and what a line sees
-// of the sky is told once and not at each of its vertices.
+// From this number of lines on each is a speck of the whole: thin ones have the fewest sides, and the sky visibility of
+// a line is sampled once and not at each of its vertices.
 constexpr std::size_t many = 30'000;
-// Strokes that turn by more than 35° meet at a corner, as those of curves and tilings do; stems bend.
+// Strokes that turn by more than 35° meet at a corner, as those of curves and tilings do; stems bend smoothly.
 constexpr float cosine_of_corner = 0.8192f;
-// From so many of a surface on, each is small beside the plant, and simpler.
+// From this number of organs of one surface on, each is small beside the plant and gets a simpler mesh.
 constexpr std::size_t many_surfaces = 4000;
-// From so many lines on meshing takes longer than all else, which a step of a drag has no time for.
+// From this number of lines on meshing takes longer than all else and is too slow for a step of a drag.
 constexpr std::size_t many_in_preview = 2'000;
 
 float extent_of(std::span<const Segment> segments) {
@@ -47,8 +47,7 @@ float extent_of(std::span<const Segment> segments) {
   return std::max({size.x, size.y, size.z});
 }
 
-// The rotation of a right-handed frame as a unit quaternion x y z w: by whichever of its parts is largest (Shepperd
-// 1978).
+// The rotation of a right-handed frame as a unit quaternion x y z w: from its largest component (Shepperd 1978).
 glm::vec4 quaternion_of(const glm::mat3& m) {
   const float trace = m[0][0] + m[1][1] + m[2][2];
   glm::vec4 q;
@@ -67,7 +66,7 @@ glm::vec4 quaternion_of(const glm::mat3& m) {
   return q / glm::length(q);
 }
 
-// Of each thing its module, or none, and its colour.
+// Adds the columns `.module` (or none) and `.colour` of each row.
 template <class Rows, class Read>
 void add_marks(Columns& columns, const std::string& of, bool marked, const Rows& rows, Read mark_of) {
   columns.add(of + ".module", column_of<std::uint32_t>(rows, 1, [&](const auto& row, std::uint32_t* at) {
@@ -89,19 +88,20 @@ std::vector<std::uint8_t> sky_of(const SkyVisibility& open, const std::vector<Se
   return bytes;
 }
 
-// So far beyond its base along an organ's axis.
+// The point at a distance from an organ's base, along its axis.
 glm::vec3 along(const Organ& organ, float distance) {
   const glm::quat turned(organ.rotation.w, organ.rotation.x, organ.rotation.y, organ.rotation.z);
   return organ.position + turned * glm::vec3(0, distance, 0);
 }
 
-// A cell is told what is in it as a whole. A leaf that stands out of it is lit by what is beyond, and that one is seen.
+// Sky visibility of an organ. A cell of the visibility grid has one value, so a leaf that reaches out of its cell uses
+// the value beyond its tip.
 std::uint8_t sky_of(const SkyVisibility& open, const Organ& organ) {
   const std::uint8_t base = open.at(organ.position);
   return organ.tag < first_surface_tag ? base : std::max(base, open.at(along(organ, organ.scale + open.edge())));
 }
 
-// How fine tubes are.
+// Options of the tubes of lines.
 TubeOptions tubes_of(const std::vector<Segment>& segments, const DressOptions& options) {
   const bool coarse = options.coarse && segments.size() >= many_in_preview;
   return {.sides = options.sides,
@@ -111,7 +111,7 @@ TubeOptions tubes_of(const std::vector<Segment>& segments, const DressOptions& o
           .thin_plain = true};
 }
 
-// Tubes, a run a colour.
+// Lines as tubes, with a run for each colour.
 PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, const DressOptions& options,
                    const SkyVisibility* open) {
   std::vector<std::int32_t> groups;
@@ -132,7 +132,7 @@ PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> m
   return mesh;
 }
 
-// Half of a sheet's area: what it hides, taken over all sides.
+// Half of a sheet's area: the mean of its projections over all directions.
 Occluder occluder_of(std::span<const glm::vec3> corners, float metres) {
   glm::vec3 sum(0), twice(0);
   for (const glm::vec3& corner : corners) sum += corner;
@@ -156,7 +156,7 @@ std::vector<Occluder> occluders_of(const Plant& plant, const Sketch& sketch, flo
   return occluders;
 }
 
-// The meshes that organs are drawn with, those alone that any has; and their places among the plant's.
+// Adds the meshes that organs share, for the tags in use, and sets each organ's mesh index.
 void add_shared(Plant& plant) {
   std::array<std::int32_t, first_surface_tag + surfaces.size()> meshes;
   std::array<std::size_t, meshes.size()> counts{};

@@ -1,4 +1,4 @@
-// A sketch as a plant in metres, and the meshes it is seen by.
+// Converts a sketch into a plant in metres, with its meshes.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@
 namespace panicle::grammar {
 
 struct DressOptions {
-  float metres = 0.01f;  // of one unit of the grammar
+  float metres = 0.01f;  // length of one unit of the grammar
   std::uint32_t sides = 10;
   bool meshes = true;
-  bool sky = false;     // of the meshes
-  bool marked = true;   // by the modules that drew things
-  bool coarse = false;  // what will do while a hand still moves: of a plant of many lines fewer rings and sides
-  WorkBudget* budget = nullptr;  // that filling polygons is counted against
+  bool sky = false;     // whether meshes have sky visibility
+  bool marked = true;   // whether segments and organs name the modules that drew them
+  bool coarse = false;  // preview quality while the user drags: fewer rings and sides for plants of many lines
+  WorkBudget* budget = nullptr;  // work budget that filling polygons is counted against
 };
 
-// Segments, organs, their columns, and the meshes that model.hpp lists; a note on polygons that show nothing.
+// Adds segments, organs, their columns, and the meshes that model.hpp lists; a note counts polygons without area.
 void dress(Plant& plant, const Sketch& sketch, const DressOptions& options);
 
 }  // namespace panicle::grammar

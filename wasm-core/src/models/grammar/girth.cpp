@@ -14,10 +14,10 @@ namespace {
 
 bool unset(const Segment& segment) { return segment.radius > 0 && segment.radius < 1e6f * no_width; }
 
-// Of a line whose width is said to be 0, as a share of the thinnest of those that say none.
+// Width of a line whose width is set to 0, as a share of the thinnest line without a width.
 constexpr float hairline = 0.1f;
 
-// How many tips each bears; itself, where it is one.
+// The number of tips above each segment; 1 for a tip.
 std::vector<std::uint32_t> tips_of(std::span<const Segment> segments) {
   std::vector<std::uint32_t> tips(segments.size(), 0);
   for (std::size_t i = segments.size(); i-- > 0;) {
@@ -27,8 +27,8 @@ std::vector<std::uint32_t> tips_of(std::span<const Segment> segments) {
   return tips;
 }
 
-// What thickness is a share of: the mean length of lines, and where there are very many more, that of so large a plant,
-// that its lines are seen.
+// The length that widths are a share of: the mean length of lines; for plants of very many lines a share of the plant's
+// extent, so that its lines are visible.
 float measure_of(std::span<const Segment> segments, double length) {
   constexpr float lines_across = 16, most = 3.75f;
   glm::vec3 low = segments[0].start, high = low;

@@ -1,5 +1,5 @@
-// How thick lines are: as wide as the text says; where it says nothing, as thin as a share of their mean length at the
-// tips, and the thicker the more tips they bear.
+// Thickness of lines: as wide as the grammar sets; else, at the tips, a share of the mean length of lines, and thicker
+// with the number of tips above.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 namespace panicle::grammar {
 
 struct Girth {
-  float tip = 0.08f;        // width at a tip, over the mean length of all lines; more of a plant of very many
-  float thickening = 0.3f;  // the power of the number of tips borne; 0: all are alike, 1/2: Leonardo's rule
-  float width_factor = 1;           // a factor on widths that the text sets
+  float tip = 0.08f;        // width at a tip, over the mean length of all lines; more for a plant of very many
+  float thickening = 0.3f;  // exponent of the number of tips above; 0: all are alike, 1/2: Leonardo's rule
+  float width_factor = 1;           // factor on widths that the grammar sets
 };
 
-// Sets the radii of those whose width is still `no_width` (sketch.hpp), parents first, in the grammar's unit.
+// Sets the radii of segments whose width is still `no_width` (sketch.hpp), parents first, in the grammar's unit.
 void thicken(std::span<Segment> segments, const Girth& girth);
 
 }  // namespace panicle::grammar

@@ -26,10 +26,10 @@ using GrammarValues = Values<Parameter, parameter_table>;
 using enum Parameter;
 
 constexpr float metres_a_millimetre = 0.001f;
-// Of a string that is written as text: a number takes up to half a microsecond.
+// Longest string that is written as text: a number takes up to half a microsecond.
 constexpr std::uint64_t most_words_as_text = 4 * 1024 * 1024;
 
-// What is asked for.
+// Options of a request.
 struct GrowOptions {
   std::uint64_t seed = 1;
   std::optional<std::uint32_t> steps;
@@ -39,7 +39,7 @@ struct GrowOptions {
   std::optional<lsystem::TraceRequest> chronicle;
 };
 
-// A name a line, and as many values.
+// Reads constants: one name a line, and one value a name.
 Diagnostic read_constants(Request& request, lsystem::Inputs& inputs) {
   std::string_view names = request.text("constants.names");
   for (const float value : request.floats("constants.values")) {
@@ -71,7 +71,7 @@ Result<GrowOptions> read(Request& request) {
   return options;
 }
 
-// Upright, its left side to the left of who looks from +Z.
+// The turtle at the origin, heading up, with its left side at −X.
 lsystem::Turtle standing() {
   lsystem::Turtle turtle;
   turtle.heading = {0, 1, 0};
@@ -81,15 +81,15 @@ lsystem::Turtle standing() {
   return turtle;
 }
 
-// Of a plant that is nothing but what its text draws there may be as many lines as of particles' ways, and as many
-// balls as of what trees bear.
+// Limits for a plant that consists of drawn lines and organs alone: as many lines as particle trails, and as many balls
+// as copies in trees.
 Limits roomy(Limits limits) {
   limits.segments = limits.pieces;
   limits.spheres = limits.copies;
   return limits;
 }
 
-// Of each line the area that it belongs to, and whether it is the main branch's; and what there is to say of areas.
+// Adds the notes on areas and, for each line, the columns of its area and of whether it belongs to the main branch.
 void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belonging>& all, const Areas& areas) {
   plant.notes.insert(plant.notes.end(), areas.notes().begin(), areas.notes().end());
   if (all.empty()) return;
@@ -117,7 +117,7 @@ void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belong
   }
 }
 
-// The derivation told, where that is asked for.
+// The trace of the derivation, where it is requested.
 Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const lsystem::BoundProgram& bound, const GrowOptions& options,
                                                      const Limits& limits, const lsystem::DerivationOptions& around) {
   if (!options.chronicle) return std::optional<lsystem::DerivationTrace>();
@@ -144,7 +144,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
   const GrammarValues values(options->parameters, plant.notes);
 
   const float metres = metres_a_millimetre * values[unit];
-  // What the document says, besides which a text is told of its areas.
+  // Constants of the document, then inputs of the areas.
   lsystem::Inputs inputs = options->inputs;
   areas->add_inputs(inputs, metres);
   const auto bound = lsystem::bind(program.value(), inputs, limits);

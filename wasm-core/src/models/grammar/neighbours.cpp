@@ -10,11 +10,11 @@
 namespace panicle::grammar {
 namespace {
 
-constexpr float own = 1e-3f;           // of the radius: as near as this is where the turtle stands
-constexpr std::size_t most_radii = 8;  // whose cells are kept at a time
+constexpr float own = 1e-3f;           // as a share of the radius: nearer ends are the turtle's own
+constexpr std::size_t most_radii = 8;  // number of radii whose cells are cached at a time
 constexpr float most_cells = 48;       // along an edge of the box
 constexpr std::uint32_t lamps = 24;
-constexpr float matter_of_an_end = 0.5f;  // of a side of a cell
+constexpr float matter_of_an_end = 0.5f;  // as a share of a cell's side
 
 }  // namespace
 
@@ -65,7 +65,7 @@ std::unique_ptr<VoxelLight> Neighbours::light(float edge) const {
     low = glm::min(low, end);
     high = glm::max(high, end);
   }
-  // Half a cell of air about all, and more: what is above it stands in the light.
+  // A margin of at least half a cell: places above the box are fully lit.
   low -= edge;
   high += edge;
   const glm::vec3 size = high - low;

@@ -1,9 +1,9 @@
-// What answers ?E between steps: how crowded a place is, and how light (as Měch and Prusinkiewicz 1996 let plants ask;
+// Responses to ?E between steps: how crowded a place is, and how light (after Měch and Prusinkiewicz 1996;
 // docs/models/grammar/grammar.md).
 //
-// ?E(r, n, l): within r of the turtle, in the grammar's unit, end n lines, those that end where it stands not counted;
-// of the light of an overcast sky l arrives, 0 … 1, where each line's end fills a cell of edge r so that a way of r
-// through it leaves e^−½.
+// ?E(r, n, l): n is the number of lines that end within r of the turtle, in the grammar's unit, except lines that end
+// at the turtle; l is the share of an overcast sky's light that arrives, 0 … 1, where each line's end fills a cell of
+// edge r so that a path of length r through it leaves e^−½.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -19,7 +19,7 @@ namespace panicle::grammar {
 
 class Neighbours : public lsystem::Listener {
  public:
-  // Answering takes work of the budget, which must outlive it.
+  // Queries take work of `budget`, which must outlive this listener.
   explicit Neighbours(WorkBudget& budget) : budget_(budget) {}
 
   bool observes_first() const override { return true; }
@@ -31,7 +31,7 @@ class Neighbours : public lsystem::Listener {
   void cut(const lsystem::Turtle&) override {}
 
  private:
-  // The ends in cells of one edge, and the light between them once someone asks for it.
+  // The ends in cells of one edge, and the light between them once it has been queried.
   struct Cells {
     float edge;
     PointGrid grid;
@@ -43,7 +43,7 @@ class Neighbours : public lsystem::Listener {
   WorkBudget& budget_;
   std::vector<glm::vec3> ends_;
   bool answering_ = false;
-  std::vector<Cells> cells_;  // by the radii asked for in this step
+  std::vector<Cells> cells_;  // by the radii queried in this step
 };
 
 }  // namespace panicle::grammar

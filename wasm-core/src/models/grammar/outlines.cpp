@@ -9,9 +9,9 @@
 namespace panicle::grammar {
 namespace {
 
-constexpr float fold = 0.25f;   // how far margins stand above the midrib, over their distance
+constexpr float fold = 0.25f;   // height of the margins above the midrib, over their distance
 constexpr float droop = 0.16f;  // how far the tip lies below the base's plane
-constexpr float point = 1e-3f;  // a ray as short as this has no length
+constexpr float point = 1e-3f;  // rays shorter than this have no length
 constexpr std::uint32_t whole_rings = 3;
 
 float ray_formula(const Outline& outline, float t) {
@@ -21,7 +21,7 @@ float ray_formula(const Outline& outline, float t) {
                               (1 + outline.teeth * waves(3600));
 }
 
-// Of z = fold · |x| − droop · y².
+// Normal of the surface z = fold · |x| − droop · y².
 glm::vec3 normal_at(const glm::vec2& p) {
   const float across = p.x == 0 ? 0 : std::copysign(fold, p.x);
   return glm::normalize(glm::vec3(-across, 2 * droop * p.y, 1));

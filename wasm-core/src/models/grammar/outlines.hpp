@@ -1,6 +1,6 @@
-// Outlines of leaves by one rule (Seo, Kim and Lee 2014, table 2, as grammars/grammar/leaf.lsys has it): rays from the
-// base, i of k to each side of the midrib, turn by `theta` · t and are as long as a function of t = i / k. A surface of
-// that name is a leaf grown by that text once, for many to share.
+// Outlines of leaves by one formula (Seo, Kim and Lee 2014, table 2, as in grammars/grammar/leaf.lsys): rays from the
+// base, i of k to each side of the midrib, turn by `theta` · t and are as long as a function of t = i / k. A surface
+// with an outline's name is a leaf of that grammar, grown once for many organs.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 
 namespace panicle::grammar {
 
-// The constants of the text, of the same names.
+// Constants of the grammar, with the same names.
 struct Outline {
   std::string_view name;
-  float theta = 105;  // degrees, of the last ray from the midrib
+  float theta = 105;  // angle of the last ray from the midrib, degrees
   float offset = 0, fall = 1, bow = 1.5f, slim = 0, lobe = 0, turns = 0, round = 1, teeth = 0;
-  std::uint32_t rays = 12;  // k
+  std::uint32_t rays = 12;  // k of the grammar
 };
 
 inline constexpr std::array<Outline, 12> outlines = {{
@@ -49,7 +49,7 @@ inline constexpr std::array<Outline, 12> outlines = {{
     {.name = "toothed", .offset = 0.1f, .teeth = 0.15f, .rays = 60},
 }};
 
-// How long the ray at t is, 0 at the midrib and 1 at the last, over the midrib's own length.
+// Length of the ray at t, 0 at the midrib and 1 at the last ray, over the midrib's length.
 float ray(const Outline& outline, float t);
 
 // The blade: its base at the origin, its tip at y = 1, its upper side to z, folded along the midrib, the tip drooping.

@@ -12,21 +12,21 @@
 namespace panicle::grammar {
 namespace {
 
-// Of the sheet's size: what is nearer is one place.
+// Corners nearer than this share of the sheet's size are one place.
 constexpr float same_place = 1e-6f;
-// How much farther than half a thickness a corner may stand out where the sheet bends.
+// Longest offset of a corner where the sheet bends, over half a thickness.
 constexpr float most_mitre = 4;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-// The cells of a box, each as wide as what is one place; the corners of each, the last one first.
+// A grid of cells as wide as one place, with a list of corners in each cell, the last one first.
 class Cells {
  public:
   Cells(std::span<const glm::vec3> corners, const glm::vec3& low, float size)
       : corners_(corners), low_(low), size_(size), before_(corners.size(), none) {}
 
-  // Puts a corner into its cell. Returns one that was put in before and stands at its place; itself where none does.
-  // Corners around are only looked at for the first of a cell: all of one cell are one place.
+  // Adds a corner to its cell. Returns an earlier corner at its place, or the corner itself. Neighbouring cells are
+  // searched only for the first corner of a cell: all corners of one cell are one place.
   std::uint32_t put(std::uint32_t corner) {
     const Cell own = cell_of(corners_[corner]);
     std::uint32_t& last = last_.try_emplace(key_of(own), none).first->second;
@@ -34,7 +34,7 @@ class Cells {
     last = corner;
     if (before_[corner] != none) return before_[corner];
     for (std::uint32_t around = 0; around < 27; ++around) {
-      // Cells are counted from 1, so that there is one before the first.
+      // Cells are counted from 1, so that the first has a neighbour before it.
       const auto found =
           last_.find(key_of({own[0] + around % 3 - 1, own[1] + around / 3 % 3 - 1, own[2] + around / 9 - 1}));
       for (std::uint32_t other = found == last_.end() ? none : found->second; other != none; other = before_[other])
@@ -47,7 +47,7 @@ class Cells {
   using Cell = std::array<std::uint32_t, 3>;
   static constexpr std::uint32_t none = 0xffffffff;
 
-  // What is no number, as where a box has no size or too much of one, is in the first.
+  // Places that are not a number, as in a box without size or too large for floats, are in the first cell.
   Cell cell_of(const glm::vec3& p) const {
     const glm::vec3 share = (p - low_) / size_;
     Cell cell{};
@@ -70,7 +70,7 @@ class Cells {
   std::vector<std::uint32_t> before_;                      // by corner, of the same cell
 };
 
-// Of each corner the first one that stands at its place: ways there and back are one way.
+// For each corner the first one at its place, so that edges in opposite directions share their ends.
 std::vector<std::uint32_t> places_of(std::span<const glm::vec3> corners, std::span<const std::uint32_t> triangles) {
   std::vector<std::uint32_t> used(triangles.begin(), triangles.end());
   std::sort(used.begin(), used.end());
@@ -82,8 +82,8 @@ std::vector<std::uint32_t> places_of(std::span<const glm::vec3> corners, std::sp
   }
   const glm::vec3 size = high - low;
   const float extent = std::max({size.x, size.y, size.z});
-  // By how far they are along a way that few corners are likely to stand square to: only who is no farther than the one
-  // before may be at its place.
+  // Corners sorted along a direction that few sheets are square to: only corners next to each other in that order can
+  // be at one place.
   const auto along = [&](std::uint32_t corner) { return glm::dot(corners[corner] - low, {0.61f, 0.47f, 0.64f}); };
   std::stable_sort(used.begin(), used.end(), [&](std::uint32_t a, std::uint32_t b) { return along(a) < along(b); });
   std::vector<std::uint32_t> place(corners.size());
@@ -96,7 +96,7 @@ std::vector<std::uint32_t> places_of(std::span<const glm::vec3> corners, std::sp
   return place;
 }
 
-// Edges that the triangles run through more often this way than back, each as often as that.
+// Edges that the triangles run through more often in this direction than back, repeated by the difference.
 std::vector<Edge> rim_of(std::span<const std::uint32_t> triangles) {
   std::vector<Edge> edges;
   for (std::size_t k = 0; k < triangles.size(); ++k)
@@ -130,7 +130,7 @@ void add_plate(Mesh& mesh, std::span<const glm::vec3> corners, std::span<const s
     const std::uint32_t a = place[triangles[k]], b = place[triangles[k + 1]], c = place[triangles[k + 2]];
     if (a != b && b != c && c != a) valid.insert(valid.end(), {a, b, c});
   }
-  // Of each corner the sum of its triangles' areas, with and without their turn.
+  // Sums of the triangles' areas at each corner, as vectors and as lengths.
   std::vector<glm::vec3> sums(corners.size(), glm::vec3(0));
   std::vector<float> areas(corners.size(), 0);
   glm::vec3 whole(0);

@@ -10,10 +10,10 @@
 
 namespace panicle::grammar {
 
-// Adds a plate to a mesh whose texture coordinates are still to be put: `from` tells of each vertex that is added which
-// corner it is of. Triangles are of corners, three each; they lie in the middle of the plate, half a thickness from
-// either face, so that its volume is their area times the thickness where that is small beside their bends. Each edge
-// of the plate is run through as often one way as the other: twice in all where the sheet does not touch itself.
+// Adds a plate to a mesh, without texture coordinates; `from` gets the corner of each added vertex. Triangles have
+// three corners each and lie in the middle of the plate, half a thickness from either face, so that its volume is their
+// area times the thickness where the thickness is small beside the bends. The plate is closed: each edge is run through
+// as often in one direction as in the other, twice in all where the sheet does not touch itself.
 void add_plate(Mesh& mesh, std::span<const glm::vec3> corners, std::span<const std::uint32_t> triangles,
                float thickness, std::vector<std::uint32_t>& from);
 

@@ -8,19 +8,19 @@
 namespace panicle::grammar {
 namespace {
 
-// What things are by nature, as the table of parameters names them.
+// Default colours of lines, blades and balls, as in the table of parameters.
 constexpr std::uint8_t of_lines = 1, of_blades = 3, of_balls = 7;
 constexpr std::uint32_t disc_surface = 4;
-// Bytes in a file: of a line's tube, and of each corner of a polygon. Building and writing take about four times as
+// Bytes in a file of a line's tube, and of each corner of a polygon. Building and writing take about four times as
 // much.
 constexpr std::uint64_t line_bytes = 800, corner_bytes = 100;
-constexpr std::size_t most_unknown = 12;  // unknown surfaces that notes name
+constexpr std::size_t most_unknown = 12;  // most unknown surfaces that notes name
 
 std::uint64_t bytes_of(const Mesh& mesh) {
   return 4 * (mesh.positions.size() + mesh.normals.size() + mesh.uvs.size() + mesh.indices.size());
 }
 
-// Colour 1 is each thing's own.
+// The colour that the turtle has set; colour 1 stands for the default colour.
 Mark mark_of(const lsystem::Turtle& turtle, const lsystem::Lineage& lineage, std::uint8_t natural) {
   const auto colour = static_cast<std::uint8_t>(std::clamp<std::int32_t>(turtle.colour, 1, colours));
   return {lineage.module, colour == 1 ? natural : colour};
@@ -56,7 +56,7 @@ void Sketch::line(std::int32_t id, const lsystem::Turtle& before, const lsystem:
 
 void Sketch::add_organ(std::uint32_t tag, const lsystem::Turtle& turtle, float size, std::uint8_t natural,
                   const lsystem::Lineage& lineage) {
-  // Of a plant that has reached its limit of segments some may be missing.
+  // A plant that has reached its limit of segments may lack some.
   const std::int32_t segment = std::min(segment_of(turtle), static_cast<std::int32_t>(segments.size()) - 1);
   organs.push_back({tag, segment, turtle.position, glm::mat3(-turtle.left, turtle.heading, turtle.up), size,
                    mark_of(turtle, lineage, natural)});

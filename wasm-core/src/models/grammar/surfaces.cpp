@@ -11,26 +11,26 @@
 namespace panicle::grammar {
 namespace {
 
-constexpr std::uint32_t round_sides = 14, plain_sides = 8;  // sides of what is turned
+constexpr std::uint32_t round_sides = 14, plain_sides = 8;  // sides of surfaces of revolution
 
-// Half of a blade's outline, from its base (0) to its tip (1), and how it lies.
+// Half of a blade's outline, from its base (0) to its tip (1), and its curvature.
 struct BladeShape {
-  float width = 0.4f;   // at the widest
-  float widest = 0.4f;  // where that is
-  float fold = 0.2f;    // how far margins stand above the midrib, over their distance
+  float width = 0.4f;   // greatest width
+  float widest = 0.4f;  // position of the greatest width, 0 … 1
+  float fold = 0.2f;    // height of the margins above the midrib, over their distance
   float droop = 0.15f;  // how far the tip lies below the base's plane
   std::uint32_t rows = 8;
-  std::uint32_t across = 5;  // places of a row: 3 with the margins and the midrib alone
+  std::uint32_t across = 5;  // vertices of a row: 3 are the margins and the midrib alone
 };
 
-// About half the rows, margins and midrib alone.
+// A blade with about half the rows, and with margins and midrib alone.
 BladeShape simplified(BladeShape blade) {
   blade.rows = (blade.rows + 1) / 2;
   blade.across = 3;
   return blade;
 }
 
-// Half the width: from nothing at the base through the widest place to the tip, smoothly, the tip pointed.
+// Half the width: it rises smoothly from 0 at the base to the widest place and falls to a pointed tip.
 float half_width(const BladeShape& blade, float t) {
   const float rise = t < blade.widest ? t / blade.widest : (1 - t) / (1 - blade.widest);
   return 0.5f * blade.width * std::sqrt(rise * (2 - rise));
@@ -53,7 +53,7 @@ void add_normals(Mesh& mesh) {
   }
 }
 
-// Across it margins, midrib and what is between.
+// Builds the mesh of a blade. A row has the margins, the midrib and vertices between them.
 Mesh make_blade(const BladeShape& blade) {
   const std::uint32_t across = blade.across, middle = across / 2;
   Mesh mesh;
@@ -84,7 +84,7 @@ Mesh make_blade(const BladeShape& blade) {
   return mesh;
 }
 
-// Tilted about its base towards the turtle's back, then turned round the heading.
+// Adds a mesh tilted about its base towards the turtle's back, then turned about the heading.
 void add_turned(Mesh& all, const Mesh& one, float tilt, float about) {
   const auto base = static_cast<std::uint32_t>(all.positions.size() / 3);
   const SinCos tilted = sincos_degrees(tilt), round_about = sincos_degrees(about);
@@ -111,12 +111,13 @@ Mesh flower(const Mesh& petal) {
   return all;
 }
 
-// A place on the outline of something turned about the heading.
+// A point of the profile of a surface of revolution about the heading.
 struct ProfilePoint {
   float radius, height;
 };
 
-// Smooth but where a knot stands twice, for a sharp edge, and at its ends, which may be points.
+// A surface of revolution, smooth except at repeated points, which are sharp edges, and at its ends, which may be
+// points.
 Mesh surface_of_revolution(std::span<const ProfilePoint> outline, std::uint32_t sides) {
   Mesh mesh;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -144,7 +145,7 @@ Mesh surface_of_revolution(std::span<const ProfilePoint> outline, std::uint32_t 
   return mesh;
 }
 
-// On the turtle, not about it.
+// A ball that begins at the turtle.
 Mesh berry(std::uint32_t sides) {
   Mesh mesh = make_uv_sphere(sides);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)

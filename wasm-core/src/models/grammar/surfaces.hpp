@@ -1,5 +1,5 @@
-// The surfaces that a text can name with ~: small meshes that stand on the turtle and point where it heads, of length 1
-// but for what `about` says.
+// The surfaces that a grammar can name with ~: small meshes that begin at the turtle and point along its heading, of
+// length 1 unless stated otherwise.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 namespace panicle::grammar {
 
 struct NamedSurface {
-  std::string_view name;      // as texts have it
-  std::string_view material;  // its kind
-  std::uint8_t colour;        // by nature, of the palette
-  float area;                 // that it hides, at size 1
+  std::string_view name;      // as written in grammars
+  std::string_view material;  // its material
+  std::uint8_t colour;        // default colour of the palette
+  float area;                 // mean area that it hides, at size 1
 };
 
 inline constexpr std::array<NamedSurface, 20> surfaces = {{
@@ -27,7 +27,7 @@ inline constexpr std::array<NamedSurface, 20> surfaces = {{
     {"cone", "stem", 6, 0.4f},     // half as wide as long
     {"bud", "sepal", 2, 0.5f},
     {"berry", "skin", 7, 0.8f},  // 1 across
-    // Leaves of one rule: the outlines of outlines.hpp, in their order.
+    // Leaves of one formula: the outlines of outlines.hpp, in their order.
     {"ovate", "blade", 3, 0.23f},
     {"elliptic", "blade", 3, 0.18f},
     {"lanceolate", "blade", 3, 0.09f},
@@ -44,11 +44,11 @@ inline constexpr std::array<NamedSurface, 20> surfaces = {{
 
 inline constexpr std::uint32_t first_outline_surface = 8;
 
-// The place of a name among them; nothing where there is none of that name.
+// The index of a surface by its name; none for an unknown name.
 std::optional<std::uint32_t> surface_named(std::string_view name);
 
-// y where the turtle heads, z to its upper side; triangles counter-clockwise seen from outside, or from above. `plain`:
-// of the same size and about a quarter of the triangles.
+// Builds a surface: y along the turtle's heading, z to its upper side; triangles counter-clockwise seen from outside,
+// or from above. `plain`: of the same size with about a quarter of the triangles.
 Mesh make_surface(std::uint32_t which, bool plain = false);
 
 }  // namespace panicle::grammar

@@ -12,12 +12,12 @@
 namespace panicle::growth {
 namespace {
 
-constexpr float cells = 6;  // along the longest edge of what the volumes take
+constexpr float cells = 6;  // along the longest edge of the volumes' bounding box
 constexpr std::uint32_t sky_directions = 64;
-// The sky that shines through the cells: one lamp above, and some about, so high and so bright.
+// The sky as few directions: one from above, and some around at one height and with equal shares.
 constexpr int about_count = 4;
 constexpr float about_height = 40, about_share = 0.18f;
-constexpr float contrast = 1.5f;  // what light that grows from dark to full in an edge counts against the sky
+constexpr float contrast = 1.5f;  // weight of a gradient from dark to full light within a cell, against the open sky
 
 DensityGrid cells_of(const Population& population) {
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
@@ -34,7 +34,7 @@ DensityGrid cells_of(const Population& population) {
   return {low - edge, high + edge, edge};
 }
 
-// Even all about, few as they are: trees would lean else.
+// Evenly spaced around, few as they are: else trees would lean.
 std::vector<LightDirection> even_directions() {
   std::vector<LightDirection> directions{{{0, 1, 0}, 1 - about_share * about_count}};
   const SinCos high = sincos_degrees(about_height);
@@ -55,10 +55,10 @@ CrownLight::CrownLight(const Population& population, const Surroundings& about)
     return sum;
   };
   if (about.alone()) return;
-  // A spiral's own middle is not quite above.
+  // The directions of `overcast` are a spiral whose mean is not exactly vertical.
   const glm::vec3 whole = middle(overcast(sky_directions)), open = middle(about.dimmed(overcast(sky_directions)));
   const glm::vec3 level = open - glm::vec3(whole.x, 0, whole.z);
-  // Of a sky that is dark all about, only that middle would be left.
+  // A sky that is dark all around would leave only that deviation.
   if (open.y > 1e-2f) sky_ = glm::normalize(level);
 }
 

@@ -1,4 +1,4 @@
-// Light in the cells of a crown that grows: where it comes from at a tip.
+// Light in the cells of a growing crown: the direction that most light comes from, at a tip.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -15,18 +15,18 @@ class CrownLight {
  public:
   CrownLight(const Population& population, const Surroundings& about);
 
-  // Something that hides light from now on, square metres over all directions.
+  // Adds matter that hides light, square metres over all directions.
   void put(const glm::vec3& place, float area);
-  // Lets the light in anew.
+  // Computes the light anew from the matter so far.
   void update();
-  // The unit vector from which most light comes: the middle of the open sky, drawn to where the crown is lighter.
+  // The unit vector towards most light: the mean of the open sky, bent towards where the crown is lighter.
   glm::vec3 from(const glm::vec3& place) const;
 
  private:
   DensityGrid matter_;
   std::vector<LightDirection> directions_;
   glm::vec3 sky_{0, 1, 0};
-  std::optional<VoxelLight> light_;  // none before anything hides some
+  std::optional<VoxelLight> light_;  // none before the first update
 };
 
 }  // namespace panicle::growth

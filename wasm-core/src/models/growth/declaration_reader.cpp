@@ -1,4 +1,4 @@
-// What a growth grammar says before anything grows: its footprint, and the divisor functions of its tree.
+// Reads the declarations of a growth grammar: its footprint, and the divisor functions of its tree.
 #include <algorithm>
 #include <utility>
 
@@ -20,7 +20,7 @@ constexpr AttributeName attribute_names[] = {
     {"h", Attribute::Kind::height},        {"wt", Attribute::Kind::top},    {"grad", Attribute::Kind::gradient},
     {"towards", Attribute::Kind::towards}, {"wm", Attribute::Kind::middle},
 };
-// The first of them, in this order, need no name.
+// Number of attributes that may be given without names, in this order.
 constexpr std::size_t in_brackets = 6;
 
 }  // namespace
@@ -70,7 +70,7 @@ bool GrowthReader::growth_volume() {
   return true;
 }
 
-// Passes over a comma, which has to be followed by something; at the end of the brackets there is none.
+// Skips a comma that another value follows; the end of the brackets needs none.
 bool GrowthReader::next_argument() {
   if (on_sign(')') || at_ >= end_) return true;
   if (!expect(',', "A comma is expected here, not '%'.")) return false;

@@ -41,20 +41,20 @@ bool GrowthEvaluation::work_out(const Number& number, float& value) {
   return fail(error_at(Reason::evaluation, of.place, "A finite number is needed here, not %.", {number_text(value)}));
 }
 
-bool GrowthEvaluation::within(const Number& number, float least, float most, const char* what, float& value) {
+bool GrowthEvaluation::within(const Number& number, float least, float most, const char* name, float& value) {
   if (!work_out(number, value)) return false;
   if (value >= least && value <= most) return true;
   return fail(error_at(Reason::evaluation, number.value.place, "% is from % to %, not %.",
-                       {what, number_text(least), number_text(most), number_text(value)}));
+                       {name, number_text(least), number_text(most), number_text(value)}));
 }
 
-bool GrowthEvaluation::whole(const Number& number, float least, float most, const char* what, std::uint32_t& value) {
+bool GrowthEvaluation::whole(const Number& number, float least, float most, const char* name, std::uint32_t& value) {
   float found = 0;
-  if (!within(number, least, most, what, found)) return false;
+  if (!within(number, least, most, name, found)) return false;
   value = static_cast<std::uint32_t>(found);
   if (static_cast<float>(value) == found) return true;
   return fail(
-      error_at(Reason::evaluation, number.value.place, "% is a whole number, not %.", {what, number_text(found)}));
+      error_at(Reason::evaluation, number.value.place, "% is a whole number, not %.", {name, number_text(found)}));
 }
 
 bool GrowthEvaluation::probability(const Number& number, float& value) {

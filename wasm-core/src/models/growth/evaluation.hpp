@@ -1,4 +1,4 @@
-// The numbers of a growth grammar worked out: words in, a finite number out.
+// Evaluates the numbers of a growth grammar: from words to finite numbers.
 #pragma once
 
 #include <array>
@@ -14,24 +14,24 @@ class GrowthEvaluation {
   GrowthEvaluation(const Rules& rules, std::uint64_t seed);
   GrowthEvaluation(const GrowthEvaluation&) = delete;
 
-  // What D(0), D(1) … and E(0), E(1) … are.
+  // Sets the values D(0), D(1) … and E(0), E(1) ….
   void give(std::vector<float> branches, std::vector<float> leaves);
   void set(Word word, float value) { registers_[static_cast<std::size_t>(word)] = value; }
   float get(Word word) const { return registers_[static_cast<std::size_t>(word)]; }
-  // For whom random values are drawn from now on.
+  // Sets the address that random values are drawn for from now on.
   void at(std::uint64_t address) { sources_.address = address; }
 
-  // Whether a condition holds; where there is none it does. False with `failed()` where it goes wrong.
+  // Whether a condition holds; true without a condition. False with `failed()` where evaluation fails.
   bool holds(const Number& condition);
-  // A finite number. False: `trouble()`.
+  // Evaluates to a finite number. False: `trouble()`.
   bool work_out(const Number& number, float& value);
-  // The same, from `least` to `most`: `what` has to be that.
-  bool within(const Number& number, float least, float most, const char* what, float& value);
-  bool whole(const Number& number, float least, float most, const char* what, std::uint32_t& value);
-  // From 0 to 1; 1 where it is not given.
+  // Evaluates to a number from `least` to `most`; `name` is the number's in messages.
+  bool within(const Number& number, float least, float most, const char* name, float& value);
+  bool whole(const Number& number, float least, float most, const char* name, std::uint32_t& value);
+  // Evaluates to a number from 0 to 1; 1 where none is given.
   bool probability(const Number& number, float& value);
 
-  // What all that was worked out has taken so far, in units of work.
+  // Work of all evaluations so far, in units of work.
   std::uint64_t work() const { return work_; }
 
   bool fail(Diagnostic trouble) {

@@ -20,19 +20,19 @@ constexpr std::uint64_t stream_turn = 0x6c656166, stream_face = stream_turn + 1,
                         stream_fall = stream_turn + 6, stream_bloom = stream_turn + 7;
 constexpr float golden_turn = 0.38196601f, golden = 0.618034f;
 constexpr float least_size = 0.7f;  // of the largest
-// How far they come down from below where they hung, of that height, at the middle of all; and what keeps the last from
-// flying on: few go far, so that litter thins outwards and has no edge.
+// Distance that leaves fall from below where they hung, as a share of that height, at the median; and a bound of the
+// farthest: few go far, so that litter thins outwards and has no edge.
 constexpr float drift = 0.12f, blown = 0.25f;
-constexpr float above = 0.01f;         // the ground, metres
-constexpr float least_internode = 0.6f;  // of a leaf's length, what an internode is long that bears this year's
+constexpr float above = 0.01f;         // height above the ground, metres
+constexpr float least_internode = 0.6f;  // shortest internode with leaves of this year, as a share of a leaf's length
 constexpr std::size_t most_together = 256;
-constexpr float near_tip = 0.35f;  // from where on along an internode they stand
+constexpr float near_tip = 0.35f;  // where leaves begin along an internode, as a share
 
 // The year, from 0 to 1: when the first bud opens, over how long others follow, how long one takes; when the first leaf
 // falls, and over how long; and the same of blossoms, which come before the leaves and wither while these unfold.
 constexpr float budburst = 0.12f, burst_spread = 0.08f, unfolding = 0.16f;
-constexpr float unfolded_by = budburst + burst_spread + unfolding + 1e-3f;  // whatever is rounded
-constexpr float autumn = 0.6f;  // from here on foliage that the text makes fall is about to
+constexpr float unfolded_by = budburst + burst_spread + unfolding + 1e-3f;  // with a margin for rounding
+constexpr float autumn = 0.6f;  // from here on the grammar's falling leaves are about to fall
 constexpr float first_fall = 0.7f, fall_spread = 0.22f;
 constexpr float flowering = 0.1f, flower_spread = 0.06f, opening = 0.06f, withering = 0.26f, withered = 0.08f;
 
@@ -76,8 +76,8 @@ class Crown {
         falls_(habit.seed, stream_fall),
         blooms_(habit.seed, stream_bloom) {}
 
-  // How many of the counted leaves from the l-th on stand on one twig, and come and go together; not too many to count
-  // what there is in between.
+  // Number of equal counted leaves from the l-th on: they are on one twig and appear and go together. Bounded, so that
+  // limits are checked in between.
   std::size_t together(std::size_t l) const {
     std::size_t end = l + 1;
     const std::size_t last = std::min(population_.leaves.size(), l + most_together);
@@ -85,7 +85,7 @@ class Crown {
     return end - l;
   }
 
-  // Of `count` counted leaves from the l-th on, which stand together.
+  // Adds the leaves of `count` counted leaves from the l-th on, which are equal.
   void leaves_of(std::size_t l, std::size_t count) {
     TwigPlace place;
     if (!place_of(l, place)) return;
@@ -119,8 +119,8 @@ class Crown {
     for (std::uint32_t k = 0; k < habit_.blossoms; ++k) blossom(hash_combine(l, k), place);
   }
 
-  // On the wood of each branch of a trunk, hanging: as far up it as such nodes are, for an internode of ours stands for
-  // several of a vine's.
+  // Adds bunches on the wood of each branch of a trunk, hanging, at the heights of a vine's nodes: one internode here
+  // stands for several of a vine's.
   void bunches_of(std::uint32_t q) {
     const Way& way = form_.ways[q];
     float begins = 0;
@@ -146,13 +146,13 @@ class Crown {
   }
 
  private:
-  // A leaf among all of the tree, and where its luck is drawn.
+  // The index of a leaf in the whole tree, and the address of its random values.
   struct CountedLeaf {
     std::size_t number = 0;
     std::uint64_t address = 0;
   };
 
-  // The twig that a leaf stands on, and how much of it is there.
+  // The twig of a leaf, and how much of the leaf is grown.
   struct TwigPlace {
     std::int32_t segment = -1;
     float share = 0, length = 0;
@@ -166,8 +166,8 @@ class Crown {
     const bool marked = counted.falls != Leaf::never && time_ >= static_cast<float>(counted.falls);
     place.falls = marked && sheds_now();
     place.share = grown_share(counted.born, time_);
-    // Counted leaves about to fall hang for a step, and shrivel all the while; foliage is renewed every year, and an
-    // earlier year's gives way to this one's.
+    // Counted leaves about to fall hang for a step and shrink during it; foliage is renewed every year, and an earlier
+    // year's shrinks while this year's grows.
     if (counted.gone != Leaf::never)
       place.share *= 1 - grown_share(counted.gone, time_);
     else if (marked)
@@ -180,7 +180,7 @@ class Crown {
     const glm::vec3 whole = form_.nodes[way.first + node] - form_.nodes[way.first + node - 1];
     const Segment& twig = moment_.segments[static_cast<std::size_t>(place.segment)];
     const float length = glm::length(whole);
-    // A shoot that found no room to grow has none for leaves.
+    // A shoot without room to grow has no leaves.
     if (counted.gone != Leaf::never && length < least_internode * habit_.size) return false;
     place.length = std::min(length, glm::distance(twig.start, twig.end));
     place.along = length > 0 ? whole / length : glm::vec3(0, 1, 0);
@@ -189,8 +189,8 @@ class Crown {
     return true;
   }
 
-  // Whether leaves that the text makes fall are about to: at any time in a tree of the paper, whose leaves stay on old
-  // wood, and in autumn where foliage is renewed every year.
+  // Whether the grammar's falling leaves are about to fall: at any time in a tree of the paper, whose leaves stay on
+  // old wood, and in autumn where foliage is renewed every year.
   bool sheds_now() const { return !population_.has_foliage || (!habit_.evergreen && habit_.season >= autumn); }
 
   Organ on(const TwigPlace& place, float back) const {
@@ -200,7 +200,7 @@ class Crown {
     return organ;
   }
 
-  // How much of a leaf the year has unfolded.
+  // The share of a leaf that has unfolded this season.
   float unfolded(std::uint64_t address) const {
     if (habit_.evergreen || habit_.season > unfolded_by) return 1;
     const float begins = budburst + burst_spread * buds_.unit(address);

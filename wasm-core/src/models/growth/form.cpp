@@ -18,26 +18,26 @@ namespace {
 constexpr std::uint64_t stream_angle = 0x666f726d, stream_turn = stream_angle + 1, stream_reach = stream_angle + 2,
                         stream_crook = stream_angle + 3, stream_trunk = stream_angle + 4;
 
-constexpr float reach = 1.3f;  // how far a bud looks, in internodes
+constexpr float reach = 1.3f;  // search radius of a bud, in internodes
 constexpr float crowded = 0.3f, short_shoot = 0.3f;
-constexpr float spread = 0.15f, stray = 17;  // of angles: a share, and degrees round about
-// A branch of the trunk reaches at least so much of the half width, in so many steps.
+constexpr float spread = 0.15f, stray = 17;  // spread of branching angles as a share, and of azimuths in degrees
+// A branch of the trunk reaches at least this share of the half width in at most `most_left` steps.
 constexpr float filled = 0.8f, least_width = 0.25f, least_first = 0.35f;
 constexpr float most_left = 6;
-constexpr float floor_share = 0.012f;  // of a volume's height, which tips do not come below
+constexpr float floor_share = 0.012f;  // as a share of a volume's height: tips do not go lower
 constexpr float golden = 0.618034f, first_along = 0.2f, bole_along = 0.8f;
-constexpr float trunk_crook = 0.35f;  // of that of branches
-constexpr float leaning = 18;         // degrees by which child trunks lean out
-// What a node and a leaf that is counted shade, of a branch's first internode squared: the leaves about it.
+constexpr float trunk_crook = 0.35f;  // of child trunks against branches
+constexpr float leaning = 18;         // slope of child trunks, degrees
+// Area that a node and a counted leaf shade, in squares of a branch's first internode.
 constexpr float node_shade = 0.06f, leaf_shade = 0.02f;
-constexpr float beyond = 0.5f;    // how far a shoot grows that would end outside its volume
-constexpr int most_halvings = 6;  // of a shoot that would leave the room
-// How many steps tell how far it is to a volume's edge, and how far that may be in its heights; how much of it is
+constexpr float beyond = 0.5f;    // growth of a shoot that would end outside its volume, as a share
+constexpr int most_halvings = 6;  // of a shoot that would leave its room
+// Number of samples along the way to a volume's edge, the longest way in volume heights, and the share of it that is
 // grown.
 constexpr int feels = 24;
 constexpr float farthest = 1.2f, to_edge = 0.9f;
-// How far canes lean off the upright, at the most, and to both sides of the row by turns, so that bunches hang free of
-// the wood; and by how much a metre off the row they are bent back between the wires, and an arm to its own.
+// The greatest slope of canes, and their slope to both sides of the row by turns, so that bunches hang free of the
+// wood; the strength that bends canes back between the wires for a metre off the row, and an arm to its own wire.
 constexpr float of_wire = 0.2f, of_row = 0.5f, held = 5, tied = 3;
 
 glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
@@ -69,7 +69,7 @@ class FormBuilder {
     return shoot.trunk ? std::max<std::uint32_t>(age, 1) - 1u : age;
   }
 
-  // How many internodes each shoot comes to have is known, and so where its nodes stand.
+  // The number of internodes of each shoot is known, and so the index of each node.
   void allocate_nodes() {
     std::uint32_t nodes = 0;
     std::vector<std::uint32_t> attached_count(population_.shoots.size(), 0);
@@ -119,7 +119,7 @@ class FormBuilder {
     }
   }
 
-  // Lays what came with the steps before into the cells of light.
+  // Adds the nodes and leaves of earlier steps to the cells of light.
   void shade(std::uint16_t step) {
     if (placed_nodes_.empty()) return;
     const auto side = [&](std::uint32_t shoot) {
@@ -168,10 +168,10 @@ class FormBuilder {
     return glm::mix(from, to, way.along);
   }
 
-  // Level and at right angles to a trained trunk's wire.
+  // The unit vector that is level and orthogonal to a trained trunk's wire.
   static glm::vec3 across(const GrowthVolume& volume) { return {-sine(volume.towards), 0, cosine(volume.towards)}; }
 
-  // From a place to where a volume ends.
+  // The distance from a place to the edge of its volume.
   float to_end(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward) const {
     const GrowthVolume& volume = population_.volumes[shoot.volume];
     const float whole = farthest * std::max({volume.height, volume.base, volume.middle, volume.top});
@@ -202,7 +202,7 @@ class FormBuilder {
     const VolumeShape& shape = shapes_[shoot.volume];
     const float wide = std::max(shape.radius(std::clamp(shape.up(tip), 0.0f, 1.0f)), least_width * volume.base);
     const float left = static_cast<float>(population_.steps - shoot.born + 1);
-    // Of lengths that shrink by a ratio, as many as are to come: the first of them.
+    // The first of a geometric series of lengths that ends at the edge.
     const float ratio = habit_.age_ratio, steps = std::max(left, 1.0f);
     const float sum = ratio < 0.999f ? (1 - power(ratio, steps)) / (1 - ratio) : steps;
     if (habit_.reach > 0)
@@ -256,10 +256,10 @@ class FormBuilder {
         const glm::vec3 row_normal = across(volume);
         forward = unit(forward - held * glm::dot(tip - volume.at, row_normal) * row_normal, forward);
       }
-      // Never death: how many there are is the text's to say.
+      // Shoots never die: their number is the grammar's alone.
       if (free.sum < crowded && habit_.cordon <= 0) length *= short_shoot;
       for (int i = 0; i < most_halvings && regard > 0 && !about_.holds(tip + length * forward); ++i) length *= 0.5f;
-      // The volume guides: beyond it grows half as far what has no will of its own.
+      // A shoot beyond its volume grows half as far, unless the grammar lengthens it.
       if (deformed.length <= 1 && !shapes_[shoot.volume].holds(tip + length * forward)) length *= beyond;
       const float floor = floor_share * population_.volumes[shoot.volume].height;
       if (tip.y + length * forward.y < floor) length = std::min(length, 0.02f * length + std::max(0.0f, tip.y - floor));
@@ -279,17 +279,18 @@ class FormBuilder {
   Form form_;
   const Surroundings& about_;
   CrownLight light_;
-  std::vector<std::uint32_t> ordinals_;   // of each shoot among those of its parent
+  std::vector<std::uint32_t> ordinals_;   // index of each shoot among its parent's
   std::vector<VolumeShape> shapes_;       // of the volumes
-  std::vector<float> firsts_;             // of each branch of a trunk the first length by which it comes to the edge
-  std::vector<float> by_age_, by_order_;  // what lengths are multiplied by
-  std::vector<glm::vec3> placed_nodes_;           // every node so far, and the shoots that they are of
+  // of each branch of a trunk, the first length that reaches the edge in the end
+  std::vector<float> firsts_;
+  std::vector<float> by_age_, by_order_;  // factors of lengths by age and by order
+  std::vector<glm::vec3> placed_nodes_;           // every node so far, and the shoot of each
   std::vector<std::uint32_t> placed_shoots_;
-  std::size_t shaded_ = 0, leaf_ = 0;  // how many of them, and of the leaves, the light has gone through
-  FreeRoom room_;                      // among the nodes of the steps before
+  std::size_t shaded_ = 0, leaf_ = 0;  // numbers of those nodes, and of leaves, that the light includes
+  FreeRoom room_;                      // with the nodes of earlier steps
   float cell_ = 0;
-  std::vector<Deformation> deformed_;  // of each shoot, as it stands
-  std::size_t next_ = 0;               // deformation
+  std::vector<Deformation> deformed_;  // current deformation of each shoot
+  std::size_t next_ = 0;               // index of the next deformation
 };
 
 }  // namespace

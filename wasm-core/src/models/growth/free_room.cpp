@@ -12,19 +12,19 @@
 namespace panicle::growth {
 namespace {
 
-// How near another node may be to a place that is free, of the radius; within which angle of the way places lie, as a
-// cosine; what a place outside the volume is worth, and one in the light.
+// Distance of a free place from other nodes, over the radius; cosine of the cone of places; weight of a place outside
+// the volume, and additional weight of one in the light.
 constexpr float apart = 0.55f, ahead = 0.3f;
 constexpr float outside = 0.05f, lightwards = 0.5f;
 constexpr float golden = 0.618034f, golden_angle = 137.50776f;
-constexpr float at_tip = 1e-8f;  // nodes so near, squared, are the tip itself
+constexpr float at_tip = 1e-8f;  // squared distance below which nodes are the tip itself
 constexpr float far_away = 1e6f;
 constexpr std::size_t lanes = 4, looks = 40, groups = looks / lanes;
 
-// Directions that lie side by side: of most ways a tip may grow, some groups are wholly behind it.
+// Directions near each other, so that some groups are wholly behind most tips.
 struct Group {
   std::array<float, lanes> x, y, z;
-  std::array<float, lanes> turn;  // what the place of each is further than luck's, turned over at 1
+  std::array<float, lanes> turn;  // offset of the depth of each place, added to the noise and wrapped at 1
 };
 
 std::array<Group, groups> make_directions() {
@@ -119,7 +119,7 @@ FreeRoom::Found FreeRoom::find(const Query& query, const VolumeShape& volume, co
     const Four out = (0.5f + 0.5f * deep) * reach;
     const Four off_x = out * way_x, off_y = out * way_y, off_z = out * way_z;
     const Four place_x = off_x + query.tip.x, place_y = off_y + query.tip.y, place_z = off_z + query.tip.z;
-    // What is no number is no place that is free; and a node that is none takes no room, for the grid leaves it out.
+    // A place that is not a number is not free; a node that is not a number takes no room, since the grid omits it.
     const Four somewhere = place_x + place_y + place_z;
     auto taken = somewhere != somewhere;  // NOLINT(misc-redundant-expression)
     for (const float *node = near_.data(), *const end = node + 3 * near_count_; node < end; node += 3) {

@@ -1,5 +1,5 @@
-// The growth space of a bud (p_c, r, l): the places ahead of a tip that nothing takes (Kim, Kim and Cho 2013, section
-// 3.1). Places are looked at four at a time, and each node about the tip once for all of them.
+// The growth space of a bud (p_c, r, l): the free places ahead of a tip (Kim, Kim and Cho 2013, section 3.1). Four
+// places are evaluated at a time, and the nodes near the tip are collected once for all of them.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,20 @@ namespace panicle::growth {
 
 class FreeRoom {
  public:
-  // A tip that looks about.
+  // A tip and its search.
   struct Query {
-    glm::vec3 tip, forward, light;  // the way it grows, and that to the light, of length 1
-    float radius;                   // how far it looks
-    float noise;                     // 0 … 1, how far each place is: no two tips look to the same
-    float regard;                   // how much it counts that a place is taken, 0 … 1
+    glm::vec3 tip, forward, light;  // unit vectors of its growth and towards the light
+    float radius;                   // radius of the search
+    float noise;                     // 0 … 1, varies the depth of places: no two tips search the same places
+    float regard;                   // how much a taken place counts against itself, 0 … 1
   };
-  // Σ w d of the places, d the way to each and w what it is worth; and Σ w.
+  // Σ w d over the places, with direction d and weight w of each; and Σ w.
   struct Found {
     glm::vec3 middle{0};
     float sum = 0;
   };
 
-  // Nodes that take room from now on, and no others. `edge`: some width of cells, above 0.
+  // Replaces the nodes that take room. `edge`: width of the grid's cells, above 0.
   void set_nodes(std::span<const glm::vec3> nodes, float edge);
 
   Found find(const Query& query, const VolumeShape& volume, const Surroundings& about);
@@ -37,8 +37,8 @@ class FreeRoom {
   void find_near(const Query& query);
 
   PointGrid grid_;
-  std::vector<float> x_, y_, z_;  // of the nodes, by the grid's slots, and beyond them some that are far away
-  std::vector<float> near_;       // those near a tip as seen from it: x, y, z of one after the other
+  std::vector<float> x_, y_, z_;  // coordinates of the nodes in the order of the grid, padded with far ones
+  std::vector<float> near_;       // nodes near a tip relative to it: x, y, z of one after the other
   std::size_t near_count_ = 0;
 };
 

@@ -6,14 +6,14 @@ namespace panicle::growth {
 namespace {
 
 constexpr float outwards = 0.45f, droop = 0.25f;
-constexpr float least = 1e-6f;  // the square of a length that still has a direction
+constexpr float least = 1e-6f;  // squared length below which a vector has no direction
 constexpr float steep = 0.9f;
 
 FourVectors all_of(const glm::vec3& v) { return {panicle::all_of(v.x), panicle::all_of(v.y), panicle::all_of(v.z)}; }
 
 FourVectors unit(const FourVectors& v) { return 1.0f / square_root(dot(v, v)) * v; }
 
-// At right angles to unit vectors, as of foundation/rotation.hpp.
+// Unit vectors orthogonal to unit vectors, as in foundation/rotation.hpp.
 FourVectors any_perpendicular(const FourVectors& way) {
   const Four none = panicle::all_of(0);
   const auto level = (way.y < steep) & (way.y > -steep);
@@ -24,7 +24,7 @@ FourVectors unit(const FourVectors& v, const FourVectors& otherwise) {
   return chosen(dot(v, v) > least, unit(v), otherwise);
 }
 
-// The rotations that take +Y to `up` and +Z to `front`, as turn_to of foundation/rotation.hpp.
+// Rotations that take +Y to `up` and +Z to `front`, as turn_to of foundation/rotation.hpp.
 std::array<glm::vec4, 4> turns_to(const FourVectors& up, const FourVectors& front) {
   const FourVectors side = cross(up, front);
   const Four trace = side.x + up.y + front.z;
@@ -60,7 +60,7 @@ std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafNoise& noise, fl
   const FourVectors sky = {panicle::all_of(0), panicle::all_of(1), panicle::all_of(0)};
   const FourVectors strewn = {level * around.cosine, level * around.sine, stray * noise.height};
   const FourVectors face = unit(sky + panicle::all_of(outwards) * along + strewn, any_perpendicular(along));
-  // The tip points out as nearly as its face may look to where it does.
+  // The tip points to `out` as nearly as the leaf's face allows.
   return turns_to(unit(out - dot(out, face) * face, any_perpendicular(face)), face);
 }
 

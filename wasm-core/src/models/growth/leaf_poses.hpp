@@ -1,4 +1,4 @@
-// Which way the leaves of a twig stand, four of them at a time.
+// Rotations of the leaves of a twig, four at a time.
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 namespace panicle::growth {
 
 struct Twig {
-  glm::vec3 along, one, other;  // unit vectors at right angles, the first to its tip
+  glm::vec3 along, one, other;  // orthogonal unit vectors, the first towards its tip
 };
 
-// Of each leaf: how far it stands round about the twig, and a direction by which it is strewn: its height, −1 … 1, and
-// its way round. In turns.
+// Noise of four leaves: angle around the twig, and a random direction as its height, −1 … 1, and azimuth. Angles in
+// turns.
 struct LeafNoise {
   Four about, height, around;
 };
 
-// From a leaf's frame (its tip at +Y, its face to +Z) to where it stands: unit quaternions x y z w.
-// `stray`: how far faces look elsewhere than to the sky, against that.
+// Rotations from a leaf's frame (tip at +Y, face to +Z) to the plant's: unit quaternions x y z w. `stray`: weight of
+// the random direction against the sky in the direction of faces.
 std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafNoise& noise, float stray);
 std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafNoise& noise);
 

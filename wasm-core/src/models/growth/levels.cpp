@@ -19,24 +19,25 @@ namespace panicle::growth {
 namespace {
 
 constexpr std::array<const char*, level_count> names{"level0", "level1", "level2", "level3"};
-// Triangles fall by so much a level at the least, and the last has no more than so many.
+// Triangles fall by at least this factor a level; the last level has at most `most_far`.
 constexpr float falls_by = 2.6f, most_far = 144;
-// Of all triangles wood's share in the first level, so much is left to it in each: far away leaves tell more.
+// The share of the first level's wood that is left in each level, on top of the general fall: from afar leaves matter
+// more.
 constexpr std::array<float, level_count> wood_share{1, 0.9f, 0.75f, 0.6f};
-// How far what is drawn may leave a shoot's own line, of the tree's height.
+// Tolerance of shoots' centre lines, as a share of the tree's height.
 constexpr std::array<float, level_count> bend{0.0008f, 0.004f, 0.012f, 0.04f};
-// Sides of a shoot by its thickness against the thickest: of those thicker than each share.
+// Sides of a shoot by its thickness over the thickest: bounds of the classes.
 constexpr std::array<float, 2> shares{0.5f, 0.18f};
 constexpr std::array<std::array<std::uint32_t, 3>, level_count> sides_of{
     {{{8, 5, 3}}, {{5, 4, 3}}, {{4, 3, 3}}, {{3, 3, 3}}}};
 constexpr std::uint32_t most_sides = 8;
-constexpr float folded = 20;    // degrees that each half of a leaf stands up
-constexpr float sparse = 0.8f;  // leaves that reach less far than this share of the tree do not tell its outline
+constexpr float folded = 20;    // degrees that each half of a leaf is folded up
+constexpr float sparse = 0.8f;  // leaves that reach less far than this share of the tree do not cover its outline
 constexpr float sky_cells = 7;
 constexpr std::uint32_t sky_directions = 6;
 constexpr std::size_t few = 8;
 
-// Of vertices, x, y and z by turns: four of them are three times four floats.
+// The box of vertices x, y, z: four vertices are three vectors of four floats.
 Box box_of(std::span<const float> vertices) {
   constexpr std::size_t once = 12;
   Box box;
@@ -62,16 +63,16 @@ Box box_of(std::span<const float> vertices) {
   return box;
 }
 
-// The segments of one shoot, which stand side by side.
+// The consecutive segments of one shoot.
 struct Run {
   std::uint32_t first = 0, count = 0;
 };
 
-// What is borne, as one run of each level.
+// Leaves or blossoms, one run in each level.
 struct SheetGroup {
   const char* name;
   Sheets sheets;
-  Box reach = {};  // of the corners of all in the first level
+  Box reach = {};  // of all corners in the first level
 };
 
 class LevelBuilder {
@@ -110,7 +111,7 @@ class LevelBuilder {
     return {moment.segments, occluders, sky_cells, sky_directions};
   }
 
-  // Thickest first: whatever bears a shoot stands before it.
+  // Sorts shoots, thickest first: parents come before their children.
   void find_shoots() {
     const auto count = static_cast<std::uint32_t>(moment_.segments.size());
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -179,7 +180,7 @@ class LevelBuilder {
                     static_cast<std::uint32_t>(mesh_->indices.size()) - index});
   }
 
-  // How far the first level and its crowds, whose runs stand behind the bark's, reach: later ones do too.
+  // Boxes of the first level and of its groups, whose runs come after the bark's: later levels reach as far.
   void find_reaches(std::span<const MeshRun> runs) {
     whole_ = box_of(mesh_->positions);
     for (std::size_t i = 0; i < groups_.size(); ++i) groups_[i].reach = box_of(vertices_of(runs[i + 1]));
@@ -189,13 +190,13 @@ class LevelBuilder {
     return std::span(mesh_->positions).subspan(3 * std::size_t{run.first_vertex}, 3 * std::size_t{run.vertex_count});
   }
 
-  // By how much a level has fewer triangles than the first.
+  // Factor between the first level's triangles and another's.
   float fall(std::size_t level) const {
     const float all = static_cast<float>(first_all_), last = std::min(all / (falls_by * falls_by * falls_by), most_far);
     return power(all / last, static_cast<float>(level) / (level_count - 1));
   }
 
-  // The ends of a shoot's pieces, but those that lie as good as on the line between others.
+  // Simplifies a shoot to the ends of its segments, except those within the tolerance of the line between others.
   void line_of(const Run& run, float tolerance) {
     line_.clear();
     const Segment* const segments = &moment_.segments[run.first];
@@ -225,7 +226,7 @@ class LevelBuilder {
     return sides_of[level][share > shares[0] ? 0 : share > shares[1] ? 1 : 2];
   }
 
-  // `budget`: triangles; 0: as many as there are.
+  // `budget`: triangles; 0: no limit.
   void add_wood(std::size_t level, float budget) {
     float spent = 0;
     const std::vector<bool> retained = leafy_ || level == 0 ? std::vector<bool>() : outermost();
@@ -245,13 +246,13 @@ class LevelBuilder {
       }
   }
 
-  // Where leaves do not tell a tree's outline: the shoots that do, with what bears them.
+  // Shoots that reach farthest in each direction, with their ancestors, where leaves do not cover the outline.
   std::vector<bool> outermost() const {
     std::vector<bool> retained(shoots_.size(), false);
     std::vector<std::uint32_t> of_segment(moment_.segments.size());
     for (std::uint32_t i = 0; i < shoots_.size(); ++i)
       std::fill_n(of_segment.begin() + shoots_[i].first, shoots_[i].count, i);
-    constexpr int below = 3;  // where trunks stand
+    constexpr int below = 3;  // side of the trunks' feet
     for (int side = 0; side < 6; ++side) {
       if (side == below) continue;
       float farthest = -std::numeric_limits<float>::max();
@@ -271,7 +272,7 @@ class LevelBuilder {
     return retained;
   }
 
-  // Makes room for so many more vertices and triangles, which are written next.
+  // Makes room for more vertices and triangles, which are written next.
   void open_room(std::size_t vertices, std::size_t more) {
     mesh_->positions.resize(mesh_->positions.size() + 3 * vertices);
     mesh_->normals.resize(mesh_->normals.size() + 3 * vertices);
@@ -283,7 +284,7 @@ class LevelBuilder {
     next_sky_ = sky_.data() + sky_.size() - vertices;
   }
 
-  // Along `line_`, to a point.
+  // Adds a tube along `line_` that ends in a point.
   void add_tube(std::uint32_t n) {
     open_room(n * (line_.size() - 1) + 1, n * (2 * line_.size() - 3));
     glm::vec3 right(0);
@@ -324,7 +325,7 @@ class LevelBuilder {
     *next_sky_++ = sky;
   }
 
-  // The number of the vertex that is written next.
+  // Index of the vertex that is written next.
   std::uint32_t next_vertex() const { return static_cast<std::uint32_t>(next_sky_ - sky_.data()); }
 
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -337,7 +338,7 @@ class LevelBuilder {
     return open_.of(sheets.size(), [&](std::size_t i) -> const glm::vec3& { return sheets[i].middle; });
   }
 
-  // Two triangles, folded up along the midrib.
+  // Adds a leaf of two triangles, folded up along the midrib.
   void add_folded(const Sheet& leaf, std::uint8_t sky) {
     static const SinCos fold = sincos_degrees(folded);
     const glm::vec3 face = leaf.face(), tip = 0.5f * leaf.length * leaf.along;
@@ -356,7 +357,7 @@ class LevelBuilder {
     add_corners(places, {face, face, face, face}, sky);
   }
 
-  // A foot, what is at its two sides, and a tip.
+  // Adds two triangles between a base, two sides and a tip.
   void add_corners(const std::array<glm::vec3, 4>& places, const std::array<glm::vec3, 4>& normals, std::uint8_t sky) {
     const std::uint32_t first = next_vertex();
     for (std::size_t k = 0; k < places.size(); ++k) vertex(places[k], normals[k], sky);
@@ -364,7 +365,7 @@ class LevelBuilder {
     triangle(first, first + 3, first + 2);
   }
 
-  // Each crowd gets as much of the triangles that are left as it has of all sheets.
+  // Adds fewer sheets: each group gets a share of the remaining triangles by its number of sheets.
   void add_merged(std::size_t level, const SheetGroup& group, float left) {
     const std::size_t own = group.sheets.all().size();
     if (own == 0) return;
@@ -392,12 +393,12 @@ class LevelBuilder {
   std::size_t first_wood_ = 0, first_all_ = 0;
   std::vector<std::pair<glm::vec3, float>> line_;
   PlantMesh* out_ = nullptr;
-  Mesh* mesh_ = nullptr;  // of it
-  // Where its next vertex and triangle are written.
+  Mesh* mesh_ = nullptr;  // of *out_
+  // Where the next vertex and triangle are written.
   float *place_ = nullptr, *normal_ = nullptr;
   std::uint32_t* index_ = nullptr;
   std::uint8_t* next_sky_ = nullptr;
-  std::array<std::array<SinCos, most_sides>, most_sides + 1> turns_{};  // of each number of sides
+  std::array<std::array<SinCos, most_sides>, most_sides + 1> turns_{};  // by number of sides
   std::vector<std::uint8_t> sky_;
 };
 

@@ -31,7 +31,8 @@ using GrowthValues = Values<Parameter, parameter_table>;
 using enum Parameter;
 
 constexpr std::uint16_t usual_steps = 8;
-constexpr std::uint32_t no_leaf = 0, needle = 1, spray = 2;  // of the kinds: all others come with the request
+// kinds of leaf; the shape of all others comes with the request
+constexpr std::uint32_t no_leaf = 0, needle = 1, spray = 2;
 
 FormHabit form_habit(const GrowthValues& values, std::uint64_t seed) {
   FormHabit habit;
@@ -90,7 +91,7 @@ Blade blade_of(const GrowthValues& values, const FlatLeaf& flat) {
 
 bool is_leaf(const Organ& organ) { return organ.tag <= fallen_tag; }
 
-// How many organs there are of each tag.
+// The number of organs of each tag.
 std::array<std::uint32_t, organ_tags> tally(const Plant& plant) {
   std::array<std::uint32_t, organ_tags> many{};
   for (const Organ& organ : plant.organs) ++many[organ.tag];
@@ -153,7 +154,7 @@ void measure(Plant& plant, float leaf_area, std::uint32_t leaves_each) {
   plant.measures = measures.values();
 }
 
-// One mesh for all that are borne of a kind, where there are any.
+// Adds a mesh that the organs of a kind share, where there are any.
 template <class Is>
 void add_organ_mesh(Plant& plant, std::string name, std::string material, const Mesh& mesh, Is is) {
   const auto number = static_cast<std::int32_t>(plant.meshes.size());
@@ -173,7 +174,7 @@ void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky
   if (sky) {
     std::vector<Occluder> occluders;
     for (const Organ& organ : plant.organs) {
-      if (organ.tag == bunch_tag) continue;  // a place, and nothing yet
+      if (organ.tag == bunch_tag) continue;  // only a place, without a mesh
       const float area = organ.tag == blossom_tag ? blossom.area : blade.area;
       occluders.push_back({organ.position, 0.5f * area * organ.scale * organ.scale});
     }
@@ -239,7 +240,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (meshes && blade.mesh.indices.empty() && leaves > 0)
     plant.notes.emplace_back("The leaves have no shape: the request brings none to make them from.");
   add_columns(plant, population.value(), moment.value());
-  // Of twigs all that stand on them are counted.
+  // Counts include all leaves of a twig.
   const std::uint32_t each = leaves_on_twig(values);
   plant.counts = {{"branches", moment->branches},
                   {"steps", count},

@@ -11,7 +11,7 @@ namespace panicle::growth {
 namespace {
 
 constexpr std::uint32_t trunk_tag = 0, branch_tag = 1;
-constexpr float tapered = 0.6f;  // the end of a shoot against where it begins to be one
+constexpr float tapered = 0.6f;  // radius at the end of a shoot over the radius of its last segment
 
 struct MomentBuilder {
   const Population& population;
@@ -19,8 +19,8 @@ struct MomentBuilder {
   float time;
   const WoodHabit& habit;
   Moment moment;
-  std::vector<std::uint32_t> children;  // of all shoots, side by side, in the order in which they stand on theirs
-  std::vector<std::uint32_t> first;     // of each shoot's in `children`, and the end
+  std::vector<std::uint32_t> children;  // of all shoots, consecutive by parent, in the order along it
+  std::vector<std::uint32_t> first;     // of each shoot, the index of its first child in `children`; and the end
 
   bool exists(std::uint32_t shoot) const {
     const Way& way = form.ways[shoot];
@@ -49,7 +49,7 @@ struct MomentBuilder {
     return population.shoots[q].parent >= 0 && !population.shoots[q].trunk && exists(q);
   }
 
-  // Of each shoot that is borne, the segment that ends where it begins.
+  // Of each attached shoot, the segment that ends at its base.
   std::vector<std::int32_t> parent_segments;
 
   void add_shoot(std::uint32_t q) {
@@ -88,7 +88,7 @@ struct MomentBuilder {
     at = end;
   }
 
-  // By pipes from the tips down: a shoot that has just come has hardly one.
+  // Radii by the pipe model, from the tips down: a shoot that has just come adds hardly anything.
   void thicken() {
     std::vector<float> sums(moment.segments.size(), 0);
     for (std::size_t i = moment.segments.size(); i-- > 0;) {
@@ -106,7 +106,7 @@ struct MomentBuilder {
           has_next(i) ? moment.segments[next_[i]].radius : tapered * moment.segments[i].radius;
   }
 
-  // Whether its shoot has a segment behind it.
+  // Whether a segment's shoot has a segment after it.
   bool has_next(std::size_t i) {
     if (next_.empty()) {
       next_.assign(moment.segments.size(), none);
@@ -133,7 +133,7 @@ Result<Moment> moment_of(const Population& population, const Form& form, float t
   builder.moment.of_node.assign(form.nodes.size(), -1);
   builder.parent_segments.assign(form.ways.size(), -1);
   builder.sort_children();
-  // Each shoot's internodes, and those that what it bears cuts in two.
+  // Each shoot's internodes, and their parts where children are attached.
   builder.moment.segments.reserve(form.nodes.size());
   builder.moment.axes.reserve(form.nodes.size());
   for (std::uint32_t q = 0; q < form.ways.size(); ++q) {

@@ -13,21 +13,21 @@ namespace {
 
 using expression::error_at;
 
-// What the rules make of one shoot at one step.
+// The results of the rules for one shoot at one step.
 struct Outcome {
   bool known = false;
-  std::uint32_t branches = 0, leaves = 0, falling = 0;  // of each new branch so many leaves
-  std::uint32_t foliage = 0, foliage_steps = 1;         // of each internode laid, and for how long
-  const Rule* buds = nullptr;                           // the last rule of buds that holds; none: no branch needs a bud
+  std::uint32_t branches = 0, leaves = 0, falling = 0;  // leaves: of each new branch
+  std::uint32_t foliage = 0, foliage_steps = 1;         // of each internode, and the number of steps that it lasts
+  const Rule* buds = nullptr;                           // the last rule of buds that holds; none: branches need no buds
   float bud_chance = 1;
-  std::vector<std::pair<const Rule*, float>> child_trunks;  // and how likely each is
+  std::vector<std::pair<const Rule*, float>> child_trunks;  // and the probability of each
   float gravitropism = 0, length = 1;
 };
 
-// Leaves of one step that are neighbours in Population::leaves.
+// Leaves of one step that are consecutive in Population::leaves.
 struct LeafRange {
   std::uint32_t first = 0, count = 0;
-  std::uint16_t step = 0;  // at which they came
+  std::uint16_t step = 0;  // in which they came
 };
 
 // The state of a shoot between steps.
@@ -39,7 +39,7 @@ struct Memory {
   float gravitropism = 0, length = 1;
 };
 
-// Numbers of branches and leaves that a rule may ask for: beyond, the limits tell.
+// The largest number of branches or leaves of one rule; limits stop far smaller ones.
 constexpr float most_at_once = 1e7f;
 constexpr std::size_t most_outcomes = 1 << 16;
 
@@ -88,7 +88,7 @@ class PopulationBuilder {
     return true;
   }
 
-  // All that stand before a step grow in it.
+  // Grows all shoots of earlier steps.
   bool grow(std::uint16_t step) {
     outcomes_.clear();
     const std::size_t standing = plant_.shoots.size();
@@ -186,7 +186,7 @@ class PopulationBuilder {
     return fine;
   }
 
-  // The whole number that is meant; none below 0.
+  // Rounds to a whole number of at least 0.
   bool amount(float value, std::uint32_t& out) {
     if (value > most_at_once) return too_many("branches or leaves at once", static_cast<std::uint32_t>(most_at_once));
     out = value > 0 ? static_cast<std::uint32_t>(std::floor(value + 0.5f)) : 0;
@@ -234,7 +234,7 @@ class PopulationBuilder {
     const auto first_leaf = static_cast<std::uint32_t>(plant_.leaves.size());
     const auto first_branch = static_cast<std::uint32_t>(plant_.shoots.size());
     for (std::uint32_t i = 0; i < grown; ++i) {
-      // Buds open in the order in which they were laid.
+      // Buds open in the order of their internodes.
       while (outcome.buds != nullptr && bud_count <= first + i && node < age) bud_count = buds_until(++node);
       const std::uint64_t address = hash_combine(memories_[number].address, (std::uint64_t{step} << 32) + i);
       const auto order = static_cast<std::uint8_t>(std::min(shoot.order + 1, 255));
@@ -251,8 +251,8 @@ class PopulationBuilder {
     return true;
   }
 
-  // On the internode that a shoot lays at this step. Foliage is renewed every year, so that what the text makes fall of
-  // it falls in the autumn of its own step.
+  // Adds foliage on the internode of this step. Foliage is renewed every year, so that its falling leaves fall in the
+  // autumn of their own step.
   bool add_foliage(std::uint32_t shoot, std::uint16_t step, const Outcome& outcome) {
     if (plant_.leaves.size() + outcome.foliage > limits_.copies) return too_many("leaves", limits_.copies);
     const auto gone =
@@ -263,7 +263,7 @@ class PopulationBuilder {
     return true;
   }
 
-  // Of the buds that have not grown yet each is fit by chance: as many branches come as are fit, and are asked for.
+  // Draws for each remaining bud whether it opens: there are as many branches as open buds, but no more than requested.
   bool open_buds(std::uint32_t number, std::uint16_t step, const Outcome& outcome, std::uint32_t& grown) {
     const Memory& memory = memories_[number];
     const auto age = static_cast<std::uint16_t>(step - plant_.shoots[number].born);
@@ -280,7 +280,7 @@ class PopulationBuilder {
     return true;
   }
 
-  // How many buds the internodes laid up to an age bear, by the rule that was looked at last.
+  // The number of buds on the internodes up to an age, by the last rule of `count_buds`.
   std::uint32_t buds_until(std::uint16_t age) const { return buds_until_[age]; }
 
   bool count_buds(const Rule& rule, std::uint16_t age) {
@@ -298,7 +298,7 @@ class PopulationBuilder {
     return true;
   }
 
-  // Each on the shoot that came last.
+  // Adds leaves to the latest shoot.
   bool add_leaves(std::uint16_t step, std::uint32_t leaves) {
     if (plant_.leaves.size() + leaves > limits_.copies) return too_many("leaves", limits_.copies);
     const auto shoot = static_cast<std::uint32_t>(plant_.shoots.size() - 1);

@@ -16,7 +16,7 @@ using expression::TokenKind;
 constexpr std::uint32_t of_volume =
     bit(Word::count) | bit(Word::id) | bit(Word::base) | bit(Word::height) | bit(Word::top) | bit(Word::gradient);
 constexpr std::uint32_t of_environment = bit(Word::phototropism) | bit(Word::gravitropism) | bit(Word::neighbours);
-// A rule that uses one of these is decided anew for each shoot at each step.
+// A rule that uses one of these is evaluated for each shoot at each step.
 constexpr std::uint32_t of_shoot = bit(Word::k) | bit(Word::n) | bit(Word::gs) | bit(Word::ndv) | bit(Word::nbr) |
                                    bit(Word::nlf) | bit(Word::order) | bit(Word::length);
 constexpr std::uint32_t of_factors = bit(Word::b) | bit(Word::l);
@@ -24,7 +24,7 @@ constexpr std::uint32_t any_word = of_volume | of_environment | of_shoot | of_fa
 
 constexpr std::string_view branch_function = "D", leaf_function = "E";
 
-// What `tree` and `footprint` take, in a sentence.
+// Message about the beginnings of lines.
 constexpr const char* beginnings =
     "A line begins with gs =, footprint ->, tree ->, bud(n) -> or a condition; '%' is none of these.";
 
@@ -66,7 +66,7 @@ bool GrowthReader::run() {
   return true;
 }
 
-// A statement goes on in the next line within brackets, and behind a sign that something has to follow.
+// A statement continues in the next line within brackets, and after a sign that something has to follow.
 std::size_t GrowthReader::statement_end() const {
   std::size_t open = 0;
   for (std::size_t at = at_; at < tokens_.size(); ++at) {
@@ -118,7 +118,7 @@ std::size_t GrowthReader::colon_before_arrow() const {
   return at;
 }
 
-// `name = expression`: steps, or what holds for all volumes.
+// `name = expression`: the number of steps, or a value for all volumes.
 bool GrowthReader::setting() {
   const Token& first = tokens_[at_];
   if (first.is("gs") || first.is("gs.rand")) return steps();
@@ -143,7 +143,7 @@ bool GrowthReader::steps() {
   return true;
 }
 
-// `bud(n) : condition -> branch : probability`: each internode laid at age k bears n buds, of which branches come.
+// `bud(n) : condition -> branch : probability`: each internode of age k has n buds, from which branches grow.
 bool GrowthReader::buds() {
   Rule rule;
   rule.place = here();
@@ -264,7 +264,7 @@ bool GrowthReader::weight(Number& probability) {
   return number(end_, any_word, probability);
 }
 
-// Decides once a volume what nothing of a shoot is used for.
+// A rule that uses nothing of a shoot is evaluated once a volume.
 bool GrowthReader::place_rule(Rule rule) {
   std::uint32_t uses = rule.condition.uses | rule.probability.uses;
   bool draws = rule.condition.draws;
@@ -274,7 +274,7 @@ bool GrowthReader::place_rule(Rule rule) {
     uses |= each.steps.uses;
     draws |= each.number.draws || each.steps.draws;
     environment &= each.kind == Consequence::Kind::set && (of_environment & bit(each.word)) != 0;
-    // The luck of a bud, or of a child trunk, is drawn apart from what shoots have in common.
+    // Random values of a bud or a child trunk are independent of the shoots' common outcome.
     is_random &= each.kind == Consequence::Kind::set || each.kind == Consequence::Kind::leaf ||
             each.kind == Consequence::Kind::falling_leaf || each.kind == Consequence::Kind::foliage ||
             rule.consequences.size() > 1;
@@ -316,7 +316,7 @@ bool GrowthReader::number(std::size_t end, std::uint32_t may_use, Number& number
                 {known_functions()});
   }
   if (!rewritten(tree, may_use, number)) return false;
-  // Each draws for itself.
+  // Each expression has random values of its own.
   lowering_.begin_production(
       formals_, hash_combine(hash_text(in_footprint_ ? "footprint" : "growth"), ++expressions_[in_footprint_]));
   const std::uint32_t begin = lowering_.here();
@@ -329,7 +329,7 @@ bool GrowthReader::number(std::size_t end, std::uint32_t may_use, Number& number
   return true;
 }
 
-// D(x) and E(x) become places in lists that begin at 0: what the divisor functions give is put there before growth.
+// D(x) and E(x) become elements of lists that begin at 0; the values of the divisor functions are set before growth.
 bool GrowthReader::rewritten(expression::Expression& tree, std::uint32_t may_use, Number& number) {
   using expression::Node;
   std::vector<Node> nodes;

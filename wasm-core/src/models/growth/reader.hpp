@@ -1,4 +1,4 @@
-// A growth grammar's text → rules, statement by statement.
+// Reads a growth grammar's text into rules, statement by statement.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace panicle::growth {
 
-// What a text says of its own: the standard lines are for the rest (standard.hpp).
+// Whether a grammar has rules of its own for a matter; else the standard lines apply (standard.hpp).
 struct OwnRules {
   bool counts = false, buds = false, leaves = false;
 };
@@ -24,7 +24,7 @@ class GrowthReader : expression::TokenReader {
   const Diagnostic& trouble() const { return trouble_; }
   const OwnRules& own_rules() const { return own_rules_; }
   std::uint32_t used() const { return used_; }
-  // A rule that uses D or E, which a `tree` has to give: where.
+  // The first place where a rule uses D or E, which a `tree` has to define.
   const expression::Place& needs_function() const { return needs_function_; }
 
  private:
@@ -55,11 +55,11 @@ class GrowthReader : expression::TokenReader {
   bool number(std::size_t end, std::uint32_t may_use, Number& number);
   bool rewritten(expression::Expression& tree, std::uint32_t may_use, Number& number);
   bool unknown_word(const expression::Node& node, std::uint32_t may_use);
-  // The values of a call whose ( is here.
+  // Reads the arguments of a call from its ( on.
   bool numbers(std::uint32_t may_use, std::vector<Number>& values);
   bool opens(std::size_t at) const { return at < end_ && tokens_[at].is('('); }
   std::size_t statement_end() const;
-  // The last colon outside of all brackets behind the arrow, or the end.
+  // The last colon outside of all brackets after the arrow, or the end.
   std::size_t colon_after_arrow() const;
   std::size_t colon_before_arrow() const;
 
@@ -68,7 +68,8 @@ class GrowthReader : expression::TokenReader {
   std::vector<expression::Named> formals_;
   std::size_t arrow_ = 0;  // token of the statement's arrow
   std::size_t successors_end_ = 0;
-  // Of a footprint, and of all else: a footprint that is written otherwise leaves what others draw as it is.
+  // Numbers of expressions outside and inside footprints, counted apart: another footprint leaves the random values of
+  // other expressions unchanged.
   std::array<std::uint64_t, 2> expressions_{};
   bool in_footprint_ = false;
   std::uint32_t used_ = 0;

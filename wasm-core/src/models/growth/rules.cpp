@@ -9,7 +9,7 @@
 namespace panicle::growth {
 namespace {
 
-// Reads lines of the standard, which have no mistakes.
+// Reads standard lines, which have no mistakes. Returns the words that they use.
 std::uint32_t add_standard(std::string_view text, Rules& rules, expression::Lowering& lowering) {
   const auto tokens = expression::tokenize(text, expression::Writing::rules);
   GrowthReader reader(tokens.value(), rules, lowering);
@@ -17,7 +17,7 @@ std::uint32_t add_standard(std::string_view text, Rules& rules, expression::Lowe
   return reader.used();
 }
 
-// Whether the text gives a divisor function, or with `argument` a factor, to branches or leaves.
+// Whether the grammar defines a divisor function, or with `argument` a factor, for branches or leaves.
 bool gives(const Rules& rules, DivisorFunction::Of of, bool argument) {
   for (const TreeRule& rule : rules.tree)
     for (const DivisorFunction& function : rule.functions)
@@ -25,7 +25,7 @@ bool gives(const Rules& rules, DivisorFunction::Of of, bool argument) {
   return false;
 }
 
-// A function that is given twice, where that is not by chance; null where none is.
+// A function that is defined twice, other than as alternatives with probabilities; null where none is.
 const DivisorFunction* given_twice(const Rules& rules) {
   for (std::size_t i = 0; i < rules.tree.size(); ++i) {
     for (const DivisorFunction& function : rules.tree[i].functions) {
@@ -41,7 +41,7 @@ const DivisorFunction* given_twice(const Rules& rules) {
   return nullptr;
 }
 
-// What the text gives and nothing reads.
+// Adds notes on definitions that no rule uses.
 void note_unused(Rules& rules, std::uint32_t used) {
   const auto note = [&](bool given, bool read, std::string_view what, std::string_view name) {
     if (!given || read) return;

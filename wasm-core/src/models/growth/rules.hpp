@@ -1,4 +1,4 @@
-// A growth grammar as it is read (docs/models/growth/language.md): byte code for its numbers, nothing of its text.
+// A growth grammar after reading (docs/models/growth/language.md): byte code for its numbers, without its text.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@
 
 namespace panicle::growth {
 
-// What a text calls by name, in registers of the byte code from 0 on.
+// Names in expressions, in registers of the byte code from 0 on.
 enum class Word : std::uint8_t {
   k,    // a shoot's age in steps
   n,    // N: k < N − 1 of a branch, k = N − 1 of its trunk
   gs,   // the growth step
-  ndv,  // what the divisor functions say
-  nbr,  // branches that it makes
-  nlf,  // leaves
+  ndv,  // difference of divisor functions
+  nbr,  // number of branches that it makes
+  nlf,  // number of leaves
   b,    // B(x, y)
   l,    // L(x, y)
   order,
@@ -35,7 +35,7 @@ enum class Word : std::uint8_t {
   height,
   top,
   gradient,
-  one,  // what no text can spell: 1
+  one,  // the constant 1, which no grammar can name
 };
 inline constexpr std::size_t words = 20;
 inline constexpr std::array<std::string_view, words> word_names = {
@@ -45,7 +45,7 @@ inline constexpr std::array<std::string_view, words> word_names = {
 
 constexpr std::uint32_t bit(Word word) { return 1u << static_cast<std::uint32_t>(word); }
 
-// An expression of the text.
+// An expression of the grammar.
 struct Number {
   expression::Value value;
   std::uint32_t uses = 0;  // bits of words
@@ -56,8 +56,8 @@ struct Number {
 struct Attribute {
   enum class Kind : std::uint8_t { count, id, base, height, top, gradient, towards, at, middle };
   Kind kind = Kind::count;
-  bool drawn = false;           // between the values
-  std::array<Number, 2> range;  // the first alone where it is not drawn, but for `at`: x and z
+  bool drawn = false;           // drawn between the values
+  std::array<Number, 2> range;  // the first alone where it is not drawn, except for `at`: x and z
 };
 
 struct VolumeRule {
@@ -65,7 +65,7 @@ struct VolumeRule {
   expression::Place place;
 };
 
-// `DivFunc(type, parameters){what}`
+// `DivFunc(type, parameters){branches}`, or `{leaves}`
 struct DivisorFunction {
   enum class Of : std::uint8_t { branches, leaves };
   Of of = Of::branches;
@@ -79,16 +79,16 @@ struct DivisorFunction {
 
 struct TreeRule {
   std::vector<DivisorFunction> functions;
-  Number weight;  // where given, one of all that have one is drawn
+  Number weight;  // where given, one of all rules with a weight is drawn
   expression::Place place;
 };
 
 struct Consequence {
   enum class Kind : std::uint8_t { set, leaf, falling_leaf, child_trunk, buds, foliage };
   Kind kind = Kind::set;
-  Word word = Word::ndv;  // that is set
+  Word word = Word::ndv;  // the word to set
   Number number;
-  Number steps;  // of foliage, where given: for how many
+  Number steps;  // of foliage, where given: the steps that it lasts
 };
 
 // `condition -> consequences : probability`
@@ -103,20 +103,20 @@ struct Rule {
 struct Rules {
   std::vector<VolumeRule> footprint;
   std::vector<TreeRule> tree;
-  std::vector<Rule> of_volumes;  // decided once a volume, before anything grows
-  std::vector<Rule> of_shoots;   // at every step of each
+  std::vector<Rule> of_volumes;  // evaluated once a volume, before anything grows
+  std::vector<Rule> of_shoots;   // evaluated for each shoot at every step
   Number steps_from, steps_to;   // gs, where given; the second where it is drawn
   bool repeatable =
-      true;  // whether shoots of one volume and age do the same, but for the luck of buds and child trunks
+      true;  // whether shoots of one volume and age do the same, except for random values of buds and child trunks
   bool uses_branch_function = false, uses_leaf_function = false;
   expression::Code code;
-  std::vector<std::string> notes;  // on what the text says in vain
+  std::vector<std::string> notes;  // on parts of the grammar without effect
 };
 
-// Errors: syntax, undefined and limit, with line and column.
+// Reads a growth grammar. Errors: syntax, undefined and limit, with line and column.
 Result<Rules> read_rules(std::string_view text, const Limits& limits = {});
 
-// How many steps the text itself says (`gs = 8`), or `otherwise`. Error: evaluation.
+// The number of steps that the grammar sets (`gs = 8`), or `otherwise`. Error: evaluation.
 Result<std::uint16_t> steps_of(const Rules& rules, std::uint64_t seed, std::uint16_t otherwise);
 
 }  // namespace panicle::growth

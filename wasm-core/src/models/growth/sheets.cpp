@@ -8,9 +8,9 @@
 namespace panicle::growth {
 namespace {
 
-constexpr float least_breadth = 0.5f;  // needles together are a tuft
+constexpr float least_breadth = 0.5f;  // several needles form a tuft
 
-// Where a rotation takes +X and +Y to.
+// The images of +X and +Y under a rotation.
 glm::vec3 right_of(const glm::vec4& q) {
   return {1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)};
 }
@@ -18,9 +18,9 @@ glm::vec3 up_of(const glm::vec4& q) {
   return {2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)};
 }
 
-constexpr std::uint32_t cells = 16;  // a side of the box that they are sorted by
+constexpr std::uint32_t cells = 16;  // cells along a side of the box that sheets are sorted by
 
-// A place's cell in a box of them, the bits of its three numbers by turns: near ones mostly have near codes.
+// The Morton code of a place's cell in a box: places near each other mostly have codes near each other.
 std::uint32_t code_of(const glm::vec3& p, const Box& box, float scale) {
   std::uint32_t code = 0;
   for (int k = 0; k < 3; ++k) {
@@ -32,7 +32,7 @@ std::uint32_t code_of(const glm::vec3& p, const Box& box, float scale) {
   return code;
 }
 
-// Moves middles apart, or together, until corners reach from end to end of the target along each axis.
+// Scales the middles about their box until corners reach from end to end of the target along each axis.
 void reach(std::vector<Sheet>& sheets, const Box& target) {
   Box middles, corners;
   for (const Sheet& sheet : sheets) {

@@ -1,4 +1,4 @@
-// Leaves or blossoms as rhombi, and fewer of them that stand for all: of the same area, reaching as far.
+// Leaves or blossoms as rhombi, and fewer rhombi in their place, with the same area and the same extent.
 #pragma once
 
 #include <array>
@@ -23,41 +23,40 @@ struct Box {
   glm::vec3 size() const { return glm::max(high - low, glm::vec3(0)); }
 };
 
-// One, or several as one.
+// One leaf or blossom, or several merged into one.
 struct Sheet {
   glm::vec3 middle{0}, along{0}, across{0};  // to its tip and across it, of length 1
   float area = 0, length = 0;                // of one side; from end to end
   bool one = true;
 
   glm::vec3 face() const { return glm::cross(across, along); }
-  // Its foot, the two beside it, and its tip, from the middle.
+  // Its base, its two sides and its tip, from the middle.
   std::array<glm::vec3, 4> corners() const {
     const glm::vec3 tip = 0.5f * length * along, side = area / length * across;
     return {-tip, side, -side, tip};
   }
 };
 
-enum class SheetKind { leaf, blossom };  // the ways in which their meshes lie
+enum class SheetKind { leaf, blossom };  // the orientations of their meshes
 
 class Sheets {
  public:
   Sheets() = default;
-  // Of organs whose tags lie from `first` to `last`; `area`: one side of one of scale 1.
+  // Sheets of the organs whose tags are from `first` to `last`; `area`: one side at scale 1.
   Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t last, SheetKind kind, float area);
 
   std::span<const Sheet> all() const { return sheets_; }
   const Box& middles() const { return middles_; }
-  // Brings near ones side by side, mostly.
+  // Sorts sheets so that consecutive ones are mostly near each other.
   void sort();
-  // Once they are sorted: so many, each in the place of as many that stand side by side: in their middle, with the area
-  // of them all, turned as one of them. Middles lie within the outline of what they are of, and so they are moved apart
-  // to reach `target`.
+  // After `sort`: `count` sheets, each in place of equally many consecutive ones: at their mean, with their total area
+  // and the orientation of one of them. The middles are then scaled so that corners reach the edges of `target`.
   std::vector<Sheet> merged(std::size_t count, const Box& target) const;
 
  private:
   std::vector<Sheet> sheets_;
   Box middles_;
-  float breadth_ = 0;  // of one that several have become, of its length
+  float breadth_ = 0;  // width of a merged sheet, as a share of its length
 };
 
 }  // namespace panicle::growth

@@ -1,5 +1,6 @@
-// What a text need not say: lines in its own language, which stand before it where it says nothing of the matter.
-// A calibration by Table 1 of Kim, Kim and Cho (2013), whose own rule print has lost; see docs/models/growth/growth.md.
+// Default rules in the growth language, which come before a grammar that has no rules of its own for the matter. They
+// are calibrated to Table 1 of Kim, Kim and Cho (2013), whose own rule was lost in print; see
+// docs/models/growth/growth.md.
 #pragma once
 
 #include <string_view>

@@ -9,12 +9,12 @@ namespace panicle::growth {
 namespace {
 
 constexpr float least_room = 1e-3f, most_room = 1e6f;
-constexpr float surely = 0.999f;  // so much of what has been worked out is there whatever was rounded
+constexpr float surely = 0.999f;  // margin for rounding
 constexpr float diagonal = 0.70710678f;
 constexpr std::array<float, Surroundings::sides> east{1, diagonal, 0, -diagonal, -1, -diagonal, 0, diagonal},
     south{0, diagonal, 1, diagonal, 0, -diagonal, -1, -diagonal};  // +X, and +Z
 
-// Which of the eighths of a turn from +X to +Z a direction lies in.
+// The eighth of a turn, from +X to +Z, that a direction lies in.
 std::size_t eighth(float x, float z) {
   const bool steep = std::fabs(z) > std::fabs(x);
   if (z >= 0) return x >= 0 ? (steep ? 1 : 0) : (steep ? 2 : 3);
@@ -33,7 +33,7 @@ Result<Surroundings> Surroundings::of(std::span<const float> numbers) {
     about.horizon_[i] = std::clamp(numbers[i], 0.0f, 90.0f);
     about.room_[i] = std::clamp(numbers[sides + i], least_room, most_room);
   }
-  // To the line between two ends it is no less than to where it is met at right angles.
+  // The distance to the line between two ends, at right angles.
   about.least_ = most_room;
   for (std::size_t i = 0; i < sides; ++i) {
     const std::size_t next = (i + 1) % sides;

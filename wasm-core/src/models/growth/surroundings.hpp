@@ -1,5 +1,5 @@
-// What stands about a plant, worked out beforehand by whoever places it: how much of the sky is hidden, and how much
-// room there is. Metres and degrees, +Y up, azimuths from +X to +Z.
+// Light and room around a plant, computed by its caller: heights of the horizon, and free room. Metres and degrees, +Y
+// up, azimuths from +X to +Z.
 #pragma once
 
 #include <array>
@@ -17,24 +17,24 @@ class Surroundings {
  public:
   static constexpr std::size_t sides = 8;
 
-  // Nothing about it: all of the sky, all of the room.
+  // An open sky and unlimited room.
   Surroundings() = default;
-  // Heights of the horizon at the azimuths 0°, 45° …, then as many metres of room from the origin. Errors: bad_request,
-  // where these are not sixteen finite numbers.
+  // From heights of the horizon at the azimuths 0°, 45° …, then as many metres of room from the origin. Errors:
+  // bad_request, where these are not sixteen finite numbers.
   static Result<Surroundings> of(std::span<const float> numbers);
 
   bool alone() const { return alone_; }
-  // Whether a place is within the room; between two of its directions it ends at the line between its ends there.
+  // Whether a place is within the room, which is the octagon through the ends of its eight directions.
   bool holds(const glm::vec3& p) const;
-  // Whether all places so near to one surely are.
+  // Whether all places within a radius are certainly within the room; false does not exclude it.
   bool holds_about(const glm::vec3& p, float radius) const;
-  // Those lamps, the ones behind the horizon dark.
+  // The directions with a share of 0 for those behind the horizon.
   std::vector<LightDirection> dimmed(std::vector<LightDirection> directions) const;
 
  private:
   bool alone_ = true;
   std::array<float, sides> horizon_{}, room_{};
-  float least_ = 0;  // metres of room in whatever direction
+  float least_ = 0;  // distance to the nearest edge of the room, metres
 };
 
 }  // namespace panicle::growth

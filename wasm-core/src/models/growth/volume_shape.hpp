@@ -25,12 +25,12 @@ class VolumeShape {
   }
 
   const glm::vec3& axis() const { return axis_; }  // of length 1, up
-  // How far up its axis a place lies: 0 its base, 1 its top.
+  // Height of a place along the axis: 0 the base, 1 the top.
   float up(const glm::vec3& p) const { return glm::dot(p - at_, axis_) / height_; }
-  // Half its width so far up.
+  // Half the width at a height of 0 … 1.
   float radius(float up) const { return std::sqrt(std::max(0.0f, square(up))); }
 
-  // Of one place, or of four in lanes: what comparisons of them give.
+  // Whether the solid contains a place, or a mask for four places in lanes.
   template <class Number>
   auto holds(const Number& x, const Number& y, const Number& z) const {
     const Number from_x = x - at_.x, from_y = y - at_.y, from_z = z - at_.z;
@@ -42,7 +42,7 @@ class VolumeShape {
   bool holds(const glm::vec3& p) const { return holds(p.x, p.y, p.z); }
 
  private:
-  // Half its width, squared; below 0 where it has none.
+  // Half the width, squared; below 0 where there is none.
   template <class Number>
   Number square(const Number& up) const {
     return base_ * (1.0f - up) * (1.0f - 2.0f * up) + middle_ * up * (1.0f - up) + top_ * up * (2.0f * up - 1.0f);

@@ -14,27 +14,27 @@ namespace {
 
 using expression::error_at;
 
-// What is drawn is rounded to centimetres and hundredths of degrees, so that whoever writes it down has all of it.
+// Rounds drawn values to centimetres and hundredths of degrees, so that a text can state them exactly.
 float rounded(float value) { return std::floor(value * 100 + 0.5f) / 100; }
 
-// Degrees that one volume after the other is turned by about the first, and how close they stand, in sums of their
-// half widths: crowns meet and trunks do not.
+// Angle from one volume to the next about the first, in degrees, and their distance, in sums of their half widths:
+// crowns meet and trunks do not.
 constexpr float turn = 137.5f, spacing = 0.6f;
-// Whole numbers beyond which a float has none.
+// Largest number below which a float holds every whole number.
 constexpr std::int64_t exact = std::int64_t{1} << 24;
 
 struct Bounds {
   const char* what;
   float least, most, least_drawn;
 };
-// By Attribute::Kind. A size that is drawn is at least 1, as the paper has it of child trunks: [1, …].
+// By Attribute::Kind. A drawn size is at least 1, as the paper has it of child trunks: [1, …].
 constexpr Bounds bounds[] = {
     {"cnt", 1, most_volumes, 1}, {"id", 0, 1e6f, 1},     {"wb", 0, 1000, 1},
     {"h", 0.1f, 1000, 1},        {"wt", 0, 1000, 1},     {"grad", -80, 80, 0},
     {"towards", -360, 360, 0},   {"at", -1e4f, 1e4f, 0}, {"wm", 0, 1000, 1},
 };
 
-// Halfway up a frustum.
+// The width halfway up a frustum.
 float mean_width(const GrowthVolume& volume) { return (volume.base + volume.top) / 2; }
 
 struct Drawer {
@@ -42,7 +42,7 @@ struct Drawer {
   std::uint64_t seed;
   GrowthEvaluation& evaluation;
 
-  // `address` is the volume's.
+  // Evaluates or draws an attribute. `address`: of the volume.
   bool value(const Attribute& attribute, std::uint64_t address, float& out) {
     const Bounds& allowed = bounds[static_cast<std::size_t>(attribute.kind)];
     evaluation.at(address);
@@ -62,7 +62,7 @@ struct Drawer {
     return true;
   }
 
-  // How many volumes a rule gives.
+  // The number of volumes of a rule.
   bool count(const VolumeRule& rule, std::uint64_t address, std::uint32_t& volumes) {
     float found = 1;
     for (const Attribute& attribute : rule.attributes)
@@ -193,7 +193,7 @@ bool environment_of(const Rules& rules, std::uint64_t seed, const GrowthVolume& 
 
 namespace {
 
-// The rules of a tree that hold: all without a probability, and one of the others.
+// The rules of a tree that apply: all without a probability, and one of the others.
 bool drawn_rules(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation, std::vector<const TreeRule*>& drawn) {
   std::vector<float> weights(rules.tree.size());
   float total = 0;
@@ -232,7 +232,7 @@ bool fail_at(GrowthEvaluation& evaluation, Diagnostic trouble, const expression:
   return evaluation.fail(std::move(trouble));
 }
 
-// As floats, which hold whole numbers to 2^24.
+// The values of a divisor function as floats, which hold whole numbers to 2^24.
 bool values_of(const DivisorRule& rule, std::uint32_t last, const expression::Place& place, GrowthEvaluation& evaluation,
                std::vector<float>& values) {
   const auto sums = divisor_sums(rule, last);

@@ -1,4 +1,4 @@
-// The growth volumes of a footprint, and the divisor functions of a tree, as one plant draws them.
+// Draws the growth volumes of a footprint, and the divisor functions of a tree, for one plant.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace panicle::growth {
 
-inline constexpr std::uint32_t most_volumes = 64;  // that a footprint has
+inline constexpr std::uint32_t most_volumes = 64;  // greatest number in a footprint
 
-// False: the evaluation's trouble.
+// Draws the volumes of a footprint. False: the evaluation's trouble.
 bool draw_volumes(const Rules& rules, std::uint64_t seed, GrowthEvaluation& evaluation, std::vector<GrowthVolume>& volumes);
 
-// Makes the words of a volume known, and those of its environment.
+// Sets the words of a volume and of its environment.
 void enter_volume(const GrowthVolume& volume, const Environment& environment, GrowthEvaluation& evaluation);
 
-// What the rules make of a volume's environment. False: the evaluation's trouble.
+// Evaluates a volume's environment by the rules. False: the evaluation's trouble.
 bool environment_of(const Rules& rules, std::uint64_t seed, const GrowthVolume& volume, std::uint32_t number,
                     GrowthEvaluation& evaluation, Environment& environment);
 
-// Draws among the rules of a tree, works out D and E as far as `steps` can reach, and B and L.
+// Draws among the rules of a tree and evaluates D and E as far as `steps` can reach, and B and L.
 bool draw_functions(const Rules& rules, std::uint64_t seed, std::uint16_t steps, GrowthEvaluation& evaluation);
 
 }  // namespace panicle::growth

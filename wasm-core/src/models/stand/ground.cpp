@@ -10,8 +10,8 @@
 
 namespace panicle::stand {
 
-// Waves of several lengths that run every way: each next one half as high and shorter by the golden section, so that no
-// two places look alike.
+// Waves of several lengths in random directions: each has half the height of the one before and is shorter by the
+// golden ratio, so that no two places look alike.
 Relief::Relief(const Ground& ground, std::uint64_t seed) : ground_(ground) {
   const std::uint64_t stream = hash_text("stand relief");
   const float length = ground.hills > 0 ? ground.hills : 0.5f * std::max(ground.width, ground.depth);

@@ -1,4 +1,4 @@
-// The ground of a stand: gentle relief, the same everywhere.
+// The ground of a stand: gentle relief that does not depend on the plants.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ class Relief {
  public:
   Relief(const Ground& ground, std::uint64_t seed);
 
-  // Metres; 0 in the mean, and never further from it than half the relief.
+  // Height in metres; 0 in the mean, and at most half the relief away from it.
   float at(float x, float z) const;
-  // A grid over the whole ground; uv in metres.
+  // A grid over the whole ground; texture coordinates in metres.
   Mesh mesh() const;
 
  private:
   static constexpr std::uint32_t waves = 5;
   Ground ground_;
-  glm::vec2 number_[waves];  // radians a metre
+  glm::vec2 number_[waves];  // wave vectors, radians a metre
   float phase_[waves], weight_[waves];
 };
 

@@ -35,7 +35,7 @@ std::vector<const Kind*> kinds_of(const Plan& plan) {
   return kinds;
 }
 
-// A species may stand in several lines.
+// The number of different names: a species may be listed in several lines.
 std::uint32_t count_names(const std::vector<const Kind*>& kinds) {
   std::vector<std::string_view> names;
   for (const Kind* kind : kinds) names.push_back(kind->name);
@@ -109,7 +109,7 @@ void add_organs(Plant& plant, const std::vector<Placement>& plants, const std::v
     Organ organ;
     organ.tag = of.kind;
     organ.position = of.at;
-    // +x comes to (cos, 0, sin): a turn about +y the other way.
+    // A turn takes +x to (cos, 0, sin): about +y in the negative direction.
     const SinCos half = sincos_degrees(-0.5f * of.turn);
     organ.rotation = {0, half.sine, 0, half.cosine};
     organ.scale = of.scale;
@@ -117,13 +117,13 @@ void add_organs(Plant& plant, const std::vector<Placement>& plants, const std::v
   }
 }
 
-// Of those that stand: how far off each one's nearest is, as a mean, metres.
+// The mean distance from each plant on the ground to its nearest neighbour, metres.
 float spacing_of(const std::vector<glm::vec3>& feet, float area) {
   if (feet.size() < 2) return std::numeric_limits<float>::quiet_NaN();
   float sum = 0;
   float edge = std::sqrt(area / static_cast<float>(feet.size()));
   std::vector<float> nearest(feet.size(), std::numeric_limits<float>::infinity());
-  // Twice as far each time, until everyone has found someone within an edge.
+  // Doubles the edge until each plant has a neighbour within an edge.
   for (bool found = false; !found; edge *= 2) {
     found = true;
     const PointGrid grid(feet, edge);

@@ -12,7 +12,7 @@
 namespace panicle::stand {
 namespace {
 
-// A part of the ground: corner and size.
+// A rectangle of the ground: corner and size.
 struct Strip {
   glm::vec2 low, size;
 
@@ -28,10 +28,10 @@ Strip strip_of(const Layer& layer, const Ground& ground) {
   return {{-0.5f * ground.width, (from - 0.5f) * ground.depth}, {ground.width, (to - from) * ground.depth}};
 }
 
-// Towards 0, and never beyond what a count can hold.
+// Rounds towards 0 and clamps to 0 … `most`.
 std::uint32_t whole(float value, float most) { return static_cast<std::uint32_t>(std::clamp(value, 0.0f, most)); }
 
-// Luck of one place, by what it is for.
+// Random values of one layer for one purpose.
 class RandomDraws {
  public:
   RandomDraws(std::uint64_t seed, std::string_view what, std::uint64_t layer)
@@ -49,7 +49,8 @@ std::vector<glm::vec2> by_chance(const Strip& strip, std::uint32_t count, const 
   return spots;
 }
 
-// Cells as square as they can be, one plant in each anywhere; which of them stay empty is drawn.
+// Stratified placement: cells as square as possible, with one plant at a random place in each; a draw decides which
+// cells stay empty.
 std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const RandomDraws& draws) {
   const float square = std::sqrt(static_cast<float>(count) * strip.size.x / strip.size.y);
   const std::uint32_t across = std::max(whole(square + 0.5f, static_cast<float>(count)), 1u);
@@ -72,8 +73,8 @@ std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const
   return spots;
 }
 
-// Blue noise by darts (Cook 1986): a throw that comes nearer than `apart` to one before is thrown again, up to so many
-// times in all. Jammed, darts cover 0.547 of a plane with discs of that diameter.
+// Blue noise by dart throwing (Cook 1986): a dart nearer than `apart` to an earlier one is thrown again, up to this
+// many throws for each plant. Jammed, darts cover 0.547 of a plane with discs of that diameter.
 constexpr std::uint32_t throws = 60;
 constexpr float most_cells = 1e6f;  // along an edge: the last of them is wider in a strip that needs more
 
@@ -101,8 +102,8 @@ std::vector<glm::vec2> blue(const Strip& strip, std::uint32_t count, float apart
   return spots;
 }
 
-// What of a line's steps, `step` long from `from`, can lie in a strip: from `first` to `last`, none where these are the
-// other way round. A hair more than that, for rounding is not the same here as in a spot's place.
+// The range of steps along a line, each `step` long from `from`, that can lie in a strip; empty where `first` is
+// greater than `last`. It is a little too wide, since rounding differs between here and the place of a spot.
 struct Steps {
   float first, last;
 };
@@ -112,7 +113,7 @@ Steps within(const Strip& strip, const glm::vec2& from, const glm::vec2& step, f
   for (int axis = 0; axis < 2; ++axis) {
     const float low = strip.low[axis] - hair - from[axis], high = low + strip.size[axis] + 2 * hair;
     if (std::abs(step[axis]) * most < hair) {
-      // Level with the edge: all of it, or nothing.
+      // The line is parallel to the edge: all of it is inside, or nothing.
       if (low > hair || high < -hair) return {1, 0};
       continue;
     }
@@ -123,13 +124,14 @@ Steps within(const Strip& strip, const glm::vec2& from, const glm::vec2& step, f
   return {std::max(std::floor(steps.first) - 1, -most), std::min(std::ceil(steps.last) + 1, most)};
 }
 
-// A place in rows, by the numbers of its row and of its place in that, from the middle.
+// A place in rows: the numbers of its row and of its place in the row, from the middle.
 struct InRow {
   std::int32_t row, place;
   glm::vec2 at;
 };
 
-// Of too many those of the rows nearest to the middle, and of the last of these from its own middle; from the back.
+// Keeps `count` spots: those of the rows nearest to the middle, and in the last of these rows those nearest to its
+// middle. The result is sorted from the back.
 void keep_middle(std::vector<InRow>& spots, std::uint32_t count) {
   if (spots.size() > count) {
     std::sort(spots.begin(), spots.end(), [](const InRow& a, const InRow& b) {
@@ -142,8 +144,8 @@ void keep_middle(std::vector<InRow>& spots, std::uint32_t count) {
             [](const InRow& a, const InRow& b) { return std::tie(a.row, a.place) < std::tie(b.row, b.place); });
 }
 
-// Parallel lines over the whole strip, its middle in the midst of them. `count` 0: all there is room for; the text's
-// own count fills them from the back, fewer than the text says stand in the middle.
+// Places parallel rows over the whole strip, symmetrically about its middle. `count` 0: as many as have room. The count
+// of the plan fills rows from the back; a smaller count stays in the middle.
 void in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const RandomDraws& draws, Spots& spots) {
   const SinCos turn = sincos_degrees(layer.towards);
   const glm::vec2 along(turn.cosine, turn.sine), across(-turn.sine, turn.cosine);
@@ -151,12 +153,12 @@ void in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const 
   const float reach = 0.5f * glm::length(strip.size);
   const bool fewer = count > 0 && (layer.count == 0 || count < layer.count);
   const std::uint32_t most = count > 0 && !fewer ? std::min(count, most_plants) : most_plants + 1;
-  // So many fit beside the middle one, as the shorter of both sides has room: a symmetrical field.
+  // Rows and places to each side of the middle one, as many as fit on the shorter side: a symmetrical field.
   const auto rows = static_cast<std::int32_t>(std::min(reach / layer.apart, 1e5f));
   const float places = std::floor(std::min(reach / layer.along, 1e5f));
   std::vector<InRow> found;
   for (std::int32_t i = 0; i <= 2 * rows && found.size() < (fewer ? count : most); ++i) {
-    // 0, −1, 1, −2 … where those nearest to the middle are wanted, and else from the back.
+    // 0, −1, 1, −2 … where the rows nearest to the middle are needed, and else from the back.
     const std::int32_t row = !fewer ? i - rows : i % 2 == 0 ? i / 2 : -(i + 1) / 2;
     const glm::vec2 of_row = middle + layer.apart * static_cast<float>(row) * across;
     const Steps steps = within(strip, of_row, layer.along * along, places);
@@ -178,7 +180,7 @@ void in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const 
 
 float drawn(const ValueRange& range, float unit) { return range.from + (range.to - range.from) * unit; }
 
-// A plant's own luck: scale, seed and settings of what stands at an address.
+// Draws the scale, the seed and the settings of the plant at an address.
 void draw(Placement& plant, const Kind& kind, std::uint64_t seed, std::uint64_t address) {
   static const std::uint64_t own = hash_text("stand plant"), alike = hash_text("stand alike");
   plant.seed = static_cast<std::uint32_t>(random_bits(seed, own, address) >> 32);
@@ -187,7 +189,7 @@ void draw(Placement& plant, const Kind& kind, std::uint64_t seed, std::uint64_t 
     plant.seed = static_cast<std::uint32_t>(random_bits(hash_combine(seed, alike), plant.kind, which) >> 32);
   }
   plant.scale = drawn(kind.scale, random_unit(seed, hash_text("stand scale"), address));
-  // Of the plant's own seed: those of one seed are alike.
+  // Drawn by the plant's own seed: plants of one seed are alike.
   for (std::size_t i = 0; i < kind.settings.size(); ++i) {
     const Setting& setting = kind.settings[i];
     plant.settings.push_back(setting.word.empty()
@@ -196,7 +198,8 @@ void draw(Placement& plant, const Kind& kind, std::uint64_t seed, std::uint64_t 
   }
 }
 
-// What is tied to wires goes along them the same way as its neighbours, and so leaves no gap.
+// Whether a row's plant keeps the row's direction. Plants tied to wires all have the same direction and so leave no
+// gap.
 bool tied(const Layer& layer, float unit) { return layer.trellis.has_value() || unit < 0.5f; }
 
 const Kind& chosen(const std::vector<Kind>& kinds, float unit, std::uint32_t& number) {
@@ -244,7 +247,7 @@ Spots spots_of(const Layer& layer, std::uint32_t count, const Ground& ground, st
 
 namespace {
 
-// What the lines below a bearer's line hang on it.
+// Attaches plants of the lines below a parent's line to the parent.
 void attach(std::vector<Placement>& plants, const std::vector<Kind>& kinds, std::uint32_t first_kind, std::size_t parent,
           bool in_row, std::uint64_t seed, std::uint64_t address) {
   for (std::uint32_t i = plants[parent].kind - first_kind + 1; i < kinds.size() && kinds[i].attached; ++i) {
@@ -262,7 +265,7 @@ void attach(std::vector<Placement>& plants, const std::vector<Kind>& kinds, std:
       draw(each, kind, seed, hash_combine(all, k + 1));
       each.turn = 360 * draws.unit(8 * k + 1);
       const SinCos way = sincos_degrees(in_row ? by.turn : 360 * draws.unit(8 * k + 2));
-      // Evenly along a row's plant, each in a part of it; about another as an even disc.
+      // In rows evenly along the parent, each in a part of it; else evenly over a disc about the parent.
       const float share = (static_cast<float>(k) + draws.unit(8 * k + 3)) / static_cast<float>(many);
       const float out = by.scale * kind.reach * (in_row ? 2 * share - 1 : std::sqrt(draws.unit(8 * k + 3)));
       const float sideways = in_row ? by.scale * 0.05f * (2 * draws.unit(8 * k + 4) - 1) : 0;
@@ -297,7 +300,7 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
   };
   std::vector<Rooted> rooted;
   std::uint32_t first_kind = 0;
-  // Shares of the running sum: they come to all that is asked for.
+  // Counts are differences of a rounded running sum, so that they add up to the requested number.
   std::uint64_t before = 0;
   for (std::uint32_t i = 0; i < plan.layers.size(); ++i) {
     const Layer& layer = plan.layers[i];

@@ -1,4 +1,4 @@
-// A stand's plan as it is read (docs/models/stand/language.md): numbers, nothing of its text.
+// A stand's plan after reading (docs/models/stand/language.md), independent of its text.
 #pragma once
 
 #include <cstdint>
@@ -15,45 +15,45 @@ namespace panicle::stand {
 
 inline constexpr std::uint32_t most_plants = 5000, most_kinds = 64, most_settings = 16, most_wires = 12;
 
-// Both ends included; what is drawn between them is drawn for each plant.
+// A range with both ends included; a value in it is drawn for each plant.
 struct ValueRange {
   float from = 0, to = 0;
 };
 
-// `key 5 to 7` or `key word` behind a kind's colon: what its plants are told of their own model's parameters.
+// `key 5 to 7` or `key word` behind a kind's colon: a parameter of the kind's own model.
 struct Setting {
   std::string key;
-  std::string word;  // where it is no number
+  std::string word;  // set where the value is not a number
   ValueRange range;
   expression::Place place;
 };
 
-// What can grow: a model's preset, and how.
+// A line of the plan: a model's preset, and how its plants are placed.
 struct Kind {
   std::string name;  // model/preset
   expression::Place place;
   float share = 1;
-  float width = 4, height = 8;  // of the crown at scale 1, metres: what neighbours know of it
+  float width = 4, height = 8;  // of the crown at scale 1, metres; used for the surroundings of neighbours
   ValueRange scale{1, 1};
-  std::uint32_t seeds = 0;  // how many different ones there are; 0: as many as plants
-  bool attached = false;       // by the plants of the line above that is not
-  ValueRange each{1, 1};         // of those, how many on each
-  ValueRange high{1, 1};         // above the bearer's foot, metres at its scale 1
-  float reach = 0.5f;       // along the bearer, metres each way
-  std::string spot;         // which of the bearer's organs it hangs at, in place of these two; empty: they say
+  std::uint32_t seeds = 0;  // number of different plants; 0: as many as plants
+  bool attached = false;       // to the plants of the nearest line above that is not attached
+  ValueRange each{1, 1};         // number on each parent
+  ValueRange high{1, 1};         // above the parent's foot, metres at its scale 1
+  float reach = 0.5f;       // along the parent, metres each way
+  std::string spot;         // kind of the parent's organs that it hangs at, in place of height and reach; empty: none
   std::vector<Setting> settings;
 };
 
-// A wire over the ground, metres; a pair of them runs to both sides of the posts.
+// A wire above the ground, metres; a pair runs on both sides of the posts.
 struct Wire {
   float high = 0;
   bool pair = false;
 };
 
-// `trellis …`: posts between a layer's rows' plants, and wires from end to end.
+// `trellis …`: posts between the plants of a layer's rows, and wires from end to end.
 struct Trellis {
-  float high = 2;   // posts over the ground, metres
-  float posts = 6;  // from post to post at the most, metres
+  float high = 2;   // height of posts above the ground, metres
+  float posts = 6;  // greatest distance from post to post, metres
   std::vector<Wire> wires;
 };
 
@@ -64,10 +64,10 @@ struct Layer {
   expression::Place place;
   std::uint32_t count = 0;  // 0: as many as rows have room for
   Spacing spacing = Spacing::strata;
-  float apart = 0;    // blue: the least distance, 0 for what suits; rows: from row to row
-  float along = 0;    // in a row
-  float towards = 0;  // where rows run, degrees from +x to +z
-  float jitter = 0;   // off a row's place, metres each way
+  float apart = 0;    // blue: the least distance, 0: chosen by the count; rows: from row to row
+  float along = 0;    // distance in a row
+  float towards = 0;  // direction of rows, degrees from +x to +z
+  float jitter = 0;   // greatest offset from a row's place, metres each way
   ValueRange depth{0, 1};  // the strip of the ground, from its back (−z) to its front
   std::optional<Trellis> trellis;
   std::vector<Kind> kinds;
@@ -75,8 +75,8 @@ struct Layer {
 
 struct Ground {
   float width = 40, depth = 40;  // along x and z, metres
-  float relief = 0;              // from the lowest to the highest place at the most
-  float hills = 0;               // from one rise to the next, metres; 0: half the ground
+  float relief = 0;              // greatest difference in height
+  float hills = 0;               // distance from one rise to the next, metres; 0: half the ground
 };
 
 struct Plan {
@@ -84,7 +84,7 @@ struct Plan {
   std::vector<Layer> layers;
 };
 
-// Errors: syntax, undefined, evaluation and limit, with line and column.
+// Reads a plan. Errors: syntax, undefined, evaluation and limit, with line and column.
 Result<Plan> read_plan(std::string_view text, const Limits& limits = {});
 
 }  // namespace panicle::stand

@@ -1,4 +1,4 @@
-// A plan's text → plan, line by line.
+// Reads the text of a plan, line by line.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -20,10 +20,10 @@ using expression::TokenKind;
 constexpr const char* beginnings =
     "A line begins with ground, plants, trellis, or what grows there as model/preset; '%' is none of these.";
 
-// A strip's, in parts of the ground's: 0.001, but for what is lost where 0.999 is written.
+// Least depth of a strip as a share of the ground's: 0.001, less the rounding of 1 − 0.999.
 constexpr float least_depth = 0.000999f;
 
-// What may stand between two numbers, and so ends the first.
+// Whether a token stands between two numbers and so ends the first.
 bool joins(const Token& token) { return token.is("x") || token.is("to"); }
 
 class PlanReader : expression::TokenReader {
@@ -52,13 +52,13 @@ class PlanReader : expression::TokenReader {
   bool settings(Kind& kind);
   bool setting(Setting& setting);
   bool whole();
-  // The next of a line's items, behind its comma: false at the line's end, or `trouble()`.
+  // Whether the line has another item, behind a comma: false at the line's end, or with `trouble()`.
   bool item_follows();
   bool number(float least, float most, const char* what, float& value);
   bool count(std::uint32_t least, std::uint32_t most, const char* what, std::uint32_t& value);
   bool range(float least, float most, const char* what, ValueRange& range);
   bool product(float least, float most, const char* what, float& first, float& second);
-  // Passes over a word that has to be here.
+  // Skips a required word.
   bool word(std::string_view word, const char* otherwise);
   bool on(std::string_view word) const { return at_ < end_ && tokens_[at_].is(word); }
 
@@ -68,7 +68,7 @@ class PlanReader : expression::TokenReader {
   bool grounded_ = false;
 };
 
-// A statement goes on in the next line within brackets, and behind a comma or a colon.
+// A statement continues in the next line within brackets, and after a comma or a colon.
 std::size_t PlanReader::statement_end() const {
   std::size_t open = 0;
   for (std::size_t at = at_; at < tokens_.size(); ++at) {

@@ -10,20 +10,21 @@
 namespace panicle::stand {
 namespace {
 
-// Beyond so many heights of the tallest a crown stands no higher than 18° and far from all branches.
+// Distance of neighbours that count, in heights of the tallest crown: beyond, a crown rises no higher than 18° and is
+// far from all branches.
 constexpr float far = 3, farthest = 40;
 
-// What is skipped stands lower than the horizon by more than tangents are rounded.
+// A neighbour is skipped only where it is lower than the horizon by more than the rounding of tangents.
 constexpr float slack = 0.999f;
-constexpr float first_ring = 0.2f;  // of the reach
+constexpr float first_ring = 0.2f;  // as a share of the reach
 
 struct Crown {
   glm::vec3 at{0};
   float radius = 0, height = 0;
 };
 
-// A neighbour's crown covers the sky to both sides of where it stands by the angle it is seen under, and less and less
-// within 45° beyond: so what is between two of the eight directions counts in both.
+// The share of a direction that a neighbour's crown covers: all within the half angle that the crown is seen under, and
+// linearly less within 45° beyond, so that a crown between two of the eight directions counts in both.
 float covered(float off, float half) { return std::clamp(1 - (off - half) / 45, 0.0f, 1.0f); }
 
 }  // namespace
@@ -43,7 +44,7 @@ std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement
     feet.emplace_back(plant.at.x, 0, plant.at.z);
     tallest = std::max(tallest, crowns.back().height);
   }
-  // Those that are borne stand behind all others, and are nobody's neighbours.
+  // Attached plants come after all others and are not neighbours.
   const float reach = std::min(far * tallest, farthest);
   const PointGrid grid(feet, std::max(reach, 0.01f));
   for (std::size_t i = 0; i < plants.size(); ++i) {
@@ -90,7 +91,7 @@ std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement
   return all;
 }
 
-// A crown hides most of the sky where one stands under it, and less and less up to a height beside it.
+// A crown hides most of the sky below it, and linearly less up to its height beside it.
 std::vector<std::uint8_t> sky_below(const Plan& plan, const std::vector<Placement>& plants,
                                     const std::vector<float>& points) {
   std::vector<const Kind*> kinds;

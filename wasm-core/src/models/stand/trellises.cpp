@@ -12,15 +12,15 @@
 namespace panicle::stand {
 namespace {
 
-// Metres. Wood of usual line and end posts; the wire is galvanised, 2.5 mm thick.
+// Metres. Usual line and end posts of wood; the wire is galvanised, 2.5 mm thick.
 constexpr float line_post = 0.035f, end_post = 0.055f, wire_radius = 0.00125f, sunk = 0.2f;
 constexpr float beside = 0.08f;   // from the posts' middle to each wire of a pair
-constexpr float leaning = 0.18f;  // an end post's top leans out by so much of its height, against the wires' pull
-constexpr float guyed = 0.85f;    // at this share of that the wire to its anchor is tied,
-constexpr float anchored = 0.5f;  // which is this share of the height further out
+constexpr float leaning = 0.18f;  // slope of an end post, outwards against the pull of the wires
+constexpr float guyed = 0.85f;    // height of the anchor wire on an end post, as a share of the post's height
+constexpr float anchored = 0.5f;  // distance of the anchor from the post, as a share of the post's height
 constexpr std::uint32_t post_sides = 8, wire_sides = 3;
 
-// A rod along a path, its rings level with `one` and `other`, which are at right angles to it and to each other.
+// A rod along a path. Its rings lie in the plane of `one` and `other`, which are orthogonal.
 struct Rod {
   std::span<const glm::vec3> path;
   glm::vec3 one, other;
@@ -51,7 +51,7 @@ void put_rod(Mesh& mesh, const Rod& rod) {
     }
 }
 
-// The flat end of a rod, at the last place of its path.
+// Adds the flat end of a rod, at the last point of its path.
 void put_end(Mesh& mesh, const Rod& rod, const glm::vec3& normal) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
   for (std::uint32_t k = 0; k < rod.sides; ++k) {
@@ -63,13 +63,13 @@ void put_end(Mesh& mesh, const Rod& rod, const glm::vec3& normal) {
   for (std::uint32_t k = 1; k + 1 < rod.sides; ++k) put(mesh.indices, first, first + k + 1, first + k);
 }
 
-// One row: where on the ground its places are, along it.
+// Builder of one row's posts and wires.
 class Row {
  public:
   Row(const Layer& layer, const Relief& relief, const glm::vec2& on, const glm::vec2& along, Trellises& out)
       : layer_(layer), trellis_(*layer.trellis), relief_(relief), on_(on), along_(along), out_(out) {}
 
-  // From the first of its plants to the last, `places` of them beside the first, metres along the row.
+  // Builds a row from its first plant at `from`, in metres along the row, with `places` more plants.
   void build(float from, std::uint32_t places) {
     const float step = layer_.along, begin = from - 0.5f * step;
     const auto whole = std::max(1.0f, std::floor(trellis_.posts / step + 1e-3f));
@@ -100,7 +100,7 @@ class Row {
     return {at.x, relief_.at(at.x, at.y) + high, at.y};
   }
 
-  // On a post that leans out by its height; `side` 0: that stands upright.
+  // A point on a post at a height; `side` −1 or 1: an end post that leans out, 0: a vertical post.
   glm::vec3 leant(float place, float side, float high) const {
     return over(place, high) + side * leaning * high * way();
   }

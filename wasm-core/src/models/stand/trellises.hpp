@@ -1,4 +1,4 @@
-// Posts and wires along the rows of layers that have a trellis: they follow the ground as the plants tied to them do.
+// Posts and wires along the rows of layers with a trellis; they follow the ground as the tied plants do.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace panicle::stand {
 
 struct Trellises {
   std::uint32_t posts = 0;
-  Mesh wood, metal;  // all posts, all wires
+  Mesh wood, metal;  // of all posts, of all wires
 };
 
 Trellises trellises_of(const Plan& plan, const Relief& relief, const std::vector<Placement>& plants);

@@ -11,7 +11,7 @@ namespace panicle::grammar {
 
 Axes axes_of(const lsystem::String& string, std::span<const Mark> lines) {
   Axes found;
-  // Of the axes that are open, whether they have a line.
+  // Whether each open axis has a line.
   std::vector<bool> drawn{false};
   std::size_t line = 0;
   std::uint32_t place = 0;

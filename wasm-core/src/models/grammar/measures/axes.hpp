@@ -1,5 +1,5 @@
-// Axes of a string (Prusinkiewicz and Lindenmayer 1990, section 1.6.1): the main one is of order 0, and what a pair of
-// brackets holds is one order higher than what it stands on.
+// Axes of a string (Prusinkiewicz and Lindenmayer 1990, section 1.6.1): the main axis is of order 0, and the axis
+// within a pair of brackets is one order higher than the axis around it.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace panicle::grammar {
 
-// Of those that have lines.
+// Number and highest order of the axes that have lines.
 struct Axes {
   std::uint32_t count = 0, highest = 0;
 };
 
-// `lines` in the order of the string.
+// Finds the axes of a string. `lines`: in the order of the string.
 Axes axes_of(const lsystem::String& string, std::span<const Mark> lines);
 
 }  // namespace panicle::grammar

@@ -11,7 +11,7 @@ namespace panicle::grammar {
 namespace {
 
 constexpr double places = 1000;
-// An additive recurrence (Roberts 2018).
+// Steps of an additive recurrence in two dimensions (Roberts 2018).
 constexpr double across = 0.7548776662, along = 0.569840291;
 
 double share(double x) { return x - std::floor(x); }
@@ -49,7 +49,7 @@ float Clothing::share_of(const Surface& surface) const {
   std::size_t sampled = 0, clothed = 0;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
     done += area(i);
-    // Of each triangle as many as its share, folded into it.
+    // Each triangle gets samples in proportion to its area; those beyond its diagonal are folded into it.
     for (const double until = std::floor(places * done / whole + 0.5); static_cast<double>(sampled) < until; ++sampled) {
       double u = share(0.5 + across * static_cast<double>(sampled)), v = share(0.5 + along * static_cast<double>(sampled));
       if (u + v > 1) {

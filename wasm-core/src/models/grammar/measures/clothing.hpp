@@ -1,4 +1,4 @@
-// How well leaves clothe a surface.
+// Coverage of a surface by leaves.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -19,8 +19,8 @@ class Clothing {
  public:
   explicit Clothing(std::vector<Leaf> leaves);
 
-  // The share of a surface that has the base of a leaf within that leaf's length: of a thousand places all over it, as
-  // dense everywhere. 0 of a surface without area.
+  // The share of a surface that has the base of a leaf within that leaf's length: of about a thousand samples, evenly
+  // dense. 0 for a surface without area.
   float share_of(const Surface& surface) const;
 
  private:

@@ -21,7 +21,7 @@ namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 
-// Surfaces of the material of blades, whatever they are called.
+// Whether a tag is a surface of the material of blades.
 bool is_leaf(std::uint32_t tag) {
   return tag >= first_surface_tag && surfaces[tag - first_surface_tag].material == "blade";
 }
@@ -37,7 +37,7 @@ class Box {
     low_ = glm::min(low_, place - about);
     high_ = glm::max(high_, place + about);
   }
-  // 0 of a box that nothing is in.
+  // Size; 0 for an empty box.
   glm::dvec3 size() const { return low_.x <= high_.x ? glm::dvec3(high_ - low_) : glm::dvec3(0); }
 
  private:
@@ -60,7 +60,7 @@ double area_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return 0.5 * static_cast<double>(glm::length(glm::cross(b - a, c - a)));
 }
 
-// Of a surface at size 1.
+// Area of a surface at size 1.
 double area_of_surface(std::uint32_t which) {
   const Mesh leaf = make_surface(which);
   const auto at = [&](std::size_t i) {
@@ -72,7 +72,7 @@ double area_of_surface(std::uint32_t which) {
   return sum;
 }
 
-// Square metres.
+// Area of all polygons and leaves, in square metres.
 double leaf_area(const Plant& plant, const Polygons& polygons, double metres, WorkBudget* budget) {
   double filled = 0, surface_area = 0;
   std::array<double, surfaces.size()> squares{};

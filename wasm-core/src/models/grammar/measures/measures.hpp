@@ -1,4 +1,4 @@
-// What there is to measure on what a text has grown: docs/models/grammar/measures.md has the units.
+// Measures of a plant that a grammar has grown; docs/models/grammar/measures.md lists their units.
 #pragma once
 
 #include "lsystem/lsystem.hpp"
@@ -12,12 +12,12 @@ struct MeasureInput {
   const Sketch& sketch;
   const lsystem::String& string;
   const Areas& areas;
-  float metres = 0.01f;          // of one unit of the sketch
-  WorkBudget* budget = nullptr;  // that filling polygons is counted against
+  float metres = 0.01f;          // length of one unit of the sketch
+  WorkBudget* budget = nullptr;  // work budget that filling polygons is counted against
 };
 
-// Puts them into a plant that has been dressed; and where there are growth areas, of each the columns `areas.volume`
-// (float32, m³) and `areas.clothed` (float32, share).
+// Sets the measures of a plant after `dress`; with growth areas, also the columns `areas.volume` (float32, m³) and
+// `areas.clothed` (float32, share) of each.
 void measure(Plant& plant, const MeasureInput& input);
 
 }  // namespace panicle::grammar
