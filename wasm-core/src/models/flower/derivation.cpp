@@ -20,7 +20,7 @@ using generalized_map::none;
 using generalized_map::Refusal;
 using generalized_map::words;
 
-constexpr std::uint32_t most_nested = 32;  // modules in one another
+constexpr std::uint32_t most_nested = 32;  // greatest depth of modules in one another
 constexpr std::size_t most_notes = 100;
 constexpr std::uint64_t of_step = 0x73746570, of_face = 0x66616365;
 
@@ -43,7 +43,7 @@ class Deriver {
   Result<Derived> run() {
     derived_.notes = program_.notes;
     if (!evaluation_.bind(limits_) || !begin()) return evaluation_.trouble();
-    // Instances come at the end while these run.
+    // Instances are appended while these run.
     for (std::uint32_t instance = 0; instance < derived_.instances.size() && !stopped_; ++instance)
       if (!run(instance)) return evaluation_.trouble();
     add_notes();
@@ -108,7 +108,7 @@ class Deriver {
     return true;
   }
 
-  // What all productions do to one volume in one step.
+  // Applies all productions to one volume in one step. False: the evaluation's trouble.
   bool rewrite(std::uint32_t volume) {
     const std::uint32_t record = derived_.record_of[volume];
     const Label& label = program_.labels[label_of(volume)];
@@ -158,7 +158,8 @@ class Deriver {
     return true;
   }
 
-  // Work is counted by what is looked at, and by the instructions of all that is worked out.
+  // Adds to the work and checks the limits of work and time. Work is counted by steps of searches and by executed
+  // instructions.
   bool is_spent(std::uint64_t more) {
     work_ += more;
     const std::uint64_t work = work_ + evaluation_.work();
@@ -169,12 +170,13 @@ class Deriver {
     return work > limits_.work || out_of_time_;
   }
 
-  // Notes a production that fits and does nothing, since a later one does the like.
+  // Marks a production that applies without effect, since a later one has the same kind of effect.
   void displaced(const Production* production) {
     if (production != nullptr) displaced_[production->number] = 1;
   }
 
-  // Whether a face that it could grow on is free; one that is worked out may be.
+  // Whether one of the faces that a production grows on may be free; computed faces are unknown until they are
+  // evaluated.
   bool room_for(const Production& production, std::uint32_t volume) const {
     for (const GrowAction& growth : production.growths)
       for (const FaceOf& face : growth.faces)
@@ -183,7 +185,7 @@ class Deriver {
     return false;
   }
 
-  // Notes the faces that something is to grow on; later ones displace earlier ones.
+  // Adds the free faces that a volume grows on; later actions displace earlier ones.
   bool choose(const GrowAction& growth, std::uint32_t volume, std::uint64_t address) {
     const bool worked_out =
         std::any_of(growth.faces.begin(), growth.faces.end(), [](const FaceOf& face) { return face.worked_out; });
@@ -257,7 +259,7 @@ class Deriver {
   }
 
   bool part(std::uint32_t volume, std::uint32_t before, const Production& production) {
-    // Every corner of the face is looked at, also where the split is refused then.
+    // Every corner of the face is visited, also where the split is refused then.
     if (is_spent(derived_.map.volume(volume).order / 4)) return stop_for_work();
     const auto parted = derived_.map.split(volume, production.face, production.rest, production.part, stamp_);
     if (parted.refusal == Refusal::full) return stop(parted.refusal, step_, production.place), true;
@@ -286,7 +288,7 @@ class Deriver {
     return true;
   }
 
-  // Every production that glues, for all that stands by now: what is not adjacent yet waits.
+  // Applies every production that glues to all volumes of the instance; faces that are not adjacent yet wait.
   void glue_all() {
     std::size_t waiting = 0;
     for (std::size_t i = 0; i < standing_.size(); ++i) {
@@ -296,13 +298,13 @@ class Deriver {
     standing_.resize(waiting);
   }
 
-  // False: it never will again.
+  // Whether a volume may still be glued later.
   bool wants_glue(std::uint32_t volume) {
     const Label& label = program_.labels[label_of(volume)];
     bool waits = false;
     for (std::uint32_t i = label.productions.begin; i < label.productions.end; ++i) {
       const Production& production = program_.productions[i];
-      // What is relabelled or split may come to want it.
+      // A volume that is relabelled or split may become one that is glued.
       if (production.kind != Production::Kind::glue) {
         waits |= production.becomes != invalid || production.kind == Production::Kind::split;
         continue;
@@ -333,7 +335,7 @@ class Deriver {
                          refusal == Refusal::full ? " Let it grow on fewer faces, or for fewer steps." : ""}));
   }
 
-  // What is most to be known stands before all else.
+  // Adds a note before all others: the most important one.
   void first_note(std::string note) { derived_.notes.insert(derived_.notes.begin(), std::move(note)); }
 
   bool stop_for_work() {
@@ -352,8 +354,8 @@ class Deriver {
     return true;
   }
 
-  // Of what is to be glued: what its volumes have no such face for, where none has. How many sides they have may be
-  // luck, and so it is no mistake.
+  // A note on faces of a glue that no volume of a label has, or an empty text. The number of sides may be random, so
+  // this is not an error.
   std::string without_face(std::uint32_t label, Face face) const {
     std::uint32_t order = 0;
     for (std::uint32_t volume = 0; volume < derived_.map.volumes(); ++volume) {
@@ -367,7 +369,8 @@ class Deriver {
         {program_.labels[label].name, std::to_string(order), std::to_string(generalized_map::side_number(face))});
   }
 
-  // One note for all, since most flowers have such places: a stem of twelve sides bears a leaf of four.
+  // Adds one note for all attached volumes, since most flowers have such places: a leaf of four sides on a stem of
+  // twelve.
   void note_attached() {
     constexpr std::size_t most_named = 6;
     std::string first, others;
@@ -392,7 +395,7 @@ class Deriver {
     derived_.notes.push_back(first + (others.empty() ? "." : sentence("; so are %.", {others})));
   }
 
-  // What did not come as the text has it.
+  // Adds notes on productions that had no effect or only a part of it.
   void add_notes() {
     note_attached();
     for (const Production& production : program_.productions) {
@@ -412,7 +415,7 @@ class Deriver {
         else if (has_label_occurred_[production.predecessor] != 0 && has_label_occurred_[production.other] != 0)
           note("Line %: these faces never came to be adjacent, and nothing was glued.");
       }
-      // Where it is the text that says how many steps there are.
+      // Only where the text sets the number of steps.
       if (production.by_step && condition_results_[production.number] == 1 && !stopped_ && !cut_short_)
         note("Line %: this never came about: whenever there was room for it its condition did not hold.");
       if (displaced_[production.number] != 0)
@@ -439,15 +442,16 @@ class Deriver {
   std::vector<std::uint32_t> attached_, glued_;  // of growths and productions, how often
   std::vector<std::uint8_t> displaced_;          // of productions
   std::vector<std::uint8_t> has_label_occurred_;              // labels that some volume has had
-  bool cut_short_;                               // whether it is not the text that says how many steps there are
-  std::vector<std::uint8_t> condition_results_;              // productions whose condition was asked: 1 did not hold, 2 held once
+  bool cut_short_;                               // whether the number of steps is given instead of the text's
+  // bits of productions: 1 the condition was false once, 2 it was true once
+  std::vector<std::uint8_t> condition_results_;
   std::vector<Refusal> refusals_;                // of productions, the last
   std::uint32_t instance_ = 0, step_ = 0;
-  std::uint32_t stamp_ = 0;  // one a step of an instance: what is split in it is cut together
+  std::uint32_t stamp_ = 0;  // number of the step among all instances: splits of one step are cut together
   std::uint64_t work_ = 0, next_look_ = 0;
   bool out_of_time_ = false;
   bool stopped_ = false;
-  std::size_t too_deep_ = 0;  // the line of a call that was left out; 0: none was
+  std::size_t too_deep_ = 0;  // the line of a call that was omitted; 0: none was
 };
 
 }  // namespace
@@ -503,7 +507,7 @@ bool rebuilds(const Program& program, const Given& before, const Given& now, con
   if (before.steps != now.steps || program.values_rebuild) return true;
   if (program.draws_rebuild && before.seed != now.seed) return true;
   if (program.age_rebuilds && differ(before.age, now.age)) return true;
-  // What the text's own variables come to tells, be it given, drawn or worked out of others.
+  // The values of the text's own variables decide, whether given, drawn or computed from others.
   FlowerEvaluation then(program, before), here(program, now);
   if (!then.bind(limits) || !here.bind(limits)) return true;
   for (std::size_t i = 0; i < program.variables.size(); ++i) {

@@ -14,7 +14,7 @@ using expression::error_at;
 using expression::number_text;
 
 constexpr float largest = 1e6f;
-constexpr std::uint32_t otherwise_steps = 10;  // where a grammar does not say how many
+constexpr std::uint32_t otherwise_steps = 10;  // steps of a grammar that does not set its number
 
 }  // namespace
 
@@ -62,7 +62,8 @@ bool FlowerEvaluation::count(const Number& number, std::uint32_t& steps) {
   return true;
 }
 
-// All of a grammar, each after what it is worked out from, and then what follows from them.
+// Evaluates all variables of a grammar, each after those that it uses, and then the code that depends on variables
+// alone.
 bool FlowerEvaluation::variables(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given) {
   const Grammar& of = program_.grammars[grammar];
   std::uint32_t followed = of.once_bound.begin;
@@ -89,7 +90,7 @@ bool FlowerEvaluation::variable(std::size_t at, std::uint64_t address) {
                          : std::find_if(given_.values.begin(), given_.values.end(),
                                         [&](const Given::Value& each) { return each.name == variable.name; });
   if (given != given_.values.end()) {
-    // Work is the same for all that is the same map.
+    // Equal work for all flowers with the same map.
     work_ += of.code.size();
     value = given->value;
   } else {
@@ -108,7 +109,7 @@ bool FlowerEvaluation::is_finite(std::uint32_t variable, float value, const expr
                        {program_.variables[variable].name, number_text(value)}));
 }
 
-// What follows from variables alone.
+// Executes code that depends on variables alone; errors count where the values are used.
 void FlowerEvaluation::follow(std::uint32_t begin, std::uint32_t end) {
   work_ += end - begin;
   Diagnostic ignored;
@@ -126,7 +127,7 @@ bool FlowerEvaluation::enter(std::uint32_t grammar, std::uint64_t address, const
   if (!of.draws || grammar == 0) return ends_at(steps_[grammar]);
   work_ += of.variables.size();
   if (!variables(grammar, address, given)) return false;
-  // With what this one was given and has drawn.
+  // With the values that this instance was given and has drawn.
   std::uint32_t steps = steps_[grammar];
   return count(of.final_step, steps) && ends_at(steps);
 }
@@ -140,7 +141,7 @@ bool FlowerEvaluation::evaluate_settings(const std::vector<Setting>& settings, s
     if (!is_finite(setting.variable, value, setting.value.place)) return false;
     given.emplace_back(setting.variable, value);
   }
-  // Worked out as the text has them, since later ones use what earlier ones have worked out.
+  // In the order of the text, since later variables use earlier ones.
   std::sort(given.begin(), given.end());
   return true;
 }

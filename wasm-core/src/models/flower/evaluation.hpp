@@ -1,4 +1,4 @@
-// A flower's numbers worked out: for which volume, at which step, by which luck.
+// Evaluates a flower's numbers for a volume, a step and an address of random values.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,25 @@
 
 namespace panicle::flower {
 
-// Where in its organ a volume is. The axis of an instance is what has grown end on end from the volume that it begins
-// with; all else lies beside it, as far along as what bears it, and one further out than that.
+// Position of a volume in its organ. The axis of an instance is the chain of volumes end on end from its first one; all
+// others are beside it, as far along as the volume that they grow from, and one further out.
 struct Rank {
   std::uint16_t along = 0, beside = 0;
 };
 
-// What is given beside the text.
+// Values given besides the text.
 struct Given {
   struct Value {
     std::string name;  // of a variable of the text itself
     float value = 0;
   };
   std::vector<Value> values;
-  std::uint32_t steps = 0;  // of the text itself; 0: as many as it says
+  std::uint32_t steps = 0;  // of the text itself; 0: the text's own number
   float age = 1;
   std::uint64_t seed = 1;
 };
 
-// What a module was called with: variables, by their place in the program and in that order, and their values.
+// The values of a call's settings: variables, by their index in the program and in that order, and their values.
 using GivenVariables = std::vector<std::pair<std::uint32_t, float>>;
 
 class FlowerEvaluation {
@@ -36,29 +36,29 @@ class FlowerEvaluation {
   FlowerEvaluation(const Program& program, const Given& given);
   FlowerEvaluation(const FlowerEvaluation&) = delete;
 
-  // Works out the variables of all grammars, and how many steps each has with those. False: `trouble()`.
+  // Evaluates the variables of all grammars, and the number of steps of each. False: `trouble()`.
   bool bind(const Limits& limits);
-  // Of the instance that was entered last.
+  // Number of steps of the entered instance.
   std::uint32_t steps() const { return own_steps_; }
-  // The values of a grammar's variables are now those of one of its instances, whose own draws go by `address`.
+  // Sets the values of a grammar's variables to those of one of its instances, whose own draws go by `address`.
   bool enter(std::uint32_t grammar, std::uint64_t address, const GivenVariables& given);
 
-  // The volume that a production is for, or that another grows from.
+  // Sets the volume that a production is for, or that another grows from.
   void set_volume(const VolumeValues& values, const Rank& rank, std::uint32_t step);
   void set_face(std::uint32_t side) { set(Word::face, static_cast<float>(side)); }
   bool holds(const Number& condition, std::uint64_t address);
   bool run(expression::Range code, std::uint64_t address);
   float at(std::uint32_t source) const { return registers_[source]; }
-  // What a description gives, over what is there. False where one of them cannot be.
+  // Evaluates a description and overwrites the values that it gives. False: `trouble()`.
   bool describe(const Description& description, std::uint64_t address, VolumeValues& values);
 
-  // What a call gives a module's variables.
+  // Evaluates the settings of a call, for a module's variables.
   bool evaluate_settings(const std::vector<Setting>& settings, std::uint64_t address, GivenVariables& given);
 
-  // What all that was worked out has taken so far, in instructions and values, for limits of work: by the text, and not
-  // by what it comes to.
+  // Work of all evaluations so far, in instructions and values, for limits of work: it depends on the text, and not on
+  // the results.
   std::uint64_t work() const { return work_; }
-  // Variables of the text itself, by their place in the program, as they were bound.
+  // Variables of the text itself, by their index in the program, as they were bound.
   const std::vector<float>& variables() const { return variables_; }
   bool failed() const { return trouble_.reason != Reason::none; }
   const Diagnostic& trouble() const { return trouble_; }

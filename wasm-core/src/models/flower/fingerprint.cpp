@@ -13,7 +13,7 @@ std::uint64_t fingerprint_of(const Derived& derived, const generalized_map::Embe
   const auto add = [&print](std::uint32_t number) {
     print.add(number == generalized_map::none ? -1.0f : static_cast<float>(number));
   };
-  // Labels count by where they are first mentioned: what a volume is called changes no plant.
+  // Labels are numbered by first use: renaming a volume does not change the fingerprint.
   std::vector<std::uint32_t> place_of;
   std::uint32_t mentioned = 0;
   for (std::uint32_t v = 0; v < map.volumes(); ++v) {

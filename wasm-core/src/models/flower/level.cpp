@@ -29,7 +29,7 @@ Level::Level(Remains remains, const std::vector<glm::vec3>& places)
 
 void Level::part(const std::vector<std::uint32_t>& vertices, const std::vector<glm::vec3>& places) {
   std::vector<glm::vec3> normals;  // of `smooth_`, sums
-  // Of each vertex the first of its sides, and of each side the next.
+  // Linked lists of the smooth vertices at each vertex of the boundary.
   std::vector<std::uint32_t> first(places.size(), invalid), next;
   for (std::size_t t = 0; t < vertices.size(); t += 3) {
     const glm::vec3 &a = places[vertices[t]], &b = places[vertices[t + 1]], &c = places[vertices[t + 2]];
@@ -44,7 +44,7 @@ void Level::part(const std::vector<std::uint32_t>& vertices, const std::vector<g
         corners_.push_back(*side);
         smooth_.push_back(vertices[i]);
         normals.push_back(normal);
-        // From here on `side` may point to what was.
+        // `side` may be invalid after this, since `next` grows.
         next.push_back(invalid);
       } else {
         normals[*side] += normal;
@@ -64,7 +64,7 @@ void Level::dress(const Program& program, const std::vector<std::uint8_t>& numbe
   indices_.clear();
   drawn_.clear();
   number_.clear();
-  // Of what has one normal the first of its vertices, and of each vertex the next: one a material.
+  // Linked lists of the vertices of each smooth vertex, one for each material.
   std::vector<std::uint32_t> first(smooth_.size(), invalid), next;
   for (std::size_t k = 0; k < material_kinds.size(); ++k) {
     if (triangles[k].empty()) continue;

@@ -1,5 +1,5 @@
-// A flower at one distance: triangles among the vertices of its boundary, dressed by what its volumes are made of, and
-// placed.
+// A flower at one distance: triangles among the vertices of its boundary, with runs of materials, placed anew for each
+// flower of one map.
 #pragma once
 
 #include <array>
@@ -14,26 +14,26 @@ namespace panicle::flower {
 
 class Level {
  public:
-  // An organ that is drawn wider.
+  // An organ that is widened by a factor.
   struct Wide {
     std::uint32_t organ = 0;
     float times = 1;
   };
-  // What is left: of each triangle three vertices of the boundary and the volume that it is of.
+  // The remaining triangles: three vertices of the boundary and the volume of each.
   struct Remains {
     std::vector<std::uint32_t> vertices, volumes;
     std::vector<Wide> wide;
   };
 
-  // Vertices are parted where the surface has an edge, by `places` of the boundary's vertices.
+  // Vertices are duplicated at sharp edges of the surface. `places`: of the boundary's vertices.
   Level(Remains remains, const std::vector<glm::vec3>& places);
 
-  // A run for each kind of material, and a vertex for each material that meets in it. `numbers`: of materials, by
-  // volume.
+  // Builds a run for each kind of material, and a vertex for each material at a smooth vertex. `numbers`: of materials,
+  // by volume.
   void dress(const Program& program, const std::vector<std::uint8_t>& numbers);
-  // Of the boundary's vertices: across the way from an organ's foot to its tip, what is drawn wider.
+  // Widens organs across the direction from their foot to their tip. `places`: of the boundary's vertices.
   void widen(const OrganForms& organs, std::vector<glm::vec3>& places) const;
-  // What was dressed, without texture coordinates; `places` in millimetres as texts have them.
+  // The mesh of the runs, without texture coordinates; `places` in millimetres with +Z up.
   PlantMesh mesh(const std::vector<glm::vec3>& places) const;
 
   // Triangles, three vertices of the boundary each.
@@ -41,21 +41,21 @@ class Level {
   std::array<std::uint32_t, 3> triangle(std::size_t t) const {
     return {smooth_[corners_[3 * t]], smooth_[corners_[3 * t + 1]], smooth_[corners_[3 * t + 2]]};
   }
-  // Vertices of the mesh: which of the boundary each is, and the number of its material.
+  // Vertices of the mesh: the boundary's vertex of each, and the number of its material.
   std::uint32_t vertex(std::size_t drawn) const { return smooth_[drawn_[drawn]]; }
   const std::vector<std::uint8_t>& numbers() const { return number_; }
-  std::uint64_t bytes() const;  // that it holds, about
+  std::uint64_t bytes() const;  // memory that it holds, roughly
 
  private:
   void part(const std::vector<std::uint32_t>& vertices, const std::vector<glm::vec3>& places);
 
-  std::vector<std::uint32_t> corners_;  // of triangles, by `smooth_`
+  std::vector<std::uint32_t> corners_;  // of triangles, indices of `smooth_`
   std::vector<std::uint32_t> volumes_;  // of triangles
-  std::vector<std::uint32_t> smooth_;   // what has one normal: of each its vertex
+  std::vector<std::uint32_t> smooth_;   // vertices with one normal: the boundary's vertex of each
   std::vector<Wide> wide_;
-  // As materials have it: what is drawn.
+  // The runs of `dress`.
   std::vector<MeshRun> runs_;
-  std::vector<std::uint32_t> indices_, drawn_;  // by vertex of the mesh, which of `smooth_`
+  std::vector<std::uint32_t> indices_, drawn_;  // by vertex of the mesh, its index in `smooth_`
   std::vector<std::uint8_t> number_;            // of its material
 };
 

@@ -18,20 +18,25 @@
 namespace panicle::flower {
 namespace {
 
-// Triangles, at the most, and how much of that may be what cannot be thinned further: the rest is for what shows.
+// Most triangles of each level, and the share of them for parts that cannot be thinned further: the rest is for visible
+// detail.
 constexpr std::array<std::size_t, level_count> most_triangles{6000, 2200, 800, 260};
 constexpr float least_share = 0.65f;
 constexpr std::array<const char*, level_count> names{"level0", "level1", "level2", "level3"};
-// Of what stands close together one in so many is left, in this order.
+// Of organs close together one in this number remains; tried in this order.
 constexpr std::array<std::uint32_t, 17> strides{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 1024, 4096};
-constexpr std::uint32_t crowd = 8, few = 4;  // organs of a form: those are a crowd, and so many are left of it
-constexpr std::uint32_t parent_stride_factor = 6;         // by a sixth of the stride those are thinned that bear others
-constexpr float narrowest = 0.1f, fullest = 1.3f, widest_kite = 1.8f;  // how wide a kite may be for its area
-constexpr float widest = 4;                                            // times as wide what is left may be
+// number of organs of a form that is a crowd, and of its organs that remain at least
+constexpr std::uint32_t crowd = 8, few = 4;
+// the stride of organs with others attached is this much smaller
+constexpr std::uint32_t parent_stride_factor = 6;
+constexpr float narrowest = 0.1f, fullest = 1.3f, widest_kite = 1.8f;  // bounds of a kite's width for its area
+// greatest factor of the width of remaining organs
+constexpr float widest = 4;
 constexpr float sky_cells = 14;
 constexpr std::uint32_t sky_directions = 14;
 
-// What sizes are that the same map always has: those of an open flower of seed 1, with what the map depends on.
+// Values that are the same for every flower of one map: of an open flower of seed 1, with the variables that the map
+// depends on.
 bool usual_values(const Program& program, const Given& given, const Limits& limits, const Derived& derived,
                   std::vector<VolumeValues>& values) {
   Given usual;
@@ -52,7 +57,8 @@ float area_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return 0.5f * glm::length(glm::cross(b - a, c - a));
 }
 
-// Where in their organs a boundary's vertices are: the mean of the corners of a material that meet there, as in a skin.
+// Positions in their organs of a boundary's vertices: the mean over the corners of a material at a vertex, as in a
+// skin.
 class InOrgans {
  public:
   // `numbers`: of materials, by volume; `corners`: by half-edge.
@@ -73,7 +79,7 @@ class InOrgans {
     }
   }
 
-  // Of all corners there where only thinning has brought the material to the vertex.
+  // The mean over all corners where only thinning has brought the material to the vertex.
   glm::vec2 at(std::uint32_t vertex, std::uint8_t number) const {
     glm::vec3 all(0);
     for (std::uint32_t i = first_[vertex]; i != invalid; i = of_[i].next) {
@@ -129,7 +135,7 @@ std::uint32_t FlowerLevels::stride_of_all(const OrganForm& form, const Sparse& s
 std::vector<std::uint8_t> FlowerLevels::retained_organs(const Sparse& sparse) const {
   const std::vector<FormedOrgan>& organs = organs_->organs();
   std::vector<std::uint8_t> retained(organs.size(), 1);
-  // Of each form, those whose bearers are kept; and of those that are left, what bears and what does not.
+  // Counts of organs whose makers remain, by form; and of remaining organs with and without others attached.
   std::vector<std::uint32_t> count(organs_->forms().size(), 0);
   std::array<std::uint32_t, 2> of_all{};
   for (std::size_t i = 1; i < organs.size(); ++i) {
@@ -159,7 +165,7 @@ FlowerLevels::Choice FlowerLevels::choose(std::size_t most) const {
     there = retained_organs(choice.sparse);
     if (static_cast<float>(triangles(there, all)) <= least_share * static_cast<float>(most)) break;
   }
-  // Organs that are all unlike are no crowds, and may still be too many.
+  // Organs that are all different are no crowds, and may still be too many.
   for (std::size_t i = 1; i < strides.size() && triangles(there, all) > most; ++i) {
     choice.sparse.of_all = strides[i];
     there = retained_organs(choice.sparse);
@@ -207,7 +213,7 @@ Level::Remains FlowerLevels::remains(const Choice& choice, const std::vector<glm
   for (const OrganForm& form : organs_->forms()) to.push_back(form.targets(error));
   const std::vector<float> fuller = this->fuller(error, places);
 
-  // A vertex of a foot goes where it goes in the organ that bears it.
+  // A vertex of a foot moves as in the organ that its organ is attached to.
   std::vector<std::uint32_t> gone(places.size());
   std::iota(gone.begin(), gone.end(), 0u);
   for (const FormedOrgan& organ : organs) {

@@ -49,7 +49,7 @@ glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embe
   return metres * upright(sum / static_cast<float>(order));
 }
 
-// Volumes, each behind the one that it stands on: what a split has made may have a higher number.
+// Volumes, each after its parent: the parent may have a higher number after a split.
 std::vector<std::uint32_t> parents_first(const generalized_map::Map& map) {
   std::vector<std::uint32_t> order, line;
   std::vector<bool> is_known(map.volumes(), false);
@@ -94,8 +94,8 @@ void add_segments(Plant& plant, const Program& program, const Derived& derived,
   }
 }
 
-// The lines of the text that speak of volumes: where each is grown, and where the module is called that it is of; 0 for
-// what something begins with.
+// Adds the text's lines of each volume: the line where it is grown, and the line where its module is called; 0 for
+// first volumes.
 void add_lines(Plant& plant, const Program& program, const Derived& derived) {
   std::vector<std::uint32_t> of_growth(program.growths, 0), of_production(program.productions.size(), 0);
   for (const Production& production : program.productions) {
@@ -205,7 +205,7 @@ void measure_surface(Plant& plant) {
   plant.measures[static_cast<std::size_t>(Measure::surface)] = static_cast<float>(1e4 * area);
 }
 
-// `a, b and 7 more`, none of them longer than can be read.
+// `a, b and 7 more`; long names are shortened.
 std::string listed(const std::vector<std::string_view>& names) {
   constexpr std::size_t most_listed = 12, longest_listed = 64;
   std::string all;
@@ -218,7 +218,7 @@ std::string listed(const std::vector<std::string_view>& names) {
   return names.empty() ? "none" : all;
 }
 
-// A text that is edited may no longer have what was given a value: the flower grows without it.
+// A note on given values of variables that the text does not have, as after an edit: the flower grows without them.
 void note_unknown_values(Plant& plant, const Program& program, const Given& given) {
   std::vector<std::string_view> own, strange;
   for (const Variable& variable : program.variables)
@@ -239,7 +239,7 @@ bool read_values(Request& request, Given& given) {
   return true;
 }
 
-// A flower that has grown, as far as another can be made of it that differs only in where its volumes are.
+// A grown flower with all parts that another flower of the same map can reuse.
 struct CachedFlower {
   explicit CachedFlower(Derived grown) : derived(std::move(grown)) { embedding.build(derived.map); }
 
@@ -257,24 +257,25 @@ struct CachedFlower {
   }
 };
 
-// The last flower first. Of a bed's there are several: plants of one text whose maps differ come by turns.
+// The latest flower first. A bed has several: plants of one text whose maps differ alternate.
 struct FlowerCache : Cache {
   std::vector<std::unique_ptr<CachedFlower>> all;
 };
 
 constexpr std::size_t most_cached = 12;
 
-// The same map placed anew for a text that grows the same, where that is the same as growing; else it stays as it is.
+// Reworks a cached flower's values for a text that grows the same map. False, and the flower is unchanged, where only
+// growing gives the right result.
 bool rework_cached(CachedFlower& last, const Program& program, const Given& given, const Limits& limits) {
   if (rebuilds(program, last.given, given, limits)) return false;
   auto values = reworked(program, given, last.derived, limits);
-  // What went wrong is told by growing.
+  // Growing reports the error.
   if (!values) return false;
   last.derived.values = std::move(values.value());
   return true;
 }
 
-// The flower now stands first. Errors: those of reading and of growing.
+// The flower, which is now the first in the cache. Errors: those of reading and of growing.
 Result<CachedFlower*> find_or_grow(std::string_view text, const Given& given, const Limits& limits, bool skinless,
                      FlowerCache& last) {
   auto& all = last.all;
@@ -296,7 +297,7 @@ Result<CachedFlower*> find_or_grow(std::string_view text, const Given& given, co
                   all.begin() + static_cast<std::ptrdiff_t>(i) + 1);
   }
   if (!again) {
-    // Before another grows: where there are skins there is never room needed for two.
+    // Before growing, so that two skins never need memory at once.
     if (!skinless) all.clear();
     auto derived = derive(*program, given, limits);
     if (!derived) return derived.error();
@@ -311,7 +312,7 @@ Result<CachedFlower*> find_or_grow(std::string_view text, const Given& given, co
   return &flower;
 }
 
-// What is kept for the next, those used last first.
+// Removes flowers that cannot be reused, and the oldest ones beyond the limits of the cache.
 void evict(FlowerCache& last) {
   auto& all = last.all;
   if (all.front()->levels && !all.front()->levels->lasting()) all.front()->levels.reset();
@@ -357,7 +358,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   embedding.place(derived.shapes());
   plant.fingerprint = fingerprint_of(derived, embedding);
   add_segments(plant, program, derived, embedding);
-  // Of hundreds nobody asks what each volume is.
+  // Plants of a bed need levels only, not columns of volumes.
   if (meshes || !levels) add_columns(plant, program, derived, whole, embedding);
   if (measures) measure(plant, embedding, derived.instances.size() - 1);
   std::vector<std::uint32_t> numbers;

@@ -42,7 +42,7 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
     const bool across = !generalized_map::is_side(split.face);
     values = before;
     if (across) values[at(Field::height)] *= 0.5f;
-    // What was cut off stands straight on the cut; of a base's split that is what is left.
+    // The new volume of a split is not turned; of a split at the base, the remaining one.
     const bool straight = across ? rest == (split.face == generalized_map::base_face) : !rest;
     if (straight)
       for (const Field turn : {Field::turn_x, Field::turn_y, Field::turn_z}) values[at(turn)] = 0;
@@ -64,7 +64,7 @@ bool Numbers::work_out(const Record& record, const std::vector<Record>& records,
     given_.emplace_back();
   }
   if (begins && record.before != invalid && !growth(record.source).settings.empty()) {
-    // The call's luck is the volume's, so that each call draws for itself.
+    // Random values of a call have the volume's address, so that each call draws its own.
     if (!enter_call(record, records, instances, before) ||
         !evaluation_.evaluate_settings(growth(record.source).settings, record.address, given_[record.instance]))
       return false;

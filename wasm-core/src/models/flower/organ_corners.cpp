@@ -11,13 +11,13 @@ OrganCorners::OrganCorners(const Derived& derived, const ClosedSurface& surface,
                            const std::vector<std::uint32_t>& volume) {
   volume_.reserve(surface.half_edges());
   for (const std::uint32_t face : surface.face) volume_.push_back(volume[face]);
-  // Half-edges by their origins: those of a vertex stand together.
+  // Half-edges sorted by their origins, so that those of a vertex are consecutive.
   std::vector<std::uint32_t> end(surface.positions.size() + 1, 0), about(surface.half_edges());
   for (const std::uint32_t vertex : surface.origin) ++end[vertex + 1];
   for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
   for (std::uint32_t h = 0; h < surface.half_edges(); ++h) about[end[surface.origin[h]]++] = h;
 
-  // Of each organ the last vertex that it had a corner at, and which.
+  // Of each organ the last vertex with a corner, and that corner.
   std::vector<std::uint32_t> last(derived.instances.size(), invalid), own(derived.instances.size(), invalid);
   corner_.resize(surface.half_edges());
   for (const std::uint32_t h : about) {

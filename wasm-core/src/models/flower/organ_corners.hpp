@@ -1,5 +1,5 @@
-// Where in its organ each corner of a face is, which is where its colours come from: how far along, and how far beside
-// the middle. Organs that touch have each their own there.
+// Positions of faces' corners in their organs, for their colours: along the organ, and beside its middle. Organs that
+// touch have separate corners there.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,24 @@
 
 namespace panicle::flower {
 
-// Which corners are one, those of an organ at a vertex, is laid once a map; where they are follows from sizes too.
+// Merges the corners of an organ at a vertex, once for a map; `places` then depends on sizes too.
 class OrganCorners {
  public:
-  // `volume`: of the surface's faces, whose they are.
+  // `volume`: of each of the surface's faces.
   OrganCorners(const Derived& derived, const ClosedSurface& surface, const std::vector<std::uint32_t>& volume);
 
-  // By half-edge, both 0 … 1: along, what the organ's faces about it have; beside, where its inner neighbour ends, so
-  // that a lobe reaches from there to the next.
+  // Positions by half-edge, both 0 … 1: along, the mean over the organ's faces at the corner; beside, the least of
+  // them, so that a lobe extends from the end of its inner neighbour to the next.
   std::vector<glm::vec2> places(const Derived& derived) const;
-  std::uint64_t bytes() const;  // that it holds, about
+  std::uint64_t bytes() const;  // memory that it holds, roughly
 
  private:
-  std::vector<std::uint32_t> volume_;  // by half-edge, whose face it is
-  std::vector<std::uint32_t> corner_;  // and which corner
+  std::vector<std::uint32_t> volume_;  // by half-edge, of its face
+  std::vector<std::uint32_t> corner_;  // by half-edge, number of its corner
   std::uint32_t corners_ = 0;
 };
 
-// The same of the surface refined: even over each face.
+// The positions on the refined surface: interpolated over each face.
 std::vector<glm::vec2> refined_places(const ClosedSurface& surface, const std::vector<glm::vec2>& places);
 
 }  // namespace panicle::flower

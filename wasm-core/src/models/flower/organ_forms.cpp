@@ -16,10 +16,10 @@
 namespace panicle::flower {
 namespace {
 
-constexpr std::uint32_t fewest = 8;  // triangles of what has more than a kite's sides
-constexpr float flat = 0.3f;         // what a kite is off by, as a share of half its width
+constexpr std::uint32_t fewest = 8;  // least number of triangles; below, a kite is as good
+constexpr float flat = 0.3f;         // error of a kite, as a share of half its width
 
-// How many of a list of collapses are within an error.
+// The number of collapses within an error.
 std::size_t within(const std::vector<Collapse>& thinning, float error) {
   return static_cast<std::size_t>(
       std::upper_bound(thinning.begin(), thinning.end(), error,
@@ -44,7 +44,7 @@ std::vector<std::uint32_t> OrganForm::targets(float error) const {
   return to;
 }
 
-// What is needed until all forms are found.
+// Temporary data while forms are found.
 class OrganForms::Finding {
  public:
   Finding(OrganForms& found, const Derived& derived, const generalized_map::Boundary& boundary,
@@ -55,7 +55,7 @@ class OrganForms::Finding {
 
  private:
   std::vector<std::uint32_t> number_vertices(std::uint32_t organ);
-  // `labels`: of the organ's faces, what their volumes are called.
+  // `labels`: of the volumes of the organ's faces.
   static void find_kite(OrganForm& form, const std::vector<glm::vec3>& places,
                         const std::vector<std::uint32_t>& labels);
 
@@ -63,10 +63,10 @@ class OrganForms::Finding {
   const Derived& derived_;
   const generalized_map::Boundary& boundary_;
   const std::vector<glm::vec3>& places_;
-  std::vector<std::uint32_t> begin_;  // of faces, their half-edges; and the end
-  std::vector<std::uint32_t> owner_;  // of vertices that several hold the organ that stood there first
-  std::vector<std::uint32_t> local_;  // by vertex the number that it has in an organ
-  std::map<std::vector<std::uint32_t>, std::uint32_t> known_;  // what tells each form
+  std::vector<std::uint32_t> begin_;  // first half-edge of each face; and the end
+  std::vector<std::uint32_t> owner_;  // by vertex, the first organ that has it
+  std::vector<std::uint32_t> local_;  // by vertex, its number in the current organ
+  std::map<std::vector<std::uint32_t>, std::uint32_t> known_;  // forms by their signature
   std::uint32_t comparable_ = most_compared;                   // triangles, in all further forms together
 };
 
@@ -94,7 +94,7 @@ OrganForms::Finding::Finding(OrganForms& found, const Derived& derived, const ge
   local_.assign(surface.positions.size(), invalid);
 }
 
-// Of each the faces, in their order.
+// Sorts faces by organ, in their order.
 void OrganForms::Finding::find_organs() {
   found_.organs_.resize(derived_.instances.size());
   for (const Record& record : derived_.records)
@@ -113,8 +113,8 @@ void OrganForms::Finding::find_organs() {
   for (std::uint32_t f = 0; f < boundary_.surface.faces; ++f) found_.own_faces_[count[of_face[f]]++] = f;
 }
 
-// Numbers an organ's vertices as its faces come to them, and says how it hangs together: its faces' corners, and which
-// of its vertices belong to what bears it.
+// Numbers an organ's vertices in the order of its faces, and returns its topology: the faces' corners, and whether each
+// vertex belongs to the parent organ.
 std::vector<std::uint32_t> OrganForms::Finding::number_vertices(std::uint32_t organ) {
   const ClosedSurface& surface = boundary_.surface;
   FormedOrgan& of = found_.organs_[organ];
@@ -147,7 +147,7 @@ void OrganForms::Finding::find_form(std::uint32_t organ) {
     low = glm::min(low, places_[vertex]);
     high = glm::max(high, places_[vertex]);
   }
-  // Twice as large is another form: what is left of a leaf is too much of a petal.
+  // Organs of twice the size are another form: an error that is right for a leaf is too large for a petal.
   int size = 0;
   if (!own.empty()) std::frexp(glm::length(high - low), &size);
   const std::size_t corners = sign.size();
@@ -160,7 +160,7 @@ void OrganForms::Finding::find_form(std::uint32_t organ) {
   Patch patch;
   for (const std::uint32_t vertex : own) patch.positions.push_back(places_[vertex]);
   patch.is_fixed.assign(own.size(), 0);
-  std::set<std::pair<std::uint32_t, std::uint32_t>> open;  // edges that have no face on their other side
+  std::set<std::pair<std::uint32_t, std::uint32_t>> open;  // edges without a face on their other side
   for (std::size_t i = 0, face = 0; i < corners; ++face) {
     const std::size_t first = i + 1, end = first + sign[i];
     for (std::size_t c = first; c < end; ++c) {
@@ -181,7 +181,7 @@ void OrganForms::Finding::find_form(std::uint32_t organ) {
   }
   form.triangles = patch.triangles;
   patch.counted = static_cast<std::uint32_t>(patch.triangles.size());
-  // What others grow from, and its own foot, are closed for as long: else a hole would have no shape.
+  // Holes at the foot and at attached organs are closed while thinning, so that their rims keep their shape.
   while (!open.empty()) {
     std::vector<std::uint32_t> ring;
     for (auto edge = open.begin(); edge != open.end(); edge = open.lower_bound({ring.back(), 0})) {
@@ -198,7 +198,7 @@ void OrganForms::Finding::find_form(std::uint32_t organ) {
   form.thinning = thinning_of(patch, comparable_, &found_.work_);
   if (triangles <= comparable_) comparable_ -= triangles;
   while (!form.thinning.empty() && form.thinning.back().triangles < fewest) form.thinning.pop_back();
-  // What stands attached has a base of its own.
+  // An attached organ has a base of its own.
   form.is_foot = std::move(patch.is_fixed);
   if (organ > 0 && std::find(form.is_foot.begin(), form.is_foot.end(), 1) == form.is_foot.end())
     for (std::size_t i = 0, face = of.faces; i < corners; i += 1 + sign[i], ++face)
@@ -244,7 +244,7 @@ void OrganForms::Finding::find_kite(OrganForm& form, const std::vector<glm::vec3
   const float half = glm::length(side), before = form.thinning.empty() ? 0 : form.thinning.back().error;
   form.kite_error = std::max(before, half * flat);
 
-  // Each side is of what most of it is made of.
+  // Each side has the material of the greatest area.
   const glm::vec3 normal = glm::cross(side, way);
   for (std::size_t k = 0; k < 2; ++k) {
     std::map<std::uint32_t, float> area;  // by label

@@ -1,5 +1,5 @@
-// Organs that hang together alike and are about as large, and what may be left of one from afar: found for the first of
-// each form, and true of all of it.
+// Forms of organs: organs with the same topology and similar size, and how far one can be thinned from afar: computed
+// for the first organ of each form, and valid for all.
 #pragma once
 
 #include <array>
@@ -14,36 +14,36 @@
 namespace panicle::flower {
 
 struct OrganForm {
-  static constexpr std::uint8_t free_foot = 2;  // of what stands attached, and so may go like any vertex
+  static constexpr std::uint8_t free_foot = 2;  // of an attached organ, whose foot may be thinned like any vertex
 
-  std::vector<std::array<std::uint32_t, 3>> triangles;  // of the first one's, by its own vertices
-  std::vector<std::uint32_t> faces;                     // of triangles: which of its faces
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // of the first organ, by its own vertices
+  std::vector<std::uint32_t> faces;                     // of triangles: index of the face
   std::vector<Collapse> thinning;
-  std::vector<std::uint8_t> is_foot;  // by vertex: 1 those of what bears it, `free_foot` of a base of its own
+  std::vector<std::uint8_t> is_foot;  // by vertex: 1 of the parent organ, `free_foot` of a base of its own
   std::uint32_t organs = 0;
-  // What is left of one that bears nothing where it is thinned no further: a kite with two sides. Its corners are a
-  // vertex of the foot, one at a side, the one farthest from the foot, and one at the other side.
+  // The last shape of an organ without others attached: a kite with two sides. Its corners are a vertex of the foot,
+  // one at a side, the one farthest from the foot, and one at the other side.
   std::array<std::uint32_t, 4> kite{};
-  std::array<std::uint32_t, 2> kite_faces{};  // whose materials its two sides have
+  std::array<std::uint32_t, 2> kite_faces{};  // the faces whose materials its two sides have
   float kite_error = 0;
   bool has_attached = false, rooted = false;
 
   std::uint32_t tip() const { return kite[2]; }
   bool is_kite(float error) const { return rooted && !has_attached && error >= kite_error; }
-  std::size_t remaining(float error) const;               // triangles
-  std::vector<std::uint32_t> targets(float error) const;  // where each vertex has gone
+  std::size_t remaining(float error) const;               // number of triangles
+  std::vector<std::uint32_t> targets(float error) const;  // by vertex, the vertex that it is merged into
 };
 
-// An organ of a flower, by number as the derivation's instances.
+// An organ of a flower, by its index in the derivation's instances.
 struct FormedOrgan {
-  std::uint32_t form = 0, number = 0;     // the how manieth of its form
-  std::uint32_t maker = 0;                // another organ
-  std::uint32_t vertices = 0, faces = 0;  // where its own begin
+  std::uint32_t form = 0, number = 0;     // form, and index of the organ among its form's
+  std::uint32_t maker = 0;                // the parent organ
+  std::uint32_t vertices = 0, faces = 0;  // where its own vertices and faces begin
 };
 
 class OrganForms {
  public:
-  // `places`: of the boundary's vertices, by which forms are thinned.
+  // `places`: of the boundary's vertices, for the errors of thinning.
   OrganForms(const Derived& derived, const generalized_map::Boundary& boundary, const std::vector<glm::vec3>& places);
 
   const std::vector<FormedOrgan>& organs() const { return organs_; }
@@ -56,7 +56,7 @@ class OrganForms {
   std::uint64_t work() const { return work_; }
   // Whether forms have so many triangles together that some were thinned on a grid.
   bool is_coarse() const { return coarse_; }
-  std::uint64_t bytes() const;  // that it holds, about
+  std::uint64_t bytes() const;  // memory that it holds, roughly
 
  private:
   class Finding;

@@ -20,7 +20,7 @@ struct Standard {
   std::uint32_t base, tip;
 };
 
-// For numbers that the text says nothing of.
+// Materials of numbers that the text does not define.
 constexpr std::array<Standard, 10> standards = {{{"stem", 0x6f8f4a, 0x6f8f4a},
                                                  {"stem", 0x5f8a3c, 0x76a04c},
                                                  {"leaf", 0x4f7f3a, 0x6a9a48},
@@ -32,7 +32,7 @@ constexpr std::array<Standard, 10> standards = {{{"stem", 0x6f8f4a, 0x6f8f4a},
                                                  {"seed", 0x5a4630, 0x6b5438},
                                                  {"petal", 0xf4f1e8, 0xffffff}}};
 
-// Of two colours, channel by channel.
+// Interpolates two colours, channel by channel.
 std::uint32_t mixed(std::uint32_t from, std::uint32_t to, float share) {
   std::uint32_t colour = 0;
   for (const std::uint32_t shift : {0u, 8u, 16u}) {
@@ -42,14 +42,14 @@ std::uint32_t mixed(std::uint32_t from, std::uint32_t to, float share) {
   return colour;
 }
 
-// A material's number; 0 for what is none.
+// A material's number; 0 for values that are not one.
 bool number_of(float m, std::uint8_t& number) {
   const bool is_number = m >= 0 && m < 256 && std::floor(m) == m;
   number = is_number ? static_cast<std::uint8_t>(m) : 0;
   return is_number;
 }
 
-// Of a volume whose m is no material's number: where the text gives it.
+// A note on a volume whose m is not a material's number, with the line that gives it.
 std::string strange_material(const Program& program, const Derived& derived, std::uint32_t volume) {
   std::vector<const GrowAction*> growths(program.growths, nullptr);
   std::vector<const Production*> splits(program.productions.size(), nullptr);
@@ -106,7 +106,8 @@ Colours colours_at(const Material& material, float age) {
 std::uint32_t Skin::rounds_for(const Derived& derived, std::uint32_t requested) {
   std::uint64_t free = 0;
   for (std::uint32_t dart = 0; dart < derived.map.darts(); ++dart) free += derived.map.alpha(3, dart) == dart;
-  // Two darts an edge of a face, which is two triangles when it has been rounded; each round makes four of each.
+  // There are two darts for each edge of a face, and so two triangles after the first round; each round makes four of
+  // each.
   std::uint32_t rounds = requested;
   while (rounds > 1 && free << 2 * (rounds - 1) > most_triangles) --rounds;
   return rounds;
@@ -135,7 +136,7 @@ Skin::Skin(const Derived& derived, const generalized_map::Embedding& embedding, 
   }
   const ClosedSurface& last = levels_.back();
   begin_.reserve(last.faces + 1);
-  // Those of a face stand together.
+  // Half-edges of a face are consecutive.
   for (std::uint32_t h = 0, face = invalid; h < last.half_edges(); ++h) {
     if (last.face[h] == face) continue;
     face = last.face[h];
@@ -228,7 +229,7 @@ void Skin::add_to(Plant& plant, const Program& program, const Derived& derived,
       put(metres * upright(surface.positions[part.vertices[i]]), &mesh.mesh.positions[3 * i]);
       put(upright(normals[part.vertices[i]]), &mesh.mesh.normals[3 * i]);
     }
-    // Where in its organ each vertex is: where the corners are that meet there, which differ where organs do.
+    // Positions of vertices in their organs: the mean over the corners there, which differ between organs.
     std::vector<glm::vec2> sums(vertices, glm::vec2(0));
     std::vector<float> about(vertices, 0);
     for (std::size_t c = 0; c < part.corners.size(); ++c) {

@@ -1,5 +1,5 @@
-// What is passed over in a flower's text before it is read: comments between @ and @, and the _ that stands behind a
-// bracket in the thesis's tables.
+// Removes the parts of a flower's text that are not read: comments between @ and @, and the _ after a bracket in the
+// thesis's tables.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace panicle::flower {
 
-// The text with blanks in their place, so that lines and columns stay. Error: syntax, where a comment is not closed.
+// The text with blanks in their place, so that lines and columns are unchanged. Error: syntax, for an unclosed comment.
 Result<std::string> without_comments(std::string_view text);
 
 }  // namespace panicle::flower

@@ -7,7 +7,7 @@
 namespace panicle::flower {
 namespace {
 
-// How far a tube of radius 1 is drawn in by so many rounds: across it Catmull and Clark's rule is the cubic spline's.
+// The mean radius of a tube of radius 1 after rounding: across it Catmull and Clark's rule is that of the cubic spline.
 float drawn_in(std::uint32_t order, std::uint32_t rounds) {
   std::vector<glm::vec2> ring = generalized_map::polygon(order), finer;
   for (std::uint32_t round = 0; round < rounds; ++round) {

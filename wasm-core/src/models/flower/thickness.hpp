@@ -1,5 +1,5 @@
-// What volumes are to be as wide as so that their skin is as thick as the text says: rounding draws tubes in, by a
-// third where they have four sides.
+// Widens volumes before rounding, so that their skin is as thick as the text sets: rounding shrinks tubes, by a third
+// where they have four sides.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace panicle::flower {
 
-// Which volumes are tubes: 1 those more than half of whose sides are free.
+// Marks tubes with 1: volumes more than half of whose sides are free.
 std::vector<std::uint8_t> tubes_of(const Derived& derived, const generalized_map::Boundary& boundary);
 
-// What the embedding is to place for a skin that is rounded so often; what is a tube is made wider before.
+// Shapes for the embedding of a skin with this number of rounds; tubes are wider.
 std::vector<generalized_map::Shape> shapes_to_round(const Derived& derived, const std::vector<std::uint8_t>& is_tube,
                                                     std::uint32_t rounds);
 

@@ -1,4 +1,4 @@
-// What #material lines say.
+// Reads #material lines.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -71,7 +71,7 @@ bool FlowerReader::material_settings(Material& material) {
   return true;
 }
 
-// `"8a1030" 9 0.5`, and it may be said that they are feathered.
+// `"8a1030" 9 0.5`, optionally followed by `feathered`.
 bool FlowerReader::veins_of(Material& material) {
   if (!colour(material.veins) || !share(material.vein_count, most_veins) || !share(material.vein_strength, 1))
     return false;
@@ -93,7 +93,7 @@ bool FlowerReader::part_name(std::string& name) {
   return true;
 }
 
-// A number that is no less than nothing.
+// Reads a number from 0 to `most`.
 bool FlowerReader::share(float& value, float most) {
   if (at_ >= end_ || tokens_[at_].kind != TokenKind::number || !(tokens_[at_].number <= most))
     return wrong(here(), "A number from 0 to % stands here, not '%'.", {expression::number_text(most), found()});

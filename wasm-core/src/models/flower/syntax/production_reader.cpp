@@ -18,7 +18,7 @@ constexpr std::uint64_t most_code = 1'000'000;
 constexpr const char* three_blocks =
     "Three blocks stand here, {before} {condition} {after}, of which any may be empty.";
 
-// C1 → 1; 0 where it is no side.
+// C1 → 1; 0 for another name.
 std::uint32_t side_of(std::string_view name) {
   if (name.size() < 2 || name.size() > 5 || name[0] != 'C') return 0;
   std::uint32_t side = 0;
@@ -39,7 +39,7 @@ bool face_named(std::string_view name, Face& face) {
 
 }  // namespace
 
-// `p00 PREDECESSOR{…}{…}{…} -> …`: what it is called may be in parentheses, or missing.
+// `p00 PREDECESSOR{…}{…}{…} -> …`: its own name may be in parentheses, or missing.
 bool FlowerReader::production() {
   if (on_sign('(') && at_ + 2 < end_ && tokens_[at_ + 1].kind == TokenKind::name && tokens_[at_ + 2].is(')')) {
     at_ += 3;
@@ -94,7 +94,7 @@ bool FlowerReader::block(std::size_t& begin, std::size_t& end) {
   return true;
 }
 
-// `name = expression;` as often as you like.
+// `name = expression;` any number of times.
 bool FlowerReader::assignments(std::size_t begin, std::size_t end) {
   const std::size_t behind = at_;
   at_ = begin;
@@ -134,7 +134,8 @@ bool FlowerReader::condition_of(const Blocks& blocks, Production& production) {
   return true;
 }
 
-// What a production works out anew wherever it is used: its draws are the same each time, and no other's.
+// Compiles the blocks of a production for one use: its draws are the same each time, and independent of other
+// productions'.
 bool FlowerReader::both_blocks(const Blocks& blocks, const Production& production) {
   lowering_.begin_production(formals_, production_key_);
   locals_.clear();
@@ -196,7 +197,7 @@ bool FlowerReader::growth(const Blocks& blocks, Production& production) {
   } else if (!label_named(growth.target)) {
     return false;
   }
-  // The faces stand behind the numbers and are worked out before them.
+  // The faces follow the numbers in the text and are evaluated before them.
   const std::size_t list = at_;
   std::size_t open = 0;
   while (at_ < end_ && (open > 0 || !tokens_[at_].is(']'))) {
@@ -224,7 +225,7 @@ bool FlowerReader::growth(const Blocks& blocks, Production& production) {
   return true;
 }
 
-// `A[A_{E}`: what stands behind the bracket was read as the name's end.
+// `A[A_{E}`: the text after the missing bracket was read as the end of the name.
 bool FlowerReader::is_unclosed(bool module) {
   const std::string_view both = found();
   const std::size_t low = both.rfind('_');
@@ -235,7 +236,7 @@ bool FlowerReader::is_unclosed(bool module) {
   Face face;
   const std::string_view behind = both.substr(low + 1);
   if (is_known(both)) return false;
-  // A statement that is never closed goes on over what follows, so that the module may not be known.
+  // A statement that is never closed includes the following lines, so that the module may be unknown.
   const bool opens_faces = behind.empty() && next_is(at_, '{');
   if (!(module && opens_faces) && !is_known(both.substr(0, low))) return false;
   if (!opens_faces && !face_named(behind, face)) return false;
@@ -243,7 +244,7 @@ bool FlowerReader::is_unclosed(bool module) {
   return true;
 }
 
-// `{len = 60; open = age}` behind a module that is called
+// `{len = 60; open = age}` after a module that is called
 bool FlowerReader::settings(GrowAction& growth) {
   std::size_t begin = 0, end = 0;
   if (!block(begin, end)) return false;
@@ -280,7 +281,7 @@ bool FlowerReader::settings(GrowAction& growth) {
   return true;
 }
 
-// Blocks stand once in the text and are worked out for every face: what they come to has its limit.
+// Blocks are written once and compiled for every face: the total code has a limit.
 bool FlowerReader::too_much(const Place& place) {
   read_again_ += read_here_;
   if (lowering_.here() <= most_code && read_again_ <= most_code) return false;
@@ -400,7 +401,7 @@ bool FlowerReader::label_named(std::uint32_t& label) {
   return true;
 }
 
-// Productions of volumes that nothing can make of what is begun with.
+// Adds notes on productions of volumes that the axiom cannot lead to.
 void FlowerReader::note_unreached() {
   std::vector<bool> reached(program_.labels.size());
   std::vector<std::uint32_t> waiting;
@@ -424,7 +425,7 @@ void FlowerReader::note_unreached() {
   }
   for (const Production& production : program_.productions) {
     const Label& label = program_.labels[production.predecessor];
-    // Of a module that is called by nobody the call may be what is still to be written.
+    // The call of an unused module may not be written yet.
     const bool called = label.grammar == 0 || reached[program_.grammars[label.grammar].axiom];
     if (called && !reached[production.predecessor])
       program_.notes.push_back(expression::sentence("Line %: nothing grows a %, so this never comes about.",

@@ -18,13 +18,13 @@ using Tokens = std::vector<Token>;
 
 constexpr std::string_view random_number = "math.random";
 
-// Functions of the thesis's Lua that are here under the name behind the point. Its angles are radians, ours degrees.
+// Lua functions of the thesis that exist here without `math.`. Its angles are radians, ours degrees.
 constexpr std::string_view same_in_lua[] = {"abs", "floor", "ceil", "sqrt", "exp", "log", "min", "max", "pow"};
 constexpr std::string_view of_angles[] = {"sin", "cos", "tan"}, to_angles[] = {"asin", "acos", "atan"};
 constexpr float degrees_a_radian = 57.2957795f, radians_a_degree = 0.0174532925f, pi = 3.14159265f;
 
-// math.abs(x) → abs(x), math.pi → 3.14…, math.sin(x) → sin(57.3*(x)), math.atan(x) → (0.0175*atan(x)); math.random is
-// for who spells out draws, and what else begins so is refused by who reads it.
+// Rewrites calls of Lua: math.abs(x) → abs(x), math.pi → 3.14…, math.sin(x) → sin(57.3*(x)), math.atan(x) →
+// (0.0175*atan(x)). RandomCallRewriter rewrites math.random; the expression reader refuses all other names.
 Tokens without_lua(const Tokens& tokens) {
   static constexpr std::string_view begins = "math.";
   const auto is_one_of = [](const auto& names, std::string_view name) {
@@ -32,7 +32,7 @@ Tokens without_lua(const Tokens& tokens) {
   };
   Tokens out;
   out.reserve(tokens.size());
-  std::vector<std::size_t> closes;  // at which depth one more ) is due
+  std::vector<std::size_t> closes;  // depths at which one more ) is needed
   std::size_t depth = 0;
   for (std::size_t at = 0; at < tokens.size(); ++at) {
     const Token& token = tokens[at];
@@ -71,7 +71,7 @@ Tokens without_lua(const Tokens& tokens) {
   return out;
 }
 
-// The thesis's draw, in functions that there are: math.random() as ran(1), math.random(a, b) as a + ran(b − a).
+// Rewrites the thesis's draws: math.random() as ran(1), math.random(a, b) as a + ran(b − a).
 class RandomCallRewriter {
  public:
   explicit RandomCallRewriter(const Tokens& tokens) : tokens_(tokens) {}
@@ -148,15 +148,15 @@ class RandomCallRewriter {
   Diagnostic trouble_;
 };
 
-// What follows from variables, told apart by whose they are: with those of the text alone it stands first, then what
-// each module's own are in. A module's step into another instance so takes no more work the more modules there are.
+// Sorts code that depends on variables alone by the grammar of the variables: code of the text's own variables first,
+// then that of each module. So the work of entering an instance does not depend on the number of modules.
 void sort_once_bound(Program& program, expression::Range all) {
   std::vector<std::uint32_t> owner(program.code.registers.size(), 0);
   for (const Variable& variable : program.variables) owner[variable.to] = variable.grammar;
   std::vector<std::vector<std::uint32_t>> own(program.grammars.size());
   for (std::uint32_t at = all.begin; at < all.end; ++at) {
     const expression::Instruction& instruction = program.code.instructions[at];
-    // Nothing sees the variables of two modules.
+    // No code uses the variables of two modules.
     const std::uint32_t grammar = std::max(owner[instruction.a], owner[instruction.b]);
     owner[instruction.out] = grammar;
     own[grammar].push_back(at);

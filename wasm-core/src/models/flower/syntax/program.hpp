@@ -1,5 +1,5 @@
-// A flower's grammar as it is read (Petrenko 2014, section 2.2.1 and Table 3; docs/models/flower/language.md): volumes,
-// variables, productions and modules, with byte code for their numbers and nothing of their text.
+// A flower's grammar after reading (Petrenko 2014, section 2.2.1 and Table 3; docs/models/flower/language.md): volumes,
+// variables, productions and modules, with byte code for their numbers and without their text.
 #pragma once
 
 #include <algorithm>
@@ -20,9 +20,9 @@ using generalized_map::Face;
 
 inline constexpr std::uint32_t invalid = ~0u;
 
-// What a volume's numbers say, in the order of Table 4. The thesis's text has them without the translation.
+// The numbers of a volume, in the order of Table 4. The thesis's text has them without the translation.
 enum class Field : std::uint8_t {
-  order,        // of the prism
+  order,        // sides of the prism
   translation,  // how far the end lies from the base, in heights
   turn_x,       // degrees
   turn_y,
@@ -36,20 +36,19 @@ inline constexpr std::size_t fields = 9;
 inline constexpr std::array<std::string_view, fields> field_names = {"N", "T", "atx", "aty", "atz", "H", "L", "W", "m"};
 using VolumeValues = std::array<float, fields>;
 
-// What expressions call by name besides variables and the predecessor's fields, in registers of the byte code behind
-// those.
+// Names in expressions besides variables and the predecessor's fields, in registers of the byte code after those.
 enum class Word : std::uint8_t {
-  step = fields,  // of the grammar that the volume is of, from 0 on
+  step = fields,  // of the volume's grammar, from 0 on
   final_step,
-  face,    // the side's number that it grows on, 0 on O and E
+  face,    // the number of the side that it grows on, 0 on O and E
   age,     // of the flower: 0 a bud, 1 open, 2 wilted
-  along,   // where the volume stands that it grows from: how many volumes along the axis of its organ,
-  beside,  // and how many beside that
+  along,   // rank of the volume that it grows from: number of volumes along the axis of its organ,
+  beside,  // and number beside the axis
 };
 inline constexpr std::size_t words = 6;
 inline constexpr std::array<std::string_view, words> word_names = {"step", "finalStep", "face",
                                                                    "age",  "along",     "beside"};
-// Of these, the first, whose names nothing else may have; the others are hidden by variables, as a volume's numbers
+// The first of these words are reserved; the others are hidden by variables of the same name, as a volume's numbers
 // are.
 inline constexpr std::size_t reserved_words = 4;
 inline bool is_reserved(std::string_view name) {
@@ -63,13 +62,13 @@ struct Number {
   bool draws = false;
 };
 
-// What a list of numbers says of a volume; what it leaves empty is inherited. One code for all.
+// A list of a volume's numbers; omitted numbers are inherited. One range of code for all.
 struct Description {
   expression::Range code;
   std::array<std::uint32_t, fields> sources{};  // registers
   std::uint16_t given = 0;                      // bits of fields
   expression::Place place;
-  std::array<expression::Place, fields> places{};  // of what is given
+  std::array<expression::Place, fields> places{};  // of given fields
 
   bool has(Field field) const { return (given >> static_cast<std::uint32_t>(field) & 1) != 0; }
 };
@@ -85,12 +84,12 @@ struct Label {
 // `E`, `O`, `C4`, or `C(expression)`.
 struct FaceOf {
   Face face = generalized_map::base_face;
-  bool worked_out = false;  // a side, whose number is that of a register
+  bool worked_out = false;  // a side whose number is in the register `source`
   std::uint32_t source = 0;
   expression::Place place;
 };
 
-// What a call gives one of a module's variables instead of its own value: `&PETAL{len=60}`.
+// A value that a call gives one of a module's variables in place of its own: `&PETAL{len=60}`.
 struct Setting {
   std::uint32_t variable = 0;
   expression::Value value;
@@ -101,10 +100,10 @@ struct GrowAction {
   bool module = false;
   std::uint32_t target = 0;  // a label, or a grammar
   std::vector<FaceOf> faces;
-  expression::Range blocks;  // what the production works out before, and the faces
+  expression::Range blocks;  // code of the production's blocks and of the faces
   Description arguments;
   std::vector<Setting> settings;  // of a module
-  std::uint32_t number = 0;       // among all of the program, for notes
+  std::uint32_t number = 0;       // index in the whole program, for notes
 };
 
 // `predecessor {before} {condition} {after} -> successor`
@@ -114,17 +113,17 @@ struct Production {
   std::uint32_t predecessor = 0;  // a label
   expression::Place place;
   Number condition;      // where given
-  bool by_step = false;  // whether that asks for steps and nothing else
+  bool by_step = false;  // whether the condition depends on steps alone
   // grow
   std::uint32_t becomes = invalid;  // another label, where the successor begins with one
   std::vector<GrowAction> growths;
-  // glue: own face, and whose other one; split: where
+  // glue: own face, and the other label's; split: the face to split at
   Face face = generalized_map::base_face, other_face = generalized_map::base_face;
   std::uint32_t other = 0;
   std::uint32_t rest = 0, part = 0;
   Description rest_description, part_description;
   expression::Range blocks;
-  std::uint32_t number = 0;  // among all of the program
+  std::uint32_t number = 0;  // index in the whole program
 };
 
 // `#define name=expression`
@@ -133,8 +132,8 @@ struct Variable {
   std::uint32_t grammar = 0;
   std::uint32_t to = 0;  // register
   Number number;
-  std::uint32_t needs = 0;  // to where of its grammar's once_bound it has to be worked out before
-  bool rebuilds = false;    // whether the map depends on it, and not only where its corners are
+  std::uint32_t needs = 0;  // end of the part of its grammar's once_bound that it uses
+  bool rebuilds = false;    // whether the map depends on it, and not only its vertices' places
 };
 
 // Where an organ begins and where it ends: red, green and blue, 8 bits each, as sRGB.
@@ -142,28 +141,29 @@ struct Colours {
   std::uint32_t base = 0, tip = 0;
 };
 
-// `#material 4 petal "c8102e" "f6d55c" foot 0.4 margin "ffffff" 0.2 veins "8a1030" 9 0.5 light 0.6 bud "5d8250"`: what
-// a volume's m means. What is said besides kind and colours may be missing.
-// What an organ is made of, in the order in which a level has them.
+// Kinds of material, in the order of their runs in a level.
 inline constexpr std::array<std::string_view, 7> material_kinds{"petal",  "sepal",  "leaf", "stem",
                                                                 "stamen", "pistil", "seed"};
 
+// The material of the volumes whose m is its number, as in `#material 4 petal "c8102e" "f6d55c" foot 0.4
+// margin "ffffff" 0.2 veins "8a1030" 9 0.5 light 0.6 bud "5d8250"`. Settings after kind and colours are optional.
 struct Material {
   std::uint32_t number = 0;
   std::string kind;  // of `material_kinds`
-  std::string name;  // of what is made of it; empty: its kind's
+  std::string name;  // of organs of the material; empty: its kind's
   Colours open;
   Colours bud, wilted;                      // at an age of 0 and of 2; mixed between
-  float foot = 0.6f;                        // over how much of an organ's length the first colour goes into the second
+  // share of an organ's length over which the first colour blends into the second
+  float foot = 0.6f;
   std::uint32_t margin = 0, veins = 0;      // colours
   float margin_width = 0;                   // as a share of half the width
   float vein_count = 0, vein_strength = 0;  // a side; 0 … 1
-  bool feathered = false;                   // veins leave one in the middle, and do not spread from the foot
-  float light = 0;                          // that comes through from behind, as a share
+  bool feathered = false;                   // veins branch off one in the middle instead of spreading from the foot
+  float light = 0;                          // share of light that comes through from behind
   expression::Place place;
 };
 
-// How much light comes through what is of a kind, where nobody says otherwise.
+// The share of light that comes through a kind of material, by default.
 float light_through(std::string_view kind);
 
 // The text itself, or one of its modules.
@@ -172,10 +172,10 @@ struct Grammar {
   std::uint32_t axiom = invalid;  // a label
   Description axiom_arguments;
   expression::Range variables;  // in Program::variables
-  // What follows from its variables, and those of the text, alone: code that runs where they have their values.
+  // Code that depends on its variables and those of the text alone; it runs when they are bound.
   expression::Range once_bound;
   Number final_step;   // where given
-  bool draws = false;  // whether a variable does, or a call gives one, so that each instance has its own
+  bool draws = false;  // whether a variable is drawn or given by a call, so that each instance has its own
   expression::Place place;
 };
 
@@ -187,17 +187,17 @@ struct Program {
   std::vector<Material> materials;
   std::uint32_t growths = 0;
   bool age_rebuilds = false, values_rebuild = false;  // whether the map depends on `age`, or on volumes' own numbers
-  bool draws_rebuild = false;                         // or on what is drawn but in variables of the text
-  // The text less all that only places the map: materials, and the figures of numbers that no order, face, condition or
-  // number of steps depends on.
+  bool draws_rebuild = false;                         // or on draws other than in variables of the text
+  // The text without the parts that only place the map: materials, and the figures of numbers that no order, face,
+  // condition or number of steps depends on.
   std::string structure_key;
   expression::Code code;
   std::vector<std::string> notes;
 
-  std::uint64_t bytes() const;  // that it holds, but for names
+  std::uint64_t bytes() const;  // memory that it holds, without names
 };
 
-// Errors: syntax, undefined and limit, with line and column.
+// Reads a flower's grammar. Errors: syntax, undefined and limit, with line and column.
 Result<Program> read_program(std::string_view text, const Limits& limits = {});
 
 }  // namespace panicle::flower

@@ -67,7 +67,7 @@ bool FlowerReader::run() {
   return true;
 }
 
-// A module's numbers are those of the volume that it begins with.
+// A module's numbers are those of its first volume.
 void FlowerReader::find_forms_of_modules() {
   forms_of_modules_.assign(program_.grammars.size(), Form::plain);
   for (const Statement& each : statements_) {
@@ -109,7 +109,7 @@ bool FlowerReader::begin_module(std::size_t end) {
   return true;
 }
 
-// A statement goes on in the next line within brackets, and where something has to follow.
+// A statement continues in the next line within brackets, and where something has to follow.
 std::size_t FlowerReader::statement_end(std::size_t begin) const {
   std::size_t open = 0;
   for (std::size_t at = begin; at < tokens_.size(); ++at) {
@@ -247,7 +247,7 @@ bool FlowerReader::axiom() {
   return description(forms_[grammar.axiom], Scope::description, grammar.axiom_arguments);
 }
 
-// To the comma or the ) that ends what stands here.
+// Finds the comma or the ) that ends the current entry.
 bool FlowerReader::entry_end(std::size_t& end) const {
   std::size_t open = 0;
   for (end = at_; end < end_; ++end) {
@@ -337,14 +337,14 @@ bool FlowerReader::number(std::size_t end, Scope scope, bool of_map, Number& num
   return true;
 }
 
-// Of an expression up to `end`, that what is called is one of the functions that there are here.
+// Whether all called functions up to `end` exist.
 bool FlowerReader::knows_functions(std::size_t end) {
   for (std::size_t at = at_; at + 1 < end; ++at) {
     const std::string_view name = tokens_[at].text;
     if (tokens_[at].kind != TokenKind::name || !tokens_[at + 1].is('(')) continue;
     const auto is_called = [&](const expression::Function& function) { return function.name == name; };
     if (std::any_of(expression::functions.begin(), expression::functions.end(), is_called)) continue;
-    // Who reads the expression has a word for it.
+    // The expression reader has a message of its own for these.
     if (!expression::foreign_function(name).empty()) continue;
     std::string known = "math.random";
     for (const expression::Function& function : expression::functions)
@@ -354,7 +354,7 @@ bool FlowerReader::knows_functions(std::size_t end) {
   return true;
 }
 
-// Names → the variables of this grammar, or of the text.
+// Replaces names by the variables of this grammar, or of the text.
 bool FlowerReader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& draws) {
   for (Node& node : tree.nodes) {
     if (node.kind == Node::Kind::element)
@@ -365,14 +365,14 @@ bool FlowerReader::rewritten(Expression& tree, Scope scope, Uses& uses, bool& dr
                    {node.name});
     draws |= node.kind == Node::Kind::operation && expression::is_random(node.op);
     uses.draws |= draws;
-    // It refuses some bounds: whether it does is known where it is drawn.
+    // Some bounds are refused, which is known only when the value is drawn.
     program_.values_rebuild |= node.kind == Node::Kind::operation && node.op == expression::Op::random_whole;
     if (node.kind != Node::Kind::name) continue;
     if (std::find(locals_.begin(), locals_.end(), node.name) != locals_.end() && scope == Scope::production) {
       uses.locals = true;
       continue;
     }
-    // A variable of the text hides a number of the volume that is called the same.
+    // A variable of the text hides a number of the volume with the same name.
     std::uint32_t variable = find_variable(node.name, grammar_);
     if (scope == Scope::variable && variable >= known_variables_) variable = find_variable(node.name, 0);
     if (variable == invalid || (scope == Scope::variable && variable >= known_variables_)) {
@@ -423,7 +423,7 @@ void FlowerReader::pin(std::size_t begin, std::size_t end) {
             Figure::pinned);
 }
 
-// Lines are in it, since notes name them.
+// Lines are part of the key, since notes name them.
 void FlowerReader::append_structure_key() {
   for (std::size_t i = 0; i < definitions_.size(); ++i)
     if (program_.variables[i].rebuilds) pin(definitions_[i].begin, definitions_[i].end);
@@ -444,7 +444,7 @@ void FlowerReader::append_structure_key() {
       program_.structure_key.append(is_free ? std::string_view("0") : token.text);
     }
   }
-  // What variables take counts as work, and figures may change it: equal parts are worked out once.
+  // The length of variables' code counts as work, and figures may change it: equal terms are compiled once.
   const auto add = [&](const expression::Value& value) {
     program_.structure_key.append(" ").append(std::to_string(value.code.size()));
   };
@@ -477,15 +477,15 @@ std::uint32_t FlowerReader::find_grammar(std::string_view name) const {
 }
 
 void FlowerReader::finish() {
-  // A variable that is made of others, or given by a call: whoever depends on it depends on those. Calls may stand in
-  // any order, and so it is gone through again until nothing is new.
+  // A variable that depends on others, or is given by a call, passes its dependence on to those. Calls may come in any
+  // order, so this repeats until nothing changes.
   std::bitset<most_variables> gone_into;
   while (gone_into != rebuilding_) {
     for (std::size_t i = program_.variables.size(); i-- > 0;) {
       if (!rebuilding_[i] || gone_into[i]) continue;
       gone_into.set(i);
       Uses uses = uses_of_variables_[i];
-      // What a variable of the text has drawn can be asked for.
+      // `variables()` has the values of the text's variables, also where they are drawn.
       uses.draws &= program_.variables[i].grammar != 0;
       rebuilds(uses);
     }

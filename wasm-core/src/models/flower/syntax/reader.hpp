@@ -1,4 +1,4 @@
-// A flower's text → program, statement by statement.
+// Reads a flower's text into a program, statement by statement.
 #pragma once
 
 #include <bitset>
@@ -13,7 +13,7 @@
 
 namespace panicle::flower {
 
-// How many of the thesis's numbers a list has, and so which: the text has eight, its tables nine with the translation.
+// The form of a list of numbers: the thesis's text has eight, its tables nine with the translation.
 enum class Form : std::uint8_t { plain, translated };
 
 inline constexpr std::size_t most_variables = 1000;
@@ -32,13 +32,13 @@ class FlowerReader : expression::TokenReader {
     std::size_t begin, end;
     std::uint32_t grammar;
   };
-  // What of a plant an expression depends on: no larger for a text that says a thing over and over.
+  // The parts of a plant that an expression depends on: no larger where a text repeats them.
   struct Uses {
     std::bitset<most_variables> variables;
     bool age = false, values = false, locals = false, draws = false;
     void add(const Uses& other);
   };
-  // What an expression may call by name.
+  // Where an expression is, which limits the names that it may use.
   enum class Scope : std::uint8_t { variable, description, production };
   struct Blocks {
     std::size_t before = 0, condition = 0, after = 0;  // first tokens within, 0 where there are none
@@ -85,16 +85,16 @@ class FlowerReader : expression::TokenReader {
   bool label_with_face(std::uint32_t& label, Face& face);
   bool label_named(std::uint32_t& label);
 
-  // `( , , 2, )`, where there is one: what is given, each in its field.
+  // Reads `( , , 2, )`, where there is one: given values, each in its field.
   bool description(Form form, Scope scope, Description& description);
   bool entry_end(std::size_t& end) const;
-  // `used`, where given: what of a plant it depends on.
+  // Compiles an expression. `used`: its dependences.
   bool number(std::size_t end, Scope scope, bool of_map, Number& number, Uses* used = nullptr);
   bool knows_functions(std::size_t end);
   bool rewritten(expression::Expression& tree, Scope scope, Uses& uses, bool& draws);
   bool unknown(const expression::Node& node, Scope scope);
   void rebuilds(const Uses& uses);
-  // Whether figures are part of what the map depends on.
+  // Marks figures that the map depends on.
   void pin(std::size_t begin, std::size_t end);
   void append_structure_key();
   bool opens(std::size_t at) const { return at < end_ && tokens_[at].is('('); }
@@ -111,28 +111,28 @@ class FlowerReader : expression::TokenReader {
   std::vector<expression::Named> formals_;
   std::vector<Statement> statements_;
   std::vector<Form> forms_;             // of labels
-  std::vector<Form> forms_of_modules_;  // of what each begins with
+  std::vector<Form> forms_of_modules_;  // of each module's first volume
   std::vector<std::string_view> keys_of_variables_;
-  std::vector<Uses> uses_of_variables_;  // and of what calls give them
+  std::vector<Uses> uses_of_variables_;  // of variables' definitions and of the calls that give them
   std::bitset<most_variables> rebuilding_;
   enum class Figure : std::uint8_t { unread, free, pinned };
   std::vector<Figure> figures_;                             // of tokens that are numbers
-  std::vector<std::pair<std::uint32_t, Statement>> calls_;  // that give variables their values
+  std::vector<std::pair<std::uint32_t, Statement>> calls_;  // calls that give variables their values
   std::vector<Statement> definitions_;                      // of variables
-  Statement read_{0, 0, 0};                                 // that is read
+  Statement read_{0, 0, 0};                                 // the current statement
   expression::Names labels_, variables_, grammars_;         // by key_of; modules by name
   std::deque<std::string> spelled_;
   std::vector<std::string_view> locals_;
-  Uses of_blocks_;  // of a production: what its names that are set come from
+  Uses of_blocks_;  // dependences of the names that a production's blocks set
   struct Renamed {
     std::uint32_t line, from, to;
   };
   std::vector<Renamed> renamed_;
-  std::uint32_t grammar_ = 0;  // that is read
+  std::uint32_t grammar_ = 0;  // the current grammar
   std::uint32_t known_variables_ = 0;
   std::uint64_t keys_ = 0;
   std::uint64_t production_key_ = 0;
-  // Tokens of blocks: of this production, and of all, as often as they are read.
+  // Numbers of tokens of blocks: of this production, and of all compiled copies.
   std::uint64_t read_here_ = 0, read_again_ = 0;
 };
 
