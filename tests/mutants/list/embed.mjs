@@ -38,8 +38,8 @@ export default [
 		faults: [
 			{
 				id: "picture-without-its-link",
-				find: "withLink(await take(sizeOf(asked)), asked.link)",
-				replace: "take(sizeOf(asked))",
+				find: "withLink(await take(sizeOf(request)), request.link)",
+				replace: "take(sizeOf(request))",
 				breaks: "a downloaded picture brings no plant back",
 			},
 		],
@@ -176,8 +176,8 @@ export default [
 		faults: [
 			{
 				id: "element-handles-stay-behind",
-				find: "this.#undraw = view.onDrawn(() => this.#layer.place());",
-				replace: "this.#undraw = () => {};",
+				find: "this.#stopFollowingDraws = view.onDrawn(() => this.#layer.place());",
+				replace: "this.#stopFollowingDraws = () => {};",
 				breaks: "handles stand still while the plant turns",
 			},
 		],

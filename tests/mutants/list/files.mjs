@@ -6,7 +6,7 @@ export default [
 		faults: [
 			{
 				id: "saved-in-a-stale-look",
-				find: "look: lookOf(shown, asked)",
+				find: "look: lookOf(shown, requested)",
 				replace: "look: shown.from.look",
 				breaks: "a download has the colours from before the last change",
 			},

@@ -10,7 +10,7 @@ export default [
 		faults: [
 			{
 				id: "saved-unkept-forgotten",
-				find: "else this.#unkept.set(each.id, each);",
+				find: "else this.#unstored.set(each.id, each);",
 				replace: "",
 				breaks: "what a full disk does not take is lost",
 			},
@@ -46,7 +46,7 @@ export default [
 			},
 			{
 				id: "saved-others-deletion-undone",
-				find: "gone = edited(kept, { put: this.unkept }).filter",
+				find: "gone = edited(stored, { put: this.unstored }).filter",
 				replace: "gone = this.all.filter",
 				breaks: "undo brings back what another tab has deleted",
 			},
@@ -162,7 +162,7 @@ export default [
 		faults: [
 			{
 				id: "saved-left-unasked",
-				find: "if (library.unkept.length > 0) event.preventDefault();",
+				find: "if (library.unstored.length > 0) event.preventDefault();",
 				replace: "",
 				breaks: "who leaves the page with something unkept is not asked",
 			},

@@ -113,7 +113,7 @@ export default [
 		faults: [
 			{
 				id: "stepper-picture-of-a-step",
-				find: "const instead = this.#taking > 0 ? undefined : this.#instead;",
+				find: "const instead = this.#picturesInProgress > 0 ? undefined : this.#instead;",
 				replace: "const instead = this.#instead;",
 				breaks: "a saved picture carries the link of another plant than it shows",
 			},

@@ -33,8 +33,8 @@ export default [
 			},
 			{
 				id: "studio-never-measured-after-a-drag",
-				find: "|| (!this.#state.held && !this.#whole)) this.#ask();",
-				replace: ") this.#ask();",
+				find: "|| (!this.#state.held && !this.#isMeasured)) this.#requestGrowth();",
+				replace: ") this.#requestGrowth();",
 				breaks: "the numbers stay those from before a drag",
 			},
 			{
@@ -51,7 +51,7 @@ export default [
 			},
 			{
 				id: "studio-address-not-settled",
-				find: "this.#surroundings.settled(this.#state.model, this.#state.specimen);",
+				find: "this.#services.settled(this.#state.model, this.#state.specimen);",
 				replace: "",
 				breaks: "the address bar keeps the bunch it opened with",
 			},
@@ -171,7 +171,7 @@ export default [
 		faults: [
 			{
 				id: "made-ahead-of-another-plant",
-				find: "known?.grown === asked.plant.grown ? known.file : undefined",
+				find: "known?.grown === request.plant.grown ? known.file : undefined",
 				replace: "known?.file",
 				breaks: "a file is of the plant that was there when the menu opened",
 			},

@@ -57,8 +57,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/app/asking.ts",
-		suites: ["tests/web/app/asking.test.ts"],
+		file: "web/src/app/target_search.ts",
+		suites: ["tests/web/app/target_search.test.ts"],
 		faults: [
 			{
 				id: "asking-forgets-what-it-holds",

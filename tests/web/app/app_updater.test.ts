@@ -58,11 +58,11 @@ afterEach(() => {
 });
 
 async function started(): Promise<AppUpdater> {
-	const renewal = new AppUpdater(offer);
-	const starting = renewal.start();
+	const updater = new AppUpdater(offer);
+	const starting = updater.start();
 	await vi.runAllTimersAsync();
 	await starting;
-	return renewal;
+	return updater;
 }
 
 /** The next version comes: what becomes of it when it has all it needs. */
@@ -127,8 +127,8 @@ it("offers nothing where the next version has failed, or had nothing to wait for
 const newer = async () => new Response('<script src="./assets/index-2.js">');
 
 it("looks for a newer page when part of this one did not come", async () => {
-	const renewal = await started();
-	const look = () => Promise.all([renewal.look(), vi.runAllTimersAsync()]);
+	const updater = await started();
+	const look = () => Promise.all([updater.look(), vi.runAllTimersAsync()]);
 	await look();
 	page = async () => new Response("", { status: 503 });
 	await look();

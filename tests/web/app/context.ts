@@ -1,6 +1,6 @@
 import { vi } from "vitest";
 import { Studio } from "../../../web/src/app/studio";
-import type { Surroundings } from "../../../web/src/app/surroundings";
+import type { StudioServices } from "../../../web/src/app/studio_services";
 import { FIRST_VISIT } from "../../../web/src/app/ui_state";
 import { model as bunch } from "../../../web/src/models/bunch/index";
 import type { BunchContext } from "../../../web/src/models/bunch/ui/context";
@@ -13,19 +13,19 @@ export const bunchModel = bunch as unknown as PageModel;
 
 /** A studio with a specimen of a model before it, the model's tools included, and what it does outside itself. */
 export async function studioWith(specimen: Specimen, model: PageModel = bunchModel, ui = FIRST_VISIT) {
-	const surroundings = {
+	const services = {
 		grow: vi.fn(),
 		cancel: vi.fn(),
-		measure: vi.fn<Surroundings["measure"]>(async () => new Float32Array()),
-		growOffscreen: vi.fn<Surroundings["growOffscreen"]>(async () => EMPTY_PLANT),
+		measure: vi.fn<StudioServices["measure"]>(async () => new Float32Array()),
+		growOffscreen: vi.fn<StudioServices["growOffscreen"]>(async () => EMPTY_PLANT),
 		settled: vi.fn(),
 		remember: vi.fn(),
 	};
-	const studio = new Studio({ model, specimen, ui, systemDark: false }, surroundings);
+	const studio = new Studio({ model, specimen, ui, systemDark: false }, services);
 	await vi.waitFor(() => {
-		if (!studio.state.face) throw new Error("The tools have not come yet.");
+		if (!studio.state.modelUi) throw new Error("The tools have not come yet.");
 	});
-	return { studio, surroundings };
+	return { studio, services };
 }
 
 /** The same as what the bunch's tools know it as. */

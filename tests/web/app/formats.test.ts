@@ -1,5 +1,5 @@
 import { describe, expect, it, vi } from "vitest";
-import { fileName, formatsOf } from "../../../web/src/app/files/formats";
+import { downloadFormats, fileName } from "../../../web/src/app/files/formats";
 import { png } from "../../../web/src/formats/png";
 import { foundInFile } from "../../../web/src/formats/restore";
 import { makeFile } from "../../../web/src/generate/files/make";
@@ -36,7 +36,7 @@ it("names files after what grew", () => {
 
 describe("what can be downloaded", () => {
 	it("is what every plant has, and a picture where there is a view", () => {
-		const keys = (picture?: () => Promise<Blob>) => formatsOf(shown([]), picture).map(({ key }) => key);
+		const keys = (picture?: () => Promise<Blob>) => downloadFormats(shown([]), picture).map(({ key }) => key);
 		expect(keys()).toEqual(["glb", "glb-web", "glb-low", "glb-wind", "usdz", "ply", "3mf", "stl", "obj", "json"]);
 		expect(keys(async () => new Blob())).toEqual([
 			"glb",
@@ -55,21 +55,21 @@ describe("what can be downloaded", () => {
 	});
 
 	it("is nothing of the wind where it leaves plants alone, as in a stand", () => {
-		expect(formatsOf({ ...shown([]), model: stand }, undefined).map(({ key }) => key)).not.toContain("glb-wind");
+		expect(downloadFormats({ ...shown([]), model: stand }, undefined).map(({ key }) => key)).not.toContain("glb-wind");
 	});
 
 	it("is pictures as high as is asked for, with the paper behind or nothing", async () => {
 		const take = vi.fn(async () => new Blob());
-		const pictures = formatsOf(shown([]), take).filter(({ key }) => key.startsWith("png"));
-		const asked = { plant: shown([]), link: "", name: "a", options: {} };
-		for (const { make } of pictures) await make({ ...asked, options: { height: 300 } });
-		await pictures[1].make(asked);
+		const pictures = downloadFormats(shown([]), take).filter(({ key }) => key.startsWith("png"));
+		const request = { plant: shown([]), link: "", name: "a", options: {} };
+		for (const { make } of pictures) await make({ ...request, options: { height: 300 } });
+		await pictures[1].make(request);
 		expect(take.mock.calls).toEqual([[{ height: 300 }], [{ height: 300, alone: true }], [{ alone: true }]]);
 	});
 
 	it("is pictures that carry the plant’s link", async () => {
 		const taken = new Blob([png({ width: 1, height: 1, pixels: new Uint8Array(3) })]);
-		const pictures = formatsOf(shown([]), async () => taken).filter(({ key }) => key.startsWith("png"));
+		const pictures = downloadFormats(shown([]), async () => taken).filter(({ key }) => key.startsWith("png"));
 		for (const { make } of pictures) {
 			const file = await make({ plant: shown([]), link: "https://a.example/?v=2", name: "a", options: {} });
 			expect(await foundInFile("a.png", file)).toEqual({ link: "https://a.example/?v=2" });
@@ -79,7 +79,7 @@ describe("what can be downloaded", () => {
 	it("is its growth where it has an age and a core that is part of the page", () => {
 		const from = specimenFromPreset("riesling");
 		const keys = (wasm: string) =>
-			formatsOf({ model: { ...bunchModel, wasm }, grown: EMPTY_PLANT, from }, undefined).map(({ key }) => key);
+			downloadFormats({ model: { ...bunchModel, wasm }, grown: EMPTY_PLANT, from }, undefined).map(({ key }) => key);
 		expect(keys(bunchModel.wasm)).toContain("glb-growth");
 		expect(keys("nowhere.wasm")).not.toContain("glb-growth");
 	});
@@ -87,7 +87,9 @@ describe("what can be downloaded", () => {
 	it("is a file with instances where parts share meshes", () => {
 		const organs = { ...EMPTY_PLANT.organs, count: 1, mesh: Int32Array.of(0) };
 		const keys = (model: Partial<PageModel>, grown: Plant = { ...EMPTY_PLANT, organs }) =>
-			formatsOf({ ...shown([]), model: { ...shown([]).model, ...model }, grown }, undefined).map(({ key }) => key);
+			downloadFormats({ ...shown([]), model: { ...shown([]).model, ...model }, grown }, undefined).map(
+				({ key }) => key,
+			);
 		expect(keys({})).toContain("glb-instanced");
 		expect(keys({ instanced: () => false })).not.toContain("glb-instanced");
 		expect(keys({ instanced: () => true }, EMPTY_PLANT)).toContain("glb-instanced");
@@ -96,7 +98,9 @@ describe("what can be downloaded", () => {
 	it("is what the model makes besides, of what suits it", async () => {
 		const plant = shown([format, { ...format, key: "no", applies: () => false }]);
 		const write = vi.fn((model: PageModel, request: FileRequest) => makeFile(model, request));
-		const [own, ...others] = formatsOf(plant, undefined, write).filter(({ key }) => key === "txt" || key === "no");
+		const [own, ...others] = downloadFormats(plant, undefined, write).filter(
+			({ key }) => key === "txt" || key === "no",
+		);
 		expect(others).toEqual([]);
 		const blob = await own.make({ plant, link: "?v=2", name: "plain-1", options: { triangles: 500 } });
 		expect([blob.type, await blob.text()]).toEqual(["text/plain", "plain ?v=2"]);

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { GrowOptions } from "../../../web/src/app/cores";
+import type { GrowOptions } from "../../../web/src/app/core_grower";
 import { Growing } from "../../../web/src/app/growing";
 import type { Studio } from "../../../web/src/app/studio";
 import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
@@ -168,9 +168,9 @@ describe("growing", () => {
 		await done;
 		expect(studio.notify).not.toHaveBeenCalled();
 		expect(studio.fail.mock.lastCall?.[0]).toMatchObject({ remedies });
-		const said = JSON.stringify(studio.fail.mock.lastCall);
-		expect(said).toContain(words);
-		expect(said).not.toContain("last bunch");
+		const message = JSON.stringify(studio.fail.mock.lastCall);
+		expect(message).toContain(words);
+		expect(message).not.toContain("last bunch");
 	});
 
 	it("has no last bunch to speak of when the first growth is cancelled", async () => {

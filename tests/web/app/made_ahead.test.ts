@@ -1,5 +1,5 @@
 import { expect, it, vi } from "vitest";
-import type { Asked, Download } from "../../../web/src/app/files/formats";
+import type { DownloadFormat, DownloadRequest } from "../../../web/src/app/files/formats";
 import { MadeAhead, sizeInWords } from "../../../web/src/app/files/made_ahead";
 import { NotFetched } from "../../../web/src/generate/files/exporter";
 import type { PageModel } from "../../../web/src/models/page_model";
@@ -8,14 +8,14 @@ import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { toy } from "../toy";
 
 const model = toy as unknown as PageModel;
-const asked: Asked = {
+const request: DownloadRequest = {
 	plant: { model, grown: EMPTY_PLANT, from: fromPreset(model) },
 	link: "?model=toy",
 	name: "toy-1",
 	options: { triangles: 500 },
 };
 
-function format(key: string, make: Download["make"], sized = true): Download {
+function format(key: string, make: DownloadFormat["make"], sized = true): DownloadFormat {
 	return { key, title: key, about: "", suffix: `.${key}`, sized, make };
 }
 
@@ -29,27 +29,27 @@ it("makes one file after the other, and each once", async () => {
 	const [one, two, unsized] = [named("one"), named("two"), format("png", async () => new Blob(), false)];
 	const changed = vi.fn();
 	const ahead = new MadeAhead(changed);
-	expect(ahead.file(one, asked)).toBeUndefined();
+	expect(ahead.file(one, request)).toBeUndefined();
 	const slow = { ...named("slow"), slow: true };
-	await ahead.start([slow, one, two, unsized], asked);
-	await ahead.start([slow, one, two, unsized], asked);
+	await ahead.start([slow, one, two, unsized], request);
+	await ahead.start([slow, one, two, unsized], request);
 	expect(order).toEqual(["one", "two", "slow"]);
 	expect(changed).toHaveBeenCalledTimes(3);
-	expect(await ahead.file(two, asked)?.text()).toBe("two");
-	expect(ahead.file(unsized, asked)).toBeUndefined();
+	expect(await ahead.file(two, request)?.text()).toBe("two");
+	expect(ahead.file(unsized, request)).toBeUndefined();
 });
 
 it("has a file for what it was made of alone", async () => {
 	const one = format("one", async () => new Blob(["one"]));
 	const ahead = new MadeAhead(() => undefined);
-	await ahead.start([one], asked);
-	expect(ahead.file(one, { ...asked, options: { triangles: 600 } })).toBeUndefined();
-	expect(ahead.file(one, { ...asked, link: "?model=toy&seed=2" })).toBeUndefined();
+	await ahead.start([one], request);
+	expect(ahead.file(one, { ...request, options: { triangles: 600 } })).toBeUndefined();
+	expect(ahead.file(one, { ...request, link: "?model=toy&seed=2" })).toBeUndefined();
 	const grown = { ...EMPTY_PLANT };
-	expect(ahead.file(one, { ...asked, plant: { ...asked.plant, grown } })).toBeUndefined();
-	expect(ahead.file(one, { ...asked, plant: { ...asked.plant } })).toBeDefined();
+	expect(ahead.file(one, { ...request, plant: { ...request.plant, grown } })).toBeUndefined();
+	expect(ahead.file(one, { ...request, plant: { ...request.plant } })).toBeDefined();
 	ahead.clear();
-	expect(ahead.file(one, asked)).toBeUndefined();
+	expect(ahead.file(one, request)).toBeUndefined();
 });
 
 it("goes on after what fails, and stops when it is told to", async () => {
@@ -61,17 +61,17 @@ it("goes on after what fails, and stops when it is told to", async () => {
 		expect(signal?.aborted).toBe(true);
 		return new Blob(["late"]);
 	});
-	await ahead.start([broken, stopping, format("last", last)], asked);
+	await ahead.start([broken, stopping, format("last", last)], request);
 	expect(last).not.toHaveBeenCalled();
-	expect(ahead.file(stopping, asked)).toBeUndefined();
-	await ahead.start([broken, format("last", last)], asked);
+	expect(ahead.file(stopping, request)).toBeUndefined();
+	await ahead.start([broken, format("last", last)], request);
 	expect(last).toHaveBeenCalledOnce();
 });
 
 it("gives up where the script that makes files cannot be fetched", async () => {
 	const last = vi.fn(async () => new Blob(["last"]));
 	const ahead = new MadeAhead(() => undefined);
-	await ahead.start([format("far", async () => Promise.reject(new NotFetched())), format("last", last)], asked);
+	await ahead.start([format("far", async () => Promise.reject(new NotFetched())), format("last", last)], request);
 	expect(last).not.toHaveBeenCalled();
 });
 

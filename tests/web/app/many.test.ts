@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { formatsOf } from "../../../web/src/app/files/formats";
+import { downloadFormats } from "../../../web/src/app/files/formats";
 import { formatsOfMany } from "../../../web/src/app/files/many";
 import { formatsOf as formatsOfSeries } from "../../../web/src/batch/series";
 import { EMPTY_PLANT } from "../../../web/src/plant/plant";
@@ -9,7 +9,7 @@ import { bunchModel } from "./context";
 it("offers of many what a series can make, and so no life", () => {
 	const shown = { model: bunchModel, grown: EMPTY_PLANT, from: specimenFromPreset("riesling") };
 	const keys = formatsOfMany(shown).map(({ key }) => key);
-	expect(formatsOf(shown, undefined).map(({ key }) => key)).toContain("glb-growth");
+	expect(downloadFormats(shown, undefined).map(({ key }) => key)).toContain("glb-growth");
 	expect(keys).not.toContain("glb-growth");
 	expect(keys).toEqual(expect.arrayContaining(["glb", "glb-low", "stl", "obj", "json"]));
 	expect(formatsOfSeries(bunchModel)).toEqual(expect.arrayContaining(keys));

@@ -22,15 +22,15 @@ const FACES = ["1 3 5", "3 2 5", "2 4 5", "4 1 5", "3 1 6", "2 3 6", "4 2 6", "1
 /** A studio with a model's standard preset, and what it says once a file has been brought to it. */
 async function brought(model: PageModel) {
 	const { studio } = await studioWith(fromPreset(model), model);
-	const said = () => studio.state.notices.map(({ title, details }) => [title, ...details].join(" "));
+	const messages = () => studio.state.notices.map(({ title, details }) => [title, ...details].join(" "));
 	const bring = async (file: File) => {
 		await openFile(studio, file);
 		// Tools fetch what reads the file.
-		await vi.waitFor(() => expect(said().join()).not.toBe(""));
+		await vi.waitFor(() => expect(messages().join()).not.toBe(""));
 		await new Promise((resolve) => setTimeout(resolve, 50));
-		return said();
+		return messages();
 	};
-	return { studio, said, bring };
+	return { studio, messages, bring };
 }
 
 describe("a file brought to the page", () => {
@@ -82,28 +82,30 @@ describe("a file brought to the page", () => {
 	});
 
 	it("is opened by the link in a picture, whatever tools take pictures; one without goes to them", async () => {
-		const { studio, bring, said } = await brought(leafModel);
+		const { studio, bring, messages } = await brought(leafModel);
 		const bare = png({ width: 1, height: 1, pixels: Uint8Array.of(1, 2, 3) });
 		const picture = async (link: string) =>
 			new File([await withLink(new Blob([bare]), link)], "plant.png", { type: "image/png" });
 		await openFile(studio, await picture("https://else.example/app/?v=2&model=tree&preset=birch&seed=5"));
 		expect(studio.state.specimen).toMatchObject({ model: "tree", preset: "birch", seed: 5 });
-		expect(said()).toEqual([]);
+		expect(messages()).toEqual([]);
 		// From outside: what it says is brought into range, and told.
 		await openFile(studio, await picture("javascript:alert(1)?v=9&model=leaf&seed=-3&__proto__=x"));
 		expect(studio.state.specimen).toMatchObject({ model: "leaf", seed: 0 });
-		expect(said()).toEqual([expect.stringMatching(/^Not everything in the file could be used.*newer version \(9\)/)]);
+		expect(messages()).toEqual([
+			expect.stringMatching(/^Not everything in the file could be used.*newer version \(9\)/),
+		]);
 		expect(await bring(new File([bare], "bare.png", { type: "image/png" }))).toEqual([
 			expect.stringMatching(/^The picture was not traced/),
 		]);
 	});
 
 	it("grows as a grammar where it is text; XML may be longer than the text that it becomes", async () => {
-		const { bring, studio, said } = await brought(leafModel);
+		const { bring, studio, messages } = await brought(leafModel);
 		const axiom = "<axiom>A</axiom>".padEnd(300_000);
 		await openFile(studio, new File([axiom], "a.xml"));
 		expect(studio.state.specimen).toMatchObject({ model: "flower", grammar: "#axiom: A\n" });
-		expect(said()).toEqual([]);
+		expect(messages()).toEqual([]);
 		expect(await bring(new File([" ".repeat(300_000)], "a.gl3"))).toEqual([
 			"The file was not opened a.gl3 is longer than 256 KiB.",
 		]);
@@ -120,11 +122,11 @@ describe("a file brought to the page", () => {
 	});
 
 	it("takes back what was said of the one before when it is opened", async () => {
-		const { bring, studio, said } = await brought(leafModel);
+		const { bring, studio, messages } = await brought(leafModel);
 		expect(await bring(new File(["?"], "notes.txt"))).toHaveLength(1);
 		const specimen = writtenSpecimen(treeModel, { ...fromPreset(treeModel), seed: 5 });
 		await openFile(studio, new File([JSON.stringify({ specimen })], "tree.json"));
 		expect(studio.state.specimen).toMatchObject({ model: "tree", seed: 5 });
-		expect(said()).toEqual([]);
+		expect(messages()).toEqual([]);
 	});
 });

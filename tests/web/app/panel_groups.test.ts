@@ -45,7 +45,7 @@ describe("the panel's groups", () => {
 		const { studio } = await studioWith(specimenFromPreset());
 		const shown = (version: number) => {
 			const specimen = specimenFromPreset(undefined, version);
-			return groupsFor(BUNCH.table, specimen, applying(studio.state.face?.tools, specimen));
+			return groupsFor(BUNCH.table, specimen, applying(studio.state.modelUi?.tools, specimen));
 		};
 		expect(keysOf(shown(1))).toEqual(expect.arrayContaining(["interaction", "branching"]));
 		expect(keysOf(shown(1))).not.toContain("age");

@@ -35,12 +35,12 @@ describe("what is saved", () => {
 	it("is in the look it had when it was asked for", async () => {
 		const studio = await studioWithPlant();
 		studio.set({ parameters: { l: 400 } });
-		const asked = studio.state.specimen;
+		const requested = studio.state.specimen;
 		const saved = plantToSave(studio);
 		studio.set({ look: { skin: "ffffff" } });
-		studio.grew(plant("second"), asked);
+		studio.grew(plant("second"), requested);
 		studio.caughtUp();
-		expect((await saved).from).toEqual(asked);
+		expect((await saved).from).toEqual(requested);
 	});
 
 	it("is the plant that stays, in its own look, where the awaited one fails", async () => {

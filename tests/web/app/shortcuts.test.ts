@@ -11,5 +11,5 @@ it("lists the page's keys and the model's, each letter once", async () => {
 	expect(new Set(letters).size).toBe(letters.length);
 	studio.setUi({ letters: false });
 	expect(shortcuts(studio.state).flatMap((shortcut) => shortcut.keys)).not.toEqual(expect.arrayContaining(["N"]));
-	expect(shortcuts({ ...studio.state, face: undefined }).map((shortcut) => shortcut.keys.join())).not.toContain("T");
+	expect(shortcuts({ ...studio.state, modelUi: undefined }).map((shortcut) => shortcut.keys.join())).not.toContain("T");
 });

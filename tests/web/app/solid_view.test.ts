@@ -189,7 +189,7 @@ describe("the 3-D view", () => {
 	it("gives the canvas into the hands of the model's tools, and takes it back with another model", async () => {
 		studio.grew(grown, studio.state.specimen);
 		update();
-		const thin = studio.state.face?.tools.find(({ name }) => name === "thinning");
+		const thin = studio.state.modelUi?.tools.find(({ name }) => name === "thinning");
 		thin?.press?.(studio);
 		update();
 		expect(solid.pick(1, 2)).toBe(7);
@@ -206,7 +206,7 @@ describe("the 3-D view", () => {
 		studio.grew(grown, studio.state.specimen);
 		update();
 		studio.choosePreset("plain", toy as unknown as PageModel);
-		await vi.waitFor(() => expect(studio.state.face).toBeDefined());
+		await vi.waitFor(() => expect(studio.state.modelUi).toBeDefined());
 		view.use.mockClear();
 		view.show.mockClear();
 		const plant = { ...grown, measures: undefined };
@@ -227,7 +227,7 @@ describe("the 3-D view", () => {
 		const end = studio.subscribe(update);
 		const notices = () => studio.state.notices.filter(({ title }) => title === `The ${toy.noun} cannot be drawn`);
 		studio.choosePreset("plain", broken);
-		await vi.waitFor(() => expect(studio.state.face).toBeDefined());
+		await vi.waitFor(() => expect(studio.state.modelUi).toBeDefined());
 		const toyPlant = { ...grown, measures: undefined };
 		studio.grew(toyPlant, studio.state.specimen);
 		await vi.waitFor(() => expect(notices()).toHaveLength(1));

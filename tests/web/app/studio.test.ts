@@ -12,22 +12,22 @@ const toyModel = toy as unknown as PageModel;
 
 describe("the studio", () => {
 	let studio: Studio;
-	let surroundings: Awaited<ReturnType<typeof studioWith>>["surroundings"];
+	let services: Awaited<ReturnType<typeof studioWith>>["services"];
 
-	const grownLast = () => surroundings.grow.mock.lastCall?.[1];
+	const grownLast = () => services.grow.mock.lastCall?.[1];
 	const length = () => studio.state.specimen.parameters.l;
 
 	beforeEach(async () => {
-		({ studio, surroundings } = await studioWith(opened));
+		({ studio, services } = await studioWith(opened));
 	});
 
 	it("grows at every step of a drag, but makes one undo step and one address of it", () => {
 		for (const l of [400, 390, 380]) studio.edit({ parameters: { l } });
-		expect(surroundings.grow).toHaveBeenCalledTimes(3);
-		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { preview: true });
-		expect(surroundings.settled).not.toHaveBeenCalled();
+		expect(services.grow).toHaveBeenCalledTimes(3);
+		expect(services.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { preview: true });
+		expect(services.settled).not.toHaveBeenCalled();
 		studio.settle();
-		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen);
+		expect(services.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen);
 		studio.undo();
 		expect(studio.state.specimen).toEqual(opened);
 		expect(grownLast()).toEqual(opened);
@@ -38,17 +38,17 @@ describe("the studio", () => {
 	it("measures what is at rest: once after a drag, wherever it ended, and with every step of its own", () => {
 		studio.edit({ parameters: { l: 400 } });
 		studio.settle();
-		expect(surroundings.grow).toHaveBeenCalledTimes(2);
-		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { preview: false });
+		expect(services.grow).toHaveBeenCalledTimes(2);
+		expect(services.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { preview: false });
 		studio.settle();
-		expect(surroundings.grow).toHaveBeenCalledTimes(2);
+		expect(services.grow).toHaveBeenCalledTimes(2);
 		studio.edit({ parameters: { l: 300 } });
 		studio.edit({ parameters: { l: 400 } });
 		studio.settle();
-		expect(surroundings.grow.mock.lastCall?.[2]).toEqual({ preview: false });
-		surroundings.grow.mockClear();
+		expect(services.grow.mock.lastCall?.[2]).toEqual({ preview: false });
+		services.grow.mockClear();
 		studio.set({ parameters: { l: 390 } });
-		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen, { preview: false });
+		expect(services.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen, { preview: false });
 	});
 
 	it("keeps what was last measured while a drag asks for nothing, but not of another model", () => {
@@ -68,7 +68,7 @@ describe("the studio", () => {
 		studio.set({ parameters: { l: 300 } });
 		studio.undo();
 		expect(length()).toBe(400);
-		expect(surroundings.settled.mock.lastCall?.[1].parameters.l).toBe(400);
+		expect(services.settled.mock.lastCall?.[1].parameters.l).toBe(400);
 	});
 
 	it("leaves no step where a drag ends where it began", () => {
@@ -82,9 +82,9 @@ describe("the studio", () => {
 		const listener = vi.fn();
 		studio.subscribe(listener);
 		studio.set({ look: { skin: "ffffff" } });
-		expect(surroundings.grow).not.toHaveBeenCalled();
+		expect(services.grow).not.toHaveBeenCalled();
 		expect(listener).toHaveBeenCalled();
-		expect(surroundings.settled).toHaveBeenCalled();
+		expect(services.settled).toHaveBeenCalled();
 	});
 
 	it("takes back what it said of a link with the first change that follows, and nothing else", () => {
@@ -138,8 +138,8 @@ describe("the studio", () => {
 		studio.open({ specimen: grammar, notes: [{ key: "l", problem: "", text: "l: too long." }] }, "link");
 		expect(studio.state.specimen).toEqual(grammar);
 		expect(studio.state.history).toEqual({ past: [], present: grammar, future: [] });
-		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar, { preview: false });
-		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar);
+		expect(services.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar, { preview: false });
+		expect(services.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar);
 		expect(studio.state.notices).toMatchObject([{ details: ["l: too long."] }]);
 	});
 
@@ -155,8 +155,8 @@ describe("the studio", () => {
 	it("remembers which groups a person has opened or closed, and tells each change once", () => {
 		studio.setGroup("shape", false);
 		studio.setGroup("shape", false);
-		expect(surroundings.remember).toHaveBeenCalledOnce();
-		expect(surroundings.remember.mock.lastCall?.map(({ groups }) => groups)).toEqual([{ shape: false }, {}]);
+		expect(services.remember).toHaveBeenCalledOnce();
+		expect(services.remember.mock.lastCall?.map(({ groups }) => groups)).toEqual([{ shape: false }, {}]);
 		expect(studio.state.ui.groups).toEqual({ shape: false });
 		studio.setGroup("shape", true);
 		expect(studio.state.ui.groups).toEqual({ shape: true });

@@ -12,19 +12,19 @@ const toyModel = toy as unknown as PageModel;
 
 describe("a preset of another model", () => {
 	it("is one step: its model, its growth and its address, and back", async () => {
-		const { studio, surroundings } = await studioWith(opened);
+		const { studio, services } = await studioWith(opened);
 		const bunch = {} as Plant;
 		studio.grew(bunch, opened);
 		studio.choosePreset("plain", toyModel);
 		expect(studio.state.model).toBe(toyModel);
 		expect(studio.state.specimen).toEqual(fromPreset(toyModel));
-		expect(surroundings.grow).toHaveBeenLastCalledWith(toyModel, studio.state.specimen, { preview: false });
-		expect(surroundings.settled).toHaveBeenLastCalledWith(toyModel, studio.state.specimen);
+		expect(services.grow).toHaveBeenLastCalledWith(toyModel, studio.state.specimen, { preview: false });
+		expect(services.settled).toHaveBeenLastCalledWith(toyModel, studio.state.specimen);
 		expect(studio.preset).toEqual(fromPreset(toyModel));
 		studio.undo();
 		expect(studio.state.model).toBe(bunchModel);
 		expect(studio.state.specimen).toEqual(opened);
-		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, opened, { preview: false });
+		expect(services.grow).toHaveBeenLastCalledWith(bunchModel, opened, { preview: false });
 		studio.redo();
 		expect(studio.state.model).toBe(toyModel);
 	});
@@ -48,16 +48,16 @@ describe("a preset of another model", () => {
 		const press = vi.fn();
 		const tool = { name: "hoist", initial: 0, start, press };
 		const { studio } = await studioWith(opened);
-		const bunchFace = studio.state.face;
+		const bunchUi = studio.state.modelUi;
 		const model: PageModel = { ...toyModel, ui: async () => ({ tools: [tool] }) };
 		studio.choosePreset("plain", model);
-		expect(studio.state.face).toBeUndefined();
-		await vi.waitFor(() => expect(studio.state.face?.tools).toEqual([tool]));
+		expect(studio.state.modelUi).toBeUndefined();
+		await vi.waitFor(() => expect(studio.state.modelUi?.tools).toEqual([tool]));
 		expect(start).toHaveBeenCalledExactlyOnceWith(studio);
 		studio.setToolState(tool, 3);
 		studio.undo();
 		expect(end).toHaveBeenCalledOnce();
-		await vi.waitFor(() => expect(studio.state.face).toBe(bunchFace));
+		await vi.waitFor(() => expect(studio.state.modelUi).toBe(bunchUi));
 		expect(studio.toolState(tool)).toBe(3);
 		studio.redo();
 		await vi.waitFor(() => expect(start).toHaveBeenCalledTimes(2));
@@ -68,39 +68,39 @@ describe("a preset of another model", () => {
 		const { studio } = await studioWith(opened);
 		const broken: PageModel = { ...toyModel, ui: () => Promise.reject(new Error("offline")) };
 		studio.choosePreset("plain", broken);
-		await vi.waitFor(() => expect(studio.state.face).toEqual({ tools: [] }));
+		await vi.waitFor(() => expect(studio.state.modelUi).toEqual({ tools: [] }));
 		expect(studio.state.notices.map(({ title }) => title)).toEqual(["The tools of the pole could not be fetched"]);
 	});
 
 	it("brings tools that could not be fetched when asked again", async () => {
 		const { studio } = await studioWith(opened);
 		const tools = [{ name: "hoist", initial: 0 }];
-		const face = vi.fn(async () => ({ tools })).mockRejectedValueOnce(new Error("offline"));
-		studio.choosePreset("plain", { ...toyModel, ui: face });
+		const modelUi = vi.fn(async () => ({ tools })).mockRejectedValueOnce(new Error("offline"));
+		studio.choosePreset("plain", { ...toyModel, ui: modelUi });
 		await vi.waitFor(() => expect(studio.state.notices).toHaveLength(1));
 		studio.state.notices[0].again?.();
-		await vi.waitFor(() => expect(studio.state.face).toEqual({ tools }));
+		await vi.waitFor(() => expect(studio.state.modelUi).toEqual({ tools }));
 	});
 });
 
 describe("what tools keep", () => {
-	const flag = { name: "flag", initial: { up: false }, recall: (kept: unknown) => ({ up: kept === "up" }) };
+	const flag = { name: "flag", initial: { up: false }, recall: (stored: unknown) => ({ up: stored === "up" }) };
 
 	it("is recalled where a tool wants it, and remembered when it changes", async () => {
 		const model: PageModel = { ...toyModel, ui: async () => ({ tools: [flag] }) };
 		const ui = { ...FIRST_VISIT, tools: { toy: { flag: "up" } } };
-		const { studio, surroundings } = await studioWith(fromPreset(toyModel), model, ui);
+		const { studio, services } = await studioWith(fromPreset(toyModel), model, ui);
 		expect(studio.toolState(flag)).toEqual({ up: true });
 		studio.setToolState(flag, { up: false });
 		expect(studio.toolState(flag)).toEqual({ up: false });
-		expect(surroundings.remember.mock.lastCall?.[0].tools).toEqual({ toy: { flag: { up: false } } });
+		expect(services.remember.mock.lastCall?.[0].tools).toEqual({ toy: { flag: { up: false } } });
 	});
 
 	it("is forgotten with the page where none recalls it", async () => {
-		const { studio, surroundings } = await studioWith(opened);
+		const { studio, services } = await studioWith(opened);
 		const tool = { name: "mode", initial: "off" };
 		studio.setToolState(tool, "on");
 		expect(studio.toolState(tool)).toBe("on");
-		expect(surroundings.remember).not.toHaveBeenCalled();
+		expect(services.remember).not.toHaveBeenCalled();
 	});
 });

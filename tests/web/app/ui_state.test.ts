@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { FIRST_VISIT, loadUi, pageOf, saveUi, type UiState } from "../../../web/src/app/ui_state";
 
-function storage(kept?: string) {
-	let text = kept ?? null;
+function storage(stored?: string) {
+	let text = stored ?? null;
 	return {
 		getItem: () => text,
 		setItem: (_key: string, value: string) => {
@@ -20,15 +20,15 @@ describe("what the page remembers", () => {
 			groups: { rates: true, look: false },
 			tools: { bunch: { sides: { leftRight: true } } },
 		};
-		const kept = storage();
-		saveUi(kept, ui, FIRST_VISIT);
-		expect(loadUi(kept)).toEqual(ui);
+		const stored = storage();
+		saveUi(stored, ui, FIRST_VISIT);
+		expect(loadUi(stored)).toEqual(ui);
 	});
 
 	it("starts afresh with what shows a picture first: a view, not a mode", () => {
-		const kept = storage();
-		saveUi(kept, { ...FIRST_VISIT, view: "side" }, FIRST_VISIT);
-		expect(loadUi(kept)).toEqual(FIRST_VISIT);
+		const stored = storage();
+		saveUi(stored, { ...FIRST_VISIT, view: "side" }, FIRST_VISIT);
+		expect(loadUi(stored)).toEqual(FIRST_VISIT);
 	});
 
 	it.each(["", "nonsense", "null", "[]", "7", '{"theme":"pink","groups":[1],"tools":3}', '{"groups":{"look":"shut"}}'])(
@@ -39,15 +39,15 @@ describe("what the page remembers", () => {
 	);
 
 	it("takes nothing from another tab: each remembers what it has changed itself", () => {
-		const kept = storage();
-		const change = (patch: Partial<UiState>) => saveUi(kept, { ...FIRST_VISIT, ...patch }, FIRST_VISIT);
+		const stored = storage();
+		const change = (patch: Partial<UiState>) => saveUi(stored, { ...FIRST_VISIT, ...patch }, FIRST_VISIT);
 		change({ theme: "dark" });
 		change({ groups: { look: true } });
 		change({ groups: { rates: true } });
 		change({ letters: false });
 		change({ tools: { bunch: { sides: 1 } } });
 		change({ tools: { bunch: { other: 2 }, leaf: { vein: 3 } } });
-		expect(loadUi(kept)).toEqual({
+		expect(loadUi(stored)).toEqual({
 			...FIRST_VISIT,
 			theme: "dark",
 			letters: false,

@@ -1,10 +1,10 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 
-async function addressIn(mode: string, said: string | null): Promise<string | undefined> {
+async function addressIn(mode: string, attribute: string | null): Promise<string | undefined> {
 	vi.stubEnv("MODE", mode);
 	vi.stubGlobal("document", { baseURI: "https://a.page/course/" });
 	vi.resetModules();
-	return (await import("../../../web/src/element/app_address")).appAddress(said);
+	return (await import("../../../web/src/element/app_address")).appAddress(attribute);
 }
 
 afterEach(() => {
@@ -25,14 +25,14 @@ describe("where Open in the app leads", () => {
 
 	it("is no script and no data: only addresses of HTTP lead anywhere", async () => {
 		for (const mode of ["production", "package"])
-			for (const said of [
+			for (const attribute of [
 				"javascript:alert(1)//",
 				" JavaScript:alert(1)",
 				"data:text/html,x",
 				"blob:https://a.page/1",
 				"mailto:a@b",
 			])
-				expect(await addressIn(mode, said)).toBeUndefined();
+				expect(await addressIn(mode, attribute)).toBeUndefined();
 	});
 
 	it("is nowhere where that is what a page says, or says what is no address", async () => {

@@ -1,14 +1,14 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { OWN_ATTRIBUTES, readAttributes, saysSpecimen } from "../../../web/src/element/attributes";
+import { isSpecimenAttribute, OWN_ATTRIBUTES, readAttributes } from "../../../web/src/element/attributes";
 import { modelNamed, modelNames } from "../../../web/src/models/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { encodeLink } from "../../../web/src/specimen/link";
 import { isKnown } from "../../../web/src/specimen/restore";
 import { inRun } from "../../long_run.mjs";
 
-const read = (said: Record<string, string>) =>
-	readAttributes(Object.entries(said).map(([name, value]) => ({ name, value })));
+const read = (values: Record<string, string>) =>
+	readAttributes(Object.entries(values).map(([name, value]) => ({ name, value })));
 const textsOf = ({ notes }: Awaited<ReturnType<typeof read>>) => notes.map(({ text }) => text);
 
 describe("the specimen that attributes say", () => {
@@ -63,14 +63,14 @@ describe("the specimen that attributes say", () => {
 			"v-on:x",
 			...OWN_ATTRIBUTES,
 		];
-		expect(others.filter(saysSpecimen)).toEqual([]);
+		expect(others.filter(isSpecimenAttribute)).toEqual([]);
 		expect((await read(Object.fromEntries(others.map((name) => [name, "x"])))).notes).toEqual([]);
 	});
 
 	it("leaves every parameter of every model in reach of an attribute", async () => {
 		for (const model of await Promise.all(modelNames().map(modelNamed))) {
 			const keys = [...model.table.links.keys()];
-			expect(keys.filter((key) => !saysSpecimen(key) || key !== key.toLowerCase())).toEqual([]);
+			expect(keys.filter((key) => !isSpecimenAttribute(key) || key !== key.toLowerCase())).toEqual([]);
 			expect(OWN_ATTRIBUTES.filter((key) => isKnown(model, key))).toEqual([]);
 		}
 	});
@@ -79,8 +79,8 @@ describe("the specimen that attributes say", () => {
 		fc.assert(
 			fc.asyncProperty(
 				fc.dictionary(fc.constantFrom("link", "model", "preset", "seed", "age", "thin", "x"), fc.string()),
-				async (said) => {
-					const { model, specimen } = await read(said);
+				async (values) => {
+					const { model, specimen } = await read(values);
 					expect(specimen.model).toBe(model.name);
 					expect(model.presets.named(specimen.preset)).toBeDefined();
 				},

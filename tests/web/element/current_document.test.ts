@@ -1,11 +1,11 @@
 import { describe, expect, it, vi } from "vitest";
 import { CurrentDocument } from "../../../web/src/element/current_document";
-import { changedIn, documentOf } from "../../../web/src/element/grown_detail";
+import { changedIn, documentFrom } from "../../../web/src/element/grown_detail";
 import { withSeed } from "../../../web/src/specimen/edit";
 import { bunchModel } from "../app/context";
 import { specimenFromPreset } from "../bunch";
 
-const first = documentOf(bunchModel, { specimen: specimenFromPreset(), notes: [] });
+const first = documentFrom(bunchModel, { specimen: specimenFromPreset(), notes: [] });
 const seeded = (seed: number) => (before: typeof first) => changedIn(before, (specimen) => withSeed(specimen, seed));
 const unfetched = () => Promise.reject(new TypeError("Failed to fetch"));
 

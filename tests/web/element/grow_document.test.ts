@@ -3,14 +3,14 @@ import type { Client } from "../../../web/src/core/client";
 import { Superseded } from "../../../web/src/core/errors";
 import { readAttributes } from "../../../web/src/element/attributes";
 import { growDocument } from "../../../web/src/element/grow_document";
-import type { Document } from "../../../web/src/element/grown_detail";
+import type { SpecimenDocument } from "../../../web/src/element/grown_detail";
 import { plantInWords } from "../../../web/src/generate/plant_in_words";
 import { model } from "../../../web/src/models/stand/index";
 import { grownStand, PLAN, planned, run } from "../models/stand/stands";
 
 vi.mock("../../../web/src/core/core_address", () => ({ coreAddress: (file: string) => file }));
 
-const stand: Document = { model, specimen: planned(PLAN), notes: [] };
+const stand: SpecimenDocument = { model, specimen: planned(PLAN), notes: [] };
 
 /** Grows it; once so many plants in it have grown, something newer is asked for. */
 async function superseded(after: number) {
@@ -42,16 +42,16 @@ it("a flower and a bed grow from attributes alone, the flower with values of its
 		among: ({ wasm, blocks }) => run(wasm, blocks),
 	};
 	const grown = async (attributes: Record<string, string>) => {
-		const said = await readAttributes(Object.entries(attributes).map(([name, value]) => ({ name, value })));
-		expect(said.notes).toEqual([]);
+		const reading = await readAttributes(Object.entries(attributes).map(([name, value]) => ({ name, value })));
+		expect(reading.notes).toEqual([]);
 		const plant = await growDocument(
 			client,
-			{ ...said, notes: [] },
+			{ ...reading, notes: [] },
 			{ meshes: false },
 			new AbortController().signal,
 			() => true,
 		);
-		return plantInWords({ model: said.model, specimen: said.specimen, grown: plant });
+		return plantInWords({ model: reading.model, specimen: reading.specimen, grown: plant });
 	};
 	const tulip = { model: "flower", preset: "tulip" };
 	const [open, bud, tall] = await Promise.all(

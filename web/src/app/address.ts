@@ -22,34 +22,34 @@ export function modelInAddress({ search }: Pick<Location, "search">): string | u
 
 /** What the address says, at once; a text in the fragment has to be unpacked and follows by `readWholeAddress`. */
 export function readAddress<S extends Specimen>(
-	species: ModelSchema<S>,
+	schema: ModelSchema<S>,
 	{ search, hash }: Address,
 ): Restored<S> & { whole: boolean } {
-	return { ...decodeQuery(species, search), whole: !hasPacked(species, hash) };
+	return { ...decodeQuery(schema, search), whole: !hasPacked(schema, hash) };
 }
 
 /** What the address says, its fragment included. */
 export function readWholeAddress<S extends Specimen>(
-	species: ModelSchema<S>,
+	schema: ModelSchema<S>,
 	{ search, hash }: Address,
 ): Promise<Restored<S>> {
-	return decodeLink(species, search, hash);
+	return decodeLink(schema, search, hash);
 }
 
 /** The whole link, for copying and for files. */
-export async function linkOf<S extends Specimen>(species: ModelSchema<S>, specimen: S): Promise<string> {
-	return `${location.origin}${location.pathname}${await encodeLink(species, specimen)}`;
+export async function linkOf<S extends Specimen>(schema: ModelSchema<S>, specimen: S): Promise<string> {
+	return `${location.origin}${location.pathname}${await encodeLink(schema, specimen)}`;
 }
 
 /** What a link does not hold of a specimen, in words. */
-export function notInLink<S extends Specimen>(species: ModelSchema<S>, specimen: S): string[] {
-	const preset = fromPreset(species, specimen.preset);
-	return species.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, preset) ?? []);
+export function notInLink<S extends Specimen>(schema: ModelSchema<S>, specimen: S): string[] {
+	const preset = fromPreset(schema, specimen.preset);
+	return schema.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, preset) ?? []);
 }
 
 /** Whether a fragment is none of a specimen's: an element's id, or whatever was typed. */
-export function isForeign<S extends Specimen>(species: ModelSchema<S>, { hash }: Pick<Location, "hash">): boolean {
-	return hash.length > 1 && !hasPacked(species, hash);
+export function isForeign<S extends Specimen>(schema: ModelSchema<S>, { hash }: Pick<Location, "hash">): boolean {
+	return hash.length > 1 && !hasPacked(schema, hash);
 }
 
 /**
@@ -76,10 +76,10 @@ export class AddressBar {
 		this.#origin = originOf(specimen);
 	}
 
-	async write<S extends Specimen>(species: ModelSchema<S>, specimen: S): Promise<void> {
+	async write<S extends Specimen>(schema: ModelSchema<S>, specimen: S): Promise<void> {
 		this.#newest = specimen;
-		const whole = isQueryWhole(species, specimen);
-		const link = whole ? encodeQuery(species, specimen) : await encodeLink(species, specimen);
+		const whole = isQueryWhole(schema, specimen);
+		const link = whole ? encodeQuery(schema, specimen) : await encodeLink(schema, specimen);
 		// Packing a text takes its time: a newer specimen may have come to rest meanwhile.
 		if (this.#newest !== specimen) return;
 		const origin = originOf(specimen);

@@ -5,9 +5,9 @@ import { forgetWorker, registerWorker, tellOpened } from "../offline/register";
 import { hostSpecimens } from "../offline/specimen_host";
 
 /** A page that stays open asks for a new version when it is turned to, so often at the most; milliseconds. */
-const ASKS_AFTER = 3_600_000;
+const CHECK_INTERVAL = 3_600_000;
 /** A worker that has come and nothing to wait for has begun after this; milliseconds. */
-const BEGINS_WITHIN = 1000;
+const ACTIVATION_TIME = 1000;
 
 /** The page's main script, which no two versions share. */
 const mainScript = (): string => document.querySelector<HTMLScriptElement>("script[type=module]")?.src ?? "";
@@ -16,7 +16,7 @@ const folder = () => new URL("./", document.baseURI);
 export class AppUpdater {
 	readonly #offer: (reload: () => void) => void;
 	#registration: ServiceWorkerRegistration | undefined;
-	#asked = Date.now();
+	#lastCheck = Date.now();
 	#looking = false;
 
 	/** @param offer says that there is a new version, and how to go over to it: the page is loaded again */
@@ -36,7 +36,7 @@ export class AppUpdater {
 		hostSpecimens();
 		registration.addEventListener("updatefound", () => void this.#follow());
 		void this.#follow();
-		document.addEventListener("visibilitychange", () => this.#ask());
+		document.addEventListener("visibilitychange", () => this.#checkForUpdate());
 		await navigator.serviceWorker.ready;
 		// Who asks to be spared data has the app kept when that no longer holds.
 		const { connection } = navigator as { connection?: { saveData?: boolean } };
@@ -58,7 +58,7 @@ export class AppUpdater {
 			// Where the worker keeps the page, it is the worker that brings the new one.
 			await this.#registration?.update().catch(() => {});
 			await this.#follow();
-			if (!this.#registration?.waiting) this.#offer(() => void this.#leave());
+			if (!this.#registration?.waiting) this.#offer(() => void this.#reloadFromHost());
 		} catch {
 			// There is no network, and what could not be fetched has been told of.
 		} finally {
@@ -72,18 +72,18 @@ export class AppUpdater {
 		if (installing) await installed(installing);
 		const next = installing ?? waiting;
 		if (!active || !next) return; // The first is no new one.
-		await new Promise((resolve) => setTimeout(resolve, BEGINS_WITHIN));
-		if (this.#registration?.waiting === next) this.#offer(() => this.#goOver());
+		await new Promise((resolve) => setTimeout(resolve, ACTIVATION_TIME));
+		if (this.#registration?.waiting === next) this.#offer(() => this.#switchToWaiting());
 	}
 
-	#ask(): void {
-		if (document.hidden || Date.now() - this.#asked < ASKS_AFTER) return;
-		this.#asked = Date.now();
+	#checkForUpdate(): void {
+		if (document.hidden || Date.now() - this.#lastCheck < CHECK_INTERVAL) return;
+		this.#lastCheck = Date.now();
 		this.#registration?.update().catch(() => {}); // Without a network there is none.
 	}
 
 	/** To the version that waits, unless another tab has gone over to it already. */
-	#goOver(): void {
+	#switchToWaiting(): void {
 		const waiting = this.#registration?.waiting;
 		if (waiting) {
 			navigator.serviceWorker.addEventListener("controllerchange", () => location.reload(), { once: true });
@@ -92,7 +92,7 @@ export class AppUpdater {
 	}
 
 	/** To the host's version, which is not kept: what is would come again. */
-	async #leave(): Promise<void> {
+	async #reloadFromHost(): Promise<void> {
 		if (this.#registration) await forgetWorker(this.#registration).catch(() => {});
 		location.reload();
 	}

@@ -16,15 +16,15 @@ export const FIRST_WORDS =
 	"What is under the pointer is explained here. Double-click a slider to bring its preset's value back.";
 
 /** What the panel's `data-key` stands for; measures have `measure-` before their key. */
-export function explainedBy(species: ModelSchema, specimen: Specimen, key: string): Explained | undefined {
-	const { table } = species;
+export function explainedBy(schema: ModelSchema, specimen: Specimen, key: string): Explained | undefined {
+	const { table } = schema;
 	const entry = table.entry(key);
 	if (entry)
 		return {
 			key,
 			label: entry.label,
 			symbol: entry.symbol,
-			text: `${entry.help} ${range(entry, scaleOf(species, specimen, entry))}`,
+			text: `${entry.help} ${range(entry, scaleOf(schema, specimen, entry))}`,
 		};
 	const measure = table.measures.find((each) => `measure-${each.key}` === key);
 	return measure && { key, label: measure.label, symbol: "", text: measure.help };
@@ -38,13 +38,13 @@ export function explainedAt(place: Element): Explained | undefined {
 }
 
 /** The preset's value of a parameter as a person reads it; undefined for what is no parameter. */
-export function presetInWords(species: ModelSchema, preset: Specimen, key: string): string | undefined {
-	const entry = species.table.entry(key);
+export function presetInWords(schema: ModelSchema, preset: Specimen, key: string): string | undefined {
+	const entry = schema.table.entry(key);
 	if (!entry) return undefined;
 	const value = valueIn(preset, entry);
 	if (entry.kind === "choice") return entry.options[Number(value)];
 	if (typeof value !== "number" || entry.kind === "colour") return String(value);
-	return readOf(entry, scaleOf(species, preset, entry), value);
+	return readOf(entry, scaleOf(schema, preset, entry), value);
 }
 
 function range(entry: Entry, scale: Scale): string {

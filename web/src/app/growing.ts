@@ -5,13 +5,13 @@ import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Fault } from "../ui/editor_context";
 import { GROWTH_TOPIC as GROWTH } from "../ui/tool";
-import type { Grower } from "./cores";
-import { tellInText } from "./fault";
+import type { Grower } from "./core_grower";
+import { showFaultInPane } from "./show_fault";
 import type { Studio } from "./studio";
 import type { Failure, Remedy } from "./types";
 
 /** What takes longer than this shows that it grows, and can be cancelled; milliseconds. */
-const PATIENCE = 200;
+const PROGRESS_DELAY = 200;
 
 /** The measure from asking for a plant to having its buffers: the last one stands, an observer hears of all (`npm run bench`). */
 const REGROW = "regrow";
@@ -37,7 +37,7 @@ export class Growing {
 	async grow(model: PageModel, specimen: Specimen, options: GrowthOptions = {}): Promise<void> {
 		const turn = ++this.#newest;
 		this.#cancel ??= new AbortController();
-		this.#timer ??= this.#patience();
+		this.#timer ??= this.#startProgressTimer();
 		const start = performance.now();
 		try {
 			const grew = (grown: Plant) => this.#grewSome(turn, grown, specimen);
@@ -91,12 +91,12 @@ export class Growing {
 		clearTimeout(this.#timer);
 		this.#studio().setGrowing(false);
 		const atRest = turn === this.#newest;
-		this.#timer = atRest ? undefined : this.#patience();
+		this.#timer = atRest ? undefined : this.#startProgressTimer();
 		if (atRest) this.#cancel = undefined;
 	}
 
-	#patience(): ReturnType<typeof setTimeout> {
-		return setTimeout(() => this.#studio().setGrowing(true), PATIENCE);
+	#startProgressTimer(): ReturnType<typeof setTimeout> {
+		return setTimeout(() => this.#studio().setGrowing(true), PROGRESS_DELAY);
 	}
 
 	#explain(error: unknown, noun: string, fault: Fault | undefined): void {
@@ -106,7 +106,7 @@ export class Growing {
 		const failure = failureOf(error, noun);
 		// Where the place is at fault, no change of the specimen helps, so a notice beside the last plant would not do.
 		if (!shown || !failure.remedies.includes("other")) studio.fail(failure);
-		else if (fault && tellInText(studio, fault)) return;
+		else if (fault && showFaultInPane(studio, fault)) return;
 		else if (error instanceof CoreError)
 			studio.notify(`${failure.title}; the last ${shown.model.noun} stays`, failure.details, { topic: GROWTH });
 		else

@@ -9,7 +9,7 @@ import { allBut } from "../specimen/all_but";
 import { changed } from "../ui/changed";
 import { AddressBar, isForeign, modelInAddress, readAddress, readWholeAddress } from "./address";
 import { AppUpdater } from "./app_updater";
-import { Cores } from "./cores";
+import { CoreGrower } from "./core_grower";
 import { Growing } from "./growing";
 import { openLate } from "./late_link";
 import { runningBy } from "./panel_groups";
@@ -56,21 +56,21 @@ const PARTS = [
 ].join();
 
 // The link's model, its core and the 3-D view's script start together; the page is drawn meanwhile.
-const asked = modelInAddress(location) ?? DEFAULT_MODEL;
-const cores = new Cores(coreAddress);
-cores.warm(`${isModel(asked) ? asked : DEFAULT_MODEL}.wasm`);
+const requestedModel = modelInAddress(location) ?? DEFAULT_MODEL;
+const cores = new CoreGrower(coreAddress);
+cores.warm(`${isModel(requestedModel) ? requestedModel : DEFAULT_MODEL}.wasm`);
 loadScene().catch(() => {}); // The stage asks again, and says why not.
 const ui = loadUi(localStorageOr());
 applyTheme(ui.theme);
-modelNamed(asked).then(start, refuse);
+modelNamed(requestedModel).then(start, refuse);
 
 function start(model: PageModel): void {
 	cores.warm(model.wasm); // Of a family it is not named after the model.
 	loadRenderer(model).catch(() => {}); // The stage asks again, and says why not.
 	// A core's client grows what it was asked last: what is looked for is not to take the place of what is shown.
-	const searching = new Cores(coreAddress, new Client());
+	const searching = new CoreGrower(coreAddress, new Client());
 	// Its worker starts when something is first asked of it.
-	const beside = new Cores(coreAddress, new Client());
+	const offscreen = new CoreGrower(coreAddress, new Client());
 	const growing = new Growing(cores, () => studio);
 	const bar = new AddressBar();
 	const opened = readAddress(model, location);
@@ -82,7 +82,7 @@ function start(model: PageModel): void {
 			measure: async (of, each, signal) =>
 				(await searching.grow(of, each, { meshes: false, measures: true, signal })).measures ?? new Float32Array(),
 			growOffscreen: async (each, options) =>
-				beside.grow(await modelNamed(each.model), each, { meshes: false, measures: false, ...options }),
+				offscreen.grow(await modelNamed(each.model), each, { meshes: false, measures: false, ...options }),
 			cancel: () => growing.cancel(),
 			settled: (of, each) => void bar.write(of, each),
 			remember: (next, before) => {
@@ -95,7 +95,7 @@ function start(model: PageModel): void {
 	if (opened.whole) studio.open(opened, "link");
 	else void openLate(studio, readWholeAddress(model, location));
 	draw(studio);
-	followFirst(studio, growing, renewing(studio));
+	followFirst(studio, growing, startUpdater(studio));
 	listenForSkips();
 	followOtherTabs(studio);
 	addEventListener("popstate", () => void follow(studio, bar));
@@ -110,11 +110,11 @@ function draw(studio: Studio): void {
 	// Tabs and bookmarks are told apart by what they hold.
 	let named: readonly unknown[] | undefined;
 	const nameTab = () => {
-		const { model, specimen, face, tools } = studio.state;
-		const shown = [model, face, tools, ...allBut(specimen, runningBy(face?.tools))];
+		const { model, specimen, modelUi, tools } = studio.state;
+		const shown = [model, modelUi, tools, ...allBut(specimen, runningBy(modelUi?.tools))];
 		if (named && !changed(named, shown)) return;
 		named = shown;
-		document.title = `${titleOf(specimen, model, face?.tools)} ${specimen.seed} · Panicle`;
+		document.title = `${titleOf(specimen, model, modelUi?.tools)} ${specimen.seed} · Panicle`;
 	};
 	nameTab();
 	studio.subscribe(nameTab);
@@ -129,26 +129,26 @@ function followOtherTabs(studio: Studio): void {
 }
 
 /** Keeps the built app for when there is no network, and offers its next version. What is worked on changes by the minute. */
-function renewing(studio: Studio): AppUpdater | undefined {
+function startUpdater(studio: Studio): AppUpdater | undefined {
 	if (!import.meta.env.PROD) return undefined;
 	const details = ["Reload when it suits: the plant stays as it is, its steps of Undo go."];
-	const renewal = new AppUpdater((reload) => {
+	const updater = new AppUpdater((reload) => {
 		studio.notify("A new version is here", details, { topic: "version", act: { words: "Reload", run: reload } });
 	});
 	// What can be tried again may be gone for good. Vite's own event is of the scripts, whoever asked for them.
-	addEventListener("vite:preloadError", () => void renewal.look());
+	addEventListener("vite:preloadError", () => void updater.look());
 	let before = studio.state;
 	studio.subscribe(() => {
 		const { notices, failure } = studio.state;
-		const told = notices.some((notice) => notice.again && !before.notices.includes(notice));
-		if (told || (failure && failure !== before.failure)) void renewal.look();
+		const offersRetry = notices.some((notice) => notice.again && !before.notices.includes(notice));
+		if (offersRetry || (failure && failure !== before.failure)) void updater.look();
 		before = studio.state;
 	});
-	return renewal;
+	return updater;
 }
 
 /** Once the first plant is drawn, or is known not to come, what was a sketch of it follows, and the gallery gets every model's presets. */
-function followFirst(studio: Studio, growing: Growing, renewal: AppUpdater | undefined): void {
+function followFirst(studio: Studio, growing: Growing, updater: AppUpdater | undefined): void {
 	const end = studio.subscribe(async () => {
 		const { shown, failure } = studio.state;
 		if (!shown && !failure) return;
@@ -157,7 +157,7 @@ function followFirst(studio: Studio, growing: Growing, renewal: AppUpdater | und
 		growing.finish();
 		void Promise.allSettled(modelNames().map((name) => modelNamed(name))).then((models) => {
 			studio.list(models.flatMap((model) => (model.status === "fulfilled" ? [model.value] : [])));
-			renewal?.start().catch(() => {}); // Then the app needs its network, as before.
+			updater?.start().catch(() => {}); // Then the app needs its network, as before.
 		});
 	});
 }

@@ -24,8 +24,8 @@ const LAST: readonly Shortcut[] = [
 ];
 
 /** What the help lists, those of the views, controls and tools included; letters only while they are keys. */
-export function shortcuts({ face, ui }: Pick<StudioState, "face" | "ui">): readonly Shortcut[] {
-	const tools = face?.tools ?? [];
+export function shortcuts({ modelUi, ui }: Pick<StudioState, "modelUi" | "ui">): readonly Shortcut[] {
+	const tools = modelUi?.tools ?? [];
 	const letter = ({ letter, does }: ToolKey) => ({ keys: [letter.toUpperCase()], does });
 	return [
 		...FIRST,

@@ -37,8 +37,8 @@ function letterOf(event: KeyboardEvent, studio: Studio, { help }: Opens): (() =>
 	if (!studio.state.ui.letters) return undefined;
 	// "?" may need Shift; no letter does.
 	if (event.shiftKey && event.key !== "?") return undefined;
-	const { face, specimen } = studio.state;
-	const tools = applying(face?.tools, specimen);
+	const { modelUi, specimen } = studio.state;
+	const tools = applying(modelUi?.tools, specimen);
 	if (tools.some((tool) => tool.holdsLetters?.(studio))) return undefined;
 	const pressed = event.key.toLowerCase();
 	if (pressed === "n") return () => studio.newVariation();

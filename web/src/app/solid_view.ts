@@ -9,7 +9,7 @@ import type { Specimen } from "../specimen/specimen";
 import type { Ray } from "../ui/handles/handle_ways";
 import type { ModelUi, SubstitutePlant, ToolInteraction, ToolView } from "../ui/tool";
 import type { Studio } from "./studio";
-import { lookOf, type PictureOptions, type Shown, type StudioState } from "./studio_state";
+import { lookOf, type PictureOptions, type ShownPlant, type StudioState } from "./studio_state";
 import { TRY_AGAIN } from "./types";
 
 /** What the canvas has to tell besides the plant. */
@@ -21,7 +21,7 @@ export interface SolidViewEvents {
 }
 
 /** The measure of laying a plant on the stage, up to where three.js has it: the last one stands (`npm run bench`). */
-const LAID = "laid";
+const SHOW_MEASURE = "laid";
 /** Pixels of a picture to one of the page. */
 const PICTURE_SCALE = 2;
 
@@ -32,34 +32,34 @@ export class SolidView implements ToolView {
 	readonly #reduced = matchMedia("(prefers-reduced-motion: reduce)");
 	#wind = false;
 	/** Who is told when the picture has been drawn. */
-	readonly #above: Set<() => void>;
+	readonly #drawListeners: Set<() => void>;
 	#orbiting = true;
 	#disposed = false;
-	readonly #ended = new AbortController();
+	readonly #lifetime = new AbortController();
 	/** Whose figure is on the stage, and whose is on its way. */
-	#figured: PageModel | undefined;
-	#awaited: PageModel | undefined;
+	#rendererModel: PageModel | undefined;
+	#loadingModel: PageModel | undefined;
 	/** The model whose script could not be fetched: it is fetched again on request, or after another model was shown. */
-	#missing: PageModel | undefined;
-	#shown: Shown | undefined;
+	#failedModel: PageModel | undefined;
+	#shown: ShownPlant | undefined;
 	#look: StudioState["specimen"]["look"] | undefined;
 	/** What a tool shows, and what is shown of that. */
 	#instead: SubstitutePlant | undefined;
-	#stands: Plant | undefined;
+	#viewedPlant: Plant | undefined;
 	/** How many pictures are being taken. */
-	#taking = 0;
+	#picturesInProgress = 0;
 	#dark: boolean | undefined;
 	/** The hands of the tools of `#face`. */
 	#interactions: ToolInteraction[] = [];
-	#face: ModelUi | undefined;
+	#modelUi: ModelUi | undefined;
 
 	private constructor(
 		canvas: HTMLCanvasElement,
 		view: Viewer<Specimen, Plant>,
 		studio: Studio,
-		above: Set<() => void>,
+		drawListeners: Set<() => void>,
 	) {
-		this.#above = above;
+		this.#drawListeners = drawListeners;
 		this.canvas = canvas;
 		this.#view = view;
 		this.#studio = studio;
@@ -71,68 +71,68 @@ export class SolidView implements ToolView {
 		// Both first: a canvas gives one context, so that nothing may fail once it is taken.
 		const [{ Viewer }] = await Promise.all([loadScene(), loadRenderer(model)]);
 		const theme = dark ? "dark" : "light";
-		const above = new Set<() => void>();
+		const drawListeners = new Set<() => void>();
 		const view = new Viewer<Specimen, Plant>(canvas, {
 			reducedMotion: matchMedia("(prefers-reduced-motion: reduce)").matches,
 			theme,
 			checked: import.meta.env.DEV,
 			events: {
 				drawn: () => {
-					for (const listener of above) listener();
+					for (const listener of drawListeners) listener();
 				},
 				firstDraw: () => performance.mark("first-bunch"),
 				contextLost: () => events.lost(),
 				contextRestored: () => events.restored(),
 			},
 		});
-		const solid = new SolidView(canvas, view, studio, above);
-		solid.#follow(() => events.motion());
-		await solid.#use(model);
+		const solid = new SolidView(canvas, view, studio, drawListeners);
+		solid.#followMotion(() => events.motion());
+		await solid.#useRenderer(model);
 		return solid;
 	}
 
 	/** Brings the view to the state; what has not changed costs nothing. */
 	update(state: StudioState): void {
-		const { shown, model, held, dark, face } = state;
-		if (shown && shown.model !== this.#figured) {
-			if (shown.model !== this.#missing) void this.#bring(shown.model);
+		const { shown, model, held, dark, modelUi } = state;
+		if (shown && shown.model !== this.#rendererModel) {
+			if (shown.model !== this.#failedModel) void this.#loadRenderer(shown.model);
 			return;
 		}
-		this.#missing = undefined;
-		const instead = this.#taking > 0 ? undefined : this.#instead;
+		this.#failedModel = undefined;
+		const instead = this.#picturesInProgress > 0 ? undefined : this.#instead;
 		// What is compared with the plant is to be seen from where that is.
 		this.#view.holdView(held || instead !== undefined);
 		const look = shown && lookOf(shown, state);
 		const { grown, from } = instead ?? shown ?? {};
-		if (grown && from && look && (grown !== this.#stands || shown !== this.#shown || look !== this.#look)) {
+		if (grown && from && look && (grown !== this.#viewedPlant || shown !== this.#shown || look !== this.#look)) {
 			const start = performance.now();
 			this.#view.show(grown, { ...from, look });
-			performance.clearMeasures(LAID);
-			performance.measure(LAID, { start });
+			performance.clearMeasures(SHOW_MEASURE);
+			performance.measure(SHOW_MEASURE, { start });
 		}
 		this.#shown = shown;
 		this.#look = look;
-		this.#stands = grown;
+		this.#viewedPlant = grown;
 		if (dark !== this.#dark) this.#view.setTheme(dark ? "dark" : "light");
 		this.#dark = dark;
 		// What is in view may still be another model's.
-		this.#arm(shown && shown.model !== model ? undefined : face);
+		this.#setModelUi(shown && shown.model !== model ? undefined : modelUi);
 		for (const interaction of this.#interactions) interaction.update(state);
 	}
 
 	/** The present view as a PNG, of the document's plant. */
 	async picture(options: PictureOptions = {}): Promise<Blob> {
-		this.#taking++;
+		this.#picturesInProgress++;
 		this.update(this.#studio.state);
 		try {
-			return await this.#taken(options);
+			return await this.#capture(options);
 		} finally {
-			this.#taking--;
+			this.#picturesInProgress--;
 			if (this.#instead) this.update(this.#studio.state);
 		}
 	}
 
-	#taken({ height, alone }: PictureOptions): Promise<Blob> {
+	#capture({ height, alone }: PictureOptions): Promise<Blob> {
 		const { clientWidth, clientHeight } = this.canvas;
 		const scale = height === undefined ? PICTURE_SCALE : height / clientHeight;
 		const [width, tall] = [Math.round(clientWidth * scale), Math.round(clientHeight * scale)];
@@ -171,8 +171,8 @@ export class SolidView implements ToolView {
 
 	dispose(): void {
 		this.#disposed = true;
-		this.#ended.abort();
-		this.#arm(undefined);
+		this.#lifetime.abort();
+		this.#setModelUi(undefined);
 		this.#view.dispose();
 	}
 
@@ -226,8 +226,8 @@ export class SolidView implements ToolView {
 	}
 
 	onDrawn(listener: () => void): () => void {
-		this.#above.add(listener);
-		return () => this.#above.delete(listener);
+		this.#drawListeners.add(listener);
+		return () => this.#drawListeners.delete(listener);
 	}
 
 	showSubstitute(plant: SubstitutePlant | undefined): void {
@@ -241,57 +241,57 @@ export class SolidView implements ToolView {
 	}
 
 	/** Motion may become unwelcome, or welcome, while the page stands. */
-	#follow(tell: () => void): void {
+	#followMotion(tell: () => void): void {
 		const follow = ({ matches }: MediaQueryListEvent) => {
 			this.#view.reducedMotion = matches;
 			this.wind = false;
 			tell();
 		};
-		this.#reduced.addEventListener("change", follow, { signal: this.#ended.signal });
+		this.#reduced.addEventListener("change", follow, { signal: this.#lifetime.signal });
 	}
 
 	/** Puts a model's figure on the stage, in place of the last one's. */
-	async #use(model: PageModel): Promise<void> {
+	async #useRenderer(model: PageModel): Promise<void> {
 		const figure = await loadRenderer(model);
 		if (this.#disposed) return;
 		this.#view.use(figure);
-		this.#figured = model;
+		this.#rendererModel = model;
 		this.#shown = undefined;
 	}
 
 	/** The same while the page goes on; the newest that was asked for is the one that comes. */
-	async #bring(model: PageModel): Promise<void> {
-		if (model === this.#awaited) return;
-		this.#awaited = model;
-		this.#missing = undefined;
-		const isWanted = () => model === this.#awaited && !this.#disposed;
+	async #loadRenderer(model: PageModel): Promise<void> {
+		if (model === this.#loadingModel) return;
+		this.#loadingModel = model;
+		this.#failedModel = undefined;
+		const isWanted = () => model === this.#loadingModel && !this.#disposed;
 		try {
 			await loadRenderer(model);
-			if (isWanted()) await this.#use(model);
+			if (isWanted()) await this.#useRenderer(model);
 		} catch {
 			if (isWanted()) this.#reportMissing(model);
 			return;
 		}
 		if (!isWanted()) return;
-		this.#awaited = undefined;
+		this.#loadingModel = undefined;
 		this.update(this.#studio.state);
 	}
 
 	/** Reports that a model cannot be drawn. The notice updates the view, so fetching again at each update would never end. */
 	#reportMissing(model: PageModel): void {
-		this.#awaited = undefined;
-		this.#missing = model;
-		const again = () => void this.#bring(model);
+		this.#loadingModel = undefined;
+		this.#failedModel = model;
+		const again = () => void this.#loadRenderer(model);
 		const details = ["Part of the page could not be fetched; sliders and downloads work all the same.", TRY_AGAIN];
 		this.#studio.notify(`The ${model.noun} cannot be drawn`, details, { again });
 	}
 
 	/** Gives the canvas into the hands of a model's tools. */
-	#arm(face: ModelUi | undefined): void {
-		if (face === this.#face) return;
+	#setModelUi(modelUi: ModelUi | undefined): void {
+		if (modelUi === this.#modelUi) return;
 		this.#instead = undefined;
 		for (const interaction of this.#interactions) interaction.dispose();
-		this.#face = face;
-		this.#interactions = face?.tools.flatMap((tool) => tool.interaction?.(this, this.#studio) ?? []) ?? [];
+		this.#modelUi = modelUi;
+		this.#interactions = modelUi?.tools.flatMap((tool) => tool.interaction?.(this, this.#studio) ?? []) ?? [];
 	}
 }

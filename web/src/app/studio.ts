@@ -8,10 +8,10 @@ import type { Specimen } from "../specimen/specimen";
 import { apply, otherSeed } from "../ui/change";
 import type { Change, EditorContext, Fault, NoticeOptions, Stateful } from "../ui/editor_context";
 import type { ModelUi } from "../ui/tool";
-import { BARE, Faces } from "./model_uis";
+import { EMPTY_MODEL_UI, ModelUis } from "./model_uis";
 import { afterChange, withNotice, withoutTopic } from "./notice_list";
+import type { StudioServices } from "./studio_services";
 import { inStep, type Opening, opened, type StudioState } from "./studio_state";
-import type { Surroundings } from "./surroundings";
 import { stateOf, withState, withTools } from "./tool_states";
 import { type Failure, TRY_AGAIN } from "./types";
 import type { UiState } from "./ui_state";
@@ -27,29 +27,29 @@ const DRAG = "drag";
 export class Studio implements EditorContext {
 	#state: StudioState;
 	/** What a specimen measures, and what it grows into, without showing it; the end of what grows now. */
-	readonly measure: Surroundings["measure"];
-	readonly growOffscreen: Surroundings["growOffscreen"];
-	readonly cancel: Surroundings["cancel"];
+	readonly measure: StudioServices["measure"];
+	readonly growOffscreen: StudioServices["growOffscreen"];
+	readonly cancel: StudioServices["cancel"];
 	readonly #listeners = new Set<() => void>();
-	readonly #surroundings: Surroundings;
+	readonly #services: StudioServices;
 	/** Models of all specimens there have been. */
 	readonly #models = new Map<string, PageModel>();
-	readonly #faces = new Faces();
+	readonly #modelUis = new ModelUis();
 	/** Whose a tool is. */
 	readonly #owners = new Map<Stateful<unknown>, string>();
 	/** What ends the tools that work by themselves. */
 	#ends: (() => void)[] = [];
 	#noticeId = 0;
 	/** Whether what was last asked for is all there is, and not what does in passing. */
-	#whole = true;
+	#isMeasured = true;
 	#preset: Specimen | undefined;
 
-	constructor(opening: Opening, surroundings: Surroundings) {
-		this.#surroundings = surroundings;
-		({ measure: this.measure, growOffscreen: this.growOffscreen, cancel: this.cancel } = surroundings);
+	constructor(opening: Opening, services: StudioServices) {
+		this.#services = services;
+		({ measure: this.measure, growOffscreen: this.growOffscreen, cancel: this.cancel } = services);
 		this.#models.set(opening.model.name, opening.model);
 		this.#state = opened(opening);
-		void this.#bringFace(opening.model);
+		void this.#loadModelUi(opening.model);
 	}
 
 	get state(): StudioState {
@@ -72,29 +72,29 @@ export class Studio implements EditorContext {
 	// The document.
 
 	edit(change: Change, gesture = DRAG): void {
-		this.#go(histories.change(this.#state.history, this.#changed(change), gesture, change.run));
+		this.#applyHistory(histories.change(this.#state.history, this.#withFollowUps(change), gesture, change.run));
 	}
 
 	settle(gesture?: string): void {
 		if (gesture !== undefined && gesture !== this.#state.history.gesture) return;
-		this.#go(histories.settle(this.#state.history));
-		this.#rested();
+		this.#applyHistory(histories.settle(this.#state.history));
+		this.#reportSettled();
 	}
 
 	set(change: Change): void {
-		this.replace(this.#changed(change));
+		this.replace(this.#withFollowUps(change));
 	}
 
 	replace(specimen: Specimen): void {
-		this.#travel(histories.change(this.#state.history, specimen));
+		this.#applyStep(histories.change(this.#state.history, specimen));
 	}
 
 	/** Starts with a document from outside, of the model it opened with: there is nothing before it to go back to. */
 	open(restored: Restored, from: string): void {
 		const { specimen } = restored;
 		this.#update({ specimen, history: histories.startHistory(specimen) });
-		this.#ask();
-		this.#rested();
+		this.#requestGrowth();
+		this.#reportSettled();
 		this.#report(restored, from);
 	}
 
@@ -134,11 +134,11 @@ export class Studio implements EditorContext {
 	}
 
 	undo(): void {
-		this.#travel(histories.undo(this.#state.history));
+		this.#applyStep(histories.undo(this.#state.history));
 	}
 
 	redo(): void {
-		this.#travel(histories.redo(this.#state.history));
+		this.#applyStep(histories.redo(this.#state.history));
 	}
 
 	// Growth, reported by growing.ts.
@@ -166,7 +166,7 @@ export class Studio implements EditorContext {
 
 	/** Asks again, after a failure. */
 	growAgain(): void {
-		this.#ask();
+		this.#requestGrowth();
 	}
 
 	// The page.
@@ -191,7 +191,7 @@ export class Studio implements EditorContext {
 		const { ui: before } = this.#state;
 		const ui = { ...before, ...patch };
 		this.#update({ ui });
-		this.#surroundings.remember(ui, before);
+		this.#services.remember(ui, before);
 	}
 
 	/** Opens or closes a group of the panel. */
@@ -237,57 +237,57 @@ export class Studio implements EditorContext {
 	}
 
 	/** The document with a change in it, and with what the tools let follow from it. */
-	#changed(change: Change): Specimen {
-		const { model, specimen, face } = this.#state;
-		const whole = face?.tools.reduce((done, tool) => tool.follow?.(done, this) ?? done, change);
+	#withFollowUps(change: Change): Specimen {
+		const { model, specimen, modelUi } = this.#state;
+		const whole = modelUi?.tools.reduce((done, tool) => tool.follow?.(done, this) ?? done, change);
 		return apply(model, specimen, whole ?? change);
 	}
 
-	#travel(history: histories.History): void {
-		this.#go(history);
-		this.#rested();
+	#applyStep(history: histories.History): void {
+		this.#applyHistory(history);
+		this.#reportSettled();
 	}
 
-	#rested(): void {
-		this.#surroundings.settled(this.#state.model, this.#state.specimen);
+	#reportSettled(): void {
+		this.#services.settled(this.#state.model, this.#state.specimen);
 	}
 
-	#go(history: histories.History): void {
+	#applyHistory(history: histories.History): void {
 		const { specimen: before, model: left } = this.#state;
 		const { present } = history;
 		if (history === this.#state.history) return;
 		const model = this.#models.get(present.model) ?? left;
-		const face = model === left ? this.#state.face : undefined;
-		this.#update({ history, specimen: present, model, face, notices: afterChange(this.#state.notices) });
-		if (model !== left) void this.#bringFace(model);
-		if (!growsAlike(before, present) || (!this.#state.held && !this.#whole)) this.#ask();
+		const modelUi = model === left ? this.#state.modelUi : undefined;
+		this.#update({ history, specimen: present, model, modelUi, notices: afterChange(this.#state.notices) });
+		if (model !== left) void this.#loadModelUi(model);
+		if (!growsAlike(before, present) || (!this.#state.held && !this.#isMeasured)) this.#requestGrowth();
 	}
 
 	/** While the hand still moves, only the shape is asked for; what is measured follows when it rests. */
-	#ask(): void {
+	#requestGrowth(): void {
 		const { model, specimen, held } = this.#state;
-		this.#whole = !held;
+		this.#isMeasured = !held;
 		this.#update({ pending: true });
-		this.#surroundings.grow(model, specimen, { preview: held });
+		this.#services.grow(model, specimen, { preview: held });
 	}
 
 	/** Puts the tools of a model on the controls, in place of the last one's. */
-	async #bringFace(model: PageModel): Promise<void> {
+	async #loadModelUi(model: PageModel): Promise<void> {
 		for (const end of this.#ends.splice(0)) end();
-		const face = this.#faces.known(model) ?? (await this.#faceOf(model));
-		if (this.#state.model !== model || this.#state.face === face) return;
-		for (const tool of face.tools) this.#owners.set(tool, model.name);
+		const modelUi = this.#modelUis.known(model) ?? (await this.#modelUiOf(model));
+		if (this.#state.model !== model || this.#state.modelUi === modelUi) return;
+		for (const tool of modelUi.tools) this.#owners.set(tool, model.name);
 		const { tools, ui } = this.#state;
-		this.#update({ face, tools: withTools(tools, model.name, face.tools, ui.tools) });
-		this.#ends = face.tools.flatMap((tool) => tool.start?.(this) ?? []);
+		this.#update({ modelUi, tools: withTools(tools, model.name, modelUi.tools, ui.tools) });
+		this.#ends = modelUi.tools.flatMap((tool) => tool.start?.(this) ?? []);
 	}
 
-	#faceOf(model: PageModel): Promise<ModelUi> {
-		return this.#faces.of(model).catch(() => {
+	#modelUiOf(model: PageModel): Promise<ModelUi> {
+		return this.#modelUis.of(model).catch(() => {
 			const details = ["Sliders and downloads work all the same.", TRY_AGAIN];
-			const again = () => void this.#bringFace(model);
+			const again = () => void this.#loadModelUi(model);
 			this.notify(`The tools of the ${model.noun} could not be fetched`, details, { again });
-			return BARE;
+			return EMPTY_MODEL_UI;
 		});
 	}
 

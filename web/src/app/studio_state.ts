@@ -9,7 +9,7 @@ import type { Failure, Notice } from "./types";
 import type { UiState } from "./ui_state";
 
 /** What is in the 3-D view: the last plant that grew, of whatever model. */
-export interface Shown {
+export interface ShownPlant {
 	readonly model: PageModel;
 	readonly grown: Plant;
 	/** The specimen it grew from. */
@@ -19,10 +19,10 @@ export interface Shown {
 export interface StudioState extends EditorState {
 	readonly model: PageModel;
 	/** The model's tools and words; undefined until they have come. */
-	readonly face: ModelUi | undefined;
+	readonly modelUi: ModelUi | undefined;
 	readonly history: History;
 	/** Stays whatever goes wrong. */
-	readonly shown: Shown | undefined;
+	readonly shown: ShownPlant | undefined;
 	/** Whether a growth is under way, so that what is shown is not yet what is on the controls. */
 	readonly pending: boolean;
 	/** Why there is no plant, in place of one. */
@@ -54,7 +54,7 @@ export type Opening = Pick<StudioState, "model" | "specimen" | "ui" | "systemDar
 export function opened(opening: Opening): StudioState {
 	return inStep({
 		...opening,
-		face: undefined,
+		modelUi: undefined,
 		history: startHistory(opening.specimen),
 		shown: undefined,
 		grown: undefined,
@@ -77,7 +77,7 @@ export function opened(opening: Opening): StudioState {
  * The look of what is shown: that on the controls, since colours change without growing. While what is on them is another preset, which
  * has yet to grow, it is the look that the plant in view has grown with.
  */
-export function lookOf({ model, from }: Shown, now: Pick<StudioState, "model" | "specimen">): Specimen["look"] {
+export function lookOf({ model, from }: ShownPlant, now: Pick<StudioState, "model" | "specimen">): Specimen["look"] {
 	return model === now.model && from.preset === now.specimen.preset ? now.specimen.look : from.look;
 }
 

@@ -21,8 +21,8 @@ export const FIRST_VISIT: UiState = { theme: "system", letters: true, view: SOLI
 /** Reads what was remembered. Anything missing, foreign or unreadable gives the first visit's value. */
 export function loadUi(storage: Pick<Storage, "getItem">): UiState {
 	try {
-		const kept: unknown = JSON.parse(storage.getItem(STORAGE_KEY) ?? "{}");
-		return restoreUi(kept);
+		const stored: unknown = JSON.parse(storage.getItem(STORAGE_KEY) ?? "{}");
+		return restoreUi(stored);
 	} catch {
 		return FIRST_VISIT;
 	}
@@ -34,14 +34,14 @@ export function loadUi(storage: Pick<Storage, "getItem">): UiState {
  */
 export function saveUi(storage: Pick<Storage, "getItem" | "setItem">, ui: UiState, before: UiState): void {
 	try {
-		const kept = loadUi(storage);
+		const stored = loadUi(storage);
 		const models = Object.entries(ui.tools).map(
-			([model, tools]) => [model, merged(kept.tools[model], tools, before.tools[model])] as const,
+			([model, tools]) => [model, merged(stored.tools[model], tools, before.tools[model])] as const,
 		);
 		const next = {
-			...merged({ theme: kept.theme, letters: kept.letters }, pageOf(ui), pageOf(before)),
-			groups: merged(kept.groups, ui.groups, before.groups),
-			tools: { ...kept.tools, ...Object.fromEntries(models) },
+			...merged({ theme: stored.theme, letters: stored.letters }, pageOf(ui), pageOf(before)),
+			groups: merged(stored.groups, ui.groups, before.groups),
+			tools: { ...stored.tools, ...Object.fromEntries(models) },
 		};
 		storage.setItem(STORAGE_KEY, JSON.stringify(next));
 	} catch {
@@ -56,15 +56,15 @@ export function pageOf({ theme, letters }: UiState): Pick<UiState, "theme" | "le
 
 /** What is kept, with what has changed since before. */
 function merged<T>(
-	kept: Readonly<Record<string, T>> = {},
+	stored: Readonly<Record<string, T>> = {},
 	now: Readonly<Record<string, T>>,
 	before: Readonly<Record<string, T>> = {},
 ): Record<string, T> {
-	return { ...kept, ...Object.fromEntries(Object.entries(now).filter(([key, value]) => value !== before[key])) };
+	return { ...stored, ...Object.fromEntries(Object.entries(now).filter(([key, value]) => value !== before[key])) };
 }
 
-function restoreUi(kept: unknown): UiState {
-	const { theme, letters, groups, tools } = recordOf(kept);
+function restoreUi(stored: unknown): UiState {
+	const { theme, letters, groups, tools } = recordOf(stored);
 	return {
 		...FIRST_VISIT,
 		theme: theme === "light" || theme === "dark" ? theme : "system",

@@ -18,18 +18,18 @@ export const OWN_ATTRIBUTES = [
 	"alt",
 ] as const;
 /** Those that say where it starts from. */
-const STARTS = ["model", "link"];
+const START_ATTRIBUTES = ["model", "link"];
 
 /** Every element's. Those of frameworks have a dash, a colon or something else in their names that no parameter has. */
-const OF_PAGES = new Set(
+const GLOBAL_ATTRIBUTES = new Set(
 	"accesskey autofocus class contenteditable dir draggable enterkeyhint exportparts hidden id inert inputmode is itemid itemprop itemref itemscope itemtype lang nonce part popover role slot spellcheck style tabindex title translate writingsuggestions".split(
 		" ",
 	),
 );
-const OF_FRAMEWORKS = /[^a-z0-9_]|^_|^on/;
+const FRAMEWORK_ATTRIBUTE = /[^a-z0-9_]|^_|^on/;
 
 /** What it is a specimen of, and what was wrong in what was said of it. */
-export interface Said extends Restored {
+export interface AttributeReading extends Restored {
 	readonly model: PageModel;
 }
 
@@ -39,17 +39,17 @@ export type Attributes = Iterable<{ readonly name: string; readonly value: strin
  * Reads attributes as links are read: nothing is refused, what cannot be used is replaced, and a note says so. With a link, other
  * attributes change what that says.
  */
-export async function readAttributes(attributes: Attributes): Promise<Said> {
-	const said = Object.fromEntries([...attributes].map(({ name, value }) => [name, value]));
+export async function readAttributes(attributes: Attributes): Promise<AttributeReading> {
+	const values = Object.fromEntries([...attributes].map(({ name, value }) => [name, value]));
 	const notes = new Notes();
-	const link = said.link === undefined ? undefined : linkParts(said.link);
-	const named = said.model ?? (link && modelInQuery(link.query));
+	const link = values.link === undefined ? undefined : linkParts(values.link);
+	const named = values.model ?? (link && modelInQuery(link.query));
 	if (named !== undefined && !isModel(named))
 		notes.add("model", `there is none called “${named}”`, "the default is used");
 	const model = await modelNamed(named);
 	const record: Record<string, string> = {};
-	for (const [name, value] of Object.entries(said)) {
-		if (!saysSpecimen(name) || STARTS.includes(name)) continue;
+	for (const [name, value] of Object.entries(values)) {
+		if (!isSpecimenAttribute(name) || START_ATTRIBUTES.includes(name)) continue;
 		if (isKnown(model, name)) record[name] = value;
 		else notes.add(name, `no parameter of the ${model.noun} has that name`, "it is passed over");
 	}
@@ -59,6 +59,6 @@ export async function readAttributes(attributes: Attributes): Promise<Said> {
 }
 
 /** Whether an attribute of that name is about what grows. */
-export function saysSpecimen(name: string): boolean {
-	return !(OWN_ATTRIBUTES.some((own) => own === name) || OF_PAGES.has(name) || OF_FRAMEWORKS.test(name));
+export function isSpecimenAttribute(name: string): boolean {
+	return !(OWN_ATTRIBUTES.some((own) => own === name) || GLOBAL_ATTRIBUTES.has(name) || FRAMEWORK_ATTRIBUTE.test(name));
 }

@@ -5,7 +5,7 @@ import { Superseded } from "../core/errors";
 import { growPlant } from "../generate/growth";
 import type { GrowthOptions } from "../models/model";
 import type { Plant } from "../plant/plant";
-import type { Document } from "./grown_detail";
+import type { SpecimenDocument } from "./grown_detail";
 
 /** How many of those that stand in a plant are asked for at once. */
 const ABREAST = 4;
@@ -16,7 +16,7 @@ const ABREAST = 4;
  */
 export async function growDocument(
 	client: Pick<Client, "grow" | "among">,
-	{ model, specimen }: Document,
+	{ model, specimen }: SpecimenDocument,
 	options: GrowthOptions,
 	signal: AbortSignal,
 	isNewest: () => boolean,

@@ -22,30 +22,33 @@ export interface GrownDetail {
 	readonly fingerprint: string;
 }
 
-export interface Document {
+export interface SpecimenDocument {
 	readonly model: PageModel;
 	readonly specimen: Specimen;
 	readonly notes: readonly string[];
 }
 
 /** A plant that grew. */
-export interface Shown extends Document {
+export interface GrownDocument extends SpecimenDocument {
 	readonly grown: Plant;
 }
 
-export const documentOf = (model: PageModel, { specimen, notes }: Restored): Document => ({
+export const documentFrom = (model: PageModel, { specimen, notes }: Restored): SpecimenDocument => ({
 	model,
 	specimen,
 	notes: notes.map(({ text }) => text),
 });
 
 /** The document with its specimen changed; as it was where the change is of another model's, which a page has since replaced. */
-export function changedIn({ specimen, ...rest }: Document, change: (specimen: Specimen) => Specimen): Document {
+export function changedIn(
+	{ specimen, ...rest }: SpecimenDocument,
+	change: (specimen: Specimen) => Specimen,
+): SpecimenDocument {
 	const next = change(specimen);
 	return { ...rest, specimen: next.model === specimen.model ? next : specimen };
 }
 
-export async function detailOf({ model, specimen, grown, notes }: Shown): Promise<GrownDetail> {
+export async function detailOf({ model, specimen, grown, notes }: GrownDocument): Promise<GrownDetail> {
 	return {
 		link: await encodeLink(model, specimen),
 		words: model.words(grown, specimen),

@@ -15,12 +15,19 @@ import { restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
 import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { appAddress } from "./app_address";
-import { readAttributes, saysSpecimen } from "./attributes";
+import { isSpecimenAttribute, readAttributes } from "./attributes";
 import { commons } from "./commons";
 import { CurrentDocument } from "./current_document";
 import { Extras } from "./extras/extras";
 import { growDocument } from "./grow_document";
-import { changedIn, type Document, detailOf, documentOf, type GrownDetail, type Shown } from "./grown_detail";
+import {
+	changedIn,
+	detailOf,
+	documentFrom,
+	type GrownDetail,
+	type GrownDocument,
+	type SpecimenDocument,
+} from "./grown_detail";
 import { isDark, type Presence, watchPresence } from "./presence";
 import { shadowTree } from "./shadow_tree";
 import { SpecimenView } from "./specimen_view";
@@ -33,10 +40,10 @@ export class PanicleSpecimen extends HTMLElement {
 	readonly #poster: HTMLImageElement;
 	readonly #message: HTMLElement;
 	readonly #document = new CurrentDocument(async () => {
-		const said = await readAttributes(this.attributes);
-		return documentOf(said.model, said);
+		const reading = await readAttributes(this.attributes);
+		return documentFrom(reading.model, reading);
 	});
-	#shown: Shown | undefined;
+	#shown: GrownDocument | undefined;
 	/** From when it comes to a page until it leaves. */
 	#life: AbortController | undefined;
 	#client: Client | undefined;
@@ -62,15 +69,15 @@ export class PanicleSpecimen extends HTMLElement {
 			root,
 			interaction: {
 				edit: (change) => {
-					this.#put((document) => changedIn(document, change), { preview: true }).catch(() => {});
+					this.#changeDocument((document) => changedIn(document, change), { preview: true }).catch(() => {});
 				},
-				settle: () => void this.#put((document) => document).catch(() => {}),
+				settle: () => void this.#changeDocument((document) => document).catch(() => {}),
 			},
-			view: () => this.#viewed(),
+			view: () => this.#loadView(),
 		});
 		// For as long as there is the element: what changes while it is on no page counts, too.
 		this.#attributes.observe(this, { attributes: true });
-		this.#say();
+		this.#updateLabel();
 	}
 
 	/** What is grown, as JSON has it; undefined until the attributes have been read. */
@@ -90,7 +97,7 @@ export class PanicleSpecimen extends HTMLElement {
 
 	/** Changes parameters, seed or look by their keys, as one change: `change` and then `grown` follow. */
 	set(values: Readonly<Record<string, number | string>>): Promise<GrownDetail> {
-		return this.#put(({ model, specimen: before }) => documentOf(model, restore(model, values, before)));
+		return this.#changeDocument(({ model, specimen: before }) => documentFrom(model, restore(model, values, before)));
 	}
 
 	/** Grows now, wherever it is, what has not grown yet. */
@@ -101,7 +108,7 @@ export class PanicleSpecimen extends HTMLElement {
 
 	/** A file of the plant, by the key of its kind: `glb`, `glb-web`, `usdz`, `obj` (a ZIP), `json`, … */
 	async toFile(format: string, options: FileOptions = {}): Promise<Blob> {
-		const { model, specimen, grown } = await this.#whole();
+		const { model, specimen, grown } = await this.#settledPlant();
 		const { exportFile } = await import("../generate/files/exporter");
 		const link = await encodeLink(model, specimen);
 		const core = coreAddress(model.wasm);
@@ -112,8 +119,8 @@ export class PanicleSpecimen extends HTMLElement {
 
 	/** The present view as a PNG; as large as the element, twice as fine, where nobody says. */
 	async toBlob({ width = 2 * this.clientWidth, height = 2 * this.clientHeight } = {}): Promise<Blob> {
-		const { model, specimen } = await this.#whole();
-		const picture = await (await this.#viewed()).picture(width, height);
+		const { model, specimen } = await this.#settledPlant();
+		const picture = await (await this.#loadView()).picture(width, height);
 		return withLink(picture, `${appAddress(this.getAttribute("app")) ?? ""}${await encodeLink(model, specimen)}`);
 	}
 
@@ -132,7 +139,7 @@ export class PanicleSpecimen extends HTMLElement {
 			resized: () => this.#withView((view) => view.resize()),
 			near: (near) => {
 				this.#near = near;
-				if (near && this.#due) this.#ask();
+				if (near && this.#due) this.#requestGrowth();
 			},
 			seen: (seen) => {
 				this.#seen = seen;
@@ -149,7 +156,7 @@ export class PanicleSpecimen extends HTMLElement {
 			leave();
 		});
 		this.#follow("poster");
-		this.#ask();
+		this.#requestGrowth();
 	}
 
 	/** Called by the browser when it leaves its page. */
@@ -165,9 +172,9 @@ export class PanicleSpecimen extends HTMLElement {
 
 	#changed(names: readonly string[]): void {
 		for (const name of names) this.#follow(name);
-		if (!names.some(saysSpecimen)) return;
+		if (!names.some(isSpecimenAttribute)) return;
 		this.#document.forget();
-		this.#ask();
+		this.#requestGrowth();
 	}
 
 	/** An attribute that changes what is done with the plant. */
@@ -176,7 +183,7 @@ export class PanicleSpecimen extends HTMLElement {
 			const address = this.getAttribute("poster");
 			if (address !== null && !this.#shown) this.#poster.src = address;
 			else this.#poster.removeAttribute("src");
-		} else if (name === "alt") this.#say();
+		} else if (name === "alt") this.#updateLabel();
 		else if (name === "theme") this.#withView((view) => view.setDark(isDark(this.getAttribute("theme"))));
 		else if (name === "autorotate") this.#withView((view) => view.setTurning(this.getAttribute("autorotate")));
 		else if (name === "wind") this.#withView((view) => view.setWind(this.getAttribute("wind")));
@@ -184,7 +191,10 @@ export class PanicleSpecimen extends HTMLElement {
 	}
 
 	/** Another document in place of this one; while a hand still moves (`preview`), `input` tells of it, else `change`. */
-	async #put(make: (before: Document) => Document, { preview = false } = {}): Promise<GrownDetail> {
+	async #changeDocument(
+		make: (before: SpecimenDocument) => SpecimenDocument,
+		{ preview = false } = {},
+	): Promise<GrownDetail> {
 		this.#flush();
 		const { model, specimen } = await this.#document.change(make);
 		const detail = { link: await encodeLink(model, specimen) };
@@ -201,7 +211,7 @@ export class PanicleSpecimen extends HTMLElement {
 	}
 
 	/** Grows as soon as it may. */
-	#ask(): void {
+	#requestGrowth(): void {
 		if (!this.#life) return;
 		this.#due = true;
 		const lazy = this.getAttribute("loading") === "lazy";
@@ -217,7 +227,7 @@ export class PanicleSpecimen extends HTMLElement {
 		try {
 			const document = await this.#document.get();
 			const grown = await growDocument(client, document, options, life.signal, () => turn === this.#turn);
-			const shown: Shown = { ...document, grown };
+			const shown: GrownDocument = { ...document, grown };
 			await this.#show(shown);
 			const detail = await detailOf(shown);
 			this.dispatchEvent(new CustomEvent<GrownDetail>("grown", { detail, bubbles: true }));
@@ -230,11 +240,11 @@ export class PanicleSpecimen extends HTMLElement {
 		}
 	}
 
-	async #show(shown: Shown): Promise<void> {
+	async #show(shown: GrownDocument): Promise<void> {
 		this.#shown = shown;
 		this.#message.hidden = true;
-		this.#say();
-		const view = await this.#viewed().catch((error: unknown) => this.#fail(error));
+		this.#updateLabel();
+		const view = await this.#loadView().catch((error: unknown) => this.#fail(error));
 		await view?.show(shown.model, shown.grown, shown.specimen);
 		// What is older than what hands have done since would undo it under them.
 		const newest = await this.#document.get().catch(() => undefined);
@@ -242,7 +252,7 @@ export class PanicleSpecimen extends HTMLElement {
 	}
 
 	/** The view, made when it is first needed. */
-	#viewed(): Promise<SpecimenView> {
+	#loadView(): Promise<SpecimenView> {
 		if (this.#view) return this.#view;
 		const life = this.#life;
 		if (!life) return Promise.reject(new Error(ON_NO_PAGE));
@@ -268,7 +278,7 @@ export class PanicleSpecimen extends HTMLElement {
 	}
 
 	/** The plant as it is now, once it has grown. */
-	async #whole(): Promise<Shown> {
+	async #settledPlant(): Promise<GrownDocument> {
 		this.#flush();
 		if (this.#due) this.grow();
 		await this.#growing;
@@ -285,7 +295,7 @@ export class PanicleSpecimen extends HTMLElement {
 	}
 
 	/** What a screen reader says of the view. */
-	#say(): void {
+	#updateLabel(): void {
 		const words = this.#shown && plantInWords(this.#shown);
 		this.#canvas.setAttribute("aria-label", this.getAttribute("alt") ?? words ?? "A plant, growing");
 	}

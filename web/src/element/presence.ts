@@ -12,17 +12,17 @@ export interface Presence {
 const NEAR = "256px";
 
 /** Tells of it until the signal ends that. */
-export function watchPresence(element: HTMLElement, told: Presence, signal: AbortSignal): void {
+export function watchPresence(element: HTMLElement, callbacks: Presence, signal: AbortSignal): void {
 	const observers = [
-		new ResizeObserver(() => told.resized()),
-		new IntersectionObserver((entries) => told.near(isSeen(entries)), { rootMargin: NEAR }),
-		new IntersectionObserver((entries) => told.seen(isSeen(entries))),
+		new ResizeObserver(() => callbacks.resized()),
+		new IntersectionObserver((entries) => callbacks.near(isSeen(entries)), { rootMargin: NEAR }),
+		new IntersectionObserver((entries) => callbacks.seen(isSeen(entries))),
 	];
 	for (const observer of observers) observer.observe(element);
 	signal.addEventListener("abort", () => {
 		for (const observer of observers) observer.disconnect();
 	});
-	matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => told.darkened(), { signal });
+	matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => callbacks.darkened(), { signal });
 }
 
 const isSeen = (entries: readonly IntersectionObserverEntry[]) => entries.at(-1)?.isIntersecting ?? false;

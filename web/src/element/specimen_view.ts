@@ -15,7 +15,7 @@ export class SpecimenView {
 	readonly #canvas: HTMLCanvasElement;
 	readonly #viewer: Viewer<Specimen, Plant>;
 	readonly #ended = new AbortController();
-	#figured: PageModel | undefined;
+	#rendererModel: PageModel | undefined;
 	#seen = false;
 	/** Degrees a second; 0 stands still. */
 	#turning = 0;
@@ -25,15 +25,15 @@ export class SpecimenView {
 	#paused = false;
 	readonly #reduced: MediaQueryList;
 	/** What lies over the picture, and is told when that has been drawn. */
-	readonly #above: Set<() => void>;
+	readonly #drawListeners: Set<() => void>;
 
 	private constructor(
 		canvas: HTMLCanvasElement,
 		viewer: Viewer<Specimen, Plant>,
 		reduced: MediaQueryList,
-		above: Set<() => void>,
+		drawListeners: Set<() => void>,
 	) {
-		this.#above = above;
+		this.#drawListeners = drawListeners;
 		this.#canvas = canvas;
 		this.#viewer = viewer;
 		this.#reduced = reduced;
@@ -54,9 +54,9 @@ export class SpecimenView {
 	static async create(canvas: HTMLCanvasElement, commons: Commons, events: { drawn(): void }): Promise<SpecimenView> {
 		const [{ Viewer }, renderer] = await Promise.all([loadScene(), commons.renderer()]);
 		const reduced = matchMedia("(prefers-reduced-motion: reduce)");
-		const above = new Set<() => void>();
+		const drawListeners = new Set<() => void>();
 		const drawn = () => {
-			for (const listener of above) listener();
+			for (const listener of drawListeners) listener();
 		};
 		const viewer = new Viewer<Specimen, Plant>(canvas, {
 			renderer,
@@ -65,16 +65,16 @@ export class SpecimenView {
 		});
 		// The turntable keeps all touches to itself; here those that go up and down are the page's.
 		canvas.style.touchAction = "pan-y";
-		return new SpecimenView(canvas, viewer, reduced, above);
+		return new SpecimenView(canvas, viewer, reduced, drawListeners);
 	}
 
 	/** Shows a plant in place of the last. */
 	async show(model: PageModel, grown: Plant, specimen: Specimen): Promise<void> {
-		if (model !== this.#figured) {
-			const figure = await loadRenderer(model);
+		if (model !== this.#rendererModel) {
+			const createRenderer = await loadRenderer(model);
 			if (this.#ended.signal.aborted) return;
-			this.#viewer.use(figure);
-			this.#figured = model;
+			this.#viewer.use(createRenderer);
+			this.#rendererModel = model;
 		}
 		this.#viewer.show(grown, specimen);
 	}
@@ -91,15 +91,15 @@ export class SpecimenView {
 	}
 
 	/** @param said the attribute: null for a plant that stands, a number of degrees a second, or anything else for a slow one */
-	setTurning(said: string | null): void {
-		const speed = Number(said || TURNING);
-		this.#turning = said === null ? 0 : Number.isFinite(speed) ? speed : TURNING;
+	setTurning(attribute: string | null): void {
+		const speed = Number(attribute || TURNING);
+		this.#turning = attribute === null ? 0 : Number.isFinite(speed) ? speed : TURNING;
 		this.#turn();
 	}
 
 	/** @param said the attribute: null where it is calm */
-	setWind(said: string | null): void {
-		this.#windy = said !== null;
+	setWind(attribute: string | null): void {
+		this.#windy = attribute !== null;
 		this.#blow();
 	}
 
@@ -136,8 +136,8 @@ export class SpecimenView {
 
 	/** Calls back after every draw. @returns what ends it */
 	onDrawn(listener: () => void): () => void {
-		this.#above.add(listener);
-		return () => this.#above.delete(listener);
+		this.#drawListeners.add(listener);
+		return () => this.#drawListeners.delete(listener);
 	}
 
 	reset(): void {

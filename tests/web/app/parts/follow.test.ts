@@ -40,7 +40,7 @@ interface Probe {
 	render(): unknown;
 }
 
-const parts = new Map<Name, { probe: Probe; asks: ReturnType<typeof vi.fn> }>();
+const parts = new Map<Name, { probe: Probe; requestUpdate: ReturnType<typeof vi.fn> }>();
 const studio = new Studio(
 	{ model: bunchModel, specimen: specimenFromPreset(), ui: FIRST_VISIT, systemDark: false },
 	{ grow: vi.fn(), cancel: vi.fn(), measure: vi.fn(), growOffscreen: vi.fn(), settled: vi.fn(), remember: vi.fn() },
@@ -48,12 +48,14 @@ const studio = new Studio(
 
 /** The parts that are to be drawn anew after a change; all are drawn then, as the page would. */
 async function followers(change: () => unknown): Promise<string[]> {
-	for (const { asks } of parts.values()) asks.mockClear();
+	for (const { requestUpdate } of parts.values()) requestUpdate.mockClear();
 	await change();
 	await Promise.resolve();
-	const asked = [...parts].filter(([, { asks }]) => asks.mock.calls.length > 0).map(([name]) => name);
+	const updated = [...parts]
+		.filter(([, { requestUpdate }]) => requestUpdate.mock.calls.length > 0)
+		.map(([name]) => name);
 	for (const { probe } of parts.values()) probe.render();
-	return asked;
+	return updated;
 }
 
 const shown = () => ({ ...sampleBunch(5), measures: new Float32Array([1]) });
@@ -63,16 +65,16 @@ const aged = (value: number) => studio.edit({ parameters: { age: value } }, PLAY
 beforeAll(async () => {
 	vi.stubGlobal("window", new EventTarget());
 	vi.stubGlobal("ResizeObserver", class {});
-	const tools = vi.waitFor(() => expect(studio.state.face).toBeDefined());
+	const tools = vi.waitFor(() => expect(studio.state.modelUi).toBeDefined());
 	await tools;
 	for (const [name, load] of Object.entries(PARTS) as [Name, () => Promise<new () => StudioPart>][]) {
 		const probe = new (await load())() as unknown as Probe;
 		probe.performUpdate = () => {};
-		const asks = vi.fn();
-		probe.requestUpdate = asks;
+		const requestUpdate = vi.fn();
+		probe.requestUpdate = requestUpdate;
 		Object.assign(probe, { context: studio, life: name === "life" ? LIFE : undefined, play: age });
 		probe.connectedCallback();
-		parts.set(name, { probe, asks });
+		parts.set(name, { probe, requestUpdate });
 	}
 	studio.grew(shown(), studio.state.specimen);
 	await followers(() => aged(10));
@@ -140,7 +142,7 @@ describe("a part of the page follows", () => {
 		expect(await followers(() => studio.choosePreset("plain", toy as unknown as PageModel))).toEqual(
 			expect.arrayContaining(all),
 		);
-		const tools = vi.waitFor(() => expect(studio.state.face).toBeDefined());
+		const tools = vi.waitFor(() => expect(studio.state.modelUi).toBeDefined());
 		const late = ["editors", "help", "panel", "readout", "stage", "views"];
 		expect(await followers(() => tools)).toEqual(expect.arrayContaining(late));
 	});

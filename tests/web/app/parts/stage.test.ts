@@ -20,8 +20,8 @@ beforeEach(async () => {
 		class {
 			observe() {}
 			disconnect() {}
-			constructor(tell: (entries: unknown[]) => void) {
-				resized = (width) => tell([{ contentRect: { width } }]);
+			constructor(callback: (entries: unknown[]) => void) {
+				resized = (width) => callback([{ contentRect: { width } }]);
 			}
 		},
 	);

@@ -6,7 +6,7 @@ const namesOf = (library: Library) => library.all.map(({ name }) => name).sort()
 
 /** Two tabs of one browser: what one says the other hears. */
 function twoTabs() {
-	const shelf = new SharedStore();
+	const store = new SharedStore();
 	const tabs: Tabs[] = [];
 	const tab = () => {
 		const own: Tabs = {
@@ -16,24 +16,24 @@ function twoTabs() {
 			},
 		};
 		tabs.push(own);
-		return new Library(shelf, own);
+		return new Library(store, own);
 	};
-	return { shelf, one: tab(), other: tab() };
+	return { store, one: tab(), other: tab() };
 }
 
 describe("a library", () => {
 	it("adds each under a name of its own, and reads again what was added", async () => {
-		const { shelf, one } = twoTabs();
+		const { store, one } = twoTabs();
 		for (const name of ["Merlot", "Merlot", "Merlot 2"]) await one.add(savedAs(name));
 		expect(namesOf(one)).toEqual(["Merlot", "Merlot 2", "Merlot 2 2"]);
-		const later = new Library(shelf);
+		const later = new Library(store);
 		expect(later.all).toEqual([]);
 		await later.read();
 		expect(namesOf(later)).toEqual(namesOf(one));
 	});
 
 	it("loses nothing that two tabs do at once, and each shows what the other did", async () => {
-		const { shelf, one, other } = twoTabs();
+		const { store, one, other } = twoTabs();
 		const first = await one.add(savedAs("First"));
 		const second = await one.add(savedAs("Second"));
 		await other.read();
@@ -46,7 +46,7 @@ describe("a library", () => {
 			other.bring([savedAs("Brought", { link: "?v=1" })]),
 		]);
 		const names = ["Brought", "Merlot", "Merlot 2", "Renamed"];
-		expect(shelf.kept.map(({ name }) => name).sort()).toEqual(names);
+		expect(store.stored.map(({ name }) => name).sort()).toEqual(names);
 		await vi.waitFor(() => {
 			expect(namesOf(one)).toEqual(names);
 			expect(namesOf(other)).toEqual(names);
@@ -54,12 +54,12 @@ describe("a library", () => {
 	});
 
 	it("does not bring back by another name what was deleted in another tab", async () => {
-		const { shelf, one } = twoTabs();
+		const { store, one } = twoTabs();
 		const { id } = await one.add(savedAs("Merlot"));
 		// Before this tab has heard of it.
-		await shelf.change(() => ({ remove: [id] }));
+		await store.change(() => ({ remove: [id] }));
 		await one.rename(id, "Syrah");
-		expect([namesOf(one), shelf.kept]).toEqual([[], []]);
+		expect([namesOf(one), store.stored]).toEqual([[], []]);
 	});
 
 	it("brings back what was deleted, the last first, as it was", async () => {
@@ -76,21 +76,21 @@ describe("a library", () => {
 	});
 
 	it("deletes several in one step of the shelf, and undo brings them back with their pictures", async () => {
-		const { shelf, one } = twoTabs();
+		const { store, one } = twoTabs();
 		const several = Array.from({ length: 1200 }, (_, index) =>
 			savedAs(`Vine ${index}`, { link: `?v=2&seed=${index}`, picture: Uint8Array.of(index % 256) }),
 		);
 		await one.bring(several);
 		// In another tab, before this one has heard of it: that deletion is not this one's to undo.
-		await shelf.change(() => ({ remove: [several[7].id] }));
-		const change = vi.spyOn(shelf, "change");
+		await store.change(() => ({ remove: [several[7].id] }));
+		const change = vi.spyOn(store, "change");
 		const ids = several.slice(0, 1000).map(({ id }) => id);
 		expect(await one.remove(ids)).toHaveLength(999);
-		expect([one.all.length, shelf.drawn.size, change.mock.calls.length]).toEqual([200, 200, 1]);
+		expect([one.all.length, store.pictureOf.size, change.mock.calls.length]).toEqual([200, 200, 1]);
 		expect(one.lastStep).toMatchObject({ kind: "deletion", specimens: { length: 999 } });
 		await one.undo();
-		expect([one.all.length, shelf.drawn.size, change.mock.calls.length]).toEqual([1199, 1199, 2]);
-		expect(shelf.drawn.get(several[300].id)).toEqual(several[300].picture);
+		expect([one.all.length, store.pictureOf.size, change.mock.calls.length]).toEqual([1199, 1199, 2]);
+		expect(store.pictureOf.get(several[300].id)).toEqual(several[300].picture);
 	});
 
 	it("undoes an import: what came is deleted, what was there already and what came after stays", async () => {
@@ -108,9 +108,9 @@ describe("a library", () => {
 	});
 
 	it("undoes an import again later where the shelf does not do it now", async () => {
-		const { shelf, one } = twoTabs();
+		const { store, one } = twoTabs();
 		await one.bring([savedAs("Brought")]);
-		vi.spyOn(shelf, "change").mockRejectedValueOnce(new Error("No shelf."));
+		vi.spyOn(store, "change").mockRejectedValueOnce(new Error("No shelf."));
 		expect(await one.undo()).toBeUndefined();
 		expect([namesOf(one), one.trouble]).toEqual([["Brought"], "No shelf."]);
 		await one.undo();
@@ -132,49 +132,49 @@ describe("a library", () => {
 	});
 
 	it("says what the shelf does not take and holds it, until it is taken", async () => {
-		const { shelf, one } = twoTabs();
+		const { store, one } = twoTabs();
 		const first = await one.add(savedAs("First"));
-		shelf.full = "The disk is full.";
-		const unkept = await one.add(savedAs("First"));
+		store.full = "The disk is full.";
+		const unstored = await one.add(savedAs("First"));
 		await one.rename(first.id, "Renamed");
 		await one.bring([savedAs("Brought")]);
 		expect(one.trouble).toBe("The disk is full.");
 		expect(namesOf(one)).toEqual(["Brought", "First 2", "Renamed"]);
-		expect(one.unkept.map(({ name }) => name).sort()).toEqual(["Brought", "First 2", "Renamed"]);
-		expect(shelf.kept).toEqual([first]);
+		expect(one.unstored.map(({ name }) => name).sort()).toEqual(["Brought", "First 2", "Renamed"]);
+		expect(store.stored).toEqual([first]);
 		await one.keep();
-		expect(one.isKept(unkept)).toBe(false);
+		expect(one.isStored(unstored)).toBe(false);
 		// What another tab does, and what is read again, changes nothing of it.
 		await one.read();
 		expect(namesOf(one)).toEqual(["Brought", "First 2", "Renamed"]);
-		shelf.full = undefined;
+		store.full = undefined;
 		await one.keep();
-		expect([one.unkept, one.trouble]).toEqual([[], undefined]);
-		expect(shelf.kept.map(({ name }) => name).sort()).toEqual(["Brought", "First 2", "Renamed"]);
+		expect([one.unstored, one.trouble]).toEqual([[], undefined]);
+		expect(store.stored.map(({ name }) => name).sort()).toEqual(["Brought", "First 2", "Renamed"]);
 	});
 
 	it("deletes what the shelf never took without asking it; what it cannot delete stays", async () => {
-		const { shelf, one } = twoTabs();
-		const kept = await one.add(savedAs("Kept"));
-		shelf.full = "The disk is full.";
-		const unkept = await one.add(savedAs("Unkept"));
-		vi.spyOn(shelf, "change").mockRejectedValue(new Error("No shelf."));
-		await one.remove([unkept.id]);
-		await one.remove([kept.id]);
+		const { store, one } = twoTabs();
+		const stored = await one.add(savedAs("Kept"));
+		store.full = "The disk is full.";
+		const unstored = await one.add(savedAs("Unkept"));
+		vi.spyOn(store, "change").mockRejectedValue(new Error("No shelf."));
+		await one.remove([unstored.id]);
+		await one.remove([stored.id]);
 		expect(namesOf(one)).toEqual(["Kept"]);
 		expect(one.trouble).toBe("No shelf.");
-		expect(one.lastStep).toEqual({ kind: "deletion", specimens: [unkept] });
+		expect(one.lastStep).toEqual({ kind: "deletion", specimens: [unstored] });
 	});
 
 	it("reads a picture only where it is shown, exported or deleted, and brings it back with what was deleted", async () => {
-		const { shelf, one, other } = twoTabs();
+		const { store, one, other } = twoTabs();
 		const picture = (byte: number) => Uint8Array.of(byte, byte);
 		const merlot = await one.add(savedAs("Merlot", { picture: picture(1) }));
 		const syrah = await one.add(savedAs("Syrah", { picture: picture(2) }));
 		await one.rename(merlot.id, "Malbec");
 		await other.read();
 		await other.rename(syrah.id, "Shiraz");
-		expect(shelf.looked).toEqual([]);
+		expect(store.readPictures).toEqual([]);
 		expect([...one.all, ...other.all].some((saved) => saved.picture)).toBe(false);
 		const exported = await other.withPictures(other.all);
 		expect(exported.map((saved) => [saved.name, saved.picture?.[0]]).sort()).toEqual([
@@ -182,19 +182,19 @@ describe("a library", () => {
 			["Shiraz", 2],
 		]);
 		await one.remove([merlot.id]);
-		expect(shelf.drawn.has(merlot.id)).toBe(false);
+		expect(store.pictureOf.has(merlot.id)).toBe(false);
 		await one.undo();
-		expect(shelf.drawn.get(merlot.id)).toEqual(picture(1));
+		expect(store.pictureOf.get(merlot.id)).toEqual(picture(1));
 	});
 
 	it("shows and exports the picture of what is renamed while the shelf takes nothing", async () => {
-		const { shelf, one } = twoTabs();
+		const { store, one } = twoTabs();
 		const { id } = await one.add(savedAs("Merlot", { picture: Uint8Array.of(7) }));
-		shelf.full = "The disk is full.";
+		store.full = "The disk is full.";
 		await one.rename(id, "Malbec");
-		expect((await one.withPictures(one.unkept))[0]).toMatchObject({ name: "Malbec", picture: Uint8Array.of(7) });
-		vi.spyOn(shelf, "pictures").mockRejectedValue(new Error("No shelf."));
-		expect((await one.withPictures(one.unkept))[0].name).toBe("Malbec");
+		expect((await one.withPictures(one.unstored))[0]).toMatchObject({ name: "Malbec", picture: Uint8Array.of(7) });
+		vi.spyOn(store, "pictures").mockRejectedValue(new Error("No shelf."));
+		expect((await one.withPictures(one.unstored))[0].name).toBe("Malbec");
 	});
 
 	it("tells whoever listens of every change", async () => {

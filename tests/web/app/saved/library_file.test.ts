@@ -75,8 +75,8 @@ describe("a library's file", () => {
 		["link", "https://example.org/", "No. 1, “Merlot”: its link has no “?”; it is left out."],
 		["link", `?v=2&x=${"y".repeat(16 * 1024)}`, "No. 1, “Merlot”: its link is too long; it is left out."],
 		["link", `?v=2#g=${"y".repeat(512 * 1024)}`, "No. 1, “Merlot”: its link is too long; it is left out."],
-	])("leaves out, and says where, one whose %s cannot be used: %#", async (field, value, said) => {
-		expect(await withFields({ [field]: value })).toEqual({ saved: [], problems: [said] });
+	])("leaves out, and says where, one whose %s cannot be used: %#", async (field, value, message) => {
+		expect(await withFields({ [field]: value })).toEqual({ saved: [], problems: [message] });
 	});
 
 	it.each([
@@ -90,9 +90,9 @@ describe("a library's file", () => {
 		[dataUrl(jpeg(1025, 10)), "is larger than 1024 pixels"],
 		[dataUrl(jpeg(192, 240, LARGEST_PICTURE + 1)), "is larger than 96 kB"],
 		[`data:image/jpeg;base64,${"A".repeat(4_000_000)}`, "is larger than 96 kB"],
-	])("brings without its picture one whose picture cannot be shown: %#", async (picture, said) => {
+	])("brings without its picture one whose picture cannot be shown: %#", async (picture, message) => {
 		const { saved, problems } = await withFields({ picture });
-		expect(problems).toEqual([`No. 1, “Merlot”: its picture ${said}; it comes without.`]);
+		expect(problems).toEqual([`No. 1, “Merlot”: its picture ${message}; it comes without.`]);
 		expect(saved).toHaveLength(1);
 		expect(saved[0].picture).toBeUndefined();
 	});
@@ -119,8 +119,8 @@ describe("a library's file", () => {
 		[{ specimens: [] }, "Its “version” is not 1."],
 		[{ version: 1, specimens: {} }, "Its “specimens” are no list."],
 		[{ version: 1, specimens: new Array(10_001).fill(0) }, "It holds 10001 specimens; at most 10000 can be read."],
-	])("is refused whole where it cannot be one: %#", (wrong, said) => {
-		expect(() => readLibrary({ format: "panicle-library", ...wrong })).toThrow(said);
+	])("is refused whole where it cannot be one: %#", (wrong, message) => {
+		expect(() => readLibrary({ format: "panicle-library", ...wrong })).toThrow(message);
 	});
 
 	it("is told from other JSON, and where it breaks off", async () => {

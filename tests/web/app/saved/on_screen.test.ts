@@ -16,7 +16,7 @@ function grow(studio: Studio, fingerprint = FINGERPRINT): void {
 	studio.caughtUp();
 }
 
-const said = (studio: Studio) => studio.state.notices.map(({ title, details }) => [title, ...details].join(" "));
+const messages = (studio: Studio) => studio.state.notices.map(({ title, details }) => [title, ...details].join(" "));
 
 async function savedWithText() {
 	const { studio } = await studioWith({ ...specimenFromPreset("riesling"), seed: 7, grammar: GRAMMAR } as never);
@@ -39,7 +39,7 @@ describe("what is on screen", () => {
 		await expect.poll(() => studio.state.specimen).toMatchObject({ preset: "riesling", seed: 7, grammar: GRAMMAR });
 		grow(studio);
 		await opening;
-		expect(said(studio)).toEqual([]);
+		expect(messages(studio)).toEqual([]);
 		studio.undo();
 		expect(studio.state.specimen).toMatchObject({ preset: "duku" });
 	});
@@ -50,7 +50,7 @@ describe("what is on screen", () => {
 		await expect.poll(() => studio.state.specimen.preset).toBe("grape-15b");
 		grow(studio, "fedcba9876543210");
 		await opening;
-		expect(said(studio)).toEqual([
+		expect(messages(studio)).toEqual([
 			`“Old” grows otherwise than when it was saved It was saved with version 1.0.0, fingerprint ${FINGERPRINT}; it is fedcba9876543210 here.`,
 		]);
 	});
@@ -62,6 +62,6 @@ describe("what is on screen", () => {
 		studio.newVariation();
 		grow(studio, "fedcba9876543210");
 		await opening;
-		expect(said(studio)).toEqual([]);
+		expect(messages(studio)).toEqual([]);
 	});
 });

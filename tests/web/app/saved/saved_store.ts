@@ -10,33 +10,33 @@ import {
 
 /** A shelf that several libraries share, as tabs share a browser's. Steps take turns, and each takes a while. */
 export class SharedStore implements SavedStore {
-	kept: readonly Saved[] = [];
-	readonly drawn = new Map<string, NonNullable<Saved["picture"]>>();
+	stored: readonly Saved[] = [];
+	readonly pictureOf = new Map<string, NonNullable<Saved["picture"]>>();
 	/** Ids whose pictures were read. */
-	readonly looked: string[] = [];
+	readonly readPictures: string[] = [];
 	/** Why nothing goes on it. */
 	full: string | undefined;
 	#last: Promise<unknown> = Promise.resolve();
 
 	all(): Promise<readonly Saved[]> {
-		return this.#inTurn(() => this.kept);
+		return this.#inTurn(() => this.stored);
 	}
 
 	pictures(ids: readonly string[]): Promise<Pictures> {
 		return this.#inTurn(() => {
-			this.looked.push(...ids);
-			return new Map([...this.drawn].filter(([id]) => ids.includes(id)));
+			this.readPictures.push(...ids);
+			return new Map([...this.pictureOf].filter(([id]) => ids.includes(id)));
 		});
 	}
 
-	change(decide: (kept: readonly Saved[]) => Edit): Promise<readonly Saved[]> {
+	change(decide: (stored: readonly Saved[]) => Edit): Promise<readonly Saved[]> {
 		return this.#inTurn(() => {
-			const edit = decide(this.kept);
+			const edit = decide(this.stored);
 			if (this.full && edit.put?.length) throw new StoreError(this.full);
-			for (const { id, picture } of edit.put ?? []) if (picture) this.drawn.set(id, picture);
-			for (const id of edit.remove ?? []) this.drawn.delete(id);
-			this.kept = edited(this.kept, { ...edit, put: edit.put?.map(withoutPicture) });
-			return this.kept;
+			for (const { id, picture } of edit.put ?? []) if (picture) this.pictureOf.set(id, picture);
+			for (const id of edit.remove ?? []) this.pictureOf.delete(id);
+			this.stored = edited(this.stored, { ...edit, put: edit.put?.map(withoutPicture) });
+			return this.stored;
 		});
 	}
 

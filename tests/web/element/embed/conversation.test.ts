@@ -1,13 +1,13 @@
 import fc from "fast-check";
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { Conversation, type Plant, PROTOCOL } from "../../../../web/src/element/embed/conversation";
+import { Conversation, type EmbeddedPlant, PROTOCOL } from "../../../../web/src/element/embed/conversation";
 import { FRAME_KEYS, frameSettings } from "../../../../web/src/element/embed/frame_settings";
 import { modelNamed, modelNames } from "../../../../web/src/models/index";
 import { isKnown } from "../../../../web/src/specimen/restore";
 
 const HOST = "https://host.example";
 const grown = { link: "?v=2" } as never;
-let plant: { [Key in keyof Plant]: Key extends "specimen" ? unknown : ReturnType<typeof vi.fn> };
+let plant: { [Key in keyof EmbeddedPlant]: Key extends "specimen" ? unknown : ReturnType<typeof vi.fn> };
 const source = { postMessage: vi.fn() };
 beforeEach(() => {
 	source.postMessage.mockReset();
@@ -22,9 +22,9 @@ beforeEach(() => {
 	};
 });
 
-async function asked(message: object, { allowed, origin = HOST }: { allowed?: string[]; origin?: string } = {}) {
-	const conversation = new Conversation(plant as unknown as Plant, allowed);
-	await conversation.hear({ data: { panicle: PROTOCOL, id: 1, ...message }, origin, source });
+async function answersTo(message: object, { allowed, origin = HOST }: { allowed?: string[]; origin?: string } = {}) {
+	const conversation = new Conversation(plant as unknown as EmbeddedPlant, allowed);
+	await conversation.receive({ data: { panicle: PROTOCOL, id: 1, ...message }, origin, source });
 	return { conversation, answers: source.postMessage.mock.calls };
 }
 const answered = (more: object, origin = HOST) => [[{ panicle: PROTOCOL, id: 1, ...more }, { targetOrigin: origin }]];
@@ -39,14 +39,14 @@ describe("what a host page may ask", () => {
 		[{ method: "picture", values: { width: 40.4, height: 60 } }, "picture"],
 		[{ method: "reset" }, undefined],
 	])("%j is answered to its origin alone", async (message, result) => {
-		expect((await asked(message)).answers).toEqual(answered({ result }));
+		expect((await answersTo(message)).answers).toEqual(answered({ result }));
 	});
 
 	it("hands over what was asked", async () => {
-		await asked({ method: "set", values: { age: 60, skin: "ff0000" } });
-		await asked({ method: "file", values: { format: "glb-low", triangles: 900, other: 1 } });
-		await asked({ method: "picture", values: { width: 40.4 } });
-		await asked({ method: "open", values: { link: "?v=2&seed=3" } });
+		await answersTo({ method: "set", values: { age: 60, skin: "ff0000" } });
+		await answersTo({ method: "file", values: { format: "glb-low", triangles: 900, other: 1 } });
+		await answersTo({ method: "picture", values: { width: 40.4 } });
+		await answersTo({ method: "open", values: { link: "?v=2&seed=3" } });
 		expect(plant.set).toHaveBeenCalledWith({ age: 60, skin: "ff0000" });
 		expect(plant.toFile).toHaveBeenCalledWith("glb-low", { triangles: 900 });
 		expect(plant.toBlob).toHaveBeenCalledWith({ width: 40 });
@@ -70,40 +70,40 @@ describe("what a host page may ask", () => {
 		[{ method: "file", values: { format: "ply", points: 1e12 } }, /^points: 1 to 2000000$/],
 		[{ method: "file", values: { format: "glb-low", triangles: -1 } }, /^triangles: 100 to 2000000$/],
 	])("%j is refused in words", async (message, error) => {
-		const { answers } = await asked(message);
+		const { answers } = await answersTo(message);
 		expect(answers).toEqual(answered({ error: expect.stringMatching(error) }));
 	});
 
 	it("says what went wrong", async () => {
 		plant.grow.mockRejectedValueOnce(new Error("no room"));
-		expect((await asked({ method: "grow" })).answers).toEqual(answered({ error: "no room" }));
+		expect((await answersTo({ method: "grow" })).answers).toEqual(answered({ error: "no room" }));
 	});
 
 	it("is heeded of allowed origins only, where some are named", async () => {
-		const other = await asked({ method: "set", values: { age: 1 } }, { allowed: ["https://other.example"] });
+		const other = await answersTo({ method: "set", values: { age: 1 } }, { allowed: ["https://other.example"] });
 		expect(other.answers).toEqual(answered({ error: `pages of ${HOST} may not ask this frame` }));
 		expect(plant.set).not.toHaveBeenCalled();
 		source.postMessage.mockReset();
-		expect((await asked({ method: "specimen" }, { allowed: [HOST] })).answers).toHaveLength(1);
+		expect((await answersTo({ method: "specimen" }, { allowed: [HOST] })).answers).toHaveLength(1);
 	});
 
 	it("is never answered to a page without an origin", async () => {
-		expect((await asked({ method: "grow" }, { origin: "null" })).answers).toEqual([]);
+		expect((await answersTo({ method: "grow" }, { origin: "null" })).answers).toEqual([]);
 		expect(plant.grow).not.toHaveBeenCalled();
 	});
 
 	it("tells what happens to those who listen, at their origins", async () => {
-		const { conversation } = await asked({ method: "listen" });
-		conversation.tell("grown", grown);
-		const told = { panicle: PROTOCOL, event: "grown", detail: grown };
-		expect(source.postMessage.mock.calls[1]).toEqual([told, { targetOrigin: HOST }]);
+		const { conversation } = await answersTo({ method: "listen" });
+		conversation.broadcast("grown", grown);
+		const message = { panicle: PROTOCOL, event: "grown", detail: grown };
+		expect(source.postMessage.mock.calls[1]).toEqual([message, { targetOrigin: HOST }]);
 	});
 
 	it("tells at most 64 windows, forgets those that are closed, and refuses one more in words", async () => {
-		const conversation = new Conversation(plant as unknown as Plant);
+		const conversation = new Conversation(plant as unknown as EmbeddedPlant);
 		const windows = Array.from({ length: 65 }, () => ({ postMessage: vi.fn(), closed: false }));
 		const listen = (source: (typeof windows)[number]) =>
-			conversation.hear({ data: { panicle: PROTOCOL, id: 1, method: "listen" }, origin: HOST, source });
+			conversation.receive({ data: { panicle: PROTOCOL, id: 1, method: "listen" }, origin: HOST, source });
 		for (const source of windows) await listen(source);
 		const results = windows.map(({ postMessage }) => postMessage.mock.lastCall?.[0]);
 		expect(results.slice(0, 64).every(({ result }) => result === true)).toBe(true);
@@ -115,14 +115,14 @@ describe("what a host page may ask", () => {
 		await listen(windows[64]);
 		expect(windows[64].postMessage.mock.lastCall?.[0]).toMatchObject({ result: true });
 		for (const { postMessage } of windows) postMessage.mockClear();
-		conversation.tell("grown", grown);
+		conversation.broadcast("grown", grown);
 		expect(windows.map(({ postMessage }) => postMessage.mock.calls.length)).toEqual(
 			windows.map((_, i) => (i === 1 ? 0 : 1)),
 		);
 	});
 
 	it.each([Number.NaN, Number.POSITIVE_INFINITY, "x".repeat(201), null, {}])("passes over the id %s", async (id) => {
-		expect((await asked({ id, method: "grow" })).answers).toEqual([]);
+		expect((await answersTo({ id, method: "grow" })).answers).toEqual([]);
 		expect(plant.grow).not.toHaveBeenCalled();
 	});
 
@@ -130,11 +130,11 @@ describe("what a host page may ask", () => {
 		fc.assert(
 			fc.asyncProperty(fc.anything(), fc.anything(), async (data, values) => {
 				source.postMessage.mockReset();
-				const conversation = new Conversation(plant as unknown as Plant);
-				await conversation.hear({ data, origin: HOST, source });
+				const conversation = new Conversation(plant as unknown as EmbeddedPlant);
+				await conversation.receive({ data, origin: HOST, source });
 				expect(source.postMessage).not.toHaveBeenCalled();
 				const ours = { panicle: PROTOCOL, id: 1, method: "set", values };
-				await conversation.hear({ data: ours, origin: HOST, source });
+				await conversation.receive({ data: ours, origin: HOST, source });
 				expect(source.postMessage).toHaveBeenCalledOnce();
 			}),
 		));

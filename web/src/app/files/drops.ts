@@ -5,8 +5,8 @@ import type { Studio } from "../studio";
 import { TRY_AGAIN } from "../types";
 
 /** What tools of the model take of files, those that mean nothing to the specimen left out. */
-export function dropsOf({ state: { face, specimen } }: Studio): ToolDrop[] {
-	return applying(face?.tools, specimen).flatMap(({ drop }) => drop ?? []);
+export function dropsOf({ state: { modelUi, specimen } }: Studio): ToolDrop[] {
+	return applying(modelUi?.tools, specimen).flatMap(({ drop }) => drop ?? []);
 }
 
 /** The files that the picker offers. */

@@ -6,9 +6,9 @@ import { withLink } from "../../formats/png_link";
 import { hasAges } from "../../generate/files/aged";
 import { exportFile } from "../../generate/files/exporter";
 import type { Specimen } from "../../specimen/specimen";
-import type { PictureOptions, Shown, StudioState } from "../studio_state";
+import type { PictureOptions, ShownPlant, StudioState } from "../studio_state";
 
-export interface Download {
+export interface DownloadFormat {
 	readonly key: string;
 	readonly title: string;
 	readonly about: string;
@@ -18,12 +18,12 @@ export interface Download {
 	readonly sized: boolean;
 	/** Whether that takes seconds. */
 	readonly slow?: boolean;
-	make(asked: Asked, signal?: AbortSignal): Promise<Blob>;
+	make(request: DownloadRequest, signal?: AbortSignal): Promise<Blob>;
 }
 
 /** What is to be made into a file. */
-export interface Asked {
-	readonly plant: Shown;
+export interface DownloadRequest {
+	readonly plant: ShownPlant;
 	/** The whole address that brings it back. */
 	readonly link: string;
 	/** Without extension. */
@@ -31,9 +31,9 @@ export interface Asked {
 	readonly options: FileOptions & Pick<PictureOptions, "height">;
 }
 
-type Listed = Pick<Download, "key" | "title" | "about" | "suffix" | "slow">;
+type FormatEntry = Pick<DownloadFormat, "key" | "title" | "about" | "suffix" | "slow">;
 
-const OF_EVERY_PLANT: readonly Listed[] = [
+const OF_EVERY_PLANT: readonly FormatEntry[] = [
 	{ key: "obj", title: "OBJ with MTL", about: "Both in one .zip", suffix: "-obj.zip" },
 	{ key: "json", title: "JSON", about: "Every part as numbers, in metres", suffix: ".json" },
 ];
@@ -43,7 +43,11 @@ const OF_EVERY_PLANT: readonly Listed[] = [
  * @param picture takes one of the 3-D view, where there is a view
  * @param write makes all the others; cancelled by its signal, it rejects with the signal's reason
  */
-export function formatsOf(shown: Shown, picture: StudioState["picture"], write = exportFile): readonly Download[] {
+export function downloadFormats(
+	shown: ShownPlant,
+	picture: StudioState["picture"],
+	write = exportFile,
+): readonly DownloadFormat[] {
 	const { model, grown } = shown;
 	const own = (model.formats ?? []).filter(({ applies }) => applies?.(grown) ?? true);
 	// What grows the plant again, otherwise.
@@ -54,11 +58,11 @@ export function formatsOf(shown: Shown, picture: StudioState["picture"], write =
 		({ shared, life, blown, levelled }) =>
 			(!shared || hasInstances(shown)) && (!life || ages) && !(blown && model.still) && (!levelled || levels),
 	);
-	const listed: Listed[] = [...meshes, ...OF_EVERY_PLANT, ...own];
-	const written = listed.map(({ key, title, about, suffix, slow = false }): Download => {
-		const make: Download["make"] = ({ plant: { model, grown, from }, ...asked }, signal) => {
+	const listed: FormatEntry[] = [...meshes, ...OF_EVERY_PLANT, ...own];
+	const written = listed.map(({ key, title, about, suffix, slow = false }): DownloadFormat => {
+		const make: DownloadFormat["make"] = ({ plant: { model, grown, from }, ...rest }, signal) => {
 			const again = core === undefined ? {} : { core };
-			const request = { model: model.name, format: key, grown, specimen: from, ...again, ...asked };
+			const request = { model: model.name, format: key, grown, specimen: from, ...again, ...rest };
 			return write(model, request, signal ? { signal } : {});
 		};
 		return { key, title, about, suffix, slow, sized: true, make };
@@ -66,8 +70,8 @@ export function formatsOf(shown: Shown, picture: StudioState["picture"], write =
 	return [...written, ...(picture ? picturesBy(picture) : [])];
 }
 
-function picturesBy(take: NonNullable<StudioState["picture"]>): Download[] {
-	const sizeOf = ({ options: { height } }: Asked) => (height === undefined ? {} : { height });
+function picturesBy(take: NonNullable<StudioState["picture"]>): DownloadFormat[] {
+	const sizeOf = ({ options: { height } }: DownloadRequest) => (height === undefined ? {} : { height });
 	return [
 		{
 			key: "png",
@@ -75,7 +79,7 @@ function picturesBy(take: NonNullable<StudioState["picture"]>): Download[] {
 			about: "The 3-D view as a PNG",
 			suffix: ".png",
 			sized: false,
-			make: async (asked) => withLink(await take(sizeOf(asked)), asked.link),
+			make: async (request) => withLink(await take(sizeOf(request)), request.link),
 		},
 		{
 			key: "png-alone",
@@ -83,13 +87,13 @@ function picturesBy(take: NonNullable<StudioState["picture"]>): Download[] {
 			about: "The same with nothing behind the plant: a transparent PNG",
 			suffix: "-cut-out.png",
 			sized: false,
-			make: async (asked) => withLink(await take({ ...sizeOf(asked), alone: true }), asked.link),
+			make: async (request) => withLink(await take({ ...sizeOf(request), alone: true }), request.link),
 		},
 	];
 }
 
 /** Whether some parts are one mesh many times, so that instances make the file another one. */
-function hasInstances({ model, grown }: Shown): boolean {
+function hasInstances({ model, grown }: ShownPlant): boolean {
 	return model.instanced?.(grown) ?? grown.organs.mesh.some((mesh) => mesh >= 0);
 }
 

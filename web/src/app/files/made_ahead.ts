@@ -1,32 +1,33 @@
 /** Files made while the menu is open, one after the other: so it says how large each is, and has it when it is chosen. */
 import { NotFetched } from "../../generate/files/exporter";
 import { linkOf } from "../address";
-import type { Shown } from "../studio_state";
-import type { Asked, Download } from "./formats";
+import type { ShownPlant } from "../studio_state";
+import type { DownloadFormat, DownloadRequest } from "./formats";
 
 /** What a format isActive of what was asked for: two askings that agree in it give the same file. */
-const keyOf = ({ key }: Download, { link, name, options }: Asked) => JSON.stringify([key, link, name, options]);
+const keyOf = ({ key }: DownloadFormat, { link, name, options }: DownloadRequest) =>
+	JSON.stringify([key, link, name, options]);
 
 export class MadeAhead {
-	readonly #files = new Map<string, { grown: Shown["grown"]; file: Blob }>();
+	readonly #files = new Map<string, { grown: ShownPlant["grown"]; file: Blob }>();
 	#work: AbortController | undefined;
 
 	/** @param changed called when a file is there */
 	constructor(readonly changed: () => void) {}
 
 	/** Makes what of `formats` is not there yet, the slow ones last, until all are or `stop` is called. What fails is left out. */
-	async start(formats: readonly Download[], asked: Asked): Promise<void> {
+	async start(formats: readonly DownloadFormat[], request: DownloadRequest): Promise<void> {
 		this.stop();
-		for (const [key, { grown }] of this.#files) if (grown !== asked.plant.grown) this.#files.delete(key);
+		for (const [key, { grown }] of this.#files) if (grown !== request.plant.grown) this.#files.delete(key);
 		const work = new AbortController();
 		this.#work = work;
 		const sized = formats.filter((format) => format.sized);
 		for (const format of sized.toSorted((one, other) => Number(one.slow ?? false) - Number(other.slow ?? false))) {
-			if (this.file(format, asked)) continue;
-			const file = await format.make(asked, work.signal).catch((error: unknown) => error);
+			if (this.file(format, request)) continue;
+			const file = await format.make(request, work.signal).catch((error: unknown) => error);
 			// Where the script that makes them does not come, it does not come for the next either.
 			if (work.signal.aborted || file instanceof NotFetched) return;
-			if (file instanceof Blob) this.#files.set(keyOf(format, asked), { grown: asked.plant.grown, file });
+			if (file instanceof Blob) this.#files.set(keyOf(format, request), { grown: request.plant.grown, file });
 			this.changed();
 		}
 	}
@@ -42,14 +43,18 @@ export class MadeAhead {
 	}
 
 	/** The file, where it has been made of that very plant. */
-	file(format: Download, asked: Asked): Blob | undefined {
-		const known = this.#files.get(keyOf(format, asked));
-		return known?.grown === asked.plant.grown ? known.file : undefined;
+	file(format: DownloadFormat, request: DownloadRequest): Blob | undefined {
+		const known = this.#files.get(keyOf(format, request));
+		return known?.grown === request.plant.grown ? known.file : undefined;
 	}
 }
 
 /** What a plant is to be made into a file as. */
-export async function askedOf(plant: Shown, name: string, options: Asked["options"]): Promise<Asked> {
+export async function downloadRequestFor(
+	plant: ShownPlant,
+	name: string,
+	options: DownloadRequest["options"],
+): Promise<DownloadRequest> {
 	return { plant, link: await linkOf(plant.model, plant.from), name, options };
 }
 

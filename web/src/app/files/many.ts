@@ -7,9 +7,9 @@ import { checkVaried, readVary } from "../../batch/vary";
 import { Client } from "../../core/client";
 import { coreAddress } from "../../core/core_address";
 import { exportFile } from "../../generate/files/exporter";
-import { Cores } from "../cores";
-import type { Shown, StudioState } from "../studio_state";
-import { type Download, formatsOf } from "./formats";
+import { CoreGrower } from "../core_grower";
+import type { ShownPlant, StudioState } from "../studio_state";
+import { type DownloadFormat, downloadFormats } from "./formats";
 
 export interface Many {
 	/** Numbers of the plants, as `--seeds` has them. */
@@ -21,9 +21,9 @@ export interface Many {
 }
 
 /** Which files there can be of many: of those of the plant that is shown, what a series makes. */
-export function formatsOfMany(shown: Shown): readonly Download[] {
+export function formatsOfMany(shown: ShownPlant): readonly DownloadFormat[] {
 	const made = formatsOfSeries(shown.model);
-	return formatsOf(shown, undefined).filter(({ key }) => made.includes(key));
+	return downloadFormats(shown, undefined).filter(({ key }) => made.includes(key));
 }
 
 /**
@@ -46,7 +46,7 @@ export function readMany(
 export async function growMany({ series, numbers }: ReturnType<typeof readMany>, watch: Watch): Promise<Blob> {
 	await checkVaried(series.model, series.varied, series.from);
 	const client = new Client();
-	const cores = new Cores(coreAddress, client);
+	const cores = new CoreGrower(coreAddress, client);
 	const { signal } = watch;
 	try {
 		const means = {

@@ -4,6 +4,6 @@ export { NotFetched } from "../../generate/files/exporter";
 export { saveFile } from "../../ui/save_file";
 export { fileSettings } from "../parts/file_settings";
 export { menuActions } from "../parts/menu_actions";
-export { fileName, formatsOf } from "./formats";
-export { askedOf, MadeAhead, sizeInWords } from "./made_ahead";
+export { downloadFormats, fileName } from "./formats";
+export { downloadRequestFor, MadeAhead, sizeInWords } from "./made_ahead";
 export { plantToSave } from "./plant_to_save";

@@ -7,7 +7,7 @@ import { modelIn, restore } from "../../specimen/restore";
 import { SPECIMEN_VERSION } from "../../specimen/specimen";
 import { TextError } from "../../specimen/text_error";
 import { FILE_TOPIC } from "../../ui/tool";
-import { BARE } from "../model_uis";
+import { EMPTY_MODEL_UI } from "../model_uis";
 import { applying } from "../panel_groups";
 import { SAVED } from "../parts/late_parts";
 import { openPart } from "../parts/open_part";
@@ -91,7 +91,7 @@ async function elsewhere(studio: Studio, file: File): Promise<string[]> {
 	const others = modelNames().filter((name) => name !== studio.state.model.name);
 	const taken = others.map(async (name) => {
 		const model = await modelNamed(name);
-		const { tools } = (await model.ui?.()) ?? BARE;
+		const { tools } = (await model.ui?.()) ?? EMPTY_MODEL_UI;
 		const drop = applying(tools, fromPreset(model)).find((tool) => tool.drop?.takes(file))?.drop;
 		return drop && `${model.title}: ${drop.words}.`;
 	});

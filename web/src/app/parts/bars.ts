@@ -6,14 +6,14 @@ import { StudioPart } from "./studio_part";
 
 /** The bars below the 3-D view that the model's tools bring. */
 export class Bars extends StudioPart {
-	protected override shows({ state: { face, specimen, model } }: Studio): readonly unknown[] {
-		return [model, ...applying(face?.tools, specimen)];
+	protected override shows({ state: { modelUi, specimen, model } }: Studio): readonly unknown[] {
+		return [model, ...applying(modelUi?.tools, specimen)];
 	}
 
 	protected override draw(studio: Studio): unknown {
-		const { face, specimen, model } = studio.state;
+		const { modelUi, specimen, model } = studio.state;
 		return repeat(
-			applying(face?.tools, specimen).filter(({ bar }) => bar),
+			applying(modelUi?.tools, specimen).filter(({ bar }) => bar),
 			({ name }) => `${model.name} ${name}`,
 			({ bar }) => html`<div role="group" aria-label=${bar?.title ?? ""}>${bar?.draw(studio)}</div>`,
 		);

@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
 import type { Plant } from "../../plant/plant";
 import { icon } from "../../ui/icons";
-import type { Asked, Download } from "../files/formats";
+import type { DownloadFormat, DownloadRequest } from "../files/formats";
 import type { MadeAhead } from "../files/made_ahead";
 import type { Studio } from "../studio";
 import { isAltered } from "../title";
@@ -10,7 +10,7 @@ import type { MenuAction } from "./menu_actions";
 import { StudioPart } from "./studio_part";
 
 /** What takes longer than this shows that it is being made, and can be cancelled; milliseconds. */
-const PATIENCE = 200;
+const PROGRESS_DELAY = 200;
 
 type Offered = typeof import("../files/offered");
 
@@ -26,12 +26,12 @@ export class DownloadMenu extends StudioPart {
 	#offered: Offered | undefined;
 	/** The file that is being made. */
 	#making: Making | undefined;
-	#options: Asked["options"] = {};
+	#options: DownloadRequest["options"] = {};
 	/** What the sizes are of, while the menu is open. */
-	#asked: Asked | undefined;
+	#request: DownloadRequest | undefined;
 	#ahead: MadeAhead | undefined;
 	/** The plant that sizes were last asked of. */
-	#toldOf: Plant | undefined;
+	#sizedPlant: Plant | undefined;
 
 	protected override shows({ state: { shown, picture } }: Studio): readonly unknown[] {
 		return [picture, this.#offered ? shown : shown !== undefined];
@@ -45,22 +45,22 @@ export class DownloadMenu extends StudioPart {
 				?disabled=${!shown} @click=${this.#toggle}
 			>${icon("download")}<span class="words">Download</span></button>
 			${this.#making?.slow ? progress(this.#making, () => this.#cancel()) : nothing}
-			${offered && shown ? this.#menu(offered, offered.formatsOf(shown, studio.state.picture)) : nothing}
+			${offered && shown ? this.#menu(offered, offered.downloadFormats(shown, studio.state.picture)) : nothing}
 			<panicle-many .context=${studio}></panicle-many><panicle-embed .context=${studio}></panicle-embed>`;
 	}
 
-	#menu(offered: Offered, formats: readonly Download[]): unknown {
+	#menu(offered: Offered, formats: readonly DownloadFormat[]): unknown {
 		return html`<div class="menu" @keydown=${this.#keyDown} @focusout=${this.#focusOut}>
 			<div role="menu" aria-label="Download">${formats.map((format) => this.#item(offered, format))}${offered.menuActions(this.context).map((action) => this.#action(action))}</div>
 			${offered.fileSettings(this.#options, (options) => {
 				this.#options = options;
-				void this.#tellSizes(offered);
+				void this.#updateSizes(offered);
 			})}
 		</div>`;
 	}
 
-	#item(offered: Offered, format: Download): unknown {
-		const file = this.#asked && this.#ahead?.file(format, this.#asked);
+	#item(offered: Offered, format: DownloadFormat): unknown {
+		const file = this.#request && this.#ahead?.file(format, this.#request);
 		return html`<button type="button" role="menuitem" data-format=${format.key} @click=${() => this.#download(offered, format)}>
 			${format.title}${format.sized ? html` <span class="size">${file ? offered.sizeInWords(file.size) : "…"}</span>` : nothing}<small>${format.about}</small>
 		</button>`;
@@ -79,9 +79,9 @@ export class DownloadMenu extends StudioPart {
 	/** Sizes are those of the plant in view: they follow it while the menu is open. */
 	protected override updated(): void {
 		const grown = this.context.state.shown?.grown;
-		if (!this.#offered || grown === this.#toldOf) return;
-		this.#toldOf = grown;
-		void this.#tellSizes(this.#offered);
+		if (!this.#offered || grown === this.#sizedPlant) return;
+		this.#sizedPlant = grown;
+		void this.#updateSizes(this.#offered);
 	}
 
 	/** The button with Cancel on it goes: the focus stays near. */
@@ -91,18 +91,21 @@ export class DownloadMenu extends StudioPart {
 	}
 
 	/** Makes what the menu offers, to tell how large it is. */
-	async #tellSizes(offered: Offered): Promise<void> {
-		const asked = await this.#ask(offered).catch(() => undefined);
-		if (!asked || !this.#offered) return;
-		this.#asked = asked;
+	async #updateSizes(offered: Offered): Promise<void> {
+		const request = await this.#requestFor(offered).catch(() => undefined);
+		if (!request || !this.#offered) return;
+		this.#request = request;
 		this.#ahead ??= new offered.MadeAhead(() => this.requestUpdate());
-		await this.#ahead.start(offered.formatsOf(asked.plant, undefined), asked);
+		await this.#ahead.start(offered.downloadFormats(request.plant, undefined), request);
 	}
 
-	async #ask({ plantToSave, fileName, askedOf }: Offered, signal?: AbortSignal): Promise<Asked> {
+	async #requestFor(
+		{ plantToSave, fileName, downloadRequestFor }: Offered,
+		signal?: AbortSignal,
+	): Promise<DownloadRequest> {
 		const plant = await plantToSave(this.context, signal);
-		const name = fileName(plant.from, isAltered(plant.from, plant.model, this.context.state.face?.tools));
-		return askedOf(plant, name, this.#options);
+		const name = fileName(plant.from, isAltered(plant.from, plant.model, this.context.state.modelUi?.tools));
+		return downloadRequestFor(plant, name, this.#options);
 	}
 
 	override disconnectedCallback(): void {
@@ -124,15 +127,15 @@ export class DownloadMenu extends StudioPart {
 		this.#offered = offered;
 		this.requestUpdate();
 		// What is saved is at rest, and measured.
-		const { face } = this.context.state;
-		for (const tool of face?.tools ?? []) tool.rest?.(this.context);
+		const { modelUi } = this.context.state;
+		for (const tool of modelUi?.tools ?? []) tool.rest?.(this.context);
 		void this.updateComplete.then(() => this.#items()[0]?.focus());
 		window.addEventListener("pointerdown", this.#outside, { capture: true });
 	}
 
 	#close(): void {
 		this.#offered = undefined;
-		this.#toldOf = undefined;
+		this.#sizedPlant = undefined;
 		this.#ahead?.stop();
 		this.requestUpdate();
 		window.removeEventListener("pointerdown", this.#outside, { capture: true });
@@ -170,7 +173,7 @@ export class DownloadMenu extends StudioPart {
 		return [...this.querySelectorAll<HTMLElement>("[role=menuitem]")];
 	}
 
-	async #download(offered: Offered, format: Download): Promise<void> {
+	async #download(offered: Offered, format: DownloadFormat): Promise<void> {
 		this.#leave();
 		this.#making?.cancel.abort();
 		const making: Making = { title: format.title, cancel: new AbortController(), slow: false };
@@ -178,13 +181,13 @@ export class DownloadMenu extends StudioPart {
 		const patience = setTimeout(() => {
 			making.slow = true;
 			this.requestUpdate();
-		}, PATIENCE);
+		}, PROGRESS_DELAY);
 		const { signal } = making.cancel;
 		try {
-			const asked = await this.#ask(offered, signal);
-			const blob = this.#ahead?.file(format, asked) ?? (await format.make(asked, signal));
+			const request = await this.#requestFor(offered, signal);
+			const blob = this.#ahead?.file(format, request) ?? (await format.make(request, signal));
 			signal.throwIfAborted();
-			offered.saveFile(blob, `${asked.name}${format.suffix}`);
+			offered.saveFile(blob, `${request.name}${format.suffix}`);
 		} catch (error) {
 			if (!signal.aborted) this.#explain(offered, error, format);
 		} finally {
@@ -195,7 +198,7 @@ export class DownloadMenu extends StudioPart {
 		}
 	}
 
-	#explain(offered: Offered, error: unknown, format: Download): void {
+	#explain(offered: Offered, error: unknown, format: DownloadFormat): void {
 		const title = `The ${format.title} could not be made`;
 		const text = error instanceof Error ? error.message : String(error);
 		if (error instanceof offered.NotFetched)

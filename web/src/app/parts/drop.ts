@@ -8,8 +8,8 @@ import { StudioPart } from "./studio_part";
 export class Drop extends StudioPart {
 	#hovering = false;
 
-	protected override shows({ state: { face, specimen } }: Studio): readonly unknown[] {
-		return this.#hovering ? applying(face?.tools, specimen) : [];
+	protected override shows({ state: { modelUi, specimen } }: Studio): readonly unknown[] {
+		return this.#hovering ? applying(modelUi?.tools, specimen) : [];
 	}
 
 	protected override draw(studio: Studio): unknown {

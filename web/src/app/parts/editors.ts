@@ -9,12 +9,12 @@ import { SOLID } from "../ui_state";
 import { StudioPart } from "./studio_part";
 
 /** The tools that have a flat view for this specimen. */
-export function editorsOf({ face, specimen }: Pick<StudioState, "face" | "specimen">): readonly Tool[] {
-	return applying(face?.tools, specimen).filter(({ editor }) => editor);
+export function editorsOf({ modelUi, specimen }: Pick<StudioState, "modelUi" | "specimen">): readonly Tool[] {
+	return applying(modelUi?.tools, specimen).filter(({ editor }) => editor);
 }
 
 /** The one view that a phone shows. */
-export function viewOf(state: Pick<StudioState, "face" | "specimen" | "ui">): string {
+export function viewOf(state: Pick<StudioState, "modelUi" | "specimen" | "ui">): string {
 	const { view } = state.ui;
 	return editorsOf(state).some(({ name }) => name === view) ? view : SOLID;
 }
@@ -22,8 +22,16 @@ export function viewOf(state: Pick<StudioState, "face" | "specimen" | "ui">): st
 /** The model's flat views with their handles, at the left of the 3-D view; on a phone one of them in its place. */
 export class Editors extends StudioPart {
 	protected override shows({ state }: Studio): readonly unknown[] {
-		const { model, face, tools, grown, grownFrom } = state;
-		return [model, face, tools, grown, grownFrom, viewOf(state), ...allBut(state.specimen, runningBy(face?.tools))];
+		const { model, modelUi, tools, grown, grownFrom } = state;
+		return [
+			model,
+			modelUi,
+			tools,
+			grown,
+			grownFrom,
+			viewOf(state),
+			...allBut(state.specimen, runningBy(modelUi?.tools)),
+		];
 	}
 
 	protected override draw(studio: Studio): unknown {

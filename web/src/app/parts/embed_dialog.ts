@@ -12,8 +12,8 @@ import {
 	frameAddress,
 	LONGEST_SIDE,
 } from "../files/embed_code";
-import { type Asked, type Download, fileName, formatsOf } from "../files/formats";
-import { askedOf, sizeInWords } from "../files/made_ahead";
+import { type DownloadFormat, type DownloadRequest, downloadFormats, fileName } from "../files/formats";
+import { downloadRequestFor, sizeInWords } from "../files/made_ahead";
 import { type PageWeight, pageWeight } from "../files/page_weight";
 import { plantToSave } from "../files/plant_to_save";
 import type { Studio } from "../studio";
@@ -41,7 +41,7 @@ type Switch = "autorotate" | "wind" | "controls" | "handles" | "lazy";
 
 /** What the dialog is about while it is open. */
 interface Opened {
-	readonly asked: Asked;
+	readonly request: DownloadRequest;
 	readonly of: Embedded;
 	/** What the link does not hold. */
 	readonly lost: readonly string[];
@@ -68,7 +68,7 @@ export class EmbedDialog extends StudioPart {
 	#file: Blob | undefined;
 	#making: AbortController | undefined;
 	#failed = false;
-	#said = "";
+	#message = "";
 
 	protected override draw(): unknown {
 		return html`<dialog class="help many embed" aria-labelledby=${this.idOf("title")} @close=${this.#closed}>
@@ -80,7 +80,7 @@ export class EmbedDialog extends StudioPart {
 	/** Opens the dialog about the plant that is on the controls; the browser keeps the focus in it and gives it back. */
 	async open(): Promise<void> {
 		this.#opened = await openedOn(this.context);
-		this.#said = "";
+		this.#message = "";
 		this.requestUpdate();
 		await this.updateComplete;
 		this.querySelector("dialog")?.showModal();
@@ -114,7 +114,7 @@ export class EmbedDialog extends StudioPart {
 		<p class="weight">${this.#weightInWords()}</p>
 		${remarks(of, isFile ? [] : lost, this.context).map((line) => html`<p><small>${line}</small></p>`)}
 		<div class="choices">
-			<p role="status">${this.#said}</p>
+			<p role="status">${this.#message}</p>
 			<button class="button wine" type="button" @click=${() => this.#copy(code)}>Copy code</button>
 			<button class="button quiet" type="button" @click=${() => this.querySelector("dialog")?.close()}>Close</button>
 		</div>`;
@@ -137,13 +137,13 @@ export class EmbedDialog extends StudioPart {
 	}
 
 	#files(): TemplateResult {
-		const { asked } = this.#opened as Opened;
-		const formats = filesOf(asked);
+		const { request } = this.#opened as Opened;
+		const formats = filesOf(request);
 		return html`<label>File <select @change=${({ target }: Event) => this.#chooseFile((target as HTMLSelectElement).value)}>
 				${formats.map(({ key, title }) => html`<option value=${key} ?selected=${key === this.#format}>${title}</option>`)}
 			</select></label>
-			<button class="button" type="button" ?disabled=${!this.#file} @click=${() => this.#file && saveFile(this.#file, `${asked.name}.glb`)}>
-				Download ${asked.name}.glb
+			<button class="button" type="button" ?disabled=${!this.#file} @click=${() => this.#file && saveFile(this.#file, `${request.name}.glb`)}>
+				Download ${request.name}.glb
 			</button>`;
 	}
 
@@ -170,7 +170,7 @@ export class EmbedDialog extends StudioPart {
 
 	#choose(changed: Partial<EmbedChoice>): void {
 		this.#choice = { ...this.#choice, ...changed };
-		this.#said = "";
+		this.#message = "";
 		this.requestUpdate();
 		if (changed.form) void this.#make();
 	}
@@ -214,14 +214,14 @@ export class EmbedDialog extends StudioPart {
 		this.#making?.abort();
 		const making = new AbortController();
 		this.#making = making;
-		const format = filesOf(opened.asked).find(({ key }) => key === this.#format);
+		const format = filesOf(opened.request).find(({ key }) => key === this.#format);
 		this.#failed = false;
 		try {
-			const file = await format?.make(opened.asked, making.signal);
+			const file = await format?.make(opened.request, making.signal);
 			if (!making.signal.aborted) this.#file = file;
 		} catch (error) {
 			this.#failed = !making.signal.aborted;
-			if (this.#failed) this.#said = `The GLB could not be made: ${error instanceof Error ? error.message : error}`;
+			if (this.#failed) this.#message = `The GLB could not be made: ${error instanceof Error ? error.message : error}`;
 		}
 		this.requestUpdate();
 	}
@@ -230,10 +230,10 @@ export class EmbedDialog extends StudioPart {
 	async #copy(code: string): Promise<void> {
 		try {
 			await navigator.clipboard.writeText(code);
-			this.#said = "Copied";
+			this.#message = "Copied";
 		} catch {
 			this.querySelector("textarea")?.focus();
-			this.#said = "The browser did not let the page copy; the code is selected, copy it by hand.";
+			this.#message = "The browser did not let the page copy; the code is selected, copy it by hand.";
 		}
 		this.requestUpdate();
 	}
@@ -259,7 +259,7 @@ async function openedOn(studio: Studio): Promise<Opened> {
 		file: `${name}.glb`,
 	};
 	return {
-		asked: await askedOf(plant, name, {}),
+		request: await downloadRequestFor(plant, name, {}),
 		of,
 		lost: notInLink(model, from),
 		hasHandles: model.handles !== undefined,
@@ -267,7 +267,8 @@ async function openedOn(studio: Studio): Promise<Opened> {
 	};
 }
 
-const filesOf = ({ plant }: Asked): Download[] => formatsOf(plant, undefined).filter(({ key }) => FILES.includes(key));
+const filesOf = ({ plant }: DownloadRequest): DownloadFormat[] =>
+	downloadFormats(plant, undefined).filter(({ key }) => FILES.includes(key));
 
 /** What whoever copies ought to know. */
 function remarks({ app }: Embedded, lost: readonly string[], { state: { model } }: Studio): string[] {

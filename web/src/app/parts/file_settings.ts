@@ -1,9 +1,9 @@
 /** What a person may say of files before choosing one. */
 import { html } from "lit";
 import { LOW_TRIANGLES, THICKNESS } from "../../formats/plant_files";
-import type { Asked } from "../files/formats";
+import type { DownloadRequest } from "../files/formats";
 
-type Options = Asked["options"];
+type Options = DownloadRequest["options"];
 
 /** @param changed called with all of them once one has another value that can be used */
 export function fileSettings(options: Options, changed: (options: Options) => void): unknown {

@@ -6,14 +6,14 @@ import { StudioPart } from "./studio_part";
 
 /** What this is, what the model says of itself, and the keys. */
 export class Help extends StudioPart {
-	protected override shows({ state: { model, face, ui } }: Studio): readonly unknown[] {
-		return [model, face, ui.letters];
+	protected override shows({ state: { model, modelUi, ui } }: Studio): readonly unknown[] {
+		return [model, modelUi, ui.letters];
 	}
 
 	protected override draw({ state }: Studio): unknown {
 		return html`<dialog class="help" aria-labelledby=${this.idOf("title")}>
 			<h2 id=${this.idOf("title")} tabindex="-1" autofocus>Panicle</h2>
-			${state.face?.about}
+			${state.modelUi?.about}
 			<p>The address bar always holds the ${state.model.noun}: the link is the file. What you export is yours.</p>
 			${state.model.preview ? html`<p>The ${state.model.noun} is a preview: what its links mean may still change.</p>` : nothing}
 			<h3>Keys</h3>

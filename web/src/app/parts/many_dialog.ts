@@ -68,13 +68,13 @@ export class ManyDialog extends StudioPart {
 	async #grow(many: Many): Promise<void> {
 		const cancel = new AbortController();
 		try {
-			const asked = readMany(this.context.state, many);
-			const making: Making = { cancel, total: asked.numbers.length, done: 0 };
-			this.#say("", making);
+			const series = readMany(this.context.state, many);
+			const making: Making = { cancel, total: series.numbers.length, done: 0 };
+			this.#setProgress("", making);
 			// The button that was pressed has gone.
 			await this.updateComplete;
 			this.querySelector<HTMLElement>(".choices button")?.focus();
-			const archive = await growMany(asked, {
+			const archive = await growMany(series, {
 				signal: cancel.signal,
 				progress: (done) => {
 					making.done = done;
@@ -82,17 +82,20 @@ export class ManyDialog extends StudioPart {
 				},
 			});
 			cancel.signal.throwIfAborted();
-			saveFile(archive, `${asked.series.from.preset}-${many.numbers.replaceAll(/[^\d-]+/g, "_").slice(0, 60)}.zip`);
-			this.#say("", undefined);
+			saveFile(archive, `${series.series.from.preset}-${many.numbers.replaceAll(/[^\d-]+/g, "_").slice(0, 60)}.zip`);
+			this.#setProgress("", undefined);
 			this.#close();
 		} catch (error) {
 			const known = error instanceof Unusable;
 			const text = error instanceof Error ? error.message : String(error);
-			this.#say(cancel.signal.aborted ? "" : known ? `${text}.` : `The archive could not be made: ${text}`, undefined);
+			this.#setProgress(
+				cancel.signal.aborted ? "" : known ? `${text}.` : `The archive could not be made: ${text}`,
+				undefined,
+			);
 		}
 	}
 
-	#say(problem: string, making: Making | undefined): void {
+	#setProgress(problem: string, making: Making | undefined): void {
 		this.#problem = problem;
 		this.#making = making;
 		this.requestUpdate();

@@ -7,15 +7,15 @@ import { StudioPart } from "./studio_part";
 
 /** The tool whose pane is open; one at the most. */
 function openIn(studio: Studio): Tool | undefined {
-	const { face, specimen } = studio.state;
-	return applying(face?.tools, specimen).find(({ pane }) => pane?.open(studio));
+	const { modelUi, specimen } = studio.state;
+	return applying(modelUi?.tools, specimen).find(({ pane }) => pane?.open(studio));
 }
 
 /** What is to be read and written beside the plant. */
 export class Pane extends StudioPart {
 	protected override shows(studio: Studio): readonly unknown[] {
-		const { model, face, tools, specimen } = studio.state;
-		return [model, tools, openIn(studio), ...allBut(specimen, runningBy(face?.tools))];
+		const { model, modelUi, tools, specimen } = studio.state;
+		return [model, tools, openIn(studio), ...allBut(specimen, runningBy(modelUi?.tools))];
 	}
 
 	protected override draw(studio: Studio): unknown {

@@ -22,15 +22,15 @@ export class Panel extends StudioPart {
 	/** What is under the pointer or in focus. */
 	#explained: Explained | undefined;
 
-	protected override shows({ state: { model, face, tools, ui, specimen } }: Studio): readonly unknown[] {
-		const own = allBut(specimen, runningBy(face?.tools));
-		return [model, face, tools, ui.groups, ...own, ...applying(face?.tools, specimen)];
+	protected override shows({ state: { model, modelUi, tools, ui, specimen } }: Studio): readonly unknown[] {
+		const own = allBut(specimen, runningBy(modelUi?.tools));
+		return [model, modelUi, tools, ui.groups, ...own, ...applying(modelUi?.tools, specimen)];
 	}
 
 	protected override draw(studio: Studio): unknown {
-		const { model, specimen, face } = studio.state;
-		if (!face) return nothing;
-		const groups = groupsFor(model.table, specimen, applying(face.tools, specimen));
+		const { model, specimen, modelUi } = studio.state;
+		if (!modelUi) return nothing;
+		const groups = groupsFor(model.table, specimen, applying(modelUi.tools, specimen));
 		const everyday = groups.filter(({ group }) => group.everyday).map((group) => sectionOf(studio, group));
 		const constants = groups.filter(({ group }) => !group.everyday).map((group) => sectionOf(studio, group));
 		// The numbers stand between what most people touch and the rest.

@@ -10,8 +10,8 @@ import type { Studio } from "../studio";
 import type { StudioState } from "../studio_state";
 import { TRY_AGAIN } from "../types";
 import { VERSION } from "../version";
-import type { Ask } from "./ask";
 import { StudioPart } from "./studio_part";
+import type { TargetForm } from "./target_form";
 
 /** The numbers of the plant on screen: what was measured, the model's own, and its marks. */
 export class Readout extends StudioPart {
@@ -24,7 +24,7 @@ export class Readout extends StudioPart {
 
 	protected override draw(studio: Studio): unknown {
 		const { state } = studio;
-		const { grown, measures, model, face, specimen } = state;
+		const { grown, measures, model, modelUi, specimen } = state;
 		if (!grown) return html`<div class="readout"><p>Nothing has grown yet.</p></div>`;
 		const { timings, fingerprint, notes } = grown;
 		const stale = grown.measures === undefined;
@@ -33,10 +33,10 @@ export class Readout extends StudioPart {
 			asked.includes(info.key)
 				? html`<panicle-ask .context=${studio} .info=${info} .value=${value}></panicle-ask>`
 				: undefined;
-		const rows = () => measured(model.table, measures ?? NONE, face?.rows?.(specimen), ask);
+		const rows = () => measured(model.table, measures ?? NONE, modelUi?.rows?.(specimen), ask);
 		return html`<div class="readout" @click=${this.#press} @toggle=${this.#unfold}>
 			${measures && measures.length > 0 ? html`<div class=${stale ? "stale" : ""} aria-busy=${stale}>${guard([...measuredFrom(state)], rows)}</div>` : nothing}
-			${face?.readout ? face.readout(grown, specimen) : counts(grown.counts)}
+			${modelUi?.readout ? modelUi.readout(grown, specimen) : counts(grown.counts)}
 			<h3>This ${model.noun}</h3>
 			<dl class="made">
 				${term("Grown in", `${timings.grow.toFixed(timings.grow < 10 ? 1 : 0)} ms`)} ${term("Version", model.preview ? `${VERSION}, preview` : VERSION)}
@@ -55,9 +55,9 @@ export class Readout extends StudioPart {
 		capture: true,
 		handleEvent: async ({ target }: Event): Promise<void> => {
 			const details = target as HTMLDetailsElement;
-			const field = details.open ? details.querySelector<Ask>("panicle-ask") : null;
+			const field = details.open ? details.querySelector<TargetForm>("panicle-ask") : null;
 			if (!field) return;
-			await import("./ask").catch(() => {
+			await import("./target_form").catch(() => {
 				this.context.notify("What asks for numbers could not be fetched", [TRY_AGAIN], { topic: "asked" });
 			});
 			if (details === this.#pressed) void field.enter?.();
@@ -78,8 +78,8 @@ function notesInWords(notes: readonly string[]): unknown {
 }
 
 /** What stays while a life runs: many lines, and none of them another. */
-function measuredFrom({ measures, model, face, specimen }: StudioState): readonly unknown[] {
-	return [measures, model, face, ...allBut(specimen, runningBy(face?.tools))];
+function measuredFrom({ measures, model, modelUi, specimen }: StudioState): readonly unknown[] {
+	return [measures, model, modelUi, ...allBut(specimen, runningBy(modelUi?.tools))];
 }
 
 /** "endStructures", "end_structures" → "End structures". */

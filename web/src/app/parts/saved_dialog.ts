@@ -7,7 +7,7 @@ import { notInLink } from "../address";
 import type { LibraryStep } from "../saved/library";
 import { type Brought, broughtInWords, readLibrary, writeLibrary } from "../saved/library_file";
 import { openSaved, savedOf } from "../saved/on_screen";
-import { askToLast, ownLibrary } from "../saved/own_library";
+import { ownLibrary, requestPersistence } from "../saved/own_library";
 import { LONGEST_NAME, type Saved, tidyName, uniqueName } from "../saved/saved";
 import type { Studio } from "../studio";
 import { titleOf } from "../title";
@@ -18,12 +18,12 @@ import "./saved_list";
 import "../style/saved.css";
 
 /** What the dialog has said last, and the lines below it. */
-interface Said {
+interface DialogMessage {
 	readonly words: string;
 	readonly lines: readonly string[];
 }
 
-const SILENT: Said = { words: "", lines: [] };
+const NO_MESSAGE: DialogMessage = { words: "", lines: [] };
 
 /** What a person has saved: to be searched, opened, renamed, deleted, exported and imported; above it, saving what is on screen. */
 export class SavedDialog extends StudioPart {
@@ -35,7 +35,7 @@ export class SavedDialog extends StudioPart {
 	#name = "";
 	/** Whether something is under way. */
 	#busy = false;
-	#said = SILENT;
+	#message = NO_MESSAGE;
 	#follow: (() => void) | undefined;
 
 	protected override shows({ state: { specimen, shown } }: Studio): readonly unknown[] {
@@ -64,7 +64,7 @@ export class SavedDialog extends StudioPart {
 		if (this.#isOpen) return;
 		const { model, specimen } = this.context.state;
 		this.#isOpen = true;
-		this.#said = SILENT;
+		this.#message = NO_MESSAGE;
 		this.#lost = notInLink(model, specimen);
 		this.#link = await encodeLink(model, specimen);
 		this.#suggest();
@@ -87,8 +87,8 @@ export class SavedDialog extends StudioPart {
 		return html`${this.#form(studio)}
 			<div class="said">
 				<div role="status">
-					<p>${this.#said.words || (twin ? `This ${studio.state.model.noun} is saved already, as “${twin.name}”.` : nothing)}</p>
-					${this.#said.lines.length > 0 ? html`<ul>${this.#said.lines.map((line) => html`<li>${line}</li>`)}</ul>` : nothing}
+					<p>${this.#message.words || (twin ? `This ${studio.state.model.noun} is saved already, as “${twin.name}”.` : nothing)}</p>
+					${this.#message.lines.length > 0 ? html`<ul>${this.#message.lines.map((line) => html`<li>${line}</li>`)}</ul>` : nothing}
 				</div>
 				${
 					lastStep
@@ -121,14 +121,14 @@ export class SavedDialog extends StudioPart {
 
 	/** What goes with the page, and what to do about it. */
 	#trouble(): unknown {
-		const { trouble, unkept } = this.#library;
-		if (!trouble && unkept.length === 0) return nothing;
-		const count = unkept.length === 1 ? `“${unkept[0].name}” is` : `${unkept.length} are`;
+		const { trouble, unstored } = this.#library;
+		if (!trouble && unstored.length === 0) return nothing;
+		const count = unstored.length === 1 ? `“${unstored[0].name}” is` : `${unstored.length} are`;
 		return html`<div class="trouble" role="alert">
-			<p>${trouble ?? nothing} ${unkept.length > 0 ? html`<b>${count} here only until the page is closed:</b> export what you want to keep, or make room and try again.` : nothing}</p>
+			<p>${trouble ?? nothing} ${unstored.length > 0 ? html`<b>${count} here only until the page is closed:</b> export what you want to keep, or make room and try again.` : nothing}</p>
 			${
-				unkept.length > 0
-					? html`<button class="button" type="button" @click=${() => this.#export(unkept)}>Export what is not kept</button>
+				unstored.length > 0
+					? html`<button class="button" type="button" @click=${() => this.#export(unstored)}>Export what is not kept</button>
 						<button class="button" type="button" @click=${() => this.#library.keep()}>Try again</button>`
 					: nothing
 			}
@@ -139,19 +139,19 @@ export class SavedDialog extends StudioPart {
 		return html`<panicle-saved-list
 			.context=${studio} .library=${this.#library}
 			@open-saved=${({ detail }: CustomEvent<Saved>) => void this.#openOne(detail)}
-			@said=${({ detail }: CustomEvent<string>) => this.#say({ words: detail })}
+			@said=${({ detail }: CustomEvent<string>) => this.#showMessage({ words: detail })}
 		></panicle-saved-list>`;
 	}
 
 	#suggest(): void {
-		const { specimen, model, face } = this.context.state;
+		const { specimen, model, modelUi } = this.context.state;
 		const names = this.#library.all.map(({ name }) => name);
-		this.#name = uniqueName(titleOf(specimen, model, face?.tools), names);
+		this.#name = uniqueName(titleOf(specimen, model, modelUi?.tools), names);
 		this.requestUpdate();
 	}
 
-	#say(said: Partial<Said>): void {
-		this.#said = { ...SILENT, ...said };
+	#showMessage(message: Partial<DialogMessage>): void {
+		this.#message = { ...NO_MESSAGE, ...message };
 		this.requestUpdate();
 	}
 
@@ -159,24 +159,24 @@ export class SavedDialog extends StudioPart {
 		event.preventDefault();
 		if (this.#busy) return;
 		this.#busy = true;
-		this.#say(SILENT);
+		this.#showMessage(NO_MESSAGE);
 		try {
-			const asked = tidyName(this.#name) || titleOf(this.context.state.specimen, this.context.state.model);
-			const added = await this.#library.add(await savedOf(this.context, asked));
-			if (this.#library.isKept(added)) await this.#kept(added, asked);
+			const requestedName = tidyName(this.#name) || titleOf(this.context.state.specimen, this.context.state.model);
+			const added = await this.#library.add(await savedOf(this.context, requestedName));
+			if (this.#library.isStored(added)) await this.#reportSaved(added, requestedName);
 			this.#suggest();
 		} catch (error) {
-			this.#say({ words: `It was not saved: ${error instanceof Error ? error.message : error}` });
+			this.#showMessage({ words: `It was not saved: ${error instanceof Error ? error.message : error}` });
 		} finally {
 			this.#busy = false;
 			this.requestUpdate();
 		}
 	}
 
-	async #kept({ name }: Saved, asked: string): Promise<void> {
-		const why = name === asked ? "" : `: there is a “${asked}” already`;
-		this.#say({ words: `Saved as “${name}”${why}.` });
-		await askToLast();
+	async #reportSaved({ name }: Saved, requestedName: string): Promise<void> {
+		const why = name === requestedName ? "" : `: there is a “${requestedName}” already`;
+		this.#showMessage({ words: `Saved as “${name}”${why}.` });
+		await requestPersistence();
 	}
 
 	async #openOne(saved: Saved): Promise<void> {
@@ -195,7 +195,7 @@ export class SavedDialog extends StudioPart {
 	readonly #undo = async (): Promise<void> => {
 		const step = await this.#library.undo();
 		if (!step) return;
-		this.#say({ words: undoneInWords(step) });
+		this.#showMessage({ words: undoneInWords(step) });
 		this.#suggest();
 		await this.updateComplete;
 		const list = this.querySelector<SavedList>("panicle-saved-list");
@@ -222,10 +222,10 @@ export class SavedDialog extends StudioPart {
 	async #take(file: string, read: () => Promise<Brought>): Promise<void> {
 		try {
 			const brought = await read();
-			this.#say(broughtInWords(brought, await this.#library.bring(brought.saved)));
+			this.#showMessage(broughtInWords(brought, await this.#library.bring(brought.saved)));
 			this.#suggest();
 		} catch (error) {
-			this.#say({
+			this.#showMessage({
 				words: `${file} was not imported.`,
 				lines: [error instanceof Error ? error.message : String(error)],
 			});

@@ -110,7 +110,7 @@ export class SavedList extends StudioPart {
 	#card(saved: Saved, index: number, count: number): TemplateResult {
 		const { id, name } = saved;
 		const about = this.idOf(`about-${id}`);
-		const kept = this.library.isKept(saved);
+		const isStored = this.library.isStored(saved);
 		return html`<div role="listitem" data-saved=${id} aria-posinset=${index + 1} aria-setsize=${count}>
 			<button
 				class="open" type="button" tabindex="-1" aria-label="Open ${name}" aria-describedby=${about} title="Open ${name}"
@@ -121,7 +121,7 @@ export class SavedList extends StudioPart {
 				@click=${(event: MouseEvent) => this.#pick(id, event)}
 			></label>
 			${id === this.#renaming ? this.#nameField(saved) : html`<p class="name" title=${name}>${name}</p>`}
-			<p class="about" id=${about}>${this.#modelTitle(saved)}${kept ? nothing : html`<b> not kept</b>`}<br>${dayOf(saved)}</p>
+			<p class="about" id=${about}>${this.#modelTitle(saved)}${isStored ? nothing : html`<b> not kept</b>`}<br>${dayOf(saved)}</p>
 			<div class="of-one">
 				<button class="button quiet icon" type="button" tabindex="-1" aria-label="Rename ${name}" title="Rename (F2)" @click=${() => this.#rename(id)}>${icon(PEN)}</button>
 				<button class="button quiet icon" type="button" tabindex="-1" aria-label="Delete ${name}" title="Delete" @click=${() => this.#delete([id])}>${icon(BIN)}</button>
@@ -261,7 +261,7 @@ export class SavedList extends StudioPart {
 		const before = this.library.all.find((saved) => saved.id === id)?.name;
 		if (name !== "" && name !== before) {
 			await this.library.rename(id, name);
-			this.#say(`“${before}” is “${name}” now.`);
+			this.#announce(`“${before}” is “${name}” now.`);
 		}
 		this.requestUpdate();
 		await this.updateComplete;
@@ -277,14 +277,14 @@ export class SavedList extends StudioPart {
 		const next = found.slice(place).find(stays) ?? found.slice(0, place).findLast(stays);
 		const deleted = await this.library.remove(ids);
 		if (deleted.length === 0) return;
-		this.#say(
+		this.#announce(
 			deleted.length === 1 ? `“${deleted[0].name}” is deleted.` : `${formatCount(deleted.length)} are deleted.`,
 		);
 		await this.updateComplete;
 		await this.goTo(next?.id);
 	}
 
-	#say(words: string): void {
+	#announce(words: string): void {
 		this.dispatchEvent(new CustomEvent("said", { detail: words }));
 	}
 

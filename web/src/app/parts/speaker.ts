@@ -1,6 +1,6 @@
 import { html } from "lit";
 import type { Studio } from "../studio";
-import type { Shown } from "../studio_state";
+import type { ShownPlant } from "../studio_state";
 import { StudioPart } from "./studio_part";
 
 /** A plant is spoken of once it has stayed this long, in milliseconds: a drag is not a stream of numbers. */
@@ -9,7 +9,7 @@ const SETTLED = 700;
 /** Tells a screen reader what has grown. */
 export class Speaker extends StudioPart {
 	#words: string | undefined;
-	#spokenOf: Shown | undefined;
+	#spokenOf: ShownPlant | undefined;
 	#timer: ReturnType<typeof setTimeout> | undefined;
 
 	protected override shows({ state }: Studio): readonly unknown[] {
@@ -26,7 +26,7 @@ export class Speaker extends StudioPart {
 		clearTimeout(this.#timer);
 	}
 
-	#wait(shown: Shown | undefined): void {
+	#wait(shown: ShownPlant | undefined): void {
 		this.#spokenOf = shown;
 		clearTimeout(this.#timer);
 		this.#timer = setTimeout(() => {

@@ -37,8 +37,8 @@ export class Stage extends StudioPart {
 	});
 
 	protected override shows({ state }: Studio): readonly unknown[] {
-		const { failure, growing, shown, model, face, tools, specimen } = state;
-		return [failure, growing, shown, model, face, tools, failure && specimen, ...applying(face?.tools, specimen)];
+		const { failure, growing, shown, model, modelUi, tools, specimen } = state;
+		return [failure, growing, shown, model, modelUi, tools, failure && specimen, ...applying(modelUi?.tools, specimen)];
 	}
 
 	protected override draw(studio: Studio): unknown {
@@ -89,11 +89,11 @@ export class Stage extends StudioPart {
 		try {
 			const solid = await SolidView.create(canvas, this.context, {
 				lost: () =>
-					this.#say({
+					this.#setTrouble({
 						title: "The picture was lost",
 						text: "The graphics card dropped it; it comes back by itself in a moment.",
 					}),
-				restored: () => this.#say(undefined),
+				restored: () => this.#setTrouble(undefined),
 				motion: () => this.requestUpdate(),
 			});
 			if (!this.isConnected) {
@@ -109,28 +109,28 @@ export class Stage extends StudioPart {
 		} catch (error) {
 			const none = error instanceof Error && error.name === "NoWebGL2Error";
 			const again = () => {
-				this.#say(undefined);
+				this.#setTrouble(undefined);
 				void this.#start();
 			};
 			const why = none ? error.message : `Part of the page could not be fetched. ${TRY_AGAIN}`;
 			const text = `${why} The flat views, the sliders and the downloads work all the same.`;
-			this.#say({ title: "No 3-D view here", text, ...(none ? {} : { again }) });
+			this.#setTrouble({ title: "No 3-D view here", text, ...(none ? {} : { again }) });
 		}
 	}
 
-	#say(trouble: Trouble | undefined): void {
+	#setTrouble(trouble: Trouble | undefined): void {
 		this.#trouble = trouble;
 		this.requestUpdate();
 	}
 
 	/** The buttons of the 3-D view; without one, those of tools that work all the same, such as the grammar. */
 	#tools(studio: Studio, solid: SolidView | undefined): unknown {
-		const { face, specimen, model } = studio.state;
+		const { modelUi, specimen, model } = studio.state;
 		const button = (drawn: Parameters<typeof icon>[0], label: string, click: () => void, pressed?: boolean) =>
 			html`<button
 				class="button icon" type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
 			>${icon(drawn)}</button>`;
-		const tools = applying(face?.tools, specimen).flatMap((tool) =>
+		const tools = applying(modelUi?.tools, specimen).flatMap((tool) =>
 			tool.button && (solid || !tool.interaction)
 				? button(tool.button.icon, tool.button.label, () => tool.press?.(studio), tool.button.pressed?.(studio))
 				: [],
@@ -176,21 +176,21 @@ function described({ state: { failure, shown, model } }: Studio): string {
 
 /** As under an engraving: what it is called, and what grew. */
 function caption(studio: Studio): unknown {
-	const { shown, face, grown } = studio.state;
+	const { shown, modelUi, grown } = studio.state;
 	if (!shown) return nothing;
 	const { model, from } = shown;
-	const words = grown && face?.caption ? face.caption(grown, studio) : model.words(shown.grown, from);
+	const words = grown && modelUi?.caption ? modelUi.caption(grown, studio) : model.words(shown.grown, from);
 	return html`<div class="caption">
-		<h2>${titleOf(from, model, face && grown ? face.tools : [])}</h2>
+		<h2>${titleOf(from, model, modelUi && grown ? modelUi.tools : [])}</h2>
 		<p>${words}</p>
 	</div>`;
 }
 
 /** What is chosen in the picture; nothing while there is no picture. */
 function chips(studio: Studio): unknown {
-	const { face, specimen, failure, shown } = studio.state;
+	const { modelUi, specimen, failure, shown } = studio.state;
 	if (failure || !shown) return nothing;
-	return applying(face?.tools, specimen).map(({ chip }) => {
+	return applying(modelUi?.tools, specimen).map(({ chip }) => {
 		const drawn = chip?.draw(studio) ?? nothing;
 		return drawn === nothing
 			? nothing
@@ -200,9 +200,9 @@ function chips(studio: Studio): unknown {
 
 /** What the plant lacks, where the eye is. The pane says it as well, and is the one that is heard where it is open. */
 function warnings(studio: Studio): unknown {
-	const { face, grown, grownFrom, specimen, failure } = studio.state;
-	const lines = grown && grownFrom && !failure ? (face?.warnings?.(grown, grownFrom) ?? []) : [];
-	const read = applying(face?.tools, specimen).some(({ pane }) => pane?.open(studio));
+	const { modelUi, grown, grownFrom, specimen, failure } = studio.state;
+	const lines = grown && grownFrom && !failure ? (modelUi?.warnings?.(grown, grownFrom) ?? []) : [];
+	const read = applying(modelUi?.tools, specimen).some(({ pane }) => pane?.open(studio));
 	return html`<div class="stage-warnings" role=${read ? nothing : "status"}>${lines.map((line) => html`<p>${line}</p>`)}</div>`;
 }
 
@@ -222,8 +222,8 @@ function button(words: string, click: () => void): unknown {
 function remedies(studio: Studio, failure: Failure): unknown {
 	return failure.remedies.map((remedy) => {
 		if (remedy === "again") return button("Try again", () => studio.growAgain());
-		const { model, specimen, face } = studio.state;
-		const own = applying(face?.tools, specimen).flatMap((tool) => tool.remedies ?? []);
+		const { model, specimen, modelUi } = studio.state;
+		const own = applying(modelUi?.tools, specimen).flatMap((tool) => tool.remedies ?? []);
 		if (own.length > 0) return own.map(({ words, press }) => button(words, () => press(studio)));
 		const standard = fromPreset(model);
 		if (sameSpecimen(specimen, standard)) return nothing;

@@ -7,7 +7,7 @@ import { StudioPart } from "./studio_part";
 /** A phone shows one view at a time; this chooses which. */
 export class ViewSwitch extends StudioPart {
 	protected override shows({ state }: Studio): readonly unknown[] {
-		return [state.face, viewOf(state), ...editorsOf(state)];
+		return [state.modelUi, viewOf(state), ...editorsOf(state)];
 	}
 
 	protected override draw(studio: Studio): unknown {
@@ -32,7 +32,7 @@ export class ViewSwitch extends StudioPart {
 		const page = this.closest<HTMLElement>(".studio");
 		page?.setAttribute("data-view", viewOf(state));
 		// Until the tools have come, the views keep their place.
-		page?.toggleAttribute("data-one-view", state.face !== undefined && editorsOf(state).length === 0);
+		page?.toggleAttribute("data-one-view", state.modelUi !== undefined && editorsOf(state).length === 0);
 	}
 }
 

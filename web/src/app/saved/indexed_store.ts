@@ -20,7 +20,7 @@ export class IndexedStore implements SavedStore {
 		return inOneStep((database) => picturesOf(database, ids));
 	}
 
-	change(decide: (kept: readonly Saved[]) => Edit): Promise<readonly Saved[]> {
+	change(decide: (stored: readonly Saved[]) => Edit): Promise<readonly Saved[]> {
 		return inOneStep((database) => changed(database, "readwrite", decide));
 	}
 }
@@ -70,7 +70,7 @@ function takeOutPictures(specimens: IDBObjectStore, pictures: IDBObjectStore): v
 function changed(
 	database: IDBDatabase,
 	mode: IDBTransactionMode,
-	decide: (kept: readonly Saved[]) => Edit,
+	decide: (stored: readonly Saved[]) => Edit,
 ): Promise<readonly Saved[]> {
 	return new Promise((resolve, reject) => {
 		// Strict: it is kept once it is on the disk, so that a full one is heard of.
@@ -82,8 +82,8 @@ function changed(
 		let failed: unknown;
 		reading.onsuccess = () => {
 			try {
-				const kept = reading.result.filter(isSaved);
-				const { put = [], remove = [] } = decide(kept);
+				const stored = reading.result.filter(isSaved);
+				const { put = [], remove = [] } = decide(stored);
 				for (const id of remove) {
 					specimens.delete(id);
 					pictures.delete(id);
@@ -91,7 +91,7 @@ function changed(
 				const records = put.map(withoutPicture);
 				for (const record of records) specimens.put(record);
 				for (const { id, picture } of put) if (picture) pictures.put(picture, id);
-				after = edited(kept, { put: records, remove });
+				after = edited(stored, { put: records, remove });
 			} catch (error) {
 				failed = error;
 				transaction.abort();

@@ -32,34 +32,34 @@ const MOST_PICTURES = 500;
  * can be exported or tried again: nothing is lost unsaid.
  */
 export class Library {
-	readonly #shelf: SavedStore;
+	readonly #store: SavedStore;
 	readonly #tabs: Tabs | undefined;
 	readonly #listeners = new Set<() => void>();
-	#kept: readonly Saved[] = [];
+	#stored: readonly Saved[] = [];
 	/** What the shelf did not take, by id; of those that are on it the newer state. */
-	readonly #unkept = new Map<string, Saved>();
+	readonly #unstored = new Map<string, Saved>();
 	/** What can be undone, the last step last. */
 	#steps: readonly Step[] = [];
 	#trouble: string | undefined;
 
-	constructor(shelf: SavedStore, tabs?: Tabs) {
-		this.#shelf = shelf;
+	constructor(store: SavedStore, tabs?: Tabs) {
+		this.#store = store;
 		this.#tabs = tabs;
 		if (tabs) tabs.onmessage = () => void this.read();
 	}
 
 	/** All specimens, stored or not; stored ones are without pictures, which `withPictures` reads. */
 	get all(): readonly Saved[] {
-		return edited(this.#kept, { put: [...this.#unkept.values()] });
+		return edited(this.#stored, { put: [...this.#unstored.values()] });
 	}
 
 	/** What goes with the page. */
-	get unkept(): readonly Saved[] {
-		return [...this.#unkept.values()];
+	get unstored(): readonly Saved[] {
+		return [...this.#unstored.values()];
 	}
 
-	isKept({ id }: Pick<Saved, "id">): boolean {
-		return !this.#unkept.has(id);
+	isStored({ id }: Pick<Saved, "id">): boolean {
+		return !this.#unstored.has(id);
 	}
 
 	/** The step that `undo` takes back; undefined where there is none. */
@@ -83,7 +83,7 @@ export class Library {
 	/** The given specimens with their pictures, if the shelf can be read. */
 	async withPictures(several: readonly Saved[]): Promise<readonly Saved[]> {
 		const missing = several.flatMap(({ id, picture }) => (picture ? [] : [id]));
-		const found = missing.length > 0 ? await this.#shelf.pictures(missing).catch(() => undefined) : undefined;
+		const found = missing.length > 0 ? await this.#store.pictures(missing).catch(() => undefined) : undefined;
 		return several.map((each) => {
 			const picture = each.picture ?? found?.get(each.id);
 			return picture ? { ...each, picture } : each;
@@ -92,7 +92,7 @@ export class Library {
 
 	/** Looks what is on the shelf. */
 	async read(): Promise<void> {
-		await this.#try(() => this.#shelf.all());
+		await this.#try(() => this.#store.all());
 	}
 
 	/** Adds one, under a name of its own: "Merlot 2" where "Merlot" is taken. Returns it as it was added. */
@@ -156,24 +156,24 @@ export class Library {
 
 	/** Tries again to keep what could not be kept. */
 	async keep(): Promise<void> {
-		await this.#put(() => this.unkept);
+		await this.#put(() => this.unstored);
 	}
 
 	/** Deletes specimens; returns those that were deleted, which is fewer where the shelf does not do it. */
 	async #remove(ids: ReadonlySet<string>): Promise<readonly Saved[]> {
-		const stored = new Set(this.#kept.map(({ id }) => id));
+		const stored = new Set(this.#stored.map(({ id }) => id));
 		// What was never stored needs no shelf to go.
-		const here = this.unkept.filter(({ id }) => ids.has(id) && !stored.has(id));
+		const here = this.unstored.filter(({ id }) => ids.has(id) && !stored.has(id));
 		let gone: readonly Saved[] = here;
 		if (here.length < ids.size) {
-			const done = await this.#change((kept) => {
-				gone = edited(kept, { put: this.unkept }).filter(({ id }) => ids.has(id));
+			const done = await this.#change((stored) => {
+				gone = edited(stored, { put: this.unstored }).filter(({ id }) => ids.has(id));
 				return { remove: gone.map(({ id }) => id) };
 			});
 			if (!done) gone = here;
 		}
-		for (const { id } of gone) this.#unkept.delete(id);
-		this.#tell();
+		for (const { id } of gone) this.#unstored.delete(id);
+		this.#notifyListeners();
 		return gone;
 	}
 
@@ -189,7 +189,7 @@ export class Library {
 
 	#done(step: Step): void {
 		this.#steps = [...this.#steps, step];
-		this.#tell();
+		this.#notifyListeners();
 	}
 
 	/**
@@ -199,22 +199,22 @@ export class Library {
 	 */
 	async #put(make: (all: readonly Saved[]) => readonly Saved[]): Promise<readonly Saved[]> {
 		let made: readonly Saved[] = [];
-		const decide = (kept: readonly Saved[]) => {
-			made = make(edited(kept, { put: this.unkept }));
+		const decide = (stored: readonly Saved[]) => {
+			made = make(edited(stored, { put: this.unstored }));
 			return { put: made };
 		};
 		const done = await this.#change(decide);
-		if (!done) decide(this.#kept);
+		if (!done) decide(this.#stored);
 		for (const each of made) {
-			if (done) this.#unkept.delete(each.id);
-			else this.#unkept.set(each.id, each);
+			if (done) this.#unstored.delete(each.id);
+			else this.#unstored.set(each.id, each);
 		}
-		this.#tell();
+		this.#notifyListeners();
 		return made;
 	}
 
-	async #change(decide: (kept: readonly Saved[]) => Edit): Promise<boolean> {
-		const done = await this.#try(() => this.#shelf.change(decide));
+	async #change(decide: (stored: readonly Saved[]) => Edit): Promise<boolean> {
+		const done = await this.#try(() => this.#store.change(decide));
 		if (done) this.#tabs?.postMessage("changed");
 		return done;
 	}
@@ -222,18 +222,18 @@ export class Library {
 	/** Does something that gives what is on the shelf; tells whether it did. */
 	async #try(step: () => Promise<readonly Saved[]>): Promise<boolean> {
 		try {
-			this.#kept = await step();
+			this.#stored = await step();
 			this.#trouble = undefined;
 			return true;
 		} catch (error) {
 			this.#trouble = error instanceof Error ? error.message : String(error);
 			return false;
 		} finally {
-			this.#tell();
+			this.#notifyListeners();
 		}
 	}
 
-	#tell(): void {
+	#notifyListeners(): void {
 		for (const listener of this.#listeners) listener();
 	}
 }

@@ -8,13 +8,13 @@ export function ownLibrary(): Library {
 	if (own) return own;
 	const library = new Library(new IndexedStore(), new BroadcastChannel("panicle.saved"));
 	addEventListener("beforeunload", (event) => {
-		if (library.unkept.length > 0) event.preventDefault();
+		if (library.unstored.length > 0) event.preventDefault();
 	});
 	own = library;
 	return library;
 }
 
 /** Asks the browser not to clear what is kept where the disk runs low. Most decide by themselves; some ask the person. */
-export async function askToLast(): Promise<void> {
+export async function requestPersistence(): Promise<void> {
 	await navigator.storage?.persist?.().catch(() => false);
 }

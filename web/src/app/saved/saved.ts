@@ -64,9 +64,9 @@ export const isTime = (at: unknown): at is number => typeof at === "number" && M
 export const isFingerprint = (text: unknown): text is string => typeof text === "string" && /^[0-9a-f]{16}$/.test(text);
 
 /** Whether what the browser has kept is one: it may be of another version of this page. */
-export function isSaved(kept: unknown): kept is Saved {
-	if (typeof kept !== "object" || kept === null) return false;
-	const { id, name, link, at, app, fingerprint, picture } = kept as Partial<Record<keyof Saved, unknown>>;
+export function isSaved(value: unknown): value is Saved {
+	if (typeof value !== "object" || value === null) return false;
+	const { id, name, link, at, app, fingerprint, picture } = value as Partial<Record<keyof Saved, unknown>>;
 	return (
 		[id, name, link, app].every((text) => typeof text === "string") &&
 		isTime(at) &&

@@ -24,7 +24,7 @@ export interface SavedStore {
 	 * @returns all that is kept afterwards, without pictures
 	 * @throws StoreError where nothing was done
 	 */
-	change(decide: (kept: readonly Saved[]) => Edit): Promise<readonly Saved[]>;
+	change(decide: (stored: readonly Saved[]) => Edit): Promise<readonly Saved[]>;
 }
 
 /** The shelf keeps nothing now; the message is a sentence that says why. */
@@ -33,9 +33,9 @@ export class StoreError extends Error {
 }
 
 /** What is there once an edit is done. */
-export function edited(kept: readonly Saved[], { put = [], remove = [] }: Edit): readonly Saved[] {
+export function edited(stored: readonly Saved[], { put = [], remove = [] }: Edit): readonly Saved[] {
 	const gone = new Set([...remove, ...put.map(({ id }) => id)]);
-	return [...kept.filter(({ id }) => !gone.has(id)), ...put];
+	return [...stored.filter(({ id }) => !gone.has(id)), ...put];
 }
 
 /** A specimen as the shelf lists it. */

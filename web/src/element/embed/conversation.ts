@@ -9,7 +9,7 @@ import type { GrownDetail } from "../grown_detail";
 export const PROTOCOL = "panicle/1";
 
 /** What is asked of the plant. */
-export interface Plant {
+export interface EmbeddedPlant {
 	readonly specimen: unknown;
 	set(values: Readonly<Record<string, number | string>>): Promise<GrownDetail>;
 	open(link: string): Promise<GrownDetail>;
@@ -20,7 +20,7 @@ export interface Plant {
 }
 
 /** Of a MessageEvent. */
-export interface Heard {
+export interface IncomingMessage {
 	readonly data: unknown;
 	readonly origin: string;
 	readonly source: {
@@ -31,10 +31,10 @@ export interface Heard {
 }
 
 type Values = Readonly<Record<string, unknown>>;
-type Method = (plant: Plant, values: Values, heard: Heard) => unknown;
+type Method = (plant: EmbeddedPlant, values: Values, message: IncomingMessage) => unknown;
 
 /** A request that cannot be heeded: its words are the answer. */
-class Unfit extends Error {}
+class RequestError extends Error {}
 
 const MOST_VALUES = 200;
 const LONGEST_ID = 200;
@@ -43,41 +43,41 @@ const LONGEST_TEXT = 512 * 1024;
 const MOST_LISTENERS = 64;
 
 export class Conversation {
-	readonly #plant: Plant;
+	readonly #plant: EmbeddedPlant;
 	readonly #allowed: readonly string[] | undefined;
 	/** Who wants to be told of what happens, by where from. */
-	readonly #listeners = new Map<NonNullable<Heard["source"]>, string>();
+	readonly #listeners = new Map<NonNullable<IncomingMessage["source"]>, string>();
 
 	/** @param allowed origins that may ask; undefined: all */
-	constructor(plant: Plant, allowed?: readonly string[]) {
+	constructor(plant: EmbeddedPlant, allowed?: readonly string[]) {
 		this.#plant = plant;
 		this.#allowed = allowed;
 	}
 
 	/** Answers what is a message of ours; never throws. */
-	async hear(heard: Heard): Promise<void> {
-		const { data, origin, source } = heard;
+	async receive(message: IncomingMessage): Promise<void> {
+		const { data, origin, source } = message;
 		if (!isRecord(data) || data.panicle !== PROTOCOL || !source) return;
 		const { id } = data;
 		if (!(typeof id === "string" ? id.length <= LONGEST_ID : Number.isFinite(id))) return;
 		const answer = (more: object) => send(source, origin, { id, ...more });
 		try {
-			answer({ result: await this.#heed(data, heard) });
+			answer({ result: await this.#handleRequest(data, message) });
 		} catch (error) {
 			answer({ error: error instanceof Error ? error.message : String(error) });
 		}
 	}
 
 	/** Tells those who listen. */
-	tell(event: "grown" | "input" | "change" | "error", detail: unknown): void {
+	broadcast(event: "grown" | "input" | "change" | "error", detail: unknown): void {
 		for (const [source, origin] of this.#listeners) send(source, origin, { event, detail });
 	}
 
-	async #heed(data: Values, heard: Heard): Promise<unknown> {
-		const { origin, source } = heard;
+	async #handleRequest(data: Values, message: IncomingMessage): Promise<unknown> {
+		const { origin, source } = message;
 		// A page without an origin of its own (a sandbox, a file) cannot be answered alone.
 		if (origin === "null" || (this.#allowed && !this.#allowed.includes(origin)))
-			throw new Unfit(`pages of ${origin} may not ask this frame`);
+			throw new RequestError(`pages of ${origin} may not ask this frame`);
 		const { method } = data;
 		if (method === "listen" && source) {
 			this.#listen(source, origin);
@@ -85,16 +85,18 @@ export class Conversation {
 		}
 		const known = typeof method === "string" && Object.hasOwn(METHODS, method) ? METHODS[method] : undefined;
 		if (!known)
-			throw new Unfit(`there is no method ${JSON.stringify(method)?.slice(0, 60)}; there are ${NAMES.join(", ")}`);
+			throw new RequestError(
+				`there is no method ${JSON.stringify(method)?.slice(0, 60)}; there are ${NAMES.join(", ")}`,
+			);
 		const { values = {} } = data;
-		if (!isRecord(values)) throw new Unfit("values: an object is wanted");
-		return known(this.#plant, values, heard);
+		if (!isRecord(values)) throw new RequestError("values: an object is wanted");
+		return known(this.#plant, values, message);
 	}
 
-	#listen(source: NonNullable<Heard["source"]>, origin: string): void {
+	#listen(source: NonNullable<IncomingMessage["source"]>, origin: string): void {
 		for (const listener of this.#listeners.keys()) if (listener.closed) this.#listeners.delete(listener);
 		if (!this.#listeners.has(source) && this.#listeners.size >= MOST_LISTENERS)
-			throw new Unfit(`${MOST_LISTENERS} windows listen already; close one, or remove its frame, and try again`);
+			throw new RequestError(`${MOST_LISTENERS} windows listen already; close one, or remove its frame, and try again`);
 		this.#listeners.set(source, origin);
 	}
 }
@@ -123,7 +125,7 @@ const NAMES = ["listen", ...Object.keys(METHODS)];
 
 function settings(values: Values): Record<string, number | string> {
 	const entries = Object.entries(values);
-	if (entries.length > MOST_VALUES) throw new Unfit(`values: more than ${MOST_VALUES}`);
+	if (entries.length > MOST_VALUES) throw new RequestError(`values: more than ${MOST_VALUES}`);
 	return Object.fromEntries(
 		entries.map(([key, value]) => [key, typeof value === "number" ? number(key, value) : text(key, value)]),
 	);
@@ -131,12 +133,13 @@ function settings(values: Values): Record<string, number | string> {
 
 function text(key: string, value: unknown): string {
 	if (typeof value !== "string" || value.length > LONGEST_TEXT)
-		throw new Unfit(`${key.slice(0, 60)}: a text is wanted`);
+		throw new RequestError(`${key.slice(0, 60)}: a text is wanted`);
 	return value;
 }
 
 function number(key: string, value: unknown): number {
-	if (typeof value !== "number" || !Number.isFinite(value)) throw new Unfit(`${key.slice(0, 60)}: a number is wanted`);
+	if (typeof value !== "number" || !Number.isFinite(value))
+		throw new RequestError(`${key.slice(0, 60)}: a number is wanted`);
 	return value;
 }
 
@@ -145,13 +148,13 @@ function ranged(key: keyof typeof FILE_RANGES, value: unknown): FileOptions {
 	if (value === undefined) return {};
 	const [least, most] = FILE_RANGES[key];
 	const given = number(key, value);
-	if (given < least || given > most) throw new Unfit(`${key}: ${least} to ${most}`);
+	if (given < least || given > most) throw new RequestError(`${key}: ${least} to ${most}`);
 	return { [key]: given };
 }
 
 function side(key: string, value: unknown): number {
 	const pixels = number(key, value);
-	if (pixels < 1 || pixels > 8192) throw new Unfit(`${key}: 1 to 8192 pixels`);
+	if (pixels < 1 || pixels > 8192) throw new RequestError(`${key}: 1 to 8192 pixels`);
 	return Math.round(pixels);
 }
 
@@ -159,7 +162,7 @@ function isRecord(value: unknown): value is Values {
 	return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
-function send(source: NonNullable<Heard["source"]>, origin: string, message: object): void {
+function send(source: NonNullable<IncomingMessage["source"]>, origin: string, message: object): void {
 	// Nobody but a page of that origin hears it, even where another page stands there now.
 	if (origin !== "null") source.postMessage({ panicle: PROTOCOL, ...message }, { targetOrigin: origin });
 }

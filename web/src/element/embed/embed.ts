@@ -26,8 +26,8 @@ const conversation = new Conversation(
 	allowed,
 );
 addEventListener("message", ({ data, origin, source }) => {
-	void conversation.hear({ data, origin, source: source as Window | null });
+	void conversation.receive({ data, origin, source: source as Window | null });
 });
 for (const type of ["grown", "input", "change", "error"] as const)
-	plant.addEventListener(type, (event) => conversation.tell(type, (event as unknown as CustomEvent).detail));
+	plant.addEventListener(type, (event) => conversation.broadcast(type, (event as unknown as CustomEvent).detail));
 document.body.append(plant);

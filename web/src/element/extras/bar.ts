@@ -5,7 +5,7 @@ import { withParameters, withSeed } from "../../specimen/edit";
 import { SEED } from "../../specimen/limits";
 import { encodeLink } from "../../specimen/link";
 import { appAddress } from "../app_address";
-import type { Shown } from "../grown_detail";
+import type { GrownDocument } from "../grown_detail";
 import type { SpecimenView } from "../specimen_view";
 import { BAR_STYLE } from "./bar_style";
 import type { Extra, ExtrasHost } from "./extras";
@@ -32,10 +32,10 @@ export class Bar implements Extra {
 		"Open in the app",
 		"app",
 	);
-	readonly #said = Object.assign(document.createElement("p"), { className: "unseen", role: "status" });
+	readonly #status = Object.assign(document.createElement("p"), { className: "unseen", role: "status" });
 	readonly #style = new CSSStyleSheet();
 	readonly #ended = new AbortController();
-	#shown: Shown | undefined;
+	#shown: GrownDocument | undefined;
 	/** Whether a hand has changed something since it was last said what grew. */
 	#touched = false;
 	/** The last valid seed that was typed, until its plant is shown. */
@@ -53,7 +53,7 @@ export class Bar implements Extra {
 		this.#bar.role = "group";
 		this.#bar.ariaLabel = "Controls";
 		this.#bar.part.add("controls");
-		this.#bar.append(this.#turn, this.#age, space, this.#seed, this.#download, this.#app, this.#said);
+		this.#bar.append(this.#turn, this.#age, space, this.#seed, this.#download, this.#app, this.#status);
 		Object.assign(this.#seed, { min: `${SEED.min}`, max: `${SEED.max}`, step: "1" });
 		this.#listen();
 		host.root.append(this.#bar);
@@ -61,7 +61,7 @@ export class Bar implements Extra {
 		this.follow();
 	}
 
-	show(shown: Shown): void {
+	show(shown: GrownDocument): void {
 		this.#shown = shown;
 		const { model, specimen } = shown;
 		const age = ageOf(model, specimen);
@@ -81,10 +81,10 @@ export class Bar implements Extra {
 		}
 		if (specimen.seed === this.#requestedSeed) this.#requestedSeed = undefined;
 		if (this.#seed !== this.#host.root.activeElement) this.#seed.value = `${specimen.seed}`;
-		if (this.#touched) this.#say(plantInWords(shown));
-		else if (!this.#said.classList.contains("unseen")) this.#say("");
+		if (this.#touched) this.#announce(plantInWords(shown));
+		else if (!this.#status.classList.contains("unseen")) this.#announce("");
 		this.#touched = false;
-		void this.#leadTo(shown);
+		void this.#updateAppLink(shown);
 	}
 
 	follow(): void {
@@ -92,7 +92,7 @@ export class Bar implements Extra {
 		// Where it may not turn by itself there is nothing to switch on.
 		if (this.#view.turnsByItself) this.#turn.ariaPressed = `${element.hasAttribute("autorotate")}`;
 		else this.#turn.ariaPressed = null;
-		if (this.#shown) void this.#leadTo(this.#shown);
+		if (this.#shown) void this.#updateAppLink(this.#shown);
 	}
 
 	dispose(): void {
@@ -115,7 +115,7 @@ export class Bar implements Extra {
 			if (!age || !model) return;
 			interaction.edit((now) => withParameters(model, now, { [age.key]: this.#age.valueAsNumber }));
 		});
-		this.#age.addEventListener("change", () => this.#rest());
+		this.#age.addEventListener("change", () => this.#settle());
 		this.#seed.addEventListener("change", () => {
 			const { valueAsNumber: seed, validity } = this.#seed;
 			if (!validity.valid || Number.isNaN(seed)) {
@@ -124,7 +124,7 @@ export class Bar implements Extra {
 			}
 			this.#requestedSeed = seed;
 			interaction.edit((now) => withSeed(now, seed));
-			this.#rest();
+			this.#settle();
 		});
 		this.#download.addEventListener("click", () => void this.#save());
 		const { signal } = this.#ended;
@@ -144,18 +144,18 @@ export class Bar implements Extra {
 		}
 	}
 
-	#rest(): void {
+	#settle(): void {
 		this.#touched = true;
 		this.#host.interaction.settle();
 	}
 
 	/** To screen readers; what went wrong is seen, too, until the next plant or file. */
-	#say(words: string, seen?: "seen"): void {
-		this.#said.textContent = words;
-		this.#said.classList.toggle("unseen", !seen);
+	#announce(words: string, seen?: "seen"): void {
+		this.#status.textContent = words;
+		this.#status.classList.toggle("unseen", !seen);
 	}
 
-	async #leadTo({ model, specimen }: Shown): Promise<void> {
+	async #updateAppLink({ model, specimen }: GrownDocument): Promise<void> {
 		const app = appAddress(this.#host.element.getAttribute("app"));
 		this.#app.hidden = app === undefined;
 		const link = await encodeLink(model, specimen);
@@ -164,7 +164,7 @@ export class Bar implements Extra {
 
 	async #save(): Promise<void> {
 		this.#download.ariaBusy = "true";
-		this.#say("");
+		this.#announce("");
 		try {
 			const file = await this.#host.element.toFile("glb");
 			const { preset, seed } = this.#shown?.specimen ?? { preset: "plant", seed: 1 };
@@ -175,7 +175,7 @@ export class Bar implements Extra {
 			// The download has taken its own hold of the data by then.
 			setTimeout(() => URL.revokeObjectURL(anchor.href), 60_000);
 		} catch (error) {
-			this.#say(`The GLB could not be made: ${error instanceof Error ? error.message : error}`, "seen");
+			this.#announce(`The GLB could not be made: ${error instanceof Error ? error.message : error}`, "seen");
 		} finally {
 			this.#download.ariaBusy = null;
 		}

@@ -1,11 +1,11 @@
 /** What an element has besides its plant where attributes ask for it, each from a script that comes when it is first wanted. */
-import type { Shown } from "../grown_detail";
+import type { GrownDocument } from "../grown_detail";
 import type { SpecimenView } from "../specimen_view";
 import type { CanvasInteraction } from "./interaction";
 
 /** Something that follows the plant shown. */
 export interface Extra {
-	show(shown: Shown): void;
+	show(shown: GrownDocument): void;
 	/** An attribute of the element is another one. */
 	follow?(): void;
 	dispose(): void;
@@ -28,7 +28,7 @@ const MADE_BY: Readonly<Record<string, (host: ExtrasHost) => Promise<Extra>>> = 
 export class Extras {
 	readonly #host: ExtrasHost;
 	readonly #made = new Map<string, Promise<Extra | undefined>>();
-	#shown: Shown | undefined;
+	#shown: GrownDocument | undefined;
 
 	constructor(host: ExtrasHost) {
 		this.#host = host;
@@ -44,7 +44,7 @@ export class Extras {
 		this.#all((extra) => extra.follow?.());
 	}
 
-	show(shown: Shown): void {
+	show(shown: GrownDocument): void {
 		this.#shown = shown;
 		this.#all((extra) => extra.show(shown));
 		this.follow();

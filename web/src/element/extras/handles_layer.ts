@@ -6,19 +6,19 @@ import { apply } from "../../ui/change";
 import type { Change } from "../../ui/editor_context";
 import type { HandlesOf } from "../../ui/handles/plant_handle";
 import { PlantHandleLayer } from "../../ui/handles/plant_handle_layer";
-import type { Shown } from "../grown_detail";
+import type { GrownDocument } from "../grown_detail";
 import type { SpecimenView } from "../specimen_view";
 import type { Extra, ExtrasHost } from "./extras";
 
 export class HandlesLayer implements Extra {
 	readonly #host: ExtrasHost;
 	readonly #layer: PlantHandleLayer;
-	readonly #undraw: () => void;
-	#shown: Shown | undefined;
+	readonly #stopFollowingDraws: () => void;
+	#shown: GrownDocument | undefined;
 	/** Of the model shown; none where it has no handles. */
 	#handlesOf: HandlesOf<Specimen> | undefined;
 	/** Whether the model's handles could not be fetched: the next plant asks for them again. */
-	#missed = false;
+	#fetchFailed = false;
 	/** As hands have it, ahead of what has grown. */
 	#specimen: Specimen | undefined;
 	/** What Escape brings back. */
@@ -38,30 +38,30 @@ export class HandlesLayer implements Extra {
 			settle: () => this.#host.interaction.settle(),
 			cancel: () => this.#cancel(),
 		});
-		this.#undraw = view.onDrawn(() => this.#layer.place());
+		this.#stopFollowingDraws = view.onDrawn(() => this.#layer.place());
 	}
 
-	show(shown: Shown): void {
+	show(shown: GrownDocument): void {
 		const another = shown.model !== this.#shown?.model;
 		this.#shown = shown;
-		if (another || this.#missed) void this.#use(shown);
+		if (another || this.#fetchFailed) void this.#use(shown);
 		else if (!this.#layer.held) this.#setHandles(shown.specimen);
 	}
 
 	dispose(): void {
 		this.#disposed = true;
-		this.#undraw();
+		this.#stopFollowingDraws();
 		this.#layer.dispose();
 	}
 
 	/** Another model has other handles, which have to be fetched. */
-	async #use({ model }: Shown): Promise<void> {
+	async #use({ model }: GrownDocument): Promise<void> {
 		this.#layer.cancel();
 		this.#handlesOf = undefined;
 		this.#setHandles(undefined);
-		this.#missed = false;
+		this.#fetchFailed = false;
 		const handlesOf = await model.handles?.().catch(() => {
-			this.#missed = this.#shown?.model === model;
+			this.#fetchFailed = this.#shown?.model === model;
 			return undefined;
 		});
 		if (this.#disposed || this.#shown?.model !== model) return;

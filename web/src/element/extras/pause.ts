@@ -1,5 +1,5 @@
 /** A button in the element's corner by which a reader has what sways by itself stand still, and go on (WCAG 2.2, 2.2.2). */
-import type { Shown } from "../grown_detail";
+import type { GrownDocument } from "../grown_detail";
 import type { SpecimenView } from "../specimen_view";
 import type { Extra, ExtrasHost } from "./extras";
 
@@ -58,7 +58,7 @@ export class Pause implements Extra {
 		this.#follow();
 	}
 
-	show({ model }: Pick<Shown, "model">): void {
+	show({ model }: Pick<GrownDocument, "model">): void {
 		this.#sways = model.still !== true;
 		this.#follow();
 	}

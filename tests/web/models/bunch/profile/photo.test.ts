@@ -73,7 +73,7 @@ describe("the photograph's tool", () => {
 	});
 
 	it("lays a picture behind the front view; it stays through undo, is in no link, and goes when it is told to", async () => {
-		const { studio, surroundings } = await studioWith(specimenFromPreset());
+		const { studio, services } = await studioWith(specimenFromPreset());
 		const context = bunchContext(studio);
 		const first = picture();
 		bitmaps.mockResolvedValue(first);
@@ -82,7 +82,7 @@ describe("the photograph's tool", () => {
 		context.set({ parameters: { l: 300 } });
 		studio.undo();
 		expect(context.toolState(photo)?.picture).toBe(first);
-		expect(JSON.stringify(surroundings.settled.mock.calls)).not.toContain("picture");
+		expect(JSON.stringify(services.settled.mock.calls)).not.toContain("picture");
 		changePhoto(context, { view: "side", opacity: 0.3 });
 		const second = picture();
 		bitmaps.mockResolvedValue(second);

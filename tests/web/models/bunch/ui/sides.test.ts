@@ -12,9 +12,9 @@ describe("the two sides of a pair", () => {
 	const parameters = () => studio.state.specimen.parameters;
 
 	beforeEach(async () => {
-		const { studio: fresh, surroundings } = await studioWith(opened);
+		const { studio: fresh, services } = await studioWith(opened);
 		studio = fresh;
-		remembered = () => surroundings.remember.mock.lastCall?.[0].tools.bunch;
+		remembered = () => services.remember.mock.lastCall?.[0].tools.bunch;
 	});
 
 	it.each([

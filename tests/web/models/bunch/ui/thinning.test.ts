@@ -8,7 +8,7 @@ import { MOST_THINNED, specimenFromPreset, thin, unthin } from "../../../bunch";
 const opened = specimenFromPreset("grape-15c");
 
 it("takes berries off by hand, one step each, and puts them all back as one", async () => {
-	const { studio, surroundings } = await studioWith(opened);
+	const { studio, services } = await studioWith(opened);
 	const context = bunchContext(studio);
 	const thinned = () => context.state.specimen.thinned;
 	takeOff(context, 7, 9);
@@ -16,14 +16,14 @@ it("takes berries off by hand, one step each, and puts them all back as one", as
 	takeOff(context, 3);
 	expect(context.toolState(thinning).marked).toBeUndefined();
 	expect(thinned()).toEqual([7, 3]);
-	expect(surroundings.grow.mock.lastCall?.[1]).toMatchObject({ thinned: [7, 3] });
+	expect(services.grow.mock.lastCall?.[1]).toMatchObject({ thinned: [7, 3] });
 	putBack(context);
 	expect(thinned()).toEqual([]);
 	studio.undo();
 	expect(thinned()).toEqual([7, 3]);
 	studio.undo();
 	expect(thinned()).toEqual([7]);
-	expect(surroundings.settled.mock.lastCall?.[1]).toMatchObject({ thinned: [7] });
+	expect(services.settled.mock.lastCall?.[1]).toMatchObject({ thinned: [7] });
 });
 
 it("takes no more berries off than a link can hold, and none twice", () => {

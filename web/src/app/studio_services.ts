@@ -5,7 +5,7 @@ import type { OffscreenOptions } from "../ui/editor_context";
 import type { UiState } from "./ui_state";
 
 /** What the studio does outside itself; main.ts wires it. */
-export interface Surroundings {
+export interface StudioServices {
 	/** Asks for growth, measured or not; the newest request wins. */
 	grow(model: PageModel, specimen: Specimen, options: { preview: boolean }): void;
 	/** What a specimen measures, without showing it; rejects as growing does, and with the signal's reason. */

@@ -1,5 +1,5 @@
 import { describe, expect, it, vi } from "vitest";
-import { Cores } from "../../../web/src/app/cores";
+import { CoreGrower } from "../../../web/src/app/core_grower";
 import { Columns, writeContainer } from "../../../web/src/core/container";
 import { Superseded } from "../../../web/src/core/errors";
 import type { PageModel } from "../../../web/src/models/page_model";
@@ -14,7 +14,7 @@ describe("the cores", () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		const grow = vi.fn(async () => ({ columns, milliseconds: 7 }));
 		const { signal } = new AbortController();
-		const grown = await new Cores(address, { grow, warm: vi.fn(), among: vi.fn() }).grow(
+		const grown = await new CoreGrower(address, { grow, warm: vi.fn(), among: vi.fn() }).grow(
 			model,
 			{ ...fromPreset(model), seed: 5 },
 			{ measures: false, signal },
@@ -46,7 +46,7 @@ describe("the cores", () => {
 				},
 				encode: () => [{ name: "there", data: Uint32Array.of(there ? 1 : 0) }],
 			};
-			await new Cores(address, { grow, warm: vi.fn(), among: vi.fn() }).grow(needy, fromPreset(model));
+			await new CoreGrower(address, { grow, warm: vi.fn(), among: vi.fn() }).grow(needy, fromPreset(model));
 			expect(grow.mock.calls[0][0].blocks).toEqual([{ name: "there", data: Uint32Array.of(comes ? 1 : 0) }]);
 		}
 	});
@@ -55,7 +55,7 @@ describe("the cores", () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		const client = { grow: async () => ({ columns, milliseconds: 7 }), warm: vi.fn(), among: vi.fn() };
 		const [prepare, sketch] = [vi.fn(async () => {}), vi.fn(async () => {})];
-		const cores = new Cores(address, client);
+		const cores = new CoreGrower(address, client);
 		await cores.grow({ ...model, prepare, sketch }, fromPreset(model), { sketched: true });
 		expect([prepare, sketch].map(({ mock }) => mock.calls.length)).toEqual([0, 1]);
 		await cores.grow({ ...model, prepare, sketch }, fromPreset(model));
@@ -66,7 +66,7 @@ describe("the cores", () => {
 	it("do not begin an older growth after a newer one that had less to wait for", async () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		const grow = vi.fn(async (_order: { blocks: readonly unknown[] }) => ({ columns, milliseconds: 7 }));
-		const cores = new Cores(address, { grow, warm: vi.fn(), among: vi.fn() });
+		const cores = new CoreGrower(address, { grow, warm: vi.fn(), among: vi.fn() });
 		let come = () => {};
 		const slow: PageModel = { ...model, prepare: () => new Promise((resolve) => (come = resolve)) };
 		const older = cores.grow(slow, { ...fromPreset(model), seed: 1 });
@@ -79,7 +79,7 @@ describe("the cores", () => {
 
 	it("are warmed by their files, where there is one of that name", () => {
 		const warm = vi.fn();
-		const cores = new Cores(address, { grow: vi.fn(), warm, among: vi.fn() });
+		const cores = new CoreGrower(address, { grow: vi.fn(), warm, among: vi.fn() });
 		cores.warm("plum.wasm");
 		expect(warm).not.toHaveBeenCalled();
 		cores.warm("toy.wasm");
@@ -87,7 +87,7 @@ describe("the cores", () => {
 	});
 
 	it("say where one is missing", async () => {
-		const cores = new Cores(() => undefined, { grow: vi.fn(), warm: vi.fn(), among: vi.fn() });
+		const cores = new CoreGrower(() => undefined, { grow: vi.fn(), warm: vi.fn(), among: vi.fn() });
 		await expect(cores.grow(model, fromPreset(model))).rejects.toThrow(
 			"The core of the pole is not part of this page.",
 		);

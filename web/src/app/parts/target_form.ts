@@ -2,12 +2,12 @@ import { html, nothing } from "lit";
 import { type MeasureInfo, measureText } from "../../specimen/measures";
 import { fromWritten, writtenFor } from "../../targets/aim";
 import { readTyped } from "../../ui/typed";
-import { ASKING, askFor, heldAims, shareDone } from "../asking";
 import type { Studio } from "../studio";
+import { currentAims, searchTarget, shareDone, TARGET_SEARCH } from "../target_search";
 import { StudioPart } from "./studio_part";
 
 /** Below a measure: the field in which another value can be asked for. */
-export class Ask extends StudioPart {
+export class TargetForm extends StudioPart {
 	static override properties = { ...StudioPart.properties, info: { attribute: false }, value: { attribute: false } };
 	declare info: MeasureInfo;
 	/** What is measured. */
@@ -15,13 +15,13 @@ export class Ask extends StudioPart {
 	#problem = "";
 
 	protected override shows(studio: Studio): readonly unknown[] {
-		return [studio.toolState(ASKING), studio.state.specimen];
+		return [studio.toolState(TARGET_SEARCH), studio.state.specimen];
 	}
 
 	protected override draw(studio: Studio): unknown {
 		const { info, value } = this;
-		const { now } = studio.toolState(ASKING);
-		const held = heldAims(studio).find(({ measure }) => measure === info.key);
+		const { now } = studio.toolState(TARGET_SEARCH);
+		const held = currentAims(studio).find(({ measure }) => measure === info.key);
 		const unit = info.kind === "share" ? "%" : info.unit;
 		return html`<form class="ask" @submit=${this.#submit}>
 			<label>Ask for <input
@@ -52,8 +52,8 @@ export class Ask extends StudioPart {
 		const right = Number.isFinite(typed) && typed >= 0;
 		this.#problem = right ? "" : `“${text.slice(0, 20)}” is no number that can be asked for.`;
 		this.requestUpdate();
-		if (right) void askFor(this.context, { measure: this.info.key, value: fromWritten(this.info, typed) });
+		if (right) void searchTarget(this.context, { measure: this.info.key, value: fromWritten(this.info, typed) });
 	}
 }
 
-customElements.define("panicle-ask", Ask);
+customElements.define("panicle-ask", TargetForm);

@@ -22,7 +22,7 @@ export interface Grower {
 	grow(model: PageModel, specimen: Specimen, options?: GrowOptions): Promise<Plant>;
 }
 
-export class Cores implements Grower {
+export class CoreGrower implements Grower {
 	readonly #addressOf: (file: string) => string | undefined;
 	readonly #client: Pick<Client, "warm" | "grow" | "among">;
 	readonly #members = new MemberCache();

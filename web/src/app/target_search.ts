@@ -8,7 +8,7 @@ import { changesInWords, growthsInWords, reachedInWords } from "../targets/words
 import type { Stateful } from "../ui/editor_context";
 import type { Studio } from "./studio";
 
-export interface Asking {
+export interface TargetSearch {
 	/** What is being looked for. */
 	readonly now?: { readonly measure: string; readonly growths: number; cancel(): void };
 	/** What was found last, and where: while that is what is on the controls, what is asked next holds it too. */
@@ -16,51 +16,54 @@ export interface Asking {
 }
 
 /** One at a time, of the model that is open. */
-export const ASKING: Stateful<Asking> = { name: "asking", initial: {} };
+export const TARGET_SEARCH: Stateful<TargetSearch> = { name: "asking", initial: {} };
 
 /** What its notices are about: the next one takes them back, and so does the next change. */
-const ASKED = "asked";
+const TOPIC = "asked";
 
 /** What is held of the document on the controls. */
-export function heldAims(studio: Studio): readonly Aim[] {
-	const { found } = studio.toolState(ASKING);
+export function currentAims(studio: Studio): readonly Aim[] {
+	const { found } = studio.toolState(TARGET_SEARCH);
 	return found && sameSpecimen(found.specimen, studio.state.specimen) ? found.aims : [];
 }
 
 /** Looks for parameters that give a measure a value, and takes them as one step; a notice says what came of it. */
-export async function askFor(studio: Studio, aim: Aim): Promise<void> {
-	studio.toolState(ASKING).now?.cancel();
+export async function searchTarget(studio: Studio, aim: Aim): Promise<void> {
+	studio.toolState(TARGET_SEARCH).now?.cancel();
 	const { model, specimen: from } = studio.state;
 	if (!model.targets) return;
-	const aims = [...heldAims(studio).filter(({ measure }) => measure !== aim.measure), aim];
+	const aims = [...currentAims(studio).filter(({ measure }) => measure !== aim.measure), aim];
 	const ending = new AbortController();
 	const cancel = () => ending.abort();
-	const say = (growths: number) => {
+	const report = (growths: number) => {
 		// Another may have taken its place.
 		if (ending.signal.aborted) return;
-		studio.setToolState(ASKING, { ...studio.toolState(ASKING), now: { measure: aim.measure, growths, cancel } });
+		studio.setToolState(TARGET_SEARCH, {
+			...studio.toolState(TARGET_SEARCH),
+			now: { measure: aim.measure, growths, cancel },
+		});
 	};
 	// What a hand does meanwhile goes before.
 	const end = studio.subscribe(() => {
 		if (studio.state.model !== model || !growsAlike(studio.state.specimen, from)) cancel();
 	});
-	say(0);
+	report(0);
 	try {
 		const measured = async (specimen: Specimen) => {
 			ending.signal.throwIfAborted();
 			return { measures: await studio.measure(model, specimen, ending.signal) };
 		};
-		const answer = await aimed(model, from, aims, measured, say);
+		const answer = await aimed(model, from, aims, measured, report);
 		ending.signal.throwIfAborted();
 		end();
 		take(studio, from, aims, answer);
 	} catch (error) {
 		end();
-		const { now, ...others } = studio.toolState(ASKING);
-		if (studio.state.model === model && now?.cancel === cancel) studio.setToolState(ASKING, others);
+		const { now, ...others } = studio.toolState(TARGET_SEARCH);
+		if (studio.state.model === model && now?.cancel === cancel) studio.setToolState(TARGET_SEARCH, others);
 		if (!ending.signal.aborted) {
 			const text = error instanceof Error ? error.message : String(error);
-			studio.notify("What was asked for could not be looked for", [text], { topic: ASKED });
+			studio.notify("What was asked for could not be looked for", [text], { topic: TOPIC });
 		}
 	}
 }
@@ -68,12 +71,12 @@ export async function askFor(studio: Studio, aim: Aim): Promise<void> {
 function take(studio: Studio, from: Specimen, aims: readonly Aim[], answer: Answer): void {
 	const { model, specimen } = studio.state;
 	const found = { ...specimen, parameters: answer.specimen.parameters };
-	studio.setToolState(ASKING, { found: { specimen: found, aims } });
+	studio.setToolState(TARGET_SEARCH, { found: { specimen: found, aims } });
 	studio.replace(found);
 	const changes = changesInWords(model, from, found);
 	const [title, ...others] = [...answer.reached].reverse().map(reachedInWords);
 	studio.notify(title, [...others, changes ? `${changes}; ${growthsInWords(answer)}.` : "Nothing comes nearer."], {
-		topic: ASKED,
+		topic: TOPIC,
 		untouched: true,
 	});
 }
