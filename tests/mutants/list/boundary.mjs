@@ -117,7 +117,7 @@ export default [
 		faults: [
 			{
 				id: "children-are-roots",
-				find: "nobodysChildren(gltf)",
+				find: "rootNodes(gltf)",
 				replace: "(gltf.nodes?.keys() ?? [])",
 				breaks: "a GLB without scenes has its children twice",
 			},

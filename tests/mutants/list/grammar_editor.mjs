@@ -29,7 +29,7 @@ export default [
 	},
 	{
 		file: `${SRC}/scrub.ts`,
-		suites: [`${TESTS}/hands.test.ts`],
+		suites: [`${TESTS}/direct_editing.test.ts`],
 		faults: [
 			{
 				id: "grammar-editor-digits-lost",
@@ -77,7 +77,7 @@ export default [
 	},
 	{
 		file: `${SRC}/curve.ts`,
-		suites: [`${TESTS}/hands.test.ts`],
+		suites: [`${TESTS}/direct_editing.test.ts`],
 		faults: [
 			{
 				id: "grammar-editor-curve-points-cross",
@@ -89,7 +89,7 @@ export default [
 	},
 	{
 		file: `${SRC}/source.ts`,
-		suites: [`${TESTS}/hands.test.ts`],
+		suites: [`${TESTS}/direct_editing.test.ts`],
 		faults: [
 			{
 				id: "grammar-editor-built-in-text-of-its-own",

@@ -77,7 +77,7 @@ export default [
 		faults: [
 			{
 				id: "virtual-rows-all-drawn",
-				find: "withRows(defaultRangeExtractor(range), kept, count)",
+				find: "withRows(defaultRangeExtractor(range), pinned, count)",
 				replace: "withRows(Array.from({ length: count }, (_, index) => index), kept, count)",
 				breaks: "a library of 10,000 specimens puts 132,000 elements into the page",
 			},

@@ -15,19 +15,19 @@ export default [
 			},
 			{
 				id: "stepper-late-answer-of-another-document",
-				find: "if (this.#ask !== ask) {",
+				find: "if (this.#requestTrace !== requestTrace) {",
 				replace: "if (false) {",
 				breaks: "the string of a text that is no more comes in place of the present one's",
 			},
 			{
 				id: "stepper-long-question-goes-on",
-				find: "running.ending.abort();\n\t\t\tthis.#running = undefined;\n\t\t\tthis.#go();",
+				find: "running.ending.abort();\n\t\t\tthis.#running = undefined;\n\t\t\tthis.#update();",
 				replace: "",
 				breaks: "a step that takes seconds has to be waited for though nobody wants it any more",
 			},
 			{
 				id: "stepper-wanted-question-ends",
-				find: "this.#await(this.#running);",
+				find: "this.#resume(this.#running);",
 				replace: "this.#abandon(this.#running);",
 				breaks: "a step that is left and come back to is asked for from the beginning",
 			},
@@ -70,14 +70,14 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/lights.ts`,
-		suites: [`${TESTS}/told_module.test.ts`, `${TESTS}/derivation.test.ts`],
+		file: `${SRC}/lit_parts.ts`,
+		suites: [`${TESTS}/trace_words.test.ts`, `${TESTS}/derivation.test.ts`],
 		faults: [
 			{
 				id: "stepper-peduncle-lit",
 				find: "return module === NOT_DRAWN ? undefined : module;",
 				replace: "return module;",
-				suites: [`${TESTS}/told_module.test.ts`],
+				suites: [`${TESTS}/trace_words.test.ts`],
 				breaks: "a click on what the text has not drawn leads beyond the string",
 			},
 			{

@@ -5,21 +5,21 @@ import { DERIVATION, type DerivationState } from "../../../web/src/grammar_edito
 import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import type { EditorContext, OffscreenOptions } from "../../../web/src/ui/editor_context";
-import { algae } from "./told_derivation";
+import { algae } from "./traced_derivation";
 
 const STEPS = 5;
 
 /** An editor context with a plant of the algae on it; plants of single steps come when they are let. */
-function laid() {
+function setUp() {
 	const specimen = { model: "grammar" } as Specimen;
 	const plants: { readonly options: OffscreenOptions; let(): void; refuse(error: Error): void }[] = [];
 	let state: DerivationState = DERIVATION.initial;
 	const followers: Pick<Derivation, "follow">[] = [];
 	const growOffscreen = vi.fn(async (_from: Specimen, options: OffscreenOptions): Promise<Plant> => {
-		const told = (steps: number) => ({ ...EMPTY_PLANT, trace: algae(options.trace ?? { step: 0 }, steps) });
-		if (options.steps === undefined) return told(STEPS);
+		const plantAfter = (steps: number) => ({ ...EMPTY_PLANT, trace: algae(options.trace ?? { step: 0 }, steps) });
+		if (options.steps === undefined) return plantAfter(STEPS);
 		return new Promise((resolve, reject) => {
-			plants.push({ options, let: () => resolve(told(options.steps ?? 0)), refuse: reject });
+			plants.push({ options, let: () => resolve(plantAfter(options.steps ?? 0)), refuse: reject });
 		});
 	});
 	const context = {
@@ -40,10 +40,10 @@ function laid() {
 const settle = () => new Promise((resolve) => setTimeout(resolve));
 
 describe("a derivation that is looked at", () => {
-	let { context, growOffscreen, plants, followers, tool } = laid();
+	let { context, growOffscreen, plants, followers, tool } = setUp();
 	let derivation: Derivation;
 	beforeEach(async () => {
-		({ context, growOffscreen, plants, followers, tool } = laid());
+		({ context, growOffscreen, plants, followers, tool } = setUp());
 		derivation = new Derivation(context as unknown as EditorContext, () => {});
 		followers.push(derivation);
 		await settle();
@@ -158,14 +158,14 @@ describe("a derivation that is looked at", () => {
 		plants[0].let();
 		await settle();
 		await to(3);
-		const asked = growOffscreen.mock.calls.length;
+		const calls = growOffscreen.mock.calls.length;
 		for (const chosen of [false, true]) {
 			context.setToolState(DERIVATION, { ...tool(), met: { module: 1, step: 2, chosen } });
 			derivation.follow();
 			await settle();
 			expect([derivation.pointed, derivation.chosen]).toEqual([undefined, undefined]);
 		}
-		expect(growOffscreen.mock.calls).toHaveLength(asked);
+		expect(growOffscreen.mock.calls).toHaveLength(calls);
 	});
 
 	it("asks for the ancestor of what is clicked where the window does not tell", async () => {

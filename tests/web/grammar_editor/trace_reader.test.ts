@@ -4,7 +4,7 @@ import { TraceReader, WINDOW, windowAbout } from "../../../web/src/grammar_edito
 import type { DerivationTrace, TraceRequest } from "../../../web/src/plant/derivation_trace";
 
 /** A derivation whose strings double: 1, 2, 4 … modules. */
-function told({ step, first = 0, count = WINDOW }: TraceRequest, steps = 12): DerivationTrace {
+function traced({ step, first = 0, count = WINDOW }: TraceRequest, steps = 12): DerivationTrace {
 	const counts = Uint32Array.from({ length: steps + 1 }, (_, index) => 2 ** index);
 	const at = Math.min(step, steps);
 	const length = Math.max(0, Math.min(count, counts[at] - first));
@@ -19,18 +19,18 @@ function told({ step, first = 0, count = WINDOW }: TraceRequest, steps = 12): De
 
 /** Asks that are answered by hand. */
 function byHand() {
-	const asks: {
-		asked: TraceRequest;
+	const requests: {
+		request: TraceRequest;
 		signal: AbortSignal;
 		answer(trace?: DerivationTrace): void;
 		fail(error: Error): void;
 	}[] = [];
-	const ask = (asked: TraceRequest, signal: AbortSignal) =>
+	const requestTrace = (request: TraceRequest, signal: AbortSignal) =>
 		new Promise<DerivationTrace>((resolve, reject) => {
 			signal.addEventListener("abort", () => reject(signal.reason));
-			asks.push({ asked, signal, answer: (trace = told(asked)) => resolve(trace), fail: reject });
+			requests.push({ request, signal, answer: (trace = traced(request)) => resolve(trace), fail: reject });
 		});
-	return { ask, asks };
+	return { requestTrace, requests };
 }
 
 const settle = () => vi.advanceTimersByTimeAsync(0);
@@ -41,13 +41,13 @@ describe("a derivation read window by window", () => {
 	afterEach(() => void vi.useRealTimers());
 
 	async function opened() {
-		const { ask, asks } = byHand();
+		const { requestTrace, requests } = byHand();
 		const changed = vi.fn();
 		const reader = new TraceReader(changed);
-		reader.begin(ask);
-		asks[0].answer();
+		reader.begin(requestTrace);
+		requests[0].answer();
 		await settle();
-		return { reader, ask, asks, changed };
+		return { reader, requestTrace, requests, changed };
 	}
 
 	it("begins with the last step", async () => {
@@ -58,136 +58,136 @@ describe("a derivation read window by window", () => {
 		expect(changed).toHaveBeenCalled();
 	});
 
-	it("never gives a string of another step than the one that is asked for, however fast these follow", async () => {
-		const { reader, asks } = await opened();
+	it("never gives a string of another step than the one that is request for, however fast these follow", async () => {
+		const { reader, requests } = await opened();
 		for (const step of [11, 10, 9, 8, 7]) {
 			reader.want({ step, about: 0 });
 			expect(reader.page).toBeUndefined();
 		}
 		// One is under way, of the others the newest waits.
-		expect(asks.map(({ asked }) => asked.step).slice(1)).toEqual([11]);
-		asks[1].answer();
+		expect(requests.map(({ request }) => request.step).slice(1)).toEqual([11]);
+		requests[1].answer();
 		await settle();
 		expect(reader.page).toBeUndefined();
-		expect(asks.map(({ asked }) => asked.step).slice(1)).toEqual([11, 7]);
-		asks[2].answer();
+		expect(requests.map(({ request }) => request.step).slice(1)).toEqual([11, 7]);
+		requests[2].answer();
 		await settle();
 		expect(shown(reader)).toBe("A(7,0)");
 		// What was answered meanwhile is kept.
 		reader.want({ step: 11, about: 0 });
 		expect(shown(reader)).toBe("A(11,0)");
-		expect(asks).toHaveLength(3);
+		expect(requests).toHaveLength(3);
 	});
 
 	it("ends a question that takes long and is wanted no more", async () => {
-		const { reader, asks } = await opened();
+		const { reader, requests } = await opened();
 		reader.want({ step: 3, about: 0 });
 		await vi.advanceTimersByTimeAsync(100);
 		reader.want({ step: 4, about: 0 });
-		expect(asks[1].signal.aborted).toBe(false);
+		expect(requests[1].signal.aborted).toBe(false);
 		await vi.advanceTimersByTimeAsync(150);
-		expect(asks[1].signal.aborted).toBe(true);
-		expect(asks[2].asked.step).toBe(4);
-		asks[2].answer();
+		expect(requests[1].signal.aborted).toBe(true);
+		expect(requests[2].request.step).toBe(4);
+		requests[2].answer();
 		await settle();
 		expect(shown(reader)).toBe("A(4,0)");
 		expect(reader.fault).toBeUndefined();
 	});
 
 	it("goes on with a question that takes long and is wanted again", async () => {
-		const { reader, asks } = await opened();
+		const { reader, requests } = await opened();
 		for (const step of [3, 4, 3]) reader.want({ step, about: 0 });
 		await vi.advanceTimersByTimeAsync(1000);
-		expect(asks[1].signal.aborted).toBe(false);
+		expect(requests[1].signal.aborted).toBe(false);
 		reader.want({ step: 4, about: 0 });
-		expect(asks[1].signal.aborted).toBe(false);
+		expect(requests[1].signal.aborted).toBe(false);
 		await settle();
-		expect(asks[1].signal.aborted).toBe(true);
+		expect(requests[1].signal.aborted).toBe(true);
 		// The same of another document is another question.
 		const next = byHand();
 		for (const step of [5, 6]) reader.want({ step, about: 0 });
-		reader.begin(next.ask);
+		reader.begin(next.requestTrace);
 		reader.want({ step: 4, about: 0 });
 		await vi.advanceTimersByTimeAsync(1000);
-		expect(asks[2].signal.aborted).toBe(true);
+		expect(requests[2].signal.aborted).toBe(true);
 	});
 
 	it("keeps a window of the same step until the one farther on has come", async () => {
-		const { reader, asks } = await opened();
+		const { reader, requests } = await opened();
 		reader.want({ step: 12, about: 3000 });
 		expect(shown(reader)).toBe("A(12,0)");
-		expect(asks[1].asked.first).toBe(2800);
-		asks[1].answer();
+		expect(requests[1].request.first).toBe(2800);
+		requests[1].answer();
 		await settle();
 		expect(reader.page?.first).toBe(2800);
 	});
 
 	it("keeps the last document's string, as such, until another's has come, and drops what comes late of it", async () => {
-		const { reader, asks } = await opened();
+		const { reader, requests } = await opened();
 		const next = byHand();
 		reader.want({ step: 5, about: 0 });
-		reader.begin(next.ask);
+		reader.begin(next.requestTrace);
 		expect(reader.stale).toBe(false); // There is none: step 5 was awaited.
-		asks[1].answer({ ...told({ step: 5 }), modules: [] });
+		requests[1].answer({ ...traced({ step: 5 }), modules: [] });
 		await settle();
 		expect(reader.page).toBeUndefined();
-		next.asks[0].answer();
+		next.requests[0].answer();
 		await settle();
 		expect(shown(reader)).toBe("A(5,0)");
 		const third = byHand();
-		reader.begin(third.ask);
+		reader.begin(third.requestTrace);
 		expect(reader.stale).toBe(true);
 		expect(shown(reader)).toBe("A(5,0)");
-		third.asks[0].answer();
+		third.requests[0].answer();
 		await settle();
 		expect(reader.stale).toBe(false);
 	});
 
 	it("stays within a string that has become shorter, and a derivation that has", async () => {
-		const { reader, asks } = await opened();
+		const { reader, requests } = await opened();
 		const next = byHand();
 		reader.want({ step: undefined, about: 4000 });
-		asks[1].answer();
+		requests[1].answer();
 		await settle();
-		reader.begin(next.ask);
-		next.asks[0].answer({ ...told(next.asks[0].asked, 3), modules: [] });
+		reader.begin(next.requestTrace);
+		next.requests[0].answer({ ...traced(next.requests[0].request, 3), modules: [] });
 		await settle();
-		expect(next.asks[1].asked.first).toBe(0);
-		next.asks[1].answer(told(next.asks[1].asked, 3));
+		expect(next.requests[1].request.first).toBe(0);
+		next.requests[1].answer(traced(next.requests[1].request, 3));
 		await settle();
 		expect(reader.step).toBe(3);
 		expect(shown(reader)).toBe("A(3,0)");
 	});
 
 	it("says why nothing comes, and goes on with the next question", async () => {
-		const { reader, asks } = await opened();
+		const { reader, requests } = await opened();
 		reader.want({ step: 2, about: 0 });
-		asks[1].fail(new Error("The core broke."));
+		requests[1].fail(new Error("The core broke."));
 		await settle();
 		expect(reader.fault).toBe("The core broke.");
 		expect(reader.page).toBeUndefined();
 		// The other steps are in reach.
 		expect(reader.counts).toHaveLength(13);
 		reader.want({ step: 1, about: 0 });
-		asks[2].answer();
+		requests[2].answer();
 		await settle();
 		expect(reader.fault).toBeUndefined();
 		expect(shown(reader)).toBe("A(1,0)");
 		const next = byHand();
-		reader.begin(next.ask);
-		next.asks[0].fail(new Error("The text is wrong."));
+		reader.begin(next.requestTrace);
+		next.requests[0].fail(new Error("The text is wrong."));
 		await settle();
 		expect(reader.counts).toBeUndefined();
 	});
 
-	it("asks again where another question has taken its place", async () => {
-		const { reader, asks } = await opened();
+	it("requests again where another question has taken its place", async () => {
+		const { reader, requests } = await opened();
 		reader.want({ step: 2, about: 0 });
-		asks[1].fail(new Superseded());
+		requests[1].fail(new Superseded());
 		await settle();
 		expect(reader.fault).toBeUndefined();
-		expect(asks.map(({ asked }) => asked.step).slice(1)).toEqual([2, 2]);
-		asks[2].answer();
+		expect(requests.map(({ request }) => request.step).slice(1)).toEqual([2, 2]);
+		requests[2].answer();
 		await settle();
 		expect(shown(reader)).toBe("A(2,0)");
 	});

@@ -88,15 +88,15 @@ describe("the figure of any plant", () => {
 		expect(worn[0].map?.flipY).toBe(false);
 		expect(worn[0].normalScale.toArray()).toEqual([1, -1]);
 		expect(meshes().every(({ geometry }) => geometry.hasAttribute("uv"))).toBe(true);
-		const [before, kept] = [worn[0].map, worn[0].normalMap];
+		const [before, normalMap] = [worn[0].map, worn[0].normalMap];
 		const gone: string[] = [];
 		before?.addEventListener("dispose", () => gone.push("colour"));
-		kept?.addEventListener("dispose", () => gone.push("normal"));
+		normalMap?.addEventListener("dispose", () => gone.push("normal"));
 		figure.show([sheet(30), sheet(40)], {});
 		expect(meshes().map(({ material }) => material)).toEqual(worn);
 		expect(shown().map(([red]) => red)).toEqual([30, 40]);
 		expect(gone).toEqual(["colour"]);
-		expect(worn[0].normalMap).toBe(kept);
+		expect(worn[0].normalMap).toBe(normalMap);
 		figure.dispose();
 		expect(gone).toEqual(["colour", "normal"]);
 	});

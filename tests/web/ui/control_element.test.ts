@@ -15,7 +15,7 @@ class Probe extends ControlElement {
 		return "";
 	}
 
-	asks(...changed: string[]): boolean {
+	needsUpdate(...changed: string[]): boolean {
 		return this.shouldUpdate(new Map(changed.map((name) => [name, undefined])));
 	}
 }
@@ -25,15 +25,15 @@ describe("a control", () => {
 	it("stands still once another model has come, until the page puts it to use again", async () => {
 		const { studio } = await studioWith(specimenFromPreset());
 		const probe = new Probe();
-		expect(probe.asks()).toBe(false);
+		expect(probe.needsUpdate()).toBe(false);
 		probe.context = studio;
-		expect(probe.asks("context")).toBe(true);
-		expect(probe.asks()).toBe(true);
+		expect(probe.needsUpdate("context")).toBe(true);
+		expect(probe.needsUpdate()).toBe(true);
 		studio.choosePreset("plain", toy as unknown as Model);
-		expect(probe.asks()).toBe(false);
+		expect(probe.needsUpdate()).toBe(false);
 		studio.undo();
-		expect(probe.asks()).toBe(true);
+		expect(probe.needsUpdate()).toBe(true);
 		studio.redo();
-		expect(probe.asks("life")).toBe(true);
+		expect(probe.needsUpdate("life")).toBe(true);
 	});
 });

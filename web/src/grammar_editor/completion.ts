@@ -2,7 +2,7 @@
 import type { Completion, CompletionContext, CompletionResult, CompletionSource } from "@codemirror/autocomplete";
 import { type Dialect, dialect } from "./dialect";
 import { formalsAt } from "./explain";
-import { type Outline, outlineOf } from "./outline";
+import { type GrammarOutline, outlineOf } from "./outline";
 import { readOutline } from "./read_outline";
 import type { Word } from "./words.generated";
 
@@ -59,13 +59,23 @@ export function optionsFor(
 const isName = (word: string): boolean => /^[\p{L}_]/u.test(word);
 
 /** The outline with a name in place of a stretch of the text: it shows whether modules are meant there, or values. */
-function withName(text: string, from: number, to: number, { scan }: Dialect): { outline: Outline; name: string } {
+function withName(
+	text: string,
+	from: number,
+	to: number,
+	{ scan }: Dialect,
+): { outline: GrammarOutline; name: string } {
 	const name = "x";
-	const asked = `${text.slice(0, from)}${name}${text.slice(to)}`;
-	return { outline: outlineOf(asked, scan(asked)), name };
+	const probe = `${text.slice(0, from)}${name}${text.slice(to)}`;
+	return { outline: outlineOf(probe, scan(probe)), name };
 }
 
-function values(outline: Outline, place: number, typed: string | undefined, words: readonly Word[]): Completion[] {
+function values(
+	outline: GrammarOutline,
+	place: number,
+	typed: string | undefined,
+	words: readonly Word[],
+): Completion[] {
 	const formals = formalsAt(outline.pieces, place).filter((name) => name !== typed);
 	const names = [...outline.names].filter(([name]) => name !== typed);
 	return [
@@ -75,7 +85,7 @@ function values(outline: Outline, place: number, typed: string | undefined, word
 	];
 }
 
-function modules({ symbols }: Outline, typed: string | undefined, words: readonly Word[]): Completion[] {
+function modules({ symbols }: GrammarOutline, typed: string | undefined, words: readonly Word[]): Completion[] {
 	const own = [...symbols].filter(([name]) => name !== typed && !words.some((word) => word.name === name));
 	return [
 		...own.map(([label, written]) => ({ label, detail: written === label ? "" : written, boost: 1 })),

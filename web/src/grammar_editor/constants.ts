@@ -6,7 +6,7 @@ import { HeldKey } from "../ui/held_key";
 import { sliderRow } from "../ui/slider_row";
 import { formatCount } from "../ui/thousands";
 import { refusal } from "../ui/typed";
-import { type Constant, type Curve, decimals, type NumberAt, type Outline } from "./outline";
+import { type Constant, type Curve, decimals, type GrammarOutline, type NumberAt } from "./outline";
 import { readOutline } from "./read_outline";
 import { written } from "./scrub";
 import { type GrammarContext, type GrammarSource, isOwn, textOf, withText, withValues } from "./source";
@@ -17,7 +17,7 @@ const MOST_LISTED = 60;
 const NOT_FETCHED = "The list of constants could not be fetched";
 
 /** Sliders of a text’s constants, and its curves: what they change goes into the document’s values, or into a text of its own. */
-export class Constants extends ControlElement<GrammarContext> {
+export class ConstantsPanel extends ControlElement<GrammarContext> {
 	static override properties = { ...ControlElement.properties, source: { attribute: false } };
 	declare source: GrammarSource;
 
@@ -111,9 +111,9 @@ export class Constants extends ControlElement<GrammarContext> {
 	}
 
 	#complaint(name: string, value: number): unknown {
-		const said = this.#message;
-		if (said?.text === undefined || said.name !== name || said.value !== value) return nothing;
-		return html`<p class="clamped" role="status">${said.text}</p>`;
+		const message = this.#message;
+		if (message?.text === undefined || message.name !== name || message.value !== value) return nothing;
+		return html`<p class="clamped" role="status">${message.text}</p>`;
 	}
 
 	/** A slider moves: the number takes as many digits as its steps need. */
@@ -152,7 +152,7 @@ export class Constants extends ControlElement<GrammarContext> {
 		return textOf(this.source, this.context.state.specimen, () => this.requestUpdate());
 	}
 
-	get #outline(): Outline {
+	get #outline(): GrammarOutline {
 		return readOutline(this.#text() ?? "", this.source.dialect);
 	}
 
@@ -182,4 +182,4 @@ export function complaintOf(name: string, text: string, typed: number, taken: Pi
 	return refusal(name, `${-LARGEST} … ${LARGEST}.`, text, typed, taken.text);
 }
 
-customElements.define("panicle-constants", Constants);
+customElements.define("panicle-constants", ConstantsPanel);

@@ -1,10 +1,10 @@
 /** Points of a curve as a hand moves them: pure, and always in order from left to right. */
 import { written } from "./scrub";
 
-export type Point = readonly [x: number, y: number];
+export type CurvePoint = readonly [x: number, y: number];
 
 /** Where the points of a curve may be drawn: what they span, with some room above and below. */
-export interface Frame {
+export interface CurveFrame {
 	readonly left: number;
 	readonly right: number;
 	readonly low: number;
@@ -17,14 +17,19 @@ const FEWEST = 2;
 const APART = 0.01;
 
 /** The frame of a curve; 0 … 1 both ways holds for what lies within it. */
-export function frameOf(points: readonly Point[]): Frame {
+export function frameOf(points: readonly CurvePoint[]): CurveFrame {
 	const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
 	const [low, high] = [Math.min(0, ...ys), Math.max(1, ...ys)];
 	return { left: Math.min(0, ...xs), right: Math.max(1, ...xs), low, high };
 }
 
 /** A point somewhere else, between its neighbours and in the frame. */
-export function moved(points: readonly Point[], at: number, [x, y]: Point, { left, right, low, high }: Frame): Point[] {
+export function moved(
+	points: readonly CurvePoint[],
+	at: number,
+	[x, y]: CurvePoint,
+	{ left, right, low, high }: CurveFrame,
+): CurvePoint[] {
 	const gap = (right - left) * APART;
 	const least = at > 0 ? points[at - 1][0] + gap : left;
 	const most = at < points.length - 1 ? points[at + 1][0] - gap : right;
@@ -33,7 +38,7 @@ export function moved(points: readonly Point[], at: number, [x, y]: Point, { lef
 }
 
 /** A point more, in its place; the same list where one stands there already. */
-export function added(points: readonly Point[], [x, y]: Point, frame: Frame): readonly Point[] {
+export function added(points: readonly CurvePoint[], [x, y]: CurvePoint, frame: CurveFrame): readonly CurvePoint[] {
 	const gap = (frame.right - frame.left) * APART;
 	if (x < frame.left || x > frame.right || points.some(([other]) => Math.abs(other - x) < gap)) return points;
 	const at = points.findIndex(([other]) => other > x);
@@ -41,12 +46,12 @@ export function added(points: readonly Point[], [x, y]: Point, frame: Frame): re
 }
 
 /** A point less; the same list where no curve would be left. */
-export function removed(points: readonly Point[], at: number): readonly Point[] {
+export function removed(points: readonly CurvePoint[], at: number): readonly CurvePoint[] {
 	return points.length > FEWEST ? points.toSpliced(at, 1) : points;
 }
 
 /** As a text has them: `(0, 0) (0.3, 1)`, to a hundredth, or a thousandth of a narrow frame. */
-export function inText(points: readonly Point[], { left, right, low, high }: Frame): string {
+export function inText(points: readonly CurvePoint[], { left, right, low, high }: CurveFrame): string {
 	const places = (width: number) => Math.max(0, 2 - Math.floor(Math.log10(width)));
 	const number = (value: number, width: number) => String(Number(written(value, places(width))));
 	return points.map(([x, y]) => `(${number(x, right - left)}, ${number(y, high - low)})`).join(" ");
@@ -56,7 +61,7 @@ export function inText(points: readonly Point[], { left, right, low, high }: Fra
  * The monotone cubic through the points (Fritsch and Carlson 1980), constant beyond its ends: between two points it never goes beyond
  * them, as the core's.
  */
-export function valueAt(points: readonly Point[], x: number): number {
+export function valueAt(points: readonly CurvePoint[], x: number): number {
 	const last = points.length - 1;
 	if (x <= points[0][0]) return points[0][1];
 	if (x >= points[last][0]) return points[last][1];
@@ -71,7 +76,7 @@ export function valueAt(points: readonly Point[], x: number): number {
 }
 
 /** The harmonic mean of the slopes beside a point, weighted by widths; level where they turn, and their own at the ends. */
-function tangent(points: readonly Point[], at: number): number {
+function tangent(points: readonly CurvePoint[], at: number): number {
 	const slope = (from: number) => (points[from + 1][1] - points[from][1]) / (points[from + 1][0] - points[from][0]);
 	if (at === 0) return slope(0);
 	if (at === points.length - 1) return slope(at - 1);

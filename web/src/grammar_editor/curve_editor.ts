@@ -1,6 +1,6 @@
 import { html, LitElement, nothing, svg } from "lit";
 import { formatCount } from "../ui/thousands";
-import { added, type Frame, frameOf, inText, moved, type Point, removed, valueAt } from "./curve";
+import { added, type CurveFrame, type CurvePoint, frameOf, inText, moved, removed, valueAt } from "./curve";
 import type { Curve } from "./outline";
 
 /** The picture's own units: its width and height, and room about it for the points. */
@@ -10,7 +10,7 @@ const EDGE = 12;
 const SAMPLES = 64;
 /** A curve of more points is drawn without them: its text is the place to edit it. */
 const MOST_POINTS = 100;
-const KEYS: Readonly<Record<string, Point>> = {
+const KEYS: Readonly<Record<string, CurvePoint>> = {
 	ArrowLeft: [-1, 0],
 	ArrowRight: [1, 0],
 	ArrowUp: [0, 1],
@@ -32,7 +32,7 @@ export class CurveEditor extends LitElement {
 	/** What has been written is a step. */
 	declare settle: () => void;
 	/** The frame stands still while a point is dragged. */
-	#frame: Frame | undefined;
+	#frame: CurveFrame | undefined;
 
 	protected override createRenderRoot(): this {
 		return this;
@@ -59,7 +59,7 @@ export class CurveEditor extends LitElement {
 				<polyline points=${line} />
 				${(editable ? points : []).map(
 					([px, py], at) => svg`<circle
-						cx=${x(px)} cy=${y(py)} r="6" tabindex="0" role="slider" aria-label=${`Point ${at + 1} of ${points.length}`}
+						cx=${x(px)} cy=${y(py)} r="6" tabindex="0" role="slider" aria-label=${`CurvePoint ${at + 1} of ${points.length}`}
 						aria-valuenow=${py} aria-valuemin=${frame.low} aria-valuemax=${frame.high} aria-valuetext=${`${px}, ${py}`}
 						@pointerdown=${(event: PointerEvent) => this.#drag(event, at)} @keydown=${(event: KeyboardEvent) => this.#press(event, at)}
 						@keyup=${this.settle} @blur=${this.settle}
@@ -74,11 +74,11 @@ export class CurveEditor extends LitElement {
 		</div>`;
 	}
 
-	get #framed(): Frame {
+	get #framed(): CurveFrame {
 		return this.#frame ?? frameOf(this.curve.points);
 	}
 
-	#put(points: readonly Point[]): void {
+	#put(points: readonly CurvePoint[]): void {
 		if (points !== this.curve.points) this.write(this.curve.name, inText(points, this.#framed));
 	}
 
@@ -136,7 +136,7 @@ export class CurveEditor extends LitElement {
 	}
 
 	/** Where a pointer is, in the curve's own numbers. */
-	#pointAt({ clientX, clientY }: MouseEvent): Point {
+	#pointAt({ clientX, clientY }: MouseEvent): CurvePoint {
 		const { left, top, width, height } = (this.querySelector("svg") as SVGElement).getBoundingClientRect();
 		const frame = this.#framed;
 		const u = (((clientX - left) / width) * (WIDTH + 2 * EDGE) - EDGE) / WIDTH;

@@ -8,7 +8,7 @@ import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { EditorContext } from "../ui/editor_context";
 import { DERIVATION, type DerivationState, type DerivedScene, type MetModule } from "./derivation_tool";
-import { drawnBy, litBy } from "./lights";
+import { drawnBy, litBy } from "./lit_parts";
 import { TraceReader } from "./trace_reader";
 
 export class Derivation {
@@ -85,8 +85,8 @@ export class Derivation {
 		if (this.#closed || !grown || !grownFrom) return;
 		if (grownFrom !== this.#from) {
 			this.#from = grownFrom;
-			this.#reader.begin(async (asked, signal) => {
-				const { trace } = await this.#context.growOffscreen(grownFrom, { trace: asked, signal });
+			this.#reader.begin(async (request, signal) => {
+				const { trace } = await this.#context.growOffscreen(grownFrom, { trace: request, signal });
 				if (!trace) throw new Error("This plant does not tell of its derivation.");
 				return trace;
 			});
@@ -192,7 +192,7 @@ export class Derivation {
 		else void this.#grow(from, shown);
 	}
 
-	/** The window comes first: a plant is grown while nothing else is asked, one at a time. */
+	/** The window comes first: a plant is grown while nothing else is request, one at a time. */
 	async #grow(from: Specimen, step: number): Promise<void> {
 		if (this.#growing?.from === from && this.#growing.step === step) return;
 		this.#growing?.ending.abort();

@@ -8,7 +8,7 @@ import type { Ray } from "../ui/handles/handle_ways";
 import { PickPointer } from "../ui/pick_pointer";
 import type { ToolInteraction, ToolView } from "../ui/tool";
 import { DERIVATION, type DerivationSource, type DerivedScene, type LitDrawing } from "./derivation_tool";
-import { drawnBy, drawnIn } from "./lights";
+import { drawnBy, drawnIn } from "./lit_parts";
 
 /** A thread may be missed by so many CSS pixels, and shines at least so wide. */
 const MISSED = 6;

@@ -81,29 +81,29 @@ export function derivationTool<S extends Specimen & WithGrammar, G extends Plant
 			{ keys: ["Enter"], does: "In the string of a step: to the production, in the grammar" },
 		],
 		interaction: (view, context) => {
-			let hands: ToolInteraction<S, G> | undefined;
+			let interaction: ToolInteraction<S, G> | undefined;
 			let ended = false;
-			let asked = false;
+			let isFetching = false;
 			const fetch = async () => {
 				const { DerivationInteraction } = await import("./derivation_interaction");
 				if (ended) return;
-				hands = new DerivationInteraction(view, context, source);
-				hands.update(context.state);
+				interaction = new DerivationInteraction(view, context, source);
+				interaction.update(context.state);
 			};
 			return {
 				update: (state) => {
-					if (hands) hands.update(state);
-					else if (!asked && context.toolState(DERIVATION).scene) {
-						asked = true;
+					if (interaction) interaction.update(state);
+					else if (!isFetching && context.toolState(DERIVATION).scene) {
+						isFetching = true;
 						// Without it the string is there all the same; the next opening asks again.
 						fetch().catch(() => {
-							asked = false;
+							isFetching = false;
 						});
 					}
 				},
 				dispose: () => {
 					ended = true;
-					hands?.dispose();
+					interaction?.dispose();
 				},
 			};
 		},

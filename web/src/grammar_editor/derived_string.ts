@@ -1,6 +1,6 @@
 import { html, LitElement, nothing, type PropertyValues } from "lit";
 import type { DerivationTrace, ToldModule } from "../plant/derivation_trace";
-import { partsOfModule } from "./told_module";
+import { partsOfModule } from "./trace_words";
 
 /** Modules that a page key goes on. */
 const PAGE = 40;

@@ -1,11 +1,11 @@
 /** A language that grammars are written in, as the editor knows it. */
 import { Facet } from "@codemirror/state";
-import { type Piece, scan } from "./scan";
+import { scan, type Token } from "./scan";
 import { WORDS, type Word } from "./words.generated";
 
 export interface Dialect {
 	/** Takes a text to pieces, blanks left out. */
-	scan(text: string): Piece[];
+	scan(text: string): Token[];
 	/** What it knows besides the text's own names. */
 	readonly words: readonly Word[];
 }
@@ -14,4 +14,4 @@ export interface Dialect {
 export const LSYSTEM: Dialect = { scan, words: WORDS };
 
 /** The language of the text that is edited; L-systems' where nobody says another. */
-export const dialect = Facet.define<Dialect, Dialect>({ combine: ([said = LSYSTEM]) => said });
+export const dialect = Facet.define<Dialect, Dialect>({ combine: ([chosen = LSYSTEM]) => chosen });

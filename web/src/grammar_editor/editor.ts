@@ -22,9 +22,9 @@ import { closeFind, finding, openFind } from "./find";
 import { highlight, outlined } from "./highlight";
 import { NumberDrag, numberHere, scrubbing, stepHere } from "./numbers";
 import type { NumberAt } from "./outline";
-import { placeOf, showProblems, tell } from "./problems";
+import { placeOf, setProblems, showProblems } from "./problems";
 import { type MarkedProductions, markProductions, productionMarks } from "./production_marks";
-import { type Problem, sameProblems } from "./told";
+import { type Problem, sameProblems } from "./reported_problems";
 import { typingOver } from "./typing_over";
 
 /** What an editor tells of itself. */
@@ -65,7 +65,7 @@ export class Editor {
 	readonly #tab = new Compartment();
 	#indents: boolean;
 	/** What was told of the text as it stands: to tell it again would lay all of it out anew. */
-	#told: readonly Problem[] | undefined;
+	#shownProblems: readonly Problem[] | undefined;
 	/** Tells kinds of typing apart, and places: what follows another is a step of its own. */
 	#how = "";
 	#end = -1;
@@ -146,9 +146,9 @@ export class Editor {
 	}
 
 	set problems(problems: readonly Problem[]) {
-		if (this.#told && sameProblems(this.#told, problems)) return;
-		this.#told = problems;
-		tell(this.#view, problems);
+		if (this.#shownProblems && sameProblems(this.#shownProblems, problems)) return;
+		this.#shownProblems = problems;
+		setProblems(this.#view, problems);
 		// Their list below has taken room from the line that is typed in.
 		if (problems.length > 0) requestAnimationFrame(() => this.showCursor());
 		this.#view.contentDOM.ariaInvalid = String(problems.some(({ severity }) => severity === "error"));
@@ -239,7 +239,7 @@ export class Editor {
 
 	#updated(update: ViewUpdate): void {
 		const { docChanged, selectionSet, state, view } = update;
-		if (docChanged) this.#told = undefined;
+		if (docChanged) this.#shownProblems = undefined;
 		const byHand = docChanged && !update.transactions.every((each) => each.annotation(fromDocument));
 		if (byHand) this.#events.edited(state.doc.toString(), this.#kindOf(update));
 		if (!docChanged && !selectionSet) return;

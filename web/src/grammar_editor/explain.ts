@@ -1,6 +1,6 @@
 /** What there is to say of a word in a grammar's text: help under the pointer, and at the cursor. */
-import type { Outline } from "./outline";
-import type { Piece } from "./scan";
+import type { GrammarOutline } from "./outline";
+import type { Token } from "./scan";
 import type { Word } from "./words.generated";
 
 /** A word explained. */
@@ -14,18 +14,18 @@ export interface Explanation {
 }
 
 /** What stands at a place of the text, in words; undefined where nothing is known of it. */
-export function explain(outline: Outline, place: number, words: readonly Word[]): Explanation | undefined {
+export function explain(outline: GrammarOutline, place: number, words: readonly Word[]): Explanation | undefined {
 	// Between two pieces the one behind is meant, if there is anything to say of it.
 	for (const piece of outline.pieces.filter(({ from, to }) => from <= place && place <= to).reverse()) {
-		const said = explained(outline, piece, place, words);
-		if (said) return { from: piece.from, to: piece.to, ...said };
+		const explanation = explained(outline, piece, place, words);
+		if (explanation) return { from: piece.from, to: piece.to, ...explanation };
 	}
 	return undefined;
 }
 
 function explained(
-	{ pieces, names, symbols }: Outline,
-	piece: Piece,
+	{ pieces, names, symbols }: GrammarOutline,
+	piece: Token,
 	place: number,
 	words: readonly Word[],
 ): Pick<Explanation, "written" | "help"> | undefined {
@@ -42,7 +42,7 @@ function explained(
 }
 
 /** Names that the production at a place gives to parameters: those of its predecessor and of its contexts. */
-export function formalsAt(pieces: readonly Piece[], place: number): string[] {
+export function formalsAt(pieces: readonly Token[], place: number): string[] {
 	const arrow = arrowBefore(pieces, place);
 	if (arrow === undefined) return [];
 	const { line } = pieces[arrow];
@@ -59,14 +59,14 @@ export function formalsAt(pieces: readonly Piece[], place: number): string[] {
 }
 
 /** The line of the production that a place is in; undefined where it is in none, or in a comment by itself. */
-export function productionAt(pieces: readonly Piece[], place: number, line: number): number | undefined {
+export function productionAt(pieces: readonly Token[], place: number, line: number): number | undefined {
 	if (!pieces.some((piece) => piece.line === line && piece.kind !== "comment")) return undefined;
 	const arrow = arrowBefore(pieces, place);
 	return arrow === undefined ? undefined : pieces[arrow].line;
 }
 
 /** The arrow of the production that a place is in: a statement ends it, a line without an arrow goes on with it. */
-function arrowBefore(pieces: readonly Piece[], place: number): number | undefined {
+function arrowBefore(pieces: readonly Token[], place: number): number | undefined {
 	let [arrow, first]: (number | undefined)[] = [undefined, undefined];
 	for (const [at, { kind, line, from }] of pieces.entries()) {
 		if (line !== pieces[at - 1]?.line) first = from;
@@ -77,7 +77,7 @@ function arrowBefore(pieces: readonly Piece[], place: number): number | undefine
 	return arrow;
 }
 
-function wordFor({ kind, text }: Piece, words: readonly Word[]): Word | undefined {
+function wordFor({ kind, text }: Token, words: readonly Word[]): Word | undefined {
 	const known = (wanted: Word["kind"], name: string) =>
 		words.find((word) => word.kind === wanted && word.name === name);
 	if (kind === "arrow") return known("statement", "-->");

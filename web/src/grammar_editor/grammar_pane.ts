@@ -9,9 +9,9 @@ import { Editor } from "./editor";
 import type { Explanation } from "./explain";
 import type { GrammarState } from "./grammar_tool";
 import type { NumberAt } from "./outline";
+import { type Problem, problemsOf } from "./reported_problems";
 import { type GrammarContext, type GrammarSource, isOwn, textOf, withText } from "./source";
 import type { ShownProductions } from "./stepper";
-import { type Problem, problemsOf } from "./told";
 import { TypingRoom } from "./typing_room";
 import "./number_pad";
 import "./stepper";
@@ -23,7 +23,7 @@ const KEYS =
 	"Alt with the arrow keys changes the number at the cursor, with Shift by ten steps, with Control by a tenth. Control and Space completes, Control and F finds. Tab goes on to what comes next, unless it is set to indent. Escape leaves the text.";
 
 /** More of what is said is marked in the text alone: nobody reads as many, and to lay thousands of lines out takes seconds. */
-const MOST_SAID = 50;
+const MOST_MESSAGES = 50;
 /** What opens it, where a key did. */
 const OPENS = ".stage-tools [aria-label=Grammar]";
 
@@ -119,7 +119,7 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 			<div class="pane-steps" id=${steps} role="region" aria-label="Derivation" ?hidden=${!open}>
 				${open ? this.#stepper() : nothing}
 			</div>
-			<div class="pane-told" role="status">${this.#said(this.#problems)}</div>
+			<div class="pane-told" role="status">${this.#messages(this.#problems)}</div>
 			<footer>
 				<panicle-number-pad .number=${this.number} .grip=${this.#grip} .step=${this.#step} .done=${this.#settle}></panicle-number-pad>
 				<p class="pane-hint">${this.#hint()}</p>
@@ -247,17 +247,17 @@ export class GrammarPane extends ControlElement<GrammarContext> {
 		return html`<code>${explained.written}</code> ${explained.help}`;
 	}
 
-	#said(problems: readonly Problem[]): unknown {
+	#messages(problems: readonly Problem[]): unknown {
 		const { fault, grown, grownFrom, specimen } = this.context.state;
 		const current = grownFrom?.grammar === specimen.grammar && !fault;
 		const warnings = grown && grownFrom && current ? (this.source.warnings?.(grown, grownFrom) ?? []) : [];
 		const elsewhere = fault && fault.line === 0 ? html`<p class="error">${fault.message}</p>` : nothing;
-		const list = problems.slice(0, MOST_SAID).map(
+		const list = problems.slice(0, MOST_MESSAGES).map(
 			(problem) => html`<button type="button" class=${problem.severity} @click=${() => this.#editor?.goTo(problem)}>
 				<b>Line ${problem.line}</b> ${problem.message}
 			</button>`,
 		);
-		const more = problems.length - MOST_SAID;
+		const more = problems.length - MOST_MESSAGES;
 		const others =
 			more > 0 ? html`<p class="remark">${more.toLocaleString("en-GB")} more are marked in the text.</p>` : nothing;
 		return html`${elsewhere}${warnings.map((words) => html`<p class="remark">${words}</p>`)}${list}${others}`;

@@ -110,7 +110,7 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 	const tool: Tool<S, G, GrammarState> = {
 		name: "grammar",
 		initial: { open: false, indents: false },
-		recall: (kept) => ({ open: false, indents: (kept as Partial<GrammarState> | undefined)?.indents === true }),
+		recall: (stored) => ({ open: false, indents: (stored as Partial<GrammarState> | undefined)?.indents === true }),
 		press: (context) => (context.toolState(tool).open ? close(context, tool, source.noun) : show(context, tool)),
 		button: { icon: GRAMMAR, label: "Grammar", pressed: (context) => context.toolState(tool).open },
 		key: { letter: "g", does: "The grammar as text, and back" },

@@ -10,19 +10,19 @@ import {
 } from "@codemirror/view";
 import { dialect } from "./dialect";
 import { explain } from "./explain";
-import type { Outline } from "./outline";
+import type { GrammarOutline } from "./outline";
 import { readOutline } from "./read_outline";
-import { firstEndingBehind, type Kind, type Piece } from "./scan";
+import { firstEndingBehind, type Token, type TokenKind } from "./scan";
 
-const read = (text: string, state: EditorState): Outline => readOutline(text, state.facet(dialect));
+const read = (text: string, state: EditorState): GrammarOutline => readOutline(text, state.facet(dialect));
 
 /** What the text has, for all that asks. */
-export const outlined = StateField.define<Outline>({
+export const outlined = StateField.define<GrammarOutline>({
 	create: (state) => read(state.doc.toString(), state),
 	update: (value, { docChanged, newDoc, startState }) => (docChanged ? read(newDoc.toString(), startState) : value),
 });
 
-const MARKS = new Map<Kind, Decoration>(
+const MARKS = new Map<TokenKind, Decoration>(
 	(["comment", "statement", "arrow", "symbol", "branch", "name", "function", "number", "operator"] as const).map(
 		(kind) => [kind, Decoration.mark({ class: `cm-${kind}` })],
 	),
@@ -33,11 +33,11 @@ export const LONGEST_COLOURED = 10_000;
 
 /** The pieces to be coloured: those in the ranges, but for long lines. */
 export function colouredPieces(
-	pieces: readonly Piece[],
+	pieces: readonly Token[],
 	doc: Text,
 	ranges: readonly { readonly from: number; readonly to: number }[],
-): Piece[] {
-	const found: Piece[] = [];
+): Token[] {
+	const found: Token[] = [];
 	for (const { from, to } of ranges) {
 		let index = firstEndingBehind(pieces, from);
 		while (index < pieces.length && pieces[index].from < to) {

@@ -1,7 +1,7 @@
 /** What a text of a grammar has that controls are made of: its constants, its curves, its numbers. */
 import { insideComment } from "./comments";
 import { findRange, type RangeWords, trimSeparators } from "./range_words";
-import { type Piece, scan } from "./scan";
+import { scan, type Token } from "./scan";
 
 /** A number as it stands in a text, with the sign that is its own. */
 export interface NumberAt {
@@ -13,14 +13,14 @@ export interface NumberAt {
 }
 
 /** Where a number may go. */
-export interface Range {
+export interface NumberRange {
 	readonly min: number;
 	readonly max: number;
 	readonly step: number;
 }
 
 /** A `#define` with a number of its own. */
-export interface Constant extends Range {
+export interface Constant extends NumberRange {
 	readonly name: string;
 	readonly line: number;
 	readonly number: NumberAt;
@@ -46,8 +46,8 @@ export interface Curve {
 }
 
 /** What is known of a text. */
-export interface Outline {
-	readonly pieces: readonly Piece[];
+export interface GrammarOutline {
+	readonly pieces: readonly Token[];
 	readonly constants: readonly Constant[];
 	/** Those and what is worked out. */
 	readonly definitions: readonly Definition[];
@@ -59,7 +59,7 @@ export interface Outline {
 }
 
 /** Reads what a text has; whatever cannot be read is left out. @param pieces the text's, of a language other than L-systems' */
-export function outlineOf(text: string, pieces: readonly Piece[] = scan(text)): Outline {
+export function outlineOf(text: string, pieces: readonly Token[] = scan(text)): GrammarOutline {
 	const constants: Constant[] = [];
 	const definitions: Definition[] = [];
 	const curves: Curve[] = [];
@@ -82,7 +82,7 @@ export function outlineOf(text: string, pieces: readonly Piece[] = scan(text)): 
 }
 
 /** The number at a place of the text, its ends included. */
-export function numberAt(pieces: readonly Piece[], place: number): NumberAt | undefined {
+export function numberAt(pieces: readonly Token[], place: number): NumberAt | undefined {
 	const at = pieces.findIndex(({ kind, from, to }) => kind === "number" && from <= place && place <= to);
 	if (at >= 0) return signed(pieces, at);
 	// On the sign that is a number's own.
@@ -92,7 +92,7 @@ export function numberAt(pieces: readonly Piece[], place: number): NumberAt | un
 }
 
 /** What a statement begins with, be it written `# define`. */
-export const wordOf = ({ text }: Piece): string => text.replace(/^#\s+/, "#");
+export const wordOf = ({ text }: Token): string => text.replace(/^#\s+/, "#");
 
 /**
  * The text with other values for what it defines, numbers or not: what presets of one text differ by.
@@ -101,7 +101,7 @@ export const wordOf = ({ text }: Piece): string => text.replace(/^#\s+/, "#");
 export function withConstants(
 	text: string,
 	values: Readonly<Partial<Record<string, number>>>,
-	pieces?: readonly Piece[],
+	pieces?: readonly Token[],
 ): string {
 	const parts: string[] = [];
 	let done = 0;
@@ -114,7 +114,7 @@ export function withConstants(
 }
 
 /** The pieces from each statement on, up to the end of its line; it goes on in the next one within brackets and behind `<`. */
-function* byStatement(pieces: readonly Piece[]): Iterable<Piece[]> {
+function* byStatement(pieces: readonly Token[]): Iterable<Token[]> {
 	for (let at = 0; at < pieces.length; at++) {
 		if (pieces[at].kind !== "statement") continue;
 		let [end, line, open, last] = [at + 1, pieces[at].line, 0, ""];
@@ -131,14 +131,14 @@ function* byStatement(pieces: readonly Piece[]): Iterable<Piece[]> {
 }
 
 /** Lists and volumes have no value that could be another. */
-function definitionIn([, name, ...rest]: readonly Piece[]): Definition[] {
+function definitionIn([, name, ...rest]: readonly Token[]): Definition[] {
 	const body = rest.filter(({ kind, text }, index) => kind !== "comment" && !(index === 0 && text === "="));
 	if (name.kind !== "name" || body.length === 0 || body[0].text === "[" || isFunction(name, body)) return [];
 	return [{ name: name.text, from: body[0].from, to: body[body.length - 1].to }];
 }
 
 /** `f(x) x*2`, whose parameters touch its name; `f(x)` alone is a value. */
-function isFunction(name: Piece, [open, first, next, ...rest]: readonly Piece[]): boolean {
+function isFunction(name: Token, [open, first, next, ...rest]: readonly Token[]): boolean {
 	const named = first?.kind === "name" || first?.kind === "function";
 	return (
 		open.text === "(" &&
@@ -148,7 +148,7 @@ function isFunction(name: Piece, [open, first, next, ...rest]: readonly Piece[])
 	);
 }
 
-function constantIn(line: readonly Piece[]): Constant[] {
+function constantIn(line: readonly Token[]): Constant[] {
 	const [head, name, ...rest] = line;
 	const values = rest.filter(({ kind, text }, index) => kind !== "comment" && !(index === 0 && text === "="));
 	const at = line.findIndex(({ kind }) => kind === "number");
@@ -165,7 +165,7 @@ function constantIn(line: readonly Piece[]): Constant[] {
 
 const read = (text: string) => Number(text.replace("−", "-"));
 
-function rangeIn({ low, high, step }: RangeWords, { text, value }: NumberAt): Range {
+function rangeIn({ low, high, step }: RangeWords, { text, value }: NumberAt): NumberRange {
 	const ends = [read(low), read(high), value];
 	const [min, max] = [Math.min(...ends), Math.max(...ends)];
 	const given = step === undefined ? 0 : Math.abs(read(step));
@@ -175,7 +175,7 @@ function rangeIn({ low, high, step }: RangeWords, { text, value }: NumberAt): Ra
 /** Angles by their names; what has a share's size is one. */
 const ANGLE = /^(?:a|angle|alpha|beta|gamma|delta|theta|phi|psi|yaw|roll|pitch|turn|[αβγδθφψ])(?:_|\d|$)/i;
 
-function guessed(name: string, { text, value }: NumberAt): Range {
+function guessed(name: string, { text, value }: NumberAt): NumberRange {
 	const places = decimals(text);
 	const size = Math.abs(value);
 	const most = size > 180 ? 360 : 180;
@@ -209,7 +209,7 @@ export function decimals(text: string): number {
 /** `(0.5,-1)`. */
 const POINT = /\(([-−]?(?:\d+(?:\.\d*)?|\.\d+)),([-−]?(?:\d+(?:\.\d*)?|\.\d+))\)/g;
 
-function curveIn(line: readonly Piece[]): Curve[] {
+function curveIn(line: readonly Token[]): Curve[] {
 	const [head, name, ...rest] = line;
 	const body = rest.filter(({ kind }) => kind !== "comment");
 	if (body.length === 0) return [];
@@ -228,7 +228,7 @@ function curveIn(line: readonly Piece[]): Curve[] {
 }
 
 /** A number with the sign before it, where that is no operator. */
-function signed(pieces: readonly Piece[], at: number): NumberAt {
+function signed(pieces: readonly Token[], at: number): NumberAt {
 	const { from, to, text } = pieces[at];
 	const [before, sign] = [pieces[at - 2], pieces[at - 1]];
 	const ends =
@@ -239,11 +239,11 @@ function signed(pieces: readonly Piece[], at: number): NumberAt {
 	return { from: own ? sign.from : from, to, text: written, value: Number(written) };
 }
 
-function isDefined(pieces: readonly Piece[], at: number): boolean {
+function isDefined(pieces: readonly Token[], at: number): boolean {
 	return pieces[at - 1]?.text === "#define" && pieces[at].line === pieces[at - 1].line;
 }
 
-function symbolsIn(pieces: readonly Piece[], text: string): Map<string, string> {
+function symbolsIn(pieces: readonly Token[], text: string): Map<string, string> {
 	const symbols = new Map<string, string>();
 	pieces.forEach(({ kind, text: name, to }, at) => {
 		// One that stands without parameters first, in a list of symbols, may have some.
@@ -254,7 +254,7 @@ function symbolsIn(pieces: readonly Piece[], text: string): Map<string, string> 
 	return symbols;
 }
 
-function closing(pieces: readonly Piece[], open: number): number | undefined {
+function closing(pieces: readonly Token[], open: number): number | undefined {
 	let depth = 0;
 	for (let at = open; at < pieces.length; at++) {
 		if (pieces[at].text === "(") depth++;

@@ -1,20 +1,20 @@
 /** What the core said of a text, in its place: errors that keep it from growing, and remarks. */
 import { type Extension, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, EditorView, hoverTooltip } from "@codemirror/view";
-import type { Problem } from "./told";
+import type { Problem } from "./reported_problems";
 
 interface Placed extends Problem {
 	readonly from: number;
 	readonly to: number;
 }
 
-const told = StateEffect.define<readonly Placed[]>();
+const problemsEffect = StateEffect.define<readonly Placed[]>();
 
 /** Problems follow the text while it is edited, until others are told. */
 const problems = StateField.define<readonly Placed[]>({
 	create: () => [],
 	update(value, transaction) {
-		for (const effect of transaction.effects) if (effect.is(told)) return effect.value;
+		for (const effect of transaction.effects) if (effect.is(problemsEffect)) return effect.value;
 		if (!transaction.docChanged) return value;
 		const { changes } = transaction;
 		return value.map((each) => ({ ...each, from: changes.mapPos(each.from, -1), to: changes.mapPos(each.to, 1) }));
@@ -56,8 +56,8 @@ const hover = hoverTooltip(
 export const showProblems: Extension = [problems, hover];
 
 /** Tells an editor what is wrong with its text now. */
-export function tell(view: EditorView, all: readonly Problem[]): void {
-	view.dispatch({ effects: told.of(all.map((each) => ({ ...each, ...placeOf(view, each) }))) });
+export function setProblems(view: EditorView, all: readonly Problem[]): void {
+	view.dispatch({ effects: problemsEffect.of(all.map((each) => ({ ...each, ...placeOf(view, each) }))) });
 }
 
 /** The word that a line and a column are of; the last character of a line where they are behind it. */

@@ -1,7 +1,7 @@
 /** A grammar's text as pieces, for the eye and the hand: what grows is the core's business, and so is what is wrong. */
 
 /** What a piece is. */
-export type Kind =
+export type TokenKind =
 	| "comment"
 	/** What begins a statement: `#define`, `axiom:`, `derivation length:`. */
 	| "statement"
@@ -20,8 +20,8 @@ export type Kind =
 	| "mark";
 
 /** A piece of a text, by places in it; `line` counts from 1. */
-export interface Piece {
-	readonly kind: Kind;
+export interface Token {
+	readonly kind: TokenKind;
 	readonly from: number;
 	readonly to: number;
 	readonly text: string;
@@ -42,12 +42,12 @@ const OF_VALUES = /^(?:#define|#input|#curve|derivation|maximum|angle|line|tropi
 const VALUE_SIGNS = /^(?:[<>=!]=|&&|\|\||[-+*/%^!<>=])$/;
 
 /** Takes a text to pieces, blanks left out. */
-export function scan(text: string): Piece[] {
+export function scan(text: string): Token[] {
 	return new Scanner(text).pieces;
 }
 
 /** Index of the first piece that ends behind a place; their number where there is none. */
-export function firstEndingBehind(pieces: readonly Piece[], place: number): number {
+export function firstEndingBehind(pieces: readonly Token[], place: number): number {
 	let [low, high] = [0, pieces.length];
 	while (low < high) {
 		const middle = (low + high) >> 1;
@@ -58,7 +58,7 @@ export function firstEndingBehind(pieces: readonly Piece[], place: number): numb
 }
 
 class Scanner {
-	readonly pieces: Piece[] = [];
+	readonly pieces: Token[] = [];
 	readonly #text: string;
 	#line = 1;
 	#sort: Sort = "modules";
@@ -134,7 +134,7 @@ class Scanner {
 		else if (piece === ")") this.#depth = Math.max(0, this.#depth - 1);
 	}
 
-	#kindOf(at: number, piece: string): Kind {
+	#kindOf(at: number, piece: string): TokenKind {
 		const named = /^[\p{L}_]/u.test(piece);
 		if (/^[\d.]/.test(piece) && piece !== ".") return "number";
 		if (/^[(),.;]$/.test(piece)) return this.#depth === 0 && piece !== "(" && piece !== ")" ? this.#loose() : "mark";
@@ -151,11 +151,11 @@ class Scanner {
 	}
 
 	/** `,`, `.` and `;` between modules are the turtle's; in values they part. */
-	#loose(): Kind {
+	#loose(): TokenKind {
 		return this.#sort === "modules" ? "symbol" : "mark";
 	}
 
-	#add(kind: Kind, from: number, text: string): void {
+	#add(kind: TokenKind, from: number, text: string): void {
 		this.pieces.push({ kind, from, to: from + text.length, text, line: this.#line });
 	}
 }

@@ -67,14 +67,14 @@ export function withText(source: GrammarSource, specimen: Specimen & WithGrammar
 	const defined = new Set(definitions.map(({ name }) => name));
 	const strange = Object.entries(constantsOf(specimen)).filter(([name]) => !defined.has(name));
 	if (typeof builtIn === "string") {
-		const said = new Map(definitionsOf(source, builtIn));
-		const told = constants
+		const builtInValues = new Map(definitionsOf(source, builtIn));
+		const changed = constants
 			.filter(
 				({ name, number }) =>
-					!source.governed?.has(name) && (Object.hasOwn(published, name) || said.get(name) !== number.text),
+					!source.governed?.has(name) && (Object.hasOwn(published, name) || builtInValues.get(name) !== number.text),
 			)
 			.map(({ name, number }) => [name, number.value] as const);
-		const own = inOrder([...strange, ...told]);
+		const own = inOrder([...strange, ...changed]);
 		if (areHeld(own) && text === valued(source, builtIn, own))
 			return { details: { grammar: undefined, constants: own } };
 	}
@@ -97,12 +97,12 @@ export function withValues(
 		return withText(source, specimen, withConstants(text, values, readOutline(text, source.dialect).pieces));
 	const published = presetConstants(specimen.preset);
 	const builtIn = source.builtIn(specimen) as string;
-	const said = new Map(readOutline(builtIn, source.dialect).constants.map((each) => [each.name, each.number]));
-	// What the text says itself need not be said.
-	const told = Object.entries({ ...constantsOf(specimen), ...values }).filter(
-		([name, value]) => Object.hasOwn(published, name) || said.get(name)?.value !== value,
+	const builtInValues = new Map(readOutline(builtIn, source.dialect).constants.map((each) => [each.name, each.number]));
+	// What the text says itself need not be repeated.
+	const changed = Object.entries({ ...constantsOf(specimen), ...values }).filter(
+		([name, value]) => Object.hasOwn(published, name) || builtInValues.get(name)?.value !== value,
 	);
-	const constants = inOrder(told);
+	const constants = inOrder(changed);
 	if (areHeld(constants)) return { details: { constants } };
 	return withText(source, specimen, withConstants(text, values, readOutline(text, source.dialect).pieces));
 }

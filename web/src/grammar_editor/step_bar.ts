@@ -2,7 +2,7 @@ import { html, LitElement, svg } from "lit";
 import { live } from "lit/directives/live.js";
 import { icon } from "../ui/icons";
 import { CHART_HEIGHT, stepChart } from "./step_chart";
-import { countInWords, stepInWords } from "./told_module";
+import { countInWords, stepInWords } from "./trace_words";
 
 const ICONS = {
 	first: svg`<path d="M15 4.8v10.4L8 10z" fill="currentcolor"/><path d="M5 4.8v10.4" stroke-width="2"/>`,

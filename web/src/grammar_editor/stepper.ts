@@ -15,7 +15,7 @@ import {
 	piecesOf,
 	stepInWords,
 	valuesInWords,
-} from "./told_module";
+} from "./trace_words";
 import "./derived_string";
 import "./step_bar";
 
@@ -51,7 +51,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 
 	#derivation: Derivation | undefined;
 	#playing: ReturnType<typeof setTimeout> | undefined;
-	#told: readonly unknown[] = [];
+	#shownPlaces: readonly unknown[] = [];
 
 	override connectedCallback(): void {
 		super.connectedCallback();
@@ -83,7 +83,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 				.counts=${counts} .step=${step} .playing=${this.#playing !== undefined} .play=${this.#toggle} .go=${this.#go} .by=${this.#by}
 				.follows=${derivation.follows} .follow=${this.#follow}
 			></panicle-steps>`;
-		// Another step may be told.
+		// Another step may be places.
 		if (fault) return html`${bar}${none}`;
 		const label = `String: ${stepInWords(step, last)}, ${countInWords(counts[step])}`;
 		return html`<p class="unseen" id="derived-keys">${KEYS}</p>
@@ -94,7 +94,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 			></panicle-derived>
 			${this.#place(derivation, counts[step])}
 			<div class="told">${this.#card(derivation, last)}</div>
-			<p class="unseen" role="status">${this.#said(derivation, last)}</p>`;
+			<p class="unseen" role="status">${this.#announcement(derivation, last)}</p>`;
 	}
 
 	protected override updated(): void {
@@ -102,9 +102,9 @@ export class Stepper extends ControlElement<GrammarContext> {
 		if (!derivation) return;
 		derivation.follow();
 		const { fires, production } = derivation.module(derivation.pointed ?? derivation.chosen) ?? {};
-		const told = derivation.stale ? [] : [fires?.line, fires?.column, production?.line, production?.column];
-		if (told.length !== this.#told.length || told.some((each, index) => each !== this.#told[index])) {
-			this.#told = told;
+		const places = derivation.stale ? [] : [fires?.line, fires?.column, production?.line, production?.column];
+		if (places.length !== this.#shownPlaces.length || places.some((each, index) => each !== this.#shownPlaces[index])) {
+			this.#shownPlaces = places;
 			this.shown(derivation.stale ? {} : { fires, wrote: production });
 		}
 		if (this.#playing !== undefined && (derivation.fault || derivation.step === derivation.last)) this.#stop();
@@ -191,7 +191,7 @@ export class Stepper extends ControlElement<GrammarContext> {
 		return `The production in line ${line} wrote ${wrote} ${whole ? "of them" : "of those here"} and rewrites ${fires} next.`;
 	}
 
-	#said(derivation: Derivation, last: number): string {
+	#announcement(derivation: Derivation, last: number): string {
 		const { page, chosen, step, counts } = derivation;
 		if (!page || step === undefined || !counts) return "";
 		const module = derivation.module(chosen);

@@ -1,5 +1,5 @@
 /**
- * Reads a derivation window by window, as one asks for it: nothing of another step than the one asked for is ever given. One question
+ * Reads a derivation window by window, as one requests for it: nothing of another step than the one request for is ever given. One question
  * is under way at a time; of those that come meanwhile the newest waits.
  */
 import { Superseded } from "../core/errors";
@@ -10,15 +10,15 @@ export const WINDOW = 600;
 /** Windows begin at multiples of this, so that what was read is found again. */
 const GRID = 200;
 /** Windows that are kept. */
-const MOST_KEPT = 24;
+const MOST_CACHED = 24;
 /** A question that nobody waits for any more is ended after so many milliseconds, with its worker. */
-const PATIENCE = 200;
+const ABANDON_DELAY = 200;
 
 /** Asks the core. */
-export type RequestTrace = (asked: TraceRequest, signal: AbortSignal) => Promise<DerivationTrace>;
+export type RequestTrace = (request: TraceRequest, signal: AbortSignal) => Promise<DerivationTrace>;
 
 /** What is wanted: about a module of a step's string. */
-export interface Wanted {
+export interface WindowTarget {
 	/** That of the last step where undefined. */
 	readonly step: number | undefined;
 	/** Index of the module that is to be in the window. */
@@ -34,9 +34,9 @@ export function windowAbout(about: number, length: number): number {
 
 /** A question under way. */
 interface Running {
-	readonly asked: TraceRequest;
-	readonly ask: RequestTrace;
-	readonly wanted: Wanted;
+	readonly request: TraceRequest;
+	readonly requestTrace: RequestTrace;
+	readonly wanted: WindowTarget;
 	readonly from: number;
 	readonly ending: AbortController;
 	/** Ends it, once nobody waits for it any more. */
@@ -45,11 +45,11 @@ interface Running {
 
 export class TraceReader {
 	readonly #changed: () => void;
-	#ask: RequestTrace | undefined;
-	#kept = new Map<string, DerivationTrace>();
+	#requestTrace: RequestTrace | undefined;
+	#cached = new Map<string, DerivationTrace>();
 	/** What is known of the whole; it stays while another document's is awaited. */
 	#counts: Uint32Array | undefined;
-	#wanted: Wanted = { step: undefined, about: 0 };
+	#wanted: WindowTarget = { step: undefined, about: 0 };
 	#page: DerivationTrace | undefined;
 	#stale = false;
 	#fault: string | undefined;
@@ -87,24 +87,24 @@ export class TraceReader {
 	}
 
 	/** Another document: what was read is of none any more. */
-	begin(ask: RequestTrace): void {
-		this.#ask = ask;
-		this.#kept = new Map();
+	begin(requestTrace: RequestTrace): void {
+		this.#requestTrace = requestTrace;
+		this.#cached = new Map();
 		this.#stale = this.#page !== undefined;
-		this.#go();
+		this.#update();
 	}
 
-	want(wanted: Wanted): void {
+	want(wanted: WindowTarget): void {
 		this.#wanted = wanted;
 		this.#fault = undefined;
 		if (this.#page && this.#page.step !== this.step) this.#page = undefined;
-		this.#go();
+		this.#update();
 		this.#changed();
 	}
 
 	/** Ends what is under way. */
 	close(): void {
-		this.#ask = undefined;
+		this.#requestTrace = undefined;
 		const running = this.#running;
 		if (!running) return;
 		this.#end(running);
@@ -113,90 +113,91 @@ export class TraceReader {
 
 	/** What runs for long and is wanted no more ends; what ends soon is kept. */
 	#abandon(running: Running): void {
-		const left = PATIENCE - (performance.now() - running.from);
+		const left = ABANDON_DELAY - (performance.now() - running.from);
 		running.timer ??= setTimeout(() => {
 			if (this.#running !== running) return;
 			running.ending.abort();
 			this.#running = undefined;
-			this.#go();
+			this.#update();
 		}, left);
 	}
 
 	/** What was wanted no more is wanted again. */
-	#await(running: Running): void {
+	#resume(running: Running): void {
 		clearTimeout(running.timer);
 		running.timer = undefined;
 	}
 
-	#asked(): TraceRequest {
+	#nextRequest(): TraceRequest {
 		const { step, about } = this.#wanted;
 		const length = this.#counts?.[this.step ?? 0] ?? 0;
 		// Of a step that nothing is known of the last is told.
 		return { step: step ?? MANY, first: windowAbout(about, length), count: WINDOW };
 	}
 
-	#go(): void {
-		const ask = this.#ask;
-		if (!ask) return;
-		const asked = this.#asked();
-		const known = this.step === undefined ? undefined : this.#kept.get(keyOf({ ...asked, step: this.step }));
+	#update(): void {
+		const requestTrace = this.#requestTrace;
+		if (!requestTrace) return;
+		const request = this.#nextRequest();
+		const known = this.step === undefined ? undefined : this.#cached.get(keyOf({ ...request, step: this.step }));
 		if (known) {
 			this.#page = known;
 			this.#stale = false;
 			return;
 		}
 		if (this.#running) {
-			if (this.#running.ask === ask && keyOf(this.#running.asked) === keyOf(asked)) this.#await(this.#running);
+			if (this.#running.requestTrace === requestTrace && keyOf(this.#running.request) === keyOf(request))
+				this.#resume(this.#running);
 			else this.#abandon(this.#running);
 			return;
 		}
 		const running: Running = {
-			asked,
-			ask,
+			request,
+			requestTrace,
 			wanted: this.#wanted,
 			from: performance.now(),
 			ending: new AbortController(),
 		};
 		this.#running = running;
-		ask(asked, running.ending.signal).then(
-			(trace) => this.#answered(running, trace),
-			(error: unknown) => this.#failed(running, error),
+		requestTrace(request, running.ending.signal).then(
+			(trace) => this.#receive(running, trace),
+			(error: unknown) => this.#fail(running, error),
 		);
 	}
 
-	#answered(running: Running, trace: DerivationTrace): void {
-		const { asked, ask, wanted } = running;
+	#receive(running: Running, trace: DerivationTrace): void {
+		const { request, requestTrace, wanted } = running;
 		this.#end(running);
-		if (this.#ask !== ask) {
-			this.#go();
+		if (this.#requestTrace !== requestTrace) {
+			this.#update();
 			return;
 		}
 		this.#counts = trace.counts;
 		this.#fault = undefined;
 		// The string of another document was longer.
-		const beyond = trace.modules.length === 0 && (asked.first ?? 0) > 0;
-		if (!beyond) this.#keep(trace);
+		const beyond = trace.modules.length === 0 && (request.first ?? 0) > 0;
+		if (!beyond) this.#cache(trace);
 		// Of another step than the one that is wanted by now nothing is shown.
 		if (!beyond && trace.step === this.step) {
 			this.#page = trace;
 			this.#stale = false;
 		} else if (this.#page?.step !== this.step) this.#page = undefined;
-		if (wanted !== this.#wanted || beyond) this.#go();
+		if (wanted !== this.#wanted || beyond) this.#update();
 		this.#changed();
 	}
 
-	#failed(running: Running, error: unknown): void {
+	#fail(running: Running, error: unknown): void {
 		// What was ended is not wanted any more.
 		if (this.#running !== running) return;
 		this.#end(running);
-		// Something else that is asked for aside took its place before it had begun.
+		// Something else that is request for aside took its place before it had begun.
 		const again = error instanceof Superseded;
-		if (again || this.#ask !== running.ask || this.#wanted !== running.wanted) this.#go();
+		if (again || this.#requestTrace !== running.requestTrace || this.#wanted !== running.wanted) this.#update();
 		else {
 			this.#fault = error instanceof Error ? error.message : String(error);
 			this.#page = undefined;
 			// Of a document that nothing was told of the steps are not known.
-			if (this.#kept.size === 0) this.#counts = undefined;
+			if (this.#cached.size === 0) this.#counts = undefined;
 		}
 		this.#changed();
 	}
@@ -206,11 +207,11 @@ export class TraceReader {
 		if (this.#running === running) this.#running = undefined;
 	}
 
-	#keep(trace: DerivationTrace): void {
+	#cache(trace: DerivationTrace): void {
 		const key = keyOf(trace);
-		this.#kept.delete(key);
-		this.#kept.set(key, trace);
-		if (this.#kept.size > MOST_KEPT) this.#kept.delete(this.#kept.keys().next().value ?? "");
+		this.#cached.delete(key);
+		this.#cached.set(key, trace);
+		if (this.#cached.size > MOST_CACHED) this.#cached.delete(this.#cached.keys().next().value ?? "");
 	}
 }
 

@@ -1,6 +1,6 @@
 import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { type BoundingProfile, type Fit, fitView, hasOutgrown, needsRefit, showsWhole } from "./camera_fit";
+import { type BoundingProfile, fitView, hasOutgrown, needsRefit, showsWhole, type ViewFit } from "./camera_fit";
 
 /** A long lens, as for a portrait: round things stay round at the view's edge. */
 const FOV = 24;
@@ -32,7 +32,7 @@ const VIEWS: Record<ViewName, { azimuth: number; elevation: number }> = {
 export class CameraController {
 	readonly camera = new PerspectiveCamera(FOV, 1, 0.01, 10);
 	readonly controls: OrbitControls;
-	#fit: Fit | undefined;
+	#fit: ViewFit | undefined;
 	/** The plant shown, and the one that `#fit` fits. */
 	#profile: BoundingProfile | undefined;
 	#fitted: BoundingProfile | undefined;
@@ -229,17 +229,17 @@ export class CameraController {
 		this.controls.dispose();
 	}
 
-	#fitOf(profile: BoundingProfile): Fit {
+	#fitOf(profile: BoundingProfile): ViewFit {
 		return fitView(profile, MathUtils.degToRad(FOV), this.camera.aspect, MARGIN, this.#fitElevation);
 	}
 
-	#keepWhole(shown: Fit, now: Fit): void {
+	#keepWhole(shown: ViewFit, now: ViewFit): void {
 		const lens = { fov: MathUtils.degToRad(FOV), aspect: this.camera.aspect, elevation: this.#fitElevation };
 		if (this.#profile && !showsWhole(shown, this.#profile, lens))
 			this.#glideTo({ ...now, distance: Math.max(now.distance, shown.distance) });
 	}
 
-	#glideTo(fit: Fit): void {
+	#glideTo(fit: ViewFit): void {
 		// Of a view on its way it counts where it is going.
 		const aimed = this.#glide?.toDistance ?? this.distance;
 		const zoom = this.#fit ? aimed / this.#fit.distance : 1;

@@ -1,5 +1,5 @@
 /** What the camera looks at, and from how far. */
-export interface Fit {
+export interface ViewFit {
 	target: [x: number, y: number, z: number];
 	distance: number;
 	/** Radius of a ball about the target that holds the plant. */
@@ -106,9 +106,9 @@ function outermost(rings: Float32Array, height: number): Float32Array {
 			reach[level] = out;
 		}
 	}
-	const kept = best.filter((ring) => ring >= 0);
-	const few = new Float32Array(3 * kept.length);
-	kept.forEach((ring, k) => {
+	const widest = best.filter((ring) => ring >= 0);
+	const few = new Float32Array(3 * widest.length);
+	widest.forEach((ring, k) => {
 		few.set(rings.subarray(ring, ring + 3), 3 * k);
 	});
 	return few;
@@ -128,7 +128,13 @@ export interface Lens {
  * @param margin share of the view's height and width kept free on each side
  * @param elevation of the camera over the target's horizon, radians
  */
-export function fitView(profile: BoundingProfile, fov: number, aspect: number, margin: number, elevation: number): Fit {
+export function fitView(
+	profile: BoundingProfile,
+	fov: number,
+	aspect: number,
+	margin: number,
+	elevation: number,
+): ViewFit {
 	const { centre, rings } = profile;
 	let radius = 0;
 	let breadth = 0;
@@ -142,22 +148,22 @@ export function fitView(profile: BoundingProfile, fov: number, aspect: number, m
 }
 
 /** Whether a view that was fitted to another plant shows all of this one, whichever way both are turned about the view's target. */
-export function showsWhole(view: Fit, profile: BoundingProfile, lens: Lens): boolean {
+export function showsWhole(view: ViewFit, profile: BoundingProfile, lens: Lens): boolean {
 	return wholeFrom(profile, view.target, lens, 0) <= view.distance;
 }
 
 /** The nearest distance to a target from which a plant that is turned about it is seen whole; `margin` as in `fitView`. */
-function wholeFrom({ centre, rings }: BoundingProfile, target: Fit["target"], lens: Lens, margin: number): number {
+function wholeFrom({ centre, rings }: BoundingProfile, target: ViewFit["target"], lens: Lens, margin: number): number {
 	const { fov, aspect, elevation } = lens;
 	const tall = Math.tan(fov / 2) * (1 - 2 * margin);
 	const wide = Math.tan(fov / 2) * aspect * (1 - 2 * margin);
 	const sine = Math.sin(elevation);
 	const cosine = Math.cos(elevation);
-	const aside = Math.hypot(centre[0] - target[0], centre[2] - target[2]);
+	const offset = Math.hypot(centre[0] - target[0], centre[2] - target[2]);
 	const above = centre[1] - target[1];
 	let distance = 1e-3;
 	for (let i = 0; i < rings.length; i += 3) {
-		const [out, height, thick] = [rings[i] + aside, rings[i + 1] + above, rings[i + 2]];
+		const [out, height, thick] = [rings[i] + offset, rings[i + 1] + above, rings[i + 2]];
 		for (const [turnCosine, turnSine] of AROUND) {
 			const forth = out * turnCosine;
 			const near = forth * cosine + height * sine;
@@ -170,12 +176,12 @@ function wholeFrom({ centre, rings }: BoundingProfile, target: Fit["target"], le
 }
 
 /** Whether a plant has outgrown, shrunk from or left the view that once fitted it, so that the view should follow. */
-export function needsRefit(shown: Fit, now: Fit): boolean {
+export function needsRefit(shown: ViewFit, now: ViewFit): boolean {
 	const moved = Math.hypot(...now.target.map((value, k) => value - shown.target[k]));
 	return hasOutgrown(shown, now) || now.distance < 0.75 * shown.distance || moved > 0.25 * shown.radius;
 }
 
 /** Whether a plant reaches out of the view that once fitted it. */
-export function hasOutgrown(shown: Fit, now: Fit): boolean {
+export function hasOutgrown(shown: ViewFit, now: ViewFit): boolean {
 	return now.distance > 1.12 * shown.distance;
 }

@@ -15,7 +15,7 @@ export interface Lobe {
 }
 
 /** A window or a softbox: a rectangle at infinity, given by tangents of its half angles. */
-export interface Window {
+export interface WindowLight {
 	direction: Vector3;
 	half: [across: number, along: number];
 	/** Irradiance on a surface facing it. */
@@ -26,8 +26,8 @@ export interface Window {
 
 /** All light there is. Directions are the viewer's: +X right, +Y up, +Z towards the eye. */
 export interface LightRig {
-	key: Window;
-	rim: Window;
+	key: WindowLight;
+	rim: WindowLight;
 	surroundings: Lobe[];
 	/** How dark the plant's shadow on the paper is at most, and where the light that casts it stands: lower than the key, which would throw it out of the picture. */
 	shadow: { depth: number; direction: Vector3 };
@@ -94,12 +94,12 @@ export function blurred(lobe: Lobe, sharpness: number): Lobe {
 }
 
 /** Tangent of the apparent radius of a round lamp as large as the window. */
-export function spreadOf(window: Window): number {
+export function spreadOf(window: WindowLight): number {
 	return 2 * Math.sqrt((window.half[0] * window.half[1]) / Math.PI) * 0.5;
 }
 
 /** Turns a direction into a window's frame: across, along (as upright as can be), towards it. */
-export function frameOf(window: Window): Matrix3 {
+export function frameOf(window: WindowLight): Matrix3 {
 	const across = new Vector3(0, 1, 0).cross(window.direction).normalize();
 	const along = window.direction.clone().cross(across);
 	const d = window.direction;

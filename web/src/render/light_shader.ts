@@ -9,7 +9,7 @@ import {
 	type LightRig,
 	type Lobe,
 	spreadOf,
-	type Window,
+	type WindowLight,
 } from "./light";
 
 const LOBES = 4;
@@ -52,7 +52,7 @@ export function lightUniforms() {
 
 export type LightUniforms = ReturnType<typeof lightUniforms>;
 
-function setWindow(to: ReturnType<typeof windowUniforms>, window: Window): void {
+function setWindow(to: ReturnType<typeof windowUniforms>, window: WindowLight): void {
 	to.toFrame.copy(frameOf(window));
 	to.extent.set(window.half[0], window.half[1], window.bars);
 	to.irradiance.fromArray(window.irradiance);
@@ -86,13 +86,13 @@ export function aimLamps(uniforms: LightUniforms, rig: LightRig, cameraWorld: Ma
 
 /** Light arriving at a point; directions are the viewer's, reached through viewMatrix, but for the lamps'. */
 export const LIGHT_CHUNK = /* glsl */ `
-struct Window { mat3 toFrame; vec3 extent; vec3 irradiance; vec3 radiance; float spread; };
+struct WindowLight { mat3 toFrame; vec3 extent; vec3 irradiance; vec3 radiance; float spread; };
 uniform vec4 diffuseLobes[${LOBES}];
 uniform vec3 diffuseColours[${LOBES}];
 uniform vec4 glossLobes[${LOBES}];
 uniform vec3 glossColours[${LOBES}];
-uniform Window key;
-uniform Window rim;
+uniform WindowLight key;
+uniform WindowLight rim;
 uniform vec3 keyDirection;
 uniform vec3 rimDirection;
 

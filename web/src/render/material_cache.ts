@@ -6,18 +6,18 @@ import { standardMaterial } from "./standard_material";
 import type { WindUniforms } from "./wind";
 
 /** The textures that are drawn, and what of a material of three's shows each. */
-const DRAWN = { colour: "map", normal: "normalMap" } as const;
-export type Drawn = keyof typeof DRAWN;
-const KINDS = Object.keys(DRAWN) as Drawn[];
+const TEXTURE_SLOTS = { colour: "map", normal: "normalMap" } as const;
+export type TextureKind = keyof typeof TEXTURE_SLOTS;
+const KINDS = Object.keys(TEXTURE_SLOTS) as TextureKind[];
 
 /** A life runs from plants with leaves to some without, from some with particles on their way to some without: and back. */
-const MOST_UNWORN = 24;
+const MOST_UNUSED = 24;
 
-interface Kept {
+interface CachedMaterial {
 	made: MeshStandardMaterial;
-	worn: number;
+	lastUsed: number;
 	/** What its textures show. */
-	shows: Partial<Record<Drawn, Picture>>;
+	shows: Partial<Record<TextureKind, Picture>>;
 }
 
 /**
@@ -28,7 +28,7 @@ export class MaterialCache {
 	readonly #light: LightUniforms;
 	readonly #wind: WindUniforms | undefined;
 	/** By all that tells two apart; with the plant that last wore them. */
-	readonly #kept = new Map<string, Kept>();
+	readonly #cached = new Map<string, CachedMaterial>();
 	/** The textured materials of the plant that is being dressed, in order: pictures may change, their place stays. */
 	readonly #textured = new Map<Material, number>();
 	#plant = 0;
@@ -39,15 +39,15 @@ export class MaterialCache {
 		this.#wind = wind;
 	}
 
-	/** Another plant is to be dressed, the last one is off the stage: of what the last two have not worn only so much stays. */
+	/** Another plant is to be dressed, the last one is off the stage: of what the last two have not used only some stay. */
 	change(): void {
 		this.#plant++;
 		this.#textured.clear();
-		const unworn = [...this.#kept].filter(([, { worn }]) => worn < this.#plant - 2);
-		unworn.sort(([, one], [, other]) => other.worn - one.worn);
-		for (const [key, kept] of unworn.slice(MOST_UNWORN)) {
-			thrownAway(kept);
-			this.#kept.delete(key);
+		const unused = [...this.#cached].filter(([, { lastUsed }]) => lastUsed < this.#plant - 2);
+		unused.sort(([, one], [, other]) => other.lastUsed - one.lastUsed);
+		for (const [key, cached] of unused.slice(MOST_UNUSED)) {
+			disposeOf(cached);
+			this.#cached.delete(key);
 		}
 	}
 
@@ -59,28 +59,28 @@ export class MaterialCache {
 		const { textures, ...plain } = material;
 		if (textures && !this.#textured.has(material)) this.#textured.set(material, this.#textured.size);
 		// A picture's mean does not matter where the picture is shown.
-		const told = textures?.colour ? { ...plain, colour: undefined } : plain;
-		const laid = textures && KINDS.filter((kind) => textures[kind]);
-		const key = JSON.stringify([told, coloured, laid, textures?.repeats, this.#textured.get(material)]);
-		const kept = this.#kept.get(key) ?? this.#make(material, coloured);
-		kept.worn = this.#plant;
-		this.#kept.set(key, kept);
-		for (const kind of laid ?? []) showPicture(kept, kind, textures?.[kind] as Picture);
-		return kept.made;
+		const keyed = textures?.colour ? { ...plain, colour: undefined } : plain;
+		const kinds = textures && KINDS.filter((kind) => textures[kind]);
+		const key = JSON.stringify([keyed, coloured, kinds, textures?.repeats, this.#textured.get(material)]);
+		const cached = this.#cached.get(key) ?? this.#make(material, coloured);
+		cached.lastUsed = this.#plant;
+		this.#cached.set(key, cached);
+		for (const kind of kinds ?? []) showPicture(cached, kind, textures?.[kind] as Picture);
+		return cached.made;
 	}
 
 	/** Another picture on a material that wears one already. */
-	setPicture(made: MeshStandardMaterial, kind: Drawn, picture: Picture): void {
-		for (const kept of this.#kept.values())
-			if (kept.made === made && kept.shows[kind]) showPicture(kept, kind, picture);
+	setPicture(made: MeshStandardMaterial, kind: TextureKind, picture: Picture): void {
+		for (const cached of this.#cached.values())
+			if (cached.made === made && cached.shows[kind]) showPicture(cached, kind, picture);
 	}
 
 	dispose(): void {
-		for (const kept of this.#kept.values()) thrownAway(kept);
-		this.#kept.clear();
+		for (const cached of this.#cached.values()) disposeOf(cached);
+		this.#cached.clear();
 	}
 
-	#make(material: Material, coloured: boolean): Kept {
+	#make(material: Material, coloured: boolean): CachedMaterial {
 		const { repeats, ...shows } = material.textures ?? {};
 		const maps = Object.fromEntries(
 			KINDS.flatMap((kind) => (shows[kind] ? [[kind, pictureTexture(shows[kind], kind === "colour", repeats)]] : [])),
@@ -93,25 +93,25 @@ export class MaterialCache {
 				maps,
 				...(this.#wind && !material.still ? { wind: this.#wind } : {}),
 			}),
-			worn: 0,
+			lastUsed: 0,
 			shows,
 		};
 	}
 }
 
 /** Another picture in place of the one that it shows. */
-function showPicture({ made, shows }: Kept, kind: Drawn, picture: Picture): void {
+function showPicture({ made, shows }: CachedMaterial, kind: TextureKind, picture: Picture): void {
 	if (shows[kind] === picture) return;
-	(made[DRAWN[kind]] as Texture).dispose();
-	made[DRAWN[kind]] = pictureTexture(
+	(made[TEXTURE_SLOTS[kind]] as Texture).dispose();
+	made[TEXTURE_SLOTS[kind]] = pictureTexture(
 		picture,
 		kind === "colour",
-		(made[DRAWN[kind]] as Texture).wrapS === RepeatWrapping,
+		(made[TEXTURE_SLOTS[kind]] as Texture).wrapS === RepeatWrapping,
 	);
 	shows[kind] = picture;
 }
 
-function thrownAway({ made }: Kept): void {
-	for (const kind of KINDS) made[DRAWN[kind]]?.dispose();
+function disposeOf({ made }: CachedMaterial): void {
+	for (const kind of KINDS) made[TEXTURE_SLOTS[kind]]?.dispose();
 	made.dispose();
 }

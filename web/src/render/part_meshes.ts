@@ -108,12 +108,12 @@ function geometryOf({ positions, normals, colours, sky, indices }: PartMesh): Bu
 	if (colours) geometry.setAttribute("color", new BufferAttribute(colours, 3));
 	geometry.setAttribute("sky", sky ? new BufferAttribute(sky, 1, true) : openSky());
 	geometry.setIndex(new BufferAttribute(indices, 1));
-	geometry.boundingSphere = sphereAbout(positions, 3 * Math.max(1, Math.floor(positions.length / 3 / MOST_ASKED)));
+	geometry.boundingSphere = sphereAbout(positions, 3 * Math.max(1, Math.floor(positions.length / 3 / MOST_SAMPLED)));
 	return geometry;
 }
 
 /** Of very many vertices so many say how large a mesh is. */
-const MOST_ASKED = 20_000;
+const MOST_SAMPLED = 20_000;
 
 /** A ball that holds points, the first three of every so many numbers, about the middle of their box: three's own takes ten times as long. */
 function sphereAbout(points: Float32Array, stride: number, reach = 0): Sphere {

@@ -15,7 +15,7 @@ import type { Picture } from "../plant/material";
 import type { Part } from "../plant/part";
 import type { Sway } from "../plant/sway";
 import type { Bodies } from "./camera_fit";
-import { type Drawn, MaterialCache } from "./material_cache";
+import { MaterialCache, type TextureKind } from "./material_cache";
 import { MeshShadow } from "./mesh_shadow";
 import type { ModelRenderer, Ray, RendererFactory, RendererStage } from "./model_renderer";
 import { ballOf, boundsOf, joined } from "./part_bounds";
@@ -161,7 +161,7 @@ export class PartRenderer<S, G> implements ModelRenderer<S, G> {
 	}
 
 	/** Lays another picture on a part that is drawn with one. */
-	setPicture(name: string, kind: Drawn, picture: Picture): void {
+	setPicture(name: string, kind: TextureKind, picture: Picture): void {
 		const found = this.#shown.objects.find((object) => object.name === name);
 		if (found) this.#materials.setPicture(found.material, kind, picture);
 	}

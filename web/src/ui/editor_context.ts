@@ -50,7 +50,7 @@ export interface Stateful<T> {
 	/** What it is at first. */
 	readonly initial: T;
 	/** Makes a state of what a former visit left; a state without it is forgotten with the page. */
-	recall?(kept: unknown): T;
+	recall?(stored: unknown): T;
 }
 
 /** How a notice behaves. */

@@ -3,7 +3,7 @@ import type { Plant } from "../plant/plant";
 
 /** The life of a plant as one parameter runs through it, with names for its stages. */
 
-export interface Stage {
+export interface LifeStage {
 	/** Where it is at its most typical: what its button sets. */
 	readonly at: number;
 	/** From where on it is called so; from `at` where absent. */
@@ -21,7 +21,7 @@ export interface Life {
 	/** What it is called: "Age". */
 	readonly label: string;
 	/** By `at`; the first is at the parameter's least value. */
-	readonly stages: readonly Stage[];
+	readonly stages: readonly LifeStage[];
 	/** Where a play ends. */
 	readonly end: number;
 	/** Where a plant is at its height, if a play that is begun there is to show its whole life and not its decline. */
@@ -47,12 +47,12 @@ export function nextStep({ end, stages }: Life, age: number, steps: number): num
 }
 
 /** What a plant of that age is called. */
-export function stageOf({ stages }: Life, age: number): Stage {
+export function stageOf({ stages }: Life, age: number): LifeStage {
 	return stages.findLast(({ at, from = at }) => from <= age) ?? stages[0];
 }
 
 /** The stage after that age, or before it; the ends stay. */
-export function nextStage({ stages }: Life, age: number, direction: 1 | -1): Stage {
+export function nextStage({ stages }: Life, age: number, direction: 1 | -1): LifeStage {
 	return direction > 0
 		? (stages.find(({ at }) => at > age) ?? stages[stages.length - 1])
 		: (stages.findLast(({ at }) => at < age) ?? stages[0]);

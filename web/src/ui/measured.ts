@@ -8,18 +8,18 @@ import type { ReadoutRow } from "./tool";
  * not apply is left out.
  * @param measures in the order of the table
  * @param more rows that close their groups; a group without a measure is not shown for them alone
- * @param ask what stands below a measure that another value can be asked for of; undefined where none can
+ * @param request what stands below a measure that another value can be asked for of; undefined where none can
  */
 export function measured(
 	table: Table,
 	measures: Float32Array,
 	more: readonly ReadoutRow[] = [],
-	ask: (info: MeasureInfo, value: number) => unknown = () => undefined,
+	request: (info: MeasureInfo, value: number) => unknown = () => undefined,
 ): unknown {
 	return table.measureGroups.map(({ key: group, title }) => {
 		const rows = table.measures.flatMap((info, index) =>
 			info.group === group && Number.isFinite(measures[index])
-				? [drawn(rowOf(info, measures[index]), ask(info, measures[index]))]
+				? [drawn(rowOf(info, measures[index]), request(info, measures[index]))]
 				: [],
 		);
 		if (rows.length === 0) return nothing;
@@ -32,7 +32,7 @@ function rowOf(info: MeasureInfo, value: number): ReadoutRow {
 	return { ...info, text: measureText(info, value), found: classOf(info, value) };
 }
 
-function drawn({ key, label, help, oiv, unchecked, text, found }: ReadoutRow, ask?: unknown): unknown {
+function drawn({ key, label, help, oiv, unchecked, text, found }: ReadoutRow, request?: unknown): unknown {
 	// A descriptor whose value is a note has the words for a value already.
 	const words = found && found.words !== text ? `${found.note}, ${found.words}` : found?.note;
 	const classed =
@@ -42,9 +42,9 @@ function drawn({ key, label, help, oiv, unchecked, text, found }: ReadoutRow, as
 	const doubt = unchecked ? ` Not compared with its source: ${unchecked}.` : "";
 	return html`<details class="measure" data-key="measure-${key}" data-measure=${key}>
 		<summary><span class="what">${label}${classed}</span><span
-			class=${ask ? "value askable" : "value"} title=${ask ? "Ask for another value" : nothing}
+			class=${request ? "value askable" : "value"} title=${request ? "Ask for another value" : nothing}
 		>${text}</span></summary>
 		<p>${help}${doubt}</p>
-		${ask ?? nothing}
+		${request ?? nothing}
 	</details>`;
 }

@@ -4,5 +4,5 @@ import type { Stateful } from "./editor_context";
 export const OWN_LENGTHS: Stateful<boolean> & Required<Pick<Stateful<boolean>, "recall">> = {
 	name: "own_lengths",
 	initial: false,
-	recall: (kept) => kept === true,
+	recall: (stored) => stored === true,
 };

@@ -54,17 +54,17 @@ export function shownShells<S extends Specimen, G extends Plant>(shown: ShownShe
 class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
 	readonly #view: ToolView;
 	readonly #context: EditorContext<S, G>;
-	readonly #what: ShownShells<S, G>;
+	readonly #options: ShownShells<S, G>;
 	readonly #tool: Tool<S, G, boolean>;
 	/** Loaded when first asked for. */
 	#renderer: Promise<ShellDrawing | undefined> | undefined;
 	#shown: { readonly specimen: S; readonly dark: boolean; readonly grown: G | undefined } | undefined;
 	#disposed = false;
 
-	constructor(view: ToolView, context: EditorContext<S, G>, what: ShownShells<S, G>, tool: Tool<S, G, boolean>) {
+	constructor(view: ToolView, context: EditorContext<S, G>, options: ShownShells<S, G>, tool: Tool<S, G, boolean>) {
 		this.#view = view;
 		this.#context = context;
-		this.#what = what;
+		this.#options = options;
 		this.#tool = tool;
 	}
 
@@ -86,12 +86,12 @@ class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInter
 	}
 
 	#visible(specimen: S): boolean {
-		return this.#context.toolState(this.#tool) && (this.#what.applies?.(specimen) ?? true);
+		return this.#context.toolState(this.#tool) && (this.#options.applies?.(specimen) ?? true);
 	}
 
 	#show(renderer: ShellDrawing, { specimen, dark, grown }: EditorState<S, G>): void {
 		const visible = this.#visible(specimen);
-		const { marked, ofPlant = false } = this.#what;
+		const { marked, ofPlant = false } = this.#options;
 		const another = this.#shown?.grown !== grown;
 		const same = this.#shown?.specimen === specimen && this.#shown.dark === dark && !(ofPlant && another);
 		const alike = same && !(marked && another);
@@ -99,7 +99,7 @@ class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInter
 		renderer.object.visible = visible;
 		if (visible && !alike) {
 			const style = getComputedStyle(this.#view.canvas);
-			if (!same) renderer.show(this.#what.shells(specimen, grown), style.color);
+			if (!same) renderer.show(this.#options.shells(specimen, grown), style.color);
 			if (marked && grown) renderer.mark(marked(grown), style.accentColor);
 			this.#shown = { specimen, dark, grown };
 		}
@@ -108,11 +108,11 @@ class ShellInteraction<S extends Specimen, G extends Plant> implements ToolInter
 
 	/** Where the script does not come, the tool is off again, and the next press asks for it anew. */
 	async #fetch(): Promise<ShellDrawing | undefined> {
-		const renderer = await this.#what.renderer().catch(() => undefined);
+		const renderer = await this.#options.renderer().catch(() => undefined);
 		if (!renderer) {
 			this.#renderer = undefined;
 			this.#context.setToolState(this.#tool, false);
-			this.#context.notify(this.#what.fetchFailedMessage, ["Check the connection and press its button again."]);
+			this.#context.notify(this.#options.fetchFailedMessage, ["Check the connection and press its button again."]);
 			return undefined;
 		}
 		renderer.object.visible = false;

@@ -44,12 +44,12 @@ export class VirtualRows {
 	/**
 	 * The rows to draw.
 	 * @param count how many rows the whole list has
-	 * @param kept indices of rows that are drawn wherever the scroller is, such as the row with the focus
+	 * @param pinned indices of rows that are drawn wherever the scroller is, such as the row with the focus
 	 */
-	rows(count: number, kept: readonly number[] = []): readonly VirtualItem[] {
+	rows(count: number, pinned: readonly number[] = []): readonly VirtualItem[] {
 		this.#set({
 			count,
-			rangeExtractor: (range) => withRows(defaultRangeExtractor(range), kept, count),
+			rangeExtractor: (range) => withRows(defaultRangeExtractor(range), pinned, count),
 		});
 		return this.#virtualizer.getVirtualItems();
 	}
@@ -93,7 +93,7 @@ export class VirtualRows {
 }
 
 /** Rows with others added, in order. */
-function withRows(rows: readonly number[], kept: readonly number[], count: number): number[] {
+function withRows(rows: readonly number[], pinned: readonly number[], count: number): number[] {
 	const isRow = (index: number) => index >= 0 && index < count;
-	return [...new Set([...rows, ...kept.filter(isRow)])].sort((a, b) => a - b);
+	return [...new Set([...rows, ...pinned.filter(isRow)])].sort((a, b) => a - b);
 }

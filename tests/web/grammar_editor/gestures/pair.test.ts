@@ -13,7 +13,7 @@ const axis = (id: string, min = 0, max = 1, value = 0): Axis => ({
 	value,
 });
 const ids = ({ across, up }: { across?: Axis; up?: Axis }) => [across?.id, up?.id];
-const nobody = { across: undefined, up: undefined };
+const none = { across: undefined, up: undefined };
 
 describe("two numbers at a time", () => {
 	const axes = ["constant scale", "constant length", "constant bend", "parameter age", "parameter open"].map((id) =>
@@ -21,10 +21,10 @@ describe("two numbers at a time", () => {
 	);
 
 	it("are the bend and the length of the stem, where there are such", () => {
-		expect(ids(pairOf(axes, nobody))).toEqual(["constant bend", "constant length"]);
-		expect(ids(pairOf(axes.slice(3), nobody))).toEqual(["parameter age", "parameter open"]);
-		expect(ids(pairOf(axes.slice(0, 2), nobody))).toEqual(["constant scale", "constant length"]);
-		expect(ids(pairOf([], nobody))).toEqual([undefined, undefined]);
+		expect(ids(pairOf(axes, none))).toEqual(["constant bend", "constant length"]);
+		expect(ids(pairOf(axes.slice(3), none))).toEqual(["parameter age", "parameter open"]);
+		expect(ids(pairOf(axes.slice(0, 2), none))).toEqual(["constant scale", "constant length"]);
+		expect(ids(pairOf([], none))).toEqual([undefined, undefined]);
 	});
 
 	it("are those asked for, as far as there are such", () => {
@@ -35,7 +35,7 @@ describe("two numbers at a time", () => {
 		const next = nextPair(axes, { across: "constant bend", up: "constant length" });
 		expect(next).toEqual({ across: "parameter age", up: "parameter open" });
 		expect(nextPair(axes, next)).toEqual({ across: "constant scale", up: "constant length" });
-		expect(nextPair(axes.slice(0, 1), nobody)).toEqual(nobody);
+		expect(nextPair(axes.slice(0, 1), none)).toEqual(none);
 	});
 
 	it("go linearly from end to end (Petrenko 2014, section 4.3.3)", () => {

@@ -75,9 +75,9 @@ describe("a closed mesh from a file", () => {
 		const about = { name: "box", link: "", extras: {} };
 		const bytes = exportGlb([{ name: "box", shape }], about as never);
 		// A quarter turn about z lays it on its side.
-		const { points: laid } = await readMeshFile(new File([bytes], "box.glb"));
-		expect(Math.max(...laid.filter((_, i) => i % 3 === 0))).toBeCloseTo(1);
-		expect(laid).toHaveLength(24);
+		const { points: imported } = await readMeshFile(new File([bytes], "box.glb"));
+		expect(Math.max(...imported.filter((_, i) => i % 3 === 0))).toBeCloseTo(1);
+		expect(imported).toHaveLength(24);
 		expect(readGlb(bytes.buffer).triangles).toHaveLength(36);
 	});
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { contourOf } from "../../../../web/src/import/tracing/contour";
-import { type Picture, TraceError } from "../../../../web/src/import/tracing/picture";
+import { type PixelImage, TraceError } from "../../../../web/src/import/tracing/picture";
 import type { OutlinePoint, Place } from "../../../../web/src/models/leaf/outline/points";
 import { curveOf } from "../../../../web/src/models/leaf/outline/spline";
 import { leafFromPreset } from "../../../../web/src/models/leaf/schema";
@@ -12,7 +12,7 @@ type Ink = readonly [red: number, green: number, blue: number, alpha?: number];
 const PAPER: Ink = [236, 232, 224];
 const GREEN: Ink = [70, 110, 50];
 
-const traceOutline = (picture: Picture) => traceLeaf(picture).outline;
+const traceOutline = (picture: PixelImage) => traceLeaf(picture).outline;
 
 /** A picture whose pixels are green where `inside` says so; a little noise on everything. */
 function drawn(
@@ -20,7 +20,7 @@ function drawn(
 	inside: (x: number, y: number) => boolean,
 	paper: Ink = PAPER,
 	leaf: Ink = GREEN,
-): Picture {
+): PixelImage {
 	const data = new Uint8ClampedArray(4 * side * side);
 	for (let at = 0; at < side * side; at++) {
 		const [red, green, blue, alpha = 255] = inside((at % side) + 0.5, Math.floor(at / side) + 0.5) ? leaf : paper;

@@ -9,7 +9,7 @@ type Places = Readonly<Record<string, Point>>;
 
 /** A session over named places, with frames that come when the test says so. */
 function session(start: Places, alone = false) {
-	const view = { places: start, told: [] as string[], frames: [] as (() => void)[] };
+	const view = { places: start, calls: [] as string[], frames: [] as (() => void)[] };
 	const drags = new DragSession<string, Places>({
 		get: () => view.places,
 		place: (name) => view.places[name],
@@ -18,9 +18,9 @@ function session(start: Places, alone = false) {
 		alone,
 		input: (places) => {
 			view.places = places;
-			view.told.push("input");
+			view.calls.push("input");
 		},
-		change: () => view.told.push("change"),
+		change: () => view.calls.push("change"),
 		schedule: (callback) => view.frames.push(callback),
 	});
 	return { view, drags };
@@ -37,12 +37,12 @@ describe("a drag", () => {
 				drags.begin(1, "a", { x: 1 + x, y: 2 + y });
 				drags.move(1, { x: 1 + x, y: 2 + y });
 				drags.end(1);
-				expect(view.told).toEqual([]);
+				expect(view.calls).toEqual([]);
 				drags.begin(1, "a", { x: 1 + x, y: 2 + y });
 				drags.move(1, { x: 11 + x, y: y - 18 });
 				drags.end(1);
 				expect(view.places.a).toEqual({ x: 11, y: -18 });
-				expect(view.told).toEqual(["input", "change"]);
+				expect(view.calls).toEqual(["input", "change"]);
 			}),
 		);
 	});
@@ -56,12 +56,12 @@ describe("a drag", () => {
 		drags.move(1, { x: 4, y: 4 });
 		expect(view.frames).toHaveLength(1);
 		view.frames[0]();
-		expect(view.told).toEqual(["input"]);
+		expect(view.calls).toEqual(["input"]);
 		expect(view.places).toEqual({ a: { x: 4, y: 4 }, b: { x: 7, y: 7 } });
 		drags.end(1);
-		expect(view.told).toEqual(["input"]);
+		expect(view.calls).toEqual(["input"]);
 		drags.cancel();
-		expect(view.told).toEqual(["input", "input", "change"]);
+		expect(view.calls).toEqual(["input", "input", "change"]);
 		expect(view.places).toEqual(START);
 	});
 
@@ -80,7 +80,7 @@ describe("a drag", () => {
 		view.frames.shift()?.();
 		drags.drop();
 		drags.drop();
-		expect(view).toMatchObject({ places: { a: { x: 2, y: 3 } }, told: ["input", "change"] });
+		expect(view).toMatchObject({ places: { a: { x: 2, y: 3 } }, calls: ["input", "change"] });
 		expect(drags.active).toBe(false);
 	});
 
@@ -89,7 +89,7 @@ describe("a drag", () => {
 		drags.begin(1, "a", START.a);
 		drags.cancel();
 		drags.cancel();
-		expect(view.told).toEqual([]);
+		expect(view.calls).toEqual([]);
 		expect(drags.active).toBe(false);
 	});
 });

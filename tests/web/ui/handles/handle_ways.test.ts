@@ -11,8 +11,8 @@ const place = fc.tuple(evenly(-1, 1), evenly(-1, 1), evenly(-1, 1));
 describe("a handle under a pointer", () => {
 	it("stays where it is while the pointer looks at it, on a plane and on a line", () =>
 		fc.assert(
-			fc.property(place, place, fc.constantFrom([X, Y], [Y]), (at, aside, ways) => {
-				const eye: Vector = [aside[0], aside[1], 3];
+			fc.property(place, place, fc.constantFrom([X, Y], [Y]), (at, offset, ways) => {
+				const eye: Vector = [offset[0], offset[1], 3];
 				const direction: Vector = [at[0] - eye[0], at[1] - eye[1], at[2] - eye[2]];
 				const found = placeUnder(at, ways, { origin: eye, direction }) as Vector;
 				for (const k of [0, 1, 2]) expect(found[k]).toBeCloseTo(at[k], 6);

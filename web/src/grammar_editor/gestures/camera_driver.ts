@@ -31,7 +31,7 @@ export class CameraDriver implements Driver {
 	#finder: HandsFinder | undefined;
 	#stopped = false;
 	#seen: boolean | undefined;
-	#rested: { x: number; y: number; since: number; told: boolean } | undefined;
+	#rested: { x: number; y: number; since: number; reported: boolean } | undefined;
 
 	/** @param video shows what the camera sees */
 	constructor(video: HTMLVideoElement, events: DriverEvents) {
@@ -52,9 +52,9 @@ export class CameraDriver implements Driver {
 	}
 
 	async #start(): Promise<void> {
-		this.#events.say("The browser asks whether the camera may be used.");
+		this.#events.report("The browser asks whether the camera may be used.");
 		try {
-			const stream = await askForCamera();
+			const stream = await requestCamera();
 			this.#stream = stream;
 			if (this.#stopped) return this.stop();
 			for (const track of stream.getTracks())
@@ -62,8 +62,8 @@ export class CameraDriver implements Driver {
 			this.#video.srcObject = stream;
 			await this.#video.play();
 			if (this.#stopped) return;
-			this.#events.say("What finds hands is being fetched.");
-			const finder = await findHands((landmarks) => this.#heed(landmarks));
+			this.#events.report("What finds hands is being fetched.");
+			const finder = await findHands((landmarks) => this.#handleLandmarks(landmarks));
 			this.#finder = finder;
 			if (this.#stopped) return this.stop();
 			await this.#look(finder);
@@ -88,13 +88,13 @@ export class CameraDriver implements Driver {
 		}
 	}
 
-	#heed(landmarks: readonly Landmark[] | undefined): void {
+	#handleLandmarks(landmarks: readonly Landmark[] | undefined): void {
 		if (this.#stopped) return;
 		const now = performance.now() / 1000;
 		const hand = this.#reader.read(landmarks, now);
 		if ((hand !== undefined) !== this.#seen) {
 			this.#seen = hand !== undefined;
-			this.#events.say(
+			this.#events.report(
 				hand ? "A hand is seen. Pinch for the next two." : "No hand is seen: hold one before the camera.",
 			);
 			if (!hand) this.#events.rest();
@@ -104,17 +104,17 @@ export class CameraDriver implements Driver {
 		const { x, y } = hand;
 		const rested = this.#rested;
 		if (rested && Math.hypot(x - rested.x, y - rested.y) < TREMBLE) {
-			if (rested.told || now - rested.since < STILL) return;
-			rested.told = true;
+			if (rested.reported || now - rested.since < STILL) return;
+			rested.reported = true;
 			this.#events.rest();
 			return;
 		}
-		this.#rested = { x, y, since: now, told: false };
+		this.#rested = { x, y, since: now, reported: false };
 		this.#events.move({ x, y });
 	}
 }
 
-async function askForCamera(): Promise<MediaStream> {
+async function requestCamera(): Promise<MediaStream> {
 	// Pages without a secure address have no such thing.
 	const { mediaDevices } = navigator as { readonly mediaDevices?: MediaDevices };
 	if (!mediaDevices) throw new DOMException("no camera here", "NotFoundError");

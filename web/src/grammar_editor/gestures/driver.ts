@@ -1,18 +1,18 @@
 /** What drives two axes: a pointer, a gamepad, a hand before the camera. Each says where it is, and when the next pair is wanted. */
-import type { Place } from "./hand";
+import type { Position } from "./hand";
 
 /** What a driver tells. Places are shares of the way from the left and from the top. */
 export interface DriverEvents {
 	/** Where the circle stands now, for drivers that move it on. */
-	where(): Place;
+	where(): Position;
 	/** It is somewhere else. */
-	move(place: Place): void;
+	move(place: Position): void;
 	/** It has come to rest: what it did is one step. */
 	rest(): void;
 	/** The next pair of axes. */
 	next(): void;
 	/** What is to be known of it, in a sentence. */
-	say(words: string): void;
+	report(words: string): void;
 	/** It cannot go on, and why: the pointer takes its place. */
 	fail(words: string): void;
 }

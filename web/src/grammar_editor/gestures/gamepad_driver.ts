@@ -58,14 +58,14 @@ export class GamepadDriver implements Driver {
 		this.#before = now;
 		if ((pad !== undefined) !== this.#there) {
 			this.#there = pad !== undefined;
-			this.#events.say(
+			this.#events.report(
 				pad ? "The left stick moves the circle." : "No gamepad is heard yet: connect one and press a button on it.",
 			);
 		}
-		if (pad) this.#heed(pad, passed);
+		if (pad) this.#handleInput(pad, passed);
 	}
 
-	#heed(pad: Pad, seconds: number): void {
+	#handleInput(pad: Pad, seconds: number): void {
 		const { x, y } = pushOf(pad);
 		const next = pad.buttons[NEXT]?.pressed ?? false;
 		if (next && !this.#pressed) this.#events.next();

@@ -8,7 +8,7 @@ import { Axes, type Axis, atShare, shareOf } from "./axis";
 import { CameraDriver } from "./camera_driver";
 import type { Driver, DriverEvents } from "./driver";
 import { GamepadDriver } from "./gamepad_driver";
-import type { Place } from "./hand";
+import type { Position } from "./hand";
 import { acrossScreen, toTheRight } from "./lean";
 import { nextPair, pairOf } from "./pair";
 import { PointerDriver } from "./pointer_driver";
@@ -27,7 +27,7 @@ export class GestureInteraction implements ToolInteraction {
 	readonly #hand = Object.assign(document.createElement("span"), { className: "gesture-hand", hidden: true });
 	readonly #words = Object.assign(document.createElement("span"), { className: "gesture-words" });
 	/** Where the numbers stand once a hand has left them, for those who do not see the circle. */
-	readonly #said = Object.assign(document.createElement("p"), { className: "unseen", role: "status" });
+	readonly #status = Object.assign(document.createElement("p"), { className: "unseen", role: "status" });
 	readonly #runs = new KeyRuns();
 	readonly #video = Object.assign(document.createElement("video"), { muted: true, playsInline: true, hidden: true });
 	#driver: Driver | undefined;
@@ -36,9 +36,9 @@ export class GestureInteraction implements ToolInteraction {
 	#awaited = false;
 	#moved = false;
 	/** Where a hand has gone since the last frame. */
-	#to: Place | undefined;
+	#to: Position | undefined;
 	#frame = 0;
-	#place: Place = { x: 0.5, y: 0.5 };
+	#place: Position = { x: 0.5, y: 0.5 };
 	/** How far the plant's right was to the right of the screen when the circle was placed. */
 	#placedFor = 1;
 	readonly #endDrawn: () => void;
@@ -53,7 +53,7 @@ export class GestureInteraction implements ToolInteraction {
 		this.#words.ariaHidden = "true";
 		this.#hand.ariaHidden = "true";
 		this.#video.ariaLabel = "What the camera sees";
-		this.#layer.append(this.#video, this.#hand, this.#circle, this.#words, this.#said);
+		this.#layer.append(this.#video, this.#hand, this.#circle, this.#words, this.#status);
 		this.#layer.hidden = true;
 		view.canvas.after(this.#layer);
 		// Seen from behind, a plant bends the other way on the screen.
@@ -134,7 +134,7 @@ export class GestureInteraction implements ToolInteraction {
 			move: (place) => mine() && this.#move(place),
 			rest: () => mine() && this.#rest(),
 			next: () => mine() && this.#next(),
-			say: (words) => queueMicrotask(() => mine() && this.#set({ words })),
+			report: (words) => queueMicrotask(() => mine() && this.#set({ words })),
 			fail: (words) => queueMicrotask(() => mine() && this.#set({ words, by: "pointer" })),
 		};
 		if (by === "camera") return new CameraDriver(this.#video, events);
@@ -142,7 +142,7 @@ export class GestureInteraction implements ToolInteraction {
 	}
 
 	/** At most one growth a frame. */
-	#move(to: Place): void {
+	#move(to: Position): void {
 		if (!this.#to) this.#frame = requestAnimationFrame(() => this.#follow());
 		this.#to = to;
 	}
@@ -159,7 +159,7 @@ export class GestureInteraction implements ToolInteraction {
 		this.#go(to);
 	}
 
-	#go({ x, y }: Place): void {
+	#go({ x, y }: Position): void {
 		const { across, up } = this.#pair;
 		const values = new Map<string, number>();
 		if (across) values.set(across.id, atShare(across, this.#mirrored(across, x)));
@@ -173,11 +173,11 @@ export class GestureInteraction implements ToolInteraction {
 		if (!this.#moved) return;
 		this.#moved = false;
 		this.#gestures.context.settle(GESTURE);
-		this.#say();
+		this.#announce();
 	}
 
-	#say(): void {
-		this.#said.textContent = this.#words.textContent;
+	#announce(): void {
+		this.#status.textContent = this.#words.textContent;
 	}
 
 	/** The next two numbers stand where they stand: the hand has to come there first. */
@@ -203,7 +203,7 @@ export class GestureInteraction implements ToolInteraction {
 			const change = this.#axes.to(new Map([[axis.id, axis.value + (mirrored ? -by : by)]]));
 			this.#gestures.context.edit({ ...change, run: this.#runs.press(axis.id) }, GESTURE);
 			this.#gestures.context.settle(GESTURE);
-			this.#say();
+			this.#announce();
 		} else return;
 		event.preventDefault();
 		event.stopPropagation();
@@ -215,7 +215,7 @@ export class GestureInteraction implements ToolInteraction {
 	}
 }
 
-function putAt({ style }: HTMLElement, { x, y }: Place): void {
+function putAt({ style }: HTMLElement, { x, y }: Position): void {
 	style.left = `${(100 * x).toFixed(2)}%`;
 	style.top = `${(100 * y).toFixed(2)}%`;
 }

@@ -9,12 +9,12 @@ export interface Landmark {
 }
 
 /** Shares of the way, from the left and from the top as whoever stands before the camera sees them. */
-export interface Place {
+export interface Position {
 	readonly x: number;
 	readonly y: number;
 }
 
-export interface HandRead extends Place {
+export interface HandRead extends Position {
 	/** Whether thumb and index finger have just come together. */
 	readonly pinched: boolean;
 }

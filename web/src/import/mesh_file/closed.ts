@@ -12,9 +12,9 @@ const WELDS = [1e-5, 1e-4, 1e-3];
 const FINEST = 64;
 /** Beyond this, sums and cubes of places are not finite. */
 const FARTHEST = 1e30;
-/** Of its height, to which places are kept. */
+/** Of its height, to which places are remaining. */
 const DECIMALS = 1e4;
-/** Of its height's cube: less than a needle that is as thin as its places are kept. */
+/** Of its height's cube: less than a needle that is as thin as its places are remaining. */
 const LEAST_VOLUME = 1e-9;
 
 /** @throws MeshFileError where it has no inside: it is empty, flat, open or encloses nothing */
@@ -96,12 +96,12 @@ function merged({ points, triangles }: Soup, cell: number): Soup {
 		counts[index]++;
 		return index;
 	});
-	const kept: number[] = [];
+	const remaining: number[] = [];
 	for (let i = 0; i < triangles.length; i += 3) {
 		const [a, b, c] = [into[triangles[i]], into[triangles[i + 1]], into[triangles[i + 2]]];
-		if (a !== b && b !== c && c !== a) kept.push(a, b, c);
+		if (a !== b && b !== c && c !== a) remaining.push(a, b, c);
 	}
-	return { points: sums.map((sum, i) => sum / counts[Math.floor(i / 3)]), triangles: kept };
+	return { points: sums.map((sum, i) => sum / counts[Math.floor(i / 3)]), triangles: remaining };
 }
 
 function simplified(mesh: Soup, size: number): Soup {

@@ -22,7 +22,7 @@ interface Primitive {
 	mode?: number;
 }
 
-interface Node {
+interface GltfNode {
 	mesh?: number;
 	children?: number[];
 	matrix?: number[];
@@ -35,7 +35,7 @@ interface Gltf {
 	accessors?: Accessor[];
 	bufferViews?: { buffer: number; byteOffset?: number; byteLength: number; byteStride?: number }[];
 	meshes?: { primitives: Primitive[] }[];
-	nodes?: Node[];
+	nodes?: GltfNode[];
 	scenes?: { nodes?: number[] }[];
 	scene?: number;
 	extensionsRequired?: string[];
@@ -80,7 +80,7 @@ function chunksOf(bytes: ArrayBuffer): { gltf: Gltf; binary: DataView } {
 }
 
 /** The roots, where no scene names them. */
-function nobodysChildren({ nodes = [] }: Gltf): number[] {
+function rootNodes({ nodes = [] }: Gltf): number[] {
 	const children = new Set(nodes.flatMap((node) => node.children ?? []));
 	return [...nodes.keys()].filter((index) => !children.has(index));
 }
@@ -88,7 +88,7 @@ function nobodysChildren({ nodes = [] }: Gltf): number[] {
 /** The triangles of all nodes below the scene's, in the order of a walk that visits children first to last. */
 function gather(gltf: Gltf, binary: DataView): Soup {
 	const soup: Soup = { points: [], triangles: [] };
-	const roots = gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? nobodysChildren(gltf);
+	const roots = gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? rootNodes(gltf);
 	const open = roots.map((index) => ({ index, above: Matrix.identity })).reverse();
 	const seen = new Set<number>();
 	let parts = 0;

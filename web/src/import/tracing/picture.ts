@@ -1,5 +1,5 @@
 /** Pixels, as a canvas gives them. */
-export interface Picture {
+export interface PixelImage {
 	width: number;
 	height: number;
 	/** 4 × pixels: red, green, blue, alpha, rows from the top. */

@@ -1,12 +1,12 @@
 /** A file → pixels, in a page. */
 import { readBitmap } from "../../ui/read_bitmap";
-import { type Picture, TraceError } from "./picture";
+import { type PixelImage, TraceError } from "./picture";
 
 /** The longer side that is looked at, in pixels: more shows nothing that 48 points could hold. */
 const SIDE = 640;
 
 /** @throws PictureError where the file is no picture that this browser reads, TraceError where it gives no pixels of one */
-export async function readPicture(file: Blob): Promise<Picture> {
+export async function readPicture(file: Blob): Promise<PixelImage> {
 	const bitmap = await readBitmap(file, SIDE);
 	const { width, height } = bitmap;
 	const canvas = document.createElement("canvas");

@@ -1,5 +1,5 @@
 /** A picture of one thing on a plain ground → its silhouette, without holes. */
-import { type Mask, type Picture, TraceError } from "./picture";
+import { type Mask, type PixelImage, TraceError } from "./picture";
 
 /** Colours that differ by less than this from the ground are the ground, whatever else there is; 0 … 441. */
 const LEAST_CONTRAST = 26;
@@ -14,7 +14,7 @@ const CLEAR = 64;
  * @param noun what sentences call it: "leaf"
  * @throws TraceError where nothing stands out, or what does is not all in the picture
  */
-export function silhouetteOf(picture: Picture, noun: string): Mask {
+export function silhouetteOf(picture: PixelImage, noun: string): Mask {
 	const away = differences(picture);
 	const threshold = Math.max(LEAST_CONTRAST, between(away));
 	const { width, height } = picture;
@@ -36,7 +36,7 @@ export function silhouetteOf(picture: Picture, noun: string): Mask {
 }
 
 /** How far each pixel's colour is from that of the picture's rim. */
-function differences({ width, height, data }: Picture): Float32Array {
+function differences({ width, height, data }: PixelImage): Float32Array {
 	const rim = rimOf(width, height).filter((at) => data[4 * at + 3] >= CLEAR);
 	const ground = [0, 1, 2].map((channel) => median(rim.map((at) => data[4 * at + channel])));
 	// A clear ground: everything that is not clear is it.

@@ -42,7 +42,7 @@ export class DragSession<H, S, K = undefined> {
 	readonly #held = new Map<number, Held<H, K>>();
 	#before: { readonly state: S } | undefined;
 	/** Whether the host was told anything of this drag, and so must be told of its end. */
-	#told = false;
+	#reported = false;
 	#scheduled = false;
 
 	constructor(host: DragHost<H, S, K>) {
@@ -99,7 +99,7 @@ export class DragSession<H, S, K = undefined> {
 		if (!this.#before) return;
 		const { state } = this.#before;
 		this.#held.clear();
-		if (this.#told) this.#host.input(this.#host.restored?.(this.#host.get(), state) ?? state);
+		if (this.#reported) this.#host.input(this.#host.restored?.(this.#host.get(), state) ?? state);
 		this.#over();
 	}
 
@@ -111,10 +111,10 @@ export class DragSession<H, S, K = undefined> {
 	}
 
 	#over(): void {
-		const told = this.#told;
+		const reported = this.#reported;
 		this.#before = undefined;
-		this.#told = false;
-		if (told) this.#host.change();
+		this.#reported = false;
+		if (reported) this.#host.change();
 	}
 
 	/** Applies the targets to the state as it is now, not as it was when the pointer moved. */
@@ -129,7 +129,7 @@ export class DragSession<H, S, K = undefined> {
 			state = this.#host.pull(state, handle, target as Point, { from, keys });
 		}
 		if (this.#host.same(before, state)) return;
-		this.#told = true;
+		this.#reported = true;
 		this.#host.input(state);
 	}
 }

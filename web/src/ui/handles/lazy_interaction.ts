@@ -15,7 +15,7 @@ export interface LazyInteractionOptions<S extends Specimen, G extends Plant> {
 
 export class LazyInteraction<S extends Specimen, G extends Plant> implements ToolInteraction<S, G> {
 	readonly #options: LazyInteractionOptions<S, G>;
-	#hands: Promise<ToolInteraction<S, G> | undefined> | undefined;
+	#interaction: Promise<ToolInteraction<S, G> | undefined> | undefined;
 	#disposed = false;
 
 	constructor(options: LazyInteractionOptions<S, G>) {
@@ -23,27 +23,27 @@ export class LazyInteraction<S extends Specimen, G extends Plant> implements Too
 	}
 
 	update(state: EditorState<S, G>): void {
-		if (!this.#hands && !this.#options.wanted(state)) return;
-		this.#hands ??= this.#fetch();
-		void this.#hands.then((hands) => {
-			if (!this.#disposed) hands?.update(state);
+		if (!this.#interaction && !this.#options.wanted(state)) return;
+		this.#interaction ??= this.#fetch();
+		void this.#interaction.then((interaction) => {
+			if (!this.#disposed) interaction?.update(state);
 		});
 	}
 
 	dispose(): void {
 		this.#disposed = true;
-		void this.#hands?.then((hands) => hands?.dispose());
+		void this.#interaction?.then((interaction) => interaction?.dispose());
 	}
 
 	async #fetch(): Promise<ToolInteraction<S, G> | undefined> {
 		const { context, fetch, onFetchFailed } = this.#options;
-		const hands = await fetch().catch(() => undefined);
-		if (hands) {
-			if (!this.#disposed) return hands;
-			hands.dispose();
+		const interaction = await fetch().catch(() => undefined);
+		if (interaction) {
+			if (!this.#disposed) return interaction;
+			interaction.dispose();
 			return undefined;
 		}
-		this.#hands = undefined;
+		this.#interaction = undefined;
 		onFetchFailed();
 		context.notify("The handles could not be fetched", ["Check the connection and press their button again."]);
 		return undefined;

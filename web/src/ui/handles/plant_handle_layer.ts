@@ -46,7 +46,7 @@ export class PlantHandleLayer {
 	readonly #host: HandleHost;
 	readonly #layer = document.createElement("div");
 	readonly #lines = document.createElementNS(SVG, "path");
-	readonly #said = Object.assign(document.createElement("p"), { className: "unseen", role: "status" });
+	readonly #status = Object.assign(document.createElement("p"), { className: "unseen", role: "status" });
 	readonly #buttons = new Map<string, HTMLButtonElement>();
 	readonly #style = new CSSStyleSheet();
 	readonly #root: Document | ShadowRoot;
@@ -55,7 +55,7 @@ export class PlantHandleLayer {
 	#ends: readonly (readonly Vector[])[] = [];
 	#held: Held | undefined;
 	/** What a hand moved last, and where it was last said to stand; what it has moved may be laid later. */
-	#told: { readonly id: string; readonly value: string | undefined } | undefined;
+	#announced: { readonly id: string; readonly value: string | undefined } | undefined;
 	#frame = 0;
 
 	constructor(host: HandleHost) {
@@ -70,7 +70,7 @@ export class PlantHandleLayer {
 		const svg = document.createElementNS(SVG, "svg");
 		svg.setAttribute("aria-hidden", "true");
 		svg.append(this.#lines);
-		this.#layer.append(svg, this.#said);
+		this.#layer.append(svg, this.#status);
 		host.canvas.after(this.#layer);
 	}
 
@@ -106,7 +106,7 @@ export class PlantHandleLayer {
 		const buttons = [...this.#buttons.values()];
 		if (!buttons.some(({ tabIndex }) => tabIndex === 0) && buttons[0]) buttons[0].tabIndex = 0;
 		if (focused >= 0 && !there.has(before[focused])) this.#refocus(focused);
-		this.#say();
+		this.#announce();
 		this.place();
 	}
 
@@ -251,17 +251,17 @@ export class PlantHandleLayer {
 	/** @param before where it was said to stand */
 	#settle(id: string, before: string | undefined): void {
 		this.#host.settle();
-		this.#told = { id, value: before };
-		this.#say();
+		this.#announced = { id, value: before };
+		this.#announce();
 	}
 
 	/** Where a handle stands once a hand has left it. */
-	#say(): void {
-		const told = this.#told;
-		const value = this.#handles.find(({ id }) => id === told?.id)?.value;
-		if (!told || this.#held || value === undefined || value === told.value) return;
-		this.#said.textContent = value;
-		this.#told = { id: told.id, value };
+	#announce(): void {
+		const announced = this.#announced;
+		const value = this.#handles.find(({ id }) => id === announced?.id)?.value;
+		if (!announced || this.#held || value === undefined || value === announced.value) return;
+		this.#status.textContent = value;
+		this.#announced = { id: announced.id, value };
 	}
 
 	/** From the canvas's upper left corner, CSS pixels. */

@@ -1,7 +1,7 @@
 /** Traces the margin of a petal, sepal or leaf in a picture. Pure; throws TraceError with a message for users. */
 
 import { contourOf, smoothed } from "../../../import/tracing/contour";
-import type { Picture } from "../../../import/tracing/picture";
+import type { PixelImage } from "../../../import/tracing/picture";
 import { silhouetteOf } from "../../../import/tracing/silhouette";
 import { withoutStalk } from "../../../import/tracing/stalk";
 import { upright } from "../../../import/tracing/upright";
@@ -22,7 +22,7 @@ const BAND = 0.01;
  * @param noun the organ's name in error messages: "petal"
  * @throws TraceError
  */
-export function tracedMargin(picture: Picture, noun: string): Traced {
+export function tracedMargin(picture: PixelImage, noun: string): Traced {
 	const { blade, base } = withoutStalk(silhouetteOf(picture, noun));
 	const steps = contourOf(blade);
 	const { margin } = upright(smoothed(steps, Math.max(1, 0.002 * steps.length)), base);

@@ -1,12 +1,12 @@
 /** Checks by a production's faces whether a volume may have grown by it. */
-import type { Piece } from "../../../grammar_editor/scan";
+import type { Token } from "../../../grammar_editor/scan";
 
 /**
  * Returns false if a production's faces, `…]_{C1, C5}`, are plain names and do not include `face`.
  * @param behind index of the token behind the list
  * @param face 0 O, 1 E, from 2 on C1 …; undefined if unknown
  */
-export function canGrowOnFace(pieces: readonly Piece[], behind: number, face: number | undefined): boolean {
+export function canGrowOnFace(pieces: readonly Token[], behind: number, face: number | undefined): boolean {
 	if (face === undefined) return true;
 	let at = behind;
 	if (pieces[at]?.text === "{") while (at < pieces.length && pieces[at++].text !== "}");

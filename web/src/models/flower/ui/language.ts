@@ -1,11 +1,11 @@
 /** The flower language for the editor (docs/models/flower/language.md). */
 import type { Dialect } from "../../../grammar_editor/dialect";
-import type { Kind, Piece } from "../../../grammar_editor/scan";
+import type { Token, TokenKind } from "../../../grammar_editor/scan";
 
 const PIECE =
 	/\/\*[\s\S]*?(?:\*\/|$)|@[^@]*@?|\n|[ \t\r\f\v]+|-->|->|→|"[^"\n]*"?|#[ \t]*\p{L}+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\.\p{L}+)?|[<>=!]=|&&|\|\||[\s\S]/gu;
 
-function kindOf(piece: string, before: string): Kind {
+function kindOf(piece: string, before: string): TokenKind {
 	if (piece.startsWith("/*") || piece.startsWith("@")) return "comment";
 	if (piece.startsWith("#")) return "statement";
 	if (/^(?:-->|->|→)$/.test(piece)) return "arrow";
@@ -16,8 +16,8 @@ function kindOf(piece: string, before: string): Kind {
 }
 
 /** Splits a text into tokens, without blanks. */
-export function scan(text: string): Piece[] {
-	const pieces: Piece[] = [];
+export function scan(text: string): Token[] {
+	const pieces: Token[] = [];
 	let line = 1;
 	for (const match of text.matchAll(PIECE)) {
 		const [piece] = match;

@@ -2,7 +2,7 @@
  * Finds numbers of a volume's definition that have no effect, since every production that grows the volume overrides
  * them.
  */
-import type { Piece } from "../../../grammar_editor/scan";
+import type { Token } from "../../../grammar_editor/scan";
 import { type Entry, entriesOf, inFields } from "./statements";
 
 /**
@@ -13,7 +13,7 @@ import { type Entry, entriesOf, inFields } from "./statements";
  * @param translated whether the volume's lists have a translation
  */
 export function overridden(
-	statements: readonly (readonly Piece[])[],
+	statements: readonly (readonly Token[])[],
 	label: string,
 	translated: boolean | undefined,
 ): ReadonlySet<number> {
@@ -38,12 +38,12 @@ export function overridden(
 	return new Set(fields.filter((field) => lists.every((list) => gives(list, field))));
 }
 
-function listBehind(pieces: readonly Piece[], name: number, translated: boolean | undefined) {
+function listBehind(pieces: readonly Token[], name: number, translated: boolean | undefined) {
 	return pieces[name + 1]?.text === "(" ? inFields(entriesOf(pieces, name + 1).entries, translated) : [];
 }
 
 /** Returns the name before the blocks, or before the arrow if there are no blocks. */
-function predecessorOf(pieces: readonly Piece[], arrow: number): string | undefined {
+function predecessorOf(pieces: readonly Token[], arrow: number): string | undefined {
 	const block = pieces.findIndex(({ text }) => text === "{");
 	return pieces[(block >= 0 && block < arrow ? block : arrow) - 1]?.text;
 }

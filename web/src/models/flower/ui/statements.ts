@@ -3,11 +3,11 @@
  * (wasm-core/src/models/flower/syntax/reader.cpp).
  */
 import { wordOf } from "../../../grammar_editor/outline";
-import type { Piece } from "../../../grammar_editor/scan";
+import type { Token } from "../../../grammar_editor/scan";
 
 /** Removes comments and normalises the words of statements: `# define` becomes `#define`. */
-export function bare(pieces: readonly Piece[]): Piece[] {
-	const found: Piece[] = [];
+export function bare(pieces: readonly Token[]): Token[] {
+	const found: Token[] = [];
 	for (const piece of pieces) {
 		if (piece.kind === "comment") continue;
 		const before = found.at(-1);
@@ -23,8 +23,8 @@ export function bare(pieces: readonly Piece[]): Piece[] {
  * Splits tokens into statements. A statement continues on the next line inside brackets and where more must follow.
  * @param pieces tokens without comments
  */
-export function statementsOf(pieces: readonly Piece[]): Piece[][] {
-	const statements: Piece[][] = [];
+export function statementsOf(pieces: readonly Token[]): Token[][] {
+	const statements: Token[][] = [];
 	let depth = 0;
 	for (const [i, piece] of pieces.entries()) {
 		const before = pieces[i - 1];
@@ -49,7 +49,7 @@ export function statementsOf(pieces: readonly Piece[]): Piece[][] {
 /**
  * Returns whether each volume's lists have a translation, by `module:volume`, and of each module's axiom by `module:`.
  */
-export function formsOf(statements: readonly (readonly Piece[])[]): Map<string, boolean> {
+export function formsOf(statements: readonly (readonly Token[])[]): Map<string, boolean> {
 	const forms = new Map<string, boolean>();
 	const begun: [module: string, name: string][] = [];
 	let module = "";
@@ -74,7 +74,7 @@ export function formsOf(statements: readonly (readonly Piece[])[]): Map<string, 
 export type Entry = readonly [from: number, to: number];
 
 /** Returns the entries of the list whose bracket opens at a token, and the token behind the list. */
-export function entriesOf(pieces: readonly Piece[], open: number): { entries: Entry[]; end: number } {
+export function entriesOf(pieces: readonly Token[], open: number): { entries: Entry[]; end: number } {
 	const entries: Entry[] = [];
 	let [from, depth] = [open + 1, 0];
 	for (let i = open; i < pieces.length; i++) {

@@ -1,8 +1,8 @@
 /**
  * Finds the numbers in a flower's text that define one volume, with their positions, so that sliders can edit them.
  */
-import { outlineOf, type Range } from "../../../grammar_editor/outline";
-import type { Piece } from "../../../grammar_editor/scan";
+import { type NumberRange, outlineOf } from "../../../grammar_editor/outline";
+import type { Token } from "../../../grammar_editor/scan";
 import { canGrowOnFace } from "./faces";
 import { scan } from "./language";
 import { overridden } from "./overridden";
@@ -17,7 +17,7 @@ export interface NumberToken {
 	readonly to: number;
 	readonly text: string;
 	/** Range of a constant's slider. */
-	readonly range?: Range;
+	readonly range?: NumberRange;
 }
 
 /** Numbers that stand together, under a title. */
@@ -41,7 +41,7 @@ export interface VolumeOrigin {
 
 const FIELDS = ["N", "T", "atx", "aty", "atz", "H", "L", "W", "m"];
 
-type Pieces = readonly Piece[];
+type Pieces = readonly Token[];
 
 /**
  * Returns the numbers of a volume's definition, its production, its module's call, its module's variables, and the

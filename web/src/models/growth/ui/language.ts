@@ -1,12 +1,12 @@
 /** The growth language for the editor (docs/models/growth/language.md). */
 import type { Dialect } from "../../../grammar_editor/dialect";
-import type { Kind, Piece } from "../../../grammar_editor/scan";
+import type { Token, TokenKind } from "../../../grammar_editor/scan";
 
 const PIECE =
 	/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|-->|->|→|"[^"\n]*"?|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\.\p{L}+)?|[<>=!]=|&&|\|\||[\s\S]/gu;
 const STATEMENTS = new Set(["footprint", "tree", "gs", "bud"]);
 
-function kindOf(piece: string, fresh: boolean, before: string): Kind {
+function kindOf(piece: string, fresh: boolean, before: string): TokenKind {
 	if (piece.startsWith("/*")) return "comment";
 	if (/^(?:-->|->|→)$/.test(piece)) return "arrow";
 	if (/^[\d.]/.test(piece) && piece !== ".") return "number";
@@ -19,8 +19,8 @@ function kindOf(piece: string, fresh: boolean, before: string): Kind {
 }
 
 /** Splits a text into tokens, without blanks. */
-function scan(text: string): Piece[] {
-	const pieces: Piece[] = [];
+function scan(text: string): Token[] {
+	const pieces: Token[] = [];
 	let line = 1;
 	let fresh = true;
 	for (const match of text.matchAll(PIECE)) {

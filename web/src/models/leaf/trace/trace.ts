@@ -1,6 +1,6 @@
 /** Traces a picture of a leaf: the points of its outline, and its petiole. Pure; errors have messages for users. */
 import { contourOf, smoothed } from "../../../import/tracing/contour";
-import { type Picture, TraceError } from "../../../import/tracing/picture";
+import { type PixelImage, TraceError } from "../../../import/tracing/picture";
 import { silhouetteOf } from "../../../import/tracing/silhouette";
 import { withoutStalk } from "../../../import/tracing/stalk";
 import { upright } from "../../../import/tracing/upright";
@@ -27,7 +27,7 @@ export interface TracedLeaf {
 }
 
 /** @throws TraceError */
-export function traceLeaf(picture: Picture): TracedLeaf {
+export function traceLeaf(picture: PixelImage): TracedLeaf {
 	const { blade, base, stalk } = withoutStalk(silhouetteOf(picture, "leaf"));
 	const steps = contourOf(blade);
 	const { margin, size } = upright(smoothed(steps, Math.max(1, 0.002 * steps.length)), base);

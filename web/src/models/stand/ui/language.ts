@@ -1,6 +1,6 @@
 /** The plan language as the editor knows it (docs/models/stand/language.md). */
 import type { Dialect } from "../../../grammar_editor/dialect";
-import type { Kind, Piece } from "../../../grammar_editor/scan";
+import type { Token, TokenKind } from "../../../grammar_editor/scan";
 
 const PIECE =
 	/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|"[^"\n]*"?|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\/[\p{L}\p{N}_-]*)?|[\s\S]/gu;
@@ -11,7 +11,7 @@ const ITEMS = new Set(
 	),
 );
 
-function kindOf(piece: string, fresh: boolean): Kind {
+function kindOf(piece: string, fresh: boolean): TokenKind {
 	if (piece.startsWith("/*")) return "comment";
 	if (/^[\d.]/.test(piece) && piece !== ".") return "number";
 	if (piece.startsWith('"')) return "symbol";
@@ -23,8 +23,8 @@ function kindOf(piece: string, fresh: boolean): Kind {
 }
 
 /** Takes a text to pieces, blanks left out. */
-function scan(text: string): Piece[] {
-	const pieces: Piece[] = [];
+function scan(text: string): Token[] {
+	const pieces: Token[] = [];
 	let line = 1;
 	let fresh = true;
 	for (const match of text.matchAll(PIECE)) {

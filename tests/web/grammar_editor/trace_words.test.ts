@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { productionAt } from "../../../web/src/grammar_editor/explain";
-import { drawnBy, drawnIn } from "../../../web/src/grammar_editor/lights";
+import { drawnBy, drawnIn } from "../../../web/src/grammar_editor/lit_parts";
 import { outlineOf } from "../../../web/src/grammar_editor/outline";
 import { CHART_HEIGHT, stepChart } from "../../../web/src/grammar_editor/step_chart";
 import {
@@ -11,7 +11,7 @@ import {
 	moduleInWords,
 	partsOfModule,
 	stepInWords,
-} from "../../../web/src/grammar_editor/told_module";
+} from "../../../web/src/grammar_editor/trace_words";
 import { NOT_DRAWN, type ToldModule } from "../../../web/src/plant/derivation_trace";
 
 const module: ToldModule = {
@@ -51,9 +51,9 @@ describe("a module in words", () => {
 		expect(answerInWords({ asked: ["0.1", "2"], answered: ["0.31", "1"] })).toBe("Asked 0.1, 2 → answered 0.31, 1");
 		expect(answerInWords({ asked: [], answered: ["1"] })).toBe("Asked nothing → answered 1");
 		expect(answerInWords({ answered: ["0", "1", "0"] })).toBe("Was told 0, 1, 0");
-		const { fires, production, chance, ...asked } = module;
+		const { fires, production, chance, ...rest } = module;
 		const answer = { asked: ["1"], answered: ["0"], words: "no room: it overlaps the berry of module 64 by 4.6" };
-		expect(moduleInWords({ ...asked, answer }, true)).toBe(
+		expect(moduleInWords({ ...rest, answer }, true)).toBe(
 			"Asked 1 → answered 0. No room: it overlaps the berry of module 65 by 4.6. The derivation ends here.",
 		);
 	});

@@ -2,9 +2,9 @@ import { describe, expect, it } from "vitest";
 import { complaintOf, takenOf } from "../../../web/src/grammar_editor/constants";
 import { added, frameOf, inText, moved, removed, valueAt } from "../../../web/src/grammar_editor/curve";
 import { difference } from "../../../web/src/grammar_editor/difference";
+import { problemsOf, sameProblems } from "../../../web/src/grammar_editor/reported_problems";
 import { reach, stepped } from "../../../web/src/grammar_editor/scrub";
 import { type GrammarSource, withText } from "../../../web/src/grammar_editor/source";
-import { problemsOf, sameProblems } from "../../../web/src/grammar_editor/told";
 import { specimenFromPreset } from "../bunch";
 
 const number = (text: string) => ({ text, value: Number(text) });

@@ -35,8 +35,8 @@ export function answerInWords({ asked, answered }: ModuleAnswer): string {
 
 /** An answer's words in pieces: plain ones, and modules of the same string that they name, by index. */
 export function piecesOf(words: string): readonly (string | number)[] {
-	const said = words.charAt(0).toUpperCase() + words.slice(1);
-	return said.split(/\bmodule (\d+)/).map((piece, index) => (index % 2 === 1 ? Number(piece) : piece));
+	const sentence = words.charAt(0).toUpperCase() + words.slice(1);
+	return sentence.split(/\bmodule (\d+)/).map((piece, index) => (index % 2 === 1 ? Number(piece) : piece));
 }
 
 /** What becomes of it in the next step. */
@@ -60,7 +60,7 @@ export function moduleInWords(module: ToldModule, isLast: boolean): string {
 		fires
 			? `Rewritten ${isLast ? "where it is drawn" : "next"} by line ${fires.line}${used}${chance ? `, ${chanceInWords(chance)}` : ""}.`
 			: "",
-		answer ? `${answerInWords(answer)}.${answer.words ? ` ${toldInWords(answer.words)}.` : ""}` : "",
+		answer ? `${answerInWords(answer)}.${answer.words ? ` ${describeAnswer(answer.words)}.` : ""}` : "",
 		fateOf(module, isLast),
 		...refusals.map(({ production: { line }, why }) => `Not line ${line}: ${why}.`),
 	]
@@ -69,7 +69,7 @@ export function moduleInWords(module: ToldModule, isLast: boolean): string {
 }
 
 /** Modules are counted from 1 for people. */
-function toldInWords(words: string): string {
+function describeAnswer(words: string): string {
 	return piecesOf(words)
 		.map((piece) => (typeof piece === "number" ? `module ${piece + 1}` : piece))
 		.join("");
