@@ -123,15 +123,21 @@ export default [
 		],
 	},
 	{
-		file: "web/src/element/embed/conversation.ts",
+		file: "web/src/formats/file_options.ts",
 		suites: ["tests/web/element/embed/conversation.test.ts"],
 		faults: [
 			{
 				id: "frame-takes-any-number",
-				find: "given < least || given > most",
-				replace: "given < least",
-				breaks: "a page asks a frame for a million million points",
+				find: "value >= least && value <= most",
+				replace: "value >= least",
+				breaks: "a page requests a million million points of a frame",
 			},
+		],
+	},
+	{
+		file: "web/src/element/embed/conversation.ts",
+		suites: ["tests/web/element/embed/conversation.test.ts"],
+		faults: [
 			{
 				id: "frame-listeners-unlimited",
 				find: "this.#listeners.size >= MOST_LISTENERS",

@@ -74,7 +74,7 @@ describe("what cannot be used", () => {
 		expect(await complaint(["--out", "x.glb", "--form", "lod"])).toBe("--form lod: there are no levels of a bunch");
 		expect(await complaint(["--out", "x.obj", "--form", "web"])).toMatch(/^--form web: only a .glb has forms/);
 		expect(await complaint(["--out", "x.glb", "--triangles", "few"])).toBe(
-			"--triangles few: a whole number from 100 to 10000000",
+			"--triangles few: a whole number from 100 to 2000000",
 		);
 		expect(await complaint(["--out", "nowhere/bunch.glb"])).toBe("--out nowhere/bunch.glb: no such file or folder");
 	});

@@ -121,7 +121,9 @@ describe("files", () => {
 		await expect(toFile(grown, "svg")).rejects.toThrow(
 			"format: there is no svg of a bunch; formats() lists what there is",
 		);
-		await expect(toFile(grown, "ply", { points: -1 })).rejects.toThrow("points: has to be a number from 1 to 2000000");
+		await expect(toFile(grown, "ply", { points: -1 })).rejects.toThrow(
+			"points: has to be a whole number from 1 to 2000000",
+		);
 		const paper = await grow("?v=1&preset=short-conical");
 		await expect(toGLB(paper, { form: "growth" })).rejects.toThrow("format: this bunch has no ages to show");
 		await expect(toGLB(grown, { form: "lod" })).rejects.toThrow("format: this bunch has no levels");

@@ -5,7 +5,7 @@ import { buildCore } from "../core.mjs";
 import { filesIn, isFresh, remember } from "../fresh.mjs";
 import { withLock } from "../lock.mjs";
 import { npm } from "../npm_packages.mjs";
-import { buildFolder, modelFolders, moduleOf, repository } from "../repository.mjs";
+import { buildFolder, moduleNames, moduleOf, repository } from "../repository.mjs";
 import { ToolchainError } from "../toolchain.mjs";
 import { bundlePackage } from "./bundle.mjs";
 import { pagesOf } from "./pages.mjs";
@@ -65,7 +65,7 @@ export async function makePackage() {
 		const tarball = join(place, `${name}-${version}.tgz`);
 		const inputs = [
 			...filesIn("web/src", "wasm-core/tools/package", "package.json", "package-lock.json", "tsconfig.json", ...docs),
-			...modelFolders().map(moduleOf),
+			...moduleNames().map(moduleOf),
 		];
 		if (!isFresh(tarball, stamp, inputs)) {
 			await write(tarball);

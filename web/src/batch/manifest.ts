@@ -3,8 +3,9 @@
  * manifests make the same files, so that one can continue another; series with different manifests must not share a
  * folder.
  */
+
+import type { FileOptions } from "../formats/file_options";
 import { GENERATOR } from "../formats/generator";
-import type { FileOptions } from "../formats/plant_files";
 import { DEFAULT_SEED } from "../specimen/from_preset";
 import { encodeQuery, textsOf } from "../specimen/link";
 import { formatGoal } from "./goals";

@@ -2,7 +2,8 @@
  * A series: many plants of one model that differ in seed and varied parameters; the same on any machine, in any order.
  */
 
-import { type FileOptions, PLANT_FILES } from "../formats/plant_files";
+import type { FileOptions } from "../formats/file_options";
+import { PLANT_FILES } from "../formats/plant_files";
 import type { FileRequest } from "../generate/files/messages";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";

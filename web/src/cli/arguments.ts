@@ -1,6 +1,11 @@
 /** Parses the words of the command line into a call, without reading its values. */
 import { parseArgs } from "node:util";
-import type { FileOptions } from "../formats/plant_files";
+import {
+	type FileOptions,
+	fileOptionRange,
+	isFileOptionValue,
+	type NumericFileOptionKey,
+} from "../formats/file_options";
 import { MOST_TOLD, type TraceRequest } from "../plant/derivation_trace";
 import { BATCH_OPTIONS, type BatchCall, readBatch } from "./batch_arguments";
 import { UsageError } from "./usage";
@@ -61,9 +66,9 @@ export function readArguments(words: readonly string[]): Call {
 		out: last(values.out),
 		form: last(values.form),
 		files: {
-			...countOf("triangles", last(values.triangles), 100, 10_000_000),
-			...numberOf("thickness", last(values.thickness), 0.2, 20),
-			...countOf("points", last(values.points), 1, 10_000_000),
+			...fileOption("triangles", last(values.triangles)),
+			...fileOption("thickness", last(values.thickness)),
+			...fileOption("points", last(values.points)),
 			...(values.translucent ? { translucent: true } : {}),
 			...(values.textures ? { textures: true } : {}),
 		},
@@ -132,11 +137,12 @@ function numberOf<Key extends string>(key: Key, text: string | undefined, least:
 	return { [key]: value } as { [key in Key]: number };
 }
 
-/** @throws UsageError where it is no whole number from `least` to `most` */
-function countOf<Key extends string>(key: Key, text: string | undefined, least: number, most: number) {
-	if (text !== undefined && !/^\s*\d+\s*$/.test(text))
-		throw new UsageError(`--${key} ${text}: a whole number from ${least} to ${most}`);
-	return numberOf(key, text, least, most);
+/** @throws UsageError where the option does not accept it */
+function fileOption(key: NumericFileOptionKey, text: string | undefined): FileOptions {
+	if (text === undefined) return {};
+	const value = text.trim() === "" ? Number.NaN : Number(text);
+	if (!isFileOptionValue(key, value)) throw new UsageError(`--${key} ${text}: ${fileOptionRange(key)}`);
+	return { [key]: value };
 }
 
 function last<Value>(values: readonly Value[] | undefined): Value | undefined {

@@ -1,5 +1,6 @@
 /** Options of files (`--points 5000`): refused where no file uses them, since ignoring them would spoil a series. */
-import { type FileOptions, PLANT_FILES } from "../formats/plant_files";
+import type { FileOptions } from "../formats/file_options";
+import { PLANT_FILES } from "../formats/plant_files";
 import { UsageError } from "./usage";
 
 /**

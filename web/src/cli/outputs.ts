@@ -1,9 +1,10 @@
 /** Files that the command can write for a plant. */
 import { basename, dirname, join } from "node:path";
 import { aboutPlant } from "../formats/about_plant";
+import type { FileOptions } from "../formats/file_options";
 import { writeJson } from "../formats/json";
 import { writeObj } from "../formats/obj";
-import { type FileOptions, type Further, PLANT_FILES, plantFile } from "../formats/plant_files";
+import { type Further, PLANT_FILES, plantFile } from "../formats/plant_files";
 import { swayed } from "../generate/files/swayed";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";

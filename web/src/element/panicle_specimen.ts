@@ -5,7 +5,7 @@
 import type { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
 import { Superseded } from "../core/errors";
-import type { FileOptions } from "../formats/plant_files";
+import type { FileOptions } from "../formats/file_options";
 import { withLink } from "../formats/png_link";
 import { plantInWords } from "../generate/plant_in_words";
 import type { GrowthOptions } from "../models/model";

@@ -2,35 +2,10 @@
 import type { Part } from "../plant/part";
 import type { Sway } from "../plant/sway";
 import type { About } from "./about";
+import type { FileOptions } from "./file_options";
 import type { Aged } from "./growth_glb";
 import { checkMeshBytes, type WrittenInstances } from "./limits";
 import type { Levels } from "./lod_glb";
-
-/** Options of a file; a file ignores those that it does not use. */
-export interface FileOptions {
-	/** The most triangles of the *low* and the *wind* form. */
-	readonly triangles?: number;
-	/**
-	 * Whether light passes through flesh in the *detailed* and the *instanced* form; readers need an extra pass for it.
-	 */
-	readonly translucent?: boolean;
-	/**
-	 * Whether pictures hold colours, shade, roughness and relief in the *detailed* form, in place of vertices and
-	 * materials.
-	 */
-	readonly textures?: boolean;
-	/** The least thickness in files for printers, millimetres. */
-	readonly thickness?: number;
-	/** The number of points of a cloud. */
-	readonly points?: number;
-}
-
-/** Ranges of options with numbers. */
-export const FILE_RANGES = {
-	triangles: [100, 2_000_000],
-	thickness: [0.2, 20],
-	points: [1, 2_000_000],
-} as const satisfies Partial<Record<keyof FileOptions, readonly [least: number, most: number]>>;
 
 /** Further data of a plant, for files that move or have levels of detail. */
 export interface Further {

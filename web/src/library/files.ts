@@ -1,8 +1,13 @@
 /** Files of grown specimens: all that the app's Download and the command line write, except pictures. */
 import { aboutPlant } from "../formats/about_plant";
+import {
+	type FileOptions,
+	fileOptionRange,
+	isFileOptionValue,
+	NUMERIC_FILE_OPTION_KEYS,
+} from "../formats/file_options";
 import { exportJson, type OrganRecord, type SegmentRecord } from "../formats/json";
 import { exportObj } from "../formats/obj";
-import { FILE_RANGES, type FileOptions } from "../formats/plant_files";
 import { hasAges } from "../generate/files/aged";
 import { makeFile } from "../generate/files/make";
 import { modelNamed } from "../models/index";
@@ -192,10 +197,10 @@ export async function partsOf(grown: Grown): Promise<Part[]> {
 }
 
 function checkRanges(options: FileOptions): void {
-	for (const [key, [least, most]] of Object.entries(FILE_RANGES)) {
-		const value = options[key as keyof typeof FILE_RANGES];
-		if (value !== undefined && !(value >= least && value <= most))
-			throw new SpecimenError(key, `has to be a number from ${least} to ${most}`);
+	for (const key of NUMERIC_FILE_OPTION_KEYS) {
+		const value = options[key];
+		if (value !== undefined && !isFileOptionValue(key, value))
+			throw new SpecimenError(key, `has to be ${fileOptionRange(key)}`);
 	}
 }
 

@@ -4,8 +4,8 @@
  * @packageDocumentation
  */
 export { CoreError, type CoreReason, CoreTrap, UnsupportedError } from "../core/errors";
+export type { FileOptions } from "../formats/file_options";
 export type { OrganRecord, SegmentRecord, Vector } from "../formats/json";
-export type { FileOptions } from "../formats/plant_files";
 export type { Colour } from "../plant/colour";
 export type {
 	Chance,

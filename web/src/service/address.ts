@@ -8,7 +8,14 @@
  *   valid: unusable values are brought into range as everywhere, with a note. Texts of a link's fragment, which
  *   browsers do not send to servers, are further keys: `g=…`.
  */
-import { FILE_RANGES, type FileOptions } from "../formats/plant_files";
+import {
+	type FileOptions,
+	fileOptionRange,
+	isFileOptionValue,
+	NUMERIC_FILE_OPTION_KEYS,
+	type NumericFileOptionKey,
+	SWITCH_FILE_OPTIONS,
+} from "../formats/file_options";
 import { isModel, modelNamed } from "../models/index";
 import type { Model } from "../models/model";
 import { decodeLink, modelInQuery } from "../specimen/link";
@@ -136,26 +143,16 @@ function decoded(part: string): string {
 }
 
 function optionsOf(own: ReadonlyMap<FileKey, string | undefined>): FileOptions {
-	const switched = (["translucent", "textures"] as const).flatMap((key) => {
-		const on = readSwitch(key, own.get(key));
-		return on === undefined ? [] : [[key, on]];
-	});
-	return {
-		...readNumber("triangles", own.get("triangles")),
-		...readNumber("thickness", own.get("thickness")),
-		...readNumber("points", own.get("points")),
-		...Object.fromEntries(switched),
-	};
+	const numbers = NUMERIC_FILE_OPTION_KEYS.map((key) => [key, readNumber(key, own.get(key))]);
+	const switches = SWITCH_FILE_OPTIONS.map((key) => [key, readSwitch(key, own.get(key))]);
+	return Object.fromEntries([...numbers, ...switches].filter(([, value]) => value !== undefined));
 }
 
-function readNumber(key: keyof typeof FILE_RANGES, text: string | undefined) {
-	if (text === undefined) return {};
-	const [least, most] = FILE_RANGES[key];
+function readNumber(key: NumericFileOptionKey, text: string | undefined): number | undefined {
+	if (text === undefined) return undefined;
 	const value = /^\d+(\.\d+)?$/.test(text) ? Number(text) : Number.NaN;
-	const whole = key === "thickness" || Number.isInteger(value);
-	if (!whole || !(value >= least && value <= most))
-		throw new Refused(400, `file-${key}: a ${key === "thickness" ? "" : "whole "}number from ${least} to ${most}`);
-	return { [key]: value };
+	if (!isFileOptionValue(key, value)) throw new Refused(400, `file-${key}: ${fileOptionRange(key)}`);
+	return value;
 }
 
 function readSwitch(key: FileKey, text: string | undefined): boolean | undefined {

@@ -65,10 +65,13 @@ describe("what a host page may ask", () => {
 		],
 		[{ method: "open", values: {} }, /^link: a text/],
 		[{ method: "picture", values: { width: 1e6 } }, /^width: 1 to 8192/],
-		[{ method: "file", values: { format: "glb", triangles: "many" } }, /^triangles: a number/],
-		[{ method: "file", values: { format: "stl", thickness: 0.001 } }, /^thickness: 0.2 to 20$/],
-		[{ method: "file", values: { format: "ply", points: 1e12 } }, /^points: 1 to 2000000$/],
-		[{ method: "file", values: { format: "glb-low", triangles: -1 } }, /^triangles: 100 to 2000000$/],
+		[{ method: "file", values: { format: "glb", triangles: "many" } }, /^triangles: a whole number/],
+		[{ method: "file", values: { format: "stl", thickness: 0.001 } }, /^thickness: a number from 0.2 to 20$/],
+		[{ method: "file", values: { format: "ply", points: 1e12 } }, /^points: a whole number from 1 to 2000000$/],
+		[
+			{ method: "file", values: { format: "glb-low", triangles: -1 } },
+			/^triangles: a whole number from 100 to 2000000$/,
+		],
 	])("%j is refused in words", async (message, error) => {
 		const { answers } = await answersTo(message);
 		expect(answers).toEqual(answered({ error: expect.stringMatching(error) }));

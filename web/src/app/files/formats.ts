@@ -1,7 +1,8 @@
 /** What `Download` gives. Files are made in a worker (files/), which is loaded when the first is asked for. */
 
 import { coreAddress } from "../../core/core_address";
-import { type FileOptions, PLANT_FILES } from "../../formats/plant_files";
+import type { FileOptions } from "../../formats/file_options";
+import { PLANT_FILES } from "../../formats/plant_files";
 import { withLink } from "../../formats/png_link";
 import { hasAges } from "../../generate/files/aged";
 import { exportFile } from "../../generate/files/exporter";

@@ -1,5 +1,6 @@
 /** What a person may say of files before choosing one. */
 import { html } from "lit";
+import { NUMERIC_FILE_OPTIONS } from "../../formats/file_options";
 import { LOW_TRIANGLES, THICKNESS } from "../../formats/plant_files";
 import type { DownloadRequest } from "../files/formats";
 
@@ -22,10 +23,10 @@ export function fileSettings(options: Options, changed: (options: Options) => vo
 	return html`<fieldset class="file-settings">
 		<legend>For these files</legend>
 		<label>Triangles, low
-			<input type="number" name="triangles" required min="100" max="10000000" step="1" .value=${String(options.triangles ?? LOW_TRIANGLES)} @change=${number}>
+			<input type="number" name="triangles" required min=${NUMERIC_FILE_OPTIONS.triangles.least} max=${NUMERIC_FILE_OPTIONS.triangles.most} step="1" .value=${String(options.triangles ?? LOW_TRIANGLES)} @change=${number}>
 		</label>
 		<label>Least thickness, printers (mm)
-			<input type="number" name="thickness" required min="0.2" max="20" step="0.1" .value=${String(options.thickness ?? THICKNESS)} @change=${number}>
+			<input type="number" name="thickness" required min=${NUMERIC_FILE_OPTIONS.thickness.least} max=${NUMERIC_FILE_OPTIONS.thickness.most} step="0.1" .value=${String(options.thickness ?? THICKNESS)} @change=${number}>
 		</label>
 		<label>Picture height (px)
 			<input type="number" name="height" min="16" max="8192" step="1" placeholder="as on the page" .value=${String(options.height ?? "")} @change=${number}>

@@ -2,7 +2,12 @@
  * What a host page and the plant in its frame say to each other (docs/embed.md). Every message is looked at before it is heeded; an
  * answer goes to the origin that asked, and to nobody else. Messages of other programs pass without a word.
  */
-import { FILE_RANGES, type FileOptions } from "../../formats/plant_files";
+import {
+	type FileOptions,
+	fileOptionRange,
+	isFileOptionValue,
+	type NumericFileOptionKey,
+} from "../../formats/file_options";
 import type { GrownDetail } from "../grown_detail";
 
 /** In every message of ours. */
@@ -108,9 +113,9 @@ const METHODS: Readonly<Record<string, Method>> = {
 	open: (plant, { link }) => plant.open(text("link", link)),
 	file: (plant, { format, triangles, thickness, points, translucent, textures }) =>
 		plant.toFile(text("format", format), {
-			...ranged("triangles", triangles),
-			...ranged("thickness", thickness),
-			...ranged("points", points),
+			...numericOption("triangles", triangles),
+			...numericOption("thickness", thickness),
+			...numericOption("points", points),
 			...(translucent === true ? { translucent } : {}),
 			...(textures === true ? { textures } : {}),
 		}),
@@ -143,13 +148,11 @@ function number(key: string, value: unknown): number {
 	return value;
 }
 
-/** A number of a file's, where one is given. */
-function ranged(key: keyof typeof FILE_RANGES, value: unknown): FileOptions {
+/** A numeric option of a file, where the message has it. */
+function numericOption(key: NumericFileOptionKey, value: unknown): FileOptions {
 	if (value === undefined) return {};
-	const [least, most] = FILE_RANGES[key];
-	const given = number(key, value);
-	if (given < least || given > most) throw new RequestError(`${key}: ${least} to ${most}`);
-	return { [key]: given };
+	if (!isFileOptionValue(key, value)) throw new RequestError(`${key}: ${fileOptionRange(key)}`);
+	return { [key]: value };
 }
 
 function side(key: string, value: unknown): number {

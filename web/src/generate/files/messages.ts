@@ -1,5 +1,5 @@
 /** Messages between the page and the worker that makes files: one request, one answer. */
-import type { FileOptions } from "../../formats/plant_files";
+import type { FileOptions } from "../../formats/file_options";
 import type { Plant } from "../../plant/plant";
 import type { Specimen } from "../../specimen/specimen";
 
