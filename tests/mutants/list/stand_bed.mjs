@@ -188,8 +188,8 @@ export default [
 			},
 			{
 				id: "stand-rim-has-a-gap",
-				find: "for (let brink = 0; brink < brinks.length; brink++) {",
-				replace: "for (let brink = 1; brink < brinks.length; brink++) {",
+				find: "for (let column = 0; column < edge.length; column++) {",
+				replace: "for (let column = 1; column < edge.length; column++) {",
 				breaks: "the ground's rim is open at a corner",
 			},
 		],

@@ -7,7 +7,7 @@ import { growPlant } from "../../../../web/src/generate/growth";
 import { MemberCache } from "../../../../web/src/generate/members";
 import { modelNamed } from "../../../../web/src/models/index";
 import { model } from "../../../../web/src/models/stand/index";
-import { sortsOf, valuesOf } from "../../../../web/src/models/stand/members";
+import { plantGroups, valuesOf } from "../../../../web/src/models/stand/members";
 import { type PlantRecord, placementsCsv } from "../../../../web/src/models/stand/record";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
@@ -43,7 +43,7 @@ describe("a flowerbed", () => {
 		expect(bed.notes).toEqual([]);
 		// Two lines of poppies and two of daisies are one sort each.
 		expect(bed.counts.kinds).toBe(9);
-		const sorts = sortsOf(bed);
+		const sorts = plantGroups(bed);
 		expect(sorts.map(({ title }) => title).slice(0, 4)).toEqual(["Lily", "Poppy", "Umbel", "Globeflower"]);
 		expect(sorts[1].count).toBe(of("poppy"));
 		expect(sorts.reduce((sum, { count }) => sum + count, 0)).toBe(bed.places.count);

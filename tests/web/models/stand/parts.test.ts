@@ -7,7 +7,7 @@ import { model } from "../../../../web/src/models/stand/index";
 import { titlesOf } from "../../../../web/src/models/stand/members";
 import { STEPS, stepAt } from "../../../../web/src/models/stand/render/level_choice";
 import { firstPlantHit } from "../../../../web/src/models/stand/render/plant_hit";
-import { shadedBall, walks } from "../../../../web/src/models/stand/render/shaded";
+import { isWalking, shadedBall } from "../../../../web/src/models/stand/render/shaded";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { atFront, gazeOf, stepped, turned } from "../../../../web/src/models/stand/walker";
 import { standInWords } from "../../../../web/src/models/stand/words";
@@ -89,7 +89,7 @@ it("a level is chosen by size, and two share the pixels of what is between them"
 	expect(before).toBe(3 * STEPS);
 });
 
-it("who walks stays on the ground, at eye height over it, and looks where they turn", () => {
+it("who isWalking stays on the ground, at eye height over it, and looks where they turn", () => {
 	let pose = { ...atFront(stand), x: 0 };
 	for (let i = 0; i < 100; i++) pose = stepped(pose, "forward", stand);
 	expect([pose.x, pose.z]).toEqual([0, -5]);
@@ -135,12 +135,12 @@ it("the caption tells those that stand from what they bear, the map calls kinds 
 	expect(titlesOf({ ...stand, kinds, members: [] })[0]).toBe("Long conical");
 });
 
-it("shadows are drawn of all, and for who walks of what is ahead, by steps", () => {
+it("shadows are drawn of all, and for who isWalking of what is ahead, by steps", () => {
 	const wide = { ...stand, ground: { width: 200, depth: 200, relief: 0 }, meshes: [] };
 	const whole = { centre: new Vector3(), radius: 150 };
 	const ahead = new Vector3(0, 0, -1);
 	const at = (x: number, y: number, z: number) => shadedBall(wide, whole, new Vector3(x, y, z), ahead);
-	expect([walks(wide, new Vector3(0, 30, 0)), walks(wide, new Vector3(99, 1.65, 0))]).toEqual([false, true]);
+	expect([isWalking(wide, new Vector3(0, 30, 0)), isWalking(wide, new Vector3(99, 1.65, 0))]).toEqual([false, true]);
 	expect(at(0, 30, 0)).toBe(whole);
 	expect(at(0, 1.65, 101)).toBe(whole);
 	const { centre, radius } = at(0, 1.65, 0);

@@ -1,4 +1,4 @@
-/** A stand on the stage: its light, as who turns it and who walks in it have it. */
+/** A stand on the stage: its light, as who turns it and who isWalking in it have it. */
 import { BatchedMesh, Group, type Mesh, type Object3D, PerspectiveCamera, type Vector4 } from "three";
 import { afterEach, expect, it, vi } from "vitest";
 import { StandRenderer } from "../../../../web/src/models/stand/render/stand_renderer";

@@ -1,9 +1,12 @@
-/** What lays soil over a stand's ground, fetched with the first stand: the page that lists all models does without. */
+/**
+ * Loads the function that builds the soil of a stand with the first stand, so that pages without stands do not load
+ * it.
+ */
 type BuildSoil = typeof import("./soil").soilOf;
 
 let buildSoil: BuildSoil | undefined;
 
-/** Undefined where it is there. */
+/** Loads the function; undefined where it is loaded. */
 export function fetchSoil(): Promise<void> | undefined {
 	if (buildSoil) return undefined;
 	return import("./soil").then(({ soilOf }) => {

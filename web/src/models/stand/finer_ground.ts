@@ -1,11 +1,11 @@
-/** The ground's surface of more cells: mottles have to show on a bed, too. Pure. */
+/** Subdivides the ground's mesh, so that mottles are visible on a small bed too. Pure. */
 import type { PartMesh } from "../../plant/part";
 import { between, type GroundGrid, gridOf } from "./ground_grid";
 
-/** Cells along a side, at the least. */
+/** Least number of cells along a side. */
 const FEWEST = 28;
 
-/** A ground's mesh, and what grid it is. */
+/** A ground's mesh with the size of its grid. */
 export interface Ground {
 	readonly mesh: PartMesh;
 	readonly grid: GroundGrid;
@@ -13,7 +13,7 @@ export interface Ground {
 
 const finely = (cells: number): number => cells * Math.ceil(FEWEST / cells);
 
-/** @param mesh as the core lays it */
+/** @param mesh the mesh from the core */
 export function finerGround(mesh: PartMesh): Ground {
 	const coarse = gridOf(mesh);
 	const grid = { across: finely(coarse.across), deep: finely(coarse.deep) };

@@ -1,14 +1,14 @@
-/** The ground as the core lays it: a grid that is evenly spaced, row by row from the back; and what is between its places. Pure. */
+/** The core's mesh of the ground: a regular grid, row by row from the back, with interpolation. Pure. */
 import { clamp } from "../../plant/colour";
 import type { PartMesh } from "../../plant/part";
 
-/** The part of a stand that its ground is: its size in metres, and its mesh, the first of all. */
+/** The ground of a stand: its size in metres, and its mesh, which is the first one. */
 export interface GroundSurface {
 	readonly ground: { readonly width: number; readonly depth: number };
 	readonly meshes: readonly Pick<PartMesh, "positions">[];
 }
 
-/** How many cells it has along each side. */
+/** Number of cells along each side. */
 export interface GroundGrid {
 	readonly across: number;
 	readonly deep: number;
@@ -21,9 +21,10 @@ export function gridOf({ positions }: Pick<PartMesh, "positions">): GroundGrid {
 }
 
 /**
- * One of the numbers that each place of a grid has, between the four about there.
- * @param of `parts` × places
- * @param u cells from the left, and `v` from the back
+ * Interpolates one column of a grid bilinearly.
+ * @param of `parts` × vertices
+ * @param u cells from the left
+ * @param v cells from the back
  */
 export function between(
 	{ across, deep }: GroundGrid,
@@ -39,7 +40,7 @@ export function between(
 	return near + (v - j) * (far - near);
 }
 
-/** How high the ground is there, metres; beside it, as at its edge. */
+/** Height of the ground at a point, metres; beyond the ground, the height at its edge. */
 export function heightAt({ ground, meshes }: GroundSurface, x: number, z: number): number {
 	const [mesh] = meshes;
 	if (!mesh) return 0;

@@ -1,11 +1,11 @@
 /**
- * Where what hangs at organs of its bearer (`at bunch`) is: the plan lays it before anything grows, and learns from its parent, once that
- * has grown, where those organs are.
+ * Positions of plants that hang at organs of their parent (`at bunch`). The plan lists these plants before anything
+ * has grown; the positions of the organs are known when the parent has grown.
  */
 import type { Member } from "../model";
 import type { Places, StandPlant } from "./stand_plant";
 
-/** Of each kind that bears such, by its number, the tags of the organs. */
+/** Tags of the requested organs, by the index of the parent's kind. */
 export function spotsWanted({ kinds, places }: StandPlant): Map<number, Set<string>> {
 	const wanted = new Map<number, Set<string>>();
 	if (kinds.every(({ spot }) => spot === "")) return wanted;
@@ -19,8 +19,8 @@ export function spotsWanted({ kinds, places }: StandPlant): Map<number, Set<stri
 }
 
 /**
- * A stand with all that hangs at organs where these are, spread evenly over them; left out is what finds none free, and while its bearer
- * has not grown. Such a stand stays as it is when this is done again.
+ * Places hanging plants at the organs of their parents, evenly spread. Plants without a free organ, and those whose
+ * parent has not grown, are left out. Idempotent.
  */
 export function placeHanging(stand: StandPlant): StandPlant {
 	const { kinds, places } = stand;
@@ -52,7 +52,7 @@ export function placeHanging(stand: StandPlant): StandPlant {
 	return withoutUnplaced(stand, moved, attached, full);
 }
 
-/** How many from a plant on hang on one bearer and are of one kind. */
+/** Number of successive plants of the same kind and parent. */
 function siblingCount({ kind, parent, count }: Places, plant: number): number {
 	let end = plant + 1;
 	if (parent[plant] < 0) return 1;
@@ -63,7 +63,7 @@ function siblingCount({ kind, parent, count }: Places, plant: number): number {
 const NONE = new Float32Array(0);
 const spotsOf = ({ spots }: Member, tag: string): Float32Array => spots?.[tag] ?? NONE;
 
-/** A place on a plant, where that stands. */
+/** Transforms a point on a plant to the stand. */
 function positionOn({ at, scale, turn }: Places, plant: number, [x, y, z]: Float32Array): [number, number, number] {
 	const [size, angle] = [scale[plant], (turn[plant] * Math.PI) / 180];
 	const [cosine, sine] = [size * Math.cos(angle), size * Math.sin(angle)];
@@ -71,7 +71,10 @@ function positionOn({ at, scale, turn }: Places, plant: number, [x, y, z]: Float
 	return [footX + cosine * x - sine * z, footY + size * y, footZ + sine * x + cosine * z];
 }
 
-/** The stand with those of its plants alone; what bears stands before what it bears, and all of it stays. */
+/**
+ * The stand with only the plants in `attached`. Parents come before the plants attached to them, and are never left
+ * out.
+ */
 function withoutUnplaced(stand: StandPlant, places: Places, attached: readonly number[], full: number): StandPlant {
 	const rows = <A extends Float32Array | Uint32Array | Int32Array>(from: A): A => {
 		const width = from.length / places.count;

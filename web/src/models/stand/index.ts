@@ -1,4 +1,4 @@
-/** Stands of many plants over a ground: docs/models/stand/stand.md. */
+/** The model of stands of many plants on a ground: docs/models/stand/stand.md. */
 import { titledBy } from "../../specimen/preset_texts";
 import { writeTextFile } from "../../specimen/text_file";
 import type { PageModel } from "../page_model";
@@ -27,7 +27,7 @@ export const model = {
 	encode: encodeStand,
 	read: readStand,
 	members: standMembers,
-	// Its crowd sways in the view; a file of thousands of swaying plants would be too large for anyone.
+	// The view animates its plants; a file with thousands of animated plants would be too large.
 	still: "in files",
 	parts: standParts,
 	instanced: ({ members, memberOf }) => members.length < memberOf.length,

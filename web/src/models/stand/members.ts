@@ -1,4 +1,4 @@
-/** What grows in a stand: each plant's own specimen. */
+/** The specimens that grow in a stand. */
 import { shortFloat } from "../../formats/numbers";
 import type { Member, MemberRequest, Members, TextPosition } from "../model";
 import { placeHanging, spotsWanted } from "./hanging";
@@ -6,7 +6,7 @@ import type { StandPlant } from "./stand_plant";
 
 const AROUND = 16;
 
-/** The values of a plant by their keys; numbers to four digits, as they are also told. */
+/** The settings of a plant by key; numbers with four significant digits, as displayed. */
 export function valuesOf({ kinds, places }: StandPlant, plant: number): Record<string, number | string> {
 	const { settings } = kinds[places.kind[plant]];
 	return Object.fromEntries(
@@ -17,7 +17,7 @@ export function valuesOf({ kinds, places }: StandPlant, plant: number): Record<s
 	);
 }
 
-/** What each kind is called: by its preset's title, once one of it has grown; till then by its name in the plan. */
+/** Titles of the kinds: the preset's title when a plant of the kind has grown, before that the name in the plan. */
 export function titlesOf({ kinds, places, memberOf, members }: StandPlant): readonly string[] {
 	const titles = kinds.map(({ preset }) => preset.charAt(0).toUpperCase() + preset.slice(1).replaceAll("-", " "));
 	for (const [plant, member] of memberOf.entries()) {
@@ -27,31 +27,31 @@ export function titlesOf({ kinds, places, memberOf, members }: StandPlant): read
 	return titles;
 }
 
-/** What grows there: lines of the plan that name the same are one. */
-export interface Sort {
+/** Plants of the same name; several lines of a plan may have the same name. */
+export interface PlantGroup {
 	readonly title: string;
-	/** The first of its kinds. */
+	/** Index of the first kind. */
 	readonly kind: number;
-	/** How many plants. */
+	/** Number of plants. */
 	readonly count: number;
 }
 
-/** Of each kind the first that is called the same. */
-export function firstAlike({ kinds }: Pick<StandPlant, "kinds">): readonly number[] {
+/** By kind, the first kind of the same name. */
+export function firstOfSameName({ kinds }: Pick<StandPlant, "kinds">): readonly number[] {
 	const names = kinds.map(({ name }) => name);
 	return names.map((name) => names.indexOf(name));
 }
 
-/** What grows there, in the order of the plan. */
-export function sortsOf(stand: StandPlant): readonly Sort[] {
+/** The groups of plants in the order of the plan. */
+export function plantGroups(stand: StandPlant): readonly PlantGroup[] {
 	const counts = stand.kinds.map(() => 0);
-	const first = firstAlike(stand);
+	const first = firstOfSameName(stand);
 	for (const kind of stand.places.kind) counts[first[kind]]++;
 	const titles = titlesOf(stand);
 	return [...new Set(first)].map((kind) => ({ title: titles[kind], kind, count: counts[kind] }));
 }
 
-/** What is to be grown for one plant, and where the organs of it are at which others hang. */
+/** The request for one plant, with the tags of organs at which other plants hang. */
 export function requestOf(stand: StandPlant, plant: number, wanted = spotsWanted(stand)): MemberRequest {
 	const { kinds, places } = stand;
 	const { model, preset, place, settings, seeds } = kinds[places.kind[plant]];
@@ -67,12 +67,12 @@ export function requestOf(stand: StandPlant, plant: number, wanted = spotsWanted
 		place,
 		places: spots,
 		...(tags ? { spots: [...tags] } : {}),
-		// What is many is the same wherever it stands.
+		// Members that several plants share do not depend on their surroundings.
 		...(alone ? {} : { surroundings: Array.from(around, shortFloat) }),
 	};
 }
 
-/** The first plant that each member is. */
+/** The first plant of each member. */
 export function firstOf({ memberOf }: StandPlant): number[] {
 	const first: number[] = [];
 	for (const [plant, member] of memberOf.entries()) if (member === first.length) first.push(plant);
@@ -88,7 +88,7 @@ export const standMembers: Members<StandPlant> = {
 		const grown = members.filter((member) => member !== undefined);
 		if (grown.length === members.length)
 			return placeHanging({ ...stand, members, fingerprint: fingerprintOf(stand, grown) });
-		// It may stay as it is, where someone cancels.
+		// The note may stay where the user cancels.
 		const note = `Only ${grown.length} of ${members.length} different plants have grown.`;
 		return placeHanging({ ...stand, members, notes: [...stand.notes, note] });
 	},
@@ -97,7 +97,7 @@ export const standMembers: Members<StandPlant> = {
 const PRIME = 1099511628211n;
 const WORD = 0xffffffffn;
 
-/** Over the placements' and all members', as docs/fingerprint.md has it: the low word of each, then the high one. */
+/** Fingerprint of the placements and all members (docs/fingerprint.md): the low word of each, then the high word. */
 function fingerprintOf({ fingerprint }: StandPlant, members: readonly Member[]): string {
 	let state = 14695981039346656037n;
 	for (const each of [fingerprint, ...members.map((member) => member.fingerprint)]) {

@@ -1,4 +1,4 @@
-/** A stand in parts: the ground, and each member at the places where it stands, at the level that files are to have. */
+/** The parts of a stand: the ground, and the members as instances, at the level of detail for files. */
 import { linear } from "../../plant/colour";
 import type { Material } from "../../plant/material";
 import { unpacked } from "../../plant/packed_mesh";
@@ -8,7 +8,7 @@ import type { Soil } from "./soil";
 import type { StandSpecimen } from "./specimen";
 import type { StandPlant } from "./stand_plant";
 
-/** More plants of one member than these have no names of their own. */
+/** Most plants of one member with individual names. */
 const MOST_NAMED = 300;
 
 function groundMaterial({ look }: StandSpecimen): Material {
@@ -25,7 +25,7 @@ function tinted({ mesh, light }: Soil, { look }: StandSpecimen): PartMesh {
 const WOOD: Material = { name: "Post", colour: linear("8d7c66"), roughness: 0.95 };
 const METAL: Material = { name: "Wire", colour: linear("8f9394"), roughness: 0.45 };
 
-/** What stands there that does not grow: the ground, and posts and wires of a trellis. */
+/** Parts that do not grow: the ground, and a trellis's posts and wires. */
 export function groundParts({ meshes, soil }: StandPlant, specimen: StandSpecimen): Part[] {
 	return meshes.map((mesh) => {
 		if (mesh.material === "wood") return { name: "Posts", shape: { mesh, material: WOOD } };
@@ -41,7 +41,7 @@ export function* standParts(stand: StandPlant, specimen: StandSpecimen): Generat
 	yield* groundParts(stand, specimen);
 	const plants = plantsOf(stand);
 	for (const [index, member] of stand.members.entries()) {
-		// What found no place on its bearer may have been the only one of its kind.
+		// A plant without a free organ may have been the only one of its member.
 		if (!member || member.levels.length === 0 || !plants[index]) continue;
 		const level = member.levels[Math.min(specimen.look.detail, member.levels.length - 1)];
 		const { name } = stand.kinds[stand.places.kind[plants[index][0]]];
@@ -49,7 +49,7 @@ export function* standParts(stand: StandPlant, specimen: StandSpecimen): Generat
 	}
 }
 
-/** The plants that each member is. */
+/** Plants by member. */
 export function plantsOf({ memberOf }: StandPlant): number[][] {
 	const plants: number[][] = [];
 	for (const [plant, member] of memberOf.entries()) {

@@ -1,4 +1,4 @@
-/** What the JSON document and tables say of a stand: a plant each. */
+/** Records of a stand for the JSON document and for tables: one per plant. */
 import { type Cell, writeCsv } from "../../formats/csv";
 import { shortFloat } from "../../formats/numbers";
 import type { Member } from "../model";
@@ -11,20 +11,20 @@ export interface PlantRecord {
 	model: string;
 	preset: string;
 	seed: number;
-	/** Metres. */
+	/** Position, metres. */
 	x: number;
 	y: number;
 	z: number;
 	scale: number;
-	/** Of its x axis, degrees from +x to +z. */
+	/** Direction of its x axis, degrees from +x to +z. */
 	turn: number;
-	/** What of its preset is set otherwise, by key. */
+	/** Settings that differ from the preset, by key. */
 	values: Record<string, number | string>;
-	/** The plant that bears it, where one does. */
+	/** Index of the plant that this one is attached to; absent where there is none. */
 	bearer?: number;
-	/** 16 hexadecimal digits; absent before it has grown. */
+	/** 16 hexadecimal digits; absent before the plant has grown. */
 	fingerprint?: string;
-	/** Query and fragment that grow it by itself, with what its neighbours leave it; absent before it has grown. */
+	/** Query and fragment that grow the plant alone, with its surroundings; absent before it has grown. */
 	link?: string;
 }
 
@@ -59,7 +59,7 @@ function plantsIn(stand: StandPlant): PlantRecord[] {
 	});
 }
 
-/** What was drawn, as the plant has taken it: whole numbers are no others, and nothing is beyond its range. */
+/** Values as used by the plant: rounded to integers where required and clamped to their ranges. */
 function grownWith(values: PlantRecord["values"], member: Member | undefined): PlantRecord["values"] {
 	const taken: Readonly<Record<string, unknown>> = member?.specimen.parameters ?? {};
 	const each = ([key, value]: [string, number | string]) => {
@@ -69,7 +69,7 @@ function grownWith(values: PlantRecord["values"], member: Member | undefined): P
 	return Object.fromEntries(Object.entries(values).map(each));
 }
 
-/** One row a plant; each says of which stand it is, so that tables can be put one below the other. */
+/** Table with one row per plant; each row names the stand, so that tables can be concatenated. */
 export function placementsCsv(stand: StandPlant, { preset: plan, seed: own }: StandSpecimen): string {
 	const keys = [...new Set(stand.kinds.flatMap(({ settings }) => settings.map(({ key }) => key)))];
 	const header = [

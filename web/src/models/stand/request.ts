@@ -1,4 +1,4 @@
-/** Specimen → the blocks of a request, as wasm-core/src/models/stand/model.hpp lists them. */
+/** Encodes a specimen as the blocks of a request (wasm-core/src/models/stand/model.hpp). */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
 import type { GrowthOptions } from "../model";
@@ -6,7 +6,7 @@ import type { StandSpecimen } from "./specimen";
 import { STAND_TABLE } from "./table";
 import { fetchedText } from "./texts";
 
-/** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
+/** @throws CoreError where the preset's text has not been fetched, or a parameter is not a number */
 export function encodeStand(specimen: StandSpecimen, options: GrowthOptions = {}): Block[] {
 	const { meshes = true, preview = false } = options;
 	const { measures = !preview } = options;

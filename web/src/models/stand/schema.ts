@@ -1,4 +1,4 @@
-/** The document's side of the model: its table, its presets, and what a specimen of it holds besides. */
+/** The schema of stand documents: table, presets and the plan. */
 import { grammarText } from "../../specimen/grammar_text";
 import type { ModelSchema } from "../../specimen/model_schema";
 import { Presets } from "../../specimen/presets";
@@ -6,10 +6,10 @@ import { PRESET_KINDS, PRESETS } from "./presets.generated";
 import type { StandSpecimen } from "./specimen";
 import { STAND_TABLE } from "./table";
 
-/** The preset a link without `preset` means. */
+/** The preset of links without `preset`. */
 export const DEFAULT_PRESET = "ecosystem-500";
 
-/** What begins a line of a plan: an L-system may call a symbol so, but has an axiom. */
+/** Start of a statement of a plan. A symbol of an L-system may have the same name, but an L-system has an axiom. */
 const OWN = /^[ \t]*plants[ \t]*[\d,]/m;
 const AXIOM = /^[ \t]*axiom[ \t]*:/im;
 

@@ -1,26 +1,26 @@
-/** The ground as it is drawn and written: of fine cells (finer_ground.ts), ending in a rim (rim.ts), and mottled. Pure. */
+/** The ground for display and files: subdivided (finer_ground.ts), with a rim (rim.ts), and mottled. Pure. */
 import { hashFraction, noise } from "../../plant/noise";
 import type { PartMesh } from "../../plant/part";
 import { finerGround } from "./finer_ground";
-import { rimmed } from "./rim";
+import { withRim } from "./rim";
 
-/** Mottles to the shorter side, and how much lighter and darker they are. */
+/** Mottles along the shorter side, and their contrast. */
 const MOTTLES = 9;
 const CONTRAST = 0.6;
 
 export interface Soil {
 	readonly mesh: PartMesh;
-	/** How light each vertex is, times the ground's colour. */
+	/** Factor of the ground's colour at each vertex. */
 	readonly light: Float32Array;
-	/** How far out in the rim each vertex is: 0 on the ground, 1 where all ends. */
+	/** Distance of each vertex into the rim: 0 on the ground, 1 at the outer end. */
 	readonly rim: Float32Array;
 }
 
-/** @param mesh as the core lays it */
+/** @param mesh the ground's mesh from the core */
 export function soilOf(mesh: PartMesh): Soil {
 	const [x, , z] = mesh.positions;
 	const short = Math.min(-2 * x, -2 * z);
-	const { mesh: made, rim } = rimmed(finerGround(mesh), short);
+	const { mesh: made, rim } = withRim(finerGround(mesh), short);
 	return { mesh: { ...mesh, ...made }, light: mottled(made.positions, short), rim };
 }
 

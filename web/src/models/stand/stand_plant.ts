@@ -1,4 +1,4 @@
-/** Columns of an answer → a stand (wasm-core/src/models/stand/model.hpp). */
+/** Reads a stand from the columns of a response (wasm-core/src/models/stand/model.hpp). */
 import type { Columns } from "../../core/container";
 import type { Answer } from "../../core/core";
 import { EMPTY_PLANT, type Plant } from "../../plant/plant";
@@ -7,65 +7,65 @@ import type { Member, TextPosition } from "../model";
 import { fetchedSoil } from "./fetched_soil";
 import type { Soil } from "./soil";
 
-/** A parameter that a line sets. */
+/** A parameter that a line of the plan sets. */
 export interface Setting {
 	readonly key: string;
-	/** What it is set to; empty where that is a number, drawn for each plant. */
+	/** The option; empty for a number that is drawn for each plant. */
 	readonly word: string;
 	readonly place: TextPosition;
 }
 
-/** A line of what grows. */
+/** A kind of plant: a line of the plan. */
 export interface Kind {
 	/** `growth/oak`. */
 	readonly name: string;
 	readonly model: string;
 	readonly preset: string;
 	readonly place: TextPosition;
-	/** How many different ones there are; 0: as many as plants. */
+	/** Number of different specimens; 0: one per plant. */
 	readonly seeds: number;
-	/** At which of its bearer's organs it hangs, by their tag; empty where the plan says where. */
+	/** Tag of the parent's organs at which the kind hangs; empty where the plan gives positions. */
 	readonly spot: string;
-	/** At scale 1, metres. */
+	/** Size of the crown at scale 1, metres. */
 	readonly crown: { readonly width: number; readonly height: number };
 	readonly settings: readonly Setting[];
 }
 
-/** Where plants stand, an element each; those that others bear behind all others. */
+/** Placements of plants, one element per plant; attached plants come after all others. */
 export interface Places {
 	readonly count: number;
 	readonly kind: Uint32Array;
 	readonly seed: Uint32Array;
-	/** The plant that bears it, −1 of those that stand. */
+	/** Index of the plant that each one is attached to; −1 for plants on the ground. */
 	readonly parent: Int32Array;
-	/** 3 × count, metres. */
+	/** Positions, 3 × count, metres. */
 	readonly at: Float32Array;
 	readonly scale: Float32Array;
-	/** Of its x axis, degrees from +x to +z. */
+	/** Directions of the x axes, degrees from +x to +z. */
 	readonly turn: Float32Array;
-	/** `width` × count: what was drawn for the settings of its kind, in their order. */
+	/** `width` × count: values drawn for the settings of the plant's kind, in their order. */
 	readonly values: Float32Array;
 	readonly width: number;
-	/** 16 × count. */
+	/** Surroundings, 16 × count (specimen/surroundings.ts). */
 	readonly surroundings: Float32Array;
-	/** 8 × count: place, rotation as a unit quaternion x y z w, scale. */
+	/** 8 × count: position, rotation as a unit quaternion x y z w, scale. */
 	readonly transforms: Float32Array;
 }
 
 export interface StandPlant extends Plant {
 	readonly kinds: readonly Kind[];
 	readonly places: Places;
-	/** Metres. */
+	/** Size of the ground, metres. */
 	readonly ground: { readonly width: number; readonly depth: number; readonly relief: number };
-	/** What lies on the ground, where it was grown with meshes. */
+	/** Soil for display, where the stand was grown with meshes. */
 	readonly soil?: Soil;
-	/** Of each plant the member that it is: those of one seed are one. */
+	/** Index of each plant's member; plants of one kind and seed share a member. */
 	readonly memberOf: Uint32Array;
-	/** What grows there, as far as it has grown. */
+	/** Members; undefined those that have not grown yet. */
 	readonly members: readonly (Member | undefined)[];
 }
 
-/** The stand is there all the same, but elsewhere its link has another ground. */
+/** Note where the soil could not be loaded: the same link shows another ground elsewhere. */
 const BARE =
 	"What lays soil over the ground could not be fetched: the ground is of one colour and ends at a straight edge.";
 
@@ -94,7 +94,7 @@ export function readStand(answer: Answer): StandPlant {
 		...plant,
 		...(soil ? { soil } : {}),
 		notes: mesh && !soil ? [...plant.notes, BARE] : plant.notes,
-		// Placements are told as plants.
+		// Plants take the place of organs.
 		organs: EMPTY_PLANT.organs,
 		kinds,
 		places,
@@ -108,7 +108,7 @@ function readKinds(columns: Columns): Kind[] {
 	const crown = columns.floats("kinds.crown");
 	const places = columns.uint32("kinds.place");
 	const seeds = columns.uint32("kinds.seeds");
-	// Empty lines mean something here, and in what is set.
+	// Empty lines are significant here and in the settings.
 	const spots = columns.text("kinds.spot").split("\n");
 	const settings = readSettings(columns);
 	return columns.lines("kinds.names").map((name, i) => {
@@ -136,7 +136,10 @@ function readSettings(columns: Columns): (Setting & { kind: number })[] {
 
 const placeAt = (places: Uint32Array, i: number): TextPosition => ({ line: places[2 * i], column: places[2 * i + 1] });
 
-/** A member is told by its line and its seed, where the line says how many seeds there are; else each plant is one. */
+/**
+ * Assigns members: plants of one kind and seed share a member where the line limits the number of seeds; else each
+ * plant has its own.
+ */
 function membersOf(kinds: readonly Kind[], { count, kind, seed }: Places): Uint32Array {
 	const known = new Map<string, number>();
 	let members = 0;

@@ -1,47 +1,53 @@
-/** Someone who walks over a stand's ground: where they stand and which way they look. Pure. */
+/** A walker on a stand's ground: position and view direction. Pure. */
 import { heightAt } from "./ground_grid";
 import type { StandPlant } from "./stand_plant";
 
 export interface Pose {
-	/** Metres. */
+	/** Position, metres. */
 	readonly x: number;
 	readonly z: number;
-	/** Where they look: degrees from −z to +x, and above the horizon. */
+	/** View direction: degrees from −z to +x, and above the horizon. */
 	readonly yaw: number;
 	readonly pitch: number;
 }
 
 export type Step = "forward" | "back" | "left" | "right" | "turn left" | "turn right" | "look up" | "look down";
 
-/** Degrees of a step that turns. */
+/** Rotation of a step, degrees. */
 const TURN = 12;
 const TILT = 8;
 const STEEPEST = 60;
-/** Eyes are so high, metres; over a bed no larger than a table it is that of who kneels there. */
+/**
+ * Eye height, metres, and its limit as a share of the ground's longer side: over a small bed, that of a kneeling
+ * person.
+ */
 const EYE = 1.65;
 const SHARE = 0.05;
 
-/** Who enters stands there, as a share of the ground's depth before its middle, and looks for a place along so much of its width. */
+/**
+ * Start position: distance before the ground's centre, as a share of its depth, and the range of candidates, as a
+ * share of its width.
+ */
 const FRONT = 0.48;
 const ALONG = 0.8;
 const PLACES = 40;
-/** Nobody minds a crown that is further off, metres. */
+/** Distance from the nearest crown that suffices, metres. */
 const CLEAR = 3;
 
 type Grounded = Pick<StandPlant, "ground" | "meshes">;
 
-/** How high eyes are over a ground. */
+/** Eye height over a ground. */
 export function eyeHeight({ ground }: Pick<StandPlant, "ground">): number {
 	return Math.min(EYE, SHARE * Math.max(ground.width, ground.depth));
 }
 
-/** At the front of the ground, looking over it, where crowns leave room: as near to the middle as there is enough of it. */
+/** A start at the front of the ground with enough room between crowns, as close to the middle as possible. */
 export function atFront(stand: Pick<StandPlant, "ground" | "places" | "kinds">): Pose {
 	const { width, depth } = stand.ground;
 	const z = FRONT * depth;
 	let best = { x: 0, room: Number.NEGATIVE_INFINITY };
 	for (let i = 0; i <= PLACES; i++) {
-		// From the middle outwards, to and fro.
+		// From the middle outwards, alternating sides.
 		const x = ((i % 2 === 0 ? 0.5 : -0.5) * ALONG * width * Math.ceil(i / 2) * 2) / PLACES;
 		const room = Math.min(CLEAR, roomAt(stand, x, z));
 		if (room > best.room) best = { x, room };
@@ -49,7 +55,7 @@ export function atFront(stand: Pick<StandPlant, "ground" | "places" | "kinds">):
 	return { x: best.x, z, yaw: 0, pitch: 0 };
 }
 
-/** Metres to the nearest crown of those that stand; less than 0 within one. */
+/** Distance to the nearest crown on the ground, metres; negative inside a crown. */
 function roomAt({ kinds, places }: Pick<StandPlant, "places" | "kinds">, x: number, z: number): number {
 	let room = Number.POSITIVE_INFINITY;
 	for (let plant = 0; plant < places.count; plant++) {
@@ -60,7 +66,7 @@ function roomAt({ kinds, places }: Pick<StandPlant, "places" | "kinds">, x: numb
 	return room;
 }
 
-/** One step on: half as long as the walker is high; nobody leaves the ground. */
+/** One step: half the eye height long, within the ground. */
 export function stepped(pose: Pose, step: Step, stand: Pick<StandPlant, "ground">): Pose {
 	if (step === "turn left" || step === "turn right")
 		return { ...pose, yaw: pose.yaw + (step === "turn left" ? -TURN : TURN) };
@@ -76,12 +82,12 @@ export function stepped(pose: Pose, step: Step, stand: Pick<StandPlant, "ground"
 	};
 }
 
-/** Turned by degrees to the right, and up. */
+/** Rotates by degrees to the right and up. */
 export function turned(pose: Pose, right: number, up: number): Pose {
 	return { ...pose, yaw: pose.yaw + right, pitch: Math.min(STEEPEST, Math.max(-STEEPEST, pose.pitch + up)) };
 }
 
-/** Where the eye is, and what it looks at. */
+/** Position of the eye, and the point that it looks at. */
 export function gazeOf(pose: Pose, stand: Grounded) {
 	const y = heightAt(stand, pose.x, pose.z) + eyeHeight(stand);
 	const [yaw, pitch] = [(pose.yaw * Math.PI) / 180, (pose.pitch * Math.PI) / 180];

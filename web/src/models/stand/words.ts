@@ -1,8 +1,8 @@
-/** A stand in a few plain words: for the caption, the picture's description and the screen reader. */
+/** Describes a stand in a few words, for captions, descriptions of pictures and screen readers. */
 import { countInWords } from "../../plant/in_words";
 import type { StandPlant } from "./stand_plant";
 
-/** "2,000 plants of 4 kinds on 150 × 150 m"; "147 plants and 588 borne, of 2 kinds on 80 × 60 m". */
+/** "2,000 plants of 4 kinds on 150 × 150 m"; attached plants are counted separately. */
 export function standInWords({ counts, ground, members, places }: StandPlant): string {
 	const grown = members.filter(Boolean).length;
 	const attached = places.parent.reduce((sum, parent) => sum + Number(parent >= 0), 0);

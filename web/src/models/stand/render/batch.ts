@@ -1,4 +1,4 @@
-/** Many meshes of one finish in one draw: the plants of a stand that came together. */
+/** Draws many meshes of one finish in one draw call: plants of a stand that arrived together. */
 import {
 	BatchedMesh,
 	BufferAttribute,
@@ -13,13 +13,13 @@ import type { PackedMesh } from "../../../plant/packed_mesh";
 import { EDGE_NORMAL_SIZE, edgeNormalsOf } from "./edge_normals";
 import { STEPS } from "./level_choice";
 
-/** A plant's meshes of one material: as many as it has levels. */
+/** A plant's meshes of one material, by level of detail. */
 export interface Slot {
 	readonly batch: Batch;
 	readonly colour: Colour;
-	/** What of the batch is each level; −1 where there is nothing to draw. */
+	/** Geometry of each level in the batch; −1 where there is nothing to draw. */
 	readonly geometries: readonly number[];
-	/** The level shown, and the one that gives way to it or takes its place. */
+	/** Instances of the shown level and of the level that it fades to. */
 	readonly now: number;
 	readonly other: number;
 }
@@ -31,8 +31,8 @@ export class Batch {
 	readonly #geometries = new Map<PackedMesh, number>();
 
 	/**
-	 * @param meshes all that will be drawn, each once
-	 * @param instances how many at the most, each in two levels
+	 * @param meshes all meshes, each once
+	 * @param instances most plants, each in two levels
 	 */
 	constructor(
 		meshes: readonly PackedMesh[],
@@ -43,7 +43,7 @@ export class Batch {
 		const vertices = meshes.reduce((sum, { sky }) => sum + sky.length, 0);
 		const corners = meshes.reduce((sum, { indices }) => sum + indices.length, 0);
 		this.object = new BatchedMesh(2 * instances, vertices, corners, material);
-		// Cells are culled by the crowd; to cull and sort each plant takes longer than drawing it.
+		// The crowd culls cells; culling and sorting single plants takes longer than drawing them.
 		this.object.perObjectFrustumCulled = false;
 		this.object.sortObjects = false;
 		this.object.frustumCulled = false;
@@ -57,8 +57,8 @@ export class Batch {
 	}
 
 	/**
-	 * Makes room for a plant's meshes, not yet seen.
-	 * @param place of places of 1, and in its last row what crowd_material.ts reads there
+	 * Adds a plant's meshes, invisible at first.
+	 * @param place transform of unit meshes; its last row holds the data that crowd_material.ts reads there
 	 */
 	add(levels: readonly (PackedMesh | undefined)[], place: Matrix4, colour: Colour): Slot {
 		const geometries = levels.map((mesh) => (mesh ? (this.#geometries.get(mesh) ?? -1) : -1));
@@ -71,11 +71,14 @@ export class Batch {
 		return { batch: this, colour, geometries, now, other };
 	}
 
-	/** Shows what `step` says (level_choice.ts): a level, and as far as it has given way the next one; nothing where it is negative. */
+	/**
+	 * Shows the level of a step (level_choice.ts), maybe fading to the next level; hides the plant where the step is
+	 * negative.
+	 */
 	show(slot: Slot, step: number, bright: number): void {
 		const level = step < 0 ? -1 : Math.floor(step / STEPS);
 		const gone = step < 0 ? 0 : step / STEPS - level;
-		// First the one comes, then the other goes: there is always a whole one, or thin stems would have holes.
+		// The next level fades in before the other fades out: one is always complete, else thin stems would have holes.
 		this.#set(slot, slot.now, level, Math.min(1, 2 - 2 * gone), bright);
 		this.#set(slot, slot.other, gone > 0 ? level + 1 : -1, Math.min(1, 2 * gone), bright);
 	}
@@ -95,8 +98,8 @@ export class Batch {
 }
 
 /**
- * Once the graphics card has it, the page does without: the plants have it, too, and where the card loses it the batch is made anew
- * (`Figure.restored`). Of no length, for its kind is still asked for.
+ * Releases an attribute's memory after its upload to the GPU. The plants hold the data too: after a loss of context
+ * the batch is rebuilt (`ModelRenderer.restored`). The array stays, with length 0, because its type is still needed.
  */
 function releaseAfterUpload(attribute: BufferAttribute): void {
 	attribute.onUpload(() => {

@@ -1,6 +1,6 @@
 /**
- * The plants of a stand as they are drawn: in as few draws as there are finishes and times at which plants came, each at the level that
- * its size in the view asks for, those of cells out of sight at the coarsest, for their shadows are seen.
+ * Renders the plants of a stand with few draw calls: one per finish and arrival. Each plant has the level of detail
+ * for its size in the view; plants in invisible cells have the coarsest level, because their shadows may be visible.
  */
 import { Box3, Frustum, Group, Matrix4, type MeshStandardMaterial, type PerspectiveCamera, Vector3 } from "three";
 import type { Material } from "../../../plant/material";
@@ -16,12 +16,15 @@ import { crowdDepth, crowdMaterial, finishOf } from "./crowd_material";
 import { Cells, type DrawnPlant, type FineMesh } from "./drawn_plant";
 import { STEPS } from "./level_choice";
 
-/** Of more different plants than these few are shown by their finest level at once: of all it would take as much as all other levels. */
+/**
+ * With more members than this, only a few plants have their finest level: that of all would take as much memory as all
+ * other levels.
+ */
 const MOST_FINE = 250;
 const NEAREST = 12;
-/** Triangles in a view, at the most; as many again may throw shadows. */
+/** Most triangles in a view; as many again may cast shadows. */
 const MOST_TRIANGLES = 1_400_000;
-/** So many times at the most all is made coarser for one view. */
+/** Most attempts per view to make all plants coarser. */
 const TRIES = 6;
 const MARKED = 1.9;
 
@@ -37,12 +40,12 @@ export class Crowd {
 	#places: StandPlant["places"] | undefined;
 	#known = new Set<Member>();
 	#marked: number | undefined;
-	/** Whether the finest level is of few at once: those, and who may be. */
+	/** Whether only the nearest plants have their finest level, those plants, and a buffer for candidates. */
 	#sparing = false;
 	#near: DrawnPlant[] = [];
 	readonly #nearing: DrawnPlant[] = [];
 	#triangles = 0;
-	/** From where it was seen last; a frame of a camera that stands still costs nothing. */
+	/** The last view: a frame with the same view needs no work. */
 	readonly #view = new Matrix4();
 	#settled = false;
 	readonly #frustum = new Frustum();
@@ -58,7 +61,7 @@ export class Crowd {
 		return this.#triangles;
 	}
 
-	/** Shows a stand: of the one shown before, only what has come since is added. */
+	/** Shows a stand; of the same stand only new plants are added. */
 	show(stand: StandPlant): void {
 		const there = new Set(stand.members);
 		if (stand.places !== this.#places || [...this.#known].some((member) => !there.has(member))) this.#begin(stand);
@@ -69,7 +72,7 @@ export class Crowd {
 		if (fresh.length > 0) this.#add(stand, plants, fresh);
 	}
 
-	/** Settles what is drawn of each for an eye there. */
+	/** Chooses the level of detail of each plant for a camera. */
 	aim(camera: PerspectiveCamera): void {
 		this.group.updateWorldMatrix(true, false);
 		this.#next.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
@@ -77,7 +80,7 @@ export class Crowd {
 		this.#settled = true;
 		this.#frustum.setFromProjectionMatrix(this.#view.copy(this.#next));
 		const high = 2 * Math.tan((camera.fov * Math.PI) / 360);
-		// Settled for each view anew: no further frame may come to make up for the last one.
+		// Chosen from scratch for each view: no later frame may come that corrects it.
 		let modest = 1;
 		this.#triangles = this.#cells.choose(this.#frustum, camera.position, high, modest);
 		for (let tries = 0; this.#triangles > MOST_TRIANGLES && tries < TRIES; tries++) {
@@ -88,7 +91,7 @@ export class Crowd {
 		for (const each of this.#standing) if (each.wanted !== each.shown) this.#set(each);
 	}
 
-	/** Has the nearest of those that fill the view be shown by their finest level, and the others not. */
+	/** Gives the nearest large plants their finest level, and takes it from all others. */
 	#refine(eye: Vector3): void {
 		const nearing = this.#nearing;
 		nearing.length = 0;
@@ -115,14 +118,14 @@ export class Crowd {
 		each.near = [];
 	}
 
-	/** Lights one up; none where undefined. */
+	/** Highlights a plant; none where undefined. */
 	mark(plant: number | undefined): void {
 		const before = this.#marked;
 		this.#marked = plant;
 		for (const each of this.#standing) if (each.plant === before || each.plant === plant) this.#set(each);
 	}
 
-	/** The graphics card has lost what it was given: everything is made anew. */
+	/** Rebuilds everything after a loss of the graphics context. */
 	restored(stand: StandPlant): void {
 		const marked = this.#marked;
 		this.#begin(stand);
@@ -154,7 +157,7 @@ export class Crowd {
 		this.#marked = undefined;
 	}
 
-	/** One batch a finish, of all that has come. */
+	/** Adds one batch per finish for all new members. */
 	#add(stand: StandPlant, plants: readonly number[][], fresh: readonly { member: Member; index: number }[]): void {
 		this.#settled = false;
 		const rows = fresh.map(({ member, index }) => ({
@@ -192,7 +195,7 @@ export class Crowd {
 		layers: readonly Layer[],
 		batches: Map<string, Batch>,
 	): void {
-		// There is nothing of it to draw, nor to count.
+		// A plant without meshes is neither drawn nor counted.
 		if (layers.length === 0) return;
 		const scale = places.scale[plant];
 		const [x, y, z] = places.at.subarray(3 * plant, 3 * plant + 3);
@@ -239,8 +242,8 @@ export class Crowd {
 }
 
 /**
- * What wind has to know of a plant (crowd_material.ts): from where it stands to the foot that it sways about, and how large what sways
- * is. What is borne sways with its bearer; crowns are those of the plan, which are known before anything has grown.
+ * Data for wind (crowd_material.ts): the vector from the plant to the base that it sways about, and the size of the
+ * swaying plant. Attached plants sway with their parent; sizes are the plan's, known before anything has grown.
  */
 export function stemOf({ at, parent, scale, kind }: StandPlant["places"], kinds: StandPlant["kinds"], plant: number) {
 	const of = parent[plant] < 0 ? plant : parent[plant];
@@ -249,17 +252,17 @@ export function stemOf({ at, parent, scale, kind }: StandPlant["places"], kinds:
 	return [from(0), from(1), from(2), scale[of] * Math.max(height, 0.5 * width)] as const;
 }
 
-/** A member's meshes of one material, from its finest level to its coarsest. */
+/** A member's meshes of one material, from the finest level to the coarsest. */
 interface Layer {
 	readonly finish: string;
 	readonly material: Material;
 	readonly coloured: boolean;
-	/** The finest is not among them where it is spared. */
+	/** Levels; the finest is undefined where it is in `spared`. */
 	readonly levels: readonly (PackedMesh | undefined)[];
 	readonly spared?: PackedMesh | undefined;
 }
 
-/** @param sparing whether the finest of three or more levels is left out */
+/** @param sparing whether the finest of three or more levels is separated */
 function layersOf({ levels }: Member, sparing: boolean): Layer[] {
 	const layers: Layer[] = [];
 	for (const material of new Set(levels.flatMap((level) => level.map((each) => each.material)))) {

@@ -1,6 +1,6 @@
 /**
- * What plants of a stand are made of: three's standard material of ours, which gives way to the next level pixel by pixel, is never too thin
- * to see, and sways, each plant about its own foot.
+ * Material of a stand's plants: three's standard material with dithered fading between levels, a least width on the
+ * screen, and swaying of each plant about its own base.
  */
 import { MeshDepthMaterial, type MeshStandardMaterial, Vector4 } from "three";
 import type { Material } from "../../../plant/material";
@@ -9,7 +9,7 @@ import type { LightUniforms } from "../../../render/light_shader";
 import { standardMaterial } from "../../../render/standard_material";
 import { WIND_CHUNK, type WindUniforms } from "../../../render/wind";
 
-/** So many of the pixels are shown as its share says. */
+/** Dithering: shows the share of the pixels that `vColor.a` gives. */
 const DITHERED = /* glsl */ `
 #include <color_fragment>
 float grain = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
@@ -17,8 +17,8 @@ if (grain >= vColor.a) discard;
 `;
 
 /**
- * The last row of a plant's matrix, which is always the same, has what the wind has to know: from where the plant stands to the foot that it
- * sways about, which of what is borne is the bearer's, and how large what sways is.
+ * The last row of a plant's matrix, otherwise constant, holds data for wind: the vector from the plant to the base
+ * that it sways about (of an attached plant its parent's), and the size of the swaying plant.
  */
 const STEM = /* glsl */ `
 #include <batching_vertex>
@@ -27,13 +27,14 @@ batchingMatrix[0].w = batchingMatrix[1].w = batchingMatrix[2].w = 0.0;
 batchingMatrix[3].w = 1.0;
 `;
 
-/** How much later the wind comes to a plant that stands as far off as it is large, radians. */
+/** Phase delay of the wind per plant size of distance, radians. */
 const LATER = 1.1;
 
 /**
- * What is narrower than a pixel meets the middle of some pixels and not of others: a stem becomes a row of dashes. So it is made about as wide as
- * one across its margin, and as thick, for from afar stems are ribbons; but no more than so many times as wide as it is, for twigs of a far
- * wood would hide its leaves. Widths are the most there is about a vertex, places between are half as wide.
+ * Geometry narrower than a pixel covers the centres of only some pixels: a stem becomes a dashed line. So it is
+ * widened to about a pixel across its margin and along its normal, since coarse stems are flat ribbons; but at most by
+ * the factor `WIDEST`, else twigs of distant trees would hide the leaves. The width at a vertex is the largest around
+ * it; the mean between vertices is half of it.
  */
 const WIDEST = 4;
 const ENOUGH = 1.3;
@@ -69,7 +70,7 @@ const IN_WORLD = /* glsl */ `
 
 const viewport = new Vector4();
 
-/** What tells finishes apart: all but the colour, which each plant has of its own. */
+/** Key of a finish: all properties of a material except the colour, which each plant has for itself. */
 export function finishOf({ name: _, colour: __, ...finish }: Material, coloured: boolean): string {
 	return JSON.stringify([finish, coloured]);
 }
@@ -84,7 +85,7 @@ export function crowdMaterial(
 	const lit = made.onBeforeCompile.bind(made);
 	const key = made.customProgramCacheKey();
 	const viewPixels = { value: 1 };
-	// Drawing buffers are of any size, pictures for download larger than the view.
+	// The size of the drawing buffer varies: downloaded pictures are larger than the view.
 	made.onBeforeRender = (renderer) => {
 		viewPixels.value = renderer.getCurrentViewport(viewport).w;
 	};
@@ -105,7 +106,10 @@ export function crowdMaterial(
 	return made;
 }
 
-/** Of what is drawn into the shadow map: plants at rest, for to draw thousands twice a frame takes more than anyone sees of it. */
+/**
+ * Material for the shadow map, without wind: drawing thousands of swaying plants twice a frame costs more than the
+ * visible difference justifies.
+ */
 export function crowdDepth(): MeshDepthMaterial {
 	const made = new MeshDepthMaterial();
 	made.onBeforeCompile = (shader) => {

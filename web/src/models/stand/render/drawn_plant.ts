@@ -1,4 +1,4 @@
-/** A plant of a stand as the crowd draws it, and the cell of the ground that it stands in. */
+/** Plants of a stand as the crowd draws them, and the cells of the ground that hold them. */
 import { Box3, type Frustum, type Matrix4, type MeshStandardMaterial, type Vector3 } from "three";
 import type { Colour } from "../../../plant/colour";
 import type { PackedMesh } from "../../../plant/packed_mesh";
@@ -7,20 +7,20 @@ import { STEPS, stepAt } from "./level_choice";
 
 export interface DrawnPlant {
 	readonly plant: number;
-	/** The middle of it. */
+	/** Centre of the plant. */
 	readonly at: Vector3;
-	/** As large as this, metres. */
+	/** Size, metres. */
 	readonly size: number;
 	readonly slots: readonly Slot[];
-	/** What its finest level is made of, where that is only shown of few at once. */
+	/** Meshes of the finest level, where only a few plants show it at once. */
 	readonly fine: readonly FineMesh[];
-	/** Its finest level, while it is one of these. */
+	/** Slots of the finest level, while this plant shows it. */
 	near: readonly Slot[];
-	/** Of each level. */
+	/** Number of triangles of each level. */
 	readonly triangles: readonly number[];
-	/** What its size asks for, were it shown as finely as it can be. */
+	/** Step for the plant's size in the view, without the limit on finest levels. */
 	ideal: number;
-	/** As level_choice.ts counts: what is shown, and what is to be; −1 of what is not. */
+	/** Shown step and next step (level_choice.ts); −1 for none. */
 	shown: number;
 	wanted: number;
 }
@@ -41,7 +41,7 @@ export interface Cell {
 	seen: boolean;
 }
 
-/** The ground's cells. */
+/** The cells of the ground. */
 export class Cells {
 	readonly all: readonly Cell[] = Array.from({ length: CELLS * CELLS }, () => ({
 		box: new Box3(),
@@ -61,11 +61,11 @@ export class Cells {
 	}
 
 	/**
-	 * Settles what each plant wants to be shown as: in cells out of sight by its last level, which throws shadows into sight. Allocates
-	 * nothing.
-	 * @param modest what all sizes are multiplied by
-	 * @param high how high the view is at a distance of 1
-	 * @returns how many triangles these are, those out of sight left out
+	 * Chooses the next step of each plant; in invisible cells that of the last level, which casts shadows into view.
+	 * Allocates nothing.
+	 * @param modest factor for all sizes
+	 * @param high height of the view at a distance of 1
+	 * @returns number of visible triangles
 	 */
 	choose(frustum: Frustum, eye: Vector3, high: number, modest: number): number {
 		let count = 0;

@@ -1,16 +1,22 @@
-/** What of a mesh may be too thin to see, and which way it is made wider there: for each vertex, as crowd_material.ts reads it. Pure. */
+/** Width of a mesh around each vertex and the direction in which crowd_material.ts widens it. Pure. */
 import { type PackedMesh, PLACE_STEPS } from "../../../plant/packed_mesh";
 
-/** Numbers of a vertex: a way of length 1 in whole numbers up to these, and the root of the width as a share of the mesh's unit. */
+/**
+ * Numbers per vertex: a unit vector scaled to `STEPS`, and the square root of the width as a share of the mesh's unit,
+ * scaled likewise.
+ */
 export const EDGE_NORMAL_SIZE = 4;
 const STEPS = 127;
 
 type Mesh = Pick<PackedMesh, "positions" | "indices">;
 
-/** Of 300,000 triangles they take 90 ms; and a plant comes near again and again, and the graphics card loses what it was given. */
+/**
+ * Cache by mesh: 300,000 triangles take 90 ms, and plants are uploaded again when they come near or the graphics
+ * context is lost.
+ */
 const known = new WeakMap<Mesh, Int8Array<ArrayBuffer>>();
 
-/** Found once for each mesh, for meshes never change. */
+/** Edge normals of a mesh, computed once: meshes are immutable. */
 export function edgeNormalsOf(mesh: Mesh): Int8Array<ArrayBuffer> {
 	const edgeNormals = known.get(mesh) ?? found(mesh);
 	known.set(mesh, edgeNormals);
@@ -18,8 +24,8 @@ export function edgeNormalsOf(mesh: Mesh): Int8Array<ArrayBuffer> {
 }
 
 /**
- * 4 × vertices. The way is out of a tube, and across the margin of a sheet: from the middle of each triangle, but for what of it is along the
- * triangle (`alongOf`). The width is that of the widest triangle there.
+ * Computes 4 × vertices. The vector points out of a tube or across the margin of a sheet: from the centre of each
+ * triangle, without the component along the triangle (`alongOf`). The width is that of the widest adjacent triangle.
  */
 function found({ positions, indices }: Mesh): Int8Array<ArrayBuffer> {
 	const vertices = positions.length / 3;
@@ -50,8 +56,8 @@ function found({ positions, indices }: Mesh): Int8Array<ArrayBuffer> {
 }
 
 /**
- * The way along a triangle, of length 1, and how wide it is across its longest edge. Of one that is long and narrow it is the edge that is neither
- * the longest nor the shortest: the longest of a tube's runs askew.
+ * Unit vector along a triangle, and its width across the longest edge. The vector follows the edge of medium length:
+ * the longest edge of a tube's triangle is oblique.
  */
 function alongOf(at: Int16Array, a: number, b: number, c: number, way: Float32Array, width: Float32Array): void {
 	const [ux, uy, uz] = [at[b] - at[a], at[b + 1] - at[a + 1], at[b + 2] - at[a + 2]];

@@ -1,4 +1,7 @@
-/** The ground of a stand on the stage: it fades into the paper over its rim, unevenly; files, which know no paper, end with the rim. */
+/**
+ * Renders the ground of a stand, whose rim fades irregularly into the background. In files the ground ends with the
+ * rim.
+ */
 import { BufferAttribute, Group, type MeshStandardMaterial } from "three";
 import type { Material } from "../../../plant/material";
 import { NOISE_CHUNK } from "../../../plant/noise";
@@ -8,7 +11,7 @@ import type { LightUniforms } from "../../../render/light_shader";
 import { PartMeshes } from "../../../render/part_meshes";
 import { standardMaterial } from "../../../render/standard_material";
 
-/** How much sooner or later than in the mean it may fade, as a share of the rim, and how many patches there are along its shorter side. */
+/** Variation of the fading, as a share of the rim, and number of patches along the shorter side. */
 const RAGGED = 0.9;
 const PATCHES = 55;
 
@@ -22,9 +25,9 @@ diffuseColor.a *= smoothstep(0.0, 0.75, left_) * (1.0 - smoothstep(0.7, 1.0, rim
 export class GroundRenderer {
 	readonly object = new Group();
 	readonly #light: LightUniforms;
-	/** Cells of the noise that it fades by, a metre. */
+	/** Noise cells per metre. */
 	readonly #patches = { value: 1 };
-	/** Of all grounds, one after the other: with a material goes its program, and to build that anew takes many frames. */
+	/** One material for all grounds: a new material needs a new shader program, which takes many frames to compile. */
 	#material: MeshStandardMaterial | undefined;
 	#meshes: PartMeshes | undefined;
 
@@ -33,10 +36,10 @@ export class GroundRenderer {
 	}
 
 	/**
-	 * Shows a ground in place of the last.
-	 * @param part as files have it; undefined where there is none
-	 * @param rim how far out each vertex is in it
-	 * @param side its shorter side, metres
+	 * Shows a ground in place of the last one.
+	 * @param part the ground; undefined where there is none
+	 * @param rim distance of each vertex into the rim, 0 … 1
+	 * @param side length of its shorter side, metres
 	 */
 	show(part: Part | undefined, rim: Float32Array, side: number): void {
 		this.#clear();
@@ -64,7 +67,7 @@ export class GroundRenderer {
 		this.#meshes = undefined;
 	}
 
-	/** All grounds are alike, but for their colours. */
+	/** The shared material with a ground's colours. */
 	#wearing(material: Material, coloured: boolean): MeshStandardMaterial {
 		this.#material ??= fading(material, coloured, this.#patches, this.#light);
 		if (coloured) this.#material.color.set(1, 1, 1);
@@ -84,7 +87,7 @@ function fading(
 	const made = standardMaterial(material, { light, sky: true, coloured });
 	const lit = made.onBeforeCompile.bind(made);
 	const key = made.customProgramCacheKey();
-	// Drawn after the paper, which is drawn after the plants.
+	// Drawn after the background, which is drawn after the plants.
 	made.transparent = true;
 	made.onBeforeCompile = (shader, renderer) => {
 		lit(shader, renderer);

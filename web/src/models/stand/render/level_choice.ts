@@ -1,17 +1,17 @@
-/** Which level of detail a plant is shown at: by how large it is in the view, and by how much may be drawn in all. */
+/** Chooses a plant's level of detail by its size in the view. */
 
-/** From so large on, as a share of the view's height, each level is shown; the last from nothing on. */
+/** Least size of each level, as a share of the view's height; the last level has no limit. */
 const FROM = [0.75, 0.26, 0.085];
-/** Over so wide a band, as a share, a level gives way to the next. */
+/** Range of sizes over which a level fades to the next, as a share of its least size. */
 const BAND = 0.2;
-/** From a level to the next in so many steps: so many shares of the two there are. */
+/** Steps of fading between two levels. */
 export const STEPS = 16;
 
 /**
- * How far from the finest level on: `STEPS` times a level, and in between the parts of `STEPS` by which it has given way to the next. One
- * number, for it is asked of thousands of plants a frame.
- * @param size of the plant in the view, as a share of the view's height
- * @param levels how many there are
+ * Step of a plant: `STEPS` × level + the step of fading to the next level. A single number, because it is computed for
+ * thousands of plants per frame.
+ * @param size size in the view, as a share of the view's height
+ * @param levels number of levels
  */
 export function stepAt(size: number, levels: number): number {
 	for (let level = 0; level + 1 < levels; level++) {

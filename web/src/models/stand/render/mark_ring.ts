@@ -1,6 +1,6 @@
 /**
- * A ring on the ground about a plant that is pointed at or chosen: pale between two dark lines, so that it is told by lightness alone, on earth
- * as on leaves. Seen faintly through what is before it, for in a bed that is nearly always something.
+ * A ring on the ground around the hovered or chosen plant: light between two dark lines, for contrast with soil and
+ * leaves. It is faintly visible through objects in front of it.
  */
 import {
 	BufferAttribute,
@@ -18,19 +18,19 @@ import type { StandPlant } from "../stand_plant";
 
 const PALE = "#fff4d6";
 const DARK = "#2a211a";
-/** From its middle line, shares of half its width. */
+/** Bands of the ring, in half widths from its centre line. */
 const BANDS = [
 	{ from: -1, to: -0.5, colour: DARK },
 	{ from: -0.5, to: 0.5, colour: PALE },
 	{ from: 0.5, to: 1, colour: DARK },
 ];
 const ROUND = 72;
-/** Half its width, and its least radius, as shares of the view's height. */
+/** Half width and least radius, as shares of the view's height. */
 const WIDE = 0.0038;
 const LEAST = 0.016;
-/** Of the crown's radius. */
+/** Radius of the ring relative to the crown's. */
 const ABOUT = 0.8;
-/** After the ground and all that grows. */
+/** Render order: after the ground and all plants. */
 const ORDER = 9;
 
 export class MarkRing {
@@ -40,7 +40,7 @@ export class MarkRing {
 	#stand: StandPlant | undefined;
 	#plant = 0;
 	readonly #at = new Vector3();
-	/** From where it was laid last; a frame of an eye that stands still costs nothing. */
+	/** Camera position of the last build; a frame from the same position needs no work. */
 	readonly #eye = new Vector3();
 	#fov = 0;
 	#isBuilt = false;
@@ -68,7 +68,7 @@ export class MarkRing {
 		this.object.visible = false;
 	}
 
-	/** About that plant; about none where undefined. */
+	/** Shows the ring around a plant; hides it where undefined. */
 	show(stand: StandPlant | undefined, plant: number | undefined): void {
 		this.object.visible = stand !== undefined && plant !== undefined && plant < stand.places.count;
 		if (!stand || plant === undefined || !this.object.visible) return;
@@ -78,7 +78,7 @@ export class MarkRing {
 		this.#at.fromArray(stand.places.at, 3 * plant);
 	}
 
-	/** As wide in the view from however far it is seen. */
+	/** Rebuilds the ring for a camera, with a constant width on the screen. */
 	aim(camera: PerspectiveCamera): void {
 		if (!this.object.visible || !this.#stand) return;
 		if (this.#isBuilt && camera.fov === this.#fov && camera.position.equals(this.#eye)) return;
@@ -92,7 +92,7 @@ export class MarkRing {
 		const seen = 2 * this.#at.distanceTo(eye) * Math.tan((this.#fov * Math.PI) / 360);
 		const crown = 0.5 * kinds[places.kind[this.#plant]].crown.width * places.scale[this.#plant];
 		const radius = Math.max(ABOUT * crown, LEAST * seen);
-		// What hangs has no ground about it.
+		// A hanging plant has no ground around it.
 		const stands = places.parent[this.#plant] < 0;
 		const position = this.#geometry.getAttribute("position");
 		let v = 0;

@@ -1,8 +1,8 @@
-/** Which plant of a stand a line of sight meets first: crowns are taken for the upright ellipsoids that hold them. */
+/** Finds the first plant of a stand that a ray hits; crowns are approximated by upright ellipsoids. */
 import type { Ray } from "../../../render/model_renderer";
 import type { StandPlant } from "../stand_plant";
 
-/** Twigs reach farther than what looks like a crown. */
+/** Factor of the ellipsoid's radius: some twigs reach beyond the visible crown. */
 const LEANER = 0.8;
 
 export function firstPlantHit(
@@ -32,7 +32,9 @@ export function firstPlantHit(
 	return found;
 }
 
-/** How many times `way` it is to the ball about the origin; infinite where it is missed or behind. */
+/**
+ * Distance to the unit sphere around the origin, in multiples of `way`; infinite where the sphere is missed or behind.
+ */
 function unitSphereHit(from: readonly number[], way: readonly number[]): number {
 	const dot = (a: readonly number[], b: readonly number[]) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 	const [a, b, c] = [dot(way, way), dot(from, way), dot(from, from) - 1];

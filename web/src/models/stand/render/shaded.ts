@@ -1,4 +1,4 @@
-/** What of a stand has its shadows drawn: all of it, and for who walks in it what is about them, so much the finer. Pure. */
+/** The part of a stand that casts shadows: all of it or, for a walker, the surroundings at a finer resolution. Pure. */
 import { Vector3 } from "three";
 import { heightAt } from "../ground_grid";
 import type { StandPlant } from "../stand_plant";
@@ -9,25 +9,25 @@ export interface Ball {
 	readonly radius: number;
 }
 
-/** How far shadows reach about a walker, eyes' heights, and how far ahead of them their middle is, of that. */
+/** Radius of the shaded sphere around a walker, in eye heights, and the offset of its centre ahead, in radii. */
 const REACH = 24;
 const AHEAD = 0.6;
-/** So many steps to a reach: shadows are drawn again with each. */
+/** Steps per radius: shadows are redrawn with each step. */
 const STEPS = 4;
-/** Who stands no higher over the ground walks, eyes' heights. */
+/** Greatest height over the ground that counts as walking, in eye heights. */
 const HIGHEST = 3;
 
-/** Whether an eye is where that of who walks there is. */
-export function walks(stand: Pick<StandPlant, "ground" | "meshes">, eye: Vector3): boolean {
+/** Whether a camera is where a walker's eyes are. */
+export function isWalking(stand: Pick<StandPlant, "ground" | "meshes">, eye: Vector3): boolean {
 	const { width, depth } = stand.ground;
 	if (Math.abs(eye.x) > 0.5 * width || Math.abs(eye.z) > 0.5 * depth) return false;
 	return eye.y - heightAt(stand, eye.x, eye.z) <= HIGHEST * eyeHeight(stand);
 }
 
 /**
- * @param whole what holds the stand
- * @param eye where it is seen from, metres
- * @param towards which way, of length 1
+ * @param whole bounding sphere of the stand
+ * @param eye camera position, metres
+ * @param towards view direction, a unit vector
  */
 export function shadedBall(
 	stand: Pick<StandPlant, "ground" | "meshes">,
@@ -36,7 +36,7 @@ export function shadedBall(
 	towards: Vector3,
 ): Ball {
 	const radius = REACH * eyeHeight(stand);
-	if (radius >= whole.radius || !walks(stand, eye)) return whole;
+	if (radius >= whole.radius || !isWalking(stand, eye)) return whole;
 	const step = radius / STEPS;
 	const stepped = (value: number) => step * Math.round(value / step);
 	const [x, z] = [eye.x + AHEAD * radius * towards.x, eye.z + AHEAD * radius * towards.z].map(stepped);

@@ -1,4 +1,4 @@
-/** A stand on the stage: its ground, and the plants as they come. */
+/** Renders a stand: its ground, and its plants as they arrive. */
 import { type PerspectiveCamera, Vector3 } from "three";
 import type { Sway } from "../../../plant/sway";
 import type { Bodies } from "../../../render/camera_fit";
@@ -14,7 +14,7 @@ import { Crowd } from "./crowd";
 import { GroundRenderer } from "./ground_renderer";
 import { MarkRing } from "./mark_ring";
 import { firstPlantHit } from "./plant_hit";
-import { type Ball, shadedBall, walks } from "./shaded";
+import { type Ball, isWalking, shadedBall } from "./shaded";
 
 export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	readonly modes = ["whole"];
@@ -30,7 +30,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	#whole: Ball = { centre: new Vector3(), radius: 0 };
 	#shaded: Ball | undefined;
 	readonly #towards = new Vector3();
-	/** Where the lamps are while someone walks: key and rim. */
+	/** Directions of key and rim light while the user isWalking. */
 	#held: readonly [Vector3, Vector3] | undefined;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 
@@ -68,7 +68,7 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		return this.#held !== undefined;
 	}
 
-	/** How each plant sways is the crowd's: here is what says that it does. */
+	/** Makes the stage animate the stand; the crowd moves each plant. */
 	sway(): Sway | undefined {
 		const { centre, radius } = this.#whole;
 		return radius > 0 ? { foot: centre.toArray(), up: 1, height: radius, reach: radius } : undefined;
@@ -107,17 +107,17 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 		this.#lights.dispose();
 	}
 
-	/** Who turns the stand turns it in the light; who walks in it has the sun stay where it is. */
+	/** Orbiting turns the stand in the light; walking keeps the light's direction in the stand. */
 	#hold(eye: Vector3): void {
 		const { keyDirection, rimDirection } = this.#stage.light.uniforms;
-		if (!this.#stand || !walks(this.#stand, eye)) this.#held = undefined;
+		if (!this.#stand || !isWalking(this.#stand, eye)) this.#held = undefined;
 		else if (this.#held) {
 			keyDirection.value.copy(this.#held[0]);
 			rimDirection.value.copy(this.#held[1]);
 		} else this.#held = [keyDirection.value.clone(), rimDirection.value.clone()];
 	}
 
-	/** Shadows are drawn where they are seen; anew where that is another place by a step. */
+	/** Redraws the shadows where the shaded sphere has moved by a step. */
 	#shade(camera: PerspectiveCamera): void {
 		if (!this.#stand) return;
 		const ball = shadedBall(this.#stand, this.#whole, camera.position, camera.getWorldDirection(this.#towards));
@@ -132,7 +132,9 @@ export class StandRenderer implements ModelRenderer<StandSpecimen, StandPlant> {
 	}
 }
 
-/** The ground's corners, and a ball about each crown as the plan has it: the same before plants have come. */
+/**
+ * Bounds: the ground's corners and a sphere around each crown as planned, so that they do not change as plants arrive.
+ */
 function bodiesOf({ ground, places, kinds }: StandPlant): Bodies {
 	const [x, z, y] = [0.5 * ground.width, 0.5 * ground.depth, 0.5 * ground.relief];
 	const points = Float32Array.of(x, y, z, -x, y, z, x, y, -z, -x, y, -z, x, -y, z, -x, -y, -z);

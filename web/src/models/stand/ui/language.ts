@@ -1,8 +1,8 @@
-/** The plan language as the editor knows it (docs/models/stand/language.md). */
+/** The plan language for the editor (docs/models/stand/language.md). */
 import type { Dialect } from "../../../grammar_editor/dialect";
 import type { Token, TokenKind } from "../../../grammar_editor/scan";
 
-const PIECE =
+const TOKEN =
 	/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|"[^"\n]*"?|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:\/[\p{L}\p{N}_-]*)?|[\s\S]/gu;
 const STATEMENTS = new Set(["ground", "plants", "trellis"]);
 const ITEMS = new Set(
@@ -22,12 +22,12 @@ function kindOf(piece: string, fresh: boolean): TokenKind {
 	return /^[-+*/^]$/.test(piece) ? "operator" : "mark";
 }
 
-/** Takes a text to pieces, blanks left out. */
+/** Splits a text into tokens without white space. */
 function scan(text: string): Token[] {
-	const pieces: Token[] = [];
+	const tokens: Token[] = [];
 	let line = 1;
 	let fresh = true;
-	for (const match of text.matchAll(PIECE)) {
+	for (const match of text.matchAll(TOKEN)) {
 		const [piece] = match;
 		if (piece === "\n") {
 			line++;
@@ -36,11 +36,11 @@ function scan(text: string): Token[] {
 		}
 		if (/^[ \t\r\f\v]/.test(piece)) continue;
 		const kind = kindOf(piece, fresh);
-		pieces.push({ kind, from: match.index, to: match.index + piece.length, text: piece, line });
+		tokens.push({ kind, from: match.index, to: match.index + piece.length, text: piece, line });
 		line += piece.split("\n").length - 1;
 		if (kind !== "comment") fresh = false;
 	}
-	return pieces;
+	return tokens;
 }
 
 const statement = (name: string, written: string, help: string) => ({

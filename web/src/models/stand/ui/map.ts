@@ -1,4 +1,4 @@
-/** The stand from above: which plant is where, and the way to one alone. */
+/** The map of a stand: positions of plants, and links that open a plant alone. */
 import { html, nothing, svg } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { live } from "lit/directives/live.js";
@@ -7,18 +7,18 @@ import type { EditorContext } from "../../../ui/editor_context";
 import { PickPointer } from "../../../ui/pick_pointer";
 import { takeFocus } from "../../../ui/take_focus";
 import type { Tool } from "../../../ui/tool";
-import { sortsOf, titlesOf, valuesOf } from "../members";
+import { plantGroups, titlesOf, valuesOf } from "../members";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
 import { groundColour, kindColours } from "./map_colours";
 
-/** Room about the ground, as a share of its width: crowns reach over its edge. */
+/** Margin around the ground, as a share of its width: crowns reach over its edge. */
 const MARGIN = 0.05;
-/** A click so far beside a plant still means it, as a share of the map's width. */
+/** Largest distance of a click from the plant that it chooses, as a share of the map's width. */
 const NEAR = 0.04;
 
 type StandContext = EditorContext<StandSpecimen, StandPlant>;
-/** The plant that is chosen. */
+/** The chosen plant. */
 type Chosen = number | undefined;
 
 export const map: Tool<StandSpecimen, StandPlant, Chosen> = {
@@ -63,14 +63,14 @@ export const map: Tool<StandSpecimen, StandPlant, Chosen> = {
 	},
 };
 
-/** Escape is that of who types, but for the plant's number, and of a window that is open. */
+/** Whether Escape clears the choice: not in text fields except the plant's number, and not while a dialog is open. */
 function isFree({ target }: KeyboardEvent): boolean {
 	if (document.querySelector("dialog[open]")) return false;
 	const field = (target as Partial<Element> | null)?.closest?.("input, select, textarea, [contenteditable]");
 	return !field || field.closest(".stand-plant") !== null;
 }
 
-/** A plan of fewer plants may have come since. */
+/** The chosen plant; undefined where the stand has fewer plants now. */
 function chosenIn(context: StandContext): Chosen {
 	const chosen = context.toolState(map);
 	return chosen !== undefined && chosen < (context.state.grown?.places.count ?? 0) ? chosen : undefined;
@@ -97,7 +97,7 @@ function drawMap(context: StandContext, stand: StandPlant): unknown {
 		</label>
 		<div aria-live="polite">${chosen === undefined ? html`<p>Choose a plant on the map or in the picture.</p>` : describePlant(stand, titles, chosen)}</div>
 		<ul class="stand-kinds">
-			${sortsOf(stand).map(
+			${plantGroups(stand).map(
 				({
 					title,
 					kind,
@@ -109,12 +109,15 @@ function drawMap(context: StandContext, stand: StandPlant): unknown {
 	</div>`;
 }
 
-/** How wide and deep a piece of land the map shows, metres. */
+/** Size of the area on the map, metres. */
 function shownOf({ ground: { width, depth } }: StandPlant): readonly [wide: number, deep: number] {
 	return [width + 2 * MARGIN * width, depth + 2 * MARGIN * width];
 }
 
-/** A path a kind, for thousands of circles would each be an element; the highest last, as seen from above. */
+/**
+ * One path per kind, because thousands of circles would be as many elements; the tallest kind last, as seen from
+ * above.
+ */
 function drawPlants({ kinds, places, ground }: StandPlant, colours: readonly string[]): unknown {
 	const order = [...kinds.keys()].sort((one, other) => kinds[one].crown.height - kinds[other].crown.height);
 	return order.map((kind) => {
@@ -122,9 +125,9 @@ function drawPlants({ kinds, places, ground }: StandPlant, colours: readonly str
 		const rounds: string[] = [];
 		for (let plant = 0; plant < places.count; plant++) {
 			if (places.kind[plant] !== kind) continue;
-			// What is borne has no crown of its own.
-			const borne = places.parent[plant] >= 0;
-			const r = borne ? 0.004 * ground.width : Math.max(0.35 * crown.width * places.scale[plant], 0.01);
+			// Attached plants have no crown of their own.
+			const isAttached = places.parent[plant] >= 0;
+			const r = isAttached ? 0.004 * ground.width : Math.max(0.35 * crown.width * places.scale[plant], 0.01);
 			const [x, z] = [places.at[3 * plant], places.at[3 * plant + 2]].map((value) => value.toFixed(2));
 			rounds.push(`M${x} ${z}m${-r} 0a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`);
 		}
@@ -160,7 +163,7 @@ function choose(context: StandContext, { places }: StandPlant, number: number): 
 	context.setToolState(map, fits ? number - 1 : undefined);
 }
 
-/** What a plant is, and the link that grows it alone. */
+/** Describes a plant, with the link that opens it alone. */
 function describePlant(stand: StandPlant, titles: readonly string[], plant: number): unknown {
 	const { places } = stand;
 	const [x, , z] = places.at.subarray(3 * plant, 3 * plant + 3);
@@ -176,7 +179,7 @@ function describePlant(stand: StandPlant, titles: readonly string[], plant: numb
 
 const linkOf = ({ members, memberOf }: StandPlant, plant: number): string | undefined => members[memberOf[plant]]?.link;
 
-/** The same in the picture, in few words. */
+/** A short description in the picture. */
 function drawChip(context: StandContext, stand: StandPlant, plant: number): unknown {
 	const link = linkOf(stand, plant);
 	return html`<span>${titlesOf(stand)[stand.places.kind[plant]]}</span>

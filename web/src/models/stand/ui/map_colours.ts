@@ -1,18 +1,21 @@
-/** The colours of a stand's map: each sort has that of its flowers, or, where it has none, of its leaves, on ground as dark as it takes to tell them. Pure. */
+/**
+ * Colours of a stand's map: each kind has the colour of its flowers or, without flowers, of its leaves, on a ground
+ * dark enough for contrast. Pure.
+ */
 import { type Colour, clamp, encoded, fromLch, linear, meanColour, mixed, toLch } from "../../../plant/colour";
 import { COLOUR_STEPS } from "../../../plant/packed_mesh";
 import type { Member, MemberMesh } from "../../model";
-import { firstAlike } from "../members";
+import { firstOfSameName } from "../members";
 import type { StandPlant } from "../stand_plant";
 import { separateColours } from "./separate_colours";
 
-/** Lightness that ground has at the most and plants at the least: three times the light apart, so that none is lost on it. */
+/** Greatest lightness of the ground, and range of lightness of plants: a contrast of three to one. */
 const DARKEST = 0.35;
 const LIGHT = 0.63;
 const LIGHTEST = 0.97;
-/** So many plants of a sort say what it looks like: one may be in bud. */
+/** Number of plants whose colours are averaged: a single one may be in bud. */
 const SAMPLES = 8;
-/** What is without colour counts so much beside chroma. */
+/** Weight of grey colours relative to chroma. */
 const DULL = 0.01;
 const FLOWERS = /petal|flower|blossom|floret|berr/i;
 const UNGROWN: Colour = [0.3, 0.32, 0.25];
@@ -22,9 +25,9 @@ export function groundColour(soil: string): string {
 	return written(fromLch({ ...lch, lightness: Math.min(DARKEST, lch.lightness) }));
 }
 
-/** Of each kind; those that are called the same have one. */
+/** Colours by kind; kinds of the same name share a colour. */
 export function kindColours(stand: StandPlant): readonly string[] {
-	const first = firstAlike(stand);
+	const first = firstOfSameName(stand);
 	const kinds = [...new Set(first)];
 	const seen = kinds.map((kind) => toLch(meanOf(membersOf(stand, first, kind))));
 	const colours = separateColours(seen, [LIGHT, LIGHTEST]).map((lch) => written(fromLch(lch)));
@@ -51,7 +54,7 @@ function meanOf(members: readonly Member[]): Colour {
 	let weights = 0;
 	for (const each of meshes) {
 		const own = meshColour(each);
-		// A bud is as green as it is yet dull.
+		// Weights by squared chroma: buds are still dull.
 		const weight = cornersOf([each]) * (DULL + toLch(own).chroma) ** 2;
 		weights += weight;
 		if (weight > 0) colour = mixed(colour, own, weight / weights);

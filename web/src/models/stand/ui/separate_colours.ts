@@ -1,18 +1,18 @@
-/** Colours separated apart: of those that would be taken for one the later is another, by the least change. Pure. */
+/** Changes colours that are too similar to others in a list as little as possible. Pure. */
 import { clamp, fromLch, type Lch, toLch } from "../../../plant/colour";
 
-/** Two closer than this are taken for one (OKLab); then one is made lighter or darker by steps, or else turned in hue, radians, either way. */
+/** Least distance of two colours (OKLab), and steps of lightness and of hue (radians) that are tried. */
 const APART = 0.07;
 const STEP = 0.05;
 const TURN = 0.5;
-/** What is turned has a hue to tell it by. */
+/** Least chroma of a colour whose hue is changed. */
 const MIN_CHROMA = 0.1;
 
 type Range = readonly [least: number, most: number];
 
 /**
- * Each as near to what is wanted as the ones before it let it be; as wanted where there is no room left.
- * @param range of lightness, into which all are brought
+ * Each colour as close to the wanted one as the earlier colours permit; unchanged where no free colour is left.
+ * @param range range of lightness for all colours
  */
 export function separateColours(wanted: readonly Lch[], range: Range): Lch[] {
 	const separated: Lch[] = [];
@@ -21,7 +21,7 @@ export function separateColours(wanted: readonly Lch[], range: Range): Lch[] {
 	return separated;
 }
 
-/** Of lightness before hue: a hue is what a sort is known by. */
+/** Varies lightness before hue: kinds are recognized by their hue. */
 function apartFrom(others: readonly Lch[], wanted: Lch, [least, most]: Range): Lch {
 	const free = (lch: Lch) => others.every((other) => distance(lch, other) >= APART);
 	for (const turn of eitherWay(TURN, Math.PI))
@@ -35,10 +35,10 @@ function apartFrom(others: readonly Lch[], wanted: Lch, [least, most]: Range): L
 	return displayable(wanted);
 }
 
-/** A screen has no yellow as yellow as it can be asked for. */
+/** Maps a colour to the screen's gamut. */
 const displayable = (lch: Lch): Lch => toLch(fromLch(lch));
 
-/** 0, step, -step, 2 step, …, up to that far. */
+/** 0, step, -step, 2 step, … up to `far`. */
 const eitherWay = (step: number, far: number): number[] =>
 	[0].concat(...Array.from({ length: Math.floor(far / step) }, (_, i) => [step * (i + 1), -step * (i + 1)]));
 

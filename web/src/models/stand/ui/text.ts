@@ -3,7 +3,7 @@ import type { StandSpecimen } from "../specimen";
 import { fetchedText, fetchTexts } from "../texts";
 import { STAND_LANGUAGE } from "./language";
 
-/** Where a stand's plan comes from. */
+/** Source of a stand's plan for the editor. */
 export const source: GrammarSource<StandSpecimen> = {
 	noun: "stand",
 	dialect: STAND_LANGUAGE,

@@ -1,4 +1,4 @@
-/** The page's side of the model: loaded with the first stand, in a page alone. */
+/** The stand's user interface: loaded with the first stand, only in a page. */
 import { html } from "lit";
 import { grammarTools } from "../../../grammar_editor/grammar_tool";
 import type { ModelUi } from "../../../ui/tool";

@@ -1,4 +1,4 @@
-/** Walking through a stand: by keys, by a drag that looks around, by buttons. */
+/** A tool to walk through a stand by keys, drags and buttons. */
 import { html, nothing, svg } from "lit";
 import type { EditorContext } from "../../../ui/editor_context";
 import { EditorElement } from "../../../ui/editor_element";
@@ -10,7 +10,7 @@ import { atFront, gazeOf, type Pose, type Step, stepped, turned } from "../walke
 
 const WALK = svg`<path d="M10.5 3.2a1.3 1.3 0 1 1 0 2.6 1.3 1.3 0 0 1 0-2.6M9.8 7.4 7.4 9.6 7 12M9.8 7.4l1.6 3.4L9.6 14l-2 3.4M11.4 10.8l1.8 2.6.6 3.6M11 8.6l2.6 1.6"/>`;
 
-/** Where one walks; undefined who does not. */
+/** The walker's pose; undefined while not walking. */
 type Walking = Pose | undefined;
 type StandContext = EditorContext<StandSpecimen, StandPlant>;
 
@@ -34,7 +34,7 @@ const BUTTONS: readonly (readonly [step: Step, label: string, sign: string])[] =
 	["right", "Step right", "→"],
 	["turn right", "Turn right", "↷"],
 ];
-/** Degrees that a drag over the whole canvas turns. */
+/** Rotation by a drag across the whole canvas, degrees. */
 const SWEEP = 90;
 
 export const walk: Tool<StandSpecimen, StandPlant, Walking> = {
@@ -65,7 +65,7 @@ function go(context: StandContext, step: Step): void {
 	if (grown && pose) context.setToolState(walk, stepped(pose, step, grown));
 }
 
-/** The steps as buttons, while one walks. */
+/** Buttons for the steps, visible while walking. */
 class WalkBar extends EditorElement<StandContext> {
 	protected override shows(context: StandContext): readonly unknown[] {
 		return [context.toolState(walk) !== undefined];
@@ -148,7 +148,10 @@ class WalkInteraction implements ToolInteraction<StandSpecimen, StandPlant> {
 		event.stopPropagation();
 	}
 
-	/** On the picture, on the steps, and where nothing has the focus; a slider's arrows are its own. */
+	/**
+	 * Whether a key is for the walker: on the picture, on the buttons, or without focus; sliders keep their arrow
+	 * keys.
+	 */
 	#handlesKeys({ target }: KeyboardEvent): boolean {
 		if (document.querySelector("dialog[open]")) return false;
 		return (
@@ -159,12 +162,12 @@ class WalkInteraction implements ToolInteraction<StandSpecimen, StandPlant> {
 	#down({ pointerId: pointer, clientX: x, clientY: y }: PointerEvent): void {
 		if (!this.#shown || this.#drag) return;
 		this.#drag = { pointer, x, y };
-		// So that its end is heard of beside the canvas, too.
+		// Receives the end of the drag outside the canvas too.
 		this.#view.canvas.setPointerCapture(pointer);
 	}
 
 	#move({ pointerId, clientX, clientY, buttons }: PointerEvent): void {
-		// It has ended unheard.
+		// The drag ended without an event.
 		if (buttons === 0) this.#drag = undefined;
 		const drag = this.#drag;
 		if (!drag || !this.#shown || pointerId !== drag.pointer) return;
