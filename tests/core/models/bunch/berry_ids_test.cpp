@@ -9,7 +9,7 @@
 using namespace panicle;
 using namespace panicle::bunch;
 
-TEST_CASE("what one module bears is told apart, and the first keeps the module's address") {
+TEST_CASE("berries of one module have addresses of their own, and the first has the module's") {
   const std::vector<std::uint64_t> module_addresses{7, 7, 7, 9, 7};
   const std::vector<std::uint64_t> own = own_addresses(module_addresses);
   CHECK(own[0] == 7);
@@ -17,7 +17,7 @@ TEST_CASE("what one module bears is told apart, and the first keeps the module's
   CHECK(std::set<std::uint64_t>(own.begin(), own.begin() + 4).size() == 4);
 }
 
-TEST_CASE("an id is the upper thirty bits of the address, and nobody else's") {
+TEST_CASE("an id is the upper thirty bits of the address, and unique") {
   const std::uint64_t address = 0xfedcba9876543210;
   CHECK(berry_ids(std::vector<std::uint64_t>{address}, 1)[0] == (address >> 34));
   std::vector<std::uint64_t> addresses;
@@ -29,7 +29,7 @@ TEST_CASE("an id is the upper thirty bits of the address, and nobody else's") {
   }
 }
 
-TEST_CASE("the second bunch's berries have other ids than the first's, and whoever else there is") {
+TEST_CASE("the second bunch's berries have other ids than the first's, and unique ones") {
   const std::vector<std::uint64_t> twice{5ull << 40, 6ull << 40, 5ull << 40, 6ull << 40};
   const std::vector<std::uint32_t> ids = berry_ids(twice, 2);
   CHECK(ids[0] != ids[2]);

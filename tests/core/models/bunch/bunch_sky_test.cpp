@@ -55,7 +55,7 @@ double mean(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-TEST_CASE("a lone berry sees all of the sky, its pedicel all but what the berry hides") {
+TEST_CASE("a lone berry sees all of the sky, its pedicel all but the part that the berry hides") {
   const GrownBunch lone = hung({{0, 0, 0}});
   REQUIRE(lone.sky);
   CHECK(std::all_of(lone.sky->berries.begin(), lone.sky->berries.end(), [](std::uint8_t byte) { return byte == 255; }));
@@ -85,7 +85,7 @@ TEST_CASE("two berries that touch darken each other where they do, and nowhere e
   }
 }
 
-TEST_CASE("the whole turned sees as much") {
+TEST_CASE("a rotated bunch sees as much") {
   const std::vector<glm::vec3> places{{-1, 0, 0}, {1, 0, 0}, {0, 1.8f, 0.3f}, {0.2f, -1.7f, 0.4f}};
   std::vector<glm::vec3> turned;
   for (const glm::vec3& p : places) turned.push_back({p.z, p.y, -p.x});
@@ -173,7 +173,7 @@ TEST_CASE("the paper's bunch: a byte for every vertex of the shared berry at eve
   CHECK(mean(grown.sky->berries) < 240);
 }
 
-TEST_CASE("there is no sky where it was not asked for, nor without meshes") {
+TEST_CASE("there is no sky column unless requested, nor without meshes") {
   bunch::BunchRequest request;
   request.measures = false;
   CHECK(!grow(request)->sky);

@@ -69,7 +69,7 @@ TEST_CASE("L-system 1 with m = 3, n1 = 1, n2 = 2 gives 19 internodes and 12 berr
   }
 }
 
-TEST_CASE("L-system 2 keeps apart the berries that L-system 1 lets overlap") {
+TEST_CASE("L-system 2 separates the berries that overlap in L-system 1") {
   BunchRequest request = as_printed(shouldered());
   request.m = 5;
   request.n = {1, 2, 2, 3};
@@ -128,7 +128,7 @@ TEST_CASE("the mean of berries falls strictly as they grow: the pattern of Table
   }
 }
 
-TEST_CASE("the larger radius that print suggests leaves the 20 to 30 berries the paper speaks of, or somewhat more") {
+TEST_CASE("the larger radius that the paper prints leaves its 20 to 30 berries, or somewhat more") {
   BunchRequest request = as_printed(shouldered());
   set_radius(request, 45, 55);
   const double mean = mean_berries(request);
@@ -143,7 +143,7 @@ TEST_CASE("the same request gives the same fingerprint; another seed another") {
   CHECK(grown(request_for(shouldered(), 7)).fingerprint == first);  // independent of growth in between
 }
 
-TEST_CASE("parents come first, axes are those of the plan, withered pedicels bear nothing") {
+TEST_CASE("parents come first, axes are those of the plan, withered pedicels have no berries") {
   BunchRequest request = request_for(shouldered(), 3);
   set(request, Parameter::wing, 0.5f);
   const GrownBunch bunch = grown(request);
@@ -176,7 +176,7 @@ TEST_CASE("every first-order axis has the internodes its count stands for") {
   CHECK(rachis == bunch.plan.m - 1 + 4);
 }
 
-TEST_CASE("sides point where the profile has them") {
+TEST_CASE("sides point in the profile's directions") {
   const std::array<glm::vec3, 4> towards = {{{1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}};
   BunchRequest request = as_printed({290, {}});
   set_radius(request, 2, 2);
@@ -227,7 +227,7 @@ TEST_CASE("both bunches keep their rachis at every angle") {
   }
 }
 
-TEST_CASE("notes say what a person may wonder at") {
+TEST_CASE("notes explain missing berries and ignored inputs") {
   BunchRequest crowded = request_for(shouldered());
   set(crowded, Parameter::wi, 40);
   set(crowded, Parameter::li, 10);
@@ -279,7 +279,7 @@ TEST_CASE("adding an axis leaves the berries' radii where they were") {
   CHECK(unchanged > 0.8 * double(before.berries.size()));
 }
 
-TEST_CASE("bad input is an error value that says what to do") {
+TEST_CASE("bad input is an error that contains the fix") {
   BunchRequest request = request_for(shouldered());
   request.m = 3;
   request.n = {1};
@@ -311,7 +311,7 @@ TEST_CASE("parameters out of range are clamped with a note") {
   CHECK(bunch.notes.size() == 2);
 }
 
-TEST_CASE("limits end in an error value") {
+TEST_CASE("exceeding a limit is an error") {
   BunchRequest request = request_for(shouldered());
   request.m = 1000;
   request.n.assign(999, 1000);

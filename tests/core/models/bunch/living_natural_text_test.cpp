@@ -67,7 +67,7 @@ const std::string answered_pedicel_line = "type=1        --> +(theta) &(phi) !(w
 
 }  // namespace
 
-TEST_CASE("near and tip lay the nodes, whatever they are, and the plan with them") {
+TEST_CASE("`near` and `tip` of the text place the nodes, and the plan follows") {
   const GrownBunch plain = as_it_stands();
   const GrownBunch near = grown(edited(4, "#define near 0.6", "#define near 0.2"));
   CHECK(closing(near) < 0.6f * closing(plain));
@@ -94,7 +94,7 @@ TEST_CASE("a yaw of the text turns axes and twigs") {
   CHECK(droop(grown(edited(4, "#define alpha_y 60", "#define alpha_y 20"))) > droop(as_it_stands()) + 0.1f);
 }
 
-TEST_CASE("a text that asks for axes beyond the plan's finds some") {
+TEST_CASE("a text may use more axes than the plan has") {
   CHECK(grown(edited(4, "aim[k]", "aim[k+60]")).counts.berries > 20);
   CHECK(grown(edited(4, "arm[k]", "arm[k+60]")).counts.berries > 20);
 }
@@ -108,7 +108,7 @@ TEST_CASE("a count is met with as many flowers to an end structure as the text h
   }
 }
 
-TEST_CASE("a thorn in Ap is drawn beside the pedicel, and is none") {
+TEST_CASE("a thorn in Ap is drawn beside the pedicel, and is no pedicel") {
   const GrownBunch plain = as_it_stands();
   const GrownBunch thorny =
       grown(edited(4, pedicel_line, "Ap(w,s) --> [ +(90) F(9) ] ?E(1,0,0,stalk*(1+vary*(ran(0.4)-0.2)),w,s)"));
@@ -125,7 +125,7 @@ TEST_CASE("a thorn in Ap is drawn beside the pedicel, and is none") {
   check_no_gaps(spiny);
 }
 
-TEST_CASE("a text without S shows its stems, and a note says that it bears nothing") {
+TEST_CASE("a text without S shows its stems, with a note about the missing flowers") {
   const GrownBunch bare = grown(edited(4, "F(l) S(b)", "F(l)"));
   CHECK(bare.counts.berries == 0);
   CHECK(count_kind(bare, Kind::pedicel) > 100);
@@ -147,7 +147,7 @@ TEST_CASE("two S on a pedicel are two berries, with ids and places of their own"
   check_no_gaps(ripe);
 }
 
-TEST_CASE("three F in a row are three internodes of one pedicel, without gaps, wherever it bends") {
+TEST_CASE("three F in a row are three internodes of one pedicel, without gaps when it bends") {
   const GrownBunch plain = as_it_stands();
   const GrownBunch thirds = grown(edited(4, "!(w) F(l) S(b)", "!(w) F(l/3) F(l/3) F(l/3) S(b)"));
   CHECK(count_kind(thirds, Kind::pedicel) == 3 * thirds.counts.pedicels);
@@ -166,14 +166,14 @@ TEST_CASE("three F in a row are three internodes of one pedicel, without gaps, w
   check_no_gaps(stems);
 }
 
-TEST_CASE("a ball that hangs on nothing is left out with a note") {
+TEST_CASE("a ball that hangs on no line is left out with a note") {
   const GrownBunch bunch = grown(edited(4, "axiom: Ar", "axiom: S(1) Ar"));
   CHECK(bunch.counts.berries > 40);
   CHECK(has_note(bunch, "hangs on no line"));
   CHECK(as_it_stands().notes.empty());
 }
 
-TEST_CASE("a parameter that the text does not know is told by both procedures") {
+TEST_CASE("both procedures note a parameter that the text does not use") {
   for (const int procedure : {0, 1}) {
     BunchRequest request = natural_request(table3[1].profile());
     set(request, Parameter::procedure, static_cast<float>(procedure));

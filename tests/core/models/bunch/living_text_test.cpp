@@ -42,7 +42,7 @@ double mean_berries(const std::string& grammar, float radius) {
 
 }  // namespace
 
-TEST_CASE("both procedures note what a text says and nothing heeds") {
+TEST_CASE("both procedures note statements of a text without effect") {
   for (const int number : {3, 4}) {
     BunchRequest request = number == 3 ? roomy() : natural_request(table3[1].profile());
     const std::string text = std::string(builtin_grammar(number)) + "\nAz --> F7\n";
@@ -124,7 +124,7 @@ TEST_CASE("the constants of the text are the parameter table's defaults, and a p
   CHECK(drop(grown(longer, builtin)) < 1.8f * drop(grown(roomy(), builtin)));
 }
 
-TEST_CASE("the outline that is measured against reaches as far as the text's own rates do") {
+TEST_CASE("the measured outline uses the text's own rates") {
   // The same bunch, once by its text and once by a parameter.
   BunchRequest request = request_for(table3[4].profile());
   request.measures = true;

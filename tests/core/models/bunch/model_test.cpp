@@ -52,7 +52,7 @@ bunch::BunchRequest manifold(float procedure) {
 
 }  // namespace
 
-TEST_CASE("each block of a request is read into what it is named after") {
+TEST_CASE("each block of a request is read into the member of its name") {
   ContainerWriter writer;
   const auto word = [&writer](const char* name, const std::uint32_t& value) {
     writer.add(name, std::span<const std::uint32_t>(&value, 1));
@@ -85,7 +85,7 @@ TEST_CASE("each block of a request is read into what it is named after") {
   CHECK(request.parameters == parameters);
 }
 
-TEST_CASE("a request's leaf is read from its four blocks, and refused where they do not belong together") {
+TEST_CASE("a request's leaf is read from its four blocks, and refused where they do not match") {
   const FlatLeaf flat = flat_leaf();
   for (const bool whole : {true, false}) {
     ContainerWriter writer;
@@ -114,7 +114,7 @@ TEST_CASE("a request's leaf is read from its four blocks, and refused where they
   }
 }
 
-TEST_CASE("columns say of each internode, berry and missing berry what the growth says") {
+TEST_CASE("columns have the properties of each internode, berry and missing berry") {
   for (const float procedure : {0.0f, 1.0f}) {
     CAPTURE(procedure);
     const GrownBunch bunch = grown(manifold(procedure));
@@ -177,7 +177,7 @@ TEST_CASE("the plan's columns are its sides' widths and drops, their counts, and
   CHECK(column<std::int32_t>(plant, "second.axes")[0] == bunch.second->m);
 }
 
-TEST_CASE("the fingerprint is what docs/fingerprint.md says it is") {
+TEST_CASE("the fingerprint is the one that docs/fingerprint.md specifies") {
   for (const float procedure : {0.0f, 1.0f}) {
     const GrownBunch bunch = grown(manifold(procedure));
     Fingerprint print;
@@ -195,7 +195,7 @@ TEST_CASE("the fingerprint is what docs/fingerprint.md says it is") {
   }
 }
 
-TEST_CASE("stems have the sides that were asked for, within reason") {
+TEST_CASE("stems have the requested number of sides, clamped") {
   bunch::BunchRequest request = request_for(table3[3].profile());
   request.meshes = true;
   const auto vertices = [&](std::uint32_t sides) {
@@ -220,7 +220,7 @@ TEST_CASE("an organ drawn in several pieces is one in every count") {
   CHECK(pieces.counts.berries + pieces.counts.withered == pieces.counts.pedicels);
 }
 
-TEST_CASE("the scale scales everything that is a length, and nothing else") {
+TEST_CASE("the scale scales all lengths, and nothing else") {
   const bunch::BunchRequest request = request_for(table3[1].profile());
   bunch::BunchRequest doubled = request;
   set(doubled, Parameter::unit, 0.5f);
@@ -236,7 +236,7 @@ TEST_CASE("the scale scales everything that is a length, and nothing else") {
     CHECK(two.berries[i].radius == doctest::Approx(2 * one.berries[i].radius).epsilon(1e-4));
 }
 
-TEST_CASE("a bunch whose telling a limit cuts is whole, and its own modules are told no answers of others") {
+TEST_CASE("a bunch whose trace a limit cuts is complete, and no trace entry has the answer of another module") {
   for (const int system : {3, 4}) {
     CAPTURE(system);
     // Idle modules, which every step copies and one go writes once.

@@ -52,7 +52,7 @@ TEST_CASE("the smallest profile is one rachis segment without axes") {
   CHECK(plan.axes.empty());
 }
 
-TEST_CASE("fit makes lengths follow the profile and is 1 where the paper's letter is kept") {
+TEST_CASE("fit makes lengths follow the profile and is 1 for the paper's exact method") {
   const Profile profile = tests::table3[1].profile();
   const Plan plan = make_plan(profile);
   const Fit none = make_fit(profile, plan, 0);

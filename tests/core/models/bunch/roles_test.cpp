@@ -91,7 +91,7 @@ TEST_CASE("a text that declares nothing has the table's roles") {
   CHECK(notes.empty());
 }
 
-TEST_CASE("a text that declares roles has those and no others; one that a bunch does not have is told, once") {
+TEST_CASE("a text that declares roles has only those; an unknown role gets one note") {
   std::vector<std::string> notes;
   const std::string text = "#role rachis Q\n#role pedicel P\n#role tendril T U\naxiom: Q P T U Ar1\n";
   CHECK(kind_in(text, "Q", notes) == Kind::rachis);
@@ -108,7 +108,7 @@ TEST_CASE("a text that declares roles has those and no others; one that a bunch 
                     [](const std::string& note) { return note.find("no role leaf") != std::string::npos; }));
 }
 
-TEST_CASE("links made before there were roles grow what they grew") {
+TEST_CASE("links older than roles grow the same bunch") {
   CHECK(grown(settled(), undeclared(3)).fingerprint == grown(settled(), "").fingerprint);
   for (const int number : {1, 2, 3})
     CHECK(grown(settled(), undeclared(number)).fingerprint ==
@@ -116,7 +116,7 @@ TEST_CASE("links made before there were roles grow what they grew") {
   CHECK(grown(in_flower(), undeclared(4)).fingerprint == grown(in_flower(), "").fingerprint);
 }
 
-TEST_CASE("a renamed symbol draws the same skeleton: addresses are of names, so only luck is another") {
+TEST_CASE("a renamed symbol draws the same skeleton with other random values, for addresses are of names") {
   for (const char* name : {"Ap", "Ae", "Ar1", "Af"}) {
     CAPTURE(name);
     CHECK(grown(settled(), renamed(3, name, "Zz")).fingerprint == grown(settled(), "").fingerprint);

@@ -22,7 +22,7 @@ std::string with(std::string_view text, std::string_view more) { return std::str
 
 }  // namespace
 
-TEST_CASE("an answer's lines are known by its ?E: a thorn beside it is none of them") {
+TEST_CASE("an answer's lines are those of its ?E: a thorn beside it is not") {
   const SkeletonDrawing drawing =
       finished_text(with("axiom: Ae\nAe --> ?E(0,0,0,9,2) [ Ap ]\nAp --> [ +(90) F(1) ] ?E(1,0,0,5,1)\n", answers));
   CHECK(kinds_of(drawing) == std::vector<Kind>{Kind::end, Kind::axis, Kind::pedicel});
@@ -49,17 +49,17 @@ TEST_CASE("lines in a row are internodes of one organ, each where the last one e
   CHECK(plain.internodes[1].joint);
 }
 
-TEST_CASE("what bears a ball is a pedicel, whoever draws it; a stem that bears one in passing is none") {
+TEST_CASE("a line with a ball is a pedicel; a stem that leads on beyond its ball is not") {
   const SkeletonDrawing drawing = finished_text("axiom: B\nB --> F(3) S(1) [ F(2) S(1) ] [ F(2) ]\n");
   CHECK(kinds_of(drawing) == std::vector<Kind>{Kind::axis, Kind::pedicel, Kind::axis});
 }
 
-TEST_CASE("a pedicel without a ball stays one where its answer bears nothing") {
+TEST_CASE("a pedicel whose answer has no ball stays a pedicel") {
   const std::string barren = "?E(type,theta,phi,l,w) : 1 --> F(l)\n";
   CHECK(kinds_of(finished_text("axiom: Ap\nAp --> ?E(1,0,0,5,1)\n" + barren)) == std::vector<Kind>{Kind::pedicel});
 }
 
-TEST_CASE("axes are numbered by the rachis internode they leave; what ends the rachis is of none") {
+TEST_CASE("axes are numbered by the rachis internode they leave; the rachis's end has no axis") {
   const SkeletonDrawing drawing = finished_text(
       "axiom: Ar(2)\nAr(n) : n>0 --> F(5) [ Ar(n-1) ] [ +(90) Af ]\nAr(n) : n=0 --> Ae\nAf --> F(3)\nAe --> F(2) "
       "S(1)\n");
@@ -70,7 +70,7 @@ TEST_CASE("axes are numbered by the rachis internode they leave; what ends the r
   CHECK(axes == std::vector<std::int32_t>{-1, -1, -1, 1, 0});
 }
 
-TEST_CASE("balls that hang on nothing are left out, and counted") {
+TEST_CASE("balls that hang on no line are left out, and counted") {
   SkeletonDrawing drawing = drawn_text("axiom: S(1) F(2) S(1)\n");
   CHECK(drawing.attached_balls() == 1);
   CHECK(drawing.finish() == 1);

@@ -165,7 +165,7 @@ TEST_CASE("bending folds, waves and curls, and flat is flat") {
   CHECK(waved({0, 0.125f}).z == 0);
 }
 
-TEST_CASE("normals are those of the bent blade, whatever veins stand out of it") {
+TEST_CASE("normals are those of the bent blade, without its veins") {
   const Margin margin = margin_of({}, 0);
   const Outline outline(margin.points);
   const Bending bending{.scale = 0.1f, .half_width = 0.3f, .fold = 20, .curl = 60, .undulation = 0.1f};
@@ -180,7 +180,7 @@ TEST_CASE("normals are those of the bent blade, whatever veins stand out of it")
   }
 }
 
-TEST_CASE("the petiole comes out from under the blade, is as long as asked and widens to its foot") {
+TEST_CASE("the petiole begins under the blade, has the requested length and widens to its foot") {
   const Bending bending{.scale = 0.1f, .half_width = 0.3f, .curl = 40};
   const auto segments = make_petiole(bending, 0.05f, 0.001f);
   REQUIRE(segments.size() > 2);

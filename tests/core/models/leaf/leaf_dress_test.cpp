@@ -57,7 +57,7 @@ TEST_CASE("the thickest vein has the requested width, and at forks widths, cross
   }
 }
 
-TEST_CASE("a petiole is as thick as asked, however thick the veins are") {
+TEST_CASE("a petiole has the requested thickness, independent of the veins") {
   for (const auto& [vein, wide] : {std::pair{0.3f, 2.4f}, {3.0f, 1.2f}}) {
     const Plant plant = leaf_of(
         {{{Parameter::particles, 100}, {Parameter::vein, vein}, {Parameter::petiole_width, wide}}, {}, 1, "meshes"});
@@ -87,7 +87,7 @@ TEST_CASE("particles are large enough to be seen, the larger the fewer there are
   CHECK(many == near(0.0022f, 1e-3));
 }
 
-TEST_CASE("age runs from scattered particles to whole trails, in the middle both stand") {
+TEST_CASE("age runs from scattered particles to whole trails, with both in the middle") {
   const auto at = [](float age) {
     return leaf_of({{{Parameter::particles, 400}, {Parameter::age, age}}, {}, 1, "meshes"});
   };

@@ -11,7 +11,7 @@ using namespace panicle;
 using namespace panicle::particles;
 using namespace panicle::particles::leaf;
 
-TEST_CASE("what is measured is geometry's") {
+TEST_CASE("measures follow from geometry") {
   // A square of 100 mm, its corners sharp, one particle: a straight vein.
   const std::vector<float> square{-0.5f, 0, 1, 0.5f, 0, 1, 0.5f, 1, 1, -0.5f, 1, 1};
   const Plant plant = leaf_of({{{Parameter::length, 100},
@@ -81,7 +81,7 @@ TEST_CASE("angles and spacings of secondaries are those of a drawn leaf") {
   CHECK(std::isnan(measure(Measure::primary_angle)));
 }
 
-TEST_CASE("the angle between primaries is the mean of what is between neighbours") {
+TEST_CASE("the angle between primaries is the mean over neighbours") {
   // Three targets' trails, at −50°, 0° and 60° from upwards.
   std::vector<Trails> crowds;
   for (const float degrees : {-50.0f, 60.0f, 0.0f}) {

@@ -96,7 +96,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("so it is of outlines, seeds and rules at random") {
+TEST_CASE("random outlines, seeds and rules give sound leaves") {
   std::size_t refused = 0;
   for (std::uint32_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
@@ -124,7 +124,7 @@ TEST_CASE("so it is of outlines, seeds and rules at random") {
   CHECK(refused < 30);
 }
 
-TEST_CASE("a palmate leaf has a tree for each lobe, a pinnate one a midrib and side veins about as many as asked") {
+TEST_CASE("a palmate leaf has a tree for each lobe, a pinnate one a midrib and about the requested side veins") {
   const auto outlines = leaf_outlines();
   const auto grape =
       std::find_if(outlines.begin(), outlines.end(), [](const auto& one) { return one.name == "grapevine"; });
@@ -149,7 +149,7 @@ TEST_CASE("a palmate leaf has a tree for each lobe, a pinnate one a midrib and s
   CHECK(measure(fewer, Measure::secondary_spacing) > 1.3f * measure(pinnate, Measure::secondary_spacing));
 }
 
-TEST_CASE("a growth is its request's: the same twice, another with another seed") {
+TEST_CASE("the same request gives the same leaf, another seed another") {
   const CropTarget wish{{{Parameter::particles, 300}}, {}, 5, "meshes mesh_fingerprint"};
   const Plant one = leaf_of(wish), again = leaf_of(wish);
   CHECK(one.fingerprint == again.fingerprint);
@@ -158,7 +158,7 @@ TEST_CASE("a growth is its request's: the same twice, another with another seed"
   CHECK(leaf_of({{{Parameter::particles, 300}}, {}, 6}).fingerprint != one.fingerprint);
 }
 
-TEST_CASE("what a leaf cannot use is brought into its range with a note, or refused in words") {
+TEST_CASE("inputs out of range are clamped with a note, invalid ones refused with a message") {
   const Plant wild =
       leaf_of({{{Parameter::particles, 1e9f}, {Parameter::age, 100}, {Parameter::teeth, -4}}, {}, 1, "", {99}});
   CHECK(count_at(wild, "particles") > 19000);
@@ -175,7 +175,7 @@ TEST_CASE("what a leaf cannot use is brought into its range with a note, or refu
   check_leaf(away, 1, 0.35f);
 }
 
-TEST_CASE("a leaf whose particles run for ever so long, or leave too much behind, is refused") {
+TEST_CASE("a leaf whose particles run too long, or leave too many segments, is refused") {
   const auto refusal = [](const Limits& limits) {
     const auto leaf = grown({{{Parameter::particles, 300}, {Parameter::step, 0.05f}, {Parameter::ribs, 2}}}, limits);
     REQUIRE_FALSE(leaf);

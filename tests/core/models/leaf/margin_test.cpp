@@ -58,14 +58,14 @@ TEST_CASE("the spline passes through its points, keeps corners and is round betw
   CHECK(turn(0) < 0.95f);
 }
 
-TEST_CASE("an outline the other way round is turned, its base kept") {
+TEST_CASE("an outline in the other sense is reversed, with the same base") {
   const auto one = points_of({0, 0, 1, 0.4f, 0.4f, 0, 0, 1, 3, -0.4f, 0.4f, 0});
   const auto other = points_of({0, 0, 1, -0.4f, 0.4f, 0, 0, 1, 3, 0.4f, 0.4f, 0});
   REQUIRE(one.size() == other.size());
   for (std::size_t i = 0; i < one.size(); ++i) CHECK(one[i].place == other[i].place);
 }
 
-TEST_CASE("outlines that cannot be are refused in words that say where") {
+TEST_CASE("invalid outlines are refused with a message that contains the place") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   CHECK(trouble_with({0, 0}).find("x, y and kind") != std::string::npos);
   CHECK(trouble_with({0, 0, 0, 1, 1, 0}).find("2 points") != std::string::npos);
@@ -83,7 +83,7 @@ TEST_CASE("outlines that cannot be are refused in words that say where") {
   CHECK(notes.size() == 1);
 }
 
-TEST_CASE("edges that cross are found, whichever they are") {
+TEST_CASE("any crossing edges are found") {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     std::vector<glm::vec2> points;
     for (std::uint64_t i = 0; i < 4 + seed % 6; ++i)
@@ -119,7 +119,7 @@ TEST_CASE("edges that cross are found, whichever they are") {
   }
 }
 
-TEST_CASE("teeth are as many, as deep and as the shape has them; the margin's points and tips stay") {
+TEST_CASE("teeth have the requested number, depth and shape; the margin's points and tips stay") {
   const auto margin = spline(default_outline());
   REQUIRE(margin);
   std::vector<std::string> notes;
@@ -181,7 +181,7 @@ float width_at(std::span<const glm::vec2> points, float y) {
 
 }  // namespace
 
-TEST_CASE("teeth leave most of a narrow lobe standing, and are as deep as asked where the blade is wide") {
+TEST_CASE("teeth leave most of a narrow lobe, and have the requested depth where the blade is wide") {
   // Broad below, a long thin tip above.
   const Margin margin = margin_of(
       mirrored({{0, 0, 1}, {0.3f, 0.2f, 0}, {0.2f, 0.45f, 0}, {0.035f, 0.6f, 0}, {0.02f, 0.9f, 0}, {0, 1, 3}}));
@@ -201,7 +201,7 @@ TEST_CASE("teeth leave most of a narrow lobe standing, and are as deep as asked 
   }
 }
 
-TEST_CASE("where a fold leaves no room teeth are left out, said in a note; all others stay as they were") {
+TEST_CASE("teeth without room in a fold are left out with a note; all others are unchanged") {
   // The bay above the right lobe is drawn down along the margin below: the lobe hangs by a thread.
   const std::vector<float> whole{0,      0,     1, 0.3f,  0.05f, 1, 0.6f,  0.3f,  3, 0.45f, 0.42f, 1, 0.35f,  0.41f, 1,
                                  0.25f,  0.4f,  1, 0.2f,  0.7f,  0, 0,     1,     3, -0.2f, 0.7f,  0, -0.25f, 0.4f,  1,
@@ -236,7 +236,7 @@ TEST_CASE("where a fold leaves no room teeth are left out, said in a note; all o
   CHECK(depth > 0.8f * depth_before);
 }
 
-TEST_CASE("an entire base has no teeth, and those that there are share what is left") {
+TEST_CASE("an entire base has no teeth, and the teeth share the rest of the margin") {
   const auto margin = spline(default_outline());
   REQUIRE(margin);
   std::vector<std::string> notes;
@@ -257,7 +257,7 @@ TEST_CASE("an entire base has no teeth, and those that there are share what is l
   CHECK(notes.empty());
 }
 
-TEST_CASE("teeth of any kind leave a margin that does not cross itself, tips and all") {
+TEST_CASE("a margin with teeth of any kind does not cross itself") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
     // A star whose points come close to each other as they fall.

@@ -11,7 +11,7 @@
 namespace panicle::particles {
 namespace {
 
-TEST_CASE("an axis begins at its foot, strays as far as it is told, and each seed's goes its own way") {
+TEST_CASE("an axis begins at its foot, strays by the given length, and each seed has its own axis") {
   const glm::vec3 foot(1, 0, 2);
   const Axis upright(foot);
   CHECK(upright.at(5) == glm::vec3(1, 5, 2));

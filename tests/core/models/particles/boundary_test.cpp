@@ -65,7 +65,7 @@ TEST_CASE("a spline passes its points, and never below 0") {
   CHECK(spline_through({}).empty());
 }
 
-TEST_CASE("notes on a mesh say where it is open and where it is turned") {
+TEST_CASE("notes on a mesh name its open edges and its turned triangles") {
   Form form = Form::mesh;
   std::vector<std::string> notes;
   Surface whole = box({0, 0, 0}, {1, 1, 1});

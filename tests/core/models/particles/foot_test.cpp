@@ -30,7 +30,7 @@ Stand stand_of(const Plant& plant) {
   return stand;
 }
 
-TEST_CASE("a trunk stands level on the ground however it sways, and widens there in ridges") {
+TEST_CASE("a swaying trunk is level on the ground, and widens there in ridges") {
   const auto stand = [](float flare, float sway) {
     return stand_of(grow_tree(
         {.parameters = {{"particles", 400}, {"sway", sway}, {"girth", 40}, {"flare", flare}}, .outputs = "meshes"}));
@@ -57,7 +57,7 @@ TEST_CASE("each of several trunks has its foot") {
   }
 }
 
-TEST_CASE("a skirt's normals look out, and its triangles are all there is of it below ground level") {
+TEST_CASE("a root flare's normals look out, and its triangles are the only ones below ground level") {
   const Plant plant =
       grow_tree({.parameters = {{"particles", 200}, {"girth", 40}, {"flare", 1.5f}}, .outputs = "meshes"});
   const Mesh& mesh = plant.meshes[0].mesh;
@@ -77,7 +77,7 @@ TEST_CASE("a skirt's normals look out, and its triangles are all there is of it 
   CHECK(down >= 36);
 }
 
-TEST_CASE("a root hangs from a stem that is cut level, as high as told") {
+TEST_CASE("a root hangs from a stem of the given height that is cut level") {
   const auto top = [](float stump) {
     const Plant plant = grow_root({.parameters = {{"particles", 300}, {"stump", stump}}, .outputs = "meshes"});
     float high = -1;
@@ -90,7 +90,7 @@ TEST_CASE("a root hangs from a stem that is cut level, as high as told") {
   CHECK(top(0) < 0.06f);
 }
 
-TEST_CASE("feet are the thickest that begin at each target") {
+TEST_CASE("the foot of each target is the thickest segment that begins there") {
   const std::vector<Segment> segments{{-1, 0, {0, 0, 0}, {0, 1, 0}, 0.1f, 0.1f},
                                       {-1, 0, {0, 0, 0}, {1, 1, 0}, 0.2f, 0.1f},
                                       {-1, 0, {5, 3, 0}, {5, 4, 0}, 0.3f, 0.1f},

@@ -31,7 +31,7 @@ float angle_at(const Trails& trails, std::size_t fork) {
   return std::acos(glm::dot(one, other)) * 57.29578f;
 }
 
-TEST_CASE("who met face to face stands in a fork, no farther from where that was than is told") {
+TEST_CASE("particles that met face to face have a fork, no farther away than the given distance") {
   Trails trails = face_to_face();
   const Straight guide({0, 0, 0});
   narrow_forks(trails, guide, 0.05f, 2);
@@ -45,7 +45,7 @@ TEST_CASE("who met face to face stands in a fork, no farther from where that was
   CHECK(glm::distance(held.places[2], {0, 4, 0}) == doctest::Approx(0.3f));
 }
 
-TEST_CASE("of two places that all draw towards each other none gets past the other") {
+TEST_CASE("two places that are drawn towards each other never pass each other") {
   // The trail comes up from below to the second, down to the first, and goes up to the target.
   Trails trails{.places = {{0, 9, 0}, {0, 8, 0}, {0, 1, 0}, {0, 2, 0}, {0.1f, -9, 0}, {-0.1f, -9, 0}},
                 .next = {-1, 0, 1, 2, 3, 3},
@@ -56,7 +56,7 @@ TEST_CASE("of two places that all draw towards each other none gets past the oth
   CHECK(trails.places[3].y - trails.places[2].y == doctest::Approx(0.05f).epsilon(0.01));
 }
 
-TEST_CASE("forks do not slide to where an obstacle hides their twigs") {
+TEST_CASE("forks do not move to places where an obstacle hides their twigs") {
   // The twigs run along the top of a box, beside which the fork would come to stand.
   const std::vector<Box> boxes{{{-0.9f, 2, -1}, {-0.1f, 3.9f, 1}}};
   const Obstacles obstacles(boxes, 0.01f, 0, 10);

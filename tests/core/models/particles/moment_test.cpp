@@ -10,7 +10,7 @@
 using namespace panicle;
 using namespace panicle::particles;
 
-TEST_CASE("at the beginning all particles stand where they start, at the end all trails stand") {
+TEST_CASE("at the beginning all particles are at their starts, at the end all trails are complete") {
   const Round disc(true);
   const Straight guide({0, -1, 0});
   const auto starts = scatter(disc, Pattern::blue, 300, spacing_of(disc, 300), 3);
@@ -34,7 +34,7 @@ TEST_CASE("at the beginning all particles stand where they start, at the end all
   CHECK(old.energy == trails.energy);
 }
 
-TEST_CASE("between, no energy is lost, trees keep their order and everyone moves on") {
+TEST_CASE("in between, no energy is lost, trees keep their order and every particle moves on") {
   const Round disc(true);
   const Straight guide({0.3f, -1, 0});
   const auto starts = scatter(disc, Pattern::jittered, 200, spacing_of(disc, 200), 8);
@@ -64,7 +64,7 @@ TEST_CASE("between, no energy is lost, trees keep their order and everyone moves
   CHECK(at_target > 0);
 }
 
-TEST_CASE("particles run evenly between places, whichever moment was seen before") {
+TEST_CASE("particles run evenly between places, independent of earlier queries") {
   // Two starts that meet at a fork after 4 steps and go on to the target.
   const Trails whole{.places = {{0, 0, 0}, {0, 2, 0}, {-1, 3, 0}, {1, 3, 0}},
                      .next = {-1, 0, 1, 1},
@@ -90,7 +90,7 @@ TEST_CASE("particles run evenly between places, whichever moment was seen before
   CHECK(one[0].y == doctest::Approx(1.5f));
 }
 
-TEST_CASE("a timeline counts the steps in which someone is seen to move") {
+TEST_CASE("a timeline counts the steps in which a particle visibly moves") {
   // One goes home in 2 steps and another, that stood still in between, in steps 5 and 6; the crowd ran on until 9.
   const Trails whole{.places = {{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}},
                      .next = {-1, 0, 1, 0, 3, 4},

@@ -37,7 +37,7 @@ float measure_of(const Plant& plant) { return plant.measures[static_cast<std::si
 
 }  // namespace
 
-TEST_CASE("what stands on a trunk's axis is gone round") {
+TEST_CASE("a trunk goes round an obstacle on its axis") {
   for (const std::vector<float>& rows : {std::vector<float>{-0.5f, 1.5f, -0.5f, 0.5f, 2, 0.5f},
                                          {-0.4f, 3, -0.4f, 0.4f, 3.3f, 0.4f},
                                          {-0.5f, 0.6f, -0.5f, 0.5f, 1, 0.5f, -0.3f, 3, -0.3f, 0.6f, 3.5f, 0.3f}}) {
@@ -64,7 +64,7 @@ TEST_CASE("behind a wall it is dark, and a crown is thinner") {
   CHECK(measure_of(grown({3.6f, 0, -10, 3.7f, 30, 10})) < 0.5f * measure_of(open));
 }
 
-TEST_CASE("a stone right below the collar is come past, however few particles there are") {
+TEST_CASE("roots pass a stone right below the collar, even with few particles") {
   for (const std::vector<float>& stone :
        {std::vector<float>{-0.05f, -0.1f, -0.1f, 0.05f, -0.05f, 0.1f}, {-0.05f, -0.1f, -1, 1, -0.05f, 1}})
     for (const float particles : {10.0f, 300.0f}) {

@@ -36,7 +36,7 @@ bool holds_by_angles(const std::vector<glm::vec2>& points, const glm::vec2& p) {
 
 }  // namespace
 
-TEST_CASE("an outline contains what winds about, whatever its sense and however lobed") {
+TEST_CASE("an outline of either sense contains the places with a winding number, lobed or not") {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     std::vector<glm::vec2> points = star(3 + seed % 9, 0.2f + 0.7f * random_unit(seed, 1, 0), seed % 2);
     if (seed % 5 == 0)  // crossing itself at random
@@ -50,7 +50,7 @@ TEST_CASE("an outline contains what winds about, whatever its sense and however 
   }
 }
 
-TEST_CASE("an outline's rows know what all its edges would") {
+TEST_CASE("an outline's rows give the same result as all its edges") {
   const Outline outline(star(7, 0.4f, false));
   std::size_t held = 0;
   for (std::uint64_t k = 0; k < 2000; ++k) {
@@ -66,7 +66,7 @@ TEST_CASE("an outline's rows know what all its edges would") {
   CHECK(held > 100);
 }
 
-TEST_CASE("an outline's area and distances are geometry's") {
+TEST_CASE("an outline's area and distances follow from geometry") {
   const Outline square({{0, 0}, {2, 0}, {2, 1}, {0, 1}});
   CHECK(square.area() == doctest::Approx(2));
   CHECK(square.distance({1, 0.5f, 0}) == doctest::Approx(0.5));
@@ -76,7 +76,7 @@ TEST_CASE("an outline's area and distances are geometry's") {
   CHECK(square.flat());
 }
 
-TEST_CASE("an outline of fewer than three points holds nothing") {
+TEST_CASE("an outline of fewer than three points is empty") {
   for (const std::size_t count : {0u, 1u, 2u}) {
     const Outline outline(std::vector<glm::vec2>(count, glm::vec2(0.5f, 0.5f)));
     CHECK_FALSE(outline.contains({0.5f, 0.5f, 0}));

@@ -70,7 +70,7 @@ TEST_CASE("all energy arrives and trails form one tree, for any shape, seed, rul
   }
 }
 
-TEST_CASE("all run until they have arrived, or have moved as often as they may") {
+TEST_CASE("particles run until all have arrived, or until the limit of moves") {
   const Straight guide({0, 0, 0});
   const std::vector<glm::vec3> starts{{1, 0, 0}, {0, 2, 0}};
   const Rules rules{.step = 0.1f, .merge = 0.1f, .pull = 0};
@@ -85,7 +85,7 @@ TEST_CASE("all run until they have arrived, or have moved as often as they may")
   CHECK(short_of_one.arrived() == 2);
 }
 
-TEST_CASE("whoever shares a place or a line is dealt with: one, two, many at a place, all at the target, nobody") {
+TEST_CASE("particles that share a place or a line arrive: one, two, many at a place, all at the target, none") {
   const Straight guide({0, 0, 0});
   const std::vector<std::vector<glm::vec3>> crowds = {
       {},
@@ -123,7 +123,7 @@ TEST_CASE("a particle alone goes straight, step by step, and its last segment en
   CHECK(glm::distance(trails.places[1], trails.places[0]) <= 0.1001f);
 }
 
-TEST_CASE("the two pulls add up as their weights say; as printed every move is as long as the step") {
+TEST_CASE("the two pulls add up by their weights; as printed every move is as long as the step") {
   const Straight guide({0, -10, 0});
   const std::vector<glm::vec3> starts = {{0, 0, 0}, {1, 0, 0}};
   const auto first_move = [&](const Rules& rules) {
@@ -204,7 +204,7 @@ TEST_CASE("a step that would leave the shape is taken towards the aim alone") {
   CHECK(crowd.places()[1] == glm::vec3(1, -0.3f, 0));
 }
 
-TEST_CASE("crowds see nobody through a wall, walk round it, and start no trail through it") {
+TEST_CASE("particles ignore neighbours behind a wall, walk round it, and never cross it") {
   const Walled guide({0.5f, -0.8f, 0});
   class Square final : public Region {
    public:
@@ -235,7 +235,7 @@ TEST_CASE("crowds see nobody through a wall, walk round it, and start no trail t
     }
 }
 
-TEST_CASE("two whose ways lead apart draw each other back, until they are let go after four ways") {
+TEST_CASE("two particles with diverging ways draw each other back until the step budget is used up") {
   // A ledge over the target, each half of which is left by its own end.
   class Ledge final : public Guide {
    public:
@@ -257,7 +257,7 @@ TEST_CASE("two whose ways lead apart draw each other back, until they are let go
   check_tree(crowd, crowd.trails(), 2, 1);
 }
 
-TEST_CASE("whoever never comes to the target is led there after four ways more") {
+TEST_CASE("particles that do not arrive are moved to the target after twice the step budget") {
   // An aim that always lies to the left of the target's direction: straight ways never arrive while neighbours pull.
   class Swirl final : public Guide {
    public:
@@ -300,7 +300,7 @@ TEST_CASE("with joining, a leaf's trails cross a fraction as often") {
   CHECK(joined * 2 < free);
 }
 
-TEST_CASE("the order of starts is all that names them: the same starts give the same trails to the bit") {
+TEST_CASE("the same starts give the same trails to the bit") {
   const Round region(false);
   const auto starts = scatter(region, Pattern::blue, 700, spacing_of(region, 700), 4);
   const Straight guide({0, -2, 0});
@@ -314,7 +314,7 @@ TEST_CASE("the order of starts is all that names them: the same starts give the 
   CHECK(one.next == other.next);
 }
 
-TEST_CASE("two who are alone see each other, however far apart") {
+TEST_CASE("two particles alone are neighbours at any distance") {
   const Straight guide({0, 0, 0});
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     CAPTURE(seed);
@@ -329,7 +329,7 @@ TEST_CASE("two who are alone see each other, however far apart") {
   }
 }
 
-TEST_CASE("nearest and pairs are what looking at all would find, ties to the lowest index") {
+TEST_CASE("nearest and pairs are the same as from all points, ties to the lowest index") {
   const Straight guide({0, 0, 0});
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);

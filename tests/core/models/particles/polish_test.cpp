@@ -76,7 +76,7 @@ std::size_t starts_of(const Trails& trails) {
 
 }  // namespace
 
-TEST_CASE("smoothing takes the turns out of trails and leaves the target, ends and the tree") {
+TEST_CASE("smoothing removes turns from trails and keeps the target, ends and the tree") {
   for (const bool flat : {true, false}) {
     Run before = run(800, flat);
     Trails after = before.trails;
@@ -89,7 +89,7 @@ TEST_CASE("smoothing takes the turns out of trails and leaves the target, ends a
   }
 }
 
-TEST_CASE("smoothing draws a place halfway to the mean of its neighbours, by their energy") {
+TEST_CASE("smoothing moves a place halfway to the mean of its neighbours, by their energy") {
   // The middle of three, and of a fork of 1 and 3.
   Trails trails{.places = {{0, 0, 0}, {0, 1, 0}, {-1, 2, 0}, {1, 2, 0}},
                 .next = {-1, 0, 1, 1},
@@ -102,7 +102,7 @@ TEST_CASE("smoothing draws a place halfway to the mean of its neighbours, by the
   CHECK(trails.places[1].x == doctest::Approx(0.25));
 }
 
-TEST_CASE("a share of a pass draws a place that share of the way, and what carries more is drawn more") {
+TEST_CASE("a share of a pass moves a place that share of the way, and places with more energy move more") {
   const auto bent = [](double energy) {
     return Trails{.places = {{0, 0, 0}, {0, 1, 0}, {1, 2, 0}, {0, 3, 0}, {5, 0, 0}},
                   .next = {-1, 0, 1, 2, 0},
@@ -119,7 +119,7 @@ TEST_CASE("a share of a pass draws a place that share of the way, and what carri
   CHECK(less.places[1].x == doctest::Approx(0.25 * 10 / 17.5));
 }
 
-TEST_CASE("no place is drawn out of what is open to it") {
+TEST_CASE("no place is moved out of the open region") {
   const Walled guide({0.5f, -0.8f, 0});
   Trails trails{.places = {{0.5f, -0.8f, 0}, {0.02f, -0.5f, 0}, {0, 0.52f, 0}, {-0.02f, -0.5f, 0}},
                 .next = {-1, 0, 1, 2},
@@ -161,7 +161,7 @@ TEST_CASE("simplifying keeps forks, starts and energies, and every place within 
   }
 }
 
-TEST_CASE("a straight trail is two places, whatever the tolerance") {
+TEST_CASE("a straight trail is two places at any tolerance") {
   Trails trails;
   for (int i = 0; i < 50; ++i) {
     trails.places.push_back({0, static_cast<float>(i), 0});

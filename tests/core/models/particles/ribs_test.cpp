@@ -29,7 +29,7 @@ Ribs fishbone() {
 
 }  // namespace
 
-TEST_CASE("the nearest place on ribs, the way down them and its length are geometry's") {
+TEST_CASE("the nearest place on ribs, the way down them and its length follow from geometry") {
   const Ribs ribs = fishbone();
   const Ribs::Foot foot = ribs.nearest({0.1f, 0.3f, 0});
   CHECK(foot.at == 2);
@@ -56,7 +56,7 @@ TEST_CASE("ribs of one place alone are that place") {
   }
 }
 
-TEST_CASE("places strewn over ribs are no farther apart than asked") {
+TEST_CASE("places along ribs are no farther apart than the spacing") {
   const Ribs ribs = fishbone();
   const auto strewn = ribs.strewn(0.07f);
   CHECK(strewn[0] == ribs.places[0]);
@@ -67,7 +67,7 @@ TEST_CASE("places strewn over ribs are no farther apart than asked") {
   }
 }
 
-TEST_CASE("the grid finds what looking at every piece finds") {
+TEST_CASE("the grid gives the same result as all pieces") {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Ribs ribs{{{0, 0, 0}}, {-1}};
     for (std::uint64_t i = 1; i < 2 + 15 * seed; ++i) {

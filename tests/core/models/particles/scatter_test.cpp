@@ -42,7 +42,7 @@ float widest_gap(const Region& region, const std::vector<glm::vec3>& points, flo
 
 }  // namespace
 
-TEST_CASE("the spacing of points is the root of what each of them has of the region") {
+TEST_CASE("the spacing of points is the root of the area or volume of each") {
   CHECK(spacing_of(Round(true), 1000) == near(std::sqrt(3.14159f / 1000), 0.01));
   CHECK(spacing_of(Round(false), 1000) == near(std::cbrt(4.18879f / 1000), 0.01));
   CHECK(spacing_of(Round(false, 1, 0.8f), 1000) == near(std::cbrt(4.18879f * 0.488f / 1000), 0.02));
@@ -70,7 +70,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("exactly as many start as were asked for, be they few, in a shell or where it is dense in one place alone") {
+TEST_CASE("exactly the requested number starts, for few points, in a shell and in a region dense in one place alone") {
   for (const bool flat : {true, false})
     for (const float hole : {0.0f, 0.95f})
       for (const Pattern pattern : patterns)
@@ -91,7 +91,7 @@ TEST_CASE("exactly as many start as were asked for, be they few, in a shell or w
   for (const Pattern pattern : patterns) CHECK(scatter_all(Shaded(), pattern, 3000, 1).points.size() == 3000);
 }
 
-TEST_CASE("blue noise stays even where it is as many as were asked for") {
+TEST_CASE("blue noise of the requested number is even") {
   for (const bool flat : {true, false}) {
     CAPTURE(flat);
     const Round region(flat);
@@ -101,7 +101,7 @@ TEST_CASE("blue noise stays even where it is as many as were asked for") {
   }
 }
 
-TEST_CASE("a region that has grown to a half has an eighth of the points, and jittered ones stay") {
+TEST_CASE("a region of half the size has an eighth of the points, and jittered ones stay") {
   for (const Pattern pattern : {Pattern::jittered, Pattern::blue}) {
     CAPTURE(static_cast<int>(pattern));
     const Round grown(false), half(false, 0.5f);
@@ -130,7 +130,7 @@ TEST_CASE("blue noise keeps its distance and leaves no holes; uniform points do 
   }
 }
 
-TEST_CASE("where a region says a quarter, a quarter as many start") {
+TEST_CASE("where a region's density is a quarter, a quarter as many start") {
   const Shaded region;
   for (const Pattern pattern : patterns) {
     CAPTURE(static_cast<int>(pattern));
@@ -178,14 +178,14 @@ class FarApart final : public Region {
 
 }  // namespace
 
-TEST_CASE("what lies empty between is not looked at place by place") {
+TEST_CASE("empty space is not queried place by place") {
   const FarApart region;
   const auto points = scatter(region, Pattern::jittered, 8000, 0.1f, 1);
   CHECK(points.size() > 7000);
   CHECK(region.queries < 8 * points.size());
 }
 
-TEST_CASE("a region without extent holds nobody, and nothing hangs") {
+TEST_CASE("a region without extent has no points, and scattering ends") {
   for (const Pattern pattern : patterns) {
     CHECK(scatter(Round(true, 0), pattern, 100, spacing_of(Round(true, 0), 100), 1).empty());
     CHECK(scatter(Round(false, 1, 2), pattern, 100, spacing_of(Round(false, 1, 2), 100), 1).empty());

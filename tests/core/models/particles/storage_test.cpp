@@ -20,7 +20,7 @@ TEST_CASE("a storage root tapers to nothing at its reach") {
     CHECK(root::storage_radius(habit, below) > root::storage_radius(habit, below + 0.02f));
 }
 
-TEST_CASE("the main root swells as far as told, whatever leaves it; side roots do not, and stay on it") {
+TEST_CASE("the main root swells over its reach; side roots do not, and stay on it") {
   const auto grown = [](float storage, float age = 100) {
     return grow_root({.parameters = {{"storage", storage},
                                      {"storage_reach", 0.5f},

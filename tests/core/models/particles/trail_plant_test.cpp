@@ -81,7 +81,7 @@ TEST_CASE("trails become segments, parents first, from the target out") {
   CHECK(plant.notes.empty());
 }
 
-TEST_CASE("particles that had to be led are told of") {
+TEST_CASE("stragglers get a note") {
   Plant plant;
   const Trails trails[] = {fork()};
   const double all[] = {3};

@@ -13,7 +13,7 @@
 namespace panicle::particles {
 namespace {
 
-TEST_CASE("particles make for the axis below them, as much lower as they are away") {
+TEST_CASE("particles aim at the axis below them, as much lower as they are away") {
   const Trunk trunk({1, 0, 2}, {.slant = 0.5f, .ahead = 0.1f});
   CHECK(trunk.aim({3, 5, 2}) == glm::vec3(1, 4, 2));
   CHECK(trunk.aim({1, 5, 2}).y == doctest::Approx(4.9f));  // on it, as far as it looks
@@ -21,13 +21,13 @@ TEST_CASE("particles make for the axis below them, as much lower as they are awa
   CHECK(trunk.way({3, 5, 2}) == doctest::Approx(std::sqrt(5.0f) + 4));
 }
 
-TEST_CASE("roots make for the axis above them") {
+TEST_CASE("root particles aim at the axis above them") {
   const Trunk trunk({0, 0, 0}, {.slant = 1, .ahead = 0.1f, .way = 1});
   CHECK(trunk.aim({2, -5, 0}) == glm::vec3(0, -3, 0));
   CHECK(trunk.aim({2, -1, 0}) == glm::vec3(0, 0, 0));
 }
 
-TEST_CASE("nothing comes to the bole, but for what is beside it") {
+TEST_CASE("no particle comes to the bole, except those beside it") {
   const Trunk trunk({0, 0, 0}, {.slant = 2, .ahead = 0.1f, .bole = 1});
   CHECK(trunk.aim({2, 3, 0}) == glm::vec3(0, 1, 0));
   CHECK(trunk.aim({2, 0.5f, 0}) == glm::vec3(0, 0, 0));
@@ -35,7 +35,7 @@ TEST_CASE("nothing comes to the bole, but for what is beside it") {
   CHECK(trunk.aim({0, 0.05f, 0}) == glm::vec3(0, 0, 0));
 }
 
-TEST_CASE("ways bend the more the farther from the axis, and end at the target all the same") {
+TEST_CASE("ways bend more farther from the axis, and end at the target") {
   TrunkHabit habit{.slant = 1, .ahead = 0.1f, .bend = {0, 0.7f, 0}, .reach = 2};
   const Trunk bent({0, 0, 0}, habit);
   const auto rise = [&](float x) {
@@ -72,7 +72,7 @@ TEST_CASE("a way leads out of the crown downwards alone") {
   CHECK_FALSE(root.passes({0, 2.1f, 0}, {0, 1.9f, 0}));
 }
 
-TEST_CASE("particles leave the crown downwards alone, however strongly their ways bend up") {
+TEST_CASE("particles leave the crown downwards alone, even if their ways bend up") {
   const Solid crown(box({-1, 2.5f, -1}, {1, 3.5f, 1}));
   const float spacing = spacing_of(crown, 400);
   const std::vector<glm::vec3> starts = scatter(crown, Pattern::blue, 400, spacing, 3);
@@ -89,7 +89,7 @@ TEST_CASE("particles leave the crown downwards alone, however strongly their way
   CHECK(above(nullptr) > 20);
 }
 
-TEST_CASE("obstacles hide what is behind them, and are gone round") {
+TEST_CASE("obstacles hide places behind them, and particles go round") {
   const std::vector<Box> wall{{{0.5f, -1, -2}, {0.7f, 4, 2}}};
   const Obstacles obstacles(wall, 0.02f, 0, 100);
   CHECK(obstacles.contains({0.6f, 1, 0}));
@@ -121,7 +121,7 @@ TEST_CASE("obstacles hide what is behind them, and are gone round") {
   CHECK(crowd.arrived() == static_cast<double>(starts.size()));
 }
 
-TEST_CASE("what nothing leads out of is not reached") {
+TEST_CASE("places without a way out are unreachable") {
   // A chimney: four walls and a lid.
   const std::vector<Box> chimney{{{2, 0, -1}, {2.2f, 4, 1}},
                                  {{4, 0, -1}, {4.2f, 4, 1}},
@@ -164,7 +164,7 @@ TEST_CASE("trails down one axis become one trunk, with all that arrives") {
   CHECK(at_target == 1);
 }
 
-TEST_CASE("an excursion off the axis that nothing goes by any more is left out") {
+TEST_CASE("an excursion off the axis without energy is left out") {
   Trails trails;
   trails.places = {{0, 0, 0}, {0, 1, 0}, {0.5f, 2, 0}, {0, 3, 0}, {1, 4, 0}};
   trails.next = {-1, 0, 1, 2, 3};
@@ -176,7 +176,7 @@ TEST_CASE("an excursion off the axis that nothing goes by any more is left out")
   for (const glm::vec3& place : one.places) CHECK(place.x != 0.5f);
 }
 
-TEST_CASE("where something stands on the axis, what is beyond is one line that goes round as its particles went") {
+TEST_CASE("beyond an obstacle on the axis trails are one line that goes round as its particles went") {
   const std::vector<Box> boxes{{{-0.3f, 1.4f, -0.3f}, {0.3f, 1.6f, 0.3f}}};
   const Obstacles obstacles(boxes, 0, 0, 100);
   const Trunk guide({0, 0, 0}, {.ahead = 0.1f}, nullptr, &obstacles);

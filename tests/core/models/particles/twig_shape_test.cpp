@@ -38,7 +38,7 @@ Trails limb_with_twig() {
   return trails;
 }
 
-TEST_CASE("a twig hangs the more the farther from the branch that bears it, as long as it was") {
+TEST_CASE("a twig hangs more farther from its parent, and keeps its length") {
   const Solid crown(box({-5, 0, -5}, {5, 9, 5}));
   const Trunk guide({0, 0, 0}, {.ahead = 0.1f}, &crown, &none);
   const Trails before = limb_with_twig();
@@ -98,7 +98,7 @@ TEST_CASE("hanging twigs of a tree point down, and its particles stay between th
   CHECK(steepness(1) < steepness(0) - 0.35f);
 }
 
-TEST_CASE("branches wander within the crown, as far as told; ends and what leads to the target stay") {
+TEST_CASE("branches wander within the crown, by the given length; ends and the way to the target stay") {
   const Solid crown(box({-5, 0, -5}, {5, 9, 5}));
   const Trunk guide({0, 0, 0}, {.ahead = 0.1f}, &crown, &none);
   Trails trails = divided(limb_with_twig(), 0.1f, 0, 100, 0.1f);

@@ -20,7 +20,7 @@ Trails trails_of(std::vector<std::int32_t> next, std::vector<double> energy) {
 
 }  // namespace
 
-TEST_CASE("a vein goes on as what carries most; what leaves it begins a vein of its own") {
+TEST_CASE("a vein follows the most energy; trails that leave it begin veins of their own") {
   //        0 ← 1 ← 2 ← 5      1 ← 3 (a side vein), 2 ← 4 (a twig), 3 ← 6 and 7, alike
   const std::vector<Trails> crowds{trails_of({-1, 0, 1, 1, 2, 2, 3, 3}, {100, 100, 60, 40, 1, 50, 20, 20})};
   const std::vector<Vein> veins = veins_of(crowds);

@@ -23,7 +23,7 @@ Ribs midrib() { return {{{0, 0, 0}, {0, 0.3f, 0}, {0, 0.6f, 0}, {0, 0.95f, 0}}, 
 
 }  // namespace
 
-TEST_CASE("particles make for the midrib, the farther below their foot the farther off they are") {
+TEST_CASE("particles aim at the midrib, the farther below their foot the farther off they are") {
   const Ribs ribs = midrib();
   const Venation guide(square(), ribs, 1, 0.02f);
   CHECK(guide.target() == glm::vec3(0, 0, 0));
@@ -37,7 +37,7 @@ TEST_CASE("particles make for the midrib, the farther below their foot the farth
   CHECK(guide.way({0.2f, 0.8f, 0}) == doctest::Approx(1.0));
 }
 
-TEST_CASE("without ribs everyone makes for the petiole, round corners where one has to") {
+TEST_CASE("without ribs particles aim at the petiole, round corners where needed") {
   const Outline hook({{0, 0}, {1, 0}, {1, 1}, {0.2f, 1}, {0.2f, 0.8f}, {0.8f, 0.8f}, {0.8f, 0.2f}, {0, 0.2f}});
   const Ribs petiole{{{0, 0.1f, 0}}, {-1}};
   const Venation guide(hook, petiole, 0.8f, 0.02f);
@@ -68,7 +68,7 @@ TEST_CASE("trails of a bent blade stay in it, at once and once they are polished
   check();
 }
 
-TEST_CASE("what runs along a rib is laid into it, what carries most past where another leaves") {
+TEST_CASE("trails along a rib are moved onto it, the heaviest straight past where another leaves") {
   // A trail down beside the midrib, and a light one that comes in along a side rib.
   const Ribs ribs{{{0, 0, 0}, {0, 0.4f, 0}, {0, 0.8f, 0}, {0.3f, 0.7f, 0}}, {-1, 0, 1, 1}};
   const RibGrid grid(ribs, {-1, 0, 0}, {1, 1, 0});
@@ -91,7 +91,7 @@ TEST_CASE("what runs along a rib is laid into it, what carries most past where a
   CHECK(trails.places[6] == glm::vec3(0.3f, 0.75f, 0));
 }
 
-TEST_CASE("what was drawn aside on its way along a rib is laid back into it, where nothing is between") {
+TEST_CASE("trails drawn off a rib are moved back onto it, where the way is free") {
   const Ribs ribs{{{0, 0, 0}, {0, 1, 0}}, {-1, 0}};
   const RibGrid grid(ribs, {-1, 0, 0}, {1, 1, 0});
   const auto bumped = [] {

@@ -50,7 +50,7 @@ TEST_CASE("waypoints lead round corners to the goal, on ways that stay inside an
   }
 }
 
-TEST_CASE("of several goals the nearest by way is made for") {
+TEST_CASE("the way leads to the nearest of several goals") {
   Waypoints ways(horseshoe(), {{0.15f, 0.95f, 0}, {0.85f, 0.95f, 0}}, 0.02f);
   CHECK(ways.next({0.1f, 0.5f, 0}).x < 0.5f);
   CHECK(ways.next({0.9f, 0.5f, 0}).x > 0.5f);
@@ -58,7 +58,7 @@ TEST_CASE("of several goals the nearest by way is made for") {
   CHECK(ways.way({0.28f, 0.9f, 0}) < 0.2f);
 }
 
-TEST_CASE("outside, and where no cell is inside, there is a way all the same") {
+TEST_CASE("there is a way from outside, and where no cell is inside") {
   Waypoints ways(horseshoe(), {{0.15f, 0.95f, 0}}, 0.02f);
   const glm::vec3 outside(0.5f, 0.7f, 0), next = ways.next(outside);
   CHECK(horseshoe().contains(next));
@@ -68,7 +68,7 @@ TEST_CASE("outside, and where no cell is inside, there is a way all the same") {
   CHECK(none.next({0.9f, 5e-5f, 0}).x <= 1);
 }
 
-TEST_CASE("ways are the same in whatever order they are asked for") {
+TEST_CASE("ways do not depend on the order of queries") {
   const glm::vec3 goal(0.15f, 0.95f, 0);
   Waypoints far_first(horseshoe(), {goal}, 0.02f);
   const float farthest = far_first.way({0.85f, 0.95f, 0});

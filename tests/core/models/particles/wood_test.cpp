@@ -25,7 +25,7 @@ std::vector<float> hut(float x) {
   return boxes;
 }
 
-TEST_CASE("where the nearest target cannot be come to, particles go to the nearest that can") {
+TEST_CASE("where the nearest target is unreachable, particles go to the nearest reachable one") {
   const Plant plant =
       grow_tree({.parameters = {{"particles", 600}}, .targets = {0, 0, 0, -6, 0, 0, 4, 0, 0}, .obstacles = hut(0)});
   check_sound(plant, 1);
@@ -48,7 +48,7 @@ TEST_CASE("where the nearest target cannot be come to, particles go to the neare
   CHECK(left > 50);
 }
 
-TEST_CASE("particles that no target can be come to from are left out, and told of") {
+TEST_CASE("particles that reach no target are left out with a note") {
   const SpaceOptions open{.parameters = {{"particles", 300}, {"pattern", 2}}};
   SpaceOptions closed = open;
   closed.obstacles = hut(0);
@@ -59,7 +59,7 @@ TEST_CASE("particles that no target can be come to from are left out, and told o
                                                " particles have no way past the obstacles and were left out."});
 }
 
-TEST_CASE("those that had to be led to their target are counted") {
+TEST_CASE("stragglers are counted") {
   // Particles never arrive with steps of length 0.
   const std::vector<glm::vec3> starts{{1, 2, 0}, {-1, 2, 0}, {0, 2, 1}}, targets{{0.5f, 0, 0}, {-0.5f, 0, 0}};
   for (const float step : {0.0f, 0.35f}) {

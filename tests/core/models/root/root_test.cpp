@@ -102,7 +102,7 @@ TEST_CASE("roots grow round stones, below ground") {
   CHECK(through == 0);
 }
 
-TEST_CASE("several plants stand in a row, above a volume that begins where it is told") {
+TEST_CASE("several plants are in a row, above a volume at the given depth") {
   const Plant plant =
       grow_root({.parameters = {{"stems", 2}, {"width", 4}, {"top", 0.3f}, {"particles", 600}, {"life", 0}},
                  .outputs = "measures"});
@@ -111,7 +111,7 @@ TEST_CASE("several plants stand in a row, above a volume that begins where it is
   CHECK(measure(plant, Measure::deepest) == doctest::Approx(1.5f).epsilon(0.1));
 }
 
-TEST_CASE("what is measured is what there is") {
+TEST_CASE("measures follow from the grown root") {
   // A trunk that forks in two, one of which forks again.
   const float r = 0.1f;
   const std::vector<Segment> segments{{-1, 0, {0, 0, 0}, {0, 1, 0}, r, r},

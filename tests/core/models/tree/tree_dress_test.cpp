@@ -33,7 +33,7 @@ TEST_CASE("meshes: tubes of bark along the branches, leaves and balls as organs 
   CHECK(grow_tree({.parameters = {{"particles", 400}}}).meshes.empty());
 }
 
-TEST_CASE("meshes are there for what is borne, and for nothing else") {
+TEST_CASE("there are meshes only for organs that exist") {
   const auto names = [](std::initializer_list<std::pair<std::string_view, float>> more) {
     std::vector<std::pair<std::string_view, float>> parameters{{"particles", 200}};
     parameters.insert(parameters.end(), more);
@@ -62,7 +62,7 @@ TEST_CASE("the sky is darker inside a crown than on it") {
   CHECK(inside / insiders < 0.6 * outside / outsiders);
 }
 
-TEST_CASE("two leaves stand at each origin and face the light") {
+TEST_CASE("two leaves are at each origin and face the light") {
   const Plant plant = grow_tree({.parameters = {{"particles", 300}, {"sun", 90}, {"sun_height", 45}, {"sky", 0}}});
   CHECK(plant.organs.size() == 2 * count_of(plant, "particles"));
   const glm::vec3 light = towards_sun(90, 45);
@@ -80,7 +80,7 @@ TEST_CASE("two leaves stand at each origin and face the light") {
   CHECK(grow_tree({.parameters = {{"particles", 300}, {"leaves", 0}}}).organs.empty());
 }
 
-TEST_CASE("more than two leaves stand one behind the other along the last shoot, the first at its tip") {
+TEST_CASE("more than two leaves are one behind the other along the last shoot, the first at its tip") {
   const Plant plant = grow_tree({.parameters = {{"particles", 300}, {"leaves", 4}, {"leaf_size", 10}}});
   REQUIRE(plant.organs.size() == 4 * count_of(plant, "particles"));
   std::size_t apart = 0;
@@ -95,7 +95,7 @@ TEST_CASE("more than two leaves stand one behind the other along the last shoot,
   CHECK(apart > plant.organs.size() / 2);
 }
 
-TEST_CASE("no normal of branches and twigs that is seen opposes its triangle, but for a fold in ten thousand") {
+TEST_CASE("visible normals of branches and twigs agree with their triangles, except one in ten thousand") {
   for (const float ragged : {0.0f, 0.3f}) {
     const Plant plant =
         grow_tree({.parameters = {{"particles", 1500}, {"ragged", ragged}, {"girth", 60}}, .outputs = "meshes"});
@@ -129,7 +129,7 @@ TEST_CASE("no normal of branches and twigs that is seen opposes its triangle, bu
   }
 }
 
-TEST_CASE("wood costs about as much as is seen of it: a few triangles a twig") {
+TEST_CASE("a twig has a few triangles") {
   const Plant plant = grow_tree({.parameters = {{"particles", 2000}}, .outputs = "meshes"});
   const std::size_t triangles = plant.meshes[0].mesh.indices.size() / 3;
   CHECK(triangles < 22 * count_of(plant, "particles"));

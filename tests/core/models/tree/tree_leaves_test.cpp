@@ -59,7 +59,7 @@ TEST_CASE("a blade is the flat leaf at the end of its petiole, looking to +Z, it
   for (std::size_t i = 4; i < 7; ++i) CHECK(mesh.uvs[2 * i] == leaf_uvs[0]);
 }
 
-TEST_CASE("its halves stand up along the midrib, its tip hangs, and it is as broad as asked") {
+TEST_CASE("its halves fold up along the midrib, its tip hangs, and it has the requested breadth") {
   const auto edge = [](float fold) { return position(make_blade(flat_leaf(), 1, fold).mesh, 1); };
   const float rise = edge(30).z - edge(0).z;
   CHECK(rise == doctest::Approx(0.3f * 0.5f).epsilon(0.05));
@@ -71,7 +71,7 @@ TEST_CASE("its halves stand up along the midrib, its tip hangs, and it is as bro
   CHECK(narrow.area == doctest::Approx(0.5f * broad.area).epsilon(0.03));
 }
 
-TEST_CASE("the area is that of the triangles, without the petiole; needles have theirs, and no leaf has none") {
+TEST_CASE("the area is that of the triangles, without the petiole; needles have theirs, a missing leaf 0") {
   const Blade blade = make_blade(flat_leaf(), 1, 20);
   CHECK(static_cast<double>(blade.area) == doctest::Approx(area_of(blade.mesh, 2)));
   const Blade needles = make_needles(1), wide = make_needles(2);
@@ -81,7 +81,7 @@ TEST_CASE("the area is that of the triangles, without the petiole; needles have 
   CHECK(make_blade({}, 1, 20).area == 0);
 }
 
-TEST_CASE("the leaf area of a tree is that of the leaves which are drawn") {
+TEST_CASE("the leaf area of a tree is that of the drawn leaves") {
   for (const float kind : {0.0f, 3.0f}) {
     const Plant plant =
         grow_tree({.parameters = {{"particles", 300}, {"leaf_kind", kind}}, .outputs = "measures meshes"});
@@ -95,7 +95,7 @@ TEST_CASE("the leaf area of a tree is that of the leaves which are drawn") {
   }
 }
 
-TEST_CASE("a request without a leaf grows the same tree, says that its leaves have no shape, and draws none") {
+TEST_CASE("a request without a leaf grows the same tree without leaves, with a note") {
   const SpaceOptions options{.parameters = {{"particles", 200}}, .outputs = "measures meshes"};
   SpaceOptions without = options;
   without.leaf = false;
@@ -113,7 +113,7 @@ TEST_CASE("a request without a leaf grows the same tree, says that its leaves ha
       grow_tree({.parameters = {{"particles", 200}, {"leaves", 0}}, .outputs = "meshes", .leaf = false}).notes.empty());
 }
 
-TEST_CASE("a leaf that is none is refused") {
+TEST_CASE("an invalid leaf is refused") {
   const std::array<float, 3> odd{0, 0, 1};
   const std::array<ColumnView, 2> blocks{{
       {"model", Element::text, 1, 4, reinterpret_cast<const std::uint8_t*>("tree")},

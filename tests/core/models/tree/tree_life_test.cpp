@@ -113,7 +113,7 @@ TEST_CASE("apical dominance keeps side branches below the top from growing, and 
   CHECK(2 * held_leader > free_leader);
 }
 
-TEST_CASE("age: what has grown stays, thickens, runs on evenly, and ends as the whole tree") {
+TEST_CASE("with age, grown parts stay and thicken, particles run on evenly, and the tree is complete at the end") {
   const auto at = [](float age) {
     return grow_tree({.parameters = {{"age", age}, {"particles", 800}, {"leaves", 0}}});
   };
@@ -161,7 +161,7 @@ TEST_CASE("age: what has grown stays, thickens, runs on evenly, and ends as the 
   }
 }
 
-TEST_CASE("every step of the run is seen, and the last one is the end") {
+TEST_CASE("every step of the run is visible, and the last one is the end") {
   const std::vector<SpaceOptions> trees{{.parameters = {{"particles", 20}}},
                                  {.parameters = {{"particles", 150}, {"leaves", 0}, {"slant", 2}}},
                                  {.parameters = {{"particles", 90}, {"crowns", 2}, {"distance", 6}}},
@@ -225,7 +225,7 @@ TEST_CASE("leaves unfold once all particles have arrived, from below, each from 
   CHECK(before == whole);
 }
 
-TEST_CASE("where the boundary grows, a young tree is a small tree, whose twigs start where they will") {
+TEST_CASE("where the boundary grows, a young tree is a small tree with the same starts of twigs") {
   const auto at = [](float age) {
     return grow_tree({.parameters = {{"life", 1}, {"age", age}, {"particles", 3000}, {"pattern", 2}, {"inner", 0}},
                       .outputs = "measures"});

@@ -54,7 +54,7 @@ std::vector<glm::vec2> profile_points(const std::vector<float>& values) {
   return points;
 }
 
-TEST_CASE("for every shape and seed it ends, with all energy at the targets and one tree to each") {
+TEST_CASE("runs of every shape and seed end, with all energy at the targets and one tree to each") {
   for (const Case& one : cases())
     for (const std::uint32_t seed : {1u, 2u, 77u})
       for (const float rule : {0.0f, 1.0f}) {
@@ -69,7 +69,7 @@ TEST_CASE("for every shape and seed it ends, with all energy at the targets and 
       }
 }
 
-TEST_CASE("odd numbers end too") {
+TEST_CASE("runs with extreme parameters end too") {
   const std::vector<std::vector<std::pair<std::string_view, float>>> odd{
       {{"step", 2}, {"merge", 0.1f}, {"pull", 4}},
       {{"step", 0.05f}, {"merge", 4}, {"pull", 0}},
@@ -152,7 +152,7 @@ TEST_CASE("the light of a crown is listed cell by cell: darker within and below,
   CHECK(without.fingerprint == grow_tree({.parameters = {{"particles", 100}}, .outputs = "light"}).fingerprint);
 }
 
-TEST_CASE("nothing starts outside the outer or inside the inner boundary, and trails leave the outer downwards alone") {
+TEST_CASE("no particle starts outside the outer or inside the inner boundary, and trails leave the outer downwards alone") {
   for (const Case& one : cases())
     for (const float pattern : {0.0f, 1.0f, 2.0f, 3.0f}) {
       CAPTURE(one.name);
@@ -180,7 +180,7 @@ TEST_CASE("nothing starts outside the outer or inside the inner boundary, and tr
     }
 }
 
-TEST_CASE("the uniform pattern has as many particles as were asked for, the others about as many") {
+TEST_CASE("the uniform pattern has exactly the requested number of particles, the others about as many") {
   for (const float pattern : {0.0f, 1.0f, 2.0f, 3.0f}) {
     const auto count = count_of(grow_tree({.parameters = {{"pattern", pattern}, {"particles", 2000}}}), "particles");
     if (pattern == 0) CHECK(count == 2000);
@@ -264,7 +264,7 @@ TEST_CASE("crowns far apart are lit and as large as one alone; side by side they
   CHECK(close[0].left > 1.05 * (close[0].all - close[0].left));
 }
 
-TEST_CASE("where crowns stand too far apart for their size to be lit finely, a note says so") {
+TEST_CASE("crowns too far apart for their size to be lit finely get a note") {
   const auto row = [](float width) {
     return grow_tree({.parameters = {{"crowns", 12},
                                      {"distance", 60},
@@ -290,7 +290,7 @@ TEST_CASE("no particle starts in an obstacle, and no trail passes it") {
   CHECK(crossing > 20);
 }
 
-TEST_CASE("another tree's crown is round: nothing starts in it, no trail passes it, and it takes light") {
+TEST_CASE("another tree's crown is round: no particle starts in it, no trail passes it, and it takes light") {
   // Beside the crown, which reaches to 3 m, and into it.
   const std::vector<float> neighbour{1.5f, 3, -2.5f, 6.5f, 9, 2.5f};
   const SpaceOptions options{.parameters = {{"particles", 2500}, {"inner", 0.3f}, {"absorption", 6}}};
@@ -320,7 +320,7 @@ TEST_CASE("another tree's crown is round: nothing starts in it, no trail passes 
   CHECK(request_tree({.rounds = {0, 0, 0, 1, 1}}).error().message.find("Round obstacles must have 6") != std::string::npos);
 }
 
-TEST_CASE("a dropped mesh is the crown; an open one is noted, none is an ellipsoid") {
+TEST_CASE("a dropped mesh is the crown; an open one gets a note, a missing one is an ellipsoid") {
   const Surface cube = box({5, 5, 5}, {7, 9, 7});
   SpaceOptions options{
       .parameters = {{"shape", 5}, {"particles", 500}, {"inner", 0}, {"width", 4}, {"height", 2}, {"depth", 3}}};
@@ -343,7 +343,7 @@ TEST_CASE("a dropped mesh is the crown; an open one is noted, none is an ellipso
   CHECK(has_note(grow_tree({.parameters = {{"shape", 5}, {"particles", 50}}}), "no mesh"));
 }
 
-TEST_CASE("more pieces of trail or leaves than there may be are refused, with what to ask for") {
+TEST_CASE("requests beyond the limits of segments or leaves are refused, with a fix") {
   const auto refusal = [](Result<Plant> plant) {
     REQUIRE_FALSE(plant);
     CHECK(plant.error().reason == Reason::limit);
@@ -365,7 +365,7 @@ TEST_CASE("more pieces of trail or leaves than there may be are refused, with wh
   CHECK(refusal(request_root(options(100, 0))).find("more than 100;") != std::string::npos);
 }
 
-TEST_CASE("particles that would run for ever so long are stopped on their way, leaves too many are refused before") {
+TEST_CASE("runs that are too long are stopped, and too many leaves are refused before") {
   SpaceOptions slow{.parameters = {{"particles", 300}, {"step", 0.05f}, {"merge", 0.1f}, {"pull", 0}, {"stems", 3}}};
   slow.limits.moves = 1'000'000;
   const Plant plant = grow_tree(slow);
@@ -388,7 +388,7 @@ TEST_CASE("particles that would run for ever so long are stopped on their way, l
   CHECK(request_tree(leafy).error().message == "After 0" + words.substr(10));
 }
 
-TEST_CASE("targets in the crown or above it are climbed to, and a note says so") {
+TEST_CASE("targets in the crown or above it are reached upwards, with a note") {
   const auto notes_of = [](float target) {
     return grow_tree({.parameters = {{"particles", 100}}, .targets = {0, target, 0, 1, 0, 0}}).notes;
   };
@@ -412,7 +412,7 @@ TEST_CASE("a merge radius that would not end is raised, with a note") {
   CHECK(notes[0].find("raised to 50 % of a spacing") != std::string::npos);
 }
 
-TEST_CASE("where nothing starts, a note says what leaves no room") {
+TEST_CASE("a run without particles gets a note with the reason") {
   const auto notes_of = [](const SpaceOptions& options) {
     const Plant plant = grow_tree(options);
     CHECK(plant.segments.empty());
@@ -425,7 +425,7 @@ TEST_CASE("where nothing starts, a note says what leaves no room") {
             .find("No light comes") == 0);
 }
 
-TEST_CASE("what cannot be used is refused in words, what is out of range is brought into it") {
+TEST_CASE("invalid inputs are refused with a message, numbers out of range are clamped") {
   const auto refusal = [](const SpaceOptions& options) {
     const Result<Plant> plant = request_tree(options);
     REQUIRE_FALSE(plant);

@@ -32,7 +32,7 @@ double volume_by_cones(const BerryMeridian& meridian) {
 
 }  // namespace
 
-TEST_CASE("a berry reaches as far as its half axes say, whatever its form") {
+TEST_CASE("a berry reaches as far as its half axes, in every form") {
   for (const BerryForm& form : forms) {
     const BerryMeridian meridian(form);
     CHECK(meridian.gauge({0, 1, 0}).value == doctest::Approx(1).epsilon(1e-4));

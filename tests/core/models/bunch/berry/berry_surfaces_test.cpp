@@ -63,7 +63,7 @@ BerryBody ball(glm::vec3 centre, float radius) { return {centre, {0, -1, 0}, rad
 
 }  // namespace
 
-TEST_CASE("heaps of berries that overlap by 15 % of a radius pass through each other nowhere and keep their volume") {
+TEST_CASE("berries of heaps with overlaps of 15 % of a radius never intersect and keep their volume") {
   struct Kind {
     float aspect, spread, taper, blunt;
   };
@@ -83,7 +83,7 @@ TEST_CASE("heaps of berries that overlap by 15 % of a radius pass through each o
   }
 }
 
-TEST_CASE("however deep berries overlap, none passes through another and all stay sound") {
+TEST_CASE("berries with any overlap never intersect and have sound surfaces") {
   for (const float overlap : {0.3f, 0.6f, 1.0f}) {
     CAPTURE(overlap);
     Heap heap{3, 20, 1.4f, 0.3f};
@@ -93,13 +93,13 @@ TEST_CASE("however deep berries overlap, none passes through another and all sta
   }
 }
 
-TEST_CASE("berries at one place are sound, though nothing can part them") {
+TEST_CASE("berries at one place have sound surfaces, though no plane separates them") {
   const std::vector<BerryBody> bodies = {ball({1, 2, 3}, 5), ball({1, 2, 3}, 5), ball({1, 2, 3.0001f}, 4)};
   const BerrySurfaces surfaces = press_berries(bodies, {}, {});
   for (std::size_t i = 0; i < bodies.size(); ++i) check_sound(mesh_of(surfaces, i));
 }
 
-TEST_CASE("every fruit is sound, keeps to its side and to its volume") {
+TEST_CASE("every fruit has a sound surface, stays on its side of planes and keeps its volume") {
   for (const Fruit fruit : {Fruit::currant, Fruit::bramble, Fruit::lychee, Fruit::longan, Fruit::duku}) {
     CAPTURE(static_cast<int>(fruit));
     Heap heap{5, 9, 1.1f, 0.1f};
@@ -110,7 +110,7 @@ TEST_CASE("every fruit is sound, keeps to its side and to its volume") {
   }
 }
 
-TEST_CASE("a berry alone is its form with scar and seat, no matter where and how large it is") {
+TEST_CASE("a lone berry has its form with scar and seat, at every place and size") {
   const BerryForm form{-0.4f, 0.3f, Fruit::grape};
   for (const float size : {1e-3f, 8.0f, 500.0f}) {
     BerryBody body{{3 * size, -2 * size, size}, {0.6f, 0, 0.8f}, size, 1.5f * size, 0, 77};
@@ -192,20 +192,20 @@ std::vector<BerryBody> walled_in(float distance) {
 
 }  // namespace
 
-TEST_CASE("where one has no room its neighbours make some: half of what parts them is too little for the middle one") {
+TEST_CASE("neighbours make room for a berry that needs more than half of the gaps") {
   const Pressed pressed = check_pressed(walled_in(15.6f), {}, 0.01, 24);
   CHECK(pressed.worst_volume < 0.03);
   CHECK(pressed.deepest < 1e-4);
 }
 
-TEST_CASE("a berry without any room falls short instead of breaking out") {
+TEST_CASE("a berry without any room loses volume instead of crossing its planes") {
   const Pressed pressed = check_pressed(walled_in(10), {}, 0.02, 24);
   CHECK(pressed.worst_volume > 0.05);
   CHECK(pressed.worst_volume < 0.9);
   CHECK(pressed.deepest < 1e-4);
 }
 
-TEST_CASE("shrivelled berries are furrowed, each its own way, and lose what the furrows take") {
+TEST_CASE("shrivelled berries have furrows of their own, and lose the furrows' volume") {
   std::vector<BerryBody> bodies = {ball({0, 0, 0}, 8), ball({30, 0, 0}, 8), ball({60, 0, 0}, 8)};
   bodies[0].shrivel = bodies[1].shrivel = 1;
   bodies[1].id = 9;
@@ -265,7 +265,7 @@ TEST_CASE("raisins fold and cave in unevenly: some of the skin stays, some lies 
   CHECK(held(Fruit::longan) > 0.9);
 }
 
-TEST_CASE("bent berries bow sideways, keep their ends and their volume, and pass through nobody") {
+TEST_CASE("bent berries bow sideways, keep their ends and their volume, and intersect no other") {
   const BerryForm straight{-0.2f, 0, Fruit::grape}, bent{-0.2f, 0, Fruit::grape, 1};
   const BerryBody body{{0, 0, 0}, {0, -1, 0}, 8, 19, 0, 3};
   // How far from the axis the middle of a slice lies, over the half width.
@@ -291,7 +291,7 @@ TEST_CASE("bent berries bow sideways, keep their ends and their volume, and pass
   CHECK(pressed.worst_volume < 0.03);
 }
 
-TEST_CASE("an ovary is smooth, whatever its fruit will be") {
+TEST_CASE("an ovary of every fruit is smooth") {
   const BerryBody body = ball({0, 0, 0}, 8);
   const auto roughness = [&](float relief) {
     const Mesh mesh = mesh_of(press_berries(std::vector{body}, {0, 0, Fruit::lychee, 0, relief}, {}), 0);
@@ -314,7 +314,7 @@ TEST_CASE("the tip scar is a mark, not a hole") {
   CHECK(least > 0.985 * 8);
 }
 
-TEST_CASE("the same bodies give the same bytes, and a body knows only its neighbours") {
+TEST_CASE("the same bodies give the same bytes, and a surface depends only on its neighbours") {
   const std::vector<BerryBody> bodies = heap_of({6, 30});
   const BerrySurfaces once = press_berries(bodies, {}, {}), again = press_berries(bodies, {}, {});
   CHECK(once.positions == again.positions);

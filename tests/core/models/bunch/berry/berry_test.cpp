@@ -38,7 +38,7 @@ TEST_CASE("it lies within the unit sphere and nearly fills it") {
   CHECK(surface_of(fine, 0, fine.indices.size()).volume == doctest::Approx(sphere * 0.9955).epsilon(0.001));
 }
 
-TEST_CASE("the tip has a dimple with the style's rest in it, the seat is flattened") {
+TEST_CASE("the tip has a dimple with the rest of the style in it, and the seat is flattened") {
   const Mesh berry = make_berry({128});
   double tip = 0, seat = 0, rim = 0;
   for (std::uint32_t i = 0; i < berry.positions.size() / 3; ++i) {
@@ -70,14 +70,14 @@ TEST_CASE("u goes round, v from the seat to the tip, both within 0 … 1") {
   CHECK(scar_seen);
 }
 
-TEST_CASE("segments are kept within 6 … 128, and 24 is small enough to draw a bunch of") {
+TEST_CASE("segments are clamped to 6 … 128, and the default of 24 has few enough triangles for a bunch") {
   CHECK(make_berry({0}).positions == make_berry({6}).positions);
   CHECK(make_berry({100000}).positions == make_berry({128}).positions);
   CHECK(make_berry({}).positions.size() / 3 == 498);
   CHECK(make_berry({}).indices.size() / 3 == 864);
 }
 
-TEST_CASE("the default berry's numbers: they change when it is shaped anew, never between toolchains") {
+TEST_CASE("the default berry's numbers are the same on all toolchains") {
   const Mesh berry = make_berry({});
   Fingerprint fingerprint;
   fingerprint.add(std::span<const float>(berry.positions));

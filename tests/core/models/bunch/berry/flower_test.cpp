@@ -49,7 +49,7 @@ Extent extent_of(const FlowerMesh& flower, Kind kind) {
 
 }  // namespace
 
-TEST_CASE("every piece of every flower is closed and faces outwards; runs follow each other and hold all of the mesh") {
+TEST_CASE("every piece of every flower is closed and faces outwards; its runs cover all of the mesh") {
   for (const Fruit fruit : fruits) {
     CAPTURE(static_cast<int>(fruit));
     const FlowerMesh flower = make_flower(fruit);
@@ -74,20 +74,20 @@ TEST_CASE("every piece of every flower is closed and faces outwards; runs follow
   }
 }
 
-TEST_CASE("grapes shed a cap, brambles have petals and keep a calyx, all but brambles flower in company") {
+TEST_CASE("grapes have a cap, brambles petals and a calyx, and all but brambles more pistils") {
   CHECK(kinds_of(make_flower(Fruit::grape)) == std::vector{Kind::stamens, Kind::cap, Kind::pistil});
   CHECK(kinds_of(make_flower(Fruit::lychee)) == std::vector{Kind::stamens, Kind::pistil});
   CHECK(kinds_of(make_flower(Fruit::bramble)) == std::vector{Kind::stamens, Kind::petals, Kind::calyx});
 }
 
-TEST_CASE("hundreds of flowers cost what tens did: few triangles a piece") {
+TEST_CASE("a piece of a flower has few triangles") {
   const FlowerMesh grape = make_flower(Fruit::grape);
   CHECK(piece_of(grape, Kind::stamens).index_count / 3 <= 140);
   CHECK(piece_of(grape, Kind::cap).index_count / 3 <= 40);
   CHECK(piece_of(grape, Kind::pistil).index_count / 3 <= 48);
 }
 
-TEST_CASE("stamens stand round the ovary and above it, a cap holds all of it, a calyx is bent back") {
+TEST_CASE("stamens are round and above the ovary, a cap encloses it, a calyx is bent back") {
   const FlowerMesh grape = make_flower(Fruit::grape);
   const Extent stamens = extent_of(grape, Kind::stamens), cap = extent_of(grape, Kind::cap);
   CHECK(stamens.low > -1);
@@ -104,7 +104,7 @@ TEST_CASE("stamens stand round the ovary and above it, a cap holds all of it, a 
   CHECK(piece_of(make_flower(Fruit::lychee), Kind::stamens).index_count > piece_of(grape, Kind::stamens).index_count);
 }
 
-TEST_CASE("v tells what is green, what is filament, anther and petal") {
+TEST_CASE("v distinguishes green parts, filaments, anthers and petals") {
   std::set<int> quarters;
   const FlowerMesh bramble = make_flower(Fruit::bramble);
   for (std::uint32_t i = 0; i < bramble.mesh.uvs.size() / 2; ++i) {

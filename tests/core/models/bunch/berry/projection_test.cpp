@@ -82,7 +82,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the disc is laid onto the outline evenly") {
+TEST_CASE("the disc maps onto the outline evenly") {
   for (std::uint32_t k = 0; k < 60; ++k) {
     const ProjectedBerry seen = project(some_body(20 * k), view_from(some_direction(7 * k)));
     for (int degrees = 0; degrees < 360; degrees += 15) {
@@ -95,7 +95,7 @@ TEST_CASE("the disc is laid onto the outline evenly") {
   CHECK(project({{0, 0, 0}, {0, -1, 0}, 3, 3}, {}).area() == doctest::Approx(9 * pi));
 }
 
-TEST_CASE("a berry of no size gives no numbers that are none") {
+TEST_CASE("a berry of size 0 gives finite numbers") {
   const ProjectedBerry seen = project({{1, 2, 3}, {0, -1, 0}, 0, 0}, {});
   CHECK(std::isfinite(seen.uu + seen.uv + seen.vv + seen.thickness + seen.area()));
 }

@@ -80,7 +80,7 @@ double extent_of(const std::vector<glm::dvec3>& points) {
 
 }  // namespace
 
-TEST_CASE("nothing is asked for, nothing grows; leaves bring the cane along") {
+TEST_CASE("no foliage grows unless requested; leaves come with the cane") {
   CHECK(grow_foliage({}).parts.empty());
   CHECK(grow_foliage({}).mesh.indices.empty());
   check_foliage(grow_foliage({1, 0, true}), 0);
@@ -90,7 +90,7 @@ TEST_CASE("nothing is asked for, nothing grows; leaves bring the cane along") {
   check_foliage(grow_foliage({1, 3, false}), 0);
 }
 
-TEST_CASE("any seed, age and width makes sound foliage that leaves the bunch to be seen") {
+TEST_CASE("foliage of any seed, age and width is sound and does not hide the bunch") {
   for (std::uint64_t i = 0; i < 150; ++i) {
     CAPTURE(i);
     const FoliageOptions options = any_options(i);
@@ -140,7 +140,7 @@ TEST_CASE("cane: 17 to 24 cm long, 6 to 9 mm thick between its ends, thicker at 
   }
 }
 
-TEST_CASE("the cane goes through the peduncle's foot, wherever that is") {
+TEST_CASE("the cane goes through the foot of the peduncle at any place") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
     FoliageOptions options = ripe;
@@ -185,7 +185,7 @@ TEST_CASE("leaves: 8 to 14 cm when grown, smaller at flowering, larger on a larg
   }
 }
 
-TEST_CASE("a further leaf changes none that is there, and a little older is a little different") {
+TEST_CASE("another leaf changes no other leaf, and a small change of age makes a small change") {
   const auto leaf = [](const FoliageOptions& options, std::size_t k) {
     const Foliage foliage = grow_foliage(options);
     return points_of(foliage, parts_of(foliage, PartKind::leaf)[k]);
@@ -217,7 +217,7 @@ TEST_CASE("seeds differ, leaves of one shoot differ, the same seed gives the sam
     CHECK(extent_of(points_of(foliage, leaves[k])) != doctest::Approx(extent_of(points_of(foliage, leaves[0]))));
 }
 
-TEST_CASE("what is not a number or out of range does no harm") {
+TEST_CASE("NaN and numbers out of range are clamped") {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   for (const float value : {nan, infinity, -infinity, -1.0f, 1e30f}) {
     CAPTURE(value);

@@ -60,7 +60,7 @@ TEST_CASE("a leaf is one sound sheet with one edge, for any seed, opening and wi
   CHECK(mirrored < 140);
 }
 
-TEST_CASE("what is painted on the flat leaf stays on it, and its vertices keep their order") {
+TEST_CASE("texture coordinates and the order of vertices are the flat leaf's") {
   const FlatLeaf flat = flat_leaf();
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const Mesh leaf = leaf_of({seed});
@@ -116,7 +116,7 @@ TEST_CASE("spread leaves look up, wilting ones hang") {
   }
 }
 
-TEST_CASE("each seed is another leaf, the same one every time; options out of range count as the nearest") {
+TEST_CASE("each seed gives a leaf of its own, always the same; options out of range are clamped") {
   const Mesh third = leaf_of({3});
   CHECK(leaf_of({4}).positions != third.positions);
   CHECK(leaf_of({3}).positions == third.positions);
@@ -125,7 +125,7 @@ TEST_CASE("each seed is another leaf, the same one every time; options out of ra
   CHECK(leaf_of({3, nan, nan}).positions == leaf_of({3, 0, 0}).positions);
 }
 
-TEST_CASE("numbers that are none of a leaf are refused, in words") {
+TEST_CASE("invalid numbers of a leaf are refused with a message") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   CHECK(check({}).reason == Reason::none);
   CHECK(check(flat_leaf()).reason == Reason::none);
@@ -151,7 +151,7 @@ TEST_CASE("numbers that are none of a leaf are refused, in words") {
         }).find("triangles") != std::string::npos);
 }
 
-TEST_CASE("points that no triangle joins have a normal all the same") {
+TEST_CASE("points of no triangle have a normal, too") {
   const LeafNumbers leaf{{0, 0, 1, 0, 0, 1, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 2}};
   const Mesh mesh = make_leaf(leaf.view(), {1});
   REQUIRE(mesh.normals.size() >= 12);

@@ -42,7 +42,7 @@ double note_of(const std::vector<glm::vec3>& centres, double radius, double seen
 
 }  // namespace
 
-TEST_CASE("the note of density is what looking at every pair gives") {
+TEST_CASE("the note of density is the same as from all pairs") {
   double least = 9, most = 1;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
@@ -63,7 +63,7 @@ TEST_CASE("the note of density is what looking at every pair gives") {
   CHECK(most > 5);
 }
 
-TEST_CASE("closer berries are denser, from the loosest note to the densest") {
+TEST_CASE("closer berries have a higher density note, from the loosest to the densest") {
   const Envelope envelope = block(40, 200);
   float before = 0;
   for (const float radius : {4.0f, 6.0f, 7.0f, 7.49f, 8.0f, 8.5f, 9.0f}) {

@@ -62,14 +62,14 @@ TEST_CASE("a second outline leans to the left, and both count as one") {
   CHECK(half[spill] < 0.01f);
 }
 
-TEST_CASE("an outline that barely leans is drawn as one that does not") {
+TEST_CASE("an outline that barely leans is drawn as an upright one") {
   const Envelope envelope = spindle(40, 160);
   const GrownBunch grown = balls(lattice(14, within(envelope)), 7);
   const Measured upright(grown, hung(envelope, 0)), leaning(grown, hung(envelope, 0.2f));
   for (const Measure key : {coverage_front, coverage_side}) CHECK(leaning[key] == about(upright[key], 0.02));
 }
 
-TEST_CASE("what spills in one view is spilled over the silhouettes of both") {
+TEST_CASE("spill of one view is divided by the silhouettes of both") {
   const Envelope envelope = block(30, 200);
   const std::vector<HungEnvelope> upright = hung(envelope);
   const Measured front(balls({{40, -100, 0}}, 10), upright), side(balls({{0, -100, 40}}, 10), upright);

@@ -20,7 +20,7 @@ constexpr Measure shares[] = {coverage,   spill,         coverage_front, coverag
 
 }  // namespace
 
-TEST_CASE("one ball measures what geometry says") {
+TEST_CASE("the measures of one ball follow from geometry") {
   const Envelope envelope = block(30, 200);
   const Measured one(balls({{0, -100, 0}}, 10), hung(envelope));
   const double area = 100 * pi, volume = 4.0 / 3 * pi;
@@ -59,7 +59,7 @@ TEST_CASE("a bunch weighs its berries at 1.08 and its stems, cones' frustums, at
   CHECK(Measured(grown, {})[bunch_weight] - berry == about((frustum + cylinder) / 1000, 1e-3));
 }
 
-TEST_CASE("without berries or outlines what does not apply is no number, and the rest is") {
+TEST_CASE("without berries or outlines only the measures that do not apply are NaN") {
   const Envelope envelope = block(30, 200);
   const Measured none(GrownBunch{}, hung(envelope));
   for (std::size_t k = 0; k < measure_count; ++k) {
@@ -129,7 +129,7 @@ TEST_CASE("grown bunches: density follows its control, the second outline hangs 
   CHECK(of(twofold, spill_front) < 0.06f);
 }
 
-TEST_CASE("wild bunches give shares between 0 and 1 or no numbers") {
+TEST_CASE("bunches with extreme numbers give shares between 0 and 1 or NaN") {
   const float wild[] = {
       0, 1e-6f, 1e6f, 1e30f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()};
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -160,7 +160,7 @@ TEST_CASE("wild bunches give shares between 0 and 1 or no numbers") {
   }
 }
 
-TEST_CASE("two outlines hold what both hold") {
+TEST_CASE("the volume of two outlines is the sum of both") {
   const Envelope large = block(30, 200), small = block(20, 90);
   const GrownBunch grown = balls({{0, -50, 0}}, 10);
   const Measured both(grown, {{large, 0}, {small, 55}});

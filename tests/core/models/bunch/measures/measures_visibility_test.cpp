@@ -7,7 +7,7 @@ using namespace panicle;
 using namespace panicle::bunch;
 using enum Measure;
 
-TEST_CASE("who hides whom") {
+TEST_CASE("berries hide those behind them") {
   const Measured pair(balls({{0, -50, 0}, {0, -50, 30}}, 10), {});
   CHECK(pair[visible_front] == 0.5f);
   CHECK(pair[visible_side] == 1);
@@ -17,7 +17,7 @@ TEST_CASE("who hides whom") {
   CHECK(Measured(near, {})[visible_front] == 1);  // the small one before the large one
 }
 
-TEST_CASE("pedicels are seen where no berry is before them") {
+TEST_CASE("pedicels are visible where no berry is before them") {
   GrownBunch grown = balls({{0, -50, 0}}, 10);
   grown.internodes = {{-1, Kind::rachis, State::grown, -1, {0, 0, 0}, {0, -0.03f, 0}, 0.002f, 0.002f},
                       {0, Kind::pedicel, State::grown, 0, {0, -0.03f, 0}, {0, -0.04f, 0}, 0.001f, 0.001f}};
@@ -33,7 +33,7 @@ TEST_CASE("pedicels are seen where no berry is before them") {
   CHECK(Measured(grown, {})[pedicels_seen] == about(0.5, 1e-5));
 }
 
-TEST_CASE("the side is looked at from the left, as the side view is") {
+TEST_CASE("the side measures use the view from the left, like the side view") {
   // A large ball at the left hides the balls behind it from there, and from no other side.
   GrownBunch grown = balls({{-60, -50, 0}, {0, -45, 0}, {0, -55, 4}, {2, -50, -4}}, 5);
   grown.berries[0].radius = 0.03f;

@@ -33,7 +33,7 @@ bool same(const BitImage& a, const BitImage& b) { return a.count() == b.count() 
 
 }  // namespace
 
-TEST_CASE("filling counts what is new, across words and within the picture only") {
+TEST_CASE("filling counts newly set pixels, across words and within the picture only") {
   BitImage image(150, 4);
   std::int32_t wanted = 0;
   CHECK(image.fill(1, 60, 130, &wanted) == 70);
@@ -70,7 +70,7 @@ TEST_CASE("dilation is by a disc, pixel for pixel") {
   }
 }
 
-TEST_CASE("closing adds, never takes, and does nothing the second time") {
+TEST_CASE("closing only adds pixels, and changes nothing the second time") {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const BitImage image = random_image(seed, 130, 60, 9);
     const BitImage closed = image.closed(7);
@@ -88,7 +88,7 @@ TEST_CASE("closing adds, never takes, and does nothing the second time") {
   CHECK(gap.closed(5).at(33, 12) == false);  // the disc dips between the corners
 }
 
-TEST_CASE("what is drawn is what lies within the outline, pixel for pixel") {
+TEST_CASE("the drawn pixels are those within the outline") {
   const PixelGrid grid = PixelGrid::over({-4, -3}, {4, 5}, 0.11f, 2);
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);
@@ -122,7 +122,7 @@ TEST_CASE("what is drawn is what lies within the outline, pixel for pixel") {
   }
 }
 
-TEST_CASE("places that are no numbers draw nothing") {
+TEST_CASE("places with NaN draw no pixels") {
   const PixelGrid grid = PixelGrid::over({-4, -3}, {4, 5}, 0.5f, 2);
   BitImage image(grid.columns, grid.rows);
   const float none = std::sqrt(-1.0f);

@@ -40,7 +40,7 @@ TEST_CASE("stems end where swelling left them, in metres, and pedicels at their 
   CHECK(bent.internodes[2].radius_end > bent.internodes[2].radius);  // where the berry sits
 }
 
-TEST_CASE("girth goes with age: stems of a bunch in flower are little over half as stout, and thicken up to 0.64") {
+TEST_CASE("stems of a bunch in flower are little over half as thick as ripe ones, and thicken up to a berry size of 0.64") {
   const Bend bend;
   const auto girth = [&](float size) { return bend.run(size).internodes[0].radius / 0.001f; };
   CHECK(girth(0) == doctest::Approx(0.55));
@@ -65,7 +65,7 @@ TEST_CASE(
   CHECK(fewer.place_of == std::vector<std::int32_t>{0, 1, 2, -1, 3});
 }
 
-TEST_CASE("stems that bear nothing any more fall, but for the rachis and what never bore") {
+TEST_CASE("stems that have lost all flowers fall, except the rachis and stems that never had any") {
   Bend bend;
   bend.outcomes[0].state = bend.outcomes[1].state = FlowerState::fallen;
   CHECK(bend.run().place_of == std::vector<std::int32_t>{0, 1, -1, -1, 2});  // the thorn holds its twig
@@ -74,7 +74,7 @@ TEST_CASE("stems that bear nothing any more fall, but for the rachis and what ne
   CHECK(bend.run().place_of == std::vector<std::int32_t>{0, -1, -1, -1});
 }
 
-TEST_CASE("a stalk of several internodes follows its berry as a whole, and what rides on it rides") {
+TEST_CASE("a stalk of several internodes follows its berry as a whole, together with the parts on it") {
   std::vector<Internode> chain{
       stem(-1, Kind::rachis, {0, 0, 0}, {0, -50, 0}), stem(0, Kind::pedicel, {0, -50, 0}, {5, -50, 0}),
       stem(1, Kind::pedicel, {5, -50, 0}, {10, -55, 0}, true), stem(1, Kind::axis, {5, -50, 0}, {5, -48, 0})};
@@ -91,7 +91,7 @@ TEST_CASE("a stalk of several internodes follows its berry as a whole, and what 
   CHECK(near(bent.internodes[3].end - bent.internodes[3].start, millimetres(0, 2, 0)));
 }
 
-TEST_CASE("a pedicel of two berries ends between them; of one that is left, at that") {
+TEST_CASE("a pedicel of two berries ends between them; if one is lost, at the other") {
   std::vector<Internode> two{stem(-1, Kind::rachis, {0, 0, 0}, {0, -50, 0}),
                              stem(0, Kind::pedicel, {0, -50, 0}, {10, -50, 0})};
   const std::vector<Flower> flowers{flower_on(1, {1, 0, 0}), flower_on(1, {1, 0, 0}, 1)};

@@ -11,7 +11,7 @@ using namespace panicle;
 using namespace panicle::bunch;
 using namespace panicle::tests;
 
-TEST_CASE("widths differ as much as is asked for, about 1") {
+TEST_CASE("widths vary by the requested spread, about 1") {
   double sum = 0, square = 0;
   const int flowers = 4000;
   for (std::uint32_t i = 0; i < flowers; ++i) {
@@ -38,7 +38,7 @@ TEST_CASE("light widens by up to seven hundredths either way, hunger narrows the
   CHECK(share(1, 0, {0, 0, 1}) == doctest::Approx(1));
 }
 
-TEST_CASE("the mean is kept whatever lot they drew, and a berry that only just sets is small") {
+TEST_CASE("the mean width is exact, and a berry that only just sets is small") {
   const std::vector<float> shares{1.2f, 1.3f, 1.1f, 1.2f}, volumes{1, 1, 0.125f, 1};
   const std::vector<float> widths = balanced_widths(shares, volumes, 3);
   CHECK((widths[0] + widths[1] + 0.125f * widths[2] / 0.5f) / 2.125f == doctest::Approx(1));

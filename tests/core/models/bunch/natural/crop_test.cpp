@@ -68,7 +68,7 @@ Crop crop_of(const Sprout& sprout, const CropTarget& target) {
 
 }  // namespace
 
-TEST_CASE("as many set as were asked for or as fill the space, and never more than there may be") {
+TEST_CASE("as many flowers set as requested or as fill the space, and never more than the limit") {
   const std::vector<float> ranks = ranks_up_to(200);
   CHECK(setting(set_fruit(ranks, 0, target_of(30))) == 30);
   CHECK(setting(set_fruit(ranks, 0, target_of(90))) == 80);  // more than the outline holds
@@ -78,7 +78,7 @@ TEST_CASE("as many set as were asked for or as fill the space, and never more th
   CHECK(set_fruit(ranks, 150, target_of(0)).full);
 }
 
-TEST_CASE("stand-ins are those whose turn is next, and none where no count was asked for") {
+TEST_CASE("stand-ins are the next in turn, and there are none without a requested count") {
   const std::vector<float> ranks = ranks_up_to(200);
   const FruitSet set = set_fruit(ranks, 0, target_of(30));
   const std::vector<std::uint32_t> next = stand_ins(ranks, set.volumes, target_of(30));
@@ -110,7 +110,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("berries taken off by hand are known by their ids") {
+TEST_CASE("berries removed by hand are found by their ids") {
   CropTarget target = target_of(0);
   target.taken = {3, 9};
   std::vector<Flower> flowers;

@@ -34,7 +34,7 @@ float crowding_with(const std::vector<Bud>& buds, const std::vector<float>& rank
 
 }  // namespace
 
-TEST_CASE("berries that fill a share of space crowd each other by that share") {
+TEST_CASE("berries that fill a share of space crowd each other by about that share") {
   const float edge = 260;
   for (const float share : {0.1f, 0.2f, 0.4f}) {
     CAPTURE(share);
@@ -64,14 +64,14 @@ TEST_CASE("a berry that grows beyond the outline is crowded as if it were pushed
   CHECK(crowding_of(buds, {size, 1}) > 1.15f * inside);
 }
 
-TEST_CASE("long berries crowd as round ones do in a bunch as much longer") {
+TEST_CASE("long berries crowd like round ones in a bunch that is longer by the same factor") {
   const auto round = cloud(900, {100, 100, 100}, 5);
   auto longer = round;
   for (Bud& bud : longer) bud.place.y *= 1.5f;
   CHECK(crowding_of(longer, {size, 1.5f}) == doctest::Approx(crowding_of(round, {size, 1})).epsilon(1e-4));
 }
 
-TEST_CASE("the fill found is the one that crowds as the density says") {
+TEST_CASE("the found fill has the crowding of the density") {
   const auto buds = cloud(4000, {110, 180, 90}, 7);
   for (const float elongation : {1.0f, 1.4f}) {
     const BerrySize berry{size, elongation};
@@ -87,7 +87,7 @@ TEST_CASE("the fill found is the one that crowds as the density says") {
   }
 }
 
-TEST_CASE("where flowers are too few for a density, as good as all set") {
+TEST_CASE("where flowers are too few for a density, nearly all set") {
   const auto buds = cloud(60, {90, 90, 90}, 8);
   const std::vector<float> ranks = ranks_of(buds, size);
   const std::vector<float> volumes = choose_set(ranks, fill_for(buds, ranks, 9, {size, 1}));

@@ -33,7 +33,7 @@ std::vector<BerryBody> cluster(std::uint32_t count) {
 
 }  // namespace
 
-TEST_CASE("nothing shades a berry alone, one beside another or one before another") {
+TEST_CASE("a berry alone, beside another or before another is not shaded") {
   CHECK(sun_exposure({}, front).empty());
   const std::vector<BerryBody> one = {ball({0, 0, 0})};
   CHECK(sun_exposure(one, front) == std::vector<float>{1});
@@ -44,7 +44,7 @@ TEST_CASE("nothing shades a berry alone, one beside another or one before anothe
   CHECK(exposure[0] < 0.06f);  // right behind the third, but for the penumbra
 }
 
-TEST_CASE("a half eclipse is as large as two circles' overlap says") {
+TEST_CASE("a half eclipse has the area of two overlapping circles") {
   // Circles of radius 1 at a distance of 1 share 2 acos ½ − √3 / 2 of π: 39.1
   // %.
   const std::vector<BerryBody> two = {ball({0, 0, 0}), ball({1, 0, 1.8f})};
@@ -60,7 +60,7 @@ TEST_CASE("long berries shade by their outline") {
   CHECK(sun_exposure(std::vector{above, across}, front)[0] == 1);
 }
 
-TEST_CASE("exposure knows no order, no scale and no place") {
+TEST_CASE("exposure does not depend on order, scale or place") {
   std::vector<BerryBody> berries = cluster(150);
   const glm::vec3 sun = glm::vec3(0.4f, 0.7f, 0.6f);
   const std::vector<float> exposure = sun_exposure(berries, sun);
@@ -99,7 +99,7 @@ TEST_CASE("a small move is a small change") {
   CHECK(worst < 0.04f);  // for a hundredth of a radius
 }
 
-TEST_CASE("wild input stays within bounds") {
+TEST_CASE("extreme input gives shares from 0 to 1") {
   for (std::uint64_t k = 0; k < 200; ++k) {
     std::vector<BerryBody> berries;
     for (std::uint64_t i = 0; i < k % 40; ++i) {

@@ -8,7 +8,7 @@ using namespace panicle;
 using namespace panicle::bunch;
 using namespace panicle::tests;
 
-TEST_CASE("a flower knows what bears it, its place among its siblings and how strong it is") {
+TEST_CASE("a flower has its parent, its place among its siblings and its strength") {
   const Twig twig;
   const std::vector<Ball> balls{{{}, 0.3f, {1, 0, 0}, 2, 70}, {{}, 25, {0, -1, 0}, 3, 80}, {{}, 0, {0, -1, 0}, 3, 80}};
   const std::vector<Flower> flowers = flowers_of(twig.internodes, balls, 1);
@@ -26,7 +26,7 @@ TEST_CASE("a flower knows what bears it, its place among its siblings and how st
   CHECK(flowers[1].address != flowers[2].address);
 }
 
-TEST_CASE("an organ in several internodes counts as one, in depth and in what an end structure bears") {
+TEST_CASE("an organ in several internodes counts as one, in depth and in flowers per end structure") {
   Twig twig;
   twig.internodes.push_back(stem(3, Kind::pedicel, {20, -60, 0}, {20, -65, 0}, true));
   const std::vector<Ball> balls{{{}, 1, {1, 0, 0}, 2, 70}, {{}, 1, {0, -1, 0}, 5, 80}};

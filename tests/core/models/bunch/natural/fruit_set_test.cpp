@@ -29,7 +29,7 @@ double sum(const std::vector<float>& shares) {
 
 }  // namespace
 
-TEST_CASE("berries fill the share of space that is wanted, in a crowd of flowers") {
+TEST_CASE("in a crowd of flowers berries fill the requested share of space") {
   const float size = 10, edge = 120;
   const auto buds = cloud(6000, edge, 1);
   for (const float fill : {0.2f, 0.4f, 0.6f}) {
@@ -49,7 +49,7 @@ TEST_CASE("lonely flowers always set; misplaced ones, and weak ones beside stron
   CHECK(shares[3] == 1);
 }
 
-TEST_CASE("what sets at one end does not hang on the other end") {
+TEST_CASE("setting at one end does not depend on the other end") {
   auto buds = cloud(600, 80, 2);
   const auto before = choose_set(ranks_of(buds, 10), 0.5f);
   for (const Bud& far : cloud(300, 80, 3)) buds.push_back({far.place + glm::vec3(500, 0, 0), far.chance});
@@ -57,7 +57,7 @@ TEST_CASE("what sets at one end does not hang on the other end") {
   for (std::size_t i = 0; i < before.size(); ++i) CHECK(before[i] == after[i]);
 }
 
-TEST_CASE("a count wanted is the count that sets, to the one") {
+TEST_CASE("exactly the requested count sets") {
   const auto buds = cloud(900, 90, 4);
   for (const float wanted : {1.0f, 40.0f, 333.0f, 899.0f, 900.0f, 5000.0f}) {
     int berries = 0;
@@ -76,7 +76,7 @@ TEST_CASE("shares change little when places do") {
   CHECK(difference < 0.02 * sum(a));
 }
 
-TEST_CASE("a crowd is of strength, not of heads: weak ones beside a strong one take little of its room") {
+TEST_CASE("crowding is weighted by strength: weak flowers beside a strong one take little of its room") {
   const auto set = [](float neighbours) {
     std::vector<Bud> buds{{{0, 0, 0}, 0.5f}};
     for (int k = 0; k < 6; ++k) {
@@ -90,7 +90,7 @@ TEST_CASE("a crowd is of strength, not of heads: weak ones beside a strong one t
   CHECK(set(0.001f) == doctest::Approx(0.5 * (1.0 / 6) / (32.0 / 105 * 1.3 * 1.3 * 1.3)).epsilon(0.02));
 }
 
-TEST_CASE("buds of another bunch are no crowd, wherever their own places are") {
+TEST_CASE("buds of another bunch do not crowd, at any place") {
   std::vector<Bud> buds{{{0, 0, 0}, 0.5f}, {{1, 0, 0}, 0.5f}};
   const float crowded = ranks_of(buds, 10)[0];
   buds[1].bunch = 1;

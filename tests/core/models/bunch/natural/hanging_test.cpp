@@ -21,7 +21,7 @@ TEST_CASE("stems are branches, pedicels stalks; the rachis hardly gives, axes an
   CHECK(hanging.branches[2].give == doctest::Approx(0.35));
 }
 
-TEST_CASE("a stalk of several internodes is one; a thorn on it rides along, a stem that bears in passing is a branch") {
+TEST_CASE("a stalk of several internodes is one, with its thorns; a stem that leads on beyond its flower is a branch") {
   std::vector<Internode> chain{
       stem(-1, Kind::rachis, {0, 0, 0}, {0, -50, 0}), stem(0, Kind::pedicel, {0, -50, 0}, {5, -50, 0}),
       stem(1, Kind::pedicel, {5, -50, 0}, {10, -50, 0}, true), stem(2, Kind::axis, {10, -50, 0}, {10, -45, 0})};
@@ -41,7 +41,7 @@ TEST_CASE("a stalk of several internodes is one; a thorn on it rides along, a st
   CHECK(branches.size() == 1);
 }
 
-TEST_CASE("a stalk that grows from nothing gets a point to hang from") {
+TEST_CASE("a stalk that grows from no branch gets a point to hang from") {
   const std::vector<Internode> alone{stem(-1, Kind::pedicel, {3, 0, 0}, {3, -10, 0})};
   const std::vector<Flower> flowers{flower_on(0, {0, -1, 0})};
   const Hanging hanging = hang(alone, flowers, 1);

@@ -36,7 +36,7 @@ struct Late {
 
 }  // namespace
 
-TEST_CASE("a berry is as large as its age has it, in metres, and sits on its pedicel") {
+TEST_CASE("a berry has the size of its age, in metres, and sits on its pedicel") {
   const Harvest ripe = Late(RemovalReason{}).at(100, 1);
   REQUIRE(ripe.bodies.size() == 1);
   CHECK(ripe.bodies[0].half_width == 10);

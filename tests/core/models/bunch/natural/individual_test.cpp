@@ -124,7 +124,7 @@ TEST_CASE("long bunches tend to be thick ones, and all other ratios of a seed ar
     }
 }
 
-TEST_CASE("what a seed does to a profile is in proportion, whatever the handles say") {
+TEST_CASE("a seed changes every profile in the same proportion") {
   for (std::uint64_t k = 0; k < 200; ++k) {
     const Profile profile = random_profile(k);
     const auto seed = static_cast<std::uint32_t>(random_bits(k, 3, 3));
@@ -173,7 +173,7 @@ TEST_CASE("gaps are long waves about the mean fill, other ones for each seed") {
   CHECK(apart / places > 0.08);
 }
 
-TEST_CASE("the bunch fills its own seed's outline, and says which that is") {
+TEST_CASE("the bunch fills its own seed's outline, and returns it") {
   BunchRequest request = natural_request(table3[1].profile(), 5);
   request.measures = true;
   const GrownBunch varied = grown(request);

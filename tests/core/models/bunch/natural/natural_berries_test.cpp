@@ -66,7 +66,7 @@ TEST_CASE("pressed berries hold their volume within 3 %, however dense the bunch
   }
 }
 
-TEST_CASE("berries are as fine as they look large, not as they are few") {
+TEST_CASE("the number of segments depends on the size of berries in the picture, not on their number") {
   const auto vertices_each = [](float age, float millimetres) {
     BunchRequest request = natural_request(table3[0].profile());
     set(request, Parameter::age, age);

@@ -54,7 +54,7 @@ TEST_CASE("the work of swelling rises with the contacts of berries and stems, fr
   CHECK(power(&SwellingWork::steps) <= 0.1);
 }
 
-TEST_CASE("a count whose usual plan would have more flowers than there may be gets a plan of fewer") {
+TEST_CASE("a count whose usual plan would exceed the limit of flowers gets a plan with fewer") {
   const GrownBunch bunch = bunch_of(3000);
   CHECK(bunch.counts.berries > 1500);
 }

@@ -16,7 +16,7 @@ using namespace panicle;
 using namespace panicle::bunch;
 using namespace panicle::tests;
 
-TEST_CASE("a count asked for is given within 3 %, or a note says why not") {
+TEST_CASE("a requested count is met within 3 %, or a note has the reason") {
   int noted = 0;
   for (std::uint64_t seed = 0; seed < 16; ++seed) {
     CAPTURE(seed);
@@ -43,7 +43,7 @@ TEST_CASE("a count asked for is given within 3 %, or a note says why not") {
   CHECK(noted <= 4);
 }
 
-TEST_CASE("a profile that would hold more berries than there may be grows the most, and says so") {
+TEST_CASE("a profile that would exceed the limit of berries grows as many as allowed, with a note") {
   for (const float count : {0.0f, 3000.0f}) {
     BunchRequest request = natural_request(random_profile(3));
     set(request, Parameter::size, 3);
@@ -60,7 +60,7 @@ TEST_CASE("a profile that would hold more berries than there may be grows the mo
   }
 }
 
-TEST_CASE("a count beyond what the outline holds leaves what has room, not an impossible heap") {
+TEST_CASE("a count beyond the outline's room grows the berries that have room") {
   for (const float count : {600.0f, 3000.0f}) {
     BunchRequest request = natural_request(table3[2].profile());
     set(request, Parameter::count, count);
@@ -71,7 +71,7 @@ TEST_CASE("a count beyond what the outline holds leaves what has room, not an im
   }
 }
 
-TEST_CASE("density sets how full a bunch is, size how large its berries are, spread how unlike") {
+TEST_CASE("density sets how full a bunch is, size how large its berries are, spread how much they vary") {
   const auto bunch = [](Parameter key, float value) {
     BunchRequest request = natural_request(table3[2].profile());
     set(request, key, value);
@@ -98,7 +98,7 @@ TEST_CASE("density sets how full a bunch is, size how large its berries are, spr
   CHECK(widths(bunch(Parameter::spread, 10)).second < widths(bunch(Parameter::spread, 25)).second);
 }
 
-TEST_CASE("a berry taken off by hand is gone, says so, and leaves the others where they were") {
+TEST_CASE("a berry removed by hand is gone, with its reason, and the others stay in place") {
   BunchRequest request = natural_request(table3[0].profile());
   const GrownBunch whole = grown(request);
   const std::uint32_t id = whole.berries[whole.berries.size() / 2].id;
@@ -117,7 +117,7 @@ TEST_CASE("a berry taken off by hand is gone, says so, and leaves the others whe
   CHECK(way / less.counts.berries < 0.3);
 }
 
-TEST_CASE("what is not there says where it hung: on the skeleton, in metres") {
+TEST_CASE("missing berries have their place on the skeleton, in metres") {
   BunchRequest request = natural_request(table3[2].profile());
   set(request, Parameter::count, 600);  // more than there is room for
   const GrownBunch bunch = grown(request);

@@ -25,7 +25,7 @@ TEST_CASE("stamens come with flowers, and go when the last has set") {
   CHECK(!grown(with_meshes(Parameter::age, 60)).flower.has_value());
 }
 
-TEST_CASE("a bramble keeps its sepals, in the measure of its ovary") {
+TEST_CASE("a bramble keeps its sepals, scaled to its ovary") {
   BunchRequest request = with_meshes(Parameter::fruit, static_cast<float>(Fruit::bramble));
   set(request, Parameter::size, 16);
   const GrownBunch ripe = grown(request);
@@ -45,7 +45,7 @@ TEST_CASE("in flower a bunch has a quarter of a ripe one's triangles") {
   CHECK(triangles(12) < triangles(100));
 }
 
-TEST_CASE("a bunch has no more seeds in a berry than are asked for, and none of a seedless grape") {
+TEST_CASE("berries have no more seeds than requested, and seedless ones none") {
   const auto most = [](float seeds) {
     float highest = 0;
     for (const Traits& one : grown(with_meshes(Parameter::seeds, seeds)).traits) highest = std::max(highest, one.seeds);
@@ -56,7 +56,7 @@ TEST_CASE("a bunch has no more seeds in a berry than are asked for, and none of 
   CHECK(most(0) == 0);
 }
 
-TEST_CASE("a cane comes when asked for, and as many leaves as are") {
+TEST_CASE("the requested cane and number of leaves grow") {
   CHECK(!grown(with_meshes(Parameter::leaves, 0)).foliage.has_value());
   const auto parts = [](const BunchRequest& request) {
     const GrownBunch bunch = grown(request);
@@ -73,7 +73,7 @@ TEST_CASE("a cane comes when asked for, and as many leaves as are") {
   CHECK(parts(with_meshes(Parameter::leaves, 3)) == 3);
 }
 
-TEST_CASE("leaves without a leaf to make them from: the cane stands bare, and a note says why") {
+TEST_CASE("without a leaf in the request the cane is bare, with a note") {
   BunchRequest request = with_meshes(Parameter::leaves, 3);
   CHECK(grown(request).notes.empty());
   request.leaf = {};
@@ -89,7 +89,7 @@ TEST_CASE("leaves without a leaf to make them from: the cane stands bare, and a 
   CHECK(grown(cane).notes.empty());
 }
 
-TEST_CASE("a bunch and its wing bear a count between them, in the room of both") {
+TEST_CASE("a bunch and its wing share a count by their room") {
   BunchRequest request = natural_request(table3[2].profile());
   const std::uint32_t alone = grown(request).counts.berries;
   set(request, Parameter::wing, 0.5f);

@@ -131,7 +131,7 @@ TEST_CASE("lengths and angles change smoothly with every pixel") {
   }
 }
 
-TEST_CASE("more berries are asked for where density is higher, berries smaller or a count given") {
+TEST_CASE("the plan has more berries for a higher density, smaller berries or a given count") {
   const Profile profile = table3[2].profile();
   CHECK(plan_for(profile, Parameter::density, 9).berries > plan_for(profile, Parameter::density, 3).berries);
   CHECK(plan_for(profile, Parameter::size, 12).berries > 2 * plan_for(profile, Parameter::size, 18).berries);
@@ -140,7 +140,7 @@ TEST_CASE("more berries are asked for where density is higher, berries smaller o
   for (float density = 1; density < 9; density += 0.25f) CHECK(fill_of(density + 0.25f) > fill_of(density));
 }
 
-TEST_CASE("the plan lays nodes as the text's constants say, and gives as many lengths as a text can ask for") {
+TEST_CASE("the plan places nodes by the text's constants, and has lengths for all axes of a text") {
   const Profile profile = table3[2].profile();
   BunchRequest request = natural_request(profile);
   std::vector<std::string> notes;

@@ -66,7 +66,7 @@ TEST_CASE("a natural bunch is whole: any drawn profile, age, form and density") 
   }
 }
 
-TEST_CASE("the same request gives the same bunch, whatever grew between; another seed another") {
+TEST_CASE("the same request always gives the same bunch; another seed gives another") {
   const BunchRequest request = natural_request(table3[1].profile());
   const std::uint64_t first = grown(request).fingerprint;
   BunchRequest other = request;
@@ -105,7 +105,7 @@ TEST_CASE("ages pass into one another: flowers, then berries that grow") {
   for (float age = 14; age < 125; age += 18.5f) CHECK(mean_move(age, age + 0.5f) < 0.6);
 }
 
-TEST_CASE("an age is a function of the request alone: what was grown between changes nothing of it") {
+TEST_CASE("growing other ages in between does not change the result of an age") {
   BunchRequest request = natural_request(table3[0].profile());
   set(request, Parameter::age, 42);
   request.meshes = request.mesh_fingerprint = true;
@@ -131,7 +131,7 @@ TEST_CASE("an age is a function of the request alone: what was grown between cha
   CHECK(common > 30);
 }
 
-TEST_CASE("a person's own grammar grows naturally too") {
+TEST_CASE("the natural procedure accepts a grammar of the request") {
   BunchRequest request = natural_request(table3[1].profile());
   request.grammar = builtin_grammar(3);
   const GrownBunch bunch = grown(request);
@@ -143,7 +143,7 @@ TEST_CASE("a person's own grammar grows naturally too") {
   CHECK(!grow(request));
 }
 
-TEST_CASE("grammars that mean harm end in words or in a bunch, soon") {
+TEST_CASE("hostile grammars end in an error or in a bunch, soon") {
   BunchRequest request = natural_request(table3[1].profile());
   set(request, Parameter::count, 3000);
   const auto reason = [&](const char* text) {

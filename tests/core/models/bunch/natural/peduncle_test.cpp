@@ -72,7 +72,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("where a bunch goes on longer than asked before it branches, it hangs as it is") {
+TEST_CASE("a bunch that branches later than the requested peduncle's length gets no peduncle") {
   std::vector<Internode> internodes = skeleton();
   CHECK(add_peduncle(internodes, 0.0105f, 1) == 0);
   CHECK(internodes.size() == 4);
@@ -80,7 +80,7 @@ TEST_CASE("where a bunch goes on longer than asked before it branches, it hangs 
   CHECK(add_peduncle(none, 0.05f, 1) == 0);
 }
 
-TEST_CASE("a natural bunch measures the peduncle it was asked for, and hangs as it hung") {
+TEST_CASE("a natural bunch has the requested peduncle's length, and is otherwise unchanged") {
   for (const float requested : {25.0f, 45.0f, 110.0f})
     for (std::uint32_t seed = 1; seed <= 5; ++seed)
       CHECK(measured(requested, seed) == doctest::Approx(requested).epsilon(0.02));
@@ -109,7 +109,7 @@ TEST_CASE("two bunches share a peduncle, and the first is measured by itself") {
   CHECK(two.measures[wings] == one.measures[wings] + 1);
 }
 
-TEST_CASE("a cane stands at the peduncle's upper end, clear of the berries however short that was asked for") {
+TEST_CASE("a cane is at the peduncle's upper end, clear of the berries for any requested length") {
   BunchRequest request = natural_request(table3[0].profile());
   request.meshes = true;
   set(request, Parameter::cane, 1);

@@ -22,7 +22,7 @@ TEST_CASE("a fruit's relief comes out as it sets") {
   CHECK(relief_at(30) == 1);
 }
 
-TEST_CASE("sizes lead up to an age's own, whatever the age: the steps before are the same") {
+TEST_CASE("the sizes of every age end at its own size, and share the steps before") {
   const auto ripe = sizes_until(100);
   for (float age = 0; age <= 125; age += 2.5f) {
     const auto sizes = sizes_until(age);

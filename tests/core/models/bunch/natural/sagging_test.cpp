@@ -67,7 +67,7 @@ TEST_CASE("a beam's law: twice the load bends twice as much, twice the radius a 
   CHECK(bend_of(level_axis(0.05f), two, 2) < 0.51f);
 }
 
-TEST_CASE("what bears nothing, and what does not sag, stays as it is") {
+TEST_CASE("branches without berries, and those that do not sag, stay as they are") {
   const std::vector<Branch> branches = level_axis(1);
   Sagging bare(branches, {});
   for (const glm::quat& turn : bare.turned(1)) CHECK(turn == glm::quat(1, 0, 0, 0));
@@ -109,7 +109,7 @@ TEST_CASE("an axis sags towards the side it leans to, whichever that is") {
   }
 }
 
-TEST_CASE("asked for one size after another, branches turn as when asked for it at first") {
+TEST_CASE("the turns of a size do not depend on sizes queried before") {
   const std::vector<Branch> branches = level_axis(1.2f);
   const std::vector<Swelling> berries{berry_on(2)};
   Sagging sagging(branches, berries);

@@ -51,7 +51,7 @@ int sum(const std::vector<int>& counts, std::size_t from, std::size_t to) {
 
 }  // namespace
 
-TEST_CASE("shoulders bear axes of second order with end structures of their own, axes at the tip none") {
+TEST_CASE("axes at the shoulders have axes of second order with end structures, axes at the tip none") {
   const std::vector<int> counts = laterals(branched(table3[7].profile()));
   CHECK(sum(counts, 0, 4) >= 4);
   CHECK(sum(counts, counts.size() / 2, counts.size()) == 0);
@@ -78,7 +78,7 @@ TEST_CASE("every flower of a bunch whose axes are not branched is one of the bra
   for (const Berry& berry : plain.berries) CHECK(ids.count(berry.id) == 1);
 }
 
-TEST_CASE("axes of second order are shorter along their bearer, and stay in the outline") {
+TEST_CASE("axes of second order get shorter along their parent, and stay in the outline") {
   const Profile profile = table3[7].profile();
   const BunchRequest request = natural_request(profile);
   std::vector<std::string> notes;
@@ -98,7 +98,7 @@ TEST_CASE("axes of second order are shorter along their bearer, and stay in the 
   CHECK(found >= 5);
 }
 
-TEST_CASE("a text whose axes are longer than the plan's finds no length missing") {
+TEST_CASE("a text with longer axes than the plan's has lengths for all nodes") {
   BunchRequest request = natural_request(table3[7].profile());
   const std::string longer = edited(4, "Af(node[k], arm[k],", "Af(node[k], 3*arm[k],");
   REQUIRE(!longer.empty());

@@ -26,7 +26,7 @@ Situation at(const glm::vec3& foot, const glm::vec3& heading, const glm::vec3& s
 
 }  // namespace
 
-TEST_CASE("the sun stands in front at 0, at the right at 90, and as high as it is said to") {
+TEST_CASE("the sun is in front at 0, at the right at 90, and at the given height") {
   CHECK(glm::length(towards_sun(0, 0) - glm::vec3(0, 0, 1)) < 1e-6f);
   CHECK(glm::length(towards_sun(90, 0) - glm::vec3(1, 0, 0)) < 1e-6f);
   CHECK(towards_sun(40, 45).y == doctest::Approx(0.7071));
@@ -39,7 +39,7 @@ TEST_CASE("the side that faces the sun is lit, the other is not") {
   CHECK(at({0, -100, 50}, {0, 0, 1}, right).lit == doctest::Approx(0.5).epsilon(0.05));
 }
 
-TEST_CASE("along goes from base to tip; what is outside is misplaced by so many berry widths, whichever way") {
+TEST_CASE("`along` goes from base to tip; `misplaced` is the distance outside in berry widths, to every side") {
   const glm::vec3 sun = towards_sun(0, 0);
   CHECK(at({0, -20, 0}, {0, -1, 0}, sun).along == doctest::Approx(0.13).epsilon(0.05));
   CHECK(at({0, -150, 0}, {0, -1, 0}, sun).along == doctest::Approx(0.78).epsilon(0.05));
@@ -49,14 +49,14 @@ TEST_CASE("along goes from base to tip; what is outside is misplaced by so many 
   CHECK(at({0, -213, 0}, {0, -1, 0}, sun).misplaced == doctest::Approx(1.9).epsilon(0.02));
 }
 
-TEST_CASE("a bunch that leans is looked at in its own frame") {
+TEST_CASE("places of a leaning bunch are in its own frame") {
   const glm::vec3 sun = towards_sun(0, 0);
   const Situation leaning = at({-100, 0, 0}, {-1, 0, 0}, sun, 90);
   CHECK(leaning.misplaced == 0);
   CHECK(leaning.along == doctest::Approx(0.53).epsilon(0.05));
 }
 
-TEST_CASE("a place is the bunch's own, and what it is lit by is the world's, however it hangs") {
+TEST_CASE("places are in the bunch's frame and light in the world's, for every stance") {
   const std::vector<Flower> flowers{flower_on(0, {0, 0, 1})};
   const auto hung = [&](const Stance& stance, const glm::vec3& sun) {
     const Uprighting upright(stance);
@@ -96,7 +96,7 @@ TEST_CASE("turns to set are spread evenly over an axis, and the second bunch has
   CHECK(turn_of(first, 1) != turn_of(first, 2));
 }
 
-TEST_CASE("a raceme's flowers are in their place however far their pedicels reach") {
+TEST_CASE("a raceme's flowers are never misplaced by long pedicels") {
   const glm::vec3 foot(0, -100, 0), far(95, -100, 0);
   const std::vector<BunchEnvelope> bounds{{drum, 0}};
   const std::vector<Flower> flowers{flower_on(1, {1, 0, 0})};

@@ -57,13 +57,13 @@ TEST_CASE("those with room lean alike") {
   CHECK(leans[0].x == doctest::Approx(leans_of({apart[0]})[0].x));
 }
 
-TEST_CASE("a shot berry moves nobody, and is moved") {
+TEST_CASE("a shot berry is displaced, and displaces no other") {
   std::vector<Swelling> two{berry_towards({1, 0, 0.2f}), berry_towards({1, 0, -0.2f}, 1.5f)};
   const auto leans = leans_of(two);
   CHECK(std::abs(leans[1].z) > 20 * std::abs(leans[0].z - leans_of({two[0]})[0].z));
 }
 
-TEST_CASE("berries that join late lean nowhere, and nobody makes room for them") {
+TEST_CASE("berries that join late do not lean, and others do not lean away from them") {
   std::vector<Swelling> two{berry_towards({1, 0, 0.3f}), berry_towards({1, 0, -0.3f})};
   two[1].late = true;
   const auto leans = leans_of(two);

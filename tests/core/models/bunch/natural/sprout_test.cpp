@@ -45,7 +45,7 @@ TEST_CASE("a second bunch as large as the first is another bunch, not its twin")
   CHECK(bunches[0] == first[0]);  // which the second leaves as it was
 }
 
-TEST_CASE("stems are in millimetres at both their ends, whatever the scale") {
+TEST_CASE("stems are in millimetres at both their ends, at any scale") {
   for (const float unit : {0.1f, 0.25f, 1.0f}) {
     BunchRequest request = natural_request(table3[2].profile());
     set(request, Parameter::unit, unit);

@@ -81,7 +81,7 @@ TEST_CASE("a loaded branch gives way, a stiff one does not") {
   }
 }
 
-TEST_CASE("berries keep to the outline as far as they may") {
+TEST_CASE("berries stay within the outline and its tolerance") {
   const std::vector<BunchEnvelope> narrow{
       {Envelope(Profile{400, {{{40, 40}, {40, 40}, {40, 40}, {40, 40}}}}, 0.5f, 20), 0}};
   const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
@@ -106,7 +106,7 @@ TEST_CASE("a stem much longer than a berry is an obstacle all along") {
   }
 }
 
-TEST_CASE("a berry that cannot get room is lost, and only then; one taken by hand is") {
+TEST_CASE("a berry is lost only without room or if removed by hand") {
   const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
   std::vector<Swelling> berries;
   for (int k = 0; k < 40; ++k) {
@@ -128,7 +128,7 @@ TEST_CASE("a berry that cannot get room is lost, and only then; one taken by han
   CHECK(taken.lost[1] == RemovalReason::by_hand);
 }
 
-TEST_CASE("nothing to swell is no trouble") {
+TEST_CASE("swelling without berries gives an empty result") {
   CHECK(swell({}, {}, roomy, ripe).centres.empty());
   const std::vector<Branch> branches{{{0, 0, 0}, {0, 0, 0}, -1, 1, 0}};
   const std::vector<Swelling> berries{berry_at(0, {0, -1, 0})};
@@ -155,7 +155,7 @@ TEST_CASE("a pedicel bends to six tenths of its length, and no further") {
   CHECK(glm::length(pressed.centres[0] - pressed.ends[0]) > 0.6f * 20 + 8 - 0.5f);
 }
 
-TEST_CASE("berries press each other off while they swell: who is gone does not come back when the rest dry") {
+TEST_CASE("berries lost while swelling do not come back when the others dry") {
   const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
   for (const float half : {9.0f, 9.5f}) {
     std::vector<Swelling> berries;
@@ -176,7 +176,7 @@ TEST_CASE("berries press each other off while they swell: who is gone does not c
   }
 }
 
-TEST_CASE("late berries join where others found no room, in their order, and only as many as are wanted") {
+TEST_CASE("late berries join where others found no room, in their order, and only as many as requested") {
   const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}, {{0, 0, 0}, {60, -60, 0}, -1, 1, 0}};
   std::vector<Swelling> berries;
   for (int k = 0; k < 24; ++k) {
@@ -209,7 +209,7 @@ TEST_CASE("pedicels are little over half as long in flower, and grow until berri
   CHECK(stalk_at(1) == doctest::Approx(1));
 }
 
-TEST_CASE("what a branch gives way by, it keeps: further the readier it is") {
+TEST_CASE("a branch stays where berries have pushed it: farther for a larger `give`") {
   std::vector<float> moved;
   for (const float give : {0.0f, 0.4f, 0.8f}) {
     const std::vector<Branch> branches{{{0, 0, 0}, {0, -60, 0}, -1, 2, 0},

@@ -29,7 +29,7 @@ TEST_CASE("a berry's traits are its body's widths in metres and its stage") {
   CHECK(at(50).turned == 0);
 }
 
-TEST_CASE("a flower that will not set stays a flower; light hastens colouring; the second bunch has its own luck") {
+TEST_CASE("a flower that will not set stays a flower; light hastens colouring; the second bunch has its own random values") {
   Ripener flower{{{}, {0, -1, 0}, 1, 1, 0, 1}, 0.3f, 0.5f, false};
   CHECK(at(11, flower).set == 0);
   Ripener lit{{{}, {0, -1, 0}, 8, 8, 0, 1}, 0.3f, 1, true}, shaded = lit;
@@ -45,7 +45,7 @@ TEST_CASE("a flower that will not set stays a flower; light hastens colouring; t
   CHECK(unlike);
 }
 
-TEST_CASE("seeds are whole, from none to four, and more by luck") {
+TEST_CASE("seeds are whole numbers from none to four, by a random value") {
   for (float a = 0; a < 1; a += 0.1f)
     for (float b = 0; b < 1; b += 0.1f) {
       const float seeds = seeds_of(a, b, 4);

@@ -50,7 +50,7 @@ glm::vec3 middle_of_wing(const GrownBunch& grown) {
 
 }  // namespace
 
-TEST_CASE("a stance turned upright and back is what it was, and its own down is down") {
+TEST_CASE("turning a stance upright and back is the identity, and its own down becomes down") {
   for (std::size_t side = 0; side < 4; ++side) {
     const Stance stance{35, side, {3, 5, -2}};
     const Uprighting upright(stance);
@@ -90,7 +90,7 @@ TEST_CASE("a wing's stalk leaves at its angle and bends down under its load, the
   }
 }
 
-TEST_CASE("a wing hangs on the side it is put on, of any shape, and OIV 209 counts it") {
+TEST_CASE("a wing of any shape hangs on its side, and OIV 209 counts it") {
   const auto wings = static_cast<std::size_t>(Measure::wings), coverage = static_cast<std::size_t>(Measure::coverage),
              spill = static_cast<std::size_t>(Measure::spill);
   const float without = grown(winged(0)).measures[wings];
@@ -121,7 +121,7 @@ TEST_CASE(
   CHECK(middle_of_wing(grown(winged(0.4f, 1, 30))).y > middle_of_wing(ripe).y + 0.001f);
 }
 
-TEST_CASE("a wing's berries are the same at every age, but for those lost on the way and few that find room") {
+TEST_CASE("a wing's berries are the same at every age, except those lost and few that find room") {
   const auto ids_at = [](float age) {
     BunchRequest request = winged(0.4f, 1, age);
     set(request, Parameter::variability, 1);
@@ -142,7 +142,7 @@ TEST_CASE("a wing's berries are the same at every age, but for those lost on the
   }
 }
 
-TEST_CASE("a stalk bends under as many berries as were asked for, whatever the density would take") {
+TEST_CASE("a stalk bends under the requested count of berries, independent of the density") {
   const auto stalk_end = [](float count, float density) {
     BunchRequest request = winged(0.4f);
     set(request, Parameter::count, count);
@@ -155,7 +155,7 @@ TEST_CASE("a stalk bends under as many berries as were asked for, whatever the d
   CHECK(glm::length(stalk_end(30, 9) - few) < 0.001f);
 }
 
-TEST_CASE("a pixel moves a wing by little") {
+TEST_CASE("a pixel of the profile moves a wing by little") {
   BunchRequest request = winged(0.4f);
   const glm::vec3 before = middle_of_wing(grown(request));
   for (const Parameter key : {Parameter::l, Parameter::p4w, Parameter::p4r}) {

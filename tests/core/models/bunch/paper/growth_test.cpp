@@ -36,7 +36,7 @@ std::string with_answers(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("why a berry turns or withers is told, with what is in its way and by how much") {
+TEST_CASE("the trace has the reason why a berry turns or withers, with the obstacle and the overlap") {
   std::string text = "axiom: F(40) [ ?E(1,0,0,30,2,20) ] [ +(45) ?E(1,0,0,30,2,20) ]";
   for (int i = 0; i < 4; ++i) text += " [ ?E(1,0,0,5,2,20) ]";
   PaperGrowth growth({15, 50, 0}, {}, 30);
@@ -77,7 +77,7 @@ TEST_CASE("why a berry turns or withers is told, with what is in its way and by 
   CHECK(withered > 0);
 }
 
-TEST_CASE("the tip of its parent is no obstacle to what grows from it") {
+TEST_CASE("the tip of its parent is no obstacle to an internode") {
   // Tips 20 across and steps of 12: each would collide with the one before, and only with that.
   const PaperGrowth growth = grown_from(with_answers("axiom: ?E(0,0,0,30,20,0) [ ?E(0,0,0,12,20,0) ]\n"));
   CHECK(growth.cuts == 0);
@@ -88,7 +88,7 @@ TEST_CASE("the tip of its parent is no obstacle to what grows from it") {
   CHECK(!(third.cuts == 0 && third.internodes[2].end == glm::vec3(0, -46, 0)));
 }
 
-TEST_CASE("a pedicel between berries withers, an internode is cut with what it would bear") {
+TEST_CASE("a pedicel between berries withers, an internode is cut with all beyond it") {
   const PaperGrowth pedicel = grown_from(with_answers(
       "axiom: F(40) [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ]"
       " [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ]\n"));

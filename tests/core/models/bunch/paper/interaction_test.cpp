@@ -46,7 +46,7 @@ TEST_CASE("an internode stops once it has turned by δ in all; a pedicel goes on
   CHECK(turned(pedicel) > 20);
 }
 
-TEST_CASE("nobody tries more often than t") {
+TEST_CASE("no internode tries more often than t") {
   Newborn newborn;
   newborn.pedicel = true;
   newborn.length = 18;
@@ -57,7 +57,7 @@ TEST_CASE("nobody tries more often than t") {
   CHECK(!find_room(structure, {}, newborn, {15, 1, 0}).found);
 }
 
-TEST_CASE("what is free sags by the angle asked for, and never past vertical") {
+TEST_CASE("free internodes sag by the given angle, and never past vertical") {
   const SphereGrid empty(5);
   for (const float upright : {90.0f, 30.0f, 1.0f}) {
     lsystem::Turtle turtle;
@@ -99,7 +99,7 @@ TEST_CASE("a question without phi is answered by a turn in its own plane, or not
   CHECK(sagged.phi == 0);
 }
 
-TEST_CASE("nothing sags into what is there") {
+TEST_CASE("no internode sags into the structure") {
   lsystem::Turtle turtle;
   lsystem::turn(turtle, 90);
   Newborn newborn;
