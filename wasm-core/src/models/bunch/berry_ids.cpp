@@ -9,7 +9,7 @@ constexpr int bits_dropped = 34;  // of an address's 64
 
 std::uint32_t id_of(std::uint64_t address) { return static_cast<std::uint32_t>(address >> bits_dropped); }
 
-// The ids that have been given, in a table twice as large as it need be.
+// The set of ids in use, in a hash table that is at least twice as large.
 class Taken {
  public:
   explicit Taken(std::size_t ids) {
@@ -18,7 +18,7 @@ class Taken {
     slots_.assign(size, free_slot);
   }
 
-  // False where it is taken already.
+  // Returns false if the id is in use.
   bool insert(std::uint32_t id) {
     std::size_t slot = id & (slots_.size() - 1);
     for (; slots_[slot] != free_slot; slot = (slot + 1) & (slots_.size() - 1))

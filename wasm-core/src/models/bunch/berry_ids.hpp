@@ -1,4 +1,4 @@
-// Names for berries that stay while handles move.
+// Ids of berries that stay the same while handles move.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace panicle::bunch {
 // berries of one module share its address, and the second and later ones get addresses of their own.
 std::vector<std::uint64_t> own_addresses(std::span<const std::uint64_t> module_addresses);
 
-// Below 2^30, so that links hold one in six letters; those from `second_from` on are of the second bunch, whose
-// addresses are the first's over again. An id that an earlier berry has is drawn anew.
+// Makes the ids of berries: below 2^30, so that links hold one in six letters; those from `second_from` on are of the
+// second bunch, whose addresses repeat the first's. An id that an earlier berry has is drawn anew.
 std::vector<std::uint32_t> berry_ids(std::span<const std::uint64_t> addresses, std::size_t second_from);
 
 }  // namespace panicle::bunch

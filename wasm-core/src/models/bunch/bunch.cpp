@@ -32,7 +32,7 @@ void count(GrownBunch& grown) {
   }
 }
 
-// docs/fingerprint.md has the order.
+// The fingerprint of skeleton and organs, in the order of docs/fingerprint.md.
 std::uint64_t fingerprint(const GrownBunch& grown) {
   Fingerprint print;
   const auto point = [&print](const glm::vec3& p) {
@@ -73,7 +73,7 @@ void add_mesh(Fingerprint& print, const Mesh& mesh) {
 
 constexpr float thin_stem = 0.00125f;  // metres; radius
 
-// Stems and the paper's one berry; the natural procedure makes its other meshes itself.
+// Adds the stems and the paper's one berry; the natural procedure makes its other meshes itself.
 void add_meshes(GrownBunch& grown, const BunchRequest& request) {
   TubeOptions tubes;
   if (grown.natural) {  // hundreds of pedicels, most of them hidden
@@ -88,7 +88,7 @@ void add_meshes(GrownBunch& grown, const BunchRequest& request) {
   grown.berry = make_berry(berry);
 }
 
-// Of everything that has triangles.
+// The fingerprint of all meshes.
 std::uint64_t mesh_fingerprint(const GrownBunch& grown) {
   Fingerprint print;
   add_mesh(print, grown.stem->mesh);

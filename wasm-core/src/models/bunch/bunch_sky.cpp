@@ -11,9 +11,9 @@
 namespace panicle::bunch {
 namespace {
 
-// From these lengths over widths on, a berry stands in the light as two balls, as three.
+// Berries longer than these multiples of their width count as two balls, as three.
 constexpr float two_from = 1.35f, three_from = 2.1f;
-constexpr float row_width = 0.96f;  // of the balls in a row, to the berry's own
+constexpr float row_width = 0.96f;  // width of the balls in a row, over the berry's own
 
 // Numbers of owners: internodes, then berries, then parts of the foliage.
 struct Owners {
@@ -59,8 +59,8 @@ Sky surroundings(const GrownBunch& grown, std::span<const Segment> segments) {
   return Sky(balls, specks);
 }
 
-// Where the shared berry stands for one. Everyone turns it like this: half a turn about X, then the shortest way from
-// −Y to the berry's direction (web/src/plant/orientation.ts).
+// The frame of a berry drawn with the shared mesh. All renderers and exporters rotate it like this: half a turn about
+// X, then the shortest way from −Y to the berry's direction (web/src/plant/orientation.ts).
 SkyFrame frame_for(const Berry& berry) {
   const glm::vec3& to = berry.direction;
   SkyFrame frame{.centre = berry.centre, .scale = berry.radius};

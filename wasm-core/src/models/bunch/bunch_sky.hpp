@@ -1,4 +1,4 @@
-// How much of the sky every part of a bunch sees: berries, stems, leaves, cane.
+// The share of the sky that every part of a bunch sees: berries, stems, leaves, cane.
 #pragma once
 
 #include "models/bunch/grown.hpp"

@@ -66,7 +66,7 @@ struct Foliage {
   std::vector<FoliagePart> parts;
 };
 
-// How much of the sky every vertex sees, 0 … 255 (light/sky.hpp).
+// The share of the sky that every vertex sees, 0 … 255 (light/sky.hpp).
 struct SkyBytes {
   std::vector<std::uint8_t> stems, foliage;  // one a vertex of that mesh
   std::vector<std::uint8_t> berries;         // one a vertex of each berry: pattern vertices × berries
@@ -74,23 +74,23 @@ struct SkyBytes {
 
 // The work of swelling a bunch, counted for tests of its cost.
 struct SwellingWork {
-  std::uint64_t steps = 0;           // of growth
-  std::uint64_t looks = 0;           // at pairs of berries, and of a berry and a stem, that might touch
-  std::uint64_t contacts = 0;        // looks at pairs that did, and were moved
-  std::uint64_t thinning_looks = 0;  // at pairs, to find the berries that have no room
+  std::uint64_t steps = 0;           // steps of growth
+  std::uint64_t looks = 0;           // tests of pairs of berries, and of a berry and a stem, that might touch
+  std::uint64_t contacts = 0;        // pairs that touched, and were moved
+  std::uint64_t thinning_looks = 0;  // tests of pairs, to find the berries that have no room
 };
 
 struct GrownBunch {
-  bool natural = false;  // by which procedure
+  bool natural = false;  // whether the natural procedure grew it
   BerryForm form;
   // of the natural procedure: the handles' profile, varied by the seed; the outline that the bunch fills
   Profile profile;
-  Plan plan;        // of the handles
+  Plan plan;        // the handles' plan
   std::optional<Plan> second;
   Counts counts;
   SwellingWork swelling;              // of the natural procedure
   std::vector<Internode> internodes;  // parents first
-  std::int32_t second_root = -1;      // with which a second bunch begins that shares the first one's root
+  std::int32_t second_root = -1;      // the first internode of a second bunch that shares the first one's root
   std::vector<Berry> berries;
   std::vector<Traits> traits;    // one a berry
   std::vector<Thinned> thinned;  // the natural procedure's

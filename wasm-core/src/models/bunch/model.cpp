@@ -138,7 +138,7 @@ void add_sky(Plant& plant, SkyBytes sky) {
 // Adds the derivation's trace, and the modules that drew each internode and berry.
 void add_trace(Plant& plant, const GrownBunch& grown) {
   const lsystem::DerivationTrace& chronicle = *grown.chronicle;
-  // A limit leaves another last string than was drawn.
+  // After a limit the traced string differs from the drawn one.
   const bool whole = chronicle.stopped().reason == Reason::none;
   if (!whole) plant.notes.push_back(cut_short(chronicle));
   add_trace_columns(plant, chronicle);

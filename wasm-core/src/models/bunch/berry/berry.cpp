@@ -19,7 +19,7 @@ Meridian meridian(float from_tip) {
     float height, width, at;
   };
   constexpr Feature features[] = {
-      {-0.040f, 0.34f, 0},   // the dimple round the scar
+      {-0.040f, 0.34f, 0},   // dimple round the scar
       {0.026f, 0.11f, 0},    // the rest of the style inside it
       {-0.022f, 0.70f, pi},  // the seat
   };
@@ -82,7 +82,7 @@ Mesh make_berry(const BerryOptions& options) {
   Builder builder(row * parallels + 2 * segments, 2 * segments * parallels);
   const auto step = [segments](float i) { return i / static_cast<float>(segments); };
 
-  // Rows of parallels from the tip down, then a pole for each segment, so that u stays within the segment there.
+  // Rows of parallels from the tip down, then a pole for each segment, so that u stays within the segment at the poles.
   for (std::uint32_t j = 1; j <= parallels; ++j) {
     const Parallel p = parallel_at(static_cast<float>(j) / static_cast<float>(parallels + 1));
     for (std::uint32_t i = 0; i <= segments; ++i) {

@@ -16,7 +16,7 @@ glm::vec3 direction_of(const BerryPattern& pattern, std::size_t i) {
   return {pattern.directions[0][i], pattern.directions[1][i], pattern.directions[2][i]};
 }
 
-// How the skin's height changes along the sphere, by central differences.
+// The derivative of the skin's height along the sphere, by central differences.
 glm::vec3 slope_of(const FruitSkin& skin, const glm::vec3& e) {
   constexpr float step = 4e-3f;
   const glm::vec3 right = glm::normalize(std::fabs(e.y) < 0.9f ? glm::vec3(e.z, 0, -e.x) : glm::vec3(0, e.z, -e.y));
@@ -46,9 +46,9 @@ GaugeTable tabulate(const BerryPattern& pattern, const Wrinkles& wrinkles) {
 }
 
 constexpr float deepest_bow = 0.75f;   // over the half-width
-constexpr float bow_at_middle = 0.8f;  // of it: the ends move by the rest
+constexpr float bow_at_middle = 0.8f;  // share of it; the ends move by the rest
 
-// Newton's method on the straight form's gauge of the point unbent, along a direction.
+// The gauge in a direction, by Newton's method on the straight form's gauge of the point unbent.
 BerryMeridian::Gauge gauge_of(const BentForm& form, const glm::vec3& direction) {
   const BerryMeridian::Gauge straight = form.meridian.gauge(direction);
   const float bow = deepest_bow * form.curve;

@@ -10,8 +10,8 @@
 
 namespace panicle::bunch {
 
-// A function of direction and its gradient, one value a vertex of the pattern, padding included. Of a gauge (1 /
-// distance of a surface from the centre) the gradient is the outward normal, scaled to give the gauge times direction.
+// A function of direction and its gradient, one value a vertex of the pattern, padding included. The gradient of a
+// gauge (1 / distance of a surface from the centre) is the outward normal, scaled to give the gauge times direction.
 struct GaugeTable {
   std::vector<float> value, x, y, z;
 
@@ -28,7 +28,7 @@ struct BentForm {
 // How much farther than its straight form a bent one may reach.
 float bow_reach(float curve);
 
-// Form and skin, which all berries of a bunch share.
+// The gauge of form and skin, which all berries of a bunch share.
 GaugeTable free_gauge(const BerryPattern& pattern, const BentForm& form, const FruitSkin& skin);
 
 // The share of a berry's volume that its furrows and dents take when it is wholly shrivelled.
@@ -41,7 +41,7 @@ class Furrows {
  public:
   explicit Furrows(const BerryPattern& pattern);
 
-  // The gauge `free` with the furrows of berry `id`, `shrivel` 0 … 1 deep, into `result` of the same size.
+  // Writes the gauge `free` with the furrows of berry `id`, `shrivel` 0 … 1 deep, into `result` of the same size.
   void carve(const GaugeTable& free, std::uint32_t id, float shrivel, GaugeTable& result) const;
 
  private:

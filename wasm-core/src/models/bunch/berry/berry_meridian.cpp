@@ -10,9 +10,9 @@ namespace panicle::bunch {
 namespace {
 
 constexpr float sphere_volume = 4 * pi / 3;
-constexpr float flattest = 8;  // radii of curvature beyond this count as this: straight sides have none
+constexpr float flattest = 8;  // limit of radii of curvature: straight sides have infinite ones
 
-// A normal's place among the supports, 0 at the tip to 1 at the seat: quick, and even enough.
+// A normal's place among the supports, 0 at the tip to 1 at the seat: cheap, and nearly even.
 float place_of(const glm::vec2& normal) { return 0.5f - 0.5f * normal.y / (normal.x + std::fabs(normal.y)); }
 
 // A bramble's fruit is always a blunt cone: the form's other settings do not apply.
@@ -39,7 +39,7 @@ BerryMeridian::BerryMeridian(const BerryForm& form) {
 BerryMeridian::Gauge BerryMeridian::gauge(const glm::vec3& direction) const {
   if (ball_) return {1, direction};
   const float across = std::sqrt(direction.x * direction.x + direction.z * direction.z);
-  // Newton's method on F(r) = (r across)² + |x(r y)|^q − 1, which grows with r, from without.
+  // Newton's method on F(r) = (r across)² + |x(r y)|^q − 1, which grows with r, from outside.
   float r = 1.3f, slope = 0;
   for (int step = 0; step < 12; ++step) {
     const float y = std::clamp(r * direction.y, -1.5f, 1.5f);

@@ -18,8 +18,8 @@ class BerryMeridian {
  public:
   explicit BerryMeridian(const BerryForm& form);
 
-  // Of a direction (unit vector) from the centre: 1 / distance of the surface there, and the gradient of that gauge,
-  // which is the outward normal scaled so that its product with the direction is the gauge itself.
+  // The gauge in a direction (unit vector) from the centre: 1 / distance of the surface there, and its gradient, which
+  // is the outward normal scaled so that its product with the direction is the gauge itself.
   struct Gauge {
     float value;
     glm::vec3 gradient;

@@ -17,7 +17,7 @@ struct Ring {
   std::uint32_t first = 0;  // vertex
 };
 
-// Rings lie even but near the tip and the seat, where scar and collar want to be seen: the scar ends at 6.3° (v 0.965).
+// Rings are even except near the tip and the seat, where scar and collar need detail: the scar ends at 6.3° (v 0.965).
 std::vector<Ring> build_rings(std::uint32_t meridians) {
   constexpr float tip_rings[] = {3.2f, 6.3f, 11};
   constexpr float seat_rings[] = {169, 174.5f};
@@ -52,7 +52,7 @@ class Layer {
     }
   }
 
-  // A pole for each segment of the ring beside it, so that u stays within the segment there.
+  // Adds a pole for each segment of the ring beside it, so that u stays within the segment at the pole.
   std::uint32_t pole(float y, std::uint32_t segments) {
     const std::uint32_t first = pattern_.vertices;
     for (std::uint32_t i = 0; i < segments; ++i) {

@@ -18,8 +18,7 @@ using Kind = FlowerPiece::Kind;
 // v of the parts that have a colour of their own.
 constexpr float green = 0.1f, filament = 0.4f, anther = 0.6f, petal = 0.9f;
 
-// A station of a tube: how far out from the axis and how high its middle is, and how thick it is there. The first and
-// the last are poles.
+// A station of a tube: distance from the axis, height of its middle, and radius. The first and the last are poles.
 struct Station {
   float out, up, radius;
 };
@@ -33,14 +32,14 @@ struct Tubing {
 
 constexpr Station stalk_path[] = {{-0.05f, -0.01f, 0}, {0.01f, 0.08f, 0.2f}, {0.3f, 0.47f, 0.15f}, {0.42f, 0.82f, 0}};
 constexpr Station head_path[] = {{0.14f, -0.5f, 0}, {0.06f, -0.2f, 0.34f}, {-0.06f, 0.3f, 0.32f}, {-0.14f, 0.55f, 0}};
-// Hardly longer than wide, the stigma a little wider than the style.
+// The style: hardly longer than wide, the stigma a little wider.
 constexpr Station style_path[] = {{0, 0.8f, 0}, {0, 0.9f, 0.36f}, {0, 1.25f, 0.2f}, {0, 1.45f, 0}};
-// A hood over the whole bud, blunt and widest above the middle.
+// The cap: a hood over the whole bud, blunt and widest above the middle.
 constexpr Station cap_path[] = {{0, -0.75f, 0}, {0, -0.6f, 1}, {0, 0.5f, 1.3f}, {0, 1.5f, 0.95f}, {0, 1.8f, 0}};
 constexpr Station pedicel_path[] = {{0, -6.2f, 0}, {0, -6, 0.3f}, {0, -0.9f, 0.34f}, {0, -0.6f, 0}};
 constexpr Station ovary_path[] = {{0, -1, 0}, {0, -0.75f, 0.75f}, {0, 0, 1}, {0, 0.7f, 0.65f}, {0, 1.05f, 0}};
 constexpr Station petal_path[] = {{1, -0.9f, 0}, {3, -0.7f, 2.2f}, {8, 0.6f, 4.6f}, {12, 2.2f, 3.4f}, {13.5f, 3, 0}};
-// Pointed, and bent back from the fruit.
+// A sepal: pointed, and bent back from the fruit.
 constexpr Station sepal_path[] = {
     {0.3f, -0.4f, 0}, {2, -0.3f, 2.1f}, {5.5f, -1.2f, 1.9f}, {9, -3.4f, 0.7f}, {10.5f, -4.8f, 0}};
 
@@ -60,13 +59,13 @@ Stand stand_of(std::uint64_t i, float count, float uneven) {
   return {{angle.cosine, 0, angle.sine}, {-angle.sine, 0, angle.cosine}};
 }
 
-// Closed tubes, a piece after the other: few sides and few rings, since flowers come by the hundred.
+// Builds closed tubes, a piece after the other: few sides and few rings, since there are hundreds of flowers.
 class Pieces {
  public:
   // Starts a piece: everything added from now on is of that kind.
   void begin(Kind kind) { flower_.pieces.push_back({kind, vertices(), 0, indices(), 0}); }
 
-  // A tube where it stands, its path scaled and then moved by `from`.
+  // Adds a tube at `stand`, its path scaled and then moved by `from`.
   void add(const Tubing& tubing, const Stand& stand = {}, float scale = 1, const Station& from = {}) {
     Tube tube;
     const std::span<const Station> path = tubing.path;
@@ -121,7 +120,7 @@ class Pieces {
   FlowerMesh flower_;
 };
 
-// Their length is in radii of the ovary.
+// The number of stamens, and their length in radii of the ovary.
 struct Stamens {
   float count, length;
 };
@@ -131,7 +130,7 @@ Stamens stamens_of(Fruit fruit) {
   return all[static_cast<std::size_t>(fruit)];
 }
 
-// From below the ovary outwards and up, the anther across its end.
+// Adds stamens: from below the ovary outwards and up, the anther across the end.
 void add_stamens(Pieces& pieces, const Stamens& stamens) {
   for (std::uint64_t i = 0; static_cast<float>(i) < stamens.count; ++i) {
     const Stand stand = stand_of(i, stamens.count, 80);

@@ -1,4 +1,4 @@
-// The flower that unset berries share, in pieces that come and go by themselves.
+// The flower mesh that all flowers of a bunch share, in pieces that are shown separately.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct FlowerPiece {
   enum class Kind : std::uint32_t {
     stamens = 0,  // filaments, anthers and the short style, about an ovary
     cap = 1,      // a grape's petals, grown together: they come off as one (calyptra)
-    pistil = 2,   // an ovary on a pedicel of its own: a flower beside those that berries come from
+    pistil = 2,   // an ovary on a pedicel of its own: a flower that grows no berry
     petals = 3,   // a bramble's
     calyx = 4,    // a bramble's sepals, bent back behind flower and fruit; about the seat, not the ovary
   };

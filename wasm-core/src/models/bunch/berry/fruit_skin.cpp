@@ -13,14 +13,14 @@ namespace {
 constexpr int drupelets = 48;
 constexpr int tubercles = 110;
 
-// Angles from the tip and from the seat are in radians.
+// The height of the scar. Angles from the tip and from the seat are in radians.
 float scar(float from_tip) {
   const float dimple = -0.012f * hill(from_tip / 0.30f);
   const float style = 0.010f * hill(from_tip / 0.10f);
   return dimple + style;
 }
 
-// A shallow hollow for the pedicel within the collar that it leaves.
+// The height of the seat: a shallow hollow for the pedicel within the collar that it leaves.
 float seat(float from_seat) {
   const float flat = -0.022f * hill(from_seat / 0.70f);
   const float collar = 0.014f * hill((from_seat - 0.19f) / 0.11f);
@@ -46,14 +46,14 @@ std::vector<glm::vec3> spiral(int count) {
   return points;
 }
 
-// A ball of a drupelet's size about its middle, seen from the centre; the receptacle where there is none.
+// The surface of a drupelet: a ball about its middle, seen from the centre; the receptacle beyond it.
 float drupelet(float cosine_from_middle) {
   constexpr float middle = 0.76f, radius = 0.27f;
   const float across_squared = middle * middle * (1 - cosine_from_middle * cosine_from_middle);
   return middle * cosine_from_middle + std::sqrt(std::max(0.0f, radius * radius - across_squared));
 }
 
-// A plate with a small point in the middle, a groove between it and the next.
+// The surface of a tubercle: a plate with a small point in the middle, a groove between it and the next.
 float tubercle(float nearest, float next) {
   const float from_middle = std::sqrt(std::max(0.0f, 2 - 2 * nearest));
   const float from_groove = std::sqrt(std::max(0.0f, 2 - 2 * next)) - from_middle;

@@ -14,15 +14,16 @@ class FruitSkin {
  public:
   explicit FruitSkin(Fruit fruit, float relief = 1);
 
-  // How far the surface lies in a direction (unit vector in unit space, tip +Y) over how far the free form does.
+  // The distance of the surface in a direction (unit vector in unit space, tip +Y) over that of the free form.
   float height(const glm::vec3& direction) const;
 
   float highest() const;  // no height is above this
 
-  // How deep a berry folds that dries, 0 … 1: rinds keep their form.
+  // How deep a drying berry folds, 0 … 1: rinds keep their form.
   float folds() const;
 
-  // Segments round the widest ring that show the relief, where `segments` do for a berry without any.
+  // The number of segments round the widest ring that resolves the relief, for a berry that needs `segments` without
+  // relief.
   std::uint32_t meridians(std::uint32_t segments) const;
 
  private:
@@ -30,7 +31,7 @@ class FruitSkin {
   float bumps(const glm::vec3& direction) const;
 
   Fruit fruit_;
-  float relief_;  // 0 … 1: how far all of this has come out
+  float relief_;  // 0 … 1: strength of the relief
   Wrinkles leather_;
   std::vector<glm::vec3> bumps_;  // the middles of drupelets or tubercles, spread evenly
 };

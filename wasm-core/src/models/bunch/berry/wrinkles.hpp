@@ -7,8 +7,8 @@
 
 namespace panicle::bunch {
 
-// A sum of waves, about 0 and seldom beyond ±1.5. The waves run rather across the axis (Y) than along it, as a berry
-// folds that dries.
+// A sum of waves, about 0 and seldom beyond ±1.5. The waves run more across the axis (Y) than along it, like the folds
+// of a drying berry.
 class Wrinkles {
  public:
   // `which` numbers the field: fields of different numbers are independent. Crests are about 2π / pitch radians apart.

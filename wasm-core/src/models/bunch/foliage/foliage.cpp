@@ -19,21 +19,21 @@ constexpr std::uint32_t most_leaves = 5;
 constexpr std::uint32_t sides = 12;
 constexpr std::int32_t cane_group = -1;
 constexpr float between_berries_and_leaf = 0.008f;
-constexpr float blade_in_midribs = 1.25f;  // its length from the petiole sinus to the tip
+constexpr float blade_in_midribs = 1.25f;  // length from the petiole sinus to the tip
 
 float within(float value, float least, float most) {
-  return value >= least ? std::min(value, most) : least;  // not a number: the least
+  return value >= least ? std::min(value, most) : least;  // NaN gives the least
 }
 
-// Where a leaf stands: at which node of the cane (−1, 0, 1, before the sides are drawn), how far its blade is from
-// there, where its tip points and its upper face looks. Blades hang beside and behind the bunch's shoulders or stand
-// above them, overlap like roof tiles, and look up and to the front, where the light is. In the order in which leaves
-// are added.
+// The place of a leaf: at which node of the cane (−1, 0, 1, before the sides are drawn), the offset of its blade, the
+// directions of its tip and of its upper face. Blades hang beside and behind the bunch's shoulders or are above them,
+// overlap like roof tiles, and look up and to the front, where the light is. In the order in which leaves are added.
 struct Stand {
   int node;
   glm::vec3 blade;  // metres
   glm::vec2
-      by_bunch;  // and in half-widths of the bunch more: outwards, along x, where that is wide; backwards, along −z
+      // further offset in half-widths of the bunch: outwards, along x, where that is wide; backwards, along −z
+      by_bunch;
   glm::vec3 tip, upwards;
   float size;  // share of the largest; those of lateral shoots are smaller
 };
@@ -76,7 +76,7 @@ class Shoot {
     groups_.push_back(group);
   }
 
-  // From one cut end to the other by three nodes, between which it goes a little to and fro, as shoots do.
+  // Builds the cane from one cut end to the other by three nodes, in a slight zigzag, as shoots grow.
   void build_cane() {
     const float rise = between("cane", 1, -0.06f, 0.12f);  // along x
     const float arch = between("cane", 2, 0.2f, 0.6f);     // down to both ends, per metre
@@ -113,7 +113,7 @@ class Shoot {
 
     const int at = 2 + stand.node;
     glm::vec3 base = sided(stand.blade) + glm::vec3(vary(7, 0.006f), vary(8, 0.006f), vary(9, 0.006f));
-    base *= blade / 0.105f;  // petioles grow as blades do
+    base *= blade / 0.105f;  // petioles grow in proportion to blades
     base.x += stand.by_bunch.x * static_cast<float>(stand.node) * mirror_ * std::max(0.0f, bunch_radius_ - 0.05f);
     base.z -= stand.by_bunch.y * bunch_radius_;
     base += places_[at];
@@ -133,7 +133,7 @@ class Shoot {
     for (int axis = 0; axis < 3; ++axis) v[axis] = turned[axis];
   }
 
-  // How much higher a leaf must stand to be clear of the berries, and not to hide them from the front.
+  // How much higher a leaf must be to be clear of the berries, and not to hide them from the front.
   float lift(const Mesh& mesh, const glm::vec3& base) const {
     const float room = bunch_radius_ + between_berries_and_leaf;
     float wanted = 0;
@@ -146,7 +146,7 @@ class Shoot {
     return wanted;
   }
 
-  // It rises from the node and comes to the blade from below.
+  // Builds a petiole that rises from the node and comes to the blade from below.
   void build_petiole(std::uint32_t k, int at, const glm::vec3& base, const glm::vec3& upwards, float midrib) {
     const glm::vec3 from = places_[at];
     const float length = glm::length(base - from);
@@ -183,8 +183,8 @@ class Shoot {
   const std::uint32_t leaves_;
   const float age_, bunch_radius_;
   const glm::vec3 foot_;
-  const float mirror_;        // which way round the whole stands
-  const float grown_;         // how large leaves are by now
+  const float mirror_;        // −1 mirrors the whole foliage
+  const float grown_;         // size of leaves at this age
   glm::vec3 places_[5] = {};  // cut end, three nodes, cut end
   std::vector<Segment> stems_;
   std::vector<std::int32_t> groups_;  // the cane's, then a petiole's each, in the order of leaves

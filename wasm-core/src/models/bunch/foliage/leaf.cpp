@@ -13,12 +13,12 @@
 namespace panicle::bunch {
 namespace {
 
-// How one leaf differs from the flat one; lengths in midribs.
+// The shape of one leaf against the flat one; lengths in midribs.
 struct Relief {
-  float side, breadth;  // −1: the flat leaf's mirror image; its breadth against that
+  float side, breadth;  // −1: the flat leaf's mirror image; breadth over the flat leaf's
   float pucker;         // of the blade between veins
   float wave;           // of the margin: height
-  glm::vec2 waves[2];   // how it runs across the blade: waves a midrib, and where they begin (radians)
+  glm::vec2 waves[2];   // direction across the blade: waves a midrib, and their phases (radians)
   SinCos fold;          // of the two halves, up along the midrib
   float droop, curl;    // radians a midrib: down towards the tip, down towards either side
 };
@@ -48,7 +48,7 @@ glm::vec3 raise(const Relief& relief, const glm::vec2& flat, float between) {
   point.z += relief.pucker * between * (2 - between) * std::min(1.0f, 4 * away);
   const auto [across, along] = relief.waves;
   point.z += relief.wave * away * away * sine(across.x * flat.x + across.y) * sine(along.x * flat.y + along.y);
-  const float off = std::sqrt(point.x * point.x + 0.0025f) - 0.05f;  // a rounded fold
+  const float off = std::sqrt(point.x * point.x + 0.0025f) - 0.05f;  // rounds the fold
   point.x *= relief.fold.cosine;
   point.z += off * relief.fold.sine;
   bend(point.x, point.z, std::max(relief.curl, 0.05f));

@@ -46,7 +46,7 @@ void add_fit(Table& table, const Fitted& fitted) {
   table[hull_volume] = hull * to_cubic_centimetres;
 }
 
-// A cone's frustum for each stem.
+// The volume of stems as frustums of cones.
 float stem_volume(const std::vector<Stem>& stems) {
   float sum = 0;
   for (const Stem& stem : stems) {
@@ -64,7 +64,7 @@ void add_sizes(Table& table, const Subject& subject, const GrownBunch& grown) {
   table[bunch_length] = form.length;
   table[bunch_width] = form.width;
   table[bunch_shape] = form.shape;
-  // A natural bunch that has a second one beside it.
+  // Whether it is a natural bunch with a second one beside it.
   const bool second = grown.second_root >= 0 && std::count(subject.first.begin(), subject.first.end(), 0) > 0;
   table[wings] = form.wings + (second ? 1.0f : 0.0f);
   const BerryMeans means = berry_means(subject);

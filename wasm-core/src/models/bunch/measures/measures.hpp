@@ -10,7 +10,7 @@
 
 namespace panicle::bunch {
 
-// An outline as it hangs; millimetres.
+// An outline and its stance; millimetres.
 struct HungEnvelope {
   Envelope envelope;
   Stance stance;

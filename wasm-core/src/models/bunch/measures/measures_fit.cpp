@@ -22,8 +22,8 @@ glm::vec2 seen(const View& view, const glm::vec3& p) {
   return {p.x * view.right.x + p.y * view.right.y + p.z * view.right.z, p.y};
 }
 
-// How an outline hangs that leans within a picture's plane, or in one that is seen on edge: a place d down along its
-// axis and x towards the even side of that plane is foot + x · across + d · down.
+// The stance of an outline that leans within a picture's plane, or in one that is seen on edge: a place d down along
+// its axis and x towards the even side of that plane is foot + x · across + d · down.
 struct Hang {
   Hang(const Stance& stance, const View& view)
       : turn(sincos_degrees(stance.lean)), sign(stance.side % 2 == 0 ? 1.0f : -1.0f), foot(seen(view, stance.foot)) {}
@@ -52,7 +52,7 @@ float widest(const Envelope& envelope, std::size_t side) {
   return most;
 }
 
-// All that is drawn in either view: (x, y) and (z, y) have their rows in common, so one box holds both.
+// The box of all drawn parts in either view: (x, y) and (z, y) have their rows in common, so one box holds both.
 Box box_of(const Subject& subject, std::span<const HungEnvelope> envelopes) {
   Box box;
   for (const BerryBody& berry : subject.berries)
@@ -99,8 +99,8 @@ void draw_upright(BitImage& image, const PixelGrid& grid, const Envelope& envelo
   }
 }
 
-// An outline that leans within the picture: every pixel is turned back and looked up by its depth. `side`: the first of
-// those seen.
+// Draws an outline that leans within the picture: every pixel is turned back and looked up by its depth. `side`: the
+// first of those seen.
 void draw_leaning_across(BitImage& image, const PixelGrid& grid, const Envelope& envelope, const Hang& hang,
                          std::size_t side) {
   const float length = envelope.length();
@@ -123,7 +123,7 @@ void draw_leaning_across(BitImage& image, const PixelGrid& grid, const Envelope&
   }
 }
 
-// An outline that leans towards the viewer or away: its sections, of four quarter ellipses, are seen aslant and
+// Draws an outline that leans towards the viewer or away: its sections, of four quarter ellipses, are seen aslant and
 // together cover it. `side`: the first of those seen, `hidden` of those that it leans to.
 void draw_leaning_away(BitImage& image, const PixelGrid& grid, const Envelope& envelope, const Hang& hang,
                        std::size_t side, std::size_t hidden) {

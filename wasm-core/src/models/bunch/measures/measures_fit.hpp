@@ -1,4 +1,4 @@
-// How well a bunch follows its outline, on its silhouettes from the front (x, y) and from the side (z, y).
+// The fit of a bunch to its outline, on its silhouettes from the front (x, y) and from the side (z, y).
 #pragma once
 
 #include <span>
@@ -21,9 +21,9 @@ struct Fitted {
   float hull = 0;  // mm³: the volume of the closed silhouettes
 };
 
-// The silhouette is that of all berries, as ellipsoids, and of the stems at the outline's height. Without envelopes the
-// outline's areas are 0. False where there is nothing to measure: no berry of any size, or coordinates that are not
-// finite.
+// Measures the fit. The silhouette is that of all berries, as ellipsoids, and of the stems at the outline's height.
+// Without envelopes the outline's areas are 0. Returns false if there is nothing to measure: no berry of any size, or
+// coordinates that are not finite.
 bool fit(const Subject& subject, std::span<const HungEnvelope> envelopes, Fitted& fitted);
 
 }  // namespace panicle::bunch

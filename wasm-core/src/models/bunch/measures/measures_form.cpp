@@ -15,10 +15,10 @@ namespace {
 constexpr std::size_t slices = 48;    // of the bunch's height
 constexpr float standing_out = 2.2f;  // farthest reach of a winged side over its median
 constexpr float cylinder = 0.75f;     // lower width over upper from which a bunch is a cylinder
-constexpr float early = 0.12f;        // by which share of its upper width a funnel's middle is narrower than a cone's
+constexpr float early = 0.12f;  // the share of its upper width by which a funnel's middle is narrower than a cone's
 constexpr float uniform_spread = 0.15f;  // of diameters
 
-// How far the berries of the first bunch reach from the rachis to the right, left, front and back, by height.
+// How far the berries of the first bunch extend from the rachis to the right, left, front and back, by height.
 class Reaches {
  public:
   explicit Reaches(const Subject& subject) {
@@ -60,7 +60,7 @@ class Reaches {
     high_ = std::max(high_, seen.centre.y + seen.half.y);
   }
 
-  // Every berry counts as higher by `more` at its top and bottom: gaps between neighbours are no waists.
+  // Every berry is extended by `more` at its top and bottom: gaps between neighbours are no waists.
   void add(const ProjectedBerry& seen, std::size_t side, float more) {
     const float slice = (high_ - low_) / slices, shrink = seen.half.y / (seen.half.y + more);
     for (std::size_t k = 0; k < slices; ++k) {

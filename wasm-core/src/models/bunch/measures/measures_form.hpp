@@ -1,4 +1,4 @@
-// The size and form of a bunch and of its berries, as the OIV's descriptors have them.
+// The size and form of a bunch and of its berries, by the OIV's descriptors.
 #pragma once
 
 #include "models/bunch/grown.hpp"
@@ -6,7 +6,8 @@
 
 namespace panicle::bunch {
 
-// Of a bunch with at least one berry, in mm. Length and width are those of all berries, the rest is of the first bunch.
+// The form of a bunch with at least one berry, in mm. Length and width are those of all berries, the rest is of the
+// first bunch.
 struct BunchForm {
   float length = 0;
   float width = 0;

@@ -20,8 +20,8 @@ struct Subject {
   std::vector<BerryBody> berries;   // in the bunch's order
   std::vector<float> volumes;       // mm³, one a berry, of its free form
   std::vector<float> balls;         // mm, the radius of the ball of that volume
-  float mean_radius = 0;            // of these; 0 without berries
-  std::vector<std::uint8_t> first;  // whether a berry is of the first bunch, and not of the one that leans beside it
+  float mean_radius = 0;            // mean of these; 0 without berries
+  std::vector<std::uint8_t> first;  // whether a berry is of the first bunch, and not of the wing
   std::vector<Stem> stems;          // one an internode
   std::vector<Stem> pedicels;       // those with a berry; as many as there are berries with a parent
 };

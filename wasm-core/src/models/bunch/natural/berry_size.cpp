@@ -11,7 +11,7 @@ namespace {
 constexpr float least_share = 0.55f, most_share = 1.5f;
 constexpr float sun_swing = 0.14f;     // between a berry in the shade and one in the sun, at full sunlight
 constexpr float hunger_swing = 0.25f;  // between base and tip, without vigour
-constexpr std::uint64_t draws = 12;    // uniform ones, whose sum less 6 is nearly normal with deviation 1
+constexpr std::uint64_t draws = 12;    // number of uniform values, whose sum less 6 is nearly normal with deviation 1
 
 float normal_noise(const Flower& flower, std::uint64_t seed) {
   float noise = -0.5f * draws;

@@ -1,4 +1,4 @@
-// How wide each berry will be over the mean one.
+// The width of each berry over the mean one.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ float width_share(const Flower& flower, const Situation& situation, const Nurtur
 // are stand-ins. `volumes`, above 0, are those of the berries over full ones.
 std::vector<float> balanced_widths(std::span<const float> shares, std::span<const float> volumes, std::size_t regular);
 
-// Width of a flower's ovary beside a mean ripe berry's, in its unit.
+// Width of a flower's ovary for a mean ripe berry's width, in its unit.
 float ovary_width(float ripe_width);
 
 }  // namespace panicle::bunch

@@ -1,4 +1,4 @@
-// The crop: which flowers set, how large their berries are to be, and where swelling leaves them.
+// The crop: the flowers that set, the target sizes of their berries, and the result of swelling.
 #pragma once
 
 #include <cstdint>
@@ -16,21 +16,21 @@ namespace panicle::bunch {
 struct CropTarget {
   float count = 0;          // requested number; 0 leaves it to the density
   float density = 0;        // requested density, OIV note 1 … 9
-  float most = 0;           // more there cannot be
+  float most = 0;           // upper bound by space
   std::uint32_t limit = 0;  // upper bound, independent of the space
   BerrySize berry;
-  std::vector<std::uint32_t> taken;  // ids of berries taken off by hand, in ascending order
+  std::vector<std::uint32_t> taken;  // ids of berries removed by hand, in ascending order
 };
 
 struct FruitSet {
-  std::vector<float> volumes;  // per flower: of its berry over a full one; 0 where it does not set
+  std::vector<float> volumes;  // per flower: volume of its berry over a full one; 0 where it does not set
   bool full = false;           // whether the number reached the upper bound instead of the density
 };
 
-// `fill` is the share of space that the density takes.
+// `fill` is the share of space that berries of the density take.
 FruitSet set_fruit(std::span<const float> ranks, float fill, const CropTarget& target);
 
-// Flowers that set where some of a count find no room, in their order: as many as could be wanted for that.
+// Flowers that set if berries of a count find no room, in their order: as many as could be needed.
 std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes,
                                      const CropTarget& target);
 

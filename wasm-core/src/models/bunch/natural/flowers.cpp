@@ -18,7 +18,7 @@ std::vector<std::int32_t> depths_of(std::span<const Internode> internodes) {
   return depths;
 }
 
-// Per internode: how many organs on the way to it are of an axis that an end structure goes on in.
+// Per internode: how many organs on the way to it belong to an axis that continues beyond an end structure.
 std::vector<std::int32_t> onwards_of(std::span<const Internode> internodes) {
   std::vector<std::int32_t> onwards;
   onwards.reserve(internodes.size());

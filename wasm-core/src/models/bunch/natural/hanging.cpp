@@ -5,13 +5,13 @@
 namespace panicle::bunch {
 namespace {
 
-// How readily a branch's end gives way against its start, for the full `bend`.
+// How readily a branch's end moves against its start, for the full `bend`.
 float give_of(Kind kind) {
   constexpr float rachis = 0.1f, axis = 0.7f, end = 0.8f;
   return kind == Kind::rachis ? rachis : kind == Kind::axis ? axis : end;
 }
 
-// Per internode: whether it is of a stalk.
+// Per internode: whether it belongs to a stalk.
 std::vector<std::uint8_t> stalks_of(std::span<const Internode> internodes, std::span<const Flower> flowers) {
   std::vector<std::uint8_t> leads(internodes.size(), 0), stalk(internodes.size(), 0);
   for (const Flower& flower : flowers) leads[static_cast<std::size_t>(flower.parent)] = 1;
@@ -63,7 +63,7 @@ std::vector<Swelling> hang_berries(std::span<const Fruitlet> fruitlets, std::spa
     const auto parent = static_cast<std::size_t>(flower.parent);
     const std::int32_t from = hanging.stalk_from[parent];
     Swelling berry;
-    if (from < 0) {  // it sits on a stem
+    if (from < 0) {  // sits on a stem
       berry.branch = static_cast<std::uint32_t>(hanging.branch_of[parent]);
     } else {
       const Internode& first = internodes[static_cast<std::size_t>(from)];

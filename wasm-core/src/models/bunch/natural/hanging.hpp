@@ -25,7 +25,7 @@ Hanging hang(std::span<const Internode> internodes, std::span<const Flower> flow
 struct Fruitlet {
   std::uint32_t flower = 0;
   float half_width = 0, half_length = 0;  // ripe, millimetres
-  bool taken = false;                     // off by hand once it is grown
+  bool taken = false;                     // removed by hand after it has grown
 };
 
 // Hangs berries on the branches. A stalk that grows from no branch gets a point to hang from, added to `branches`.

@@ -21,7 +21,7 @@ std::vector<FlowerOutcome> outcomes_of(const Crop& crop, std::span<const Flower>
 struct Harvest {
   std::vector<Berry> berries;          // metres
   std::vector<BerryBody> bodies;       // the same in millimetres
-  std::vector<std::uint32_t> flowers;  // whose they are
+  std::vector<std::uint32_t> flowers;  // their flowers
   std::vector<Thinned> thinned;        // lost berries, then fallen flowers; metres
 };
 

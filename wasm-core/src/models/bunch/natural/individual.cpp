@@ -12,7 +12,7 @@ namespace {
 // Standard deviations at a variability of 1, over the mean.
 constexpr float length_spread = 0.15f;
 constexpr float section_spread = 0.32f;  // of the area of its slices
-constexpr float together = 0.5f;         // how much of that goes with length: long bunches are wide ones
+constexpr float together = 0.5f;  // share of that variance that is common with length: long bunches are wide ones
 constexpr float side_spread = 0.06f;     // of each half-width by itself
 constexpr float shoulder_spread = 0.12f;
 constexpr float wing_spread = 0.4f;                          // of its weight
@@ -28,7 +28,7 @@ constexpr std::uint64_t strides[] = {0x9e3779b97f4a7c15u, 0xbb67ae8584caa73bu, 0
                                      0xa54ff53a5f1d36f1u, 0x510e527fade682d1u, 0x9b05688c2b3e6c1fu, 0x5be0cd19137e2179u,
                                      0xcbbb9d5dc1059ed8u, 0xae5f9156e7b6d99bu, 0x47b5481dbefa4fa4u};
 
-// The seed's place in the `which`-th spread: of mean 0 and standard deviation 1, from -2.45 to 2.45, 0 for seed 1.
+// The seed's value in the `which`-th spread: of mean 0 and standard deviation 1, from -2.45 to 2.45, 0 for seed 1.
 float place_of(std::uint64_t seed, std::size_t which) {
   const std::uint64_t turns = (seed - 1) * strides[which] + (std::uint64_t{1} << 63);
   const float share = static_cast<float>(turns >> 40) / 16777216.0f;

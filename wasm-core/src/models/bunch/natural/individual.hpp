@@ -13,14 +13,14 @@
 
 namespace panicle::bunch {
 
-// `variability`: 0 leaves the profile as it is, 1 is the spread of a variety. Where berries are `counted`, a longer
-// bunch is a narrower one, so that they have the same room.
+// Varies the profile by the seed. `variability`: 0 leaves the profile as it is, 1 is the spread of a variety. Where
+// berries are `counted`, a longer bunch is a narrower one, so that they have the same room.
 Profile individual(const Profile& drawn, std::uint64_t seed, float variability, bool counted);
 
 // The size of the seed's wing over the requested one; in weight its mean is 1.
 float wing_share(std::uint64_t seed, float variability);
 
-// Where a bunch is closer filled than in the mean and where it is looser: long waves through space.
+// Variation of the fill over space: long waves of denser and looser parts.
 class Gaps {
  public:
   // `size`: a berry's width, millimetres.

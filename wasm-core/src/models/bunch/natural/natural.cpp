@@ -28,7 +28,7 @@ namespace {
 
 using enum Parameter;
 
-constexpr float count_met = 0.97f;  // of a count: fewer want a note
+constexpr float count_met = 0.97f;  // share of a count; below it a note is added
 
 CropTarget crop_target_for(const BunchRequest& request, const Values& values, const Limits& limits,
                     std::span<const NaturalPlan> plans) {
@@ -70,7 +70,7 @@ std::vector<float> shares_of(std::span<const Flower> flowers, std::span<const Si
   return shares;
 }
 
-// Traits of all that hangs there, and how far it has dried, which its body shows too.
+// Computes the traits of all berries and flowers, and how far their bodies have dried.
 std::vector<Traits> ripen(Harvest& harvest, const Crop& crop, std::span<const Flower> flowers,
                           std::span<const Situation> situations, const Season& season, const glm::vec3& sunward,
                           std::uint64_t seed) {
@@ -86,8 +86,8 @@ std::vector<Traits> ripen(Harvest& harvest, const Crop& crop, std::span<const Fl
   return traits;
 }
 
-// As fine a pattern as is seen where the bunch fills a view 700 pixels high: its outline is a third of a pixel off a
-// round one at the most, n = π / √(2 · 0.38 / r) at a radius of r pixels.
+// The number of segments for a bunch that fills a view 700 pixels high: its outline is a third of a pixel off a round
+// one at the most, n = π / √(2 · 0.38 / r) at a radius of r pixels.
 std::uint32_t segments_for(std::span<const BerryBody> bodies) {
   constexpr float view = 700, per_root = 3.6f, least = 8, most = 24;
   if (bodies.empty()) return static_cast<std::uint32_t>(least);
@@ -163,7 +163,7 @@ std::vector<float> measures_of(const GrownBunch& grown, std::span<const BunchEnv
   return measure(grown, envelopes);
 }
 
-// Whether there are as many berries as were wished for.
+// Adds a note if there are fewer berries than requested, or as many as allowed.
 void remark_crop(const Crop& crop, const CropTarget& target, std::size_t flowers, std::vector<std::string>& notes) {
   if (crop.set.full)
     notes.push_back("A bunch has " + std::to_string(target.limit) +

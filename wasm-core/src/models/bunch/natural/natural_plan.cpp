@@ -14,9 +14,9 @@ namespace panicle::bunch {
 namespace {
 
 constexpr float most_upward = 100;         // degrees from straight down
-constexpr std::size_t most_nodes = 4096;   // of a rachis: no text has more, for each takes a step to derive
+constexpr std::size_t most_nodes = 4096;   // of a rachis: limits texts, for each node takes a step to derive
 constexpr float least_arm = 0.4f;          // of a first-order axis, in its steps
-constexpr float flowers_per_berry = 1.2f;  // at least: more to choose from than are needed, as in nature
+constexpr float flowers_per_berry = 1.2f;  // at least: more flowers than berries, as in nature
 constexpr float most_flowers = 10000;
 constexpr float least_nodes = 16;         // of a rachis, however short it is
 constexpr float step_of_axis = 0.55f;     // between its nodes, in berry widths, where berries are middling
@@ -28,24 +28,25 @@ constexpr float least_closer = 0.2f, most_closer = 1.4f;
 constexpr float closer_by = 0.85f;  // a try, where a count needs more flowers
 constexpr int most_tries = 16;
 
-// In berry widths.
+// Lengths in berry widths.
 constexpr float twig_length = 0.35f;
 constexpr float berry_beyond = 0.75f;  // of a berry, inside the outline where an axis ends
 constexpr float berry_below = 0.9f;    // likewise below the rachis
 constexpr float rachis_width = 0.2f, pedicel_width = 0.07f;
 constexpr float standard_width = 15;  // w_i of the table
 
-// Of where axes aim.
+// Shape of the axes' aims.
 constexpr float shoulder_height = 0.8f;  // of a side's drop: where its first axis points
-constexpr float most_above = 0.4f;       // how far above its node that may be, over how far out it reaches
+constexpr float most_above = 0.4f;       // height above its node of the aim, over the distance to it
 constexpr float shoulder_fades = 0.4f;   // from one axis of a side to the next
-constexpr float towards_handles = 7;     // degrees that axes midway between are nearer to the planes of the handles
+constexpr float towards_handles = 7;     // degrees by which axes midway between handles are turned towards their planes
 constexpr float hanging = 0.35f;         // of its angle left to an axis at the tip
 constexpr float hanging_nodes = 3;       // from the tip on which axes hang
 
 constexpr float drawn_in = 1.5f;          // a second-order axis, by how far the berry at its end would be outside
 constexpr float least_length = 0.3f;      // of the rachis, over the outline's
-constexpr float room_over_volume = 1.2f;  // berries there can be, over those that the outline's volume holds
+// upper bound of the number of berries, over those that the outline's volume holds
+constexpr float room_over_volume = 1.2f;
 constexpr float least_room = 12;
 
 // The extent of the twig and berry that hang from the end of an axis.
@@ -94,8 +95,8 @@ float aim_at(const Envelope& envelope, float shoulder_depth, float yaw, const Az
   return angle * std::clamp(hanging + (1 - hanging) * left / (hanging_nodes * spacing), hanging, 1.0f);
 }
 
-// How far round an axis stands that would stand at `degrees` were all sides alike: nearer to those that are wide, and
-// to the planes of the handles, so that the bunch reaches them.
+// The azimuth of an axis whose azimuth would be `degrees` if all sides were alike: nearer to wide sides, and to the
+// planes of the handles, so that the bunch reaches them.
 float way_round(const Profile& profile, float degrees) {
   const Azimuth even = azimuth_of(degrees);
   const SinCos way = sincos_degrees(degrees);
@@ -113,7 +114,7 @@ Hung hung_from(const NaturalPlan& plan, float angle, float end) {
   return {plan.twig * way.sine + rest * hangs.x, plan.twig * way.cosine - rest * hangs.y};
 }
 
-// A first-order axis, where it leaves the rachis; degrees and millimetres.
+// A first-order axis, at the rachis; degrees and millimetres.
 struct Axis {
   Azimuth round;
   float way = 0, depth = 0, angle = 0, length = 0;
@@ -125,10 +126,10 @@ struct Axis {
 float room_at(const NaturalPlan& plan, const Axis& axis, std::size_t j, float most, float end, float yaw) {
   const float along = plan.step * static_cast<float>(j + 1);
   const SinCos aim = sincos_degrees(axis.angle), way = sincos_degrees(axis.way), off = sincos_degrees(yaw);
-  // Ways of a bunch that hangs: out from the rachis, round it as it is rolled, and down.
+  // Directions of end structures: out from the rachis, round it as it is rolled, and down.
   constexpr SinCos quarters[] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}};
   const SinCos turn = quarters[j % 4];
-  if (turn.cosine < 0) return 0;  // the axes below are there
+  if (turn.cosine < 0) return 0;  // the axes below take that room
   const glm::vec3 out(way.cosine, 0, -way.sine), round(-way.sine, 0, -way.cosine), down(0, -1, 0);
   const glm::vec3 ahead = aim.sine * out + aim.cosine * down, lifted = aim.cosine * out - aim.sine * down;
   const glm::vec3 heading = off.cosine * ahead + off.sine * (turn.cosine * lifted + turn.sine * round);
@@ -146,7 +147,8 @@ float place_nodes(NaturalPlan& plan, const Axis& axis, float end, const TextCons
   for (std::size_t j = 0;; ++j) {
     const float left = axis.length - plan.step * static_cast<float>(j + 1);
     const float most = text.lateral * left - plan.stride;
-    const bool grows = static_cast<float>(plan.beyond.size()) < most_flowers;  // more nodes have too many flowers
+    // stop there: more nodes have too many flowers
+    const bool grows = static_cast<float>(plan.beyond.size()) < most_flowers;
     const float beyond = most > 0 && grows ? room_at(plan, axis, j, most, end, text.yaw) : 0;
     plan.beyond.push_back(beyond);
     ends += beyond / plan.stride;
@@ -166,7 +168,7 @@ float place_axes(NaturalPlan& plan, const Profile& profile, float pixel, float e
   float flowers = 0;
   float left = plan.length, apart = plan.spacing;
   for (std::size_t k = 0;; ++k) {
-    // The text reckons the same; a node beyond the last is there for its rounding.
+    // The text computes the same; a node beyond the last is there for its rounding.
     const float share = std::clamp(left / apart, 0.0f, 1.0f);
     const float depth = plan.length - left + share * apart;
     left -= apart;
@@ -192,7 +194,7 @@ float place_axes(NaturalPlan& plan, const Profile& profile, float pixel, float e
   }
 }
 
-// The last turn about the rachis over and over.
+// An array that repeats its last turn about the rachis.
 lsystem::Inputs::Array prolonged(const char* name, std::vector<float> values) {
   values.reserve(most_nodes);
   while (values.size() < most_nodes) values.push_back(values.size() < 4 ? values.back() : values[values.size() - 4]);
@@ -202,7 +204,8 @@ lsystem::Inputs::Array prolonged(const char* name, std::vector<float> values) {
 }  // namespace
 
 float fill_of(float density) {
-  // Before any gives way: the densest bunches keep two thirds of it, as spheres packed at random do.
+  // The share of the outline that berries take before any is lost: the densest bunches keep two thirds of it, as
+  // spheres packed at random do.
   constexpr float fills[] = {0.13f, 0.19f, 0.25f, 0.31f, 0.38f, 0.48f, 0.62f, 0.84f, 1.0f};
   const float place = std::clamp(density - 1, 0.0f, 7.999f);
   const auto below = static_cast<std::size_t>(place);

@@ -13,10 +13,10 @@ namespace panicle::bunch {
 // Constants of the text that the plan needs to place the same rachis as the text. Defaults are L-system 4's, and apply
 // where a text has no such constant.
 struct TextConstants {
-  float tip_spacing = 0.6f;   // `near`: spacing of the rachis's nodes at its tip, over that above
+  float tip_spacing = 0.6f;   // `near`: spacing of the rachis's nodes at its tip, over the spacing above
   float tip_share = 0.4f;     // `tip`: share of the rachis over which they draw together
   float turn = 137.5f;        // `turn`: from one axis to the next, round the rachis; degrees
-  float yaw = 60;             // `alpha_y`: of axes, twigs and pedicels; degrees, whichever way
+  float yaw = 60;             // `alpha_y`: of axes, twigs and pedicels; degrees, to either side
   float lateral = 0.6f;       // `lateral`: an axis of second order and a stride, over the rest of its parent
   float flowers_per_end = 3;  // on an end structure; counted when it is drawn
   float wider = 1;            // nodes' distances over the usual ones; above 1 where those draw too many flowers
@@ -26,8 +26,8 @@ struct TextConstants {
 // The constants of `text`; `flowers_per_end` and `wider` as in `before`.
 TextConstants constants_of(const lsystem::BoundProgram& text, const TextConstants& before);
 
-// Millimetres and degrees. Everything but the number of axes changes smoothly with the profile; an axis more begins
-// with no length.
+// The plan of a bunch: millimetres and degrees. Everything but the number of axes changes smoothly with the profile; a
+// new axis begins with length 0.
 struct NaturalPlan {
   Plan plan;  // the paper's counts, for display
   Envelope envelope;
@@ -38,21 +38,22 @@ struct NaturalPlan {
   float twig = 0, stalk = 0;
   float girth = 0, fine = 0;  // widths of the rachis and of a pedicel
   std::vector<float> arm;     // of each axis from the top; below 0 a raceme's single pedicel
-  std::vector<float> way;     // how far round the rachis it stands, degrees
-  std::vector<float> aim;     // its angle to the rachis
-  std::vector<float> node;    // which its first is of the nodes of all axes, from 1
+  std::vector<float> way;     // azimuth round the rachis, degrees
+  std::vector<float> aim;     // angle to the rachis
+  std::vector<float> node;    // number of its first node among the nodes of all axes, from 1
   std::vector<float> beyond;  // of each node: how far beyond its twig an axis of second order may go
   float berries = 0;  // how many there are to be: as requested, or enough to fill the outline to the requested density
   float berry = 0;            // volume of one
-  float room = 0;             // more than so many can never be: somewhat more than the outline's volume
-  bool overfull = false;      // whether the density would take more than there may be
+  float room = 0;             // upper bound of the number of berries: somewhat more than the outline's volume
+  bool overfull = false;      // whether the density would require more berries than allowed
 };
 
-// `start`: how far round the rachis its first axis would stand were all sides alike; degrees.
+// `start`: the azimuth of the first axis if all sides were alike; degrees.
 NaturalPlan make_natural_plan(const Profile& profile, const Values& values, float most_berries,
                               const TextConstants& text = {}, float start = 0);
 
-// The share of the outline's volume that berries of a density (OIV 204, 1 … 9) usually take; where fill_for begins.
+// The share of the outline's volume that berries of a density (OIV 204, 1 … 9) usually take; the start value of
+// fill_for.
 float fill_of(float density);
 
 // The inputs of L-system 4, in the paper's unit; the paper's own texts find theirs too, from `plan`. `arm`, `way`,

@@ -10,14 +10,14 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float shortest = 0.001f;                    // metres above p1 that are worth drawing
+constexpr float shortest = 0.001f;                    // metres above p1, below which no peduncle is drawn
 constexpr float least_bow = 0.04f, most_bow = 0.14f;  // sideways offset of its upper end, over its length
-constexpr float least_node = 0.4f, most_node = 0.6f;  // where its node is, over its length from p1
+constexpr float least_node = 0.4f, most_node = 0.6f;  // height of its node, over its length from p1
 constexpr float half_node = 0.0022f;                  // metres
 
-constexpr float slim = 0.0013f;         // metres: radius from which a rachis is stout enough already
-constexpr std::int32_t node_piece = 2;  // that ends at the node
-constexpr float kink = 0.0006f;         // metres by which the node is off its line
+constexpr float slim = 0.0013f;         // metres: radius from which a rachis is thick enough
+constexpr std::int32_t node_piece = 2;  // the piece that ends at the node
+constexpr float kink = 0.0006f;         // metres: offset of the node from the peduncle's line
 
 // Heights over its length, from the upper end, and widths over the rachis's.
 struct Ring {
@@ -60,7 +60,7 @@ std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std:
   const auto radius_at = [&](const Ring& ring) { return girth * (1 + swell * (ring.width - 1)); };
   std::vector<Internode> stalk;
   for (const Ring& ring : rings) {
-    // Upright at p1, and away from it in a bow.
+    // Upright at p1, curving away from it.
     const float offset = bow * ring.height * ring.height, knee = ring.height == node ? kink : 0;
     const glm::vec3 at(offset * way.cosine + knee * off.cosine, above * ring.height, offset * way.sine + knee * off.sine);
     if (!stalk.empty()) {

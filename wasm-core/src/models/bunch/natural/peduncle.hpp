@@ -1,4 +1,4 @@
-// The stalk that a bunch hangs from: a shoot's, nearly straight, thicker where it leaves the cane and at its node.
+// The peduncle of a bunch: part of a shoot, nearly straight, thicker where it leaves the cane and at its node.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace panicle::bunch {
 
-// From the root to where it first branches, in the internodes' unit; 0 without any.
+// Length from the root to the first branch, in the internodes' unit; 0 without any.
 float length_to_first_branch(const std::vector<Internode>& internodes);
 
 // The branch that leaves a peduncle at its node.
 struct Fork {
-  std::int32_t root = -1;  // the internode that grows there; -1: none does
+  std::int32_t root = -1;  // the internode that grows there; -1: none
   float height = 0;        // metres above p1
 };
 
-// Puts a peduncle before the skeleton, whose roots then grow from its end: as much of it above p1 as makes it `length`
-// metres from its upper end to where the bunch first branches. `internodes` are in metres, parents first. Returns by
-// how many internodes the others have moved on; 0 where the bunch itself is as long before it branches.
+// Inserts a peduncle before the skeleton, whose roots then grow from its end: its length above p1 is such that it is
+// `length` metres from its upper end to where the bunch first branches. `internodes` are in metres, parents first.
+// Returns the number of inserted internodes; 0 if the bunch itself is as long before it branches.
 std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std::uint64_t seed, const Fork& fork = {});
 
 }  // namespace panicle::bunch

@@ -12,7 +12,7 @@ namespace panicle::bunch {
 // Width of a berry over that of the ripe one: a double sigmoid, as berries grow (OENO One 2132), then drying.
 float size_at(float age);
 
-// How far the relief of a fruit's skin has come out, 0 … 1: ovaries are smooth.
+// Strength of the relief of a fruit's skin, 0 … 1: ovaries are smooth.
 float relief_at(float age);
 
 // Sizes through which berries swell, step by step, up to that of an age.
@@ -20,9 +20,9 @@ std::vector<float> sizes_until(float age);
 
 struct BerryCircumstances {
   float along = 0;     // 0 at the base … 1 at the tip of the bunch
-  float random_value = 0.5f;   // 0 … 1, the berry's own
+  float random_value = 0.5f;   // random, 0 … 1
   float exposure = 0;  // 0 … 1
-  float sunlight = 0;  // 0 … 1: how much exposure counts
+  float sunlight = 0;  // 0 … 1: weight of the exposure
   float vigour = 1;    // 0 … 1
 };
 

@@ -34,7 +34,7 @@ Furthest furthest(const BerryFrame& frame, const BerryMeridian& meridian, const 
 }
 
 // Where two bodies meet, or nearly do: a direction from the first to the second, their furthest points along it, and
-// the way between these.
+// the vector between these.
 struct Meeting {
   glm::vec3 direction;
   Furthest a, b;
@@ -53,8 +53,8 @@ class Pair {
     return {direction, a, b, gap, glm::dot(gap, direction)};
   }
 
-  // Newton's method uphill on the separation over all directions: the penetration depth of two convex bodies, or their
-  // distance, is its greatest value.
+  // Finds the largest separation over all directions by Newton's method: it is the distance of two convex bodies, or
+  // their penetration depth.
   Meeting separate(const Meeting& first) const {
     Meeting best = first;
     for (int step = 0; step < 6; ++step) {
@@ -73,7 +73,7 @@ class Pair {
     return best;
   }
 
-  // Along the shortest way between the cores, the segments that would make capsules of the bodies.
+  // The first guess: along the shortest way between the cores, the segments of the bodies' capsules.
   glm::vec3 first_direction() const {
     const glm::vec3 core_a = core(a_), core_b = core(b_);
     const auto [s, t] =
@@ -114,14 +114,14 @@ class Pair {
   glm::vec3 between_;
 };
 
-// A plane: at right angles to `direction`, `from_a` beyond the first centre and `from_b` before the second, whose free
+// A plane at right angles to `direction`, `from_a` beyond the first centre and `from_b` before the second, whose free
 // forms reach to `end_a` and `end_b`.
 struct Plane {
   glm::vec3 direction;
   float from_a, from_b, end_a, end_b;
 };
 
-// None where the bodies are well apart, or at one place.
+// The plane between two bodies; none if they are well apart, or at one place.
 std::optional<Plane> plane_between(const BerryFrame& a, const BerryFrame& b, const BerryMeridian& meridian,
                                    float reach) {
   const glm::vec3 between = b.centre - a.centre;
@@ -151,7 +151,7 @@ std::optional<Plane> plane_between(const BerryFrame& a, const BerryFrame& b, con
 }  // namespace
 
 BerryFrame frame_of(const BerryBody& body, float roll) {
-  // The least turn that brings a tip hanging straight down to the body's: smooth but for one straight up.
+  // The least turn from straight down to the body's direction: smooth except for one straight up.
   const glm::vec3& d = body.direction;
   const float lift = d.y > 0 ? (d.x * d.x + d.z * d.z) / (1 + d.y) : 1 - d.y;
   const float per_lift = lift > 1e-12f ? 1 / lift : 0;
@@ -198,7 +198,7 @@ BerryContacts find_contacts(std::span<const BerryFrame> frames, const BerryMerid
     }
   }
   for (std::size_t i = 0; i < frames.size(); ++i) result.first[i + 1] += result.first[i];
-  // Pairs come by their first, then their second: so each berry meets its neighbours in ascending order.
+  // Pairs are sorted by their first, then their second berry: so each berry gets its neighbours in ascending order.
   result.planes.resize(result.first.back());
   std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
   for (const Contact& contact : contacts) {

@@ -1,4 +1,4 @@
-// Which berries press on which: one plane for every pair of near neighbours, the same for both.
+// The contacts of berries: one plane for every pair of near neighbours, the same for both.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace panicle::bunch {
 
-// How unit space comes to lie: position = centre + axes · point.
+// The transform from unit space: position = centre + axes · point.
 struct BerryFrame {
   glm::vec3 centre{0};
   glm::mat3 axes{1};  // columns: half_width × across, half_length × direction, half_width × across
@@ -21,8 +21,8 @@ struct BerryFrame {
 // `roll` turns the berry about its direction, in degrees.
 BerryFrame frame_of(const BerryBody& body, float roll);
 
-// A half-space that a berry keeps to, in its own unit space: slope · point ≤ 1. The plane lies `from` its centre in
-// world space; it dents the free form by `depth` times that, below 0 it lies off.
+// A half-space that contains a berry, in its own unit space: slope · point ≤ 1. The plane is `from` its centre in world
+// space; it dents the free form by `depth` times that; below 0 it does not touch it.
 struct BerryPlane {
   glm::vec3 slope{0};
   float from = 0, depth = 0;
@@ -39,7 +39,7 @@ struct BerryContacts {
     return std::span(planes).subspan(first[berry], first[berry + 1] - first[berry]);
   }
 
-  // Moves a plane away from its berry, towards the neighbour: both have it where it then is.
+  // Moves a plane away from its berry, towards the neighbour; the neighbour's plane moves along.
   void move(std::size_t plane, float distance);
 };
 

@@ -10,8 +10,8 @@
 namespace panicle::bunch {
 namespace {
 
-// How far round a rim the surface bends, over the berry's radius: as far as the dent is deep, so that even a shallow
-// one touches its plane, between these.
+// How far round a rim the surface bends, over the berry's radius: as far as the dent is deep, within these bounds, so
+// that even a shallow one touches its plane.
 constexpr float softest = 0.12f, hardest = 0.03f;
 constexpr float rubbed = 0.03f;  // a skin this near to a plane is marked, over the berry's radius
 constexpr float volume_error = 1e-3f;
@@ -50,7 +50,7 @@ void BerryPress::clip(std::span<const BerryPlane> planes) {
     std::fill(values->begin(), values->end(), 0.0f);
   }
   std::fill(soft_.begin(), soft_.end(), softest);
-  // Below this a plane changes nothing, not even by way of another that it is blended with.
+  // A plane below this gauge has no effect, not even through another that it is blended with.
   const float least = nearest_ - 2 * softest;
   const auto& [ex, ey, ez] = pattern_.directions;
   for (const BerryPlane& face : planes) {
@@ -72,7 +72,7 @@ void BerryPress::clip(std::span<const BerryPlane> planes) {
   }
 }
 
-// Sums up the vertices' cones, which is quick and a little too much where the surface is flat.
+// Sums up the vertices' cones, which is fast and a little too much where the surface is flat.
 BerryPress::Volume BerryPress::rough_volume() {
   const Four shrink = four(1 / bulge_);
   Four sum = four(0), slope = four(0);
@@ -98,8 +98,8 @@ float BerryPress::exact_volume() const {
   return sum;
 }
 
-// Newton's method on the rough volume, aimed so that the exact one comes out right. Returns the share of it that
-// there is no room for.
+// Finds the bulge by Newton's method on the rough volume, corrected so that the exact one comes out right. Returns the
+// missing share of the volume.
 float BerryPress::bulge_to(float volume) {
   bulge_ = 1.01f;
   float aim = volume;

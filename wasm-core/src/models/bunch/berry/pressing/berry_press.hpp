@@ -11,9 +11,9 @@
 
 namespace panicle::bunch {
 
-// One berry after the other, all in unit space: the surface in direction e lies at 1 / gauge(e), where the gauge is the
-// soft maximum of the free surface's over a bulge and of those of the planes. It is never less than any of these, so
-// that every vertex stays on its own side of every plane.
+// Presses one berry after the other, all in unit space: the surface in direction e lies at 1 / gauge(e), where the
+// gauge is the soft maximum of the free surface's over a bulge and of those of the planes. It is never less than any of
+// these, so that every vertex stays on its own side of every plane.
 class BerryPress {
  public:
   static constexpr float most_bulge = 1.25f;  // how much further than its free form a berry may bulge
@@ -24,7 +24,7 @@ class BerryPress {
   // reference to `free` until `write`. Returns the share of `volume` that is missing.
   float fit(const GaugeTable& free, std::span<const BerryPlane> planes, float volume);
 
-  // The berry last fitted, in world space: as many vertices as the pattern has.
+  // Writes the berry last fitted, in world space: as many vertices as the pattern has.
   void write(const BerryFrame& frame, float* positions, float* normals, std::uint8_t* pressed) const;
 
  private:
@@ -42,7 +42,7 @@ class BerryPress {
   const BerryPattern& pattern_;
   const GaugeTable* free_ = nullptr;
   GaugeTable planes_;
-  std::vector<float> soft_;  // how round the rim is that a vertex may lie on
+  std::vector<float> soft_;  // radius of the rim that a vertex may lie on
   std::vector<float> radius_;
   float nearest_ = 0, bulge_ = 1;
 };

@@ -22,7 +22,7 @@ std::vector<BerryFrame> frames_of(std::span<const BerryBody> bodies) {
   return frames;
 }
 
-// All berries of one bunch.
+// Presses all berries of one bunch.
 class Pressing {
  public:
   Pressing(std::span<const BerryBody> bodies, const BerryForm& form, std::uint32_t segments)
@@ -65,7 +65,7 @@ class Pressing {
     press_.write(frames_[i], &surfaces_.positions[3 * at], &surfaces_.normals[3 * at], &surfaces_.pressed[at]);
   }
 
-  // Berries without the room for their volume push their planes towards neighbours that lack less. False where none
+  // Moves the planes of berries without the room for their volume towards neighbours that lack less. False if none
   // lacks any.
   bool share_room() {
     std::vector<bool> touched(bodies_.size(), false);

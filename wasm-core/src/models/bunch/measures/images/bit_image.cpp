@@ -82,7 +82,7 @@ void BitImage::clear_margin() {
   for (std::int32_t row = 0; row < rows_; ++row) row_words(row)[words_ - 1] &= up_to_bit(rest);
 }
 
-// From the disc's uppermost row, the narrowest, to its widest: each is the one before, widened a little more.
+// Widens rows from the disc's uppermost, the narrowest, to its widest: each is the one before, widened a little more.
 BitImage BitImage::dilated(float radius) const {
   BitImage result(columns_, rows_);
   const auto reach = static_cast<std::int32_t>(std::max(radius, 0.0f));

@@ -18,8 +18,8 @@ class BitImage {
   std::int32_t rows() const { return rows_; }
   bool at(std::int32_t column, std::int32_t row) const;
 
-  // Sets the columns from `from` up to but not `to` of a row, as far as they are in the picture. Returns how many of
-  // them had been clear; `wanted`, where given, gets how many of them are in the picture.
+  // Sets the columns from `from` up to but not `to` of a row, as far as they are in the picture. Returns the number of
+  // columns that had been clear; `wanted`, if not null, gets the number of columns that are in the picture.
   std::int32_t fill(std::int32_t row, std::int32_t from, std::int32_t to, std::int32_t* wanted = nullptr);
 
   std::int64_t count() const;

@@ -10,11 +10,11 @@ namespace panicle::bunch {
 namespace {
 
 constexpr std::size_t nearest_few = 3;
-constexpr float about = 6;         // berries about one in a dense heap, over which pressure is meant
+constexpr float about = 6;         // number of nearest berries over which pressure is averaged
 constexpr float touching = 0.03f;  // gap over mean diameter up to which berries count as touching
 
-// Half of how far a berry reaches to both sides along `u`: between the furthest any point of it does (support) and the
-// skin on the line through its centre, which for a ball are one.
+// Half of a berry's extent along `u`: the mean of the furthest point (support) and the skin on the line through its
+// centre, which for a ball are the same.
 float reach(const BerryBody& berry, const glm::vec3& u) {
   const float along = berry.direction.x * u.x + berry.direction.y * u.y + berry.direction.z * u.z;
   const float w = berry.half_width * berry.half_width, l = berry.half_length * berry.half_length;
@@ -23,7 +23,7 @@ float reach(const BerryBody& berry, const glm::vec3& u) {
   return (support + 1 / std::sqrt(inverse)) / 2;
 }
 
-// Between the skins of two berries, below 0 where they overlap; `most` where it is more than that for certain.
+// The gap between the skins of two berries, below 0 where they overlap; `most` if it is certainly larger.
 float gap_between(const BerryBody& a, const BerryBody& b, float most) {
   const glm::vec3 away = b.centre - a.centre;
   const float square = away.x * away.x + away.y * away.y + away.z * away.z;
@@ -68,10 +68,10 @@ Compactness measure_compactness(const Subject& subject) {
 
 float density_note(const Subject& subject, const Compactness& compactness, float pedicels_seen) {
   constexpr float apart = 0.5f;  // gap over diameter at which berries are wholly apart
-  constexpr float bared = 0.7f;  // share of pedicels seen at which they count as all seen
+  constexpr float bared = 0.7f;  // share of pedicels visible at which all count as visible
   constexpr float held =
       6;  // contacts that hold every berry fast, as in a heap of balls just jammed; four can hold one
-  constexpr float deformed = 0.16f;  // pressure at which berries are out of shape
+  constexpr float deformed = 0.16f;  // pressure at which berries are deformed
   const float close = 1 - share(compactness.gap, apart * 2 * subject.mean_radius);
   const float hidden = 1 - share(pedicels_seen, bared);
   return 1 + 2 * close + 2 * hidden + 2 * share(compactness.contacts, held) + 2 * share(compactness.pressed, deformed);

@@ -1,4 +1,4 @@
-// How close the berries of a bunch are: gaps, contacts, and the note of density that follows from them (OIV 204).
+// The compactness of a bunch: gaps, contacts, and the density note that follows from them (OIV 204).
 #pragma once
 
 #include "models/bunch/measures/measures_subject.hpp"

@@ -44,7 +44,7 @@ class Onlooker {
     for (const Stem& pedicel : subject.pedicels) pedicel_length_ += length_of(pedicel);
   }
 
-  // Looks from where `towards` points.
+  // Renders the view from the direction `towards`.
   void look(glm::vec3 towards, bool at_pedicels) {
     const View view = view_from(towards);
     gather(view, at_pedicels);

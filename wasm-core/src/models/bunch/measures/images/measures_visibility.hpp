@@ -1,4 +1,4 @@
-// Which berries are seen, and how much of the pedicels, from where.
+// The visible berries, and the visible share of the pedicels, by view.
 #pragma once
 
 #include "models/bunch/measures/measures_subject.hpp"

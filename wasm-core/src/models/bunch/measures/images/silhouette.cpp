@@ -7,7 +7,7 @@
 namespace panicle::bunch {
 namespace {
 
-// The widest stretch of a row that shapes which are convex together cover.
+// The widest stretch of a row covered by shapes that are convex together.
 struct Stretch {
   float least = 0, most = 0;
   bool empty = true;

@@ -8,13 +8,13 @@
 
 namespace panicle::bunch {
 
-// Where a picture's pixels lie: square ones, of `pitch`, the first row at the top. A pixel is where its centre is.
+// The grid of a picture's pixels: square ones, of `pitch`, the first row at the top. A pixel is at its centre.
 struct PixelGrid {
   float left = 0, top = 0;
   float pitch = 1;
   std::int32_t columns = 0, rows = 0;
 
-  // Over a box, with a margin of `margin` pixels. Centres lie at odd multiples of half a pitch, wherever the box is.
+  // A grid over a box, with a margin of `margin` pixels. Centres lie at odd multiples of half a pitch, for every box.
   static PixelGrid over(glm::vec2 low, glm::vec2 high, float pitch, std::int32_t margin);
 
   float row_height(std::int32_t row) const { return top - (static_cast<float>(row) + 0.5f) * pitch; }
@@ -35,14 +35,14 @@ struct PixelGrid {
   }
 };
 
-// How many pixels an outline has in the picture, and how many of them it was the first to set.
+// The number of pixels of an outline in the picture, and of those that it was the first to set.
 struct Inked {
   std::int32_t pixels = 0, fresh = 0;
 };
 
 Inked draw(BitImage& image, const PixelGrid& grid, const ProjectedBerry& berry);
 
-// A stem: all within a radius that goes evenly from that at `start` to that at `end`.
+// Draws a stem: all points within a radius that changes evenly from that at `start` to that at `end`.
 void draw_stem(BitImage& image, const PixelGrid& grid, glm::vec2 start, float radius, glm::vec2 end, float radius_end);
 
 }  // namespace panicle::bunch

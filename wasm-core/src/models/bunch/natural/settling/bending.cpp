@@ -15,7 +15,7 @@ constexpr float stout_at = 0.64f;     // berries' size from which stems thicken 
 
 float girth_at(float size) { return young_girth + (1 - young_girth) * std::min(1.0f, size / stout_at); }
 
-// `v` as it lies after the least turn that takes `from` onto `onto`, stretched as much.
+// Applies to `v` the least rotation from `from` to `onto`, and the same stretch.
 glm::vec3 turned_onto(const glm::vec3& v, const glm::vec3& from, const glm::vec3& onto) {
   const float length = glm::length(from), far = glm::length(onto);
   if (!(length > 0) || !(far > 0)) return v;
@@ -111,7 +111,8 @@ class Bending {
     return stem < 0 ? internode.start : ends_[static_cast<std::size_t>(stem)];
   }
 
-  // Of a point of a stalk, `along` from its foot where it grew; the stalk is `grown` long, and its foot now at `foot`.
+  // The new place of a point of a stalk, `along` from its foot where it grew; the stalk is `grown` long, and its foot
+  // now at `foot`.
   glm::vec3 place(const FlowerOutcome& outcome, const glm::vec3& foot, const glm::vec3& along, const glm::vec3& grown,
                   bool tip) const {
     if (outcome.state == FlowerState::stub) return foot + along * stub_length;
@@ -142,7 +143,7 @@ class Bending {
   std::span<const glm::vec3> ends_;
   float size_;
   std::vector<std::uint8_t> stays_;
-  // Per internode of a stalk: the fate it goes by, whether a berry sits on it, and where it ends, summed over flowers.
+  // Per internode of a stalk: its state, whether a berry sits on it, and its end, summed over flowers.
   std::vector<FlowerState> states_;
   std::vector<std::uint8_t> seats_;
   std::vector<glm::vec3> sums_;

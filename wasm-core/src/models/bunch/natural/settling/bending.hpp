@@ -14,8 +14,8 @@ namespace panicle::bunch {
 // The state of a flower. Flowers that share a stalk share the last of these states that one of them has.
 enum class FlowerState : std::uint8_t {
   fallen,  // and its stalk with it
-  stub,    // its berry was lost, its stalk is withered
-  flower,  // it hangs there and will not set
+  stub,    // its berry was lost, the stalk is withered
+  flower,  // not fallen yet, and will not set
   berry,
 };
 

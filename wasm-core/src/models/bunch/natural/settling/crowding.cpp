@@ -16,11 +16,11 @@ constexpr float near = 2;  // reach, in berry widths
 // The kernel (1 − r²/h²)² holds 32 π h³ / 105, a berry π / 6.
 constexpr float filled_by_one = (1.0f / 6) / (32.0f / 105 * near * near * near);
 constexpr float middling = 0.365f;  // share of space about berries of a middling bunch
-// Of bunches of densities 1 … 9, of round berries.
+// The crowding of bunches of densities 1 … 9, of round berries.
 constexpr float crowdings[] = {0.036f, 0.061f, 0.096f, 0.139f, 0.192f, 0.262f, 0.358f, 0.525f, 1.1f};
-constexpr float pushed_in = 2;     // by which a width outside the outline crowds a berry more
+constexpr float pushed_in = 2;     // factor by which a width outside the outline crowds a berry more
 constexpr float longer_by = 0.6f;  // power of the elongation: long berries lie side by side
-// The search is Newton's, on logarithms: there crowding rises with the fill almost evenly.
+// The search uses Newton's method on logarithms: there crowding rises with the fill almost evenly.
 constexpr int tries = 3;
 constexpr float most_step = 0.7f;
 constexpr float usual_steepness = 1.4f, least_steepness = 0.7f, most_steepness = 3;

@@ -15,8 +15,8 @@ struct BerrySize {
   float elongation = 1;  // length over width
 };
 
-// The share of space that others fill within two widths of a berry, near ones counting for more: over all berries by
-// volume, the harmonic mean of that share and a middling one together, less the middling one. `volumes` are
+// The share of space that other berries fill within two widths of a berry, near ones counting for more: over all
+// berries by volume, the harmonic mean of that share and a middling one together, less the middling one. `volumes` are
 // choose_set's; 0 where none sets.
 float crowding(std::span<const Bud> buds, std::span<const float> volumes, const BerrySize& berry);
 

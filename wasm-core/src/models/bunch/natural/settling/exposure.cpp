@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t samples = 37;  // of each disc
 constexpr float penumbra = 0.25f;    // width of a shadow's edge, in radii of the berry that casts it
-constexpr float behind_at = 0.5f;    // by how many of its outer radii one berry lies before another to shade it in full
+// the depth, in its outer radii, by which a berry must be before another to shade it in full
+constexpr float behind_at = 0.5f;
 constexpr float golden_angle = 137.50776f;  // degrees
 
 // The samples of a disc side by side, and a few more to make whole groups of four.
@@ -24,7 +25,7 @@ struct Disc {
   std::array<float, padded> x{}, y{};
 };
 
-// Evenly over the unit disc: the sunflower's spiral (Vogel 1979).
+// Places evenly over the unit disc: the sunflower's spiral (Vogel 1979).
 Disc even_disc() {
   Disc disc;
   for (std::size_t k = 0; k < samples; ++k) {
