@@ -46,8 +46,8 @@ Fit make_fit(const Profile& profile, const Plan& plan, float amount) {
   for (std::size_t i = 0; i < 4; ++i) {
     const SidePlan& side = plan.sides[i];
     const float segments = side.point.width / pixels_per_axis_segment;
-    // A side without segments is a raceme of single pedicels: from half a pedicel on the axis itself to a whole one
-    // where the first segment appears.
+    // A side without segments is a raceme of single pedicels: half a pedicel long at width 0, a whole one where the
+    // first segment appears.
     fit.sides[i] = towards(side.n > 0 ? segments / static_cast<float>(side.n) : 0.5f + segments);
   }
   return fit;

@@ -35,14 +35,15 @@ struct Plan {
   std::vector<std::int32_t> axes;  // n(0) … n(m−2), from the top
 };
 
-// m, n_i, rd_i by nearest integers: reproduces 125 of the 126 derived values of Table 3. `m` other than 0 stands in
-// for the profile's.
+// Computes m, n_i, rd_i by nearest integers: reproduces 125 of the 126 derived values of Table 3. `m` other than 0
+// replaces the profile's.
 Plan make_plan(const Profile& profile, std::int32_t m = 0);
 
-// The same outline `factor` times as large: the second bunch of a double bunch.
+// The same outline scaled by `factor`: the second bunch of a double bunch.
 Profile scaled(const Profile& profile, float factor);
 
-// How far lengths stretch so that every pixel of the profile counts and not only every whole segment. 1 is the paper.
+// Stretch of lengths, so that every pixel of the profile counts and not only every whole segment. 1 is the paper's
+// method.
 struct Fit {
   float rachis = 1;
   std::array<float, 4> sides = {1, 1, 1, 1};

@@ -28,7 +28,7 @@ Kind standard_kind(std::string_view symbol) {
   return Kind::axis;
 }
 
-// Those that a text declares.
+// The kinds that a text declares.
 std::vector<Kind> declared_kinds(const lsystem::Roles& roles, std::size_t symbols, std::vector<std::string>& notes) {
   std::vector<Kind> kinds(symbols, Kind::axis);
   std::vector<std::uint8_t> reported(roles.names.size(), 0);

@@ -13,7 +13,7 @@ namespace panicle::bunch {
 
 class SymbolRoles {
  public:
-  // Each symbol's, by its number.
+  // `kinds`: of each symbol, by its number.
   explicit SymbolRoles(std::vector<Kind> kinds) : kinds_(std::move(kinds)) {}
   SymbolRoles() = default;
 

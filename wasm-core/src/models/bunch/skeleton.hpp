@@ -21,7 +21,7 @@ struct Internode {
   glm::vec3 end{0};
   float radius = 0;      // at the start
   float radius_end = 0;  // at the end
-  bool joint = false;    // goes on with its parent: one organ, drawn in several pieces
+  bool joint = false;    // whether it continues its parent: one organ, drawn in several pieces
   std::uint32_t module = no_module;
 };
 
@@ -30,7 +30,7 @@ struct Berry {
   float radius = 0;               // of the ball of its volume
   glm::vec3 direction{0, -1, 0};  // unit, from the pedicel towards the tip scar
   std::int32_t parent = -1;       // index of its pedicel
-  std::uint32_t id = 0;           // below 2^30; of its pedicel's place in the derivation, the same while handles move
+  std::uint32_t id = 0;           // below 2^30; from its pedicel's place in the derivation, stable while handles move
   std::uint32_t module = no_module;
 };
 

@@ -1,4 +1,4 @@
-// How a bunch hangs: where from, and how far to which side it leans.
+// The stance of a bunch: where it hangs from, and its lean to a side.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@ namespace panicle::bunch {
 // Lengths are in the unit of the owner.
 struct Stance {
   float lean = 0;        // degrees from straight down
-  std::size_t side = 1;  // towards which: right (p3), left, front, back
+  std::size_t side = 1;  // side it leans to: right (p3), left, front, back
   glm::vec3 foot{0};     // where it hangs from
 };
 
-// Turns the bunch's frame into the frame of one that hangs straight down from the origin, and back.
+// The transforms between the bunch's frame and that of a bunch that hangs straight down from the origin.
 class Uprighting {
  public:
   explicit Uprighting(const Stance& stance)

@@ -13,7 +13,7 @@ StemEnd end_of(const Internode& internode) {
   return internode.state == State::withered ? shrivelled : receptacle;
 }
 
-// Whether nodes of the rachis are nearer to each other than it is wide: swellings would be rings, as if turned.
+// Whether nodes of the rachis are nearer to each other than it is wide: swellings would look like turned rings.
 bool crowded(std::span<const Internode> skeleton) {
   float length = 0, width = 0;
   for (const Internode& one : skeleton) {

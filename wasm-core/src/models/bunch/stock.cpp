@@ -28,7 +28,7 @@ Result<std::optional<lsystem::DerivationTrace>> trace_derivation(const Stock& st
   if (!request.chronicle) return std::optional<lsystem::DerivationTrace>();
   auto trace = lsystem::trace_derivation(*stock.bound, stock.seed, request.steps, limits, {}, *request.chronicle);
   if (!trace) return trace.error();
-  // One that came to a limit has another last string than is drawn.
+  // After a limit the traced string differs from the drawn one.
   if (trace->stopped().reason == Reason::none) trace->watch_drawing(stock.string);
   return std::optional(std::move(trace.value()));
 }

@@ -21,8 +21,8 @@ struct Stock {
   Stance stance;  // of the whole bunch; in the grammar's unit
 };
 
-// The grammar that every bunch of a request is derived from: compiled before, or now; `built_in` where the request
-// has none.
+// The grammar that every bunch of a request is derived from: the request's program, or its text compiled now;
+// `built_in` where the request has none.
 Result<std::shared_ptr<const lsystem::Program>> program_for(const BunchRequest& request, std::string_view built_in,
                                                             const Limits& limits);
 

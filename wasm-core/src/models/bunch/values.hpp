@@ -1,4 +1,4 @@
-// A request's parameters, complete and in range.
+// The parameters of a request, complete and in range.
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@ class Values {
 
   float operator[](Parameter key) const { return values_[static_cast<std::uint32_t>(key)]; }
 
-  // The values that replace a #define: those given, and no others, so that a text's own constants stand.
+  // The values that replace a #define: only the given ones, so that a text's own constants stay.
   std::vector<lsystem::Inputs::Scalar> defines() const;
-  // Their rows of the table.
+  // The table rows of these values.
   std::vector<const ParameterInfo*> defining() const;
 
   Profile profile() const;

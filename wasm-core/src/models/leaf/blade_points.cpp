@@ -16,14 +16,13 @@ namespace {
 // At detail 1: points of the lattice; length of veins with points of their own, in the lattice's spacings.
 constexpr float lattice_points = 2200, vein_points = 1500;
 constexpr float margin_within = 0.0004f;  // leaf lengths that the ring may be off
-constexpr float apart = 0.6f;             // of the spacing: nearer to others a point of the lattice is left out
+constexpr float apart = 0.6f;             // of the spacing: a lattice point nearer to another point is left out
 constexpr float row_share = 0.866025f;    // of a lattice of equal triangles
 constexpr float along_vein = 0.6f;        // of the spacing, between places on a vein
 
 glm::vec2 snapped(const glm::vec2& p) { return glm::floor(p * triangulation_lattice + 0.5f) / triangulation_lattice; }
 
-// The points of a closed ring that are left when those are taken out which are hardly off the way between their
-// neighbours.
+// Removes the points of a closed ring that are hardly off the line between their neighbours.
 std::vector<glm::vec2> simplified(std::span<const glm::vec2> ring, float within) {
   std::vector<glm::vec2> retained;
   std::size_t last = 0;
@@ -135,7 +134,7 @@ BladePoints place_points(const Margin& margin, const Outline& outline, std::span
     for (float x = low.x + (row % 2 ? 0.5f : 0.0f) * spacing; x < high.x; x += spacing)
       add({x, low.y + static_cast<float>(row) * row_share * spacing}, apart * spacing);
 
-  // Points near each vein learn of it.
+  // Raises the points near each vein.
   blade.rise.assign(blade.points.size(), 0);
   const float cell = 2 * spacing;
   const auto across = static_cast<std::int32_t>((high.x - low.x) / cell) + 1,

@@ -51,7 +51,7 @@ void dress(Plant& plant, const LeafRequest& leaf_request, const Veins& veins, st
   StemMesh tube;
   if (!stalk.empty()) tube = sweep_stems({.segments = stalk, .jointed = false}, {.sides = petiole_sides}, 1.0f);
   if (leaf_request.sky) {
-    // Owners are the petiole's segments, then the blade: a sheet that hides nothing from itself.
+    // Owners are the petiole's segments, then the blade: a sheet that does not occlude itself.
     const auto owner = static_cast<std::int32_t>(stalk.size());
     std::vector<SkyBody> specks;
     for (std::size_t i = 0; i < stalk.size(); ++i) add_specks(stalk[i], static_cast<std::int32_t>(i), specks);

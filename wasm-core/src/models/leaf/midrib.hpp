@@ -13,7 +13,7 @@ namespace panicle::particles::leaf {
 
 constexpr float before_tip = 0.985f;     // where a main vein ends, of its length
 constexpr float stride = 0.02f;          // of a rib's pieces, leaf lengths
-constexpr float before_margin = 0.012f;  // leaf lengths that ribs keep off it
+constexpr float before_margin = 0.012f;  // leaf lengths that ribs stay off the margin
 
 inline glm::vec2 flat(const glm::vec3& p) { return {p.x, p.y}; }
 inline glm::vec3 deep(const glm::vec2& p) { return {p.x, p.y, 0}; }
@@ -25,22 +25,22 @@ struct Midrib {
   std::vector<float> lengths;         // from the base
 
   float length() const { return lengths.back(); }
-  // The first place that is so far along it, or its last.
+  // The first place at least that far along it, or its last.
   std::size_t at(float length) const;
   glm::vec2 heading(std::size_t i) const;
 };
 
-// Adds a place that leads to the place `next`; gives its number.
+// Adds a place that leads to the place `next`; returns its number.
 std::int32_t add(Ribs& ribs, std::int32_t next, const glm::vec3& place);
 // Builds a main vein from place 0 of the ribs, which is the first of `places`.
 Midrib build_midrib(Ribs& ribs, std::vector<glm::vec3> places);
 
-// Draws each place but the ends towards the middle of its neighbours, so many times, where there is room.
+// Moves each place but the ends towards the middle of its neighbours, so many times, where there is room.
 void round_off(std::vector<glm::vec3>& places, const Outline& outline, int passes);
 
-// Whether the straight way from the base, which is on the margin itself, lies in the blade.
+// Whether the straight line from the base, which is on the margin itself, lies in the blade.
 bool straight(const glm::vec3& base, const glm::vec3& end, const Outline& outline);
-// From the base to a tip, in pieces: straight where that is open, else round the corners.
+// A main vein from the base to a tip, in pieces: straight where that is open, else round the corners.
 std::vector<glm::vec3> main_vein(const glm::vec3& base, const glm::vec3& tip, const Outline& outline);
 
 }  // namespace panicle::particles::leaf

@@ -26,8 +26,8 @@ namespace panicle::particles::leaf {
 namespace {
 
 constexpr float thinnest = 5e-6f;  // radius of a vein, metres
-// Radius of a particle: against its trail's, of the room that each has at first, and in leaf lengths; to be seen, yet
-// apart.
+// Radius of a particle: over its trail's, over the room of each at first, and in leaf lengths; large enough to be
+// visible, yet apart.
 constexpr float ball_widens = 1.6f, ball_share = 0.3f, least_ball = 0.0022f, largest_ball = 0.006f;
 
 Girth girth_of(const Values& values) {
@@ -57,8 +57,7 @@ std::vector<Trails> standing(const Veins& veins, float age) {
   return young;
 }
 
-// Those on their way: balls that lie on the blade.
-// particles: so many there are before any meet
+// Adds the particles on their way: balls on the blade. particles: their number before any meet
 void add_particles(Plant& plant, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
                    const Girth& girth, float particles) {
   plant.organ_tags = {"particle"};

@@ -8,7 +8,7 @@ namespace panicle::particles::leaf {
 namespace {
 
 constexpr int pieces = 14;
-constexpr float under_blade = 0.04f;  // leaf lengths that it begins before the blade's base
+constexpr float under_blade = 0.04f;  // leaf lengths by which it begins before the blade's base
 constexpr float bow = 35;             // degrees, over its length
 constexpr float widens = 1.35f;       // at its foot
 constexpr float taper_in = 0.6f;      // of its radius, where it begins under the midrib

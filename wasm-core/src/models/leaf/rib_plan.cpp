@@ -81,8 +81,8 @@ class Planner {
     return all;
   }
 
-  // From the base towards the tip between the margin's sides, −1 on the left one, 1 on the right; as far as that is
-  // open.
+  // A line from the base towards the tip between the margin's sides, −1 on the left one, 1 on the right; as far as that
+  // is open.
   std::vector<glm::vec3> between_sides(float position) const {
     constexpr float rows = 48;
     std::vector<glm::vec3> places{base_};
@@ -96,11 +96,11 @@ class Planner {
     return places;
   }
 
-  // Straight to the tip where that is open, else midway between the sides.
+  // A line straight to the tip where that is open, else midway between the sides.
   std::vector<glm::vec3> midline() const {
     const glm::vec3 tip = tip_at(margin_.tip), end = base_ + before_tip * (tip - base_);
     if (straight(base_, end, outline_)) return main_vein(base_, tip, outline_);
-    // Across from side to side by the shorter way each time, so that both keep step round a bend.
+    // Steps across from side to side by the shorter way each time, so that both sides keep step round a bend.
     constexpr float rows = 96;
     std::vector<glm::vec3> places{base_};
     for (float right = 0, left = 0; right + left < 2 * before_tip * rows;) {
@@ -112,7 +112,7 @@ class Planner {
       const glm::vec3 middle = first ? 0.5f * (on + other) : 0.5f * (one + beyond);
       if (glm::distance(middle, places.back()) < stride) continue;
       if (places.size() == 1 ? !outline_.contains(middle) : !outline_.holds(places.back(), middle)) {
-        if (places.size() == 1) continue;  // the base is a corner: on to where there is room
+        if (places.size() == 1) continue;  // the base is a corner: continue to where there is room
         break;
       }
       places.push_back(middle);

@@ -23,7 +23,7 @@ struct RibPlan {
   float angle = 50;               // degrees, from the vein that a secondary leaves
   float spacing = 0.8f;           // at the tip, over that at the base
   float offset = 0.4f;            // of one side against the other, in spacings
-  float arch = 0.4f;              // how much a secondary bends towards the tip, 0 … 1
+  float arch = 0.4f;              // curvature of a secondary towards the tip, 0 … 1
   Course course = Course::margin;
 };
 

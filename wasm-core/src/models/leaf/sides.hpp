@@ -12,7 +12,7 @@
 
 namespace panicle::particles::leaf {
 
-// By the share of their lengths, 0 at the base and 1 at the tip. The margin must outlive it.
+// Points of a side by the share of its length, 0 at the base and 1 at the tip. The margin must outlive it.
 class Sides {
  public:
   explicit Sides(const Margin& margin) : points_(margin.points), lengths_{0} {

@@ -11,7 +11,7 @@ namespace panicle::particles {
 namespace {
 
 constexpr std::uint64_t stream_sway = 0x5ba7;
-// Turns of the bend on the whole way, and how much of the stray it is beside the lean.
+// Turns of the bend over the height, and its amplitude over the lean's.
 constexpr float turns = 1.4f, bends = 0.6f;
 
 }  // namespace

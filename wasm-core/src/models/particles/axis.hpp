@@ -1,4 +1,4 @@
-// The line that a trunk or a main root follows: upright from its foot, or swaying about that.
+// The line that a trunk or a main root follows: upright from its foot, or swaying about that line.
 #pragma once
 
 #include <array>
@@ -9,17 +9,17 @@ namespace panicle::particles {
 
 class Axis {
  public:
-  // Upright.
+  // An upright axis.
   explicit Axis(const glm::vec3& foot) : foot_(foot) {}
   // Leans and bends by about `stray` on the way to `height` above or below the foot; the direction depends on the seed.
   Axis(const glm::vec3& foot, float height, float stray, std::uint64_t seed);
 
   const glm::vec3& foot() const { return foot_; }
-  // Where it passes the height y.
+  // The point at the height y.
   glm::vec3 at(float y) const;
-  // A place on the way from one to another, so far at the most, where that way sways as the axis does.
+  // A place on the way from one to another, at most so far, along a line that sways like the axis.
   glm::vec3 along(const glm::vec3& from, const glm::vec3& to, float far) const;
-  // How far from it a place of the same height is.
+  // Distance from the axis at the place's height.
   float distance(const glm::vec3& p) const;
 
  private:

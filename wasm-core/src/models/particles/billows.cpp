@@ -9,7 +9,7 @@ namespace panicle::particles {
 namespace {
 
 constexpr std::uint64_t stream_ragged = 0x4a99;
-// Crowns that stand far apart have most of their lattice in the air.
+// Crowns that are far apart have most of their lattice in the air.
 constexpr float most_along = 160;
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace {
 constexpr std::uint32_t sides = 32;
 constexpr int pieces = 6;  // of a spline between two points
 
-// A profile keeps its own heights and radii: 1 is the box's half width and height, 0 its middle and lowest point.
+// A solid of revolution of a profile's heights and radii: 1 is the box's half width and height, 0 its middle and lowest
+// point.
 Surface turned(std::span<const glm::vec2> profile, const glm::vec3& low, const glm::vec3& high) {
   Surface surface = surface_of_revolution(profile, glm::vec3(0), sides);
   const glm::vec3 foot(0.5f * (low.x + high.x), low.y, 0.5f * (low.z + high.z));

@@ -22,7 +22,7 @@ Surface form_between(Form form, std::span<const glm::vec2> profile, const Surfac
 // A smooth line through points (radius, height), for a profile: Catmull–Rom, radii never below 0.
 std::vector<glm::vec2> spline_through(std::span<const glm::vec2> points);
 
-// That of the points given, or of `otherwise` where there are fewer than two.
+// The line through the given points, or through `otherwise` if there are fewer than two.
 std::vector<glm::vec2> profile_of(std::span<const glm::vec2> points, std::span<const glm::vec2> otherwise);
 
 // The inner boundary: the outer boundary scaled by `size` about the place `about`; or, where `own` has triangles, that

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t directions = 24;
 // Optical depth of a cell with a wall in it: it transmits e to the power of minus this.
 constexpr float opaque = 6;
-// A dozen crowns side by side, each as finely as one alone, and nearly as much again.
+// Enough for a dozen crowns side by side, each as finely as one alone, and nearly as much again.
 constexpr std::uint64_t most_cells = 400'000;
 constexpr float most_along = 20'000, wider = 1.05f;
 

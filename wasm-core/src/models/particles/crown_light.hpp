@@ -15,7 +15,7 @@ namespace panicle::particles {
 struct LightHabit {
   glm::vec3 sun{0, 1, 0};  // unit, towards it
   float sky = 1;           // share of the light that comes from all of the sky
-  float absorption = 0;    // of a length of 1 through the crown
+  float absorption = 0;    // over a length of 1 through the crown
 };
 
 // The sun and 24 directions of an overcast sky, which sum up to 1.
@@ -27,7 +27,7 @@ glm::vec3 towards_sun(float azimuth, float height);
 // The objects about a crown that take its light.
 struct Shades {
   std::span<const Box> crowns;  // ellipsoids that fill these boxes: other trees, as dense as this one
-  std::span<const Box> walls;   // nothing passes
+  std::span<const Box> walls;   // opaque boxes
 };
 
 // The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. The box

@@ -9,7 +9,7 @@
 namespace panicle::particles {
 namespace {
 
-// Of each segment the axis that it belongs to: at a fork the heaviest goes on.
+// The axis of each segment: at a fork the heaviest goes on.
 std::vector<std::int32_t> axes_of(const GrownWood& grown, std::size_t segments) {
   std::vector<std::int32_t> axes(segments, 0);
   std::int32_t count = 0;

@@ -7,8 +7,8 @@ namespace panicle::particles {
 namespace {
 
 constexpr std::uint32_t probes = 1u << 17;
-// Steps of the additive recurrence that is most even in two and in three dimensions: powers of the inverse roots of
-// x³ = x + 1 and x⁴ = x + 1 (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"), of 2³².
+// Steps of the most even additive recurrences in two and in three dimensions: powers of the inverse roots of x³ = x + 1
+// and x⁴ = x + 1 (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"), of 2³².
 constexpr std::array<std::uint32_t, 3> steps_flat{3242174889, 2447445414, 0},
     steps_deep{3518319155, 2882110345, 2360945575};
 constexpr float unit = 1.0f / 4294967296.0f;

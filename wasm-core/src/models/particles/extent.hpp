@@ -1,4 +1,4 @@
-// How large a region is.
+// The size of a region.
 #pragma once
 
 #include "spatial/region.hpp"
@@ -7,7 +7,7 @@ namespace panicle::particles {
 
 struct Extent {
   float size = 0;    // area or volume
-  float filled = 0;  // that where each place counts by its density
+  float filled = 0;  // the same, weighted by density
 };
 
 // Measured by probes that lie evenly in the region's box, of any proportions, so that regions whose boxes are

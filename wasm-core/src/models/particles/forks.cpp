@@ -11,10 +11,10 @@
 namespace panicle::particles {
 namespace {
 
-// Of the energy: 1/2 would let even forks stand at 90°, 1 at none; this at 42°.
+// Power of the energy: with 1/2 even forks would open 90°, with 1 not at all; with this 42°.
 constexpr float cost = 0.95f;
 constexpr int passes = 16;
-// How far a place goes in a pass at the most, of the way to the nearest that it is led to or from: less than half.
+// Largest move of a place in a pass, over the distance to its nearest neighbour: less than half.
 constexpr float most = 0.4f;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Forks as narrow as wood has them: where two particles meet face to face, their trails would stand at right angles to
+// Narrows forks to the angles of wood: where two particles meet face to face, their trails would be at right angles to
 // the way that goes on.
 #pragma once
 

@@ -61,7 +61,7 @@ Trails gathered(const Trails& trails, const Axis& axis, const Guide& guide, floa
   for (std::size_t first = 0, end; first < line.size(); first = end) {
     end = first + 1;
     while (end < line.size() && guide.sees(trails.places[line[end - 1]], trails.places[line[end]])) ++end;
-    // A trail leads to ever lower numbers, so from the lowest of a stretch none leads back into it.
+    // A trail leads to ever lower numbers, so from the lowest number of a stretch no trail leads back into it.
     const auto exit = std::min_element(line.begin() + static_cast<std::ptrdiff_t>(first),
                                        line.begin() + static_cast<std::ptrdiff_t>(end));
     for (std::size_t k = first; line[k] != *exit; ++k) next[line[k]] = static_cast<std::int32_t>(line[k + 1]);

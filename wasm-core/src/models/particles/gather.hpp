@@ -1,5 +1,5 @@
-// Trails that run down the same axis, made one: particles that follow each other there never meet, and a tree would
-// have several trunks in one.
+// Unites trails that run down the same axis: particles that follow each other there never meet, and a tree would have
+// several trunks in one.
 #pragma once
 
 #include "models/particles/axis.hpp"

@@ -13,10 +13,10 @@
 namespace panicle::particles {
 namespace {
 
-constexpr float margin = 0.1f;          // by which ways keep clear of obstacles, in spacings
+constexpr float margin = 0.1f;          // clearance of ways from obstacles, in spacings
 constexpr float least_ball = 0.06f;     // radius of a particle, in spacings
 constexpr float ball_widens = 1.6f;     // times its trail's radius
-constexpr std::uint32_t unfolding = 5;  // steps of the run to each in which leaves unfold
+constexpr std::uint32_t unfolding = 5;  // the leaves unfold in one step for this many of the run
 
 // Appends an organ, no mesh yet, for each particle on its way: a place with or without a trail behind it, and without a
 // next.
@@ -32,8 +32,8 @@ void add_travellers(Plant& plant, const Trails& trails, double all, const Girth&
   }
 }
 
-// How far ways keep clear of obstacles: half as far at the most as the nearest is from a target, so that there are ways
-// between them.
+// The clearance of ways from obstacles: at most half the distance of the nearest obstacle from a target, so that there
+// are ways between them.
 float clearance(const SpaceRequest& request, std::span<const glm::vec3> targets, float spacing) {
   float clear = margin * spacing;
   for (const std::span<const Box> some : {std::span(request.obstacles), std::span(request.rounds)})
@@ -44,7 +44,7 @@ float clearance(const SpaceRequest& request, std::span<const glm::vec3> targets,
   return clear;
 }
 
-// Notes how many targets lie where trails do not come out of the boundary. `way`: of particles, −1 down.
+// Notes the number of targets where trails do not leave the boundary. `way`: of particles, −1 down.
 void note_on(std::span<const glm::vec3> targets, const Region& outer, float way, std::vector<std::string>& notes) {
   const float end = way < 0 ? outer.low().y : outer.high().y;
   const auto short_of = [&](const glm::vec3& target) { return (target.y - end) * way < 0; };
@@ -56,7 +56,7 @@ void note_on(std::span<const glm::vec3> targets, const Region& outer, float way,
         ", out of the boundary where it must.");
 }
 
-// Why no particle starts.
+// The reason that no particle starts.
 const char* why_none(const Extent& room, const Region& outer, bool young) {
   if (!(extent_of(outer).size > 0)) return "The boundary holds no room; make it larger, or its profile wider.";
   if (!(room.size > 0)) return "There is no room between the boundaries; make the inner one smaller.";

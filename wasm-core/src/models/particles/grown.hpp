@@ -27,7 +27,7 @@ struct SpaceHabit {
   TwigHabit twigs;
   float age = 1;        // 0 … 1
   bool running = true;  // effect of age: whether particles run, or the volume grows
-  bool leafy = false;   // whether there is something to unfold once particles have arrived
+  bool leafy = false;   // whether there are leaves to unfold once particles have arrived
   float growth = 1;     // size of the volume over the full-grown one
 
   // The number of particles in the volume at this growth, at the density of the full-grown one.
@@ -44,7 +44,7 @@ template <class Keys, class Values>
 SpaceHabit space_habit(const Values& values) {
   SpaceHabit habit;
   habit.count = values.whole(Keys::particles);
-  // Where some are taken out again, blue noise would be lost, and its price.
+  // Where points are removed again, blue noise would be lost, and its cost wasted.
   constexpr std::array patterns{Pattern::uniform, Pattern::jittered, Pattern::blue, Pattern::jittered};
   habit.pattern = patterns[values.whole(Keys::pattern)];
   habit.motion = {static_cast<double>(values[Keys::energy]),
@@ -69,10 +69,10 @@ SpaceHabit space_habit(const Values& values) {
 }
 
 struct GrownWood {
-  float room = 0;  // volume of where particles may start
+  float room = 0;  // volume of the region where particles may start
   Wood wood;
   std::vector<Trails> trails;                      // of each target, as they are now
-  std::vector<std::vector<std::int32_t>> numbers;  // of each place the segment, −1 for none
+  std::vector<std::vector<std::int32_t>> numbers;  // of each place its segment, −1 for none
   float unfolded = 1;                              // how far the leaves have unfolded, 0 … 1
 };
 

@@ -1,5 +1,5 @@
-// Apical dominance: the hormone of an axis's tip keeps side branches near it from growing (Thimann & Skoog 1933), as a
-// density of particles.
+// Apical dominance: the hormone of an axis's tip inhibits side branches near it (Thimann & Skoog 1933), as a density of
+// particles.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace panicle::particles {
 
 struct Hormone {
   float strength = 0;               // 0 … 1
-  float tip = 0;                    // height of the tip that it comes from
+  float tip = 0;                    // height of the tip, its source
   float reach = 1;                  // distance along the axis over which it falls to 1/e
   float leader = 1;                 // distance from the axis at which the inhibited zone begins
   std::span<const glm::vec3> feet;  // of the axes
 
-  // The share that is left at a place: all on the axis, for the leader goes on.
+  // The share of density left at a place: all on the axis, for the leader goes on.
   float left(const glm::vec3& p) const {
     if (!(strength > 0)) return 1;
     float from_axis = leader;

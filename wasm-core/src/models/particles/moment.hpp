@@ -23,7 +23,7 @@ class Timeline {
   Timeline(std::span<const Trails> crowds, float stride);
 
   std::uint32_t steps() const { return static_cast<std::uint32_t>(lively_.size()); }
-  // The moment at a share of the run, 0 … 1: each step takes as much of it.
+  // The moment at a share of the run, 0 … 1: each visible step takes the same share.
   float moment(float share) const;
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t lanes = 4;
 
-// About how far neighbours are apart where `count` points fill a box evenly: in a plane or on a line, too.
+// The approximate distance of neighbours where `count` points fill a box evenly: in a plane or on a line, too.
 float spacing(const glm::vec3& size, std::size_t count) {
   const float largest = std::max({size.x, size.y, size.z});
   if (!(largest > 0)) return 1;
@@ -37,7 +37,7 @@ void Neighbours::build(std::span<const glm::vec3> points) {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
-  // A little more, lest its square be rounded below that of two at opposite corners.
+  // A little more, so that its square is not rounded below that of two points at opposite corners.
   across_ = points.empty() ? 0 : 1.001f * glm::distance(low, high);
   edge_ = spacing(high - low, points.size());
   grid_.build(points, edge_);

@@ -23,11 +23,11 @@ class Neighbours {
   // Replaces the points; memory is reused. The points must outlive all queries.
   void build(std::span<const glm::vec3> points);
 
-  // The other point nearest to point `i` among those that it sees: of equally near ones the one with the lowest index;
-  // `none` where there is no other within `reach`.
+  // The other point nearest to point `i` among those visible from it: of equally near ones the one with the lowest
+  // index; `none` if there is no other within `reach`.
   std::uint32_t nearest(std::uint32_t i, float reach, const Guide& guide) const;
 
-  // Appends all pairs a < b closer than `reach`, in no order that matters.
+  // Appends all pairs a < b closer than `reach`, in unspecified order.
   void pairs(float reach, std::vector<Pair>& found) const;
 
  private:
@@ -35,7 +35,7 @@ class Neighbours {
   float edge_ = 0;
   float across_ = 0;  // at least the diagonal of the points' box
   PointGrid grid_;
-  std::vector<float> x_, y_, z_;  // by slot, and three more
+  std::vector<float> x_, y_, z_;  // by slot, and three more for SIMD
 };
 
 }  // namespace panicle::particles

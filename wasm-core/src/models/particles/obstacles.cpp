@@ -7,8 +7,8 @@
 namespace panicle::particles {
 namespace {
 
-// How far from an ellipsoid ways turn, of its size: those between neighbouring places, up to 35° apart, keep clear of
-// it.
+// The distance of turning places from an ellipsoid, over its size: lines between neighbouring places, up to 35° apart,
+// keep clear of it.
 constexpr float about_round = 1.1f;
 constexpr int pieces = 4;  // of an edge, with a place to turn at between two
 
@@ -18,7 +18,7 @@ bool inside(const Box& box, const glm::vec3& p) {
   return true;
 }
 
-// By slabs: the stretch of the way that lies between the planes of each pair of faces.
+// Whether a line meets a box, by slabs: the stretch of the line between the planes of each pair of faces.
 bool meets(const Box& box, const glm::vec3& a, const glm::vec3& b) {
   float first = 0, last = 1;
   for (int k = 0; k < 3; ++k) {
@@ -40,7 +40,7 @@ glm::vec3 in_round(const Box& box, const glm::vec3& p) {
   return (p - 0.5f * (box.low + box.high)) / half;
 }
 
-// Of all places between a and b that which is nearest to the middle, in half-axes.
+// Whether a line meets an ellipsoid: tests its place nearest to the middle, in half-axes.
 bool meets_round(const Box& box, const glm::vec3& a, const glm::vec3& b) {
   const glm::vec3 from = in_round(box, a), way = in_round(box, b) - from;
   const float square = glm::dot(way, way);

@@ -29,10 +29,10 @@ class Obstacles {
       : Obstacles(boxes, {}, margin, floor, ceiling) {}
 
   bool empty() const { return boxes_.empty() && rounds_.empty(); }
-  // How far a way that passes them may be drawn beside itself.
+  // How far a way that passes the obstacles may be drawn sideways.
   float margin() const { return empty() ? std::numeric_limits<float>::max() : margin_; }
   bool contains(const glm::vec3& p) const;
-  // Whether one of them meets the straight way from a to b.
+  // Whether an obstacle meets the straight way from a to b.
   bool between(const glm::vec3& a, const glm::vec3& b) const;
   // Places to turn at, beside their edges.
   std::span<const glm::vec3> corners() const { return corners_; }

@@ -15,8 +15,8 @@ constexpr float cells_along = 64;
 // distance of an edge below which all others as near are tested.
 constexpr float to_corner = 0.75f, too_far = 1;
 constexpr std::int32_t near = 3;
-constexpr float cells_beside = 4;  // so far at once a way is followed beside the edge
-constexpr float rounding = 1e-3f;  // of a cell: so far beside an edge it is listed too
+constexpr float cells_beside = 4;  // length of a way that is tested at once near the edge
+constexpr float rounding = 1e-3f;  // of a cell: an edge this near to a cell is listed in it
 
 float cross(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -92,7 +92,7 @@ bool Outline::contains(const glm::vec3& p) const {
   return clearance_[cell] > 0 ? inside_[cell] != 0 : winding(p.x, p.y) != 0;
 }
 
-// Calls `see(cell)` for every cell that a straight way meets; and for others beside it.
+// Calls `see(cell)` for every cell that a line meets, and for some cells beside it.
 template <class See>
 void Outline::cells_between(const glm::vec2& a, const glm::vec2& b, const See& see) const {
   const glm::vec2 from = a.y <= b.y ? a : b, to = a.y <= b.y ? b : a;
@@ -132,12 +132,12 @@ void Outline::find_sides() {
     }
 }
 
-// Goes as far at once as the edge is away at least; only beside it are edges looked at.
+// Steps along the line by the least distance to the edge; edges are tested only near the edge.
 bool Outline::holds(const glm::vec3& a, const glm::vec3& b) const {
   const float length = glm::distance(a, b), beside = cells_beside * cell_;
   glm::vec3 at = a;
   for (float gone = 0;;) {
-    // As far as the edge cannot be; near it some cells at a time, against the edges there.
+    // By the certain distance; near the edge some cells at a time, tested against the edges there.
     const float free = clearance(at), hop = free < cell_ ? beside : free;
     const bool ends = gone + hop >= length;
     const glm::vec3 next = ends ? b : a + ((gone + hop) / length) * (b - a);

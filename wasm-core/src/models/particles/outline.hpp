@@ -22,7 +22,7 @@ class Outline final : public Region {
   bool contains(const glm::vec3& p) const override;
   // Whether the straight way between two places inside stays inside.
   bool holds(const glm::vec3& a, const glm::vec3& b) const;
-  // How far the edge is from a place, inside or outside.
+  // Distance of the edge from a place, inside or outside.
   float distance(const glm::vec3& p) const;
   float area() const;  // of a polygon that does not cross itself
   // An estimate of the distance in constant time: from the edge nearest to the middle of a cell. Places outside the box

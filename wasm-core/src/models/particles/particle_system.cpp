@@ -10,9 +10,9 @@ namespace panicle::particles {
 namespace {
 
 constexpr std::uint32_t at_target = ~0u;
-constexpr float budget_in_ways = 4;           // ways
-constexpr std::uint32_t sampled_ways = 100;  // of as many starts, evenly
-constexpr float standing = 1e-6f;          // of a step: less is waiting
+constexpr float budget_in_ways = 4;           // of the longest way
+constexpr std::uint32_t sampled_ways = 100;  // taken from as many starts, evenly
+constexpr float standing = 1e-6f;          // of a step: shorter strides count as waiting
 constexpr std::uint32_t cells_a_particle = 24;
 
 glm::vec3 towards(const glm::vec3& from, const glm::vec3& to) {
@@ -174,11 +174,11 @@ void ParticleSystem::join() {
     gone_[slot] = 1;
     ++joins_;
   }
-  // Those of this step are not older.
+  // Nodes of this step become candidates only now, for they are not older.
   for (std::size_t at = grid_.size(); at < nodes_.size(); ++at) grid_.add(nodes_[at].place);
 }
 
-// Leads on from where a particle is.
+// Links a particle's last node to the next.
 void ParticleSystem::link(std::uint32_t slot, std::int32_t to) {
   Node& node = nodes_[static_cast<std::size_t>(nodes_at_[slot])];
   node.next = to;
@@ -193,7 +193,7 @@ void ParticleSystem::go(std::uint32_t slot, const glm::vec3& to) {
   places_[slot] = to;
 }
 
-// From aim to aim, as long as that leads nearer.
+// Moves a particle from aim to aim, as long as that leads nearer.
 void ParticleSystem::walk_to_target(std::uint32_t slot) {
   for (float left = guide_->way(places_[slot]);;) {
     const glm::vec3 aim = guide_->aim(places_[slot]);
@@ -212,7 +212,7 @@ void ParticleSystem::arrive(std::uint32_t slot) {
   gone_[slot] = 1;
 }
 
-// Whose particle `particle` is now.
+// The particle that `particle` has merged into (root of a union-find forest).
 std::uint32_t ParticleSystem::union_root(std::uint32_t particle) {
   while (merged_into_[particle] != particle) {
     merged_into_[particle] = merged_into_[merged_into_[particle]];
@@ -221,7 +221,7 @@ std::uint32_t ParticleSystem::union_root(std::uint32_t particle) {
   return particle;
 }
 
-// Takes those that are gone out of the slots.
+// Removes arrived and merged particles from the slots.
 void ParticleSystem::leave() {
   std::uint32_t remaining = 0;
   for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {

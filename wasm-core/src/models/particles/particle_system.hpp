@@ -29,12 +29,13 @@ namespace panicle::particles {
 //   from aim to aim.
 class ParticleSystem {
  public:
-  // `guide` must outlive the crowd. `rules.merge` below the least that ends is taken as that.
+  // `guide` must outlive the system. `rules.merge` is raised to the least that ends.
   ParticleSystem(std::span<const glm::vec3> starts, double energy, const Guide& guide, const Rules& rules);
 
-  // Moves everyone once. False, and nothing happens, once all have arrived.
+  // Moves all particles once. Returns false, without any change, once all have arrived.
   bool step();
-  // Until all have arrived, or until they have moved `most` times, one as all: false, and they are still on their way.
+  // Steps until all have arrived, or until the sum of all moves reaches `most`: then returns false, with particles
+  // still on their way.
   bool run(std::uint64_t most = ~std::uint64_t{0}) {
     while (moves_ + places_.size() <= most)
       if (!step()) return true;
@@ -42,10 +43,10 @@ class ParticleSystem {
   }
 
   std::uint32_t steps() const { return steps_; }
-  std::uint64_t moves() const { return moves_; }  // of all, at all steps
+  std::uint64_t moves() const { return moves_; }  // of all particles, in all steps
   std::uint32_t merges() const { return merges_; }
   std::uint32_t joins() const { return joins_; }
-  std::uint32_t stragglers() const { return stragglers_; }  // that had to be taken to the target
+  std::uint32_t stragglers() const { return stragglers_; }  // that had to be moved to the target
   double arrived() const { return arrived_; }               // energy, at the target
   // The places and energies of the particles on their way.
   std::span<const glm::vec3> places() const { return places_; }
@@ -82,19 +83,20 @@ class ParticleSystem {
   std::uint64_t moves_ = 0;
   double arrived_ = 0;
 
-  // By slot, those on their way, in ascending order of their numbers.
+  // By slot, the particles on their way, in ascending order of their numbers.
   std::vector<glm::vec3> places_;
   std::vector<double> energies_;
   std::vector<std::uint32_t> particles_;  // their numbers
   std::vector<std::int32_t> nodes_at_;    // the last node of each one's trail
-  std::vector<std::uint8_t> gone_;        // arrived, or another's
+  std::vector<std::uint8_t> gone_;        // arrived, or merged into another
   std::vector<std::uint8_t> met_;         // in this step
   std::vector<glm::vec3> strides_;        // of this step
   std::vector<glm::vec3> aims_;           // of where they are, where that is known: after `join`
 
   std::vector<Node> nodes_;           // 0 is the target, 1 + i where particle i started
-  std::vector<std::uint32_t> merged_into_;  // by particle: whose it is now; its own number while on its way or at the target
-  std::vector<std::uint32_t> slots_;  // by particle; `home` at the target
+  // by particle: the particle that it has merged into; its own number while on its way or at the target
+  std::vector<std::uint32_t> merged_into_;
+  std::vector<std::uint32_t> slots_;  // by particle; `at_target` after arrival
 
   Neighbours neighbours_;
   std::vector<Pair> pairs_;

@@ -16,7 +16,7 @@ constexpr double bedded_energy = 0.004;
 // This multiple of the reach applies where a trail goes on along a rib and other trails have drawn it away.
 constexpr float back_from = 2;
 
-// A place that is drawn, the run of those that lead to it, and how often it still is.
+// A place to move, the run of places that lead to it, and the number of moves left.
 struct Drawn {
   std::uint32_t place, first, count;
   float passes;
@@ -24,7 +24,7 @@ struct Drawn {
 
 std::size_t next_of(const Trails& trails, std::size_t i) { return static_cast<std::size_t>(trails.next[i]); }
 
-// Those that lead to each place: in the order of the tree they stand side by side.
+// The places that lead to each place: in the order of the tree they are side by side.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> leading_to(const Trails& trails) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> runs(trails.size(), {0, 0});
   for (std::uint32_t i = 1; i < trails.size(); ++i) {
@@ -42,7 +42,7 @@ float distance_to(const glm::vec3& p, const glm::vec3& from, const glm::vec3& to
   return glm::distance(p, from + at * way);
 }
 
-// Whether place i, with a run of places that lead to it, may go there.
+// Whether place i, with a run of places that lead to it, may move there.
 bool is_free(const Guide& guide, const Trails& trails, std::uint32_t i,
              const std::pair<std::uint32_t, std::uint32_t>& run, const glm::vec3& to) {
   const std::vector<glm::vec3>& places = trails.places;
@@ -113,7 +113,7 @@ void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach) {
     const auto carried = static_cast<float>(trails.energy[i] / (trails.energy[i] + bedded_energy * trails.energy[0]));
     const glm::vec3 moved = trails.places[i] + carried * smooth_step(within, 0.5f * within, foot.distance) *
                                                   (foot.place - trails.places[i]);
-    // So far there may be something between.
+    // That far away there may be an obstacle in between.
     bool free = within == reach || guide.sees(moved, trails.places[next]);
     for (std::uint32_t k = runs[i].first; free && within > reach && k < runs[i].first + runs[i].second; ++k)
       free = guide.sees(trails.places[k], moved);

@@ -1,4 +1,4 @@
-// Trails made fit to be drawn: less jagged, and with no more places than they need.
+// Postprocessing of trails for drawing: smoothing, and removal of places that are not needed.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -30,7 +30,7 @@ Trails simplified(const Trails& trails, float tolerance, bool arrivals = false);
 // place when it comes by.
 Trails divided(const Trails& trails, float longest, double least, double most, float stride);
 
-// Puts places back to where they were `before`, where all saw each other, until they do again.
+// Moves places back to where they were `before`, where all saw each other, until they do again.
 void take_back_hidden(Trails& trails, const std::vector<glm::vec3>& before, const Guide& guide);
 
 }  // namespace panicle::particles

@@ -8,10 +8,10 @@
 
 namespace panicle::particles {
 
-// Of a plant that has more pieces of trail or more leaves than there may be; reason none if it has not.
+// The error for a plant with more segments or leaves than allowed; reason none if it has not.
 Diagnostic beyond(const Limits& limits, std::size_t segments, std::size_t leaves);
 
-// Of particles that are still on their way after all the moves that they may make.
+// The error for particles that are still on their way after the limit of moves.
 Diagnostic still_running(const Limits& limits);
 
 }  // namespace panicle::particles

@@ -10,7 +10,7 @@ namespace panicle::particles {
 namespace {
 
 constexpr std::int32_t widest = 5,
-                       divisions = 3;  // cells of the first grid along an edge, and how often they are halved
+                       divisions = 3;  // cells of the first grid along an edge, and the number of its halvings
 constexpr std::int32_t along = widest << divisions;
 constexpr float rounding = 1e-5f;
 
@@ -35,7 +35,7 @@ RibGrid::RibGrid(const Ribs& ribs, const glm::vec3& low, const glm::vec3& high)
     grids_.emplace_back(static_cast<std::size_t>((widest << level) * (widest << level)));
 }
 
-// Of `from`, those that come as near to some place within `radius` of the middle as the nearest does.
+// Of `from`, the pieces that are nearest to some place within `radius` of the middle.
 RibGrid::Pieces RibGrid::selected(const Pieces& from, const glm::vec3& middle, float radius) const {
   std::vector<float> distances;
   distances.reserve(from.size());

@@ -19,8 +19,8 @@ class RibGrid {
   // The same as `ribs.nearest(p)`, of places with z = 0.
   Ribs::Foot nearest(const glm::vec3& p) const;
 
-  // Ribs as lines: at each place the first that leads there goes on the line, the others begin lines of their own. The
-  // line of the piece from place `at`; 0 is that which begins at place 0.
+  // Ribs as lines: at each place the first rib that leads there continues the line, the others begin lines of their
+  // own. Returns the line of the piece from place `at`; 0 is the line that begins at place 0.
   std::uint32_t line_of(std::size_t at) const { return line_[at]; }
   // The nearest place on one line.
   Ribs::Foot nearest_on(std::uint32_t line, const glm::vec3& p) const;

@@ -14,7 +14,7 @@ Ribs::Foot Ribs::nearest(const glm::vec3& p, std::span<const std::uint32_t> piec
   return nearest_of(pieces.size(), [&](std::size_t k) { return std::size_t{pieces[k]}; }, p);
 }
 
-// Of so many pieces, the k-th of which begins at `piece(k)`.
+// The nearest of so many pieces, the k-th of which begins at `piece(k)`.
 template <class Piece>
 Ribs::Foot Ribs::nearest_of(std::size_t count, const Piece& piece, const glm::vec3& p) const {
   const glm::vec3 base = p - places[0];

@@ -11,7 +11,7 @@
 
 namespace panicle::particles {
 
-// A tree of straight pieces. Place 0 is the petiole's; every other leads to an earlier one.
+// A tree of straight pieces. Place 0 is at the petiole; every other leads to an earlier one.
 struct Ribs {
   std::vector<glm::vec3> places;
   std::vector<std::int32_t> next;  // −1 for place 0
@@ -39,13 +39,13 @@ struct Ribs {
   Foot at_base(const glm::vec3& p) const;
   // The place nearest to `p`; of equally near ones that of the earliest piece. Of ribs without a piece, place 0.
   Foot nearest(const glm::vec3& p) const;
-  // That on some pieces alone, in ascending order, or place 0.
+  // The nearest on the given pieces alone, in ascending order, or place 0.
   Foot nearest(const glm::vec3& p, std::span<const std::uint32_t> pieces) const;
-  // Where one comes to from there by following them so far down; place 0 at the end.
+  // The point reached by following the ribs down by a length; place 0 at the end.
   glm::vec3 down(const Foot& from, float length) const;
   // Places all along them, no farther apart than `spacing`; place 0 first.
   std::vector<glm::vec3> strewn(float spacing) const;
-  // How far it is down to place 0.
+  // The length from there down to place 0.
   float length_below(const Foot& from) const;
 
  private:

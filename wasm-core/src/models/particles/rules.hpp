@@ -11,13 +11,14 @@ namespace panicle::particles {
 struct Rules {
   float step = 0;           // s: how far a particle moves at most
   float merge = 0;          // r: closer than this, two become one
-  float neighbourhood = 0;  // farther neighbours are not seen; 0: none is too far
+  float neighbourhood = 0;  // distance beyond which neighbours are ignored; 0: no limit
   float pull = 0.75f;       // w: weight of a particle's neighbour; 1 as much as its target
-  bool printed = false;  // every move is as long as the step (section 2.1), not the less the more the two pulls differ
+  // whether every move is as long as the step (section 2.1), not shorter the more the two pulls differ
+  bool printed = false;
   float join = 0;        // closer than this to an older trail ahead, a particle ends in it; 0: trails may cross
 };
 
-// Two that make for each other come closer by twice this at each step.
+// Half the distance by which two particles that aim at each other approach in a step.
 inline float approach(const Rules& rules) {
   return rules.printed ? rules.step : rules.step * rules.pull / (1 + rules.pull);
 }

@@ -25,7 +25,7 @@ constexpr std::uint64_t blue_rounds = 6, edge_rounds = 2;
 constexpr std::uint64_t most_cells = 12'000'000;
 // Of a jittered lattice, whose cells hold one point each and are not stored.
 constexpr std::uint64_t most_jittered = 100'000'000;
-// A uniform point is looked for so many times for each wanted.
+// Number of tries for each uniform point.
 constexpr std::uint64_t most_darts = 1000;
 // The number of spacings tried until the requested number of points fits in, or few more.
 constexpr int tries = 8;
@@ -33,7 +33,7 @@ constexpr float few_more = 0.04f;
 // Number of points of a sample, from which follows how many more fit in than the spacing predicts.
 constexpr std::uint32_t sample = 400;
 
-// The whole cells of a lattice about the origin that a region's box meets, and two more on every side.
+// The cells of a lattice about the origin that a region's box meets, and two more on every side.
 class Lattice {
  public:
   Lattice(const Region& region, float edge) : edge_(edge), flat_(region.flat()) {
@@ -50,7 +50,7 @@ class Lattice {
            static_cast<std::uint64_t>(count_[2]);
   }
   glm::ivec3 cell(std::uint64_t index) const {
-    // Fewer than 2^32, and of words half as long quotients are had in a third of the time.
+    // Below 2^32: 32-bit division takes a third of the time.
     const auto at = static_cast<std::uint32_t>(index), x = static_cast<std::uint32_t>(count_[0]), row = at / x,
                y = static_cast<std::uint32_t>(count_[1]), layer = row / y;
     return glm::ivec3(at - row * x, row - layer * y, layer) + first_;
@@ -62,8 +62,8 @@ class Lattice {
       if (at[k] < margin || at[k] >= count_[k] - margin) return false;
     return true;
   }
-  // From a cell's index to the first of each row of five cells about it, the nearest rows first: with them all cells
-  // that come nearer to it than a cell is long from corner to corner.
+  // Offsets from a cell's index to the first of each row of five cells about it, the nearest rows first: with them all
+  // cells that come nearer to it than a cell's diagonal.
   std::vector<std::int64_t> rows() const {
     std::vector<std::int64_t> found;
     for (std::int32_t shell = 0; shell <= 2 * margin * margin; ++shell)
@@ -85,12 +85,12 @@ class Lattice {
   }
   // How a cell lies in the region; points of it may be off by rounding.
   Share share_of(const glm::ivec3& cell, const Region& region) const { return share_of(cell, 1, region); }
-  // Of so many in a row.
+  // The same for so many cells in a row.
   Share share_of(const glm::ivec3& cell, std::int32_t count, const Region& region) const {
     const glm::vec3 low = (glm::vec3(cell) - 1e-3f) * edge_, size = glm::vec3(count, 1, 1) + 2e-3f;
     return flat_ ? Share::some : region.share_of(low, low + size * edge_);
   }
-  // How many cells there are from one on in its row, 16 at most.
+  // The number of cells from one on in its row, 16 at most.
   std::uint64_t run(std::uint64_t index) const {
     const auto row = static_cast<std::uint64_t>(count_[0]);
     return std::min<std::uint64_t>(16, row - index % row);
@@ -134,7 +134,7 @@ std::vector<glm::vec3> uniform(const Region& region, std::uint32_t count, std::u
 struct Lot {
   std::vector<glm::vec3> points;
   std::vector<float> ranks;
-  bool coarse = false;  // the lattice would have had too many cells
+  bool coarse = false;  // whether the lattice would have had too many cells
 
   // `known`: known to be inside. The cheap test goes first: random value and density reject most places of a dark
   // crown.
@@ -167,9 +167,9 @@ Lot jittered(const Region& region, float spacing, std::uint64_t seed) {
   return lot;
 }
 
-// Darts at the cells of a lattice, small enough to hold one point at most: some rounds through those that are still
-// empty leave hardly a gap, in time linear in their number. (Darts at the whole region need ever more to find the last
-// gaps.) Where it is less dense, points are taken out afterwards.
+// Blue noise by darts at the cells of a lattice, small enough to hold one point at most: some rounds through those that
+// are still empty leave hardly a gap, in time linear in their number. (Darts at the whole region need ever more to find
+// the last gaps.) Where the density is lower, points are removed afterwards.
 Lot blue(const Region& region, float apart, std::uint64_t seed) {
   Lot lot;
   const bool flat = region.flat();
@@ -179,7 +179,7 @@ Lot blue(const Region& region, float apart, std::uint64_t seed) {
     lot.coarse = true;
   }
   const Lattice lattice(region, apart / diagonal);
-  std::vector<std::uint8_t> taken(lattice.cells() + 3, 0);  // five of a row are looked at as eight
+  std::vector<std::uint8_t> taken(lattice.cells() + 3, 0);  // five of a row are read as eight
   std::vector<glm::vec3> points, by_cell(lattice.cells());
   const std::vector<std::int64_t> rows = lattice.rows();
   const auto in_the_way = [&](std::uint64_t cell, const glm::vec3& p) -> const glm::vec3* {
@@ -196,7 +196,7 @@ Lot blue(const Region& region, float apart, std::uint64_t seed) {
     return nullptr;
   };
   std::vector<std::uint64_t> open, still_open;
-  std::vector<std::uint8_t> whole(lattice.cells(), 0);  // inside, all of it
+  std::vector<std::uint8_t> whole(lattice.cells(), 0);  // of each cell: completely inside
   for (std::uint64_t i = 0; i < lattice.cells() && !region.is_exhausted(); ++i) {
     if (!lattice.inner(i)) continue;
     const Share share = lattice.share_of(lattice.cell(i), region);
@@ -230,7 +230,7 @@ Lot scatter_at(const Region& region, Pattern pattern, float spacing, std::uint64
   return blue(region, spacing * (region.flat() ? apart_flat : apart_deep), seed);
 }
 
-// Those of a rank below the limit.
+// The points of a rank below the limit.
 std::vector<glm::vec3> below(const Lot& lot, float limit) {
   std::vector<glm::vec3> points;
   for (std::size_t i = 0; i < lot.points.size(); ++i)
@@ -238,7 +238,7 @@ std::vector<glm::vec3> below(const Lot& lot, float limit) {
   return points;
 }
 
-// The rank below which there are `count`.
+// The rank below which there are `count` points.
 float limit_of(const Lot& lot, std::uint32_t count) {
   if (lot.ranks.size() <= count) return 1;
   std::vector<float> ranks = lot.ranks;

@@ -1,4 +1,4 @@
-// Where particles start: patterns of points in a region.
+// Patterns of points in a region, where particles start.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,17 @@
 namespace panicle::particles {
 
 enum class Pattern : std::uint32_t {
-  uniform,   // each for itself: leaves holes
+  uniform,   // independent points: leaves holes
   jittered,  // one in each cell of a lattice, at most 0.4 cells from its middle
   blue,      // none nearer to another than the spacing: even, without a lattice's rows
 };
 
-// The spacing of `count` points that fill a region evenly: the root of its area or volume a point, where places count
-// by their density.
+// The spacing of `count` points that fill a region evenly: the root of its area or volume a point, weighted by density.
 float spacing_of(const Region& region, std::uint32_t count);
 
 struct Scattered {
   std::vector<glm::vec3> points;
-  float spacing = 0;  // `spacing_of` the region, grown
+  float spacing = 0;  // `spacing_of` the full-grown region
   Extent extent;      // of the region
 };
 

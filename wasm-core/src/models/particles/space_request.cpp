@@ -43,7 +43,7 @@ std::vector<glm::vec3> triples(std::span<const float> values) {
   return points;
 }
 
-// Of two opposite corners each.
+// Boxes from two opposite corners each.
 std::vector<Box> boxes_of(std::span<const float> values) {
   const std::vector<glm::vec3> corners = triples(values);
   std::vector<Box> boxes;

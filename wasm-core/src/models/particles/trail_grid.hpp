@@ -12,7 +12,7 @@ namespace panicle::particles {
 class TrailGrid {
  public:
   TrailGrid() = default;
-  // `reach`: how far is looked; cells are wider where more than `most_cells` would come of it.
+  // `reach`: radius of a search; cells are wider where there would be more than `most_cells`.
   TrailGrid(const glm::vec3& low, const glm::vec3& high, float reach, std::uint32_t most_cells);
 
   void add(const glm::vec3& place);  // the next place; they are numbered from 0

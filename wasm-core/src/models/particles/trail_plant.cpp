@@ -45,7 +45,7 @@ std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const 
       if (trails.next[i] < 0) continue;
       const auto next = static_cast<std::size_t>(trails.next[i]);
       number[i] = static_cast<std::int32_t>(plant.segments.size());
-      // Its own thickness where it begins; where it ends, that of the heaviest which goes on from there.
+      // Thickness at its beginning is its own; at its end that of the heaviest which goes on from there.
       plant.segments.push_back({number[next], tag, frame(trails.places[next]), frame(trails.places[i]),
                                 radius_of(girth, trails.energy[i], all[c]), radius_of(girth, inflow[i], all[c])});
       energy.push_back(static_cast<float>(trails.energy[i]));

@@ -19,11 +19,11 @@ enum class WidthLaw : std::uint32_t { linear, square_root, power };
 struct Girth {
   WidthLaw law = WidthLaw::square_root;
   float exponent = 0.5f;  // of the power law
-  float thickest = 1;     // radius where all that ever arrives at a target passes
-  float thinnest = 0;     // radius that none goes below
+  float thickest = 1;     // radius of all energy that ever arrives at a target
+  float thinnest = 0;     // least radius
 };
 
-// The radius where so much of `all` passes.
+// The radius of a share `energy` of `all`.
 float radius_of(const Girth& girth, double energy, double all);
 
 // The transform of a place in the plane or in space into a place of the plant: metres.
@@ -36,9 +36,9 @@ struct Frame {
 // The totals of a run, for counts and notes.
 struct Tally {
   std::uint32_t particles = 0, merges = 0;
-  std::uint32_t steps = 0;       // in which someone is seen to move (moment.hpp)
-  double energy = 0;             // that the particles had together
-  std::uint32_t stragglers = 0;  // that did not come to their target by themselves
+  std::uint32_t steps = 0;       // in which a particle visibly moves (moment.hpp)
+  double energy = 0;             // of all particles
+  std::uint32_t stragglers = 0;  // that did not reach their target by themselves
 };
 
 // Appends the trails of all targets, one tree after the other: segments (parents first; `parent` −1 at a target or

@@ -7,10 +7,10 @@ namespace panicle::particles {
 namespace {
 
 constexpr float unknown = std::numeric_limits<float>::max();
-constexpr float on_axis = 0.1f;  // nearer than this share of how far it looks, a particle is on the axis
+constexpr float on_axis = 0.1f;  // of the looking distance: nearer than this, a particle is on the axis
 // A particle that looked far ahead would cut the bends of an axis that sways, and run beside it.
 constexpr float nearer = 0.25f;
-// A longer one could turn a way round.
+// A longer one could reverse a way.
 constexpr float longest_bend = 0.9f;
 
 }  // namespace
@@ -69,7 +69,7 @@ bool Trunk::passes(const glm::vec3& from, const glm::vec3& to) const {
 
 bool Trunk::reaches(const glm::vec3& p) const { return open(p) && (goes_straight(p) || turning(p) != nullptr); }
 
-// The corner in sight from which the way is shortest.
+// The visible corner with the shortest way.
 const Trunk::Corner* Trunk::turning(const glm::vec3& p) const {
   const Corner* best = nullptr;
   float shortest = unknown;
@@ -82,7 +82,7 @@ const Trunk::Corner* Trunk::turning(const glm::vec3& p) const {
   return best;
 }
 
-// Dijkstra (1959) over the corners that see each other, from those that go straight.
+// Dijkstra (1959) over the corners that see each other, from those that go straight to the target or the axis.
 void Trunk::survey() {
   std::vector<Corner> all;
   for (const glm::vec3& place : obstacles_->corners())

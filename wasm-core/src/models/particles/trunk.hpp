@@ -1,4 +1,4 @@
-// How particles of a tree find their way: to its trunk, and down that to the ground. Those of a root go up in the same
+// The guide of a tree's particles: to its trunk, and down the trunk to the ground; and of a root's, upwards in the same
 // way.
 #pragma once
 
@@ -13,15 +13,16 @@
 namespace panicle::particles {
 
 struct TrunkHabit {
-  float slant = 1;  // by how much of its distance from the axis a particle aims lower: 1 a clear leader, 2 decurrent
-  float ahead = 0;  // how far it looks along the axis that it is on
-  float bole = 0;   // how far from the target nothing comes to the axis any more
+  // distance that a particle aims lower, over its distance from the axis: 1 a clear leader, 2 decurrent
+  float slant = 1;
+  float ahead = 0;  // how far a particle on the axis looks along it
+  float bole = 0;   // distance from the target within which no particle comes to the axis
   float way = -1;   // −1 where particles come down from above, 1 where they come up
   glm::vec3 bend{
       0};  // added to the direction of places `reach` away from the axis or farther, less and less towards it
   float reach = 1;
-  float height = 0;  // of all that stands on the axis
-  float sway = 0;    // how far the axis strays from upright, of that height
+  float height = 0;  // of all that is on the axis
+  float sway = 0;    // how far the axis strays from upright, over that height
 };
 
 // Each particle aims at the axis above the target, lower than itself by a given amount: a single point would fork low
@@ -43,7 +44,7 @@ class Trunk final : public Guide {
   }
   bool sees_all() const override { return obstacles_ == nullptr || obstacles_->empty(); }
   bool passes(const glm::vec3& from, const glm::vec3& to) const override;
-  // Whether a particle at `p` can come to the target at all.
+  // Whether a particle at `p` can reach the target at all.
   bool reaches(const glm::vec3& p) const;
 
  private:

@@ -13,7 +13,7 @@
 namespace panicle::particles {
 namespace {
 
-// Twigs turn less where their ends have no room, each time anew.
+// Twigs turn less where their ends have no room; each pass reduces the turn.
 constexpr int passes = 3;
 
 // Rotates a direction by a share of the way to straight down; a vertical direction has no side to fall to.
@@ -34,7 +34,7 @@ void hang(Trails& trails, const Guide& guide, const Region& outer, const Region&
   double tip = trails.energy[0];
   for (std::size_t i = 1; i < count; ++i)
     if (trails.particle[i] >= 0) tip = std::min(tip, trails.energy[i]);
-  // How many tips are beyond each place, and how much of its turn it is left with.
+  // The number of tips beyond each place, and the share of its turn that is left.
   std::vector<float> tips(count), run(count, 0), left(count, 1), fitting(count);
   for (std::size_t i = 0; i < count; ++i) tips[i] = static_cast<float>(trails.energy[i] / tip);
   for (int pass = 0; pass < passes; ++pass) {

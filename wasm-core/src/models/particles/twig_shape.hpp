@@ -1,4 +1,4 @@
-// The shape that branches take on after they have grown: twigs that hang, branches that wander.
+// The shape of branches after growth: hanging twigs, wandering branches.
 #pragma once
 
 #include <cstdint>

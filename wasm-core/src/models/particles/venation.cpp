@@ -5,11 +5,11 @@
 namespace panicle::particles {
 namespace {
 
-// In spacings: how far ahead one looks along a rib that it is on; how wide the cells of the field are.
+// In spacings: the looking distance along a rib, and the width of the field's cells.
 constexpr float look_ahead = 2, field_cell = 0.5f;
-// Of that, the least that is still worth looking at.
+// Least share of the looking distance.
 constexpr float least_ahead = 0.1f;
-// The petiole is on the edge, where nothing is seen: as near as this share of the way is near enough.
+// The petiole is on the edge, from which nothing is visible: the aim stops this share of the way before it.
 constexpr float before_target = 1e-3f;
 
 }  // namespace
@@ -35,7 +35,7 @@ glm::vec3 Venation::aim(const glm::vec3& p) const {
   for (float below = std::max(slant_ * foot.distance, ahead_); below > least_ahead * ahead_; below *= 0.5f) {
     const glm::vec3 place = ribs_->down(foot, below);
     if (sees(p, place)) return place;
-    if (foot.at == 0) break;  // below it there is nothing else
+    if (foot.at == 0) break;  // there is no rib below
   }
   return waypoints().next(p);
 }

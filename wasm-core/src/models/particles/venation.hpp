@@ -1,4 +1,4 @@
-// How particles of a leaf find their way: to the ribs, and down those to the petiole.
+// The guide of a leaf's particles: to the ribs, and down the ribs to the petiole.
 #pragma once
 
 #include <memory>

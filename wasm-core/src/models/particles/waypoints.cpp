@@ -9,7 +9,7 @@ namespace panicle::particles {
 namespace {
 
 constexpr float most_cells = 96;
-// A goal may lie on the edge, where nothing is seen: as near as this share of the way is near enough.
+// A goal may lie on the edge, from which nothing is visible: the test stops this share of the way before it.
 constexpr float before_goal = 1e-3f;
 constexpr std::int32_t around[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
 
@@ -42,8 +42,8 @@ void Waypoints::offer(std::int32_t cell, const glm::vec3& place, const Cell& ahe
   open_.push({way, cell});
 }
 
-// Each goal is known to the cells about it that see it; where none sees any goal, the first is known to the nearest
-// cell.
+// Sets the way of the cells about each goal that see it; where none sees any goal, that of the cell nearest to the
+// first goal.
 void Waypoints::begin() {
   for (const glm::vec3& goal : goals_) {
     const glm::vec3 at = (goal - outline_->low()) / edge_;
@@ -65,7 +65,7 @@ void Waypoints::begin() {
   if (best >= 0) offer(best, middle(best % across_, best / across_), {goals_[0], 0});
 }
 
-// Whether a way leads from a cell: goes on with the nearest until that is known.
+// Whether a way leads from a cell: spreads from the nearest open cells until that is known.
 bool Waypoints::reaches(std::int32_t cell) {
   const Cell& requested = cells_[static_cast<std::size_t>(cell)];
   if (requested.closed) return true;
@@ -74,7 +74,7 @@ bool Waypoints::reaches(std::int32_t cell) {
   return requested.closed;
 }
 
-// The nearest cell offers its way to those around.
+// Offers the way of the nearest open cell to the cells around.
 void Waypoints::spread_next() {
   const std::int32_t cell = open_.top().second;
   open_.pop();
@@ -101,7 +101,7 @@ bool Waypoints::sees(const glm::vec3& from, const glm::vec3& to, bool turns) con
   return outline_->holds(from, turns ? to : to + before_goal * (from - to));
 }
 
-// Cells without a way look to the nearest that has one: outwards from those, ring by ring.
+// Assigns to cells without a way the nearest cell that has one: outwards from those, ring by ring.
 void Waypoints::fill() {
   while (!open_.empty()) spread_next();
   nearest_.assign(cells_.size(), -1);
@@ -132,7 +132,7 @@ Waypoints::Choice Waypoints::choose(const glm::vec3& p) {
     return static_cast<std::int32_t>(std::clamp(at, 0.0f, static_cast<float>(count - 1)));
   };
   const std::int32_t x = within(from_low.x, across_), y = within(from_low.y, up_);
-  // The cell's own corner where it is seen; else that of a cell around it.
+  // The cell's own corner if it is visible; else that of a cell around it.
   Choice best{p, -1};
   const auto consider = [&](std::int32_t cell_x, std::int32_t cell_y) {
     if (cell_x < 0 || cell_y < 0 || cell_x >= across_ || cell_y >= up_) return;

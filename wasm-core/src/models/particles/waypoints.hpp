@@ -1,4 +1,4 @@
-// Ways through an outline that bends: from anywhere inside to the nearest of some goals, by corners, never across the
+// Shortest ways inside an outline: from anywhere inside to the nearest of some goals, by corners, never across the
 // edge.
 #pragma once
 

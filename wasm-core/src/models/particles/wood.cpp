@@ -18,13 +18,13 @@ namespace {
 
 // The tolerance of simplification, in spacings, and its share of the margin around obstacles.
 constexpr float tolerance = 0.08f, within_margin = 0.8f;
-// Branches have no neighbours that keep them from being drawn straight.
+// Smoothing of branches, more than of veins: no neighbours limit it.
 constexpr float smoothing = 1.5f;
-// Closer than this to the axis, trails are one, in spacings.
+// Distance from the axis, in spacings, within which trails are united.
 constexpr float trunk = 0.35f;
-// As near to each other come forks, and so far they go to stand narrower, in spacings.
+// Least distance of forks, and their largest move, in spacings.
 constexpr float apart = 0.05f, shift = 0.45f;
-// How far particles look along the axis, in spacings.
+// Looking distance of particles along the axis, in spacings.
 constexpr float ahead = 2;
 
 // In spacings: the length of pieces of hanging twigs, and of the arc in which they turn down; the length of pieces of
@@ -36,8 +36,7 @@ double tips_of(const Trails& trails) {
                                            [](std::int32_t particle) { return particle >= 0; }));
 }
 
-// The nearest target that a particle can come to from `p` (ties: that of the lowest index); none where it can come to
-// no one.
+// The nearest target that a particle at `p` can reach (ties: that of the lowest index); none if it can reach none.
 std::optional<std::size_t> nearest(const std::deque<Trunk>& guides, const glm::vec3& p) {
   std::optional<std::size_t> found;
   float best = std::numeric_limits<float>::max();
@@ -80,7 +79,7 @@ Result<Wood> run(std::span<const glm::vec3> starts, std::span<const glm::vec3> t
   rules.neighbourhood *= spacing;
   habit.ahead = ahead * spacing;
   std::vector<Axis> axes;
-  std::deque<Trunk> guides;  // which stay where they are
+  std::deque<Trunk> guides;  // a deque, for stable addresses
   std::uint64_t moves = 0;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     axes.emplace_back(targets[i], habit.height, habit.sway * habit.height, hash_combine(seed, i));

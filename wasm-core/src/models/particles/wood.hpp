@@ -19,30 +19,30 @@
 
 namespace panicle::particles {
 
-// How particles move, in spacings of theirs.
+// The motion of particles, in spacings.
 struct Motion {
   double energy = 1;
   Rules rules;
 };
 
 struct Wood {
-  std::vector<Trails> crowds;  // one a target: smooth, and with no more places than they need
+  std::vector<Trails> crowds;  // one a target: smoothed and simplified
   std::vector<Axis> axes;      // one a target
   std::vector<double> all;     // energy that arrives at each in the end
   Tally tally;
   Timeline timeline;
-  std::uint32_t unreachable = 0;  // particles that no target can be come to from, and that were left out
+  std::uint32_t unreachable = 0;  // particles that can reach no target, and are left out
 };
 
-// Where a plant of wood may be.
+// The regions of a woody plant.
 struct Rooms {
   const Region& starts;  // ends of twigs
   const Region& outer;   // all of it
 };
 
-// Runs the particles to the nearest target, as the crow flies, of those that a way past the obstacles leads to (ties:
-// that of the lowest index), those of each for themselves. `habit.ahead` is set by the spacing. `seed`: which way each
-// axis sways. Errors: limit, where all together move more often than they may.
+// Runs the particles of each target by themselves. Each goes to the nearest target, as the crow flies, of those that it
+// can reach past the obstacles (ties: that of the lowest index). `habit.ahead` is set by the spacing. `seed`: of the
+// axes' sway. Errors: limit, if all together exceed the limit of moves.
 Result<Wood> run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing,
                  const Motion& motion, TrunkHabit habit, const TwigHabit& twigs, const Rooms& rooms,
                  const Obstacles& obstacles, std::uint64_t seed, const Limits& limits);

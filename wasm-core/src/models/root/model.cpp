@@ -31,8 +31,8 @@ using enum Parameter;
 
 constexpr std::uint32_t no_leaf = 1, particle_tag = 0;
 constexpr std::uint32_t ball_segments = 12;
-constexpr float deepest = -1e6f;  // that a way past an obstacle may lead
-// Of the hormone, in depths of the volume; of the main root, in widths.
+constexpr float deepest = -1e6f;  // lowest height of a way past an obstacle
+// Reach of the hormone, in depths of the volume; radius of the main root, in widths.
 constexpr float hormone_reach = 0.5f, leader = 0.06f;
 constexpr std::array<glm::vec2, 5> carrot{{{0.04f, 0}, {0.16f, 0.3f}, {0.34f, 0.6f}, {0.7f, 0.85f}, {1, 1}}};
 

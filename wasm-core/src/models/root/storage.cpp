@@ -10,7 +10,7 @@ namespace panicle::particles::root {
 namespace {
 
 constexpr float taper = 0.75f;  // the power of the rest of the way: below 1 it is blunt
-// Of so many times the radius that its energy gives it, a root is wholly on its axis.
+// A root thicker than this multiple of its radius by energy is completely on its axis.
 constexpr float straight = 2;
 
 }  // namespace

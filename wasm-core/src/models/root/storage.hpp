@@ -11,10 +11,10 @@ namespace panicle::particles::root {
 
 struct StorageHabit {
   float radius = 0;  // at the collar, metres
-  float reach = 0;   // how far below it there is nothing of it left
+  float reach = 0;   // depth below the collar at which it ends
 };
 
-// The radius so far below the collar: full at first, then less and less to a point.
+// The radius at a depth below the collar: full at first, then less and less to a point.
 float storage_radius(const StorageHabit& habit, float below);
 
 // Thickens the main root of a target: from the collar on along the heaviest, over the storage length. The root is

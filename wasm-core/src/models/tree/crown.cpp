@@ -9,8 +9,8 @@ namespace panicle::particles::tree {
 namespace {
 
 constexpr int probes = 24;
-constexpr float dark = 1e-6f;  // of all light: where no more comes, nothing starts
-// Of the billows that a crown's surface is made of, in sizes of the crown, and of the sprays on them.
+constexpr float dark = 1e-6f;  // of all light: below it no particle starts
+// Sizes of the noise on a crown's surface, in sizes of the crown: billows, and sprays on them.
 constexpr float billow = 0.24f, spray = 0.09f;
 
 }  // namespace
@@ -61,7 +61,7 @@ Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float light_expo
         brightest_ = std::max(brightest_, light_->at(low() + size * (glm::vec3(x, y, z) / static_cast<float>(probes))));
 }
 
-// Draws the outer boundary in, here more and there less: the scaled-out place must still be within it.
+// Roughens the outer boundary: the place scaled out by noise must still be within it.
 bool Foliage::leafy(const glm::vec3& p) const {
   const Crowns& crowns = *crowns_;
   if (!(crowns.ragged > 0)) return true;

@@ -24,26 +24,26 @@ struct CrownHabit {
   std::uint32_t stems = 1;
   float growth = 1;        // size of each, trunk and all, over the full-grown one
   float ragged = 0;        // how unevenly the outer boundary is filled, of its size
-  std::uint64_t seed = 1;  // by which it is
+  std::uint64_t seed = 1;  // of the raggedness
   float shoots = 1;        // share of the space between the boundaries that has grown: shoots that ended early
 };
 
 struct Crowns {
   Solid outer, inner;
-  std::vector<glm::vec3> feet;  // a target each
+  std::vector<glm::vec3> feet;  // one a crown: its target
   float height = 0;             // of a crown
   float top = 0;                // its highest point
-  float across = 0;             // cube root of its box
+  float across = 0;             // size of a crown: cube root of its box
   float longest = 0;            // edge of the box of the grown part
   std::vector<glm::vec3> middles;
   float ragged = 0;
-  Billows lumps, tufts;  // where it is ragged
+  Billows lumps, tufts;  // noise of the ragged boundary
 
-  // Of the crown that a place belongs to.
+  // The middle of the crown that a place belongs to.
   glm::vec3 middle_of(const glm::vec3& p) const;
 };
 
-// Crowns stand side by side along x about the origin; `profile` and `mesh` as in `form_between`, `hollow` as in
+// Makes crowns side by side along x about the origin; `profile` and `mesh` as in `form_between`, `hollow` as in
 // `inner_boundary`. `budget`: of both boundaries.
 Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, const Surface& mesh,
                    const Surface& hollow = {},

@@ -17,12 +17,12 @@ namespace {
 constexpr std::uint64_t stream_tilt = 0x6c656166, stream_turn = stream_tilt + 1, stream_size = stream_tilt + 2,
                         stream_fall = stream_tilt + 3;
 constexpr float golden_angle = 137.50776f;
-constexpr float outwards = 0.45f;   // how much they look where their twig points, too: light comes from there
+constexpr float outwards = 0.45f;   // how much leaves turn to the direction of their twig, from where light comes, too
 constexpr float tilt = 0.5f;        // greatest random tilt of leaves
 constexpr float droop = 0.25f;      // of their tips
 constexpr float least_size = 0.7f;  // of the largest
 constexpr float internode = 0.4f;   // from leaf to leaf along the shoot, in leaf lengths
-constexpr float rising = 0.6f;  // how long it takes until the highest leaves begin to unfold, of the time that all take
+constexpr float rising = 0.6f;  // share of the unfolding time after which the highest leaves begin
 
 // A random address of a place: independent of its order among the others.
 std::uint64_t address_of(const glm::vec3& p) {
@@ -34,7 +34,7 @@ std::uint64_t address_of(const glm::vec3& p) {
 
 void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t> numbers, const LeafHabit& habit,
                 std::uint32_t tag) {
-  const bool pair = habit.count == 2;  // which stand opposite each other at the tip
+  const bool pair = habit.count == 2;  // two are opposite each other at the tip
   float low = std::numeric_limits<float>::max(), high = -low;
   for (std::size_t i = 0; i < trails.size(); ++i)
     if (trails.particle[i] >= 0) {

@@ -1,5 +1,4 @@
-// Where the leaves of a tree stand: at the places that particles started from, and back from there along the last
-// shoot.
+// The places of a tree's leaves: where particles started, and back from there along the last shoot.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +14,9 @@ struct LeafHabit {
   std::uint32_t count = 2;  // at each place: two opposite each other, more one behind the other
   float size = 0.1f;        // metres
   float attached = 1;           // the share that has not fallen
-  bool needles = false;     // which point away from their twig; others face the light
+  bool needles = false;     // whether they point away from their twig; others face the light
   glm::vec3 light{0, 1, 0};
-  float unfolded = 1;  // how far they have, all together: the lowest are first
+  float unfolded = 1;  // progress of unfolding of all together, the lowest first, 0 … 1
   std::uint64_t seed = 1;
 };
 

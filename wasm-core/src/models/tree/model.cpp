@@ -39,18 +39,18 @@ using enum Parameter;
 
 constexpr std::uint32_t leaf_tag = 0, particle_tag = 1;
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-constexpr std::uint32_t needle = 0;  // of the kinds of leaves: all others come with the request
+constexpr std::uint32_t needle = 0;  // kind of leaf; all others come with the request
 constexpr float light_cells = 28;    // along the longest edge of a crown
 constexpr float coarse = 2.5f;       // cells wider than this do not resolve the sides of a crown
 constexpr std::uint32_t ball_segments = 12;
-constexpr float highest = 1e6f;  // that a way past an obstacle may lead
+constexpr float highest = 1e6f;  // greatest height of a way past an obstacle
 // The share of the bole without branches, of the height below the crown.
 constexpr float bole = 0.6f;
 // Twigs with fewer tips are a pixel or two wide, and need not be crooked.
 constexpr float straight_tips = 2;
-// Of the hormone, in heights of the crown; of the leader, in widths.
+// Reach of the hormone, in heights of the crown; radius of the leader, in widths.
 constexpr float hormone_reach = 0.5f, leader = 0.06f;
-// Hours of day between which shoots grow longer, and leaves stay.
+// Hours of day over which shoots grow longer, and over which leaves stay.
 constexpr float shoots_end = 10, shoots_grow = 14, leaves_fall = 9, leaves_stay = 12;
 constexpr float shortest_shoots = 0.3f;
 constexpr std::array<glm::vec2, 5> egg{{{0.1f, 0}, {0.8f, 0.2f}, {1, 0.45f}, {0.7f, 0.8f}, {0.08f, 1}}};
@@ -77,7 +77,7 @@ CrownHabit crown_of(const TreeValues& values, std::uint64_t seed) {
   return habit;
 }
 
-// `light`: where most of it comes from.
+// `light`: direction of most light.
 LeafHabit leaves_of(const TreeValues& values, const glm::vec3& light, std::uint64_t seed) {
   LeafHabit habit;
   habit.count = values.whole(leaves);
@@ -93,7 +93,7 @@ struct Seen {
   const GrownWood& grown;
   const Region& crown;
   const VoxelLight& light;
-  float leaf_area;  // of all
+  float leaf_area;  // of all leaves
   std::uint32_t leaf_count;
 };
 

@@ -12,12 +12,13 @@ namespace panicle::bunch {
 namespace {
 
 constexpr float open_sky = 0.3f;                    // weight of the outside for flowers that face upwards as well
-constexpr float golden = 0.618034f;                 // of a turn: neighbours along an axis fall as far apart as can be
-constexpr float golden_axis = 2 * golden * golden;  // twice the square: axis and depth together, in a raceme, as well
-constexpr float second_order = 0.414214f - golden;  // and those of two axes that part, if they go as far
+constexpr float golden = 0.618034f;  // of a turn: the golden ratio sets neighbours along an axis far apart
+// twice the square: sets axis and depth apart together, in a raceme, as well
+constexpr float golden_axis = 2 * golden * golden;
+constexpr float second_order = 0.414214f - golden;  // the same for two axes that fork, if they are of the same length
 constexpr float own_noise = 0.15f;
 
-// `own` is a place in the frame of a bunch that hangs straight down.
+// The situation of a flower. `own` is its place in the frame of a bunch that hangs straight down.
 Situation situated(const glm::vec3& own, const Envelope& envelope, const Uprighting& upright, const glm::vec3& sun) {
   const float length = envelope.length();
   const float depth = std::clamp(-own.y, 0.0f, length);

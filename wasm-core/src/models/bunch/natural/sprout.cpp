@@ -17,11 +17,11 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float wider_by = 1.15f, most_wider = 2;  // nodes' distances over the plan's, where it has too many flowers
-constexpr float farthest = 1e5f;                   // millimetres from p1 that anything may be
+constexpr float wider_by = 1.15f, most_wider = 2;  // factor for nodes' distances, where the plan has too many flowers
+constexpr float farthest = 1e5f;                   // limit of coordinates, millimetres from p1
 constexpr Parameter used_by_plan[] = {Parameter::wi};
 
-// As many flowers as may be, and no more.
+// A drawing that stops at the limit of flowers.
 class Inflorescence final : public SkeletonDrawing {
  public:
   using SkeletonDrawing::SkeletonDrawing;
@@ -30,10 +30,10 @@ class Inflorescence final : public SkeletonDrawing {
   }
 };
 
-// How wide a wing's rachis is over the first bunch's.
+// The width of a wing's rachis over the first bunch's.
 float slender_of(float wing) { return 0.5f + 0.5f * wing; }
 
-// One bunch before it is drawn.
+// A planned bunch with its bound text, not drawn yet.
 struct Seedling {
   NaturalPlan plan;
   std::shared_ptr<const lsystem::BoundProgram> text;
@@ -80,7 +80,7 @@ class Sower {
     return sprout;
   }
 
-  // Whether a plan that counts on flowers was mistaken in how many there are; it will not be again.
+  // Corrects the number of flowers that the plan assumes, if it was wrong. Returns whether the plan changes.
   bool corrects(const Sprout& sprout) {
     const bool counts =
         values_[Parameter::count] > 0 ||

@@ -16,12 +16,12 @@
 namespace panicle::bunch {
 
 struct Sprout {
-  Profile profile;                    // the seed's own
+  Profile profile;                    // of this seed
   std::vector<NaturalPlan> plans;     // of the bunch, and of the second where there is one
   std::vector<BunchEnvelope> bounds;  // their outlines, millimetres
   std::vector<Internode> internodes;  // parents first; millimetres
   std::vector<Flower> flowers;
-  std::int32_t second_root = -1;  // the internode that the second bunch begins with
+  std::int32_t second_root = -1;  // the first internode of the second bunch
   std::optional<lsystem::DerivationTrace> chronicle;
 };
 

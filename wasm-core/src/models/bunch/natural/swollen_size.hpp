@@ -1,4 +1,4 @@
-// A berry while it swells, as others meet it: a ball, swept along a core where it is longer than wide.
+// The collision shape of a swelling berry: a ball, swept along a core where it is longer than wide.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace panicle::bunch {
 
-// Millimetres.
+// Sizes in millimetres.
 struct SwollenSize {
   float half_width, half_length;
-  float ball;   // its radius
-  float core;   // how far it is swept from the centre, either way along the berry
-  float stalk;  // of the pedicel
+  float ball;   // radius of the ball
+  float core;   // half-length of the sweep along the berry
+  float stalk;  // length of the pedicel
 };
 
 // `scale`: over the ripe size.
@@ -24,13 +24,13 @@ inline SwollenSize swollen_size(const Swelling& berry, float scale) {
   return {a, b, b >= a ? a : (2 * a + b) / 3, std::max(0.0f, b - a), berry.stalk * stalk_at(scale)};
 }
 
-// Neighbours of a berry, on average, that are looked at.
+// Upper bound of the pairs that are looked at, per berry.
 inline constexpr std::size_t most_pairs = 64;
 
-// Square of a sine: cores at less do not cross.
+// Square of a sine below which cores count as parallel.
 inline constexpr float parallel_cores = 1e-5f;
 
-// From the nearest point of one core to that of another, whose middle lies `between` from the first's.
+// The vector from the nearest point of one core to that of another, whose middle lies `between` from the first's.
 inline glm::vec3 between_segments(const glm::vec3& between, const Extent& one, const Extent& other) {
   if (!(one.reach + other.reach > 0)) return between;
   const auto [s, t] = closest_points(between, one, other, parallel_cores);

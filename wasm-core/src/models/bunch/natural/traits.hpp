@@ -12,19 +12,19 @@
 
 namespace panicle::bunch {
 
-// A berry's own part in its traits.
+// The inputs of one berry's traits.
 struct Ripener {
   BerryBody body;      // millimetres
   float along = 0;     // 0 at the base … 1 at the tip of the bunch
   float exposure = 0;  // 0 … 1
-  bool sets = true;    // false: a flower that will not
+  bool sets = true;    // false: a flower that will not set
 };
 
 struct Season {
   float age = 100;     // percent
   float sunlight = 0;  // 0 … 1: how much exposure counts
   float vigour = 1;    // 0 … 1
-  float seeds = 4;     // of a berry, at the most
+  float seeds = 4;     // most seeds of a berry
 };
 
 Traits traits_of(const Ripener& berry, const Flower& flower, const Season& season, std::uint64_t seed);

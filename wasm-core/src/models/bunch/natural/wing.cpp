@@ -7,12 +7,12 @@ namespace panicle::bunch {
 namespace {
 
 constexpr float fork_in_berries = 0.8f;
-constexpr float half_load = 20;     // grams under which a stalk comes halfway down
-constexpr float beside = 0.8f;      // of the first bunch's half-width that the stalk reaches beyond
-constexpr float own = 0.6f;         // and of its own
+constexpr float half_load = 20;     // grams by which a stalk bends halfway down
+constexpr float beside = 0.8f;      // length of the stalk beyond the first bunch's half-width, over that
+constexpr float own = 0.6f;         // and over its own half-width
 constexpr float longest = 0.45f;    // of the first bunch's length
 constexpr float shortest = 6;       // millimetres
-constexpr float upper_part = 0.5f;  // of the first bunch's length, beside which a wing hangs
+constexpr float upper_part = 0.5f;  // of the first bunch's length: the part beside which a wing hangs
 constexpr int pieces = 6;
 
 glm::vec3 outward(std::size_t side) {
@@ -28,7 +28,7 @@ float widest(const Envelope& envelope, std::size_t side, float share) {
   return most;
 }
 
-// A stalk that turns evenly from one angle to the other, `length` long: where it is after a share of that.
+// A point of a stalk that curves evenly from one angle to the other, `length` long, at a share of its length.
 glm::vec3 along(const WingStalk& stalk, float lean, float length, float share) {
   constexpr int steps = 12;
   glm::vec3 at(0, stalk.fork, 0);

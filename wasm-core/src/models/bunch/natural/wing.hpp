@@ -14,21 +14,21 @@
 
 namespace panicle::bunch {
 
-// Millimetres, degrees and grams.
+// The properties of a wing's stalk: millimetres, degrees and grams.
 struct WingStalk {
   float fork = 0;        // height of the peduncle's node above p1
-  float angle = 0;       // at which it leaves
-  std::size_t side = 1;  // as of a stance
+  float angle = 0;       // angle at which it leaves
+  std::size_t side = 1;  // as in Stance
   float load = 0;        // mass that hangs from it, by now
 };
 
-// How far above p1 a wing leaves the peduncle, for berries of a width.
+// Height above p1 at which a wing leaves the peduncle, for a width of berries.
 float fork_height(float berry_width);
 
-// How `wing` hangs beside `bunch`.
+// The stance of `wing` beside `bunch`.
 Stance wing_stance(const WingStalk& stalk, const Envelope& bunch, const Envelope& wing);
 
-// The stalk's pieces, the first with no parent; `width` at its foot, `width_end` at the other end.
+// The stalk's pieces, the first without a parent; `width` at its foot, `width_end` at the other end.
 std::vector<Internode> wing_stalk(const WingStalk& stalk, const Stance& stance, float width, float width_end);
 
 }  // namespace panicle::bunch

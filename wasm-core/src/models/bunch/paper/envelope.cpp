@@ -9,7 +9,7 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr int slices = 64;  // of a numeric integral over the depth
+constexpr int slices = 64;  // of numeric integration over the depth
 
 }  // namespace
 

@@ -10,10 +10,10 @@
 
 namespace panicle::bunch {
 
-// A way round the bunch's axis: between which two sides it goes, and how far towards each.
+// An azimuth round the bunch's axis: the two sides that it lies between, and its parts along each.
 struct Azimuth {
   std::size_t across = 0, along = 2;  // sides of the x axis and of the z axis
-  float cosine = 1, sine = 0;         // towards each, none below 0
+  float cosine = 1, sine = 0;         // parts along each, none below 0
 
   std::size_t nearest() const { return cosine >= sine ? across : along; }
   // The mean of a value of the two sides, weighted by the squares of cosine and sine.
@@ -23,25 +23,25 @@ struct Azimuth {
   }
 };
 
-// `degrees` as a turtle that hangs down rolls by `/`: from p3 over the back to p4.
+// The azimuth of a roll: `degrees` as a hanging turtle rolls by `/`: from p3 over the back to p4.
 Azimuth azimuth_of(float degrees);
 
 class Envelope {
  public:
-  // rd is taken before it is rounded, so that the outline moves with every pixel.
-  // All in millimetres from here on. `pixel` is the millimetres to a pixel of the profile, `end_reach` how far one end
-  // structure reaches sideways.
+  // rd is taken before rounding, so that the outline moves with every pixel. Results are in millimetres. `pixel`:
+  // millimetres to a pixel of the profile; `end_reach`: sideways reach of one end structure.
   Envelope(const Profile& profile, float pixel, float end_reach);
 
   float length() const { return length_; }
   // Half-width of side i (p3 +x, p4 −x, p5 +z, p6 −z) at a depth below p1; 0 outside 0 … length.
   float half_width(std::size_t i, float depth) const;
-  // How far from the axis the outline is, that way round; 0 outside 0 … length.
+  // Distance of the outline from the axis at an azimuth; 0 outside 0 … length.
   float radius(const Azimuth& round, float depth) const;
-  // Between two neighbouring sides the outline is a quarter ellipse at every depth. Area of such a slice and volume.
+  // Area of a horizontal section, and volume. Between two neighbouring sides the outline is a quarter ellipse at every
+  // depth.
   float section(float depth) const;
   float volume() const;
-  // The silhouette's area in a view from the front (sides 0, 1) or from the side (2, 3).
+  // The area of the silhouette from the front (sides 0, 1) or from the side (2, 3).
   float area(std::size_t first_side) const;
 
  private:

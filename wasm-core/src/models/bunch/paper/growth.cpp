@@ -72,8 +72,7 @@ SkeletonDrawing::Answer PaperGrowth::answer(const Question& question, const lsys
 
 namespace {
 
-// Of the radii of two spheres: as near as this they are no longer apart (spatial/sphere_grid.hpp), rounding
-// included.
+// Share of the radii of two spheres: spheres as near as this touch (spatial/sphere_grid.hpp), rounding included.
 constexpr float touching = 2e-5f;
 
 std::string in_hundredths(float value) { return expression::number_text(std::floor(value * 100 + 0.5f) / 100); }

@@ -19,8 +19,8 @@ class PaperGrowth final : public SkeletonDrawing {
   // `largest` bounds the radius of all spheres.
   PaperGrowth(const InteractionOptions& options, const Limits& limits, float largest);
 
-  // The next interpretation's text and seed, of the first bunch or the second; its first-order axes count on from
-  // `first_axis`.
+  // Begins an interpretation of a text with a seed, of the first bunch or the second; its first-order axes are numbered
+  // from `first_axis`.
   void begin(const lsystem::BoundProgram& text, const SymbolRoles& roles, bool second, std::uint64_t seed,
              std::int32_t first_axis);
 
@@ -32,7 +32,7 @@ class PaperGrowth final : public SkeletonDrawing {
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;
 
-  // Whether anything found no room.
+  // Whether any internode found no room.
   bool refused() const { return refused_; }
 
   std::uint32_t cuts = 0;   // internodes that found no room

@@ -35,7 +35,7 @@ class Search {
     glm::vec3 heading = turtle_.heading;
     float turned = 0;
     for (std::uint32_t adjustments = 0;; ++adjustments) {
-      // The heading alone will do on the way; only where it seems free are the turns worked out that lead there.
+      // On the way the heading is enough; the turns are computed only where it seems free.
       Push push = probe(sphere_towards(heading));
       if (push.contacts == 0) {
         const Pose free = adjustments == 0 ? posed(0, 0) : posed_towards(heading);
@@ -100,7 +100,7 @@ class Search {
     return heading * angle.cosine + direction * angle.sine;
   }
 
-  // Bends a free pose towards gravity, unless it would collide there. Not counted in the accumulated rotation.
+  // Bends a free pose towards gravity, unless it would collide there. Does not count as a turn.
   Pose sagged(const Pose& free) const {
     const Across pull = across(free.heading, down);
     if (options_.sag <= 0 || pull.strength <= 1e-6f) return free;

@@ -10,9 +10,9 @@
 namespace panicle::bunch {
 
 struct InteractionOptions {
-  float delta = 15;          // δ, degrees: the turn that a full push gives, and the most an internode may turn in all
+  float delta = 15;          // δ, degrees: the turn of a full push, and the most an internode may turn in total
   std::uint32_t tries = 50;  // t: adjustments before an internode is cut or a pedicel withers
-  float sag = 2;             // degrees bent towards gravity where nothing is in the way
+  float sag = 2;             // degrees bent towards gravity where there is no obstacle
 };
 
 // An organ that looks for room: an internode probes with a small sphere at its tip, a pedicel with its berry beyond the
@@ -23,22 +23,22 @@ struct Newborn {
   float length = 0;
   float radius = 0;                              // of the probe
   std::uint32_t parent = SphereGrid::no_sphere;  // the parent's own tip sphere, no obstacle
-  glm::vec3 tie{0, -1, 0};                       // unit; the way out where a push points nowhere
+  glm::vec3 tie{0, -1, 0};                       // unit; the direction to evade where a push is 0
 };
 
-// The answer: the turns +(θ)&(φ), in degrees, that lead to free space, and the sphere that stands there.
+// The answer: the turns +(θ)&(φ), in degrees, that lead to free space, and the sphere placed there.
 struct Room {
   bool found = false;
-  float theta = 0;  // 0 where there is none
+  float theta = 0;  // 0 without room
   float phi = 0;
   Sphere sphere;
-  Sphere unturned;                   // where it would have stood without turning
-  std::uint32_t adjustments = 0;  // that it took, or had tried
-  float turned = 0;               // degrees in all
+  Sphere unturned;                   // its place without turning
+  std::uint32_t adjustments = 0;  // number made or tried
+  float turned = 0;               // degrees in total
 };
 
-// Probes, turns towards the push and probes again until the newborn is free or has used up its adjustments; then
-// lets it sag. Nothing is added to `structure`.
+// Finds room: probes, turns towards the push and probes again until the newborn is free or has used up its adjustments;
+// then lets it sag. Nothing is added to `structure`.
 Room find_room(const SphereGrid& structure, const lsystem::Turtle& turtle, const Newborn& newborn,
                const InteractionOptions& options);
 

@@ -103,8 +103,8 @@ std::vector<Berry> berries_of(std::span<const Ball> balls, std::size_t second_fr
   return berries;
 }
 
-// How far an end structure reaches sideways, in the paper's units: its twig, its pedicel and a berry, by the rates that
-// the text has (L-system 3's names), or the table where it has none.
+// The sideways reach of an end structure, in the paper's units: its twig, its pedicel and a berry, by the rates of the
+// text (L-system 3's names), or of the table where it has none.
 float end_reach(const lsystem::BoundProgram& text, const Values& values) {
   const auto rate = [&](Parameter key) {
     return lsystem::constant(text, parameter_table[static_cast<std::size_t>(key)].define, values[key]);

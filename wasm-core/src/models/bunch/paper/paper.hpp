@@ -1,5 +1,5 @@
-// The paper's procedure: every berry looks for room at its full size, and withers where it finds none (Huang et al.
-// 2013, section 4.3).
+// The paper's procedure: every berry looks for room at its full size, and withers without room (Huang et al. 2013,
+// section 4.3).
 #pragma once
 
 #include "models/bunch/bunch.hpp"

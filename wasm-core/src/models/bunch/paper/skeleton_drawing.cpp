@@ -45,7 +45,7 @@ SkeletonDrawing::Answer SkeletonDrawing::answer(const Question& question, const 
 void SkeletonDrawing::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
                            const lsystem::Lineage& lineage) {
   Drawing::line(id, before, after, lineage);
-  if (segments.size() == parts_.size()) return;  // no room
+  if (segments.size() == parts_.size()) return;  // the segment was refused by the limit
   Segment& segment = segments.back();
   const Part* const parent = segment.parent < 0 ? nullptr : &parts_[static_cast<std::size_t>(segment.parent)];
   const bool answered = answering_ && lineage.address == query_address_;

@@ -21,7 +21,8 @@ class SkeletonDrawing : public Drawing {
  public:
   using Drawing::Drawing;
 
-  // The next interpretation's text, of the first bunch or the second; its first-order axes count on from `first_axis`.
+  // Begins an interpretation of a text, of the first bunch or the second; its first-order axes are numbered from
+  // `first_axis`.
   void begin(const lsystem::BoundProgram& text, const SymbolRoles& roles, bool second, std::int32_t first_axis);
 
   // From now on the queries and answers of the first bunch's modules are traced in `chronicle`, unless it is null.
@@ -35,7 +36,7 @@ class SkeletonDrawing : public Drawing {
   // answers. Removes from `balls` those that hang on no line, and returns their number.
   std::uint32_t finish();
 
-  // How many balls hang on a line by now.
+  // The number of balls that hang on a line so far.
   std::size_t attached_balls() const;
 
   std::vector<Internode> internodes;  // parents first; empty until it is finished
@@ -79,7 +80,7 @@ class SkeletonDrawing : public Drawing {
     State state = State::grown;
     std::int32_t axis = -1;
     bool joint = false;
-    std::uint32_t question = none;  // the number of that whose answer drew it
+    std::uint32_t question = none;  // number of the query whose answer drew it
     std::int32_t rachis_depth = 0;  // rachis internodes from the root to its end
     std::uint32_t module = no_module;
   };

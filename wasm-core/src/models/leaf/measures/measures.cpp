@@ -16,7 +16,7 @@ constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 // Leaf lengths along a vein between which its heading is measured, clear of the curve where it leaves; and how far to
 // both sides of that place its parent's heading is measured.
 constexpr float heading_from = 0.02f, heading_to = 0.08f, parent_reach = 0.05f;
-// The same of a primary, clear of where they run together at the petiole.
+// The same for a primary, clear of where primaries run together at the petiole.
 constexpr float primary_from = 0.05f, primary_to = 0.25f;
 
 const glm::vec3& place_of(const Measured& leaf, const Vein& vein, std::size_t k) {
@@ -30,7 +30,7 @@ float length_of(const Measured& leaf, const Vein& vein) {
   return length;
 }
 
-// Where one comes to along a vein, from its place k on, so far towards its end (or, `back`, its beginning).
+// The point `reach` along a vein from its place k, towards its end (or, `back`, its beginning).
 glm::vec3 ahead(const Measured& leaf, const Vein& vein, std::size_t k, float reach, bool back) {
   glm::vec3 at = place_of(leaf, vein, k);
   while (back ? k > 0 : k + 1 < vein.places.size()) {
@@ -43,13 +43,14 @@ glm::vec3 ahead(const Measured& leaf, const Vein& vein, std::size_t k, float rea
   return at;
 }
 
-// Between neighbours of those that come from the petiole, in degrees.
+// The mean angle between neighbouring primaries, in degrees.
 float primary_angle_of(const Measured& leaf) {
   std::vector<float> headings;
   for (const Vein& vein : leaf.veins) {
     if (vein.order != 1 || vein.parent >= 0) continue;
     const glm::vec3 way = ahead(leaf, vein, 0, primary_to, false) - ahead(leaf, vein, 0, primary_from, false);
-    if (glm::length(way) > 0) headings.push_back(arc_tangent(-way.x, way.y) * 180 / pi);  // from upwards, left
+    // degrees from upwards, to the left
+    if (glm::length(way) > 0) headings.push_back(arc_tangent(-way.x, way.y) * 180 / pi);
   }
   if (headings.size() < 2) return nothing;
   const auto [least, most] = std::minmax_element(headings.begin(), headings.end());

@@ -7,10 +7,10 @@
 namespace panicle::particles::leaf {
 namespace {
 
-constexpr float crease = 0.08f;       // of the half width: how far from the midrib a fold is still round
-constexpr float second_side = 0.37f;  // of a wave: how far the left margin's waves are behind the right's
+constexpr float crease = 0.08f;       // of the half width: distance from the midrib within which a fold is round
+constexpr float second_side = 0.37f;  // of a wave: delay of the left margin's waves
 constexpr float beside = 1e-3f;       // leaf lengths, for slopes
-constexpr float straight = 0.05f;     // degrees that are no curl
+constexpr float straight = 0.05f;     // degrees below which there is no curl
 
 }  // namespace
 

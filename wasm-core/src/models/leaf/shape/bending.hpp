@@ -16,13 +16,13 @@ struct Bending {
   float undulation = 0;     // of the half width
   float waves = 4;          // along a leaf length
 
-  // Where a place of the chart (leaf lengths), `above` metres over the blade, is in space: metres.
+  // The point in space, in metres, of a place of the chart (leaf lengths), `above` metres over the blade.
   glm::vec3 operator()(const glm::vec2& p, float above = 0) const;
   // The upper side's normal there; unit.
   glm::vec3 normal(const glm::vec2& p) const;
 
  private:
-  // `folded`: of the angle `fold`.
+  // The mid-surface. `folded`: of the angle `fold`.
   glm::vec3 sheet(const glm::vec2& p, const SinCos& folded) const;
 };
 

@@ -11,14 +11,14 @@
 namespace panicle::particles::leaf {
 namespace {
 
-constexpr float groove = 0.4f;       // depth above, of the ridge's height below
+constexpr float groove = 0.4f;       // groove depth above, over the ridge's height below
 constexpr float thin_margin = 0.5f;  // of the blade's thickness
 
 glm::vec3 vector_at(const std::vector<float>& values, std::size_t row) {
   return {values[3 * row], values[3 * row + 1], values[3 * row + 2]};
 }
 
-// Walls from the upper to the lower ring, with corners of their own.
+// Adds walls from the upper to the lower ring, with vertices of their own.
 void add_rim(Mesh& lower, const Mesh& upper, std::size_t ring) {
   const auto first = static_cast<std::uint32_t>(lower.positions.size() / 3);
   const auto count = static_cast<std::uint32_t>(ring);
@@ -55,7 +55,7 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
   const BladePoints placed = place_points(margin, outline, veins, form.detail);
   const std::vector<std::uint32_t> triangles = triangulate(placed.points, placed.ring);
   if (triangles.empty()) return {};
-  // Points that no triangle uses are left out; the ring is all used, so that it stays first.
+  // Points that no triangle uses are left out; the ring is used completely, so that it stays first.
   std::vector<std::int32_t> number(placed.points.size(), -1);
   std::vector<std::uint32_t> used;
   for (std::uint32_t i = 0; i < placed.ring; ++i) {

@@ -20,11 +20,11 @@ struct VeinPiece {
 
 struct BladeForm {
   float thickness = 0.00025f;  // metres
-  float relief = 1;            // ridges below: of half a vein's width
+  float relief = 1;            // height of ridges below, over half a vein's width
   float detail = 1;            // triangles, against the default
 };
 
-// The square of the chart that textures show: uv 0, 0 is `low`, 1, 1 lies `size` further along both axes; leaf lengths.
+// The square of the chart that textures show: uv 0, 0 is `low`, 1, 1 is `size` further along both axes; leaf lengths.
 struct ChartSquare {
   glm::vec2 low{0};
   float size = 1;

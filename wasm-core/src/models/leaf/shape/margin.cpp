@@ -11,10 +11,10 @@ namespace {
 constexpr std::size_t fewest_points = 3, most_points = 400;
 constexpr float farthest = 4;        // leaf lengths from where the petiole joins
 constexpr double least_area = 1e-3;  // square leaf lengths
-constexpr float piece = 0.015f;      // of the spline, about
+constexpr float piece = 0.015f;      // length of the spline's pieces, about
 constexpr float fewest_pieces = 2, most_pieces = 32;
 constexpr float lattice = 1048576;      // 2²⁰
-constexpr float flattest_tooth = 0.7f;  // cosine of how much the margin turns at its tip
+constexpr float flattest_tooth = 0.7f;  // cosine of the least turn of the margin at a tooth's tip
 
 Diagnostic bad(std::string message) { return {Reason::bad_input, std::move(message)}; }
 
@@ -73,7 +73,7 @@ Span span_after(std::span<const ControlPoint> points, std::size_t i) {
   Span span{b.place, b.place, c.place, c.place};
   if (!sharp(b.kind)) span.first = handle(before, b.place, c.place);
   if (!sharp(c.kind)) span.second = handle(after, c.place, b.place);
-  // From a sharp point halfway to the other end's control.
+  // At a sharp point: halfway to the other end's control.
   if (sharp(b.kind)) span.first = sharp(c.kind) ? b.place + (c.place - b.place) / 3.0f : 0.5f * (b.place + span.second);
   if (sharp(c.kind)) span.second = sharp(b.kind) ? c.place + (b.place - c.place) / 3.0f : 0.5f * (c.place + span.first);
   return span;
@@ -97,7 +97,7 @@ void each_crossing(std::span<const glm::vec2> points, const See& see) {
   const auto met = [&](std::size_t k, std::size_t i) {
     const bool after = (k + 1) % count == i, before = (i + 1) % count == k;
     if (!after && !before) return meet(points[k], end(k), points[i], end(i));
-    // Neighbours meet in a corner; they must not lie on each other.
+    // Neighbours share a corner; they must not overlap.
     const std::size_t first = after ? k : i;
     const glm::vec2 a = points[first], b = end(first), c = points[(first + 2) % count];
     return turn(a, b, c) == 0 && glm::dot(b - a, c - b) < 0;
@@ -125,7 +125,7 @@ void find_tips(std::span<const ControlPoint> points, Margin& margin) {
   margin.tip = margin.controls[tip];
 }
 
-// Corners that stand out sharply, but for the base.
+// Finds the corners that stand out sharply, except the base.
 void find_teeth(std::span<const ControlPoint> points, Margin& margin) {
   const std::size_t count = margin.points.size();
   for (std::size_t i = 1; i < points.size(); ++i) {

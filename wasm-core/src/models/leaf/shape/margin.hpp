@@ -33,7 +33,7 @@ Result<std::vector<ControlPoint>> read_outline(std::span<const float> rows, std:
 // products are exact in whole numbers.
 struct Margin {
   std::vector<glm::vec2> points;
-  std::vector<std::size_t> controls;  // of each control point, where among the points it is
+  std::vector<std::size_t> controls;  // of each control point, its number among the points
   std::vector<std::size_t> tips;      // the lobe tips among the points, the leaf's own included, in their order
   std::size_t tip = 0;                // the leaf's own: the highest lobe tip; without one the highest point
   std::vector<std::size_t> teeth;     // the tips of teeth among the points, in their order
@@ -65,7 +65,7 @@ struct EdgePair {
   std::size_t first = 0, second = 0;
 };
 std::vector<EdgePair> crossings(std::span<const glm::vec2> points);
-// The first of them; both the same where there are none.
+// The first such pair; both the same if there is none.
 EdgePair crossing(std::span<const glm::vec2> points);
 
 }  // namespace panicle::particles::leaf

@@ -14,33 +14,33 @@ namespace {
 constexpr float first_secondary = 0.04f, last_secondary = 0.94f;  // along the midrib
 constexpr float least_secondary = 0.03f;
 constexpr int most_strides = 100;
-// Where the blade reaches below the petiole, veins fan out from there: so far apart, to this angle, and no shorter than
-// this.
+// Below the petiole veins fan out: spacing, greatest angle, and least length.
 constexpr float fan_apart = 32, fan_end = 165, least_fan = 0.1f;  // degrees, leaf lengths
-constexpr float near_root = 0.4f;                                 // of its length, that a vein keeps off the margin
-constexpr float near_tip = 0.3f, near_tooth = 0.08f;              // of the distance to its end
+constexpr float near_root = 0.4f;                                 // of its length: distance of a vein from the margin
+constexpr float near_tip = 0.3f, near_tooth = 0.08f;              // of the distance to its end: the same there
 constexpr float lobe_reach = 0.94f;                               // of the way into a lobe
-// How far off the bays beside it a lobe's vein is to be; and how many degrees the angle may be off for as much.
+// Distances of a lobe's vein from the bays beside it, in the order of preference; and the deviation of its angle that
+// each is worth.
 constexpr float clear_of_bays[] = {0.022f, 0.011f, 0}, worth[] = {0, 8, 16};
-// An arch of 1 has turned a vein along the main one when it has gone 5/6 of the way ahead: the main vein's to its tip,
-// or this.
+// An arch of 1 has turned a vein along the main one after 5/6 of the way ahead: the main vein's to its tip, or the
+// least.
 constexpr float turns_by = 2.2f, least_ahead = 0.15f;  // leaf lengths
 constexpr float bow = 0.35f;                           // of an arch of 1, over the way ahead
 constexpr float before_tooth = 4e-3f;                  // leaf lengths
-// No tooth is aimed at that is farther from where a vein would end, of the main vein's length.
+// A vein ends in no tooth that is farther than this from its own end, over the main vein's length.
 constexpr float farthest_tooth = 0.18f;
-// How far from the margin arches keep, in the spacing of side veins, and in leaf lengths; and by how many degrees they
-// turn at a stride.
+// Distance of arches from the margin, in the spacing of side veins, and in leaf lengths; and their turn at a stride, in
+// degrees.
 constexpr float arch_clear = 0.32f, least_clear = 0.014f, most_clear = 0.05f, turn = 2, most_turned = 16;
 constexpr float foreseen = 2.5f;    // strides
-constexpr float below_next = 0.7f;  // of that distance: nearer to the next one they end
+constexpr float below_next = 0.7f;  // of that distance: nearer than this to the next vein they end
 
 glm::vec2 turned(const glm::vec2& v, float degrees) {
   const auto [sine, cosine] = sincos_degrees(degrees);
   return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y};
 }
 
-// Where secondaries leave, from 0 at the base to 1 at the tip: their distances change evenly from 1 to `ratio`.
+// The places of secondaries, from 0 at the base to 1 at the tip: their distances change evenly from 1 to `ratio`.
 std::vector<float> shares(std::uint32_t count, float ratio, float shift) {
   std::vector<float> all;
   float sum = 0;
@@ -59,8 +59,8 @@ bool within(std::span<const glm::vec3> places, const glm::vec3& p, float reach) 
                      [&](const glm::vec3& place) { return glm::distance(place, p) < reach; });
 }
 
-// Which tooth each vein is to end in, −1 for none: in the same order, none twice, and in all as near as may be to where
-// they would end by themselves. Costs of the first i veins with the first k teeth, as texts are aligned.
+// Assigns a tooth to each vein, −1 for none: in the same order, none twice, with the least total distance from the
+// veins' own ends. Costs of the first i veins with the first k teeth, as in sequence alignment.
 std::vector<std::int32_t> matched(std::span<const glm::vec3> ends, std::span<const glm::vec3> teeth, float farthest) {
   const std::size_t n = ends.size(), m = teeth.size();
   std::vector<float> cost((n + 1) * (m + 1), 0);
@@ -99,7 +99,7 @@ bool Part::holds(const glm::vec3& p) const {
 SideVeins::SideVeins(const RibPlan& plan, const Margin& margin, const Outline& outline)
     : plan_(plan), margin_(margin), outline_(outline) {}
 
-// From the base up, first those that fan out below it.
+// The starts from the base up, first those that fan out below it.
 std::vector<SideVeins::Start> SideVeins::starts(const Midrib& midrib, std::uint32_t count, float side, bool fan) const {
   std::vector<Start> all;
   if (fan)
@@ -118,7 +118,7 @@ void SideVeins::add_veins(Ribs& ribs, const Midrib& midrib, std::uint32_t count,
   for (const float side : {-1.0f, 1.0f}) {
     const std::vector<Start> from = starts(midrib, count, side, part.fan);
     std::vector<Vein> veins(from.size());
-    // From the tip down, so that each knows the next above it.
+    // From the tip down, so that each has the next above it.
     for (std::size_t i = from.size(); i-- > 0;) {
       const Vein* above = i + 1 < veins.size() ? &veins[i + 1] : nullptr;
       veins[i] = plan_.course == Course::arch ? arched(midrib, from[i], side, part, above, clear)
@@ -186,7 +186,7 @@ SideVeins::Vein SideVeins::arched(const Midrib& midrib, const Start& start, floa
   return vein;
 }
 
-// Tips of the teeth on one side of a part, from its base up.
+// The tips of the teeth on one side of a part, from its base up.
 std::vector<glm::vec3> SideVeins::teeth(float side, const Part& part) const {
   std::vector<glm::vec3> all;
   for (const std::size_t tooth : margin_.teeth) {
@@ -221,7 +221,7 @@ void SideVeins::into_teeth(const Midrib& midrib, std::span<Vein> veins, std::spa
   }
 }
 
-// From the main vein to a place: steeper first, then along the lobe.
+// A line from the main vein to a place: steeper first, then along the lobe.
 std::vector<glm::vec3> SideVeins::way(const Midrib& midrib, std::size_t root, const glm::vec3& end, float bend) const {
   const glm::vec3 from = midrib.places[root];
   const glm::vec2 heading = midrib.heading(root);
@@ -236,8 +236,8 @@ std::vector<glm::vec3> SideVeins::way(const Midrib& midrib, std::size_t root, co
   return places;
 }
 
-// Whether a way lies in the blade and that far off its margin, less near its root and, of the distance to that, its
-// end.
+// Whether a line lies in the blade and that far off its margin, less near its root and, as a share of the distance,
+// near its end.
 bool SideVeins::open(const glm::vec3& from, std::span<const glm::vec3> places, float clear, float near_end) const {
   glm::vec3 before = from;
   for (const glm::vec3& place : places) {

@@ -14,34 +14,34 @@
 
 namespace panicle::particles::leaf {
 
-// The part of the blade into which a main vein sends its own.
+// The part of the blade of one main vein.
 struct Part {
   // all main veins of the leaf: each owns the part of the blade that is nearest to it
   std::span<const Ribs> mains = {};
-  std::size_t own = 0;                       // among those
+  std::size_t own = 0;                       // index of the own one
   std::size_t first = 0, tip = 0, last = 0;  // of the margin's points: its right side is before its tip, its left after
-  bool fan = false;                          // whether it reaches below the base too
+  bool fan = false;                          // whether it includes the part below the base
 
   bool holds(const glm::vec3& p) const;
 };
 
 class SideVeins {
  public:
-  // Margin and outline are of the same leaf. All must outlive it.
+  // Margin and outline belong to the same leaf. All must outlive it.
   SideVeins(const RibPlan& plan, const Margin& margin, const Outline& outline);
 
   // Adds `count` veins on each side of a main vein, spread and angled by the plan, ending by its course; where that is
   // not open, before the margin.
   void add_veins(Ribs& ribs, const Midrib& midrib, std::uint32_t count, const Part& part) const;
 
-  // One to a lobe's tip, from where the main vein sees it at about the angle planned and well clear of the bays beside
-  // it. False where no place sees it.
+  // Adds a vein to a lobe's tip, from a place of the main vein that sees it at about the planned angle and well clear
+  // of the bays beside it. Returns false if no place sees it.
   bool to_lobe(Ribs& ribs, const Midrib& midrib, const glm::vec3& tip) const;
 
  private:
   struct Start {
     std::size_t root;    // place of the main vein
-    float angle, least;  // degrees from it; shorter than this it is none
+    float angle, least;  // degrees from it; least length of the vein
   };
   struct Vein {
     std::size_t root;

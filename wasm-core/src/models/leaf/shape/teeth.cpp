@@ -10,17 +10,17 @@ namespace panicle::particles::leaf {
 namespace {
 
 constexpr float lattice = 1048576;
-// At a tip teeth are no deeper than this share of their distance from it along the margin.
+// Near a lobe's tip teeth are no deeper than this share of their distance from it along the margin.
 constexpr float slope_at_tips = 0.25f;
 // Nor deeper than this share of the blade's width there: the opposite margin may have teeth too.
 constexpr float share_of_width = 0.22f;
 // Teeth that can be no deeper than this share of the requested depth are left out.
 constexpr float least_left = 0.1f;
-constexpr float shallowest = 0.2f;      // those that met are halved until this
+constexpr float shallowest = 0.2f;      // teeth that cross are halved down to this
 constexpr float longest_edge = 0.015f;  // leaf lengths
 
-// Places on a tooth: along it towards the tip, and how far out, both 0 … 1. It begins at 0, 0; the next one's is its
-// end.
+// The shape of a tooth: along it towards the tip, and how far out, both 0 … 1. It begins at 0, 0; its end is the
+// beginning of the next.
 using Profile = std::span<const glm::vec2>;
 
 Profile profile_of(ToothShape shape) {
@@ -36,7 +36,7 @@ Profile profile_of(ToothShape shape) {
   return profiles[static_cast<std::size_t>(shape)];
 }
 
-// A closed polygon by the length along it.
+// A closed polygon, parametrised by length.
 class Rail {
  public:
   explicit Rail(std::span<const glm::vec2> points) : points_(points), lengths_{0} {
@@ -68,9 +68,10 @@ class Rail {
   std::vector<float> lengths_;
 };
 
-// Between two corners of the margin that teeth leave alone; its teeth lean towards its end, or towards its beginning.
+// A stretch between two corners of the margin without teeth in them; its teeth lean towards its end, or towards its
+// beginning.
 struct Stretch {
-  std::size_t first, last;  // points; last may be their number, which is the base again
+  std::size_t first, last;  // points; `last` may be the number of points, which is the base again
   bool to_end;
 };
 
@@ -94,7 +95,7 @@ std::vector<Stretch> stretches_of(const Margin& margin) {
           deepest = depth;
           sinus = i;
         }
-      // Of lobes that are wider than their sinus is deep, the place midway is as good.
+      // Without a deeper place (in lobes that are wider than their sinus is deep) the place midway is used.
     }
     all.push_back({tips[k], sinus, false});
     from = sinus;
@@ -102,8 +103,9 @@ std::vector<Stretch> stretches_of(const Margin& margin) {
   return all;
 }
 
-// How wide the blade is at each point of the margin: across the greatest disc inside that touches it there (the medial
-// axis' measure of thickness), from the ends of the other edges and from where the way inwards meets them.
+// The width of the blade at each point of the margin: the diameter of the greatest inscribed disc that touches the
+// margin there (the medial axis' measure of thickness), from the ends of the other edges and from the intersections
+// with the inward normal.
 std::vector<float> widths_of(std::span<const glm::vec2> points) {
   const std::size_t count = points.size();
   const auto cross = [](const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; };
@@ -132,10 +134,10 @@ struct Tooth {
   float from, to;     // along the margin
   bool to_end;        // whether it leans towards `to`
   float first, last;  // of its stretch
-  float share = 1;    // of the depth that it has by its place; 0: it is left out
+  float share = 1;    // of its regular depth; 0: it is left out
 };
 
-// A margin while teeth are cut into it, and of each of its points the tooth that it is of.
+// A margin while teeth are cut into it, with the tooth of each of its points.
 struct Cut {
   Margin margin;
   std::vector<std::int32_t> owners;
@@ -230,13 +232,13 @@ class Cutter {
     return most;
   }
 
-  // The margin's own points between.
+  // Adds the margin's own points in between.
   void add_plain(Cut& cut, float from, float to, std::int32_t owner) const {
     for (std::size_t i = rail_.edge(from) + 1; i < margin_.points.size() && rail_.at(i) < to; ++i)
       if (rail_.at(i) > from) cut.add(margin_.points[i], owner);
   }
 
-  // With the notch towards the tip that it leans away from, where it has a neighbour there.
+  // Adds a tooth, with the notch towards the tip that it leans away from, if it has a neighbour there.
   void add_tooth(Cut& cut, std::size_t number) const {
     const Tooth& tooth = teeth_[number];
     const auto owner = static_cast<std::int32_t>(number);

@@ -20,10 +20,10 @@ namespace {
 constexpr std::uint32_t draft_particles = 700;
 // In spacings: the distance from a rib within which trails are moved onto it, and the tolerance of simplification.
 constexpr float bedded = 1.5f, bedded_again = 1.2f, simplified_within = 0.05f;
-constexpr float smoothed_again = 0.25f;  // so much of smoothing takes off the corners where side veins come in
+constexpr float smoothed_again = 0.25f;  // share of smoothing that rounds the corners where side veins join
 constexpr float on_margin = 1e-3f;
 
-// Where the petiole joins: the origin, or the margin's nearest place where that is outside.
+// The place where the petiole joins: the origin, or the margin's nearest place if that is outside.
 glm::vec3 base_of(const Outline& outline, std::vector<std::string>& notes) {
   if (outline.contains({0, 0, 0}) || outline.distance({0, 0, 0}) <= on_margin) return {0, 0, 0};
   glm::vec2 nearest = outline.points()[0];
@@ -62,7 +62,7 @@ Rules rules_of(const Values& values, float apart) {
           .join = values[join] * apart};
 }
 
-// Each start to the ribs nearest to it; of equally near ones to the first.
+// Assigns each start to the ribs nearest to it; of equally near ones to the first.
 std::vector<std::vector<glm::vec3>> shared_out(const std::vector<glm::vec3>& starts, std::span<const Ribs> trees,
                                                const Outline& outline) {
   if (trees.size() == 1) return {starts};

@@ -18,14 +18,14 @@ struct Veins {
   Margin margin;
   Outline outline;
   std::vector<Trails> crowds;  // one for each target, polished, once all have arrived; leaf lengths
-  std::vector<double> all;     // for each: the energy that thickness counts by, that of the whole leaf
+  std::vector<double> all;     // for each: the energy of the whole leaf, by which thickness is scaled
   Tally tally;
   Timeline timeline;
   float spacing = 0;  // of the particles
   float stride = 0;   // of a particle
 };
 
-// Errors: those of `spline`; limit, where particles move more often than they may.
+// Grows the veins. Errors: those of `spline`; limit, if particles exceed the limit of moves.
 Result<Veins> grow_veins(const LeafRequest& leaf_request, const Limits& limits, std::vector<std::string>& notes);
 
 }  // namespace panicle::particles::leaf

@@ -19,7 +19,7 @@ constexpr float near = 1.3f;          // reach of a bud's crowd, in berry widths
 // The share of space that a crowd of 1 fills: the kernel (1 − r²/h²)² holds 32 π h³ / 105, a berry π / 6.
 constexpr float fill_of_crowd = (1.0f / 6) / (32.0f / 105 * near * near * near);
 
-// Buds in the order of a grid's slots, each of their numbers side by side, so that four are looked at at once.
+// Buds in the order of a grid's slots, each property in an array of its own, so that four are processed at once.
 class BudsBySlot {
  public:
   BudsBySlot(std::span<const Bud> buds, std::span<const glm::vec3> places, float reach) : grid_(places, reach) {
@@ -37,7 +37,8 @@ class BudsBySlot {
     }
   }
 
-  // The sum, over the buds of its bunch within `reach` of a bud, of their strengths by the kernel; added slot by slot.
+  // The sum, over the buds of its bunch within `reach` of a bud, of their strengths weighted by the kernel; added slot
+  // by slot.
   float crowd_of(const Bud& bud, float reach) const {
     float crowd = 0;
     const float square = reach * reach;

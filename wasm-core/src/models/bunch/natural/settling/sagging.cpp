@@ -9,10 +9,10 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float grams_per_volume = 1.06e-3f;  // of a berry, a cubic millimetre
+constexpr float grams_per_volume = 1.06e-3f;  // mass of a cubic millimetre of berry
 constexpr float softness = 1e-4f;  // radians a gram, mm of lever and of length, at a radius of 1 mm, of the total
-constexpr float most_bent = 0.5f;  // radians, which no branch reaches
-constexpr float turned_round = -0.9f;  // cosine: an axis that would have to grow so far up stays as it is
+constexpr float most_bent = 0.5f;  // radians; upper bound that no branch reaches
+constexpr float turned_round = -0.9f;  // cosine: an axis that would have to turn further up stays as it is
 constexpr float limp = 0.75f;          // how far down a level pedicel is drawn, over its own length
 constexpr float limper = 0.25f;        // more where it points up, less where it hangs already
 constexpr float hung_at = 0.5f;        // size of a berry, over ripe, at which it has drawn its stem all the way down
@@ -29,13 +29,13 @@ glm::vec3 hangs_at(const Branch& branch, const Swelling& berry) {
   return branch.end + berry.heading * (berry.stalk + berry.half_length);
 }
 
-// A turn by a small angle about a unit vector.
+// A rotation by a small angle about a unit vector.
 glm::quat slight_turn(const glm::vec3& axis, float radians) {
   const float half = radians / 2, sine = half - half * half * half / 6;
   return {std::sqrt(1 - sine * sine), axis * sine};
 }
 
-// The least turn from one way to another; none where they are about opposite, or nothing.
+// The least rotation from one direction to another; none where they are about opposite, or 0.
 glm::quat least_turn(const glm::vec3& from, const glm::vec3& to) {
   const float far = glm::length(from) * glm::length(to);
   if (!(far > 1e-6f)) return straight;
@@ -82,7 +82,7 @@ void Sagging::brace(std::span<const Swelling> berries) {
   const std::span<const glm::quat> bent = turned(1);
   std::vector<float> heads(branches_.size(), 0);
   for (const Swelling& berry : berries) heads[berry.branch] += berry.late ? 0.0f : 1.0f;
-  // By axis, where its berries hang in the mean: as the text has them, and bent.
+  // By axis, the mean place of its berries: as the text draws them, and bent.
   std::vector<glm::vec3> ends(branches_.size()), before(branches_.size(), glm::vec3(0)), after = before;
   std::vector<std::int32_t> axis_of(branches_.size(), -1);
   for (std::size_t k = 0; k < branches_.size(); ++k) {

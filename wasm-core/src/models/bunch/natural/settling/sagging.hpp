@@ -18,7 +18,7 @@ namespace panicle::bunch {
 
 class Sagging {
  public:
-  // Axes grow up against their load: ripe, their berries hang in the mean where the text has them.
+  // Axes grow up against their load: ripe berries hang, on average, where the text draws them.
   Sagging(std::span<const Branch> branches, std::span<const Swelling> berries);
 
   // The rotation of each branch, and of the parts that grow on it, while berries are `size` times as wide as when ripe.
@@ -31,12 +31,12 @@ class Sagging {
   std::span<const Branch> branches_;
   std::vector<float> bends_;       // radians, under ripe berries
   std::vector<glm::vec3> axes_;    // level, about which they bend
-  std::vector<glm::quat> braced_;  // how much more upright an axis grows
+  std::vector<glm::quat> braced_;  // rotation by which an axis grows more upright
   std::vector<glm::quat> turned_;
-  float turned_by_ = -1;  // share of their bends: from peas on it stays the same, step after step
+  float turned_by_ = -1;  // share of the bends applied last: constant once berries are as large as peas
 };
 
-// The way a pedicel that grew `heading` points while its berry is `size` times as wide as when ripe; unit.
+// The direction of a pedicel that grew along `heading` while its berry is `size` times as wide as when ripe; unit.
 glm::vec3 drooping(const glm::vec3& heading, float size);
 
 }  // namespace panicle::bunch

@@ -11,10 +11,10 @@
 namespace panicle::bunch {
 namespace {
 
-// Found by trial, against how far a pixel of the profile then moves berries (docs/natural.md).
+// Found by trial: the smallest movement of berries by a pixel of the profile (docs/natural.md).
 constexpr int rounds = 2;
-constexpr float on_one_axis = 0.5f;    // of their way apart, by which two that hang in one place move, a round
-constexpr float on_two_axes = 0.05f;   // those come nearer and go with every pixel of the profile
+constexpr float on_one_axis = 0.5f;    // share of the overlap, by which two berries of one axis move apart, a round
+constexpr float on_two_axes = 0.05f;   // the same for two axes, whose distance changes with every pixel of the profile
 constexpr float weight = 0.05f;        // of a radius: how much lower all come to hang, a round
 constexpr float least_length = 1e-4f;  // millimetres, of a pedicel with its berry
 
@@ -25,7 +25,7 @@ struct Hung {
   std::size_t axis;
 };
 
-// The first branch of the axis that each is part of.
+// The first branch of each branch's axis.
 std::vector<std::size_t> axes_of(std::span<const Branch> branches) {
   std::vector<std::size_t> axes(branches.size());
   for (std::size_t k = 0; k < branches.size(); ++k) {
@@ -66,7 +66,7 @@ std::vector<SpherePair> neighbours(std::span<const Hung> all, std::span<const Sw
   return pairs;
 }
 
-// Half the way that two which overlap are pushed apart; the smoother the less they do.
+// Half the vector by which two overlapping berries are pushed apart; smooth where they begin to overlap.
 glm::vec3 push_between(const Hung& a, const Hung& b) {
   const glm::vec3 between = between_segments(b.centre - a.centre, {a.heading, a.size.core}, {b.heading, b.size.core});
   const float reach = a.size.ball + b.size.ball;

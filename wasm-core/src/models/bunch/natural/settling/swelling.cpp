@@ -16,27 +16,28 @@ namespace panicle::bunch {
 namespace {
 
 // Tuned on the fifteen presets of the paper and 50 random profiles (docs/natural.md has the effect of each).
-constexpr float margin = 0.35f;       // of the widest berry: how far apart neighbours may be when they are looked for
+constexpr float margin = 0.35f;       // of the widest berry: distance up to which neighbours are searched for
 constexpr int projections = 2;        // of all constraints in a step
 constexpr int settling = 6;           // steps at the largest size before the last thinning, and after; then some dry
 constexpr int refresh = 4;            // steps between two searches for neighbours
 constexpr float contact_give = 4.0f;  // compliance of two berries' skins: how much they flatten
-constexpr float bound_give = 4.0f;    // of the outline: berries may be pushed out a little
+constexpr float bound_give = 4.0f;    // compliance of the outline: berries may be pushed out a little
 constexpr float bound_inset = 0.55f;  // how far inside it centres stay, in half-widths
-constexpr float core_inset = 0.8f;    // the same for the core of a long berry, in half-lengths of it
-constexpr float furthest_out = 1.0f;  // beyond that inset, in half-widths, and no further
+constexpr float core_inset = 0.8f;    // the same for the core of a long berry, in its half-lengths
+constexpr float furthest_out = 1.0f;  // limit beyond that inset, in half-widths
 constexpr float straighten = 0.5f;    // share of the way back to where its pedicel hangs, a step: pedicels are springs
 constexpr float gravity = 0.012f;     // berry widths that an unsupported berry sinks in a step
 constexpr float shortest = 0.6f;      // of a pedicel, from its foot to the seat: it bends
 constexpr float most_bent = -0.35f;   // cosine of a pedicel's turn at its foot
-constexpr int most_rounds = 64;       // of thinning, where far too many have set
-constexpr float thinning_from = 0.72f;  // size at which berries first press each other off
+constexpr int most_rounds = 64;       // of thinning, if far too many have set
+constexpr float thinning_from = 0.72f;  // size from which berries crowd each other out
 constexpr int joining = 8;              // steps in which those that join late catch up
-constexpr int most_joinings = 5;        // lots of them
-constexpr float over_missing = 2.0f;    // as many join as are missing, and more, for some of them will be lost too
-constexpr float near_enough = 0.98f;    // of the number that is wanted
-constexpr float youngest = 0.08f;       // size of one that joins
-constexpr float rounding = 1.0001f;     // times a squared distance: two that are farther apart cannot touch
+constexpr int most_joinings = 5;        // number of batches of late berries
+// number that joins over the number that is missing, for some of them will be lost too
+constexpr float over_missing = 2.0f;
+constexpr float near_enough = 0.98f;    // of the requested number
+constexpr float youngest = 0.08f;       // size of a berry that joins
+constexpr float rounding = 1.0001f;     // factor for a squared distance: berries farther apart than that cannot touch
 
 // A berry and a stem that it may lean on.
 struct Leaning {
@@ -50,7 +51,7 @@ glm::vec3 leaning(const glm::vec3& heading, const glm::vec3& lean) {
   return far > 1e-3f ? way / far : heading;
 }
 
-// Where a stem is: the point halfway, and the vector from its start to its end.
+// The place of a stem: its middle, and the vector from its start to its end.
 struct StemPlace {
   glm::vec3 middle, along;
   float length;
@@ -100,7 +101,7 @@ class Solver {
   // Removes berries until none is pressed harder than berries can be.
   void thin_out() { thin(most_rounds); }
 
-  // Where fewer than `wanted` have found room, others grow up among them, in their order.
+  // Adds late berries in their order while fewer than `wanted` have found room.
   void join(std::size_t wanted, float scale, int& index) {
     std::uint32_t next = 0;
     for (int lot = 0; lot < most_joinings; ++lot) {
@@ -155,7 +156,7 @@ class Solver {
 
   bool gone(std::size_t i) const { return lost_[i] != RemovalReason{}; }
 
-  // Berries point away from where their pedicels grow.
+  // Turns berries away from the feet of their pedicels.
   void aim() {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
       const glm::vec3 way = centres_[i] - ends_[berries_[i].branch];
@@ -164,7 +165,7 @@ class Solver {
     }
   }
 
-  // From the nearest point of one berry's core to that of another's.
+  // The vector from the nearest point of one berry's core to that of another's.
   glm::vec3 between_cores(std::size_t i, std::size_t j) const {
     return between_segments(centres_[j] - centres_[i], {headings_[i], sizes_[i].core}, {headings_[j], sizes_[j].core});
   }
@@ -212,7 +213,7 @@ class Solver {
     }
   }
 
-  // A branch goes where its parent's end goes, and its own end comes back to where it grew.
+  // Moves each branch with its parent's end, and its own end back to where it grew.
   void hold_branches() {
     for (std::size_t k = 0; k < branches_.size(); ++k) {
       const Branch& branch = branches_[k];
@@ -242,7 +243,7 @@ class Solver {
     }
   }
 
-  // Are two berries farther from each other than `reach` for certain, however their cores lie?
+  // Whether two berries are certainly farther from each other than `reach`, for any direction of their cores.
   bool apart(std::uint32_t i, std::uint32_t j, float reach) const {
     const glm::vec3 between = centres_[j] - centres_[i];
     const float most = reach + sizes_[i].core + sizes_[j].core;
@@ -311,7 +312,7 @@ class Solver {
       const Uprighting& turn = turns_[berries_[i].bunch];
       glm::vec3 c = turn.place(centres_[i]);
       const glm::vec3 before = c;
-      // A long berry reaches as far as its core leans.
+      // A long berry's extent depends on the direction of its core.
       const SwollenSize& size = sizes_[i];
       const float upright = headings_[i].y * headings_[i].y, inset = bound_inset * size.half_width;
       const float lying = inset + core_inset * size.core * (1 - upright);
@@ -337,7 +338,7 @@ class Solver {
     }
   }
 
-  // Berries that press on each other, and how deep: the same until something moves.
+  // The pairs of berries that press on each other, with their depths: valid until a berry moves.
   std::vector<Press> presses() {
     std::vector<Press> presses;
     presses.reserve(pairs_.size());
@@ -350,7 +351,7 @@ class Solver {
     return presses;
   }
 
-  // Up to so many rounds, in each of which the most pressed are lost.
+  // Removes the most pressed berries, up to so many rounds.
   void thin(int rounds) {
     std::vector<Press> pressing = presses();
     for (int round = 0; round < rounds; ++round) {
@@ -377,7 +378,7 @@ class Solver {
   std::span<const glm::quat> turned_;  // the branches, at this step
   std::vector<SwollenSize> sizes_;     // of the berries, at this step
   std::vector<std::uint32_t> young_;   // those that are catching up
-  float young_share_ = 1;              // how far they have come
+  float young_share_ = 1;              // their age among the others, 0 … 1
   std::vector<RemovalReason> lost_;
   bool settled_ = false;
   std::vector<Uprighting> turns_;

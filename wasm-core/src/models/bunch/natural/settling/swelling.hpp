@@ -2,7 +2,7 @@
 //
 // Extended position-based dynamics (Macklin, Müller & Chentanez 2016, XPBD: Position-Based Simulation of Compliant
 // Constrained Dynamics, equations 17 and 18) without velocities: growth is slow, so every step starts at rest.
-// Constraints are solved one after another in a fixed order, so that the same bunch comes out everywhere.
+// Constraints are solved one after another in a fixed order, so that results are the same on all machines.
 #pragma once
 
 #include <cstdint>
@@ -16,26 +16,26 @@
 
 namespace panicle::bunch {
 
-// A stem that berries hang from and lean on; millimetres. Parents come first.
+// A stem with berries on it; millimetres. Parents come first.
 struct Branch {
   glm::vec3 start{0}, end{0};  // before anything bends
   std::int32_t parent = -1;
   float radius = 0;
-  float give = 0;     // 0 … 1: how readily its end gives way against its start
-  bool sags = false;  // under its berries; the rachis hangs as it is
+  float give = 0;     // 0 … 1: how readily its end moves against its start
+  bool sags = false;  // whether it bends under its berries; the rachis does not
 };
 
 struct Swelling {
-  std::uint32_t branch = 0;               // whose end the pedicel grows from
+  std::uint32_t branch = 0;               // the branch at whose end the pedicel grows
   glm::vec3 heading{0, -1, 0};            // of the pedicel, unit
   float stalk = 0;                        // full length of the pedicel
   float half_width = 0, half_length = 0;  // ripe
-  std::uint32_t bunch = 0;                // which outline it keeps to
-  bool taken = false;                     // taken off by hand once it is grown
-  bool late = false;                      // joins only where others found no room, in the order given
+  std::uint32_t bunch = 0;                // index of its outline
+  bool taken = false;                     // removed by hand after it has grown
+  bool late = false;                      // joins only where others found no room, in the given order
 };
 
-// An outline as it hangs; millimetres.
+// An outline and its stance; millimetres.
 struct BunchEnvelope {
   Envelope envelope;
   Stance stance;
@@ -49,11 +49,11 @@ struct Swollen {
   SwellingWork work;
 };
 
-// A pedicel's length over its ripe one, when berries are of a size.
+// A pedicel's length over its ripe one, for a size of berries.
 float stalk_at(float size);
 
-// `scales`: the berries' size over the ripe one, step by step; the last is the size they end with. Where fewer than
-// `wanted` berries find room, late ones grow up in the gaps; 0: none do.
+// Swells berries. `scales`: the berries' size over the ripe one, step by step; the last is the final size. Late berries
+// grow in the gaps while fewer than `wanted` berries find room; 0: none do.
 Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berries,
               std::span<const BunchEnvelope> bounds, std::span<const float> scales, std::size_t wanted = 0);
 

@@ -5,7 +5,7 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float most_pressed = 0.3f;  // of a berry's volume, by caps beyond its contacts
+constexpr float most_pressed = 0.3f;  // share of a berry's volume, by caps beyond its contacts
 
 // The volume of a cap of a berry, as a share of the berry's; the ball's cap is the measure.
 float cap_share(const SwollenSize& size, float deep) {

@@ -1,4 +1,4 @@
-// Which berries are lost for want of room while all swell.
+// The berries that are lost without room while all swell.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace panicle::bunch {
 // Two berries that may press on each other.
 struct Press {
   std::uint32_t a, b;
-  float deep;  // how far either would have to give way, millimetres; not above 0 where they are apart
+  float deep;  // overlap, millimetres; not above 0 where they are apart
 };
 
 // The berries that would have to give up more of their volume to their neighbours than berries can, ascending: only the
